@@ -1,15 +1,15 @@
-"""Command line of the program; no other part prints or exits.
+"""Command line of the program: the only part that prints and exits.
 
-A command writes results to stdout and messages to stderr, and returns an exit status.
+A command line gives results on stdout, messages on stderr, and an exit status.
 
 >>> from click.testing import CliRunner
 >>> answer = CliRunner().invoke(main, ["run", "nowhere/box.yaml"])
 >>> answer.exit_code, answer.stderr.rstrip()
 (1, 'nowhere/box.yaml: error: cannot be read: No such file or directory [E006]')
 
-The records of the core and of the annexes list the commands. `shared` contains functions that
-several commands need: input and output, cases, values of options. `templates` contains the cases
-that `new` writes, and `schemas` writes the JSON Schemas of all documents.
+The records of the core and of the annexes list the commands. `shared` contains what commands have
+in common: input and output, cases, values of options. `templates` are the cases of `new`.
+`schemas` writes the JSON Schemas of all documents.
 """
 
 from __future__ import annotations
@@ -37,29 +37,28 @@ from vstatics.core.suggestions import nearest
 click.UsageError.exit_code = WRONG_USE
 
 WITH_LANGUAGES = ("run", "flow", "summary", "explain", "plot", "report", "serve")
-"""Names of the commands that print words in the language of the option --lang."""
+"""Commands whose output has words in several languages; --lang chooses the language."""
 
 
 _ELSEWHERE = {"--lang": WITH_LANGUAGES, "--gear": ("flow", "explain", "plot")}
-"""Options that users expect in all commands, with the names of the commands that have the option.
-"""
+"""Options that users expect in all commands, with the commands that have them."""
 
 
 class Commands(LazyGroup):
-    """Group of all commands of the program, which ends with the exit status of the command."""
+    """Commands of the program with their exit statuses."""
 
     def listed(self) -> Modules:
-        """Return the commands of the core and of all annexes, in the order of the help text."""
+        """Return the commands of the core and of all annexes, sorted by place."""
         commands = [pair for record in (CORE, *annexes()) for pair in record.commands.items()]
         ordered = sorted(commands, key=lambda pair: pair[1].place)
         return {name: (command.module, command.help) for name, command in ordered}
 
     def module(self, name: str) -> str:
-        """Return the module of a command; annexes are searched only if needed."""
+        """Return the module of a command; annexes are asked only if the core does not have it."""
         return CORE.commands[name].module if name in CORE.commands else super().module(name)
 
     def make_context(self, *values: Any, **named: Any) -> click.Context:
-        """Create a context as click does, with messages that are safe to print on a terminal."""
+        """Make a context as click does, with messages that are safe to print."""
         try:
             with _safe_usage_errors():
                 return super().make_context(*values, **named)
@@ -68,7 +67,7 @@ class Commands(LazyGroup):
             raise click.exceptions.Exit(FAILED) from None
 
     def invoke(self, ctx: click.Context) -> Any:
-        """Call the command, and exit with a status, also after an error or a signal."""
+        """Exit with the status of the command, also after an error or a signal."""
         try:
             with stoppable() as stop, _safe_usage_errors():
                 status = self._status(ctx, stop)
@@ -87,7 +86,7 @@ class Commands(LazyGroup):
         except (click.ClickException, click.Abort, OSError):
             raise
         except Exception as error:  # noqa: BLE001 - users need a message, not a traceback
-            stop.check()  # a signal during an import can cause an unrelated error
+            stop.check()  # a signal during an import can raise an unrelated error
             from vstatics.core.cli.shared.cases import unexpected
 
             files.show([unexpected(f"vstatics {ctx.invoked_subcommand}", error)])
@@ -110,13 +109,13 @@ def _safe_usage_errors() -> Iterator[None]:
 
 
 def installed(names: Sequence[str]) -> list[str]:
-    """Return the names of installed commands among some names."""
+    """Return the commands that are installed, out of some names."""
     listed = main.listed()
     return [name for name in names if name in listed]
 
 
 def _with_hint(message: str) -> str:
-    """Add a hint to click's message about a misspelled choice or number.
+    """Add a hint to click's message on the spelling of a number or a choice.
 
     >>> _with_hint("'stik' is not one of 'stick', 'flow'.")
     "'stik' is not one of 'stick', 'flow'; did you mean `stick`?"
@@ -127,7 +126,7 @@ def _with_hint(message: str) -> str:
     number = re.search(r"'([^']*)' is not a valid float", message)
     if number is None:
         return message
-    from vstatics.core.readers.named.arithmetic import slip  # slow to import
+    from vstatics.core.readers.named.arithmetic import slip  # costs start-up time
 
     return message + slip(number[1])
 
@@ -181,10 +180,10 @@ def main() -> None:
 
 
 def entry() -> None:
-    """Run the program, and exit without finalising the interpreter.
+    """Run the program and exit at once.
 
-    Finalising takes longer than a calculation, and all files are already closed. Python code should
-    call `main` instead.
+    Finalising the interpreter takes longer than a calculation, and all files are closed by then.
+    Python code calls `main` instead.
     """
     code: int | str | None = DONE
     try:
@@ -192,9 +191,9 @@ def entry() -> None:
             main(prog_name="vstatics")
         except SystemExit as leaving:
             code = leaving.code
-        if not code and sys.stdout is not None:  # the calling process can have closed stdout
+        if not code and sys.stdout is not None:  # the caller can have closed stdout
             sys.stdout.flush()
-    except BrokenPipeError:  # the reader of a pipe has ended
+    except BrokenPipeError:  # the reader of a pipe has left
         code = FAILED
     except OSError as error:
         files.show([unwritable(None, error)])

@@ -33,17 +33,17 @@ from vstatics.core.tables.text import broken, lines
 
 
 class ProblemRecord(NamedTuple):
-    """Problem of a case as a record for JSON."""
+    """Problem as a record in JSON."""
 
     file: str
-    """Name of the file as given by the user; `<stdin>` for standard input."""
+    """Name of the file as given, or `<stdin>` for standard input."""
     line: Annotated[int, Words(minimum=1)] | None
-    """Number of the line, from 1; None for the whole file."""
+    """Line, from 1; None for the file as a whole."""
     column: Annotated[int, Words(minimum=1)] | None
     severity: Severity
     message: str
     id: str
-    """Id of the message: a letter for the severity and three digits."""
+    """Id of the cause: a letter for the severity and three digits."""
 
 
 def problem_records(file: str, problems: Iterable[Problem]) -> Iterator[ProblemRecord]:
@@ -69,7 +69,7 @@ FORMATS = ("text", "json", "github", "sarif", "junit")
 
 
 def constraints(file: str, results: Results) -> Grid:
-    """Return a table with the counts of components, and of constraints on speeds in each gear."""
+    """Return a table of the parts of a case and the constraints on speeds in each gear."""
     case = results.case
     free = freedom(case)
     counts = [
@@ -110,7 +110,7 @@ def constraints(file: str, results: Results) -> Grid:
         faults += [CONFLICT.english] * bool(conflict)
         count = given_constraints(gear) + len(holding)
         converters = case.unloaded_converters(with_engaged(gear, holding))
-        needed = free + len(converters)  # converters do not impose constraints
+        needed = free + len(converters)  # these impose no constraint
         state = f"{count} of {needed} constraints: {', '.join(faults) or 'ok'} (engaged: {engaged})"
         rows.append((f"gear {gear.name}", state))
     title = f"{file}: {', '.join(counts)}; degrees of freedom: {free}"
@@ -118,7 +118,7 @@ def constraints(file: str, results: Results) -> Grid:
 
 
 _ALL = "all"
-"""Value of `--explain` for all messages, which is also used if no value is given."""
+"""Value of `--explain` for all messages, also if the option has no value."""
 
 
 def _ids() -> list[str]:
@@ -209,7 +209,7 @@ def check_command(
 
 
 def _explained(asked: str, form: str) -> str:
-    """Return the explanations of messages with comma-separated ids, or of all messages."""
+    """Return the explanations of comma-separated ids, or of all ids."""
     from vstatics.core.messages.catalogue import explained, known_ids, text
 
     names, known = separated([asked]), known_ids()
@@ -223,7 +223,7 @@ def _explained(asked: str, form: str) -> str:
 
 
 CheckedFile: TypeAlias = tuple[str, list[Problem], bool, Grid | None]
-"""Name of a checked file, problems, True if the check failed, and the table of constraints."""
+"""Name of a checked file, problems, whether the check failed, and the table of constraints."""
 
 
 def _calculated(cases: Sequence[str], options: CaseOptions) -> Iterator[CheckedFile]:
@@ -241,7 +241,7 @@ def _calculated(cases: Sequence[str], options: CaseOptions) -> Iterator[CheckedF
 
 
 def _of_document(file: str) -> Callable[[str, CaseOptions], CheckedFile] | None:
-    """Return the function by which an annex checks a document; without annex, None."""
+    """Return the function of an annex that checks a document, or None for a case."""
     check_document: Callable[[str, CaseOptions], CheckedFile] | None = None
     if file != files.STDIN:
         with contextlib.suppress(ReadError):
@@ -254,13 +254,13 @@ def _printed(file: str, problems: Sequence[Problem], telling: Telling) -> list[P
 
 
 class _Once:
-    """Filter of problems that were reported before, for a case that several scenarios use."""
+    """Reported problems; a case that several scenarios name reports each of its problems once."""
 
     def __init__(self) -> None:
         self._reported: set[tuple[str, str, str, int, int]] = set()
 
     def first(self, problems: Iterable[Problem]) -> list[Problem]:
-        """Return the problems not reported before, whatever the spelling of the file name."""
+        """Return problems not reported before; the spelling of a file name does not matter."""
         new = []
         for problem in problems:
             file, line, column = problem.place[:3] if problem.place else ("", 0, 0)
@@ -272,7 +272,7 @@ class _Once:
 
 
 def _as_text(cases: Sequence[str], options: CaseOptions) -> tuple[str, bool]:
-    """Print the problems of all cases, and return the tables, and whether a case failed."""
+    """Print the problems of all cases; return the tables and whether a case failed."""
     text, failed, once = list[str](), False, _Once()
     for file, problems, fails, grid in _calculated(cases, options):
         failed |= fails
@@ -286,7 +286,7 @@ def _as_text(cases: Sequence[str], options: CaseOptions) -> tuple[str, bool]:
 
 
 def _for_programs(cases: Sequence[str], options: CaseOptions, form: str) -> tuple[str, bool]:
-    """Return the problems of all cases in a machine-readable format, and whether a case failed."""
+    """Return the problems of all cases in a format for programs, and whether a case failed."""
     by_file, failed = list[tuple[str, list[Problem]]](), False
     for file, problems, fails, _ in _calculated(cases, options):
         failed |= fails
@@ -319,7 +319,7 @@ def _array(records: Iterable[tuple[object, ...]]) -> str:
 
 
 def _as_junit(by_file: Sequence[tuple[str, Sequence[Problem]]], telling: Telling) -> str:
-    """Return the outcome of each file as JUnit; warnings are failures only with --strict."""
+    """Return the outcome of each file for JUnit; warnings are failures with --strict only."""
     from vstatics.core.writers.junit import CaseOutcome, junit
 
     outcomes = []

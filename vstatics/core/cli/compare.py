@@ -1,4 +1,4 @@
-"""`vstatics compare`: differences of two results, beginning with changes of the case."""
+"""`vstatics compare`: differences of two results, changes of the case first."""
 
 from __future__ import annotations
 
@@ -147,7 +147,7 @@ def _of_files(actual: str, expected: str, how: Tolerances) -> Verdict:
 
 
 def _lines(total: Verdict, form: str, *, all_numbers: bool, summary: bool) -> list[str]:
-    """Return the lines about all cases with differences, in a text format."""
+    """Return the lines about all cases that differ."""
     lay_out = layout.markdown if form == "markdown" else layout.text
     lines: list[str] = []
     for case in total.cases:
@@ -159,7 +159,7 @@ def _lines(total: Verdict, form: str, *, all_numbers: bool, summary: bool) -> li
 
 
 def _as_junit(total: Verdict) -> str:
-    """Return the outcome of each case as JUnit; a change of the case alone is not a failure."""
+    """Return the outcome of each case for JUnit; changes of a case alone are not failures."""
     return junit(
         "vstatics compare",
         [

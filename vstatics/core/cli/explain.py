@@ -1,4 +1,4 @@
-"""`vstatics explain`: matrix, equations, solution and ratio formula of each gear."""
+"""`vstatics explain`: matrix, equations, solution and ratio formula of a gear."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 class AskedExercise(NamedTuple):
-    """Exercise about a gear: a worksheet or the solution, with numbers that depend on a seed."""
+    """Exercise on a gear: a worksheet or its solution, whose numbers depend on a seed."""
 
     worksheet: bool
     solution: bool

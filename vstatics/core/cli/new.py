@@ -1,4 +1,4 @@
-"""`vstatics new`: write a commented case to begin with, from a template or a shipped case."""
+"""`vstatics new`: a commented case to start from, a template or a shipped case."""
 
 from __future__ import annotations
 
@@ -30,11 +30,11 @@ TEMPLATES = (
     "input_split",
     "worm",
 )
-"""Names of the templates, the simplest first; shipped cases have other names."""
+"""Names of templates, the simplest first; no shipped case has an equal name."""
 
 
 def template(name: str, suffix: str = ".yaml") -> str:
-    """Return the text of a template or shipped case; the suffix `.dat` selects a deck, if any.
+    """Return the text of a template or shipped case, as a deck if the case has a deck.
 
     >>> template("ravigneaux").splitlines()[0]
     '# A Ravigneaux set: the small sun meshes with the short planets, these with the long planets,'
@@ -49,7 +49,7 @@ def template(name: str, suffix: str = ".yaml") -> str:
 
 
 def _known(name: str) -> str:
-    """Return the correct name of a template or shipped case; refuse unknown names.
+    """Return the name of a template or shipped case; refuse unknown names with a hint.
 
     >>> _known("drive-axle"), _known("power_split")
     ('drive_axle', 'power-split')

@@ -1,4 +1,4 @@
-"""`vstatics run`: calculate cases, and write the results in any format."""
+"""`vstatics run`: calculation of cases, with the results in any format."""
 
 from __future__ import annotations
 
@@ -24,10 +24,10 @@ from vstatics.core.tables.grid import Grid
 from vstatics.core.texts import speaking
 
 PLAIN: dict[str, Any] = {"color_system": None, "force_terminal": False}
-"""Settings of a console of the package rich that writes text without colours."""
+"""Options of a rich console that writes plain text without colours into a file."""
 FORMATS = ("listing", "source", *formats.TABLES[1:], "parquet")
 MANY = 100
-"""Smallest number of cases for which all processor cores are used by default."""
+"""Smallest number of cases for which all cores are used by default."""
 
 
 @command
@@ -137,12 +137,12 @@ def run_command(
 
 
 def _without_alias(wanted: OutputOptions) -> OutputOptions:
-    """Replace the option `--lang source`, an alias, by `-f source`.
+    """Return the options with `--lang source` replaced by `-f source`.
 
     Raises
     ------
     UsageError
-        If a different format is also requested.
+        If another format is requested.
     """
     if wanted.style.lang != "source":
         return wanted
@@ -152,7 +152,7 @@ def _without_alias(wanted: OutputOptions) -> OutputOptions:
 
 
 def show(outcome: CalculatedCase, results: Results, to: Destination) -> texts.CaseOutput:
-    """Return the results of a case as output in any format."""
+    """Return all tables of the results of a case as output."""
     style = to.style
     if to.form == "source":
         return _as_published(outcome, results, style)
@@ -197,14 +197,14 @@ def show(outcome: CalculatedCase, results: Results, to: Destination) -> texts.Ca
 
 
 def _as_published(outcome: CalculatedCase, results: Results, style: TextStyle) -> texts.CaseOutput:
-    """Return the results of a case as the listing that the program Visual-Statics prints.
+    """Return the output of a case in the format `source`, the listing that Visual-Statics prints.
 
-    Efficiencies with too many digits for the fields of the listing are rounded, with a message.
+    Efficiencies that the fields of the listing cannot hold are rounded, with a message.
 
     Raises
     ------
     ReadError
-        If the case has a component that the listing cannot contain.
+        If the case has a part for which the listing has no field.
     """
     from vstatics.core.writers import source_listing
     from vstatics.core.writers.listing import LISTING_DECIMALS
@@ -235,7 +235,7 @@ def _pretty(
     *,
     several: bool,
 ) -> int:
-    """Print a table of the gears of each case, and return the exit status."""
+    """Print a table of the gears of each case for people, and return the exit status."""
     from vstatics.core.cli.shared.console import SafeConsole, trimmed
     from vstatics.core.summary.pretty import ASCII, DOTS, view
 

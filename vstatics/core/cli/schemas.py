@@ -1,4 +1,4 @@
-"""Writer of the JSON Schemas in ``schemas/``: ``python -m vstatics.core.cli.schemas FOLDER``."""
+"""JSON Schemas of ``schemas/``, written by ``python -m vstatics.core.cli.schemas FOLDER``."""
 
 from __future__ import annotations
 
@@ -25,16 +25,16 @@ ANSWERS = {
     "explain": ("Gears explained, of vstatics explain", ExplanationAnswer),
     "exercise": ("A gear as an exercise, of vstatics explain --solution", SolvedExercise),
 }
-"""Title and document type of schemas for output with a document per case, by file name."""
+"""Title of a schema and type of its documents, by file, for output with a document per case."""
 OTHERS = {
     "check": ("Problems of cases, by vstatics check", Sequence[ProblemRecord]),
     "compare": ("What changed between results, of vstatics compare", Verdict),
 }
-"""Title and document type of schemas for output as a single document, by file name."""
+"""Title of a schema and type of its document, by file, for output with a single document."""
 
 
 def schemas() -> dict[str, dict[str, Any]]:
-    """Return all JSON Schemas, by file name."""
+    """Return all JSON schemas by file name."""
     of_case = case.json_schema()
     return {
         "case": of_case,
@@ -56,7 +56,7 @@ def _of_annex(name: str, declared: Schema) -> dict[str, Any]:
 
 
 def text(schema: dict[str, Any]) -> str:
-    """Return a schema as text for a file."""
+    """Return the text of the file of a schema."""
     return json.dumps(schema, indent=2, ensure_ascii=False) + "\n"
 
 

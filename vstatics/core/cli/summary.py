@@ -1,4 +1,4 @@
-"""`vstatics summary`: design table of a case: ratios, step ratios, shifts, largest values."""
+"""`vstatics summary`: the design table of a case: ratios, steps, transitions, largest values."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 
 MOST_COMBINATIONS = 10_000
-"""Default largest number of combinations of shift elements to try."""
+"""Largest number of combinations of shift elements that are tried by default."""
 
 
 @command
@@ -129,7 +129,7 @@ def _of_boxes(
     summarized: Callable[[CalculatedCase, Results], Summary],
     to: Destination,
 ) -> int:
-    """Write the summaries of gearboxes found by `synth box`, as tables or as a series in JSON."""
+    """Write the summaries of gearboxes found by synthesis: a table, or a series in JSON."""
     if to.is_folder:
         message = f"found boxes give one table: expected -o FILE, not {to.output}"
         raise click.UsageError(message)
@@ -187,7 +187,7 @@ def _summarized(
     output_torque: float,
     reserve: float | None,
 ) -> Summary:
-    """Return the summary of a case; too many combinations are reported as a problem of the file."""
+    """Return the summary of a case; report too many combinations as a problem of the file."""
     from vstatics.core.summary import summarize
 
     try:

@@ -1,4 +1,4 @@
-"""Readers of cases: each format has a module or folder that converts bytes to a case.
+"""Readers of cases: a module or folder for each format turns bytes into a `Transmission`.
 
 >>> text = "{links: 2, mechanisms: {D: {first: 1, second: 2, ratio: 3}}, gears: {low: , high: }}"
 >>> format_of("case.yaml", text.encode())
@@ -7,10 +7,10 @@
 >>> [gear.name for gear in reading.case.gears], reading.warnings
 (['low', 'high'], [])
 
-`load` reads a file, `loads` a text and `from_dict` plain data. `expressions` parses formulas.
-`named` (YAML, JSON) and `deck` read values with their places in the text, and build a case, which
-`reading` checks. `workbook` converts sheets to the nodes that `named` reads. `results` and
-`sweep_tables` read files of results.
+`load` reads a file, `loads` a text and `from_dict` plain data. `expressions` reads formulas.
+`named` and `deck` turn a text into values with their places and these into a case, which `reading`
+checks. `workbook` turns sheets into the nodes that `named` reads. `results` and `sweep_tables` read
+written results.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ Format = Literal["deck", "yaml", "json", "xlsx"]
 
 @runtime_checkable
 class Stream(Protocol):
-    """Open file, or a similar object with a method `read`."""
+    """Open file or a similar object with a method `read`."""
 
     def read(self, size: int, /) -> Any:
         """Read and return at most `size` characters or bytes."""
@@ -45,8 +45,7 @@ READERS: dict[Format, tuple[str, str]] = {
     "json": ("vstatics.core.readers.named.reader", "read_json"),
     "xlsx": ("vstatics.core.readers.workbook", "read"),
 }
-"""Module and function of each format; modules are imported when needed, as yaml is slow to import.
-"""
+"""Module and function of each format, imported when needed, as YAML costs start-up time."""
 
 SUFFIXES: dict[str, Format] = {
     ".dat": "deck",
@@ -64,7 +63,7 @@ _PACKED = b"PK\x03\x04"
 
 def format_of_name(file: str) -> Format | None:
     """Return the format of a file from the suffix of the name, or `None` if unknown."""
-    suffix = splitext(file)[1]  # noqa: PTH122 (importing pathlib takes as long as a calculation)
+    suffix = splitext(file)[1]  # noqa: PTH122 (importing pathlib costs as much as a solve)
     return SUFFIXES.get(suffix.lower())
 
 
@@ -88,16 +87,16 @@ def read(data: bytes, file: str, format: Format | None = None) -> Reading:  # no
     Parameters
     ----------
     data : bytes
-        Content of a file.
+        The content of a file.
     file : str
-        Name of the file, for messages, and for the format by suffix.
+        Name of the file, for messages and to find the format.
     format : {"deck", "yaml", "json", "xlsx"}, optional
         The format, if it is known.
 
     Returns
     -------
     Reading
-        Case with warnings, and with the places of all parts in the file.
+        The transmission, its warnings, and the places of its parts.
 
     Raises
     ------
@@ -125,9 +124,9 @@ def load(source: str | PathLike[str] | Stream, *, format: Format | None = None) 
     Parameters
     ----------
     source : path-like or stream
-        Name of a file, or open stream of text or bytes.
+        A file, or an open stream of text or bytes.
     format : {"deck", "yaml", "json", "xlsx"}, optional
-        Format; by default determined from the suffix or, failing that, from the content.
+        The format; by default it follows from the suffix, or else from the content.
 
     Returns
     -------
@@ -157,15 +156,15 @@ def load(source: str | PathLike[str] | Stream, *, format: Format | None = None) 
 def content(
     source: str | PathLike[str] | Stream, most: int = DOCUMENT_BYTES
 ) -> Iterator[tuple[bytes, str]]:
-    """Yield the content and the name of a file or a stream.
+    """Yield the content, at most `most` bytes, and the name of a file or a stream.
 
-    The origin of a stream without a name is unknown, so that its text must not refer to other files
-    within the context.
+    If a stream has no name, the text in it cannot refer to other files within the block, as its
+    origin is unknown.
 
     Raises
     ------
     OSError
-        If the file cannot be opened, or is larger than `most` bytes.
+        If the file cannot be opened, or is larger.
     """
     if isinstance(source, str | PathLike):
         yield read_file(source, most), fspath(source)
@@ -190,9 +189,8 @@ def loads(text: str | bytes, *, format: Format | None = None, name: str = "") ->
     format : {"deck", "yaml", "json", "xlsx"}, optional
         The format; by default it follows from the content.
     name : str, optional
-        Name of the text in messages. Files named in the text are read relative to its folder, as in
-        ``cases/box.yaml``. Without a folder they are refused, because the text can come from an
-        untrusted source.
+        Name of the text in messages. Files named in the text are read relative to its folder, as
+        in ``cases/box.yaml``. Without a folder they are refused, as the text may be untrusted.
 
     Returns
     -------
@@ -222,9 +220,9 @@ def _encoded(text: str | bytes) -> bytes:
 
 
 def from_dict(data: Mapping[str, Any]) -> Transmission:
-    """Return the case that plain data describe, with the keys of YAML and JSON.
+    """Return the transmission described by plain data, with the keys of YAML and JSON.
 
-    Other files are not read.
+    No file is read.
 
     Raises
     ------
@@ -248,14 +246,12 @@ def from_dict(data: Mapping[str, Any]) -> Transmission:
             f"from_dict of {type_and_value(data)}: expected a mapping, or `load` for a file"
         )
     text = json.dumps(data, default=_plain)
-    # JSON has no such numbers; as texts, messages can quote them.
-    if "NaN" in text or "Infinity" in text:
+    if "NaN" in text or "Infinity" in text:  # JSON lacks them; messages then quote them as texts
         text = json.dumps(json.loads(text, parse_constant=str))
     try:
         with no_files():
             return read(text.encode(), "<dict>", "json").case
-    # Messages name the keys, because lines of `text` have no meaning for the user.
-    except ReadError as error:
+    except ReadError as error:  # the messages name the keys; a line of `text` means nothing here
         raise ReadError(
             problem._replace(path=(), place=None) for problem in error.problems
         ) from None

@@ -1,4 +1,4 @@
-"""Cases as trees of nodes, from YAML, JSON or workbooks, in which numbers can be replaced."""
+"""Cases as trees of nodes, from YAML, JSON or workbooks, so that numbers can be replaced."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ if TYPE_CHECKING:
 
 
 class CaseDocument(NamedTuple):
-    """Case as a tree of nodes, with the text from which the tree was read."""
+    """Case as a tree of nodes, with the text that contains the nodes."""
 
     root: Node
     source: Source
 
     def reading(self, root: Node) -> Reading:
-        """Read the case from a modified tree of the document.
+        """Read the case of a modified tree of this document.
 
         Raises
         ------
@@ -30,7 +30,7 @@ class CaseDocument(NamedTuple):
 
 
 def case_document(data: bytes, file: str, form: Format | None) -> CaseDocument | None:
-    """Read a case as a tree of nodes; return None for a deck, which has no tree.
+    """Read a case as a tree of nodes; return `None` for a deck, which has no tree.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Kinds of documents (case, scenario, sweep file), recognised by their keys."""
+"""Kinds of documents, recognised by their keys: case, scenario, sweep file."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from vstatics.core.annexes import DOCUMENTS, document_kind, module, not_installed
 from vstatics.core.errors import ReadError, of_file
 
-if TYPE_CHECKING:  # the modules that read YAML are slow to import
+if TYPE_CHECKING:  # the modules that read YAML cost start-up time
     from vstatics.core.readers.named.nodes import Node
 
 KEYS: Mapping[str, str] = {
@@ -17,12 +17,11 @@ KEYS: Mapping[str, str] = {
     "sweep file": "vary variants",
     "case": "links mechanisms elements springs inertias masses gears shift_elements dump",
 }
-"""Keys that identify each kind of document, as a text; the first kind with a matching key counts.
-"""
+"""Keys that identify each kind of document, in one text; the first kind with a match counts."""
 
 
 def kind_of(root: Node) -> str | None:
-    """Return the kind of a document in YAML or JSON; None if all keys are unknown."""
+    """Return the kind of a document in YAML or JSON, or `None` if all keys are unknown."""
     from vstatics.core.readers.named import nodes
 
     keys = {key.text for key, _ in root.entries} if isinstance(root, nodes.Mapping) else set()
@@ -30,7 +29,7 @@ def kind_of(root: Node) -> str | None:
 
 
 def is_foreign(data: bytes, file: str) -> bool:
-    """Return True for a file without any key of a case, which messages should not quote.
+    """Return whether a file contains no key of a case, so that messages do not quote it.
 
     >>> is_foreign(b"root:x:0:0::/root:/bin/sh", "/etc/passwd"), is_foreign(b"{links: 2}", "a.yaml")
     (True, False)
@@ -66,7 +65,7 @@ def is_of_kind(kind: str, data: bytes, file: str) -> bool:
 
 
 def document_function(name: str, data: bytes, file: str) -> Any:
-    """Return the function by which an annex handles a document; None for a case.
+    """Return the function of an annex that handles a document, or `None` for a case.
 
     Raises
     ------

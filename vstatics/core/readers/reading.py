@@ -1,4 +1,4 @@
-"""Parts that all readers of cases share: the text with line numbers, and the final checks."""
+"""Common parts of all readers of cases: the text with line numbers, and the final checks."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 class Source:
-    """Text of a file, with the places of lines and columns."""
+    """Text of a file, which gives the places in it."""
 
     def __init__(self, file: str, text: str) -> None:
         self.file = file
@@ -33,7 +33,7 @@ class Source:
 
     @cached_property
     def lines(self) -> list[str]:
-        """Lines of the text, with any kind of line end; readers of long tables delete the list."""
+        """Lines of the text, for any line ending; readers of long tables delete the list."""
         return self.text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
 
     def place(self, line: int, column: int = 1) -> Place:
@@ -43,24 +43,24 @@ class Source:
 
 
 class Reading(NamedTuple):
-    """Result of reading a case: the case, warnings, and the places of all parts."""
+    """Result of reading: the case, the warnings, and the places of all parts."""
 
     case: Transmission
     warnings: list[Problem]
     locate: Callable[[Problem], Problem]
-    """Function that adds the place and the name of the key to a problem of the case."""
+    """Function that adds the place and the field name to a problem of the model."""
 
     def allowing(self, ids: Sequence[str]) -> Reading:
-        """Return the same case with further suppressed messages."""
+        """Return a reading with more suppressed message ids than the case itself lists."""
         if not ids:
             return self
         case = self.case.replace(hushed=(*self.case.hushed, *ids))
         return self._replace(case=case, warnings=not_allowed(self.warnings, ids))
 
     def located_messages(self, results: Results, *, each_gear: bool) -> Iterator[Problem]:
-        """Yield the messages of results, with places; equal messages of several gears are merged.
+        """Yield the messages of results with places; equal messages of gears are merged.
 
-        Unless `each_gear`, messages that differ only in the gear are also merged.
+        Unless `each_gear`, messages that differ only in the gear are merged, too.
         """
         if not results.messages:
             return
@@ -83,7 +83,7 @@ def finish(
     unreadable: Iterable[Path],
     locate: Callable[[Problem], Problem],
 ) -> Reading:
-    """Build the case from parts, and report the problems of text and case together.
+    """Build the case from parts, and report all problems of text and model together.
 
     Parameters
     ----------
@@ -92,14 +92,14 @@ def finish(
     problems : iterable of Problem
         Problems found by the reader, with their places.
     unreadable : iterable of Path
-        Paths of stand-ins, at which problems of the case are not reported.
+        Paths of the stand-ins; problems of the model at these paths are not reported.
     locate : callable
-        Function that adds the place in the text to a problem of the case.
+        Function that adds the place in the text to a problem of the model.
 
     Raises
     ------
     ReadError
-        If there is any error, with all errors in the order of the text, then the warnings.
+        If there is any error: errors in the order of the text, then warnings.
     """
     problems = list(problems)
     is_certain = certain(unreadable)
@@ -116,9 +116,9 @@ def finish(
 
 
 def certain(unreadable: Iterable[Path]) -> Callable[[Path], bool]:
-    """Return a function that checks that a path is neither above nor below a stand-in.
+    """Return a predicate that accepts paths neither above nor below a stand-in.
 
-    The function needs one set lookup per level of the path, for any number of stand-ins.
+    The predicate costs one set lookup per level of the path, for any number of stand-ins.
 
     >>> is_certain = certain([("gears", 2)])
     >>> is_certain(("gears", 1)), is_certain(("gears",)), is_certain(("gears", 2, "speeds"))

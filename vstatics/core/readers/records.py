@@ -1,4 +1,4 @@
-"""Recorded signals over time: columns of a CSV file, such as from `vstatics simulate`."""
+"""Signals recorded over time: columns of a CSV file, as `vstatics simulate` writes them."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from vstatics.core.tables.csv import unguarded
 
 
 class RecordedColumns(NamedTuple):
-    """Columns of a record that were requested, in SI units, by name."""
+    """Wanted columns of a record, in SI units, by name."""
 
     columns: Mapping[str, Floats]
     headings: tuple[str, ...]
@@ -50,17 +50,17 @@ class RecordedColumns(NamedTuple):
 
 
 def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) -> RecordedColumns:
-    """Read the requested columns that a file has.
+    """Read the wanted columns that the file has.
 
     Parameters
     ----------
     data : bytes
-        Content of the file: a line of headings, then a line for each instant.
+        A line of headings, then a line for each instant.
     file : str
         Name of the file, for messages.
     wanted : mapping of str to str or None
-        Quantity of each requested column, by the heading without a unit; None permits any unit. In
-        the file, a unit can follow the heading in brackets or parentheses.
+        Measure of each wanted column, by its heading without a unit; None accepts any unit. In the
+        file a unit can follow the heading in brackets or parentheses.
 
     Returns
     -------
@@ -69,8 +69,7 @@ def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) ->
     Raises
     ------
     ReadError
-        If cells of a requested column are not finite numbers, with all such cells; or if a column
-        is repeated.
+        With every cell of a wanted column that is not a finite number, or with a repeated column.
 
     Examples
     --------
@@ -111,7 +110,7 @@ def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) ->
 def _places(
     headings: Sequence[str], wanted: Mapping[str, Measure | None], head: Place
 ) -> dict[str, tuple[int, float]]:
-    """Return the index of each requested column, and the size of the unit in SI units."""
+    """Return the index of each wanted column, and the size of the unit in SI."""
     places = {}
     for place, heading in enumerate(headings):
         name = _wanted(heading, wanted)
@@ -132,6 +131,6 @@ def _places(
 
 
 def _wanted(heading: str, wanted: Container[str]) -> str:
-    """Return the name in a heading without the unit, unless the full heading is requested."""
+    """Return the name in a heading, without the unit unless the full heading is wanted."""
     name, _ = with_unit(heading)
     return name if name in wanted and heading not in wanted else heading

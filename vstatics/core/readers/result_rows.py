@@ -1,4 +1,4 @@
-"""Readers of results written as rows with one number each: CSV, and Parquet of many cases."""
+"""Readers of results written as rows with a single number: CSV, and Parquet of many cases."""
 
 from __future__ import annotations
 
@@ -16,20 +16,20 @@ from vstatics.core.tables.written_results import Figure, WrittenResult
 
 
 def no_result(message: str, file: str, line: int = 0, column: int = 1) -> ReadError:
-    """Return the error that a file does not contain a result, at a place in the file."""
+    """Return the error that a file contains no result, at a place in the file."""
     return ReadError("E110", message, place=Source(file, "").place(line, column))
 
 
 COLUMNS = ["table", "row", "gear", "value"]
 ABOUT = ("conventions", "program")
-"""Texts in the column `table` that mark rows without a number."""
+"""Texts in the column `table` of rows without a number."""
 PARQUET = b"PAR1"
 _Cells = dict[str, dict[str, dict[str, Figure]]]
-"""Numbers of a result by table, row, and gear or component."""
+"""Figures of a result by table, row, and gear or device."""
 
 
 def finite_figure(value: str | float | None) -> Figure:
-    """Return a number from a file with its digits (`Figure`); None gives NaN.
+    """Return a written number as a figure; `None` becomes NaN.
 
     Raises
     ------
@@ -53,7 +53,7 @@ def read_csv(text: str, file: str) -> list[WrittenResult]:
     Raises
     ------
     ReadError
-        If a line does not contain a number, or does not belong to a table.
+        If a line contains no number, or belongs to no table.
     """
     lines = _csv_lines(text, file)
     has_case = next(lines)[1][0] == "case"
@@ -77,7 +77,7 @@ def read_csv(text: str, file: str) -> list[WrittenResult]:
 
 
 def is_parquet(data: bytes) -> bool:
-    """Check whether a file is Parquet with the columns of results, as opposed to a sweep."""
+    """Check whether a file is Parquet with the columns of results, not of a sweep."""
     footer = data[-8 - int.from_bytes(data[-8:-4], "little") :]
     return data.startswith(PARQUET) and all(name.encode() in footer for name in ("case", *COLUMNS))
 
@@ -103,7 +103,7 @@ def read_parquet(data: bytes, file: str) -> list[WrittenResult]:
                 )
     except ReadError:
         raise
-    except Exception as error:  # noqa: BLE001 (pyarrow raises many classes of errors)
+    except Exception as error:  # noqa: BLE001 (pyarrow has many classes of errors)
         text = " ".join(str(error).split())
         raise no_result(f"no results in Parquet: {text[:200]}", file) from None
     return _made(results, file)
@@ -113,7 +113,7 @@ def _put(
     results: dict[str, _Cells], case: str, place: tuple[str, str, str], figure: Figure
 ) -> None:
     table, name, gear = place
-    quantity = BY_NAME[table]  # files of version 1 contain deck names
+    quantity = BY_NAME[table]  # results of version 1 have deck names
     if quantity.columns == "devices":
         name, _, gear = name.rpartition(":")
     results.setdefault(case, {}).setdefault(quantity.name, {}).setdefault(name, {})[gear] = figure
@@ -126,12 +126,12 @@ def _made(results: dict[str, _Cells], file: str) -> list[WrittenResult]:
 
 
 def checked(result: WrittenResult, file: str, line: int = 0) -> WrittenResult:
-    """Check that tables with one value per gear have a single row, and return the result.
+    """Return a result after checking that each list over gears has a single row.
 
     Raises
     ------
     ReadError
-        If such a table has several rows.
+        If a list over gears has several rows.
     """
     for key, rows in result.tables.items():
         if BY_NAME[key].rows == "one" and len(rows) != 1:
@@ -140,7 +140,7 @@ def checked(result: WrittenResult, file: str, line: int = 0) -> WrittenResult:
 
 
 def _csv_lines(text: str, file: str) -> Iterator[tuple[int, list[str]]]:
-    """Yield the rows of a CSV file with line numbers; a carriage return also ends a line."""
+    """Yield the rows of a CSV file with line numbers; a carriage return ends a line, too."""
     lines = csv.reader(io.StringIO(text, newline=None))
     try:
         for row in lines:

@@ -1,4 +1,4 @@
-"""Readers of result files (listing, JSON, rows) as tables of numbers, for comparison."""
+"""Readers of written results (listing, JSON or rows) into tables of numbers, for comparison."""
 
 from __future__ import annotations
 
@@ -42,9 +42,9 @@ OTHERS = {
     "changed": "the output of `vstatics compare`",
     "gears": CASE,
 }
-"""Descriptions of other JSON documents, by a key that results lack."""
+"""Descriptions of other documents without a format, by a key that results lack."""
 NAMED_FILE = re.compile(r"==> (.+) <==$")
-"""Pattern of the line with the file name above each of several listings in a text."""
+"""Line with the file name above each of several listings in a text."""
 
 
 def read_results(data: bytes, file: str) -> list[WrittenResult]:
@@ -53,7 +53,7 @@ def read_results(data: bytes, file: str) -> list[WrittenResult]:
     Raises
     ------
     ReadError
-        If the file does not contain a result.
+        If the text is not a result.
     """
     if is_parquet(data):
         return read_parquet(data, file)
@@ -75,10 +75,9 @@ def read_results(data: bytes, file: str) -> list[WrittenResult]:
 
 
 def _is_lines(text: str, error: json.JSONDecodeError) -> bool:
-    """Check whether a text that is not valid JSON is JSON lines, possibly with a broken line.
+    """Check whether invalid JSON is JSON lines, possibly with a broken line.
 
-    A text is JSON lines if the first object ends on the line where it begins, or if objects begin
-    on several lines.
+    A text is JSON lines if the first object ends in its line, or objects begin in several lines.
     """
     if text.lstrip()[:1] != "{":
         return False
@@ -116,7 +115,7 @@ def _report(document: Any, file: str, number: int, line: int = 0) -> WrittenResu
         return WrittenResult({}, None, printed=False, errors=True, file=_file(document))
     tables = {}
     for quantity in QUANTITIES:
-        # Files of version 1 contain deck names.
+        # Results of version 1 have deck names.
         key = next((name for name in (quantity.name, quantity.deck_name) if name in document), "")
         if key:
             rows = document[key]
@@ -137,7 +136,7 @@ def _report(document: Any, file: str, number: int, line: int = 0) -> WrittenResu
 
 
 def _no_tables(document: Mapping[str, Any], number: int) -> str:
-    """Return the message about a document without tables, such as the output of `check`."""
+    """Return the message for a document without tables, such as the output of `check`."""
     form = document.get("format")
     if isinstance(form, str) and form != FORMAT and form.startswith("vstatics-"):
         kind = f"a document of vstatics {form.removeprefix('vstatics-')}"
@@ -152,13 +151,13 @@ def _no_tables(document: Mapping[str, Any], number: int) -> str:
 
 
 def _file(document: Mapping[str, Any]) -> str:
-    """Return the name of the file in a result; empty without a name."""
+    """Return the file name in a result, or an empty text."""
     file = document.get("case" if "errors" in document else "file")
     return file if isinstance(file, str) else ""
 
 
 def _row_names(given: Mapping[str, Any], tables: Mapping[str, Figures]) -> dict[str, list[str]]:
-    """Return the row names of each table, if their number matches the rows."""
+    """Return the row names of each table with a matching number of rows."""
     named = ((plain_name(key), names) for key, names in given.items())
     return {
         table: [str(name) for name in names]
@@ -174,7 +173,7 @@ def _from_json(value: Any) -> Figure:
 
 
 def _case(text: str, kind: Format) -> Transmission | None:
-    """Return the case that a result contains; None without a case."""
+    """Return the case contained in a result, or `None`."""
     try:
         return read(text.encode(), "", format=kind).case
     except ReadError:
@@ -182,7 +181,7 @@ def _case(text: str, kind: Format) -> Transmission | None:
 
 
 def _read_listing(text: str, file: str) -> list[WrittenResult]:
-    """Read a listing; a new result begins at each `KJG=` that follows a table."""
+    """Read a listing, in which a new report begins at each `KJG=` after a table."""
     reports = []
     tables: dict[str, Figures] = {}
     names: dict[str, list[str]] = {}
@@ -218,9 +217,9 @@ def _read_listing(text: str, file: str) -> list[WrittenResult]:
 
 
 def _with_case(result: WrittenResult, lines: Sequence[str]) -> WrittenResult:
-    """Add the case from the head of a listing; of a case with springs, add only the names.
+    """Add the case in the head to a listing, or only the names if the case has springs.
 
-    A case with springs cannot be read from a listing, because a deck cannot contain springs.
+    A deck cannot contain springs, so that such a case cannot be read back.
     """
     springs = [line.partition(": ")[2] for line in lines if line.startswith(SPRING)]
     if not springs:
@@ -240,7 +239,7 @@ def _with_case(result: WrittenResult, lines: Sequence[str]) -> WrittenResult:
 
 
 def _figures(words: Sequence[str]) -> list[Figure] | None:
-    """Return the numbers of a printed row; None if the row contains words."""
+    """Return the numbers of a printed row, or `None` if the row contains words."""
     figures = []
     for word in words:
         if set(word) == {"*"}:

@@ -1,17 +1,17 @@
-"""Typographic blanks and dashes, which word processors use in place of plain characters."""
+"""Typographic blanks and dashes, which word processors and print use for the plain signs."""
 
 from __future__ import annotations
 
 import re
 
 _BLANKS = re.compile("[\u00a0\u1680\u2000-\u200a\u202f\u205f\u3000]")
-"""Pattern of no-break, thin and other typographic blanks."""
+"""No-break, thin and other typographic blanks."""
 DASHES = "\u2212\u2010\u2011\u2012\u2013\u2014"
 """Minus sign, and the dashes that word processors substitute for a hyphen."""
 
 
 def with_plain_blanks(text: str) -> str:
-    r"""Return a text with each typographic blank replaced by a plain blank.
+    r"""Return a text with plain blanks instead of typographic blanks, at unchanged positions.
 
     >>> with_plain_blanks("300\u00a0N*m, 1\u2009kW")
     '300 N*m, 1 kW'
@@ -20,7 +20,7 @@ def with_plain_blanks(text: str) -> str:
 
 
 def dash_hint(text: str) -> str:
-    """Return a hint to write a plain minus sign; empty if the text has no dash.
+    """Return a hint to write a plain minus, or an empty text if there is no dash.
 
     >>> dash_hint("\u22122.6"), dash_hint("-2.6")
     (' (with `-` instead of `\u2212`)', '')

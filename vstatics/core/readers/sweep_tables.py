@@ -1,4 +1,4 @@
-"""Readers of sweep files as columns: CSV, JSON lines, NPZ, Parquet, workbooks."""
+"""Readers of written sweeps into columns: CSV, JSON lines, NPZ, Parquet, workbooks."""
 
 from __future__ import annotations
 
@@ -26,14 +26,14 @@ if TYPE_CHECKING:
     Column: TypeAlias = list[Any] | Floats
 
 MOST_TABLE_CELLS = 20_000_000
-"""Largest number of cells of a table; 20 million numbers in Python take 640 MB."""
+"""Largest number of cells of a table; 20 million Python numbers take 640 MB."""
 TOO_DEEP = "nested too deeply, expected numbers and texts"
 NUMBER, STATUS = "variant", "status"
 DURATION = "duration [s]"
-"""First heading of the points of a duty cycle, which `vstatics cycle` writes after the steps."""
+"""First column of the points of a duty cycle that `vstatics cycle` writes behind its steps."""
 SHEET = "Variants"
 WORKBOOK = b"xl/workbook.xml"
-"""Name of a member that every XLSX archive has, but no NPZ archive."""
+"""Name of a member that every XLSX archive has and an NPZ archive lacks."""
 
 
 def is_sweep(data: bytes) -> bool:
@@ -52,14 +52,14 @@ def read(data: bytes, file: str) -> WrittenSweep:
     Parameters
     ----------
     data : bytes
-        Content of a file.
+        The content of a file.
     file : str
         Name of the file, for messages.
 
     Returns
     -------
     WrittenSweep
-        Variants with their statuses, and a column for each quantity.
+        The variants with their statuses, and a column for each quantity.
 
     Raises
     ------
@@ -103,7 +103,7 @@ def columns(data: bytes, file: str) -> dict[str, Column]:
         return _json_lines(text, file) if text.startswith("{") else _csv(text, file)
     except ReadError:
         raise
-    except Exception as error:  # noqa: BLE001 (four libraries raise many classes of errors)
+    except Exception as error:  # noqa: BLE001 (four libraries with their classes of errors)
         raise _no_sweep(file, error) from None
 
 
@@ -151,7 +151,7 @@ def _csv(text: str, file: str) -> dict[str, Column]:
 
 
 def _json_lines(text: str, file: str) -> dict[str, Column]:
-    """Read JSON objects as columns; all objects must have the keys of the first object."""
+    """Read the columns of JSON objects that all have the keys of the first object."""
     table: dict[str, list[Any]] = {}
     for number, line in enumerate(text.split("\n"), 1):
         if not line.strip():
@@ -193,7 +193,7 @@ def _expect_different(names: Sequence[str]) -> None:
 
 
 def _workbook(data: bytes, file: str) -> dict[str, Column]:
-    """Read the sheet of variants in a workbook, or the only sheet."""
+    """Read the sheet of variants of a workbook, or the only sheet."""
     from vstatics.core.readers.workbook.cells import read_sheets
 
     names = [sheet.name for sheet in read_sheets(data, file, ())]
@@ -212,7 +212,7 @@ def _workbook(data: bytes, file: str) -> dict[str, Column]:
 
 
 def read_npz(data: bytes) -> dict[str, Column]:
-    """Read the arrays of an NPZ file, with words instead of codes of statuses and gears.
+    """Read the arrays of an NPZ file, with texts instead of the codes of statuses and gears.
 
     Raises
     ------
@@ -247,7 +247,7 @@ def read_npz(data: bytes) -> dict[str, Column]:
 
 
 def _expect_declared(packed: ZipFile) -> None:
-    """Check the declared sizes of arrays: small enough, and complete, before unpacking.
+    """Check that arrays are small enough and complete, before unpacking.
 
     Raises
     ------
@@ -269,7 +269,7 @@ def _expect_declared(packed: ZipFile) -> None:
 
 
 def open_parquet(data: bytes, file: str) -> Any:
-    """Open a Parquet file after checking the declared size.
+    """Open a Parquet file after checking the size that the file declares.
 
     Raises
     ------
@@ -324,16 +324,16 @@ def _of_columns(columns: Mapping[str, Column]) -> WrittenSweep:
 
 
 def _without_points(columns: Mapping[str, Column]) -> Mapping[str, Column]:
-    """Return the steps of a driving cycle, without the points of a duty cycle that can follow."""
+    """Return the steps of a driving cycle without the points of a duty cycle behind them."""
     names = list(columns)
     points = names.index(DURATION) if DURATION in names else len(names)
     return {name: columns[name] for name in names[:points]} if GEAR in names[points:] else columns
 
 
 def _plain_headings(columns: Mapping[str, Column]) -> dict[str, Column]:
-    """Return columns with deck names, which older sweep files have, replaced by table names.
+    """Return columns with names of tables instead of deck names, which older sweeps can have.
 
-    A deck name is kept if another column already has the table name.
+    A heading that another column has already keeps its deck name.
     """
     plain = {name: plain_names(name) for name in columns}
     return {

@@ -31,7 +31,7 @@ from vstatics.core.readers.reading import Source
 _PLAIN = re.compile(r"[-+0-9.eE, \t]+")
 _BLOCK_LINES = 5000
 MOST_TABLE_ROWS = 1_000_000
-"""Maximum number of rows of a table; a day in steps of 0.1 s has 864,000."""
+"""Maximum number of rows of a table; a day in steps of a tenth of a second has 864,000."""
 
 
 class UnitTable(NamedTuple):
@@ -53,7 +53,7 @@ class UnitTable(NamedTuple):
         return self.source.place(self.head.number)
 
 
-def read_unit_table(  # noqa: PLR0913 (properties of a table)
+def read_unit_table(  # noqa: PLR0913 (a table needs this many properties)
     data: bytes,
     file: str,
     what: str,
@@ -67,12 +67,12 @@ def read_unit_table(  # noqa: PLR0913 (properties of a table)
     Parameters
     ----------
     data : bytes
-        Content of the file: a line of headings, then a line for each row, with commas, or with
-        semicolons or tabs and decimal commas. Lines above the headings are titles.
+        A line of headings, then a line for each row, with commas, or with semicolons or tabs and
+        decimal commas. Lines above the headings are titles.
     file : str
         Name of the file, for messages.
     what : str
-        Words for the kind of table, such as ``a duty cycle``.
+        Kind of the table, in words: ``a duty cycle``.
     columns : sequence of TableColumn
         Columns that the table can have, in any order.
     id : str
@@ -118,7 +118,7 @@ def read_unit_table(  # noqa: PLR0913 (properties of a table)
         problems.append(Problem(id, message, (), source.place(line_in_doubt)))
     if problems:
         raise ReadError(problems)
-    del source.lines  # lines take more memory than numbers
+    del source.lines  # the lines take more memory than the numbers
     return UnitTable(rows.numbers, rows.texts, rows.lines, source, head)
 
 
@@ -127,7 +127,7 @@ def _filled(lines: Iterable[str], first: int) -> Iterator[tuple[int, str]]:
 
 
 class _ColumnsRead:
-    """Collector of the cells of a table, column by column."""
+    """Collector of the rows of a table, column by column."""
 
     def __init__(self, head: HeadingLine) -> None:
         self.head = head
@@ -147,7 +147,7 @@ class _ColumnsRead:
         self._has_comments = all(place for place, _ in self._words)
 
     def read(self, lines: Sequence[str], first: int) -> Iterator[tuple[int, str]]:
-        """Add all rows; yield up to `MOST_PROBLEMS` faults, each with the line number."""
+        """Add all rows, and yield up to `MOST_PROBLEMS` faults, each with a line number."""
         faults = 0
         for start in range(first, len(lines) + 1, _BLOCK_LINES):
             block = lines[start - 1 : start - 1 + _BLOCK_LINES]
@@ -163,7 +163,7 @@ class _ColumnsRead:
                 return
 
     def add_plain(self, first: int, lines: Sequence[str]) -> bool:
-        """Add a block of lines at once; return False if any cell is not a plain number."""
+        """Add a block of lines at once; return False if not all cells are plain numbers."""
         commas, text = self.head.width - 1, ",".join(lines)
         if (
             self._words
@@ -190,7 +190,7 @@ class _ColumnsRead:
         Raises
         ------
         ValueError
-            If a cell cannot be read; the message quotes the cell.
+            With the cell that cannot be read.
         """
         if self._has_comments and line.lstrip().startswith(COMMENT_SIGNS):
             return

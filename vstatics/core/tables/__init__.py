@@ -1,4 +1,4 @@
-"""Tables of the results: names, rows and values (in each unit) of all quantities.
+"""Tables of the results: the name of each quantity, its rows, its values in each unit.
 
 >>> from vstatics.core.model.transmission import Gear, Mechanism, Transmission
 >>> from vstatics.core.statics.solve import solve

@@ -1,4 +1,4 @@
-"""Output of commands: JSON and JSON Schema are derived from the types of a record.
+"""The output of a command is a record: its JSON and JSON Schema are derived from its types.
 
 A record is a named tuple. Its keys are its fields, unless `json_keys` names other attributes. A
 `document` begins with the keys of `head`. Annotations describe keys that are not plain:
@@ -36,40 +36,40 @@ T = TypeVar("T")
 V = TypeVar("V")
 Schema = dict[str, Any]
 Answer = tuple[Any, ...] | dict[str, Any]
-"""Record, or data that are already plain (mappings, lists, texts and numbers)."""
+"""A record, or data that are plain already."""
 VERSION = 2
-"""Version of the formats of all documents."""
+"""Version of the format of every document."""
 PROGRAM = f"vstatics {__version__}"
-"""Name and version of this program, which every document states."""
+"""Name and version of the program that writes a document."""
 
 
 class Words(dict[str, Any]):
-    """Keywords to add to the JSON Schema of a type, as in ``Annotated[int, Words(minimum=0)]``."""
+    """Keywords added to the schema of a type, as in ``Annotated[int, Words(minimum=0)]``."""
 
     __hash__ = object.__hash__  # type: ignore[assignment] # arguments of a type are hashed
 
 
 class Provided(str):
-    """Name of a type that an annex declares, as in ``Annotated[object, Provided("Damages")]``."""
+    """Name of a type from an annex, as in ``Annotated[object, Provided("Damages")]``."""
 
     __slots__ = ()
 
 
 SOMETIMES, FLAT, FAILURE, UNFAILED = _MARKS = ("sometimes", "flat", "failure", "unfailed")
 Sometimes = Annotated[T | None, SOMETIMES]
-"""Type of a value whose key is omitted if the value is None or an empty mapping."""
+"""Type of a key that is omitted for None or an empty mapping."""
 Flat = Annotated[T, FLAT]
-"""Type of a record whose keys are added to the keys of the surrounding record."""
+"""Type of a record whose keys are merged into the surrounding record."""
 Failure = Annotated[str, FAILURE]
-"""Type of an error message that, unless empty, replaces all keys except the first."""
+"""Type of a message that, unless empty, replaces all keys but the first."""
 Unfailed = Annotated[T | None, UNFAILED]
-"""Type of a value that is None only if a `Failure` replaces the keys."""
+"""Type of a key that is None only if a failure replaces the keys."""
 Count = Annotated[int, Words(minimum=0)]
 Known = Annotated[float, Words(type="number")]
-"""Type of a number that is never missing and thus never null in JSON."""
+"""Type of a number that is never null."""
 
 NUMBER: Schema = {"type": ["number", "null"]}
-"""JSON Schema of a number or null, where null means a missing number."""
+"""Schema of a number, or of null for a missing number."""
 TEXT: Schema = {"type": "string"}
 NULL: Schema = {"type": "null"}
 _SIMPLE: Mapping[Any, Schema] = {
@@ -94,7 +94,7 @@ _DEFINED: dict[Any, str] = {}
 
 
 def document(form: str) -> Callable[[T], T]:
-    """Return a decorator for a record that is a document; `form` is the name of the format.
+    """Return a decorator that declares a record as a document of a format, such as `form`.
 
     >>> from typing import NamedTuple
     >>> @document("vstatics-steps")
@@ -111,19 +111,19 @@ def document(form: str) -> Callable[[T], T]:
 
 
 def defined(name: str) -> Callable[[T], T]:
-    """Give the schema of a record a name, by which other schemas refer to this schema."""
+    """Give a record a named schema, to which other schemas refer."""
     return _registering(_DEFINED, name)
 
 
 def json_keys(*names: str, **attributes: str) -> Callable[[T], T]:
-    """Declare which attributes of a record become keys of the JSON, instead of all fields.
+    """Declare the attributes that are the keys of a record, instead of all fields.
 
     Parameters
     ----------
     *names
-        Attributes that become keys with equal names.
+        Attributes whose keys have their names.
     **attributes
-        Further attributes, by key; a final underscore of the key is removed.
+        Names of further attributes by key, without a final underscore of the key.
     """
     renamed = {key.rstrip("_"): name for key, name in attributes.items()}
     return _registering(_JSON_KEYS, dict(zip(names, names, strict=True)) | renamed)
@@ -146,11 +146,11 @@ class _Key(NamedTuple):
 
 @cache
 def _keys(kind: Any) -> Sequence[_Key]:
-    """Return the keys in the JSON of a type of record."""
+    """Return the keys of a type of record."""
     hints, keys = get_type_hints(kind, include_extras=True), []
     fields = {field.rstrip("_"): field for field in kind._fields}
     for name, attribute in _JSON_KEYS.get(kind, fields).items():
-        if attribute not in hints:  # true for a property of the record, which has no type hint
+        if attribute not in hints:  # a property
             returned = get_type_hints(getattr(kind, attribute).fget, include_extras=True)
             hints[attribute] = returned["return"]
         hint, mark = hints[attribute], ""
@@ -163,9 +163,9 @@ def _keys(kind: Any) -> Sequence[_Key]:
 
 
 def plain_data(value: Any) -> Any:
-    """Convert a record to mappings, lists, texts and numbers, including all nested records.
+    """Convert a record to mappings, lists, texts and numbers, at any depth.
 
-    A missing number becomes None; an array of complex numbers becomes a list of their moduli.
+    A missing value becomes None, an array of complex numbers the list of their moduli.
 
     >>> from vstatics.core.model.parts import Load
     >>> plain_data({"load": Load(2000.0), "steps": (1.5, math.nan), "root": 1 - 2j})
@@ -205,11 +205,10 @@ def _of_record(record: Any) -> dict[str, Any]:
 
 
 def with_file(answer: Answer, file: str, *, folders: bool = False) -> dict[str, Any]:
-    """Return a document as plain data, with the file name of the case (without folders).
+    """Return a document as plain data with the file of its case, with or without folders.
 
-    If `folders` is true, the file name includes the folders. An answer that is not a document is
-    returned unchanged. The document of a case with errors already has the key `file`, so that only
-    the value changes.
+    An answer without a format is returned unchanged; the document of a case in error already has
+    the key, whose value is replaced.
 
     >>> with_file({"format": "f", "version": 1, "case": {}}, "cases/box.yaml")
     {'format': 'f', 'version': 1, 'file': 'box.yaml', 'case': {}}
@@ -228,23 +227,23 @@ _line = json.JSONEncoder(ensure_ascii=False, allow_nan=False).encode
 
 
 def line(value: Any) -> str:
-    """Format plain data as JSON on a single line, with a final line end."""
+    """Format plain data as JSON on a single line, with a line end."""
     return _line(value) + "\n"
 
 
 def as_json(answer: Answer, form: str | None) -> str:
-    """Format the output of a command as JSON, on a single line if the form is `jsonl`."""
+    """Format an answer as JSON, on a single line for the form `jsonl`."""
     data = answer if isinstance(answer, dict) else plain_data(answer)
     return line(data) if form == "jsonl" else text(data) + "\n"
 
 
 def list_of(items: Schema) -> Schema:
-    """Return the JSON Schema of an array whose elements have a schema."""
+    """Return the schema of an array."""
     return {"type": "array", "items": items}
 
 
 def object_of(properties: Mapping[str, Schema], optional: Sequence[str] = ()) -> Schema:
-    """Return the JSON Schema of an object with exactly these keys, some of them optional.
+    """Return the schema of an object without further keys.
 
     >>> object_of({"a": TEXT, "b": NUMBER}, optional=["b"])["required"]
     ['a']
@@ -258,14 +257,14 @@ def object_of(properties: Mapping[str, Schema], optional: Sequence[str] = ()) ->
 
 
 def schema(kind: Any, definitions: Schema | None = None) -> Schema:
-    """Return the JSON Schema of the data to which `plain_data` converts values of a type.
+    """Return the JSON Schema of the plain data of a type; see `plain_data`.
 
     Parameters
     ----------
     kind : type
-        Type of numbers, texts or records, or of sequences, mappings or unions of these.
+        A number, a text, a record, or a sequence, mapping or union of these.
     definitions : dict, optional
-        Mapping to which the schemas of `defined` records are added by name.
+        Receives the schemas of `defined` records by their names.
 
     Examples
     --------
@@ -285,7 +284,7 @@ def schema(kind: Any, definitions: Schema | None = None) -> Schema:
 
 
 def _of_parts(kind: Any, of: Callable[[Any], Schema]) -> Schema:
-    """Return the schema of a type that has arguments, such as `list[int]`."""
+    """Return the schema of a type with arguments."""
     origin, (first, *more) = get_origin(kind), get_args(kind)
     if origin is Annotated:
         return _of_marked(first, more[0], of)
@@ -303,7 +302,7 @@ def _of_parts(kind: Any, of: Callable[[Any], Schema]) -> Schema:
 
 
 def _of_marked(kind: Any, mark: Any, of: Callable[[Any], Schema]) -> Schema:
-    """Return the schema of an annotated type; no data match if the annex is not installed."""
+    """Return the schema of an annotated type, invalid if an annex is missing."""
     if isinstance(mark, Provided):
         declaring = module_of_type(mark)
         return of(getattr(module(declaring), mark)) if declaring else {"not": {}}
@@ -333,7 +332,7 @@ def _of_keys(kind: Any, definitions: Schema | None) -> Schema:
 
 
 def head(form: str) -> dict[str, Any]:
-    """Return the keys at the beginning of every document: format, version, and program.
+    """Return the first keys of every document: format, its version, and the program.
 
     >>> head("vstatics-result")
     {'format': 'vstatics-result', 'version': 2, 'program': 'vstatics 0.1.0'}
@@ -342,30 +341,30 @@ def head(form: str) -> dict[str, Any]:
 
 
 def head_schema(form: str) -> Schema:
-    """Return the JSON Schema of the keys that `head` returns."""
+    """Return the schema of the keys of `head`."""
     program = {**TEXT, "description": "Name and version of the program that wrote the document."}
     return {"format": {"const": form}, "version": {"const": VERSION}, "program": program}
 
 
 def of_file(name: str, title: str, content: Schema) -> Schema:
-    """Return the JSON Schema of a file, with a name and a title, from the schema of the content."""
+    """Return the schema of a file with the schema of the content."""
     start = {"$schema": "https://json-schema.org/draft/2020-12/schema"}
     return {**start, "$id": f"{name}.schema.json", "title": title, **content}
 
 
 def documents(name: str, title: str, content: Schema, definitions: Schema | None = None) -> Schema:
-    """Return the JSON Schema of a file of documents, some of which can be cases with errors.
+    """Return the schema of a file of documents or cases in error.
 
     Parameters
     ----------
     name : str
-        Name of the format, which determines the file name of the schema.
+        Name of the format, from which the file name of the schema is derived.
     title : str
         Title of the schema.
     content : dict
-        Schema of a document, without the key `file`.
+        Schema of a document, without its `file`.
     definitions : dict, optional
-        Schemas to which `content` refers as ``#/$defs/...``.
+        Schemas to which `content` refers by ``#/$defs/...``.
     """
     about = "Name of the file of the case, with folders only if several files have this name."
     file = {"type": "string", "description": about}
@@ -394,11 +393,11 @@ def documents(name: str, title: str, content: Schema, definitions: Schema | None
 
 
 def documents_of(name: str, title: str, kind: Any) -> Schema:
-    """Return the JSON Schema of a file of documents, where `kind` is the type of the document."""
+    """Return the schema of a file of documents of a type; see `documents`."""
     definitions: Schema = {}
     return documents(name, title, schema(kind, definitions), definitions)
 
 
 def failure(file: str, problems: Iterable[Problem]) -> dict[str, Any]:
-    """Return the document that replaces the document of a case with errors."""
+    """Return the document of a case in error."""
     return {"file": os.path.basename(file), "case": file, "errors": list(map(str, problems))}  # noqa: PTH119

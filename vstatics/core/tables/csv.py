@@ -1,4 +1,4 @@
-"""Tables as CSV, in which no text looks like a formula to a spreadsheet."""
+"""Tables as CSV, with texts that no spreadsheet mistakes for formulas."""
 
 from __future__ import annotations
 
@@ -11,15 +11,14 @@ from vstatics.core.tables.grid import Grid
 
 NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
 FORMULA = re.compile(r"'*[=+\-@\t\r]")
-"""Pattern of the beginning of a text that a spreadsheet takes for a formula.
+"""Beginning of a text that a spreadsheet calculates.
 
-The pattern includes apostrophes at the beginning, so that `unguarded` removes only apostrophes that
-`guarded` added.
+Leading apostrophes are included, so that the added apostrophe can be removed without doubt.
 """
 
 
 def guarded(text: str) -> str:
-    """Put an apostrophe before a text that a spreadsheet would take for a formula.
+    """Put an apostrophe before a text that a spreadsheet would calculate as a formula.
 
     Examples
     --------
@@ -30,7 +29,7 @@ def guarded(text: str) -> str:
 
 
 def unguarded(text: str) -> str:
-    """Remove the apostrophe before a text if `guarded` added the apostrophe.
+    """Remove the apostrophe that `guarded` put before a text.
 
     >>> [unguarded(text) for text in ("'=1+1", "=1+1", "'low'", "''=1")]
     ['=1+1', '=1+1', "'low'", "'=1"]
@@ -45,7 +44,7 @@ def lines(rows: Iterable[Iterable[str]], *, raw: bool = False) -> str:
     ----------
     rows : iterable of iterable of str
     raw : bool
-        Whether to leave texts unchanged that a spreadsheet takes for formulas.
+        Whether texts that begin like a formula are left unguarded.
     """
     written = io.StringIO()
     texts = rows if raw else (map(guarded, row) for row in rows)
@@ -56,19 +55,19 @@ def lines(rows: Iterable[Iterable[str]], *, raw: bool = False) -> str:
 def write(
     cases: Iterable[tuple[str, Sequence[Grid]]], *, several: bool, raw: bool = False
 ) -> Iterator[str]:
-    """Yield the tables of each case as CSV, with all digits of the numbers.
+    """Write the tables of cases in sequence, with all digits, a piece for each case.
 
-    Each row begins with the name of the table; if there are several cases, the file of the case
-    precedes the name. A row of headings is written whenever the headings change.
+    Each row begins with the name of its table; for several cases the file of the case precedes
+    it. A row of headings is written whenever the headings change.
 
     Parameters
     ----------
     cases : iterable of (str, sequence of Grid)
-        File and tables of each case.
+        Files of the cases, with their tables.
     several : bool
-        Whether there are several cases, so that the first column is the file of the case.
+        Whether the first column is the file of the case.
     raw : bool
-        See the function `lines`.
+        See `lines`.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Results as a table (DataFrame) of pandas."""
+"""Results as a table of pandas."""
 
 from __future__ import annotations
 
@@ -16,21 +16,20 @@ if TYPE_CHECKING:
 
 
 def to_dataframe(results: Results) -> pd.DataFrame:
-    """Convert results to a DataFrame of pandas with one row per variant and gear.
+    """Convert results to a DataFrame with a row per variant and gear.
 
     Parameters
     ----------
     results : Results
-        Results of a single case, or of arrays of variants with any number of axes.
+        Results of one case, or of arrays of variants with any axes.
 
     Returns
     -------
     DataFrame
-        Values; the index is the number of the variant, from 0 in the order of the arrays, and the
-        name of the gear; for a single case only the name of the gear. The name of a column consists
-        of table and row: ``("speeds", "C1")``, with an operating point also
-        ``("speeds_rpm", "C1")``. A table with one value per gear has the row ``""``, so that the
-        key ``"ratio"`` selects the column.
+        Values, indexed by the number of the variant, from 0 in the order of the arrays, and the
+        name of the gear; for one case by the gear alone. A column is named by a table and its
+        row: ``("speeds", "C1")``, with an operating point also ``("speeds_rpm", "C1")``. A table
+        of one value per gear has the row ``""``, so that ``"ratio"`` selects the column.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Results as a dataset of xarray, in which axes have names."""
+"""Results as a dataset of xarray, whose axes have names."""
 
 from __future__ import annotations
 
@@ -25,28 +25,28 @@ DIMENSIONS: Mapping[Rows, str] = {
     "meshes": "mesh",
     "converters": "converter",
 }
-"""Names of dimensions by kind of the rows of a table, as `docs/expressions.md` explains."""
+"""Names of dimensions by the kind of rows of a table, as in `docs/expressions.md`."""
 
 
 def to_xarray(results: Results) -> xr.Dataset:
-    """Convert results to a dataset of xarray; all axes have names.
+    """Convert results to a dataset of xarray with names along all axes.
 
     Parameters
     ----------
     results : Results
-        Results of a single case, or of arrays of variants with any number of axes.
+        Results of one case, or of arrays of variants with any axes.
 
     Returns
     -------
     Dataset
-        One variable per table, with the name of the table: ``speeds`` and, with an operating point,
-        ``speeds_rpm``. The dimensions of a variable are the axes of variants, `gear`, and the kind
-        of row: `link`, `planet`, `shift_element`, `device` (shift elements, mechanisms or members
-        of gear sets, springs, ``Mx``), `mechanism` (or gear set, as named in the case),
-        `three_link_mechanism` (into which the solver divides gear sets) or `mesh`. A single axis of
-        variants is `variant`; several are `variant_1`, `variant_2`, ... Missing values are NaN;
-        truth values are 0 or 1. The attributes of a variable are `long_name` and `units`; a
-        variable without `units` is relative to the input. [-]
+        Variable for each table, by its name: ``speeds`` and, with an operating point,
+        ``speeds_rpm``. Its dimensions are the axes of variants, `gear`, and the kind of its rows:
+        `link`, `planet`, `shift_element`, `device` (shift elements, mechanisms or members of gear
+        sets, springs, ``Mx``), `mechanism` (or gear set, as named in the case),
+        `three_link_mechanism` (into which the solver divides gear sets) or `mesh`. A single axis
+        of variants is `variant`; several are `variant_1`, `variant_2`, ... Values that do not
+        exist are NaN; flags are 0 and 1. The attributes of a variable are `long_name` and
+        `units`; a variable without `units` is relative to the input. [-]
 
     Raises
     ------

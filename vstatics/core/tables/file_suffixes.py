@@ -1,4 +1,4 @@
-"""Formats of output files, and the suffixes of their names."""
+"""Formats of output files and their suffixes."""
 
 from __future__ import annotations
 
@@ -28,16 +28,16 @@ SUFFIXES = {
     "png": (".png",),
     "pdf": (".pdf",),
 }
-"""Suffixes of each format; the first is the suffix of results that are written to a directory."""
+"""Suffixes of each format; a result written to a directory has the first."""
 
 
 def suffix_of(file: str) -> str:
-    """Return the suffix of a file name in lower case."""
+    """Return the suffix of a file name, in lower case."""
     return splitext(file)[1].lower()  # noqa: PTH122 - pathlib costs start-up time
 
 
 def format_of(file: str, formats: Iterable[Form]) -> Form | None:
-    """Return the format to which the suffix of a file name belongs, among the given formats.
+    """Find the format, among some, of a file name's suffix.
 
     >>> format_of("a.NDJSON", ["json", "jsonl"]), format_of("a", ["text"])
     ('jsonl', None)
@@ -47,7 +47,7 @@ def format_of(file: str, formats: Iterable[Form]) -> Form | None:
 
 
 def known(formats: Sequence[str]) -> list[str]:
-    """List the suffixes of the given formats.
+    """List the suffixes of some formats.
 
     >>> known(["listing", "csv"])
     ['.lst', '.txt', '.out', '.csv']
@@ -56,7 +56,7 @@ def known(formats: Sequence[str]) -> list[str]:
 
 
 def mismatch(form: str | None, file: str) -> str:
-    """Return a message if a format contradicts the suffix of a file name, else an empty text.
+    """Return the message about a format that contradicts the suffix, or an empty text.
 
     >>> mismatch("csv", "a.json"), mismatch("csv", "a.csv"), mismatch("csv", "a")
     ('csv is not the format of a.json: expected .csv', '', '')

@@ -1,7 +1,7 @@
-"""Table whose cells are texts with values, from which all output formats are written.
+"""Table of texts, from which all formats are written.
 
 The modules `text`, `markdown`, `latex`, `html` and `terminal` write the texts; `csv` and `xlsx`
-write the values.
+write the numbers behind them.
 """
 
 from __future__ import annotations
@@ -16,54 +16,54 @@ from vstatics.core.tables.numbers import certain, rounded
 from vstatics.core.texts import heading, labelled, spoken, title, tr
 
 NOTHING = "-"
-"""Text of a missing number and of an empty list."""
+"""Text of a number that does not exist, and of an empty list."""
 LARGE_CELL = 1e7
-"""Smallest magnitude of numbers that are written with a power of ten."""
+"""Least magnitude of numbers that are written with a power of ten."""
 YES, NO = "●", "·"
 
 
 class Column(NamedTuple):
-    """Heading and properties of a column of a table."""
+    """A column of a grid."""
 
     heading: str
     is_number: bool = True
     is_sign: bool = False
-    """Whether the column contains single signs, so that the column is narrow at a terminal."""
+    """Marks a column of single signs, which is narrow at a terminal."""
     over: str = ""
-    """Heading above the heading on a page; adjacent columns with equal texts share this heading."""
+    """Second heading on a page, shared by adjacent columns with equal text."""
     is_name: bool = False
-    """Whether the heading is a name from the case, which is not translated.
+    """Marks a heading that is a name from the case, so that it is not translated.
 
-    A heading below a shared heading is always taken as a name.
+    Headings below a second heading are always names and need no mark.
     """
 
 
 Datum = float | int | bool | str | None
-"""Value of a cell; None means a missing value."""
+"""Value of a cell, or None for a missing value."""
 
 
 class Cell(NamedTuple):
-    """Cell of a table: a text, and the value that the text represents."""
+    """Cell with a text and the value behind the text."""
 
     text: str
     value: float | None = None
-    """Number before rounding, or NaN for a missing number; for words, the number for sorting."""
+    """Number before rounding, NaN for a missing number; also the sorting key of words."""
     says: str = ""
-    """Meaning of a sign as words, for screen readers."""
+    """Meaning of a sign, for screen readers."""
     style: str = ""
-    """Colour at a terminal, in the terms of the package `rich`."""
+    """Colour at a terminal, as named by `rich`."""
     kind: type[Any] = str
-    """Type of the value: float, int, bool, or str for words."""
+    """Type of the datum: float, int, bool, or str for words."""
     marks: Mapping[str, str] = {}
-    """HTML data attributes, which the scripts of a page use."""
+    """Data attributes for the scripts of a page."""
     is_said: bool = False
-    """Whether the text is a word of this program, which is translated, and not from the case."""
+    """Marks a word of the program, which is translated, unlike a name from the case."""
     written_as: str = ""
-    """Word in data formats (CSV, XLSX); if empty, the text."""
+    """Word in data formats; empty: the text."""
     look: str = ""
-    """Further CSS class of the cell on a page."""
+    """Additional class on a page."""
     math: str = ""
-    """Formula for the math mode of LaTeX, which replaces the text."""
+    """Formula for the math mode of LaTeX."""
 
     @property
     def datum(self) -> Datum:
@@ -83,37 +83,37 @@ class Cell(NamedTuple):
 
 
 Row = list[Cell | str]
-"""Cells of a row; a text without a cell stands for a cell of words."""
+"""Cells of a row; a text alone is a cell of words."""
 
 
 class Grid(NamedTuple):
-    """Table of cells, whose first column contains the names of the rows."""
+    """Table of texts, whose first column names the rows."""
 
     title: str
     columns: Sequence[Column]
     rows: Sequence[Sequence[Cell | str]]
     levels: Sequence[int] = ()
-    """Level of each row in a hierarchy, from 1; rows at deeper levels are indented."""
+    """Level of each row in a hierarchy, from 1; deeper rows are indented."""
     key: str = ""
-    """Short, unique name for a table with a long title."""
+    """Short unique name, for a table with a long title."""
     group: str = ""
-    """Name of a workbook sheet that several tables share; if empty, the table has a sheet alone."""
+    """Name of the sheet of a workbook that is shared with other tables; empty: not shared."""
     prose: str = ""
-    """LaTeX text, with formulas in math mode, of a sentence, which is a table without rows."""
+    """LaTeX text of a sentence, which is a table with a title only, with formulas in math mode."""
 
     @property
     def cells(self) -> list[list[Cell]]:
-        """Rows of cells, in which texts have become cells of words."""
+        """Rows of cells, with texts converted to cells of words."""
         return [[x if isinstance(x, Cell) else Cell(x) for x in row] for row in self.rows]
 
     @property
     def texts(self) -> list[list[str]]:
-        """Texts of all cells, row by row."""
+        """Texts of all rows."""
         return [[cell.text for cell in row] for row in self.cells]
 
     @property
     def data(self) -> list[list[Datum]]:
-        """Values of all cells, row by row; the first value of each row is a name."""
+        """Values of all cells; the first cell of a row is always a name."""
         named = bool(self.columns) and not self.columns[0].is_number
         return [
             [cell.text if named and not place else cell.datum for place, cell in enumerate(row)]
@@ -122,7 +122,7 @@ class Grid(NamedTuple):
 
     @property
     def spoken(self) -> Grid:
-        """Table in the language of the output, for people; data remain English.
+        """Table in the language of the output, for readers; data stay English.
 
         >>> from vstatics.core.texts import speaking
         >>> with speaking("ru"):
@@ -144,18 +144,18 @@ class Grid(NamedTuple):
         return translated.changed(attrgetter("spoken"))
 
     def with_columns(self, chosen: Sequence[int]) -> Grid:
-        """Return the table with only the columns whose indices are given."""
+        """Return the table with selected columns."""
         rows = [[row[place] for place in chosen] for row in self.rows]
         return self._replace(columns=[self.columns[place] for place in chosen], rows=rows)
 
     def changed(self, change: Callable[[Cell], Cell]) -> Grid:
-        """Return the table with each cell replaced by the result of a function of the cell."""
+        """Return the table with a function applied to all cells."""
         return self._replace(rows=[list(map(change, row)) for row in self.cells])
 
     def with_digits(self, digits: int | None) -> Grid:
-        """Return the table with a number of decimals; None leaves the table unchanged.
+        """Return the table with a number of decimals, or unchanged for None.
 
-        Blank cells remain blank.
+        Blank cells stay blank.
         """
         if digits is None:
             return self
@@ -169,9 +169,9 @@ class Grid(NamedTuple):
 
 
 Value = Cell | Datum | Sequence[str]
-"""Value of a new cell, which `exact`, `whole`, `sign` or `words` converts to a cell."""
+"""Value of a new cell, converted by `exact`, `whole` or `sign`."""
 Values = Sequence[Value]
-"""Values of a new row of cells."""
+"""Values of a new row."""
 
 
 def grid_of(
@@ -182,15 +182,15 @@ def grid_of(
     key: str = "",
     optional: Collection[str] = (),
 ) -> Grid:
-    """Build a table from plain values; a column without any number becomes a column of words.
+    """Build a table of plain values; a column without any number has words.
 
     Parameters
     ----------
     title, key : str
-        Title and short name of the table; see `Grid`.
+        Title and key of the `Grid`.
     headings : iterable of str or Column
     rows : iterable of iterable
-        Values of the cells, row by row.
+        Values of the cells.
     optional : collection of str
         Headings of columns that are omitted if all their cells are empty.
 
@@ -226,30 +226,30 @@ def _cell(value: Value) -> Cell:
 
 
 def text(heading: str) -> Column:
-    """Return a column of words with a heading."""
+    """Return a column of words."""
     return Column(heading, is_number=False)
 
 
 def word(text: str) -> Cell:
-    """Return a cell with an English word of this program, which `Grid.spoken` translates."""
+    """Return a cell with an English word of the program; see `Grid.spoken`."""
     return Cell(text, is_said=True)
 
 
 def exact(
     value: float | None, decimals: int = 3, *, digits: int | None = None, largest: float = 0.0
 ) -> Cell:
-    """Return a cell whose text is a rounded number and whose value has all digits.
+    """Return a cell with a rounded number and all digits of the value.
 
     Parameters
     ----------
     value : float or None
-        Number; None means a missing number.
+        Number; None: does not exist.
     decimals : int
-        Usual number of decimals; small numbers have more decimals, see `rounded`.
+        Usual number of decimals; a small number has more, see `rounded`.
     digits : int, optional
-        Number of decimals for numbers of any magnitude, instead of `decimals`.
+        Number of decimals of a number of any size.
     largest : float
-        Largest number of the same quantity; numbers below a billionth of this number become 0.
+        Largest number of the same kind; smaller numbers than a billionth of it are shown as 0.
 
     Examples
     --------
@@ -269,7 +269,7 @@ def exact(
 
 
 def whole(value: float) -> Cell:
-    """Return a cell with a whole number, such as a count or the sign +1; NaN means missing.
+    """Return a cell with a whole number, such as a count or a sign of +1; NaN: does not exist.
 
     >>> whole(-1.0)[:2], whole(-1.0).datum
     (('-1', -1.0), -1)
@@ -280,12 +280,12 @@ def whole(value: float) -> Cell:
 
 
 def sign(value: float) -> Cell:
-    """Return a cell with a sign for yes or no; NaN means an unknown value."""
+    """Return a cell with a dot for yes or no; NaN: unknown."""
     if math.isnan(value):
         return Cell(NOTHING, math.nan, kind=bool)
     return Cell(YES, 1.0, "yes", kind=bool) if value else Cell(NO, 0.0, "no", kind=bool)
 
 
 def words(names: Sequence[str]) -> str:
-    """Return the text of a cell that lists names."""
+    """Return the text of a cell with names."""
     return ", ".join(names) or NOTHING

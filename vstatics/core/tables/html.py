@@ -1,4 +1,4 @@
-"""Tables as HTML, and functions that build HTML and escape all text outside tags."""
+"""Tables as HTML, and functions that build HTML and escape everything but markup."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ from vstatics.core.tables.numbers import typeset
 
 
 class Markup(str):
-    """Text that is already HTML and is thus not escaped."""
+    """Text in HTML."""
 
     __slots__ = ()
 
 
 VOID = {"input", "meta"}
-"""HTML elements that have no end tag."""
+"""HTML elements without an end tag."""
 
 
 def tag(name: str, /, *children: str, **attributes: object) -> Markup:
-    """Build an HTML element; children are escaped unless they are `Markup`.
+    """Build an HTML element; children other than `Markup` are escaped.
 
     Parameters
     ----------
@@ -31,8 +31,8 @@ def tag(name: str, /, *children: str, **attributes: object) -> Markup:
         Name of the HTML element.
     *children : str
     **attributes
-        Attributes of the element; the value False omits an attribute, and True writes the name
-        alone. ``class_`` is written ``class``, other underscores become hyphens.
+        Attributes; False omits an attribute, True writes only its name. ``class_`` is written
+        ``class``, other underscores become hyphens.
 
     Examples
     --------
@@ -54,7 +54,7 @@ def _attribute(key: str, value: object) -> str:
 
 
 def joined(*parts: str) -> Markup:
-    """Join parts into HTML; parts are escaped unless they are `Markup`.
+    """Join parts of HTML; plain text is escaped.
 
     >>> joined(tag("b", "1"), " < 2")
     '<b>1</b> &lt; 2'
@@ -63,7 +63,7 @@ def joined(*parts: str) -> Markup:
 
 
 def filled(text: str, **places: str) -> Markup:
-    """Replace the names in braces of a text by values, which can be HTML.
+    """Fill the places of a text with names, which can be HTML.
 
     >>> filled("{spread} > {first}", spread="7 < 8", first=tag("b", "1"))
     '7 &lt; 8 &gt; <b>1</b>'
@@ -76,15 +76,15 @@ _LONE_MINUS = re.compile(r"(?<=\s)-(?=\s)")
 
 
 def printed(shown: Markup, names: Iterable[str] = ()) -> Markup:
-    """Replace hyphens by minus signs and dashes in the visible text of HTML.
+    """Typeset the shown texts of HTML: minus signs and dashes.
 
-    Pictures remain unchanged, because their text already has these signs.
+    Pictures are left unchanged, as they are already typeset.
 
     Parameters
     ----------
     shown : Markup
     names : iterable of str
-        Names that remain unchanged even if they look like numbers.
+        Names that are left unchanged, even if they look like a number.
 
     Examples
     --------
@@ -114,7 +114,7 @@ def _in_print(text: str) -> str:
 
 
 def terms(entries: Iterable[tuple[str, str]]) -> Markup:
-    """Build an HTML list of terms and descriptions.
+    """Build a list of terms with their descriptions.
 
     >>> terms([("input", "sun")])
     '<dl><dt>input</dt><dd>sun</dd></dl>'
@@ -123,18 +123,17 @@ def terms(entries: Iterable[tuple[str, str]]) -> Markup:
 
 
 def table(grid: Grid, *, headed: bool = True, level: int = 3) -> Markup:
-    """Build a scrollable HTML table with a title, or the title alone if there are no rows.
+    """Build a scrollable table with a title; a table without rows is only the title.
 
-    The attribute ``data-value`` contains numbers with all digits.
+    Numbers keep all digits in ``data-value``.
 
     Parameters
     ----------
     grid : Grid
     headed : bool
-        Whether to show the title, which is unnecessary if the text above already contains the
-        title.
+        Whether the title is shown; unnecessary if the text above already says it.
     level : int
-        Level of the heading in HTML (1 to 6): 4 below the heading of a gear.
+        Level of the heading, 4 below the heading of a gear.
     """
     grid = grid.spoken
     if not grid.rows:
@@ -144,7 +143,7 @@ def table(grid: Grid, *, headed: bool = True, level: int = 3) -> Markup:
 
 
 def bare(grid: Grid) -> Markup:
-    """Build an HTML table without a title."""
+    """Build a table without a title."""
     heads = (tag("th", item.heading, scope="col", class_=_kind(item)) for item in grid.columns)
     rows = [*_over(grid), tag("tr", *heads)]
     levels = grid.levels or [0] * len(grid.rows)
@@ -153,7 +152,7 @@ def bare(grid: Grid) -> Markup:
 
 
 def _over(grid: Grid) -> Iterator[Markup]:
-    """Yield the row of shared headings above groups of columns, if the table has such headings."""
+    """Yield the row of second headings above groups of columns, if there are any."""
     if any(column.over for column in grid.columns):
         heads = []
         for over, columns in groupby(grid.columns, lambda column: column.over):
@@ -164,22 +163,22 @@ def _over(grid: Grid) -> Iterator[Markup]:
 
 
 NARROW_TABLE = 72
-"""Greatest width, in characters, of tables that are set side by side."""
+"""Greatest width of tables that are set side by side, in characters."""
 
 
 def tables(grids: Iterable[Grid], level: int = 3) -> Iterator[Markup]:
-    """Yield tables as HTML with titles of a heading level; narrow tables are set side by side."""
+    """Yield tables with titles as headings of a level; narrow tables are side by side."""
     for narrow, group in groupby(grids, _is_narrow):
         shown = (table(grid, level=level) for grid in group)
         yield from [tag("div", *shown, class_="side")] if narrow else shown
 
 
 MOST_SHOWN = 50
-"""Largest number of rows of a table in a notebook."""
+"""Number of rows of a table in a notebook."""
 
 
 def shown(grids: Iterable[Grid]) -> Markup:
-    """Build HTML tables for a notebook; cut long tables and state how many rows are missing.
+    """Build tables for a notebook; a long table is cut, with the number of further rows.
 
     >>> from vstatics.core.tables.grid import grid_of
     >>> numbers = grid_of("Numbers < 60", ["number"], [[n] for n in range(60)])
@@ -193,7 +192,7 @@ def shown(grids: Iterable[Grid]) -> Markup:
         rows = [
             [first._replace(text="\N{EM SPACE}" * (level - 1) + first.text), *others]
             for level, (first, *others) in zip(levels, grid.cells, strict=True)
-        ]  # spaces, because a notebook has no style sheet that would indent rows
+        ]  # a notebook has no style sheet to indent rows
         first = table(grid._replace(rows=rows[:MOST_SHOWN], levels=()))
         if more <= 0:
             return first
@@ -210,7 +209,7 @@ def _is_narrow(grid: Grid) -> bool:
 
 
 def scrolled(inner: Markup, label: str) -> Markup:
-    """Build a scrollable HTML container for content that can be wider than a screen."""
+    """Build a scrollable container for parts that can be wider than a screen."""
     return tag("div", inner, class_="scroll", tabindex=0, role="group", aria_label=label)
 
 
@@ -222,7 +221,7 @@ def _row(grid: Grid, row: list[Cell], level: int) -> Markup:
 
 
 def _cell(column: Column, cell: Cell) -> str:
-    """Write a cell as the function `tag` would, but three times as fast: pages have many cells."""
+    """Write a cell as `tag` would, in a third of the time, as a page has thousands."""
     look = "sign" if cell.says else _kind(column) or ""
     if cell.look:
         look = f"{look} {cell.look}".lstrip()
@@ -244,5 +243,5 @@ def _text(cell: Cell) -> str:
 
 
 def _kind(column: Column) -> str | bool:
-    """Return the CSS class of the cells of a column; cells of numbers have no class."""
+    """Return the class of the cells of a column; numbers, the most frequent, are unclassified."""
     return "words" if not column.is_number else "sign" if column.is_sign else False

@@ -1,4 +1,4 @@
-"""Tables as LaTeX for `\\input`, without packages."""
+"""Tables as LaTeX for `\\input`, without any package."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ _COMMANDS = {
     "<": r"\textless{}",
     ">": r"\textgreater{}",
     "|": r"\textbar{}",
-    '"': "''",  # because a straight double quote needs the font encoding T1
-    "[": "{[}",  # because at the start of a row, a bracket would begin the length after `\\`
+    '"': "''",  # a straight double quote needs the font encoding T1
+    "[": "{[}",  # at the start of a row, it would begin the length after `\\`
     "]": "{]}",
     "*": "{*}",
     **{sign: f"\\{sign}" for sign in "&%$#_{}"},
@@ -27,7 +27,7 @@ _SPECIAL = re.compile("[" + re.escape("".join(_COMMANDS)) + "]")
 
 
 def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
-    r"""Write tables in the environment `tabular`, and sentences as items of lists.
+    r"""Write tables in the environment `tabular` and sentences as list items.
 
     Examples
     --------
@@ -55,7 +55,7 @@ def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
 
 
 def escaped(text: str) -> str:
-    r"""Escape the characters of a text that have a special meaning in LaTeX.
+    r"""Escape all special characters of LaTeX in a text.
 
     >>> print(escaped("50 % of R_1, --seed 3"))
     50 \% of R\_1, -{}-seed 3
@@ -64,16 +64,18 @@ def escaped(text: str) -> str:
 
 
 PAGE, SMALL_PAGE = 66, 86
-"""Number of characters in a line of normal type and in a line of small type."""
+"""Number of characters in a line of usual and of small type."""
 SHORT, ENOUGH = 20, 24
-"""Characters of the longest unbroken column, and of the shortest broken column in normal type."""
+"""Number of characters of the widest column of words whose lines are not broken, and least number
+of characters of a broken column for which the usual type size is kept.
+"""
 
 MOST_ROWS = 28
-"""Largest number of rows of a table on a page."""
+"""Number of rows on a page."""
 
 
 def _pages(grid: Grid) -> Iterator[Grid]:
-    """Split a table into tables that fit on a page, each with the first column."""
+    """Split a table into parts that fit a page, each with the first column."""
     if not grid.rows:
         yield grid
         return
@@ -95,9 +97,9 @@ def _pages(grid: Grid) -> Iterator[Grid]:
 
 
 def _lengths(grid: Grid) -> list[int]:
-    """Return the width of each column with the gap behind the column, in characters.
+    """Return the characters of each column, with the gap to the next.
 
-    For headings of numbers only the longest word counts, because each word is on a separate line.
+    Headings of numbers are stacked, so only their longest word counts.
     """
     headings = [
         max(column.heading.split() or [""], key=len) if column.is_number else column.heading
@@ -144,7 +146,7 @@ def _lines(grid: Grid) -> Iterator[str]:
 
 
 def _broken(grid: Grid, lengths: Sequence[int]) -> tuple[int, dict[int, float]]:
-    """Return the characters per line, and the widths of columns with broken lines by index."""
+    """Return the characters of a line, and the widths of broken columns by index."""
     long = {
         index: length
         for index, length in enumerate(lengths)
@@ -154,15 +156,14 @@ def _broken(grid: Grid, lengths: Sequence[int]) -> tuple[int, dict[int, float]]:
     page = PAGE if unbroken + ENOUGH * len(long) <= PAGE else SMALL_PAGE
     room: float = max(page - unbroken, SHORT)
     widths: dict[int, float] = {}
-    # Begin with short columns, which leave room for longer columns.
-    for index in sorted(long, key=long.__getitem__):
+    for index in sorted(long, key=long.__getitem__):  # short columns leave room to longer ones
         widths[index] = min(long[index], room / (len(long) - len(widths)))
         room -= widths[index]
     return page, widths
 
 
 def _heading(text: str) -> str:
-    """Write a heading above numbers, with one word per line."""
+    """Write a heading above numbers, a word in each line."""
     words = escaped(text).split()
     stacked = r"\\ ".join(words)
     return rf"\shortstack[r]{{{stacked}}}" if len(words) > 1 else stacked
@@ -178,7 +179,7 @@ def _cell(cell: Cell, column: Column) -> str:
 
 
 def _row(cells: Iterable[str], broken: Container[int]) -> str:
-    r"""Write a row; if cells are broken, end otherwise than with `\\`, which they redefine."""
+    r"""Write a row; a ragged cell redefines `\\`, so the row ends differently."""
     ragged = (
         rf"\raggedright {cell}" if index in broken else cell for index, cell in enumerate(cells)
     )

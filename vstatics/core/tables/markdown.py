@@ -12,7 +12,7 @@ _SPECIAL = re.compile(r"([\\`*_{}\[\]<>#|~$&])")
 
 
 def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
-    r"""Write tables with vertical bars between columns, and sentences as items of lists.
+    r"""Write tables with pipes and sentences as list items.
 
     Examples
     --------
@@ -37,7 +37,7 @@ def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
 
 
 def escaped(text: str) -> str:
-    r"""Escape the characters of a text that have a special meaning in Markdown.
+    r"""Escape all special characters of Markdown in a text.
 
     >>> print(escaped("N*m"))
     N\*m

@@ -1,4 +1,4 @@
-"""Names of quantities, rows and gears, as written by this program and as typed by users."""
+"""Names of quantities and rows: as the program writes them and as users type them."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ from vstatics.core.tables.quantities import BY_NAME, Quantity
 
 
 def quantity_named(name: str) -> Quantity:
-    """Return the quantity that has a name or deck name.
+    """Return the quantity with a name or deck name.
 
     Parameters
     ----------
     name : str
-        Name or deck name; upper and lower case are distinguished.
+        Name or deck name, with the right upper and lower case.
 
     Raises
     ------
@@ -46,7 +46,7 @@ def quantity_named(name: str) -> Quantity:
 
 
 def plain_name(name: str) -> str:
-    """Return the name in outputs for a name or deck name; leave other texts unchanged.
+    """Return the name that outputs write for a name or deck name; any other text is unchanged.
 
     >>> plain_name("ETA"), plain_name("efficiency"), plain_name("eta")
     ('efficiency', 'efficiency', 'eta')
@@ -55,9 +55,9 @@ def plain_name(name: str) -> str:
 
 
 def plain_names(text: str) -> str:
-    """Replace the deck names in a formula or heading by the names in outputs.
+    """Return a formula or heading with the names that outputs write instead of deck names.
 
-    Texts in quotes or brackets, and names with a point, remain unchanged, as they name no table.
+    Texts in quotes or brackets and names with a point are not names of tables.
 
     >>> plain_names("ETA[low]"), plain_names('max(W["ETA",:]) - W.ratio')
     ('efficiency[low]', 'max(speeds["ETA",:]) - W.ratio')
@@ -66,7 +66,7 @@ def plain_names(text: str) -> str:
 
 
 def nearest_quantity(name: str, others: Iterable[str] = ()) -> str:
-    """Return a hint that suggests the most similar name of a quantity, or an empty text.
+    """Return a hint with the nearest quantity or other name, or an empty text.
 
     >>> nearest_quantity("W_Nm"), nearest_quantity("ETA_kW"), nearest_quantity("speed")
     ('; did you mean `W_rpm`?', '; did you mean `ETA`?', '; did you mean `speeds`?')
@@ -79,15 +79,15 @@ def nearest_quantity(name: str, others: Iterable[str] = ()) -> str:
 
 
 def row_named(name: str, kind: Rows, case: Transmission) -> int:
-    """Return the index of the row that a name such as `P1.ring` denotes.
+    """Return the index of the row with a name, such as `P1.ring`.
 
     Parameters
     ----------
     name : str
         Name of the row, or its number from 1, also as ``#1``. The name of a mechanism or a drawn
-        gear set is sufficient if only one row belongs to it.
+        gear set is enough if it has only one row.
     kind : str
-        Kind of the rows, as in `Quantity.rows`.
+        Kind of the rows, `Quantity.rows`.
     case : Transmission
 
     Raises
@@ -117,16 +117,16 @@ def row_named(name: str, kind: Rows, case: Transmission) -> int:
 
 
 def rows_called(name: str, kind: Rows, case: Transmission) -> list[int]:
-    """Return the indices of rows with a name, or else of the rows of the gear set with the name."""
+    """Return the indices of rows with a name, or else of all rows of the gear set with the name."""
     indices = [index for index, row in enumerate(row_names(case, kind)) if row == name]
     return indices or [index for index, owner in enumerate(_owners(kind, case)) if owner == name]
 
 
 def _owners(kind: Rows, case: Transmission) -> list[str]:
-    """Return the name of each row's drawn gear set, or an empty text for a row without gear set."""
+    """Return for each row the name of the drawn gear set that it belongs to, or an empty text."""
     devices = case.own_devices
     if case.drawing is None:
-        return []  # each mechanism has only one row, which has the name of the mechanism
+        return []  # each mechanism is a row, so its name is the name of the row
     if kind == "planets":
         return [device.name for device in devices for _ in device.planets]
     if kind == "torques":
@@ -140,7 +140,7 @@ def _owners(kind: Rows, case: Transmission) -> list[str]:
 
 
 def several(name: str, indices: Sequence[int], names: Sequence[str], what: str = "rows") -> str:
-    """Return the message that a name is ambiguous: of several rows, or of a device with rows.
+    """Return the message about an ambiguous name, shared by several rows or a device's rows.
 
     >>> several("C1", [0, 2], ["C1", "B", "C1"])
     'there are two rows `C1`, expected #1 or #3'
@@ -155,29 +155,29 @@ def several(name: str, indices: Sequence[int], names: Sequence[str], what: str =
 
 
 def no_row(name: str, kind: Rows, names: Sequence[str], hint: str = "") -> str:
-    """Return the message that no row has a name; the default hint is the most similar name."""
+    """Return the message about a name without a row, by default with the nearest name as a hint."""
     known = f"there is no {ROWS[kind].singular} {quoted(name)}, expected one of {listed(names)}"
     return known + (hint or nearest(name, names))
 
 
 NAME = re.compile(r"[^\W\d]\w*")
-"""Pattern of a name that is a single word."""
+"""Pattern of a name that is a plain word."""
 DOTTED = re.compile(rf"{NAME.pattern}(?:\.\w+)*")
-"""Pattern of a name that needs no quotes in brackets, such as `P1.ring`."""
+"""Pattern of a name that needs no quotes between brackets, such as `P1.ring`."""
 _QUOTED = r"\"[^\"]*\"|'[^']*'"
 _IN_FORMULA = re.compile(rf"{_QUOTED}|\[(?:{_QUOTED}|[^\]\"'])*\]|[\w.]+")
-"""Pattern of the parts of a formula: quoted texts, brackets, and names or numbers with points."""
+"""Parts of a formula: a text in quotes, brackets, or a name or number with its points."""
 BEFORE_NAME = "|"
-"""Sign before the name of a row in a listing."""
+"""Sign that precedes the name of a row in a listing."""
 
 
 class RowWords(NamedTuple):
-    """Words that denote a kind of row."""
+    """Words for a kind of row."""
 
     singular: str
     all: str
     size: str
-    """Deck name of the number of rows."""
+    """Name of the number of rows in a deck."""
 
 
 ROWS: Mapping[Rows, RowWords] = {
@@ -191,13 +191,13 @@ ROWS: Mapping[Rows, RowWords] = {
     "converters": RowWords("converter", "converters", "KT"),
     "one": RowWords("gear", "gears", "NP"),
 }
-"""Words that denote each kind of row."""
+"""Words for each kind of row."""
 
 _DIGITS = re.compile(r"[0-9]+")
 
 
 def table_rows(name: str, case: Transmission) -> Sequence[str]:
-    """Return the names of the rows of a table; empty if the table has one number per gear.
+    """Return the names of the rows of a table, empty for a list over the gears.
 
     Examples
     --------
@@ -210,7 +210,7 @@ def table_rows(name: str, case: Transmission) -> Sequence[str]:
 
 
 def written(index: int, names: Sequence[str]) -> str:
-    """Return the text that denotes a row or gear in brackets without ambiguity.
+    """Return the unambiguous text of a row or gear between brackets.
 
     >>> [written(index, ["C1", "4-5", "C1"]) for index in range(3)]
     ['#1', '"4-5"', '#3']
@@ -222,7 +222,7 @@ def written(index: int, names: Sequence[str]) -> str:
 
 
 def is_bare(name: str) -> bool:
-    """Check whether a name needs no quotes in brackets.
+    """Check that a name needs no quotes between brackets.
 
     >>> is_bare("вал"), is_bare("P1.ring"), is_bare("2"), is_bare("1R"), is_bare("4-5")
     (True, True, True, False, False)
@@ -231,25 +231,24 @@ def is_bare(name: str) -> bool:
 
 
 ALL = slice(None)
-"""Selection of all rows or all gears, as in ``results["speeds", :, "low"]``."""
+"""Selection of all rows or gears, as in ``results["speeds", :, "low"]``."""
 
 
 def by_name(results: Results, key: Any) -> Any:
-    """Return ``results[key]``: values that names select, or an item of the tuple by index.
+    """Return ``results[key]``: values selected by names, or an item of the tuple.
 
     Parameters
     ----------
     results : Results
     key : str or tuple
-        Name or deck name of a table; then a row, if the table has rows; then a gear by name or
+        Name or deck name of a table; then a row, if the table has rows; then a gear by its name or
         number: ``"ratio"``, ``("ratio", "low")``, ``("speeds", "ring")``,
         ``("speeds", "ring", "low")``. ``:`` selects all rows or gears.
 
     Returns
     -------
     ndarray or float
-        Values, whose axes are those of the variants, then gears and rows; a selected gear or row
-        has no axis.
+        Axes of variants, then gears and rows, without the axes of a selected gear or row.
 
     Raises
     ------
@@ -277,12 +276,12 @@ def by_name(results: Results, key: Any) -> Any:
         raise TypeError(f"results of {type_and_value(name)}: {expected}")
     try:
         return _selected(results, name, selection)
-    except ReadError as error:  # without a place, because names given in Python are in no file
+    except ReadError as error:  # names given in Python have no place in a file
         raise ValueError(str(error)) from None
 
 
 def _selected(results: Results, name: str, selection: list[Any]) -> Any:
-    """Return the values of a table, or only those of the selected row and gear."""
+    """Return a table, or the row and gear selected by names."""
     quantity = quantity_named(name)
     if quantity.columns == "devices":
         array, wanted = structural_matrix(results.case), "its name: it is of no gear"

@@ -1,4 +1,4 @@
-"""Numbers as text, for people, for listings and for decks."""
+"""Numbers as text: for readers, for listings and for decks."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ from vstatics.core.numerics.tolerances import ROUNDED_NUMBER
 _MINUS = re.compile(r"(?<![\w.)\]-])-(?=\.?\d|[A-Za-z]+[_\[])")
 
 EXPONENT_DIGITS = 4
-"""Smallest number of decimals in numbers with an exponent (format E of Fortran)."""
+"""Least number of digits in E format."""
 SMALL, SIGNIFICANT = 0.1, 4
-"""Magnitude below which a number is small, and the significant digits of small numbers."""
+"""Magnitude below which a number counts as small, and the significant digits of small numbers."""
 
 
 def certain(value: float) -> float:
-    """Round a number to twelve significant digits, because the last bits vary by processor.
+    """Round a number to twelve significant digits, as the last bits depend on the processor.
 
-    The rounded number decides on the digits of a number, on a scale, or on a maximum.
+    Decisions on the digits of a number, a scale or a maximum are made with the rounded number.
 
     >>> certain(0.1 + 0.2), certain(99.99999999999999), certain(float("nan"))
     (0.3, 100.0, nan)
@@ -30,7 +30,7 @@ def certain(value: float) -> float:
 
 
 def fixed(value: float, width: int = 0, decimals: int = 3) -> str:
-    """Format a number with a fixed number of decimals and a digit before the point.
+    """Format a number with a fixed number of decimals, with a zero before the point.
 
     Parameters
     ----------
@@ -39,7 +39,7 @@ def fixed(value: float, width: int = 0, decimals: int = 3) -> str:
     width : int
         Least width of the field.
     decimals : int
-        Number of decimals; if 0, the point is omitted.
+        Number of decimals; without any the point is omitted.
 
     Examples
     --------
@@ -56,17 +56,17 @@ def fixed(value: float, width: int = 0, decimals: int = 3) -> str:
 
 
 def fixed_rows(values: Sequence[Sequence[float]], width: int, decimals: int = 3) -> list[str]:
-    """Format the rows of a listing in format F of Fortran, with blanks between the fields.
+    """Format the rows of a listing in Fortran's F format, with a blank between two fields.
 
-    As in the listing of the source, there is no zero before the point. The function formats the
-    whole table at once, which is five times as fast as `fixed` for each number.
+    As in the listing of the source, there is no zero before the point. The whole table is
+    formatted at once, in a fifth of the time that `fixed` needs for each number.
 
     Parameters
     ----------
     values : sequence of sequence of float, shape (rows, columns)
-        Numbers of the table, at least one.
+        Numbers, at least one.
     width : int
-        Width of the fields, which is exceeded if a number is longer.
+        Width of all fields, unless a number is longer.
     decimals : int
         Number of decimals.
 
@@ -95,18 +95,18 @@ def fixed_rows(values: Sequence[Sequence[float]], width: int, decimals: int = 3)
 
 @lru_cache(maxsize=200)
 def _format(rows: int, columns: int, width: int, decimals: int) -> str:
-    """Return the format string for the operator `%` that formats a whole table."""
+    """Return the %-format of a whole table."""
     return "\n".join([" ".join([f"%{width}.{decimals}f"] * columns)] * rows)
 
 
 def places(value: float, decimals: int = 3, digits: int | None = None) -> int:
-    """Return the number of decimals for the display of a number.
+    """Return the number of decimals with which a number is shown.
 
     Parameters
     ----------
     value : float
     decimals : int
-        Usual number of decimals; numbers below 0.1 have four significant digits instead.
+        Usual number of decimals; a number below 0.1 has four significant digits instead.
     digits : int, optional
         Requested number of decimals, for numbers of any size.
 
@@ -123,7 +123,7 @@ def places(value: float, decimals: int = 3, digits: int | None = None) -> int:
 
 
 def rounded(value: float, decimals: int = 3, digits: int | None = None) -> str:
-    """Format a number with the number of decimals that the function `places` returns.
+    """Format a number with the number of decimals of `places`.
 
     >>> [rounded(value) for value in (-1 / 96.354, 0.5, 3e-17, 0.099999)]
     ['-0.01038', '0.500', '0.000', '0.1000']
@@ -134,7 +134,7 @@ def rounded(value: float, decimals: int = 3, digits: int | None = None) -> str:
 
 
 def exponent(value: float) -> str:
-    """Format a number of a deck with an exponent, and enough digits to restore the number.
+    """Format a number of a deck in E format, with four digits, or more to be read back exactly.
 
     Examples
     --------
@@ -159,7 +159,7 @@ def short(value: float, digits: int | None = None) -> str:
     ----------
     value : float
     digits : int, optional
-        Number of decimals, instead of significant digits; whole numbers have no decimals.
+        Number of decimals instead; whole numbers are written without decimals.
 
     Examples
     --------
@@ -177,9 +177,9 @@ def short(value: float, digits: int | None = None) -> str:
 
 @lru_cache(maxsize=4096)
 def typeset(text: str) -> str:
-    """Replace the hyphens before numbers in a text by minus signs.
+    """Typeset the numbers in a text, with a minus sign.
 
-    Pictures and pages use minus signs; text for programs keeps the hyphen.
+    Pictures and pages use this; text for programs keeps the hyphen.
 
     >>> typeset("-0.953"), typeset("sun 1-2: -0.5, 2.5 (-1e-07)")
     ('−0.953', 'sun 1-2: −0.5, 2.5 (−1e-07)')

@@ -1,4 +1,4 @@
-"""Grouping of many small tables into row groups of Parquet files."""
+"""Row groups of Parquet files, which are written from many small tables."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from typing import TypeVar
 T = TypeVar("T")
 
 GROUP = 262_144
-"""Intended number of rows of a row group; the last table of a group can exceed this number."""
+"""Intended number of rows of a row group, exceeded by less than a table."""
 
 
 def row_groups(tables: Iterable[T], rows: Callable[[T], int]) -> Iterator[list[T]]:
-    """Yield lists of consecutive tables, each list large enough for a row group.
+    """Yield consecutive tables together that are large enough for a row group.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Table of the ports of gears: speed, torque and power of links with external power."""
+"""Table of the ports of gears: speed, torque and power of each link with external power."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from vstatics.core.tables.grid import Cell, Grid, exact, grid_of, word
 from vstatics.core.tables.quantities import UNITS, headed
 
 MEASURES = (("speed", "rpm"), ("torque", "Nm"), ("power", "kW"))
-"""Quantities of a port with their physical units."""
+"""Quantities of a port, and their physical units."""
 
 
 class NamedPort(NamedTuple):
-    """Port of a gear; if there is an operating point, also in physical units."""
+    """Port of a gear; with an operating point also in physical units."""
 
     link: str
     way: str | None
@@ -34,7 +34,7 @@ class NamedPort(NamedTuple):
 
 
 class LostPower(NamedTuple):
-    """Power that is lost in meshes, variators, converters or drag, or the total lost power."""
+    """Power lost in meshes, variators, converters or drag, or in total."""
 
     in_: str
     power: float
@@ -43,21 +43,21 @@ class LostPower(NamedTuple):
 
 @json_keys("gear", "ports", "lost")
 class PortTable(NamedTuple):
-    """Ports of a gear with the names of the links, and the scales to physical units."""
+    """Ports of a gear with the names of the links, and the scales of physical units."""
 
     gear: str
     rows: Sequence[tuple[str, Port]]
-    """Names and ports of the links."""
+    """Names of the links, with the ports."""
     losses: Sequence[tuple[str, float]]
-    """Names of losses, as in `LostPower`, and relative lost power. [-]"""
+    """Names of the losses, as in `LostPower`, with the relative power. [-]"""
     scales: dict[str, float]
-    """Scales of the gear by unit, as returned by `gear_scales`."""
+    """Scales of the gear by unit; see `gear_scales`."""
     input_torque: float
-    """Relative input torque: 1, or 0 if the operating point has no torque. [-]"""
+    """Relative input torque: 1, or 0 for an operating point without torque. [-]"""
 
     @property
     def ports(self) -> list[NamedPort]:
-        """Ports as records for the output."""
+        """Ports as records of the output."""
         return [
             NamedPort(
                 name,
@@ -73,30 +73,30 @@ class PortTable(NamedTuple):
 
     @property
     def lost(self) -> list[LostPower]:
-        """Losses as records for the output."""
+        """Losses as records of the output."""
         return [
             LostPower(name, self.relative(lost), self._with_units((0, 0, lost))[-1])
             for name, lost in self.losses
         ]
 
     def relative(self, number: float) -> float:
-        """Return a number relative to the input [-], or NaN if the input torque is 0."""
+        """Return a relative torque or power [-]; NaN without an input torque."""
         return number if self.input_torque else math.nan
 
     def _with_units(self, values: Sequence[float]) -> list[float | None]:
-        """Return the quantities of `MEASURES` in physical units; unknown quantities are None."""
+        """Return the quantities of `MEASURES` in physical units, None where unknown."""
         pairs = zip(values, [self.scales[unit] for _, unit in MEASURES], strict=True)
         return [None if math.isnan(scale) else value * scale for value, scale in pairs]
 
 
 def port_tables(results: Results) -> list[PortTable]:
-    """Return the tables of the ports of all gears of a case."""
+    """Return the ports of all gears of a case."""
     by_gear = gear_scales(results.case)
     return [port_table(results.gear_at(n), scales) for n, scales in enumerate(by_gear)]
 
 
 def port_table(state: GearState, by_unit: dict[str, float]) -> PortTable:
-    """Return the table of the ports of a gear; `by_unit` contains the scales from `gear_scales`."""
+    """Return the ports of a gear, with the scales of the gear from `gear_scales`."""
     case, of_gear = state.case, ports(state)
     rows = [(case.link_name(port.link), port) for port in of_gear.ports]
     losses = {f"{kind}s": loss for kind, loss in of_gear.by_kind.items()}
@@ -116,13 +116,13 @@ def port_table(state: GearState, by_unit: dict[str, float]) -> PortTable:
 
 
 def ports_grid(gears: Sequence[PortTable], *, named: bool = True) -> Grid:
-    """Build the table of the ports and the losses of gears.
+    """Build the table of the ports and losses of gears.
 
     Parameters
     ----------
     gears : sequence of PortTable
     named : bool, optional
-        Whether the first column contains the names of the gears; unnecessary for a single gear.
+        Whether the first column has the names of the gears; unnecessary for a single gear.
 
     Returns
     -------

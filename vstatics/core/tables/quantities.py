@@ -1,9 +1,9 @@
-"""Quantities of the results: names, headings, units, and conditions for their existence.
+"""All quantities of the results: their names, headings and units, and when they exist.
 
-A new quantity needs an array in `vstatics.core.statics.result_arrays.ARRAYS` and an entry here. All
-outputs use the name of a quantity, except listings, which use the deck name. Users can type both
-names (see `names`). The tables, JSON, CSV, listing, schema of results, report, comparison of
-results, and the end of a deck are all derived from these entries.
+A new quantity needs an array in `vstatics.core.statics.result_arrays.ARRAYS` and an entry here.
+Every output writes its name, except the listing, which writes its deck name. Users can type either
+(`names`). The tables, JSON, CSV, listing, schema of results, report, comparison of results, and the
+end of a deck are all derived from these entries.
 """
 
 from __future__ import annotations
@@ -18,45 +18,44 @@ from vstatics.core.statics.result_arrays import ARRAYS, Rows
 from vstatics.core.statics.results import Results
 
 KINDS: dict[type, type] = {np.float64: float, np.int16: int, np.bool_: bool}
-"""Python type of written numbers, by data type of the array."""
+"""Python type of the written numbers, by the data type of an array."""
 
 
 class Quantity(NamedTuple):
-    """Quantity of the results, with the properties that all output formats use."""
+    """Quantity of the results, as shown by all formats."""
 
     name: str
-    """Name in JSON, CSV, sweeps and the library; mostly also the attribute of `Results`."""
+    """Name in JSON, CSV, sweeps and the library, where most are attributes of `Results`."""
     deck_name: str
-    """Name in listings and decks, or in the same style; accepted wherever users type names."""
+    """Name in the listing and in decks, or in their style; accepted wherever a name is typed."""
     heading: str
     """Heading in a listing, without the colon."""
     own_title: str = ""
-    """Title in a report; if empty, the heading."""
+    """Title in a report; empty: the heading."""
     members: tuple[str, str] | None = None
-    """Two headings for the second part of a table of torques; None for a table without parts.
+    """Headings of the second part of a table of torques, or None for a table of a single part.
 
-    The first heading is for rows that are mechanisms; the second, for drawn cases, for rows that
-    are members of gear sets.
+    The headings are by mechanisms and, for a drawn case, by members of gear sets.
     """
     own_rows: Rows | None = None
-    """Kind of row of a quantity that is no array of `Results`."""
+    """Kind of rows of a quantity that is not an array of `Results`."""
     is_sign: bool = False
-    """Whether the values are +1, 0 or -1; the array has the type float because of NaN."""
+    """Marks a quantity of +1, 0 or -1, in an array of floats because of NaN."""
     columns: Literal["gears", "devices"] = "gears"
     published: bool = False
-    """Whether the table is part of the source's report."""
+    """Marks a table of the source's report."""
     exists: Callable[[Results], bool] | None = None
-    """Condition for writing the table; None means that the table is always written."""
+    """Condition for writing the table, None for an unconditional table."""
     decimals: int = 3
-    """Number of decimals in a report."""
+    """Decimals in a report."""
     with_load: str = ""
-    """Unit of a further table, written if the case has an operating point; empty: no such table."""
+    """Unit of a further table for a case with an operating point, or empty."""
     brief: str = ""
-    """Heading of the table in the unit `with_load`; if empty, the usual heading."""
+    """Heading of the table in the unit `with_load`; empty: the usual heading."""
     unit: str = ""
-    """Unit of the numbers; if empty, numbers are relative to the input."""
+    """Unit of the numbers; empty: relative to the input."""
     of: str = ""
-    """Name of the relative quantity that the quantity in `unit` is calculated from, or empty."""
+    """Name of the relative quantity from which a quantity in `unit` is calculated; else empty."""
 
     @property
     def printed(self) -> str:
@@ -70,7 +69,7 @@ class Quantity(NamedTuple):
 
     @property
     def rows(self) -> Rows:
-        """Kind of row of the table; `one` means one number per gear."""
+        """Kind of rows of the table; `one` is a list over the gears."""
         return self.own_rows or ARRAYS[self.name].rows
 
     @property
@@ -82,22 +81,21 @@ class Quantity(NamedTuple):
 
     @property
     def always(self) -> bool:
-        """Whether the table exists for all results."""
+        """True if all results have the table."""
         return self.exists is None and not self.unit
 
 
 class Table(NamedTuple):
-    """Values of a quantity, with one row per link, device or mechanism and one column per gear.
+    """Values of a quantity: a row for each link, device or mechanism, a column for each gear.
 
-    The columns of the distribution matrix are devices. A quantity with one number per gear has one
-    row.
+    The columns of the distribution matrix are devices. A list over the gears has one row.
     """
 
     quantity: Quantity
     rows: Sequence[str]
     columns: Sequence[str]
     values: Floats
-    """Numbers of shape (rows, columns); NaN means a missing number."""
+    """Numbers of shape (rows, columns); NaN: does not exist."""
 
 
 class _Unit(NamedTuple):
@@ -110,11 +108,11 @@ UNITS = {
     "Nm": _Unit("N*m", 1),
     "kW": _Unit("kW", 3),
 }
-"""Physical units, by suffix of the keys whose values have the unit."""
+"""Units of physical values, by the suffix of their keys."""
 
 
 def headed(name: str, unit: str) -> str:
-    """Return the heading of a column with a unit; an empty unit means relative values.
+    """Return the heading of a column in a unit; an empty unit means relative to the input.
 
     >>> headed("slip", "rpm"), headed("torque", "Nm"), headed("slip", "")
     ('slip, rpm', 'torque, N*m', 'slip')
@@ -123,7 +121,7 @@ def headed(name: str, unit: str) -> str:
 
 
 def in_unit(quantity: Quantity) -> Quantity:
-    """Return a relative quantity as a quantity in the physical unit `Quantity.with_load`.
+    """Return a relative quantity in the physical unit `Quantity.with_load`.
 
     Examples
     --------
@@ -320,7 +318,7 @@ RELATIVE = (
         brief="Torques of the meshes with losses",
     ),
 )
-"""Quantities relative to the input or without unit, in the order in which tables are written."""
+"""Quantities without a unit, in the order of the written tables."""
 
 _ASKED = (
     Quantity(
@@ -377,23 +375,23 @@ WITH_UNITS = (
     ),
     *_PORTS,
 )
-"""Quantities in physical units for cases with operating point, by unit and kind of row."""
+"""Physical quantities of a case with an operating point, ordered by unit and kind of rows."""
 
 QUANTITIES = RELATIVE + WITH_UNITS
-"""Written quantities, in the order of their tables."""
+"""All written quantities, in the order of their tables."""
 
 ASKED = _ASKED + tuple(in_unit(quantity) for quantity in _ASKED if quantity.with_load)
-"""Quantities that are written only on request by name.
+"""Quantities that are written only if requested by name.
 
-The output torque, for example, is already the last row of the tables of torques.
+The output torque is also the last row of the tables of torques.
 """
 
 PRINTED = {quantity.printed: quantity for quantity in QUANTITIES}
-"""Quantities by the names above tables in listings; such a name also ends the deck before."""
+"""Quantities by the names above the tables of a listing, which also end a preceding deck."""
 
 BY_NAME = {
     name: quantity
     for quantity in QUANTITIES + ASKED
     for name in (quantity.name, quantity.deck_name)
 }
-"""Quantities by name and by deck name, which `vstatics.core.tables.names` accepts."""
+"""Quantities by name and by deck name; see `vstatics.core.tables.names`."""

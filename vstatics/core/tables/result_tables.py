@@ -1,4 +1,4 @@
-"""Tables of the results of a case for people; zeros without information can be blank."""
+"""Tables of the results of a case for readers, with blanks for uninteresting zeros."""
 
 from __future__ import annotations
 
@@ -31,13 +31,13 @@ T = TypeVar("T")
 
 
 def of_results(results: Results, *, blanks: bool = False) -> Iterator[Grid]:
-    """Yield the tables of the results, first the table of quantities with one number per gear.
+    """Yield all tables of the results, first a table of all lists over the gears.
 
     Parameters
     ----------
     results : Results
     blanks : bool
-        Whether to leave zeros blank that follow from the layout; see `structural_zeros`.
+        Whether zeros that follow from the layout are blank; see `structural_zeros`.
     """
     in_order = tables(results)
     yield _by_gear([table for table in in_order if table.quantity.rows == "one"])
@@ -46,7 +46,7 @@ def of_results(results: Results, *, blanks: bool = False) -> Iterator[Grid]:
             grid = _of_table(table)
             if table.quantity.name == "idle":
                 grid = _with_roles(grid, results)
-            if blanks:  # only texts become blank; the values remain
+            if blanks:  # only the texts are blank, the values remain
                 zero = structural_zeros(table, results).tolist()
                 grid = _by_place(
                     grid, zero, lambda cell, no: cell._replace(text="") if no else cell
@@ -55,7 +55,7 @@ def of_results(results: Results, *, blanks: bool = False) -> Iterator[Grid]:
 
 
 def _with_roles(grid: Grid, results: Results) -> Grid:
-    """Return the table of idle mechanisms with the role of each mechanism as a word, not a mark."""
+    """Return the table of idle mechanisms with a word for each role instead of a mark."""
     by_gear = [roles(results, number) for number in range(len(results.case.gears))]
 
     def with_role(cell: Cell, role: str) -> Cell:
@@ -67,7 +67,7 @@ def _with_roles(grid: Grid, results: Results) -> Grid:
 
 
 def _by_place(grid: Grid, data: Iterable[Sequence[T]], change: Callable[[Cell, T], Cell]) -> Grid:
-    """Return a table with a function of cell and datum applied to all columns but the first."""
+    """Return a table with a function of cell and datum applied behind the first column."""
     pairs = zip(grid.cells, data, strict=True)
     return grid._replace(
         rows=[[row[0], *map(change, row[1:], row_data)] for row, row_data in pairs]
@@ -75,13 +75,13 @@ def _by_place(grid: Grid, data: Iterable[Sequence[T]], change: Callable[[Cell, T
 
 
 def of_messages(results: Results) -> Grid:
-    """Build the table of the messages about the gears of a case."""
+    """Build the table of messages about the gears."""
     rows = ((message.gear, word(message.severity), message.text) for message in results.messages)
     return grid_of("Messages", ["gear", "severity", "message"], rows, key="messages")
 
 
 def _by_gear(lists: Sequence[Table]) -> Grid:
-    """Build a table with one row per gear, of the quantities with one number per gear."""
+    """Build the table with a row for each gear and a column for each list over the gears."""
     columns = [text("gear")]
     columns += [Column(table.quantity.name.replace("_", " ")) for table in lists]
     rows = [
@@ -106,7 +106,7 @@ def _of_table(table: Table) -> Grid:
 
 
 _HEADS = {"elements": "shift element", "torques": "torque of"}
-"""Headings of columns of row names that differ from the word for a row of this kind."""
+"""Headings above the names of rows that differ from the word for such a row."""
 
 
 def _number(table: Table, value: float) -> Cell:
@@ -122,11 +122,11 @@ _TORQUES = {"torques", "lossy_torques"}
 
 
 def structural_zeros(table: Table, results: Results) -> Booleans:
-    """Return which numbers of a table are zero due to the layout, as shape (rows, columns).
+    """Find the zeros of a table that follow from the layout; shape (rows, columns).
 
-    Such zeros are torques of disengaged shift elements and unloaded members, slip speeds of engaged
-    shift elements, losses of unloaded mechanisms, and links that a mechanism does not have. Speeds
-    of links at rest and torques of engaged shift elements do not count as such zeros.
+    Such zeros are torques of disengaged shift elements and unloaded members, slip speeds of
+    engaged shift elements, losses of unloaded mechanisms, and links that a mechanism does not have.
+    Links at rest and engaged shift elements without torque keep their 0.
 
     Examples
     --------
@@ -154,7 +154,7 @@ def structural_zeros(table: Table, results: Results) -> Booleans:
 
 
 def without_zeros(grid: Grid) -> Grid:
-    """Return a table in which the texts of numbers that are exactly 0 are blank.
+    """Return a table with blank texts for numbers that are exactly 0; the values remain.
 
     >>> from vstatics.core.tables.grid import Column, exact, text
     >>> cells = [exact(0.0), exact(0.5)]
@@ -165,7 +165,7 @@ def without_zeros(grid: Grid) -> Grid:
 
 
 def without_missing(grid: Grid) -> Grid:
-    """Return a table with blank texts for missing numbers, for tables with few numbers.
+    """Return a table with blank texts for missing numbers, where most are missing.
 
     >>> from vstatics.core.tables.grid import Column, exact, text
     >>> without_missing(Grid("t", [text("x"), Column("y")], [["a", exact(None)]])).texts

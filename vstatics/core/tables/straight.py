@@ -1,4 +1,4 @@
-"""Headings with linear units, for cases in which links move in a straight line."""
+"""Headings with linear units, for a case with links that move in a straight line."""
 
 from __future__ import annotations
 
@@ -18,15 +18,15 @@ _UNITS = {
     "rad/s^2": "m/s^2",
     "rad/s": "m/s",
 }
-"""Linear units, by corresponding unit of rotation."""
+"""Linear units by the units of rotation."""
 _ANY = "|".join(map(re.escape, [*_UNITS][:-1]))
 _SPEEDS = "|".join(rf"(?<={word} \[)" for word in ("speed", "rate", "velocity"))
 _UNIT = re.compile(rf"(?:(?<=\[)|(?<=, ))(?:{_ANY})(?=\]|$)|(?:{_SPEEDS})rad/s(?=\])")
-"""Pattern of units of rotation; rad/s matches as the unit of speeds, not of frequencies."""
+"""Pattern of units of rotation; rad/s is included for speeds, but not for frequencies."""
 
 
 def in_both_units(case: Transmission, grids: Iterable[Grid]) -> Iterator[Grid]:
-    """Yield tables; if links move straight, headings include the units of these links.
+    """Yield tables whose headings include the units of straight links, if the case has any.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Tables in colour at a terminal; of this folder, only this module imports `rich`."""
+"""Tables with colours at a terminal; the only module of this folder that imports `rich`."""
 
 from __future__ import annotations
 
@@ -15,25 +15,25 @@ from vstatics.core.tables.grid import Cell, Grid
 
 
 class _TerminalColumn(NamedTuple):
-    """Column at a terminal: texts below a heading, and possible widths in characters."""
+    """Column at a terminal: texts below a heading, and the possible widths in characters."""
 
     heading: Text
     texts: list[Text]
     least: int
-    """Smallest width at which no word or number is cut."""
+    """Least width that cuts no word or number."""
     whole: int
-    """Smallest width at which no text below the heading is folded."""
+    """Least width that folds no text below the heading."""
     natural: int
-    """Smallest width at which neither the heading nor any text is folded."""
+    """Least width that folds no text and no heading."""
     is_number: bool
     may_fold: bool
 
 
 def tables(grid: Grid, width: int, keys: int = 1) -> list[RichTable]:
-    """Lay out a table without title, in several parts if the columns are too wide together.
+    """Lay out a table without a title, or several tables if the columns are too wide.
 
-    A word is cut only if it is wider than the terminal. Columns of signs are close together; there
-    is no gap if the headings are single letters.
+    A word is cut only if it is wider than the terminal. Columns of signs are set close together,
+    without a gap if their headings are single letters.
 
     Parameters
     ----------
@@ -41,7 +41,7 @@ def tables(grid: Grid, width: int, keys: int = 1) -> list[RichTable]:
     width : int
         Width of the terminal, in characters.
     keys : int, optional
-        Number of columns at the beginning that each part repeats.
+        Number of first columns that are repeated in each table.
     """
     grid = grid.spoken
     columns = [_column(grid, group) for group in _groups(grid)]
@@ -54,20 +54,20 @@ def tables(grid: Grid, width: int, keys: int = 1) -> list[RichTable]:
 
 
 def natural_width(grid: Grid) -> int:
-    """Return the width at which no line of a table is folded, in characters."""
+    """Return the width of a table without folded lines, in characters."""
     grid = grid.spoken
     return _sum(_column(grid, group).natural for group in _groups(grid))
 
 
 def whole_width(grid: Grid) -> int:
-    """Return the smallest width at which only headings of a table are folded, in characters."""
+    """Return the least width of a table in which only headings are folded, in characters."""
     grid = grid.spoken
     columns = (_column(grid, group) for group in _groups(grid))
     return _sum(max(column.least, column.whole) for column in columns)
 
 
 def _sum(widths: Iterable[int]) -> int:
-    """Return the width of a table, which is the sum of widths of columns and gaps of two blanks."""
+    """Return the width of a table from the widths of columns, with gaps of two blanks."""
     return sum(width + 2 for width in widths)
 
 
@@ -108,11 +108,10 @@ def _table(columns: Sequence[_TerminalColumn], width: int) -> RichTable:
 
 
 def _widths(columns: Sequence[_TerminalColumn], width: int) -> list[int]:
-    """Return widths of the columns at which as few texts as possible are folded.
+    """Return the widths of the columns, with as few folded texts as possible.
 
-    If possible, each column is as wide as the longest word. The remaining width goes first to
-    columns whose texts are folded, then to columns whose headings are folded, and always to the
-    column that needs the least further width.
+    The remaining width goes to the columns that need least, first to fold no text, then to fold
+    no heading, which costs one line at most.
     """
     least = [column.least for column in columns]
     widths = [max(min(need, width - _sum(least) + need), 1) for need in least]
@@ -126,14 +125,14 @@ def _widths(columns: Sequence[_TerminalColumn], width: int) -> list[int]:
 
 
 def _groups(grid: Grid) -> list[list[int]]:
-    """Return the indices of the columns in groups; adjacent columns of signs are one group."""
+    """Return the indices of columns in groups; adjacent columns of signs form a group."""
     indices = range(len(grid.columns))
     groups = groupby(indices, lambda index: -1 if grid.columns[index].is_sign else index)
     return [list(group) for _, group in groups]
 
 
 def _signs_in_line(cells: Sequence[Cell], headings: Sequence[str]) -> Text:
-    """Return a line of text with a sign below each heading."""
+    """Return a line with a sign below each heading."""
     widths = [cell_len(heading) for heading in headings]
     gap = Text(" " if max(widths) > 1 else "")
     pairs = zip(cells, widths, strict=True)

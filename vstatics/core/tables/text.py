@@ -8,13 +8,13 @@ from textwrap import wrap
 from vstatics.core.tables.grid import Grid
 
 TABLE_WIDTH = 80
-"""Largest number of characters per line.
+"""Largest number of characters in a line.
 
-Wider tables are split if the columns contain numbers, or alternate between numbers and words.
+Wider tables are split if their columns are numbers, or numbers and words in turn.
 """
 GAP = "  "
 INDENT = "  "
-"""Indentation of rows per level of the hierarchy."""
+"""Indentation of a level of rows."""
 
 
 def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
@@ -34,7 +34,7 @@ def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
     parts = [list(titles)] if titles else []
     for grid in tables:
         part = list(lines(grid))
-        if grid.title:  # can be a sentence, which is a title alone
+        if grid.title:  # can be a sentence
             part[:1] = wrap(part[0], TABLE_WIDTH, break_long_words=False, break_on_hyphens=False)
         parts.append(part)
     return "\n\n".join("\n".join(part) for part in parts) + "\n"
@@ -43,19 +43,19 @@ def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
 def lines(
     grid: Grid, *, widths: Sequence[int] = (), gap: str = GAP, indent: str = ""
 ) -> Iterator[str]:
-    """Yield the lines of a table: title, headings (unless all are empty), and rows.
+    """Yield the lines of a table, with a line of headings unless all headings are empty.
 
     Parameters
     ----------
     grid : Grid
     widths : sequence of int, optional
-        Fixed widths of the columns, so that the columns of several tables are aligned. A longer
-        cell shifts the cells to the right; a longer first cell is on a separate line. By default a
-        column is as wide as the widest cell.
+        Fixed widths of the columns, for several tables in line. A longer cell shifts the cells
+        after it, a longer first cell is on a separate line. By default a column is as wide as its
+        widest cell.
     gap : str, optional
         Text between columns.
     indent : str, optional
-        Text before all lines except the title.
+        Text before all lines but the title.
     """
     grid = grid.spoken
     if grid.title:
@@ -73,7 +73,7 @@ def lines(
         for row in rows[first:]:
             if len(row[0]) > widths[0]:
                 yield f"{indent}{row[0]}".rstrip()
-                row = ["", *row[1:]]  # noqa: PLW2901 - only the cells behind the first remain
+                row = ["", *row[1:]]  # noqa: PLW2901 - the cells after the first
             padded = (
                 (str.rjust if grid.columns[column].is_number else str.ljust)(
                     row[column], widths[column]
@@ -84,7 +84,7 @@ def lines(
 
 
 def broken(parts: Sequence[str], width: int = TABLE_WIDTH, indent: str = 2 * INDENT) -> list[str]:
-    """Return the lines of a text that consists of parts; lines end only between parts.
+    """Return the lines of a text that is broken only between its parts.
 
     Examples
     --------
@@ -101,7 +101,7 @@ def broken(parts: Sequence[str], width: int = TABLE_WIDTH, indent: str = 2 * IND
 
 
 def _pieces(grid: Grid, widths: Sequence[int], room: int, gap: int) -> Iterator[list[int]]:
-    """Yield the columns of each part of a split table; each part repeats the first column."""
+    """Yield the columns of each part of a table; the first column is repeated."""
     columns, width = [0], widths[0]
     for group in _inseparable(grid):
         needed = sum(gap + widths[column] for column in group)
@@ -114,10 +114,9 @@ def _pieces(grid: Grid, widths: Sequence[int], room: int, gap: int) -> Iterator[
 
 
 def _inseparable(grid: Grid) -> list[list[int]]:
-    """Return the groups of columns that splitting keeps together, without the first column.
+    """Return the groups of columns behind the first that are not separated.
 
-    If all columns are numbers, or pairs of numbers and words, each column or pair is a group; in
-    other tables, all columns are a single group.
+    Columns of numbers, or pairs of numbers and words, can be separated; other tables are not split.
     """
     kinds = [column.is_number for column in grid.columns[1:]]
     places = list(range(1, len(kinds) + 1))

@@ -1,6 +1,6 @@
-"""Tables of results that all output formats contain, in the order of the source.
+"""Tables of the results that every output format shows, in the order of the source.
 
-If the case has springs, headings mention the springs.
+The headings of a case with springs mention them.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from vstatics.core.tables.quantities import RELATIVE, WITH_UNITS, Quantity, Tabl
 
 
 def tables(results: Results) -> list[Table]:
-    """Return all tables that exist for the results of a case.
+    """Return all existing tables of the results of a case.
 
     Examples
     --------
@@ -48,10 +48,9 @@ def tables(results: Results) -> list[Table]:
 
 
 def places(table: Table) -> list[tuple[str, str, str | None]]:
-    """Return key, row and gear of each value of a table, as written in CSV and Parquet.
+    """Return key, row and gear of each value of a table, for the long form of CSV and Parquet.
 
-    The distribution matrix does not depend on the gear: its rows are named ``link:device``, and
-    their gear is None.
+    The distribution matrix does not depend on the gear: its rows are ``link:device``.
     """
     key, of_matrix = table.quantity.name, table.quantity.columns == "devices"
     return [
@@ -62,7 +61,7 @@ def places(table: Table) -> list[tuple[str, str, str | None]]:
 
 
 def with_units(results: Results) -> list[Quantity]:
-    """Return the quantities in physical units that the operating point of a case determines."""
+    """Return the quantities in rpm, N*m and kW that the operating point of a case determines."""
     units = known_units(results.case)
     return _existing([quantity for quantity in WITH_UNITS if quantity.unit in units], results)
 
@@ -76,11 +75,11 @@ WORDS = {
     "mechanisms and output": "mechanisms, springs and output",
     "the elements and of the output": "the elements, of springs and of the output",
 }
-"""Replacements of words in headings for a case with springs."""
+"""Words of headings and their replacements for a case with springs."""
 
 
 def among_springs(quantity: Quantity) -> Quantity:
-    """Return a quantity whose headings mention springs.
+    """Return a quantity with headings that mention springs.
 
     >>> from vstatics.core.tables.quantities import BY_NAME
     >>> among_springs(BY_NAME["torques"]).members[0]

@@ -1,4 +1,4 @@
-"""Numbers of written results, read from a listing or from JSON for a comparison."""
+"""Numbers of written results, as read from a listing or JSON for a comparison."""
 
 from __future__ import annotations
 
@@ -9,48 +9,48 @@ from typing import NamedTuple
 from vstatics.core.model.transmission import Transmission
 
 GEAR_NUMBER = "gear number"
-"""Name of the column with the numbers of gears in a driving cycle, which are whole numbers."""
+"""Column of a driving cycle with the numbers of gears, which are whole numbers."""
 
 
 class Figure(NamedTuple):
-    """Number as written; NaN means a missing number."""
+    """Number as written; NaN: no value."""
 
     value: float
     slack: float = 0.0
-    """Largest possible rounding error of a number in a listing: half a unit of the last digit."""
+    """Largest rounding error of a number from a listing: half a unit of its last digit."""
 
 
 Figures = list[list[Figure]]
-"""Rows of a table; a quantity with one number per gear has a single row."""
+"""Rows of a table; a list over the gears has a single row."""
 
 
 class WrittenResult(NamedTuple):
-    """Written result of a case, which contains tables by name."""
+    """Written result of a case: the tables by name."""
 
     tables: dict[str, Figures]
     case: Transmission | None
-    """Case of the result, which names rows and gears; None if unknown."""
+    """Case of the result, if known, for the names of rows and gears."""
     printed: bool
-    """Whether the result was read from a listing."""
+    """True if the result was read from a listing."""
     errors: bool = False
-    """Whether the case had errors, so that there are no results."""
+    """True if the case failed."""
     rows: Mapping[str, Sequence[str]] = MappingProxyType({})
-    """Names of the rows of each table, if known: for drawn cases, or from CSV."""
+    """Names of the rows of each table, if written: for a drawn case, or in CSV."""
     file: str = ""
-    """File name of the case, with folders if written; empty if unknown."""
+    """File of the case, with folders if written; empty: unknown."""
     gears: Sequence[str] = ()
-    """Names of the gears, if the result was written without the case."""
+    """Names of the gears, if written without the case."""
     devices: Sequence[str] = ()
-    """Names of the devices, if the result was written without the case."""
+    """Names of the devices, if written without the case."""
 
     @property
     def is_of_source(self) -> bool:
-        """Whether the result is a listing of the source, which contains only published tables."""
+        """True if the result is a listing of the source, with published tables only."""
         return self.printed and "ratio" not in self.tables
 
     @property
     def has_own(self) -> bool:
-        """Whether rows of torques are members of gear sets, not mechanisms."""
+        """True if the rows of torques are members of gear sets instead of mechanisms."""
         torques, elements, devices = (
             list(self.rows.get(table, ())) for table in ("torques", "slip_speeds", "idle")
         )
@@ -58,7 +58,7 @@ class WrittenResult(NamedTuple):
 
     @property
     def gear_names(self) -> Sequence[str]:
-        """Names of the gears, if known; in a listing of the source, gears have only numbers."""
+        """Names of the gears, if known; a listing of the source has numbers only."""
         if self.is_of_source:
             return ()
         return self.gears or ([gear.name for gear in self.case.gears] if self.case else ())
@@ -77,17 +77,17 @@ class WrittenResult(NamedTuple):
 
 
 GEAR = "gear"
-"""Name of the column of gears in a sweep with one row per gear."""
+"""Column of the gear in a sweep with a row for each gear."""
 
 
 class WrittenSweep(NamedTuple):
-    """Written sweep, whose columns have one value per row."""
+    """Written sweep: columns with a value for each row."""
 
     variants: list[int]
     status: list[str]
     columns: dict[str, list[float]]
-    """Numbers of each column; NaN means a missing number."""
+    """Numbers of each column; NaN: no value."""
     varied: tuple[str, ...] = ()
-    """Names of the columns with varied quantities."""
+    """Names of the varied columns."""
     gears: Sequence[str] = ()
-    """Gear of each row, for a sweep with one row per gear."""
+    """Gear of each row, in a sweep with a row for each gear."""

@@ -1,4 +1,4 @@
-"""Tables as a workbook (XLSX) with one sheet per table, and numbers with all digits."""
+"""Tables as a workbook (XLSX): a sheet for each table, with all digits."""
 
 from __future__ import annotations
 
@@ -16,34 +16,33 @@ if TYPE_CHECKING:
     from openpyxl import Workbook
 
 MOST_ROWS, MOST_COLUMNS = 1_048_576, 16_384
-"""Largest number of rows and of columns of a sheet."""
+"""Size limits of a sheet."""
 LONGEST_SHEET_NAME = 31
-"""Largest number of characters in the name of a sheet."""
+"""Length limit of the name of a sheet."""
 CONTENTS = "tables"
 _FORBIDDEN = re.compile(r"[\[\]:*?/\\\x00-\x1f]")
 _CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
-"""Pattern of characters that XML cannot contain."""
+"""Characters that XML cannot contain."""
 _EPOCH = (1980, 1, 1, 0, 0, 0)
 
 
 def write(
     cases: Iterable[tuple[str, Sequence[Grid]]], *, several: bool, digits: int | None = None
 ) -> bytes:
-    """Write the tables of cases as a workbook, in which tables with equal names share a sheet.
+    """Write the tables of cases as a workbook; tables with equal names share a sheet.
 
-    If there are several cases, the first column of a sheet contains the file of the case. A row of
-    headings is written whenever the headings change. Tables of a group share a sheet, in which a
-    column contains the titles. If tables have short names (keys), the first sheet lists the titles.
-    Equal tables give equal bytes.
+    A sheet of several cases has the file of each case in its first column; a row of headings is
+    written whenever the headings change. Tables of one group share a sheet with a column of
+    titles. If tables have keys, the first sheet lists their titles. Equal tables give equal bytes.
 
     Parameters
     ----------
     cases : iterable of (str, sequence of Grid)
-        File and tables of each case.
+        Files of the cases, with their tables.
     several : bool
-        Whether there are several cases, so that the first column is the file of the case.
+        Whether the first column is the file of the case.
     digits : int, optional
-        Number of visible decimals; the numbers in the cells keep all digits.
+        Number of shown decimals; the numbers keep all digits.
 
     Raises
     ------
@@ -63,7 +62,7 @@ def write(
 
 
 def sheet_data(sheets: Mapping[str, Sequence[Sequence[Any]]]) -> bytes:
-    """Write a workbook from rows by name of the sheet; the first row contains headings.
+    """Write a workbook of named sheets; the first row of each sheet has the headings.
 
     Equal sheets give equal bytes.
     """
@@ -76,19 +75,18 @@ def sheet_data(sheets: Mapping[str, Sequence[Sequence[Any]]]) -> bytes:
 
 
 class _Book:
-    """Workbook to which tables are added."""
+    """Workbook that is being filled."""
 
     def __init__(self, book: Workbook, *, several: bool, digits: int | None) -> None:
         self.book = book
         self.several = several
         self.number_format = "General" if digits is None else f"0.{'0' * digits}"
         self.sheets: dict[str, _Worksheet] = {}
-        # Reserved, because Excel uses the name "history".
-        self.names: set[str] = {CONTENTS, "history"}
+        self.names: set[str] = {CONTENTS, "history"}  # Excel reserves the name "history"
         self.titles: dict[str, str] = {}
 
     def add(self, file: str, grid: Grid) -> None:
-        """Write a table below the other tables of the same sheet."""
+        """Write a table, below other tables of the sheet."""
         name = grid.group or grid.key or grid.title
         if name not in self.sheets:
             sheet = sheet_name(name, self.names)
@@ -102,21 +100,21 @@ class _Book:
         )
 
     def data(self) -> bytes:
-        """Return the content of the workbook file, including a table of contents."""
+        """Return the content of the file, with a table of contents."""
         if self.titles or not self.sheets:
             contents = _Worksheet(self.book.create_sheet(CONTENTS, 0), self)
             contents.add([], ["sheet", "table"], list(map(list, self.titles.items())))
         return self.saved()
 
     def saved(self) -> bytes:
-        """Return the content of the workbook file."""
+        """Return the content of the file."""
         written = io.BytesIO()
         self.book.save(written)
         return _without_dates(written)
 
 
 class _Worksheet:
-    """Sheet to which rows are added."""
+    """Sheet that is being filled."""
 
     def __init__(self, sheet: Any, book: _Book) -> None:
         sheet.freeze_panes = "B2"
@@ -126,7 +124,7 @@ class _Worksheet:
         self.rows = 0
 
     def add(self, front: Sequence[str], headings: list[str], rows: Sequence[Sequence[Any]]) -> None:
-        """Write rows; if the headings have changed, write the headings first."""
+        """Write rows, preceded by headings if the headings change."""
         from openpyxl.styles import Font
 
         bold = Font(bold=True)
@@ -142,7 +140,7 @@ class _Worksheet:
             self.sheet.append([self._cell(datum) for datum in (*front, *row)])
 
     def _cell(self, datum: Datum, font: Any = None) -> Any:
-        """Return a cell with a value; a text never becomes a formula."""
+        """Return a cell; a text is never taken for a formula."""
         from openpyxl.cell import WriteOnlyCell
 
         if datum is None:
@@ -151,8 +149,7 @@ class _Worksheet:
             cell = WriteOnlyCell(self.sheet, _CONTROL.sub("�", datum))
             cell.data_type = "s"
         elif isinstance(datum, float) and math.isfinite(datum):
-            # As text with all digits, because openpyxl would write only 16 digits.
-            cell = WriteOnlyCell(self.sheet, repr(float(datum)))
+            cell = WriteOnlyCell(self.sheet, repr(float(datum)))  # openpyxl writes 16 digits
             cell.data_type = "n"
             cell.number_format = self.book.number_format
         else:
@@ -163,7 +160,7 @@ class _Worksheet:
 
 
 def sheet_name(name: str, taken: set[str]) -> str:
-    """Return a valid and unused name of a sheet, and add this name to `taken`.
+    """Return a valid, unused name of a sheet, and add the name to `taken`.
 
     >>> taken = set()
     >>> sheet_name("Gear 1/2: [low]", taken), sheet_name("gear 1 2  (low)", taken)
@@ -181,7 +178,7 @@ def sheet_name(name: str, taken: set[str]) -> str:
 
 
 def _without_dates(written: io.BytesIO) -> bytes:
-    """Remove the time of creation from a workbook, so that equal tables give equal bytes."""
+    """Return a workbook without the time of its creation, so that equal tables give equal bytes."""
     dateless = io.BytesIO()
     with (
         zipfile.ZipFile(written) as old,

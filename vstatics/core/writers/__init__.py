@@ -1,4 +1,4 @@
-"""Writers of cases and results: one module per file format; no writer calculates.
+"""Writers of cases and results: a module for each format, without any calculation.
 
 >>> from vstatics.core.model.transmission import Gear, Mechanism, Transmission
 >>> from vstatics.core.statics.solve import solve

@@ -1,4 +1,4 @@
-"""Writer of decks, which are text files with the headings and fields of the published template."""
+"""Writer of decks, with the headings and fields of the published template."""
 
 from __future__ import annotations
 
@@ -18,27 +18,27 @@ if TYPE_CHECKING:
 
 SPRINGS = "Springs, their twists by links (no deck has them: take the YAML or JSON of the case):"
 NAME = "NAME "
-"""Beginning of a line that names the case, a link, a part or a gear."""
+"""Beginning of a line that gives a name."""
 KINDS = {
     "dog_clutch": "that {} is a dog clutch",
     "freewheel": "that {} is a freewheel; it is engaged where it holds",
 }
-"""Messages about shift elements whose kind a deck cannot contain, by kind."""
+"""Messages about kinds of shift elements that a deck cannot contain."""
 
 DECK_KEYS = {
     *("name", "links", "input", "output", "idle", "coast", "shift_elements", "mechanisms", "gears"),
     *("kind", "engaged", "speeds", "torques"),
     *("first", "second", "third", "ratio", "efficiency", "planet_ratio"),
 }
-"""Keys of YAML and JSON that have fields in a deck; `kind` has a field for some kinds only."""
+"""Keys of YAML and JSON that have fields in a deck; `kind` has no field for some kinds."""
 
 
 def write(case: Transmission, lang: Language = "en") -> str:
-    """Write a case as a deck, which is read back as an equal case except for the parts in `lost`.
+    """Write a case as a deck, which is read back as an equal case except for `lost`.
 
-    If speeds are given as speeds of other links, convert the case by `Results.with_numbers_only`
-    first. The fields of springs are not read from decks; their heading says so, and `check_deck`
-    refuses springs.
+    A case with speeds given as speeds of other links must be converted by
+    `Results.with_numbers_only` before. The fields of springs are not read from decks; their heading
+    says so, and `check_deck` refuses springs.
 
     Parameters
     ----------
@@ -53,7 +53,7 @@ def write(case: Transmission, lang: Language = "en") -> str:
 
 
 def template(case: Transmission) -> Iterator[str]:
-    """Yield the lines of the published template of a deck, with English headings."""
+    """Yield the fields of the published template with English headings."""
     elements, mechanisms = case.shift_elements, case.mechanisms
     planets = {
         number: mechanism.planet_ratio
@@ -80,9 +80,9 @@ def template(case: Transmission) -> Iterator[str]:
 
 
 def lost(case: Transmission) -> list[str]:
-    """List the parts of a case that a deck cannot contain, such as the description of the case."""
+    """List the parts of a case that a deck cannot contain, such as the description."""
     from vstatics.core.model.checks import carried_keys
-    from vstatics.core.model.keys import (  # imported here because this import costs start-up time
+    from vstatics.core.model.keys import (  # costs start-up time
         CASE,
         ELEMENT,
         GEAR,
@@ -118,7 +118,7 @@ def lost(case: Transmission) -> list[str]:
 
 
 def _unkept(part: object, shape: ByKey) -> Iterator[str]:
-    """Yield the keys of a part without a field in a deck and without their default values."""
+    """Yield the keys of a part without a field in a deck, unless they have their defaults."""
     for key in shape.keys:
         if key.name not in DECK_KEYS and not key.leaves_out(getattr(part, key.name, None)):
             yield key.name
@@ -131,7 +131,7 @@ def _links_of_devices(case: Transmission) -> list[str]:
 
 
 def _lists(part: str, parts: Sequence[object], kind: type[float]) -> Iterator[str]:
-    """Yield the lists of the numbers of a type in parts; omit lists of gears without values."""
+    """Yield the lists of numbers of a kind; lists of gears without values are omitted."""
     for key, field in FIELDS.items():
         if field.part != part or field.kind is not kind:
             continue
@@ -170,7 +170,7 @@ def _gears(case: Transmission) -> list[str]:
 def _given(
     gears: Sequence[Mapping[int, Any]], count: str, links: str, values: str
 ) -> Iterator[str]:
-    """Yield the links and values of the given speeds or torques, with one line per gear."""
+    """Yield links and values of given speeds or torques, a line for each gear."""
     if any(gears):
         yield "Their links:"
         yield f"({links}(K,I),K=1,{count}(I)),I=1,NP:"
@@ -185,7 +185,7 @@ def _further_lines(case: Transmission) -> list[str]:
 
 
 def _conditions(case: Transmission) -> Iterator[str]:
-    """Yield the input, output and conventions of a case that differ from the defaults."""
+    """Yield input, output and conventions that differ from the defaults."""
     conditions = {
         f"INP= {case.input}": case.input != 1,
         f"IOUT= {case.output}": case.output != case.links,

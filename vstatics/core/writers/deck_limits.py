@@ -1,4 +1,4 @@
-"""Checks that a case fits the fields of a deck or of the published listing of results."""
+"""Checks that a case fits the fields of a deck or of the published listing."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Tran
 from vstatics.core.statics.results import Results
 
 SHOWN = 20
-"""Largest number of names that a message lists for a kind of part."""
+"""Largest number of names that a message about a kind of part lists."""
 
 
 def check_deck(case: Transmission) -> None:
-    """Raise an error if a case has parts that a deck cannot contain.
+    """Refuse a case with parts that a deck cannot contain.
 
     Raises
     ------
     CaseError
-        If a deck has no field for some parts of the case; the message lists these parts.
+        If a deck has no field for some parts; the message lists them.
 
     Examples
     --------
@@ -45,7 +45,7 @@ def check_deck(case: Transmission) -> None:
 
 
 def _unheld(case: Transmission) -> Iterator[tuple[str, list[str]]]:
-    """Yield each key that has no field in a deck, with the names of the parts that use the key."""
+    """Yield each key without a field in a deck, with the names of the parts that have the key."""
     parts: list[ShiftElement | Mechanism] = [*case.shift_elements, *case.mechanisms]
     drawing = drawing_of(case)
     elements = drawing.elements if drawing else ()
@@ -68,12 +68,12 @@ def _unheld(case: Transmission) -> Iterator[tuple[str, list[str]]]:
 
 
 def check_published_listing(results: Results) -> None:
-    """Raise an error if results depend on parts without a field in the published listing.
+    """Refuse a case whose numbers do not follow from the fields of the published listing.
 
     Raises
     ------
     CaseError
-        If there are such parts: one problem per kind of part, at the first part of this kind.
+        With a problem for each kind of part, at the first part of the kind.
 
     Examples
     --------
@@ -96,7 +96,7 @@ def check_published_listing(results: Results) -> None:
 
 
 def _unprinted_parts(case: Transmission) -> Iterator[tuple[str, dict[str, Path]]]:
-    """Yield each kind of part without a field, and the paths of these parts by name."""
+    """Yield each kind of part without a field, with the paths of such parts by name."""
     yield "springs", {spring.name: ("springs", n) for n, spring in enumerate(case.springs, 1)}
     yield "speed ratios", _mechanisms(case, "kind", lambda part: bool(part.kind))
     yield (
@@ -122,7 +122,7 @@ def _unprinted_parts(case: Transmission) -> Iterator[tuple[str, dict[str, Path]]
 
 
 def _unprinted_gears(results: Results) -> Iterator[tuple[str, dict[str, Path]]]:
-    """Yield each key of gears without a field, and the paths of the key by name of the gear."""
+    """Yield each key of gears without a field, with its paths by name of the gear."""
     case = results.case
     yield "slip in gears", _gears(case, "slip", lambda gear: bool(gear.slip))
     yield "losses of gears as a whole", _gears(case, "loss", lambda gear: gear.loss is not None)
@@ -172,12 +172,12 @@ def _gears(case: Transmission, key: str, applies: Callable[[Gear], bool]) -> dic
 
 
 def _differs(case: Transmission, port: Callable[[Gear], int]) -> Callable[[Gear], bool]:
-    """Return a test of whether the port of a gear differs from the port of the first gear."""
+    """Return a test for gears whose port differs from the port of the first gear."""
     return lambda gear: port(gear) != port(case.gears[0])
 
 
 def _load_path(index: int, key: str, of_gear: object) -> Path:
-    """Return the path of a key in a gear or, if the gear has no value of the key, in the case."""
+    """Return the path of a key that a gear takes from the case unless the gear has a value."""
     return (key,) if of_gear is None else ("gears", index + 1, key)
 
 

@@ -1,4 +1,4 @@
-"""Outcomes of a check or comparison as XML in the format of JUnit, which CI displays as tests."""
+"""Outcomes of a check or comparison in the XML of JUnit, which CI shows as tests."""
 
 from __future__ import annotations
 
@@ -9,17 +9,17 @@ from vstatics.core.errors import printable
 
 
 class CaseOutcome(NamedTuple):
-    """Outcome of a check of a case; the check failed if `type` is not empty."""
+    """Outcome of a case, a failure if `type` is not empty."""
 
     name: str
     type: str = ""
     message: str = ""
     text: str = ""
-    """Output about the case, which can also exist without a failure."""
+    """Output about the case, also without a failure."""
 
 
 def junit(suite: str, outcomes: Sequence[CaseOutcome]) -> str:
-    """Write the outcomes as a test suite in XML, with one `testcase` element per outcome.
+    """Write the outcomes as a suite with a `testcase` each.
 
     Examples
     --------
@@ -34,8 +34,7 @@ def junit(suite: str, outcomes: Sequence[CaseOutcome]) -> str:
     </testsuites>
     <BLANKLINE>
     """
-    # Imported here because this import costs start-up time.
-    from xml.sax.saxutils import escape, quoteattr
+    from xml.sax.saxutils import escape, quoteattr  # costs start-up time
 
     def value(text: str) -> str:
         return quoteattr(printable(text))

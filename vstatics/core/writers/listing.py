@@ -1,8 +1,8 @@
-"""Listing of results in the form of the source's report: first the deck, then the tables.
+"""Listing of results in the form of the source's report: the deck, then the tables.
 
-Rows, columns, names and index lists are as in the source; the additional tables of this program
-follow. Because a listing begins with the deck of the case, a listing can be run again as a deck,
-unless the case has springs.
+Rows, columns, names and index lists are printed as in the source; the additional tables of this
+program follow. As the listing begins with the deck of the case, it can be run again as a deck,
+except for a case with springs.
 """
 
 from __future__ import annotations
@@ -27,12 +27,12 @@ CONVENTIONS = (
 )
 COASTING = "Coasting: the power enters at the output; in this scaling losses are below 0."
 LISTING_DECIMALS = 3
-"""Number of decimals in the published listings."""
+"""Number of decimals, as published."""
 MESSAGES = "Messages:"
 
 
 def write(results: Results, lang: Language = "en", digits: int = LISTING_DECIMALS) -> str:
-    """Write the listing of the results of a case, with numbers in the style of Fortran.
+    """Write the listing of a case, with numbers in Fortran style.
 
     Parameters
     ----------
@@ -54,24 +54,23 @@ def write(results: Results, lang: Language = "en", digits: int = LISTING_DECIMAL
 
 
 def table_lines(results: Results, shown: Iterable[Table], digits: int) -> Iterator[str]:
-    """Yield the lines of tables with their headings."""
+    """Yield the lines of tables, with headings."""
     named = results.case.has_own_rows
     for table in shown:
         for title, indices, part in parts(table, results.case):
-            # Heading of the number that stands for "yes".
-            mark = " (1)" if part.quantity.kind is bool else ""
+            mark = " (1)" if part.quantity.kind is bool else ""  # the number for yes
             yield from ("", f"{heading(title)}{mark}:", indices)
             yield from _rows(part, digits, named=named and table.quantity.rows != "one")
 
 
 def messages(results: Results) -> list[str]:
-    """Return the lines of the messages about the gears of a case."""
+    """Return the lines of the messages about the gears."""
     said = [*map(str, results.messages)]
     return ["", tr(MESSAGES), *said] if said else said
 
 
 def parts(table: Table, case: Transmission) -> Iterator[tuple[str, str, Table]]:
-    """Yield heading, index list and rows of a table; a table of torques has two such parts."""
+    """Yield heading, index list and rows of a table, or of both parts of a table of torques."""
     quantity = table.quantity
     if quantity.members is None:
         if table.values.size:
@@ -87,7 +86,7 @@ def parts(table: Table, case: Transmission) -> Iterator[tuple[str, str, Table]]:
 
 @lru_cache(maxsize=100)
 def _indices(quantity: Quantity, rows: str = "") -> str:
-    """Return the name of a quantity with its index list, as in ``(W(I,J),J=1,NP),I=1,KJG:``."""
+    """Return the name with an index list, as in ``(W(I,J),J=1,NP),I=1,KJG:``."""
     column = "K" if quantity.columns == "devices" else "J"
     columns = f"{column}=1,{'KLG' if quantity.columns == 'devices' else 'NP'}"
     if quantity.rows == "one":
@@ -97,9 +96,9 @@ def _indices(quantity: Quantity, rows: str = "") -> str:
 
 
 def _rows(table: Table, digits: int, *, named: bool) -> list[str]:
-    """Return rows of fields of equal width: 7 with three decimals, 3 for integers, or wider.
+    """Return rows of equal fields: with three decimals 7 wide, integers 3 wide, or wider.
 
-    If `named` is true, as for a case that is drawn or has springs, each row ends with its name.
+    With `named`, for a case that is drawn or has springs, each row ends with its name.
     """
     decimals, width = (digits, digits + 4) if table.quantity.kind is float else (0, 3)
     rows = fixed_rows(table.values.tolist(), width, decimals)

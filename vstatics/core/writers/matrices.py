@@ -1,4 +1,4 @@
-"""Structure of a case of planetary gear sets as two matrices: rigid and variable connections."""
+"""Structure of a case of planetary gear sets as matrices of rigid and variable connections."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from vstatics.core.model.transmission import ShiftElement, Transmission
 from vstatics.core.tables import csv
 
 MEMBERS = {"sun": "a", "carrier": "h", "ring": "b", "first": "a", "third": "h", "second": "b"}
-"""Letter of each member of a gear set or mechanism in the matrices, in the order of columns."""
+"""Letter in the matrices for each member of a gear set or mechanism, in the order of columns."""
 
 
 def write(case: Transmission) -> str:
-    """Write the matrices as two tables in CSV, separated by a blank line; their rows are links.
+    """Write the two matrices as tables in CSV, separated by a blank line; rows are links.
 
     The matrix of rigid connections has a column for each member of each gear set, unless the
     member is fixed to the housing: 1 in the row of its link, or -1 if the link is the input. The
@@ -35,8 +35,7 @@ def write(case: Transmission) -> str:
 def _links(case: Transmission, device: OwnDevice) -> dict[str, int]:
     links = {member.name: member.link for member in device.members}
     if case.mechanisms[device.mechanisms[0]].is_set and "first" in links:
-        # Missing among the members, because the housing has no row of torques.
-        links["third"] = HOUSING
+        links["third"] = HOUSING  # the housing has no row of torques
     if not links.keys() <= MEMBERS.keys() or len(links) != 3:
         message = f"{device.name} has the members {listed(list(links))}"
         raise CaseError("E871", f"{message}; expected a set of sun, carrier and ring")

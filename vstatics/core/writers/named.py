@@ -1,4 +1,4 @@
-"""Writers of cases as YAML and JSON, which are read back as equal cases."""
+"""Writers of cases as YAML and JSON, which are read back exactly."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ _WORD = re.compile(r"[^\W\d]\w*")
 
 
 class _OnOneLine(dict[str, Any]):
-    """Mapping that YAML writes on a single line, in braces."""
+    """Mapping that YAML writes in braces."""
 
 
 def mapping(case: Transmission, *, units: bool = True) -> dict[str, Any]:
@@ -52,9 +52,8 @@ def mapping(case: Transmission, *, units: bool = True) -> dict[str, Any]:
     ----------
     case : Transmission
     units : bool
-        Whether values that are given in physical units keep their units, and so do not depend on
-        the operating point. Otherwise the values are relative to the speed or torque of the
-        operating point.
+        Whether values given in physical units keep their unit, so that they do not change with the
+        operating point. Otherwise they are relative to the speed or torque of the operating point.
 
     Examples
     --------
@@ -80,8 +79,7 @@ def mapping(case: Transmission, *, units: bool = True) -> dict[str, Any]:
     values["output"] = None if case.outputs or case.output == own_links else case.output
     for part in ("shift_elements", "mechanisms", "gears"):
         values[part] = {item.name: item for item in values[part]}
-    # In a drawn case, only the mechanisms that are not part of a gear set.
-    sets = values["mechanisms"]
+    sets = values["mechanisms"]  # in a drawn case only mechanisms that are not in a gear set
     values["mechanisms"] = {name: mechanism_record(part) for name, part in sets.items()}
     values["springs"] = {spring.name: spring_record(spring) for spring in case.springs}
     values["converters"] = {
@@ -97,8 +95,8 @@ def mapping(case: Transmission, *, units: bool = True) -> dict[str, Any]:
 
 
 def write_yaml(case: Transmission) -> str:
-    """Write a case as YAML with the content of `mapping`."""
-    import yaml  # imported here because this import costs start-up time
+    """Write a case as YAML; see `mapping`."""
+    import yaml  # costs start-up time
 
     data = mapping(case)
     data["gears"] = {name: _OnOneLine(gear) for name, gear in data["gears"].items()}
@@ -118,24 +116,24 @@ def write_yaml(case: Transmission) -> str:
 
 
 def write_json(case: Transmission) -> str:
-    """Write a case as JSON with the content of `mapping`."""
-    import json  # imported here because this import costs start-up time
+    """Write a case as JSON; see `mapping`."""
+    import json  # costs start-up time
 
     return json.dumps(mapping(case), indent=2, ensure_ascii=False) + "\n"
 
 
 def _wholes(case: Transmission) -> set[float]:
-    """Return the magnitudes of the speeds and torques of all operating points of a case.
+    """Return the speeds and torques of all operating points, without signs.
 
-    Only a number relative to one of these values can be written with its unit, because a reader
-    converts numbers with units by the operating points of the case.
+    A number relative to any other value is written without a unit, which no operating point would
+    convert back when the case is read again.
     """
     loads = [case.load, *(gear.load and case.gear_load(gear) for gear in case.gears)]
     return {size for load in loads if load for size in (load.torque_size, abs(load.speed or 0.0))}
 
 
 def _drag_by_gear(case: Transmission) -> dict[str, Any]:
-    """Return keys of a case in which gears have all drags, relative to the gears' loads."""
+    """Return gears with all drags relative to the operating point of each gear."""
     gears = []
     for gear, with_drag in zip(case.gears, case.gears_with_drag, strict=True):
         dragging = {
@@ -147,7 +145,7 @@ def _drag_by_gear(case: Transmission) -> dict[str, Any]:
 
 
 def _link_words(case: Transmission) -> list[int | str]:
-    """Return the links as written, the housing first: names, or numbers if no link has a name."""
+    """Return the written links, the housing first; by number if the case has no other names."""
     own_links = case.own_links
     if list(case.link_names[:own_links]) == [str(number) for number in range(1, own_links + 1)]:
         return ["housing", *range(1, case.links + 1)]
@@ -155,7 +153,7 @@ def _link_words(case: Transmission) -> list[int | str]:
 
 
 def _as_written(case: ByKey) -> ByKey:
-    """Return the keys of a case in the order of writing, in which `load` follows `coast`."""
+    """Return the keys in the order of writing: `load` after `coast`."""
     keys = {key.name: key for key in case.keys}
     load = keys.pop("load")
     position = [*keys].index("coast") + 1
@@ -167,28 +165,27 @@ _CASE = _as_written(CASE)
 
 
 class _Writer(NamedTuple):
-    """Converter of parts of the model to plain data, which follows the shapes of the parts.
+    """Converter of parts of the model to plain data, directed by shapes.
 
-    The fields contain the written names of links, shift elements and mechanisms by number.
+    It has the written names of links, shift elements and mechanisms by number.
     """
 
     links: Sequence[int | str]
     elements: Sequence[str]
     mechanisms: Sequence[str]
     wholes: Collection[float]
-    """Magnitudes of operating points; a value relative to one of these is written with its unit."""
+    """Sizes of operating points; a value relative to one of these is written with its unit."""
 
     def by_key(self, part: Any, shape: ByKey) -> dict[str, Any]:
-        """Return the values of a part or mapping by key, without default values."""
+        """Return the keys of a part or mapping, without default values."""
         values = part if isinstance(part, dict) else None
         data: dict[str, Any] = {}
         for key in shape.keys:
             value = getattr(part, key.name, None) if values is None else values.get(key.name)
-            # A value relative to a missing operating point is 0 and equals the default, but is
-            # written.
+            # A value relative to a missing operating point is 0 like a default, but is written.
             is_written = key.required or isinstance(value, OfLoad) or not key.leaves_out(value)
             if key.name == "torque" and getattr(part, "power", None) is not None:
-                is_written = False  # not written, because the power determines the torque
+                is_written = False  # the power determines the torque
             if value is not None and is_written:
                 data[key.name] = self.value(value, key.shape)
         return data
@@ -212,7 +209,7 @@ class _Writer(NamedTuple):
         return f"{float(value)!r} {UNITS[shape.kind]}" if shape.kind in UNITS else value
 
     def speed_of(self, speed: SpeedOf) -> str:
-        """Write a speed relative to a link; put the word `link` before an ambiguous name."""
+        """Write a speed relative to a link; the word `link` precedes ambiguous names."""
         name = str(self.links[speed.link])
         link = name if _WORD.fullmatch(name) else f"link {name}"
         return link if speed.factor == 1 else f"{speed.factor!r}*{link}"
@@ -245,7 +242,7 @@ class _Writer(NamedTuple):
         ]
 
     def by_law(self, value: Any, shape: ByLaw) -> Any:
-        """Write a number or characteristic curve; points from a file are written as points."""
+        """Write a number or a law; points from a file are written in full."""
         if not isinstance(value, Law):
             return value if shape.scalar is None else self.leaf(value, shape.scalar)
         if value.text:
@@ -256,7 +253,7 @@ class _Writer(NamedTuple):
         return {"over": value.over, "points": points} if shape.row is None else points
 
     def map_law(self, value: Any, shape: ByKey | ByKind) -> dict[str, Any]:
-        """Write a map of a characteristic over speed and torque in SI units."""
+        """Write a map over speed and torque in SI units."""
         record = shape.records[MAP] if isinstance(shape, ByKind) else shape
         words = {"over": ("speed", "torque"), "columns": value.columns, "rows": value.rows}
         return self.by_key({**words, "unit": value.unit or None}, record)
@@ -266,7 +263,7 @@ class _Writer(NamedTuple):
         return {**data, shape.power: self.leaf(value.battery, Leaf("power"))}
 
     def by_points(self, value: Any, shape: ByPoints) -> Any:
-        """Write the points of a curve, a constant number, or a mapping of keys."""
+        """Write points, a constant number, or the keys of a mapping."""
         if hasattr(value, "_asdict"):
             return self.by_key(value, shape.mapping)
         rows = [self.row(point, shape.row) for point in value]
@@ -291,7 +288,7 @@ _WRITERS: Mapping[type, Callable[[_Writer, Any, Any], Any]] = {
     ByLaw: _Writer.by_law,
     Balances: _Writer.balance,
 }
-"""Method that writes the values of a shape, by type of shape."""
+"""Method that writes the values of each type of shape."""
 
 _PLAIN: Mapping[str, Callable[[Any], Any]] = {
     **dict.fromkeys(
@@ -302,7 +299,7 @@ _PLAIN: Mapping[str, Callable[[Any], Any]] = {
     **dict.fromkeys(("text", "choice"), str),
     "flag": bool,
 }
-"""Python type of written values that have neither a unit nor a name, by kind of leaf."""
+"""Type in which values without unit or name are written, by the kind of leaf."""
 
 
 def _dumper() -> type[yaml.SafeDumper]:
@@ -314,11 +311,9 @@ def _dumper() -> type[yaml.SafeDumper]:
             return True
 
     def text(dumper: yaml.SafeDumper, data: str) -> yaml.ScalarNode:
-        # Other texts need quotes, because only quoted texts can contain escapes.
-        plain = printable(data, lines=True) == data
+        plain = printable(data, lines=True) == data  # else only quotes can hold its escapes
         style = ("|" if "\n" in data else None) if plain else '"'
-        # True or false for strict readers of YAML 1.1, but written by PyYAML without quotes.
-        if data in {*"yYnN"}:
+        if data in {*"yYnN"}:  # true or false for strict readers of YAML 1.1, PyYAML writes it bare
             style = "'"
         return dumper.represent_scalar("tag:yaml.org,2002:str", data, style=style)
 

@@ -1,4 +1,4 @@
-"""Problems of files in formats for CI: annotations of GitHub, and SARIF 2.1.0 (JSON)."""
+"""Problems of files in formats for CI: annotations of GitHub and SARIF 2.1.0."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from vstatics.core.errors import Problem
 from vstatics.core.messages.catalogue import explained
 
 _COMMANDS = {"error": "error", "warning": "warning", "note": "notice"}
-"""Commands in GitHub workflows that annotate a file, by severity of the problem."""
+"""Workflow commands of GitHub, by severity."""
 SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
 
 
 def github(problems: Iterable[Problem]) -> str:
-    """Write one line per problem, which GitHub displays as an annotation of the file.
+    """Write a line for each problem, which GitHub shows as an annotation of the file.
 
     >>> from vstatics.core.errors import Place
     >>> place = Place("scenarios/../a,b.yaml", 3, 7)
@@ -46,7 +46,7 @@ def _data(text: str) -> str:
 
 
 def sarif(problems: Sequence[Problem]) -> dict[str, Any]:
-    """Return the problems as a SARIF log of a single run, with one rule per problem id.
+    """Return the problems as a SARIF run, with a rule for each id.
 
     >>> from vstatics.core.errors import Place
     >>> log = sarif([Problem("E107", "read 0", place=Place("my box.yaml", 3, 7))])
@@ -85,7 +85,7 @@ def sarif(problems: Sequence[Problem]) -> dict[str, Any]:
 def _locations(problem: Problem) -> list[dict[str, Any]]:
     if problem.place is None:
         return []
-    from urllib.parse import quote  # imported here because this import costs start-up time
+    from urllib.parse import quote  # costs start-up time
 
     file, line, column, _ = problem.place
     place: dict[str, Any] = {"artifactLocation": {"uri": quote(_relative(file))}}

@@ -1,4 +1,4 @@
-"""Results as CSV with one number per row (long form), for spreadsheets and pandas."""
+"""Results as CSV in long form, with a number in each row, for spreadsheets and pandas."""
 
 from __future__ import annotations
 
@@ -14,39 +14,39 @@ CONVENTIONS = (
     "torques: an external torque acts on a link and is positive in the direction of the input "
     "torque, which is 1; Mx is the output torque, given to the load",
 )
-"""Conventions of the written numbers.
+"""Conventions of the numbers.
 
-The conventions are rows without a value, because spreadsheets read no comments in CSV.
+They are written as rows without a value, because CSV has no comments for spreadsheets.
 """
 
 
 def write(results: Results, *, raw: bool = False) -> str:
-    """Write the results of a case as CSV in long form.
+    """Write the results of a case as CSV.
 
-    The columns are table, row, gear and value. The distribution matrix does not depend on the gear:
-    its rows are named ``link:device``, and their gear is empty. A missing value is empty. The last
-    rows state the conventions and the program, also without a value.
+    The columns are table, row, gear and value. The distribution matrix does not depend on the
+    gear: its rows are ``link:device``, without a gear. A value that does not exist is empty. The
+    last rows state the conventions and the program, also without a value.
 
     Parameters
     ----------
     results : Results
     raw : bool
-        Whether to leave texts unchanged that a spreadsheet takes for formulas; see `csv.guarded`.
+        Whether texts that begin like a formula are left unguarded; see `csv.guarded`.
     """
     return "".join([head(several=False), rows(None, results, raw=raw), tail(several=False)])
 
 
 def head(*, several: bool) -> str:
-    """Write the names of the columns; if there are several results, add a column `case`."""
+    """Write the names of the columns; several results need a column `case`."""
     return csv.lines([["case"] * several + ["table", "row", "gear", "value"]])
 
 
 def rows(file: str | None, results: Results, *, raw: bool = False) -> str:
-    """Write the rows of a result; if there are several results, `file` is the file of the case."""
+    """Write the rows of a result, with the file of the case if there are several."""
     front = [] if file is None else [file]
     cells = []
     for table in tables(results):
-        kind = float if table.quantity.kind is float else int  # a truth value is written as 0 or 1
+        kind = float if table.quantity.kind is float else int  # a flag is written as 0 or 1
         values = table.values.ravel().tolist()
         for (key, row, gear), value in zip(places(table), values, strict=True):
             shown = "" if math.isnan(value) else repr(kind(value))
@@ -55,7 +55,7 @@ def rows(file: str | None, results: Results, *, raw: bool = False) -> str:
 
 
 def tail(*, several: bool) -> str:
-    """Write the last rows, which state the conventions and the program."""
+    """Write the rows of the conventions and of the program."""
     about = [("conventions", convention) for convention in CONVENTIONS]
     return csv.lines(
         [""] * several + [table, text, "", ""] for table, text in [*about, ("program", PROGRAM)]

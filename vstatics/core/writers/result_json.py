@@ -1,4 +1,4 @@
-"""Results as a JSON object, whose schema is `schemas/result.schema.json`."""
+"""Results as a JSON object; the schema is `schemas/result.schema.json`."""
 
 from __future__ import annotations
 
@@ -32,10 +32,10 @@ CONVENTIONS = {
 
 
 def document(results: Results) -> dict[str, Any]:
-    """Convert results to a mapping of plain data (lists, texts, numbers) for JSON.
+    """Convert results to a mapping of plain data for JSON.
 
-    A table becomes a list of rows, and a table with one number per gear a single list; NaN becomes
-    None. The key `idle` of the case is always included.
+    A table is a list of rows, a list over the gears a single list; NaN becomes None. The key
+    `idle` of the case is always written.
     """
     case = results.case
     result: dict[str, Any] = {
@@ -61,7 +61,7 @@ def document(results: Results) -> dict[str, Any]:
 
 
 def _converters(results: Results, number: int) -> Iterator[tuple[str, Any]]:
-    """Yield keys with the speed ratios of a gear's converters, and with ratios that suit the load.
+    """Yield the speed ratio of each converter of a gear, and others that agree with the load.
 
     The value is None for a converter that is bypassed or open.
     """
@@ -77,14 +77,14 @@ def _converters(results: Results, number: int) -> Iterator[tuple[str, Any]]:
 
 
 def to_json(results: Results, file: str = "") -> str:
-    """Write the results of a case as JSON, equal to the output of ``vstatics run -f json``.
+    """Write the results of a case as JSON, exactly as ``vstatics run -f json``.
 
     Parameters
     ----------
     results : Results
-        Results of a single case, not of arrays of variants.
+        Results of one case, not of arrays of variants.
     file : str
-        File name of the case for the key `file`; if empty, the key is omitted.
+        File of the case, for the key `file`; empty: no such key.
     """
     expect_one_case(results, "to_json")
     data = document(results)
@@ -92,7 +92,7 @@ def to_json(results: Results, file: str = "") -> str:
 
 
 def text(data: dict[str, Any]) -> str:
-    """Format a document as JSON with one line per row of a table, without a final line end.
+    """Format a document on several lines, a line for each row of a table, without a final end.
 
     Examples
     --------
@@ -114,14 +114,13 @@ def _braced(entries: Iterable[tuple[str, str]], indent: str = "") -> str:
 
 
 def _value(key: str, value: Any) -> str:
-    """Format a value on a single line; format tables, mappings and messages on several lines."""
+    """Format a value on a line, or a table, mapping or list of messages on several lines."""
     if value is CONVENTIONS:
         return _conventions()
     if isinstance(value, dict) and value:
         return _mapping(value)
     if isinstance(value, list) and value:
-        # All texts in rows are numbers, so that "], [" can only separate rows.
-        if isinstance(value[0], list):
+        if isinstance(value[0], list):  # rows of numbers, so "], [" only separates rows
             return "[\n    " + _text(value)[1:-1].replace("], [", "],\n    [") + "\n  ]"
         if key == "messages":
             return "[\n" + ",\n".join(f"    {_text(entry)}" for entry in value) + "\n  ]"
@@ -134,7 +133,7 @@ def _mapping(value: dict[str, Any]) -> str:
 
 @cache
 def _conventions() -> str:
-    """Format the conventions; the text is cached because all results have equal conventions."""
+    """Format the conventions once, as all results have equal conventions."""
     return _mapping(CONVENTIONS)
 
 

@@ -1,4 +1,4 @@
-"""Results of many cases in the format Parquet, with one number per row as in CSV."""
+"""Results of many cases in Parquet, in long form as in CSV: a number in each row."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ NAMES = ("case", "table", "row", "gear")
 
 
 def rows(file: str, results: Results) -> bytes:
-    """Return the rows of the results of a case as an Arrow stream, for the function `joined`.
+    """Return the rows of a result as a stream of Arrow, for `joined`.
 
-    The columns are case, table, row, gear and value. The distribution matrix does not depend on the
-    gear: its rows are named ``link:device``, and their gear is empty. A missing value is null.
+    The columns are case, table, row, gear and value. The distribution matrix does not
+    depend on the gear: its rows are ``link:device``, without a gear. A value that does not exist
+    is null.
     """
-    # Imported here because pyarrow costs start-up time and may be missing.
-    pa = import_module("pyarrow")
+    pa = import_module("pyarrow")  # costs start-up time, and may be missing
     shown = tables(results)
     index = [place for table in shown for place in places(table)]
-    name = file.encode(errors="backslashreplace").decode()  # file names are not always valid UTF-8
+    name = file.encode(errors="backslashreplace").decode()  # file names need not be UTF-8
     columns = [[name] * len(index), *map(list, zip(*index, strict=True))]
     coded = [pa.array(column, pa.string()).dictionary_encode() for column in columns]
     numbers = pa.array(np.concatenate([table.values.ravel() for table in shown]), from_pandas=True)
@@ -39,12 +39,12 @@ def rows(file: str, results: Results) -> bytes:
 
 
 def joined(parts: Iterable[bytes]) -> Iterator[bytes]:
-    """Yield the pieces of a Parquet file of all results; its metadata state the program.
+    """Yield a Parquet file of all results in pieces, with the program in its metadata.
 
     Parameters
     ----------
     parts : iterable of bytes
-        Streams that `rows` returns; empty streams are skipped.
+        Streams of `rows`; empty streams are skipped.
     """
     pa, parquet = import_module("pyarrow"), import_module("pyarrow.parquet")
     columns = [*((name, pa.string()) for name in NAMES), ("value", pa.float64())]
@@ -59,7 +59,7 @@ def joined(parts: Iterable[bytes]) -> Iterator[bytes]:
 
 
 class _Drained(io.RawIOBase):
-    """Output file in memory, from which written bytes can be taken during writing."""
+    """File whose content can be removed during writing."""
 
     def __init__(self) -> None:
         self.pieces: list[bytes] = []
@@ -77,6 +77,6 @@ class _Drained(io.RawIOBase):
         return self.size
 
     def drained(self) -> bytes:
-        """Return and remove the bytes that were written since the last call."""
+        """Return the bytes written since the last call."""
         taken, self.pieces = b"".join(self.pieces), []
         return taken

@@ -1,4 +1,4 @@
-"""Writing of cases to files of any format, with a list of parts that the format cannot contain."""
+"""Cases as files of any format, with a list of the parts that a format cannot contain."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ SUFFIXES = {
     ".json": "json",
     ".xlsx": "xlsx",
 }
-"""Formats of case files, by suffix of the file name."""
+"""Formats of case files, by suffix."""
 
 
 @refusing()
 def save(case: Transmission, path: str | os.PathLike[str]) -> list[str]:
-    """Write a case to a file, in the format that the suffix of the file name determines.
+    """Write a case to a file, in the format of the suffix.
 
     The file is written completely or not at all.
 
@@ -32,7 +32,7 @@ def save(case: Transmission, path: str | os.PathLike[str]) -> list[str]:
     ----------
     case : Transmission
     path : path-like
-        File name with the suffix .yaml, .json, .xlsx (workbook) or .dat (deck).
+        File, with the suffix .yaml, .json, .xlsx or .dat (a deck).
 
     Returns
     -------
@@ -44,7 +44,7 @@ def save(case: Transmission, path: str | os.PathLike[str]) -> list[str]:
     CaseError
         If the case would have other results without these parts.
     ValueError
-        If the suffix belongs to no format.
+        If no format has the suffix.
     OSError
         If the file cannot be written.
 
@@ -69,7 +69,7 @@ def save(case: Transmission, path: str | os.PathLike[str]) -> list[str]:
 
 
 def case_data(case: Transmission, form: str) -> tuple[bytes, list[str]]:
-    """Return the bytes of a case in a format, and the parts that the format cannot contain.
+    """Return a case as the bytes of a file, and the parts that the format cannot contain.
 
     Raises
     ------

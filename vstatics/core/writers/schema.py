@@ -1,4 +1,4 @@
-"""JSON Schema of results, derived from the declarations of the tables."""
+"""JSON Schema of a result, derived from the declaration of its tables."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ SIGN = {"enum": [-1, 0, 1, None]}
 
 
 def json_schema(of_case: Schema) -> Schema:
-    """Return the JSON Schema of a file of results, as `result_json.document` describes.
+    """Return the JSON Schema of a file of results; see `result_json.document`.
 
     Parameters
     ----------
     of_case : dict
-        JSON Schema of the case, which a result contains.
+        Schema of the case, which is contained in the result.
     """
     texts = list_of(TEXT)
     properties: Schema = {

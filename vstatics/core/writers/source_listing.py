@@ -1,9 +1,8 @@
-"""Listing of results as published: Russian wording of the source, published fields and tables.
+"""Published listing in the source's Russian wording, with the published fields and tables only.
 
-The listing has fields for links, shift elements, mechanisms and gears only. The input is always the
-first link and the output the last link, and mechanisms without power flow also have a sign of power
-flow. Because `published_results` solves the case within these limits, the listing is also a deck
-whose results equal those in the listing.
+The listing has fields for links, shift elements, mechanisms and gears. The input is the first link
+and the output the last link, and mechanisms without power flow have a sign. `published_results`
+solves the case within these limits, so the listing is a deck with equal results.
 """
 
 from __future__ import annotations
@@ -85,16 +84,16 @@ GIVEN = {
         "Число дополнительных внешних моментов на каждой передаче:"
     ),
 }
-"""Russian headings of the source, by heading of a deck; given speeds have no heading of values."""
+"""Headings of the source by the headings of a deck; values of given speeds lack a heading."""
 BELOW = ("NNM(", "KFRI(", "KWZ(", "KMZ(")
-"""Lists whose numbers are on the line below the name of the list; decks have a single line."""
+"""Lists whose numbers are below the name of the list; in a deck they are behind the name."""
 
 SECTIONS = {
     "W": "А. Скоростной расчет",
     "AMLG": "Б. Силовой расчет",
     "AMLGP": "В. Силовой расчет с учетом потерь в преобразующих механизмах",
 }
-"""Titles of the sections of the listing, by the first table of each section."""
+"""Titles of sections, by the first table of each section."""
 _OF_ELEMENTS = "Крутящие моменты на звеньях муфт и тормозов на каждой передаче"
 _OF_MECHANISMS = (
     "Крутящие моменты на первых звеньях (обычно солнечных шестернях дифференциалов) "
@@ -120,7 +119,7 @@ HEADINGS = {
         "(указывает направление мощностного потока):"
     ),
 }
-"""Russian headings of tables or parts of tables, by their index lists."""
+"""Headings by the index lists of tables, or of parts of tables."""
 
 
 NO_FOLLOWING = (
@@ -130,16 +129,15 @@ NO_FOLLOWING = (
 
 
 def published_results(results: Results) -> Results:
-    """Solve a case with only those properties that have fields in the published listing.
+    """Solve the case within the limits of the fields of the published listing.
 
-    The links are renumbered so that the input is the first and the output the last. Freewheels
-    become shift elements that are engaged in the gears in which the freewheel holds, and given
-    speeds become numbers.
+    The links are renumbered with the input first and the output last. Freewheels become shift
+    elements that are engaged if the freewheel holds, and given speeds become numbers.
 
     Raises
     ------
     CaseError
-        If numbers depend on a part of the case for which the listing has no field.
+        If the listing has no field for a part of the case that its numbers depend on.
 
     Examples
     --------
@@ -164,7 +162,7 @@ def published_results(results: Results) -> Results:
 
 
 def changed_efficiencies(results: Results, published: Results) -> list[Problem]:
-    """Return warnings about gears whose efficiency depends on the signs of idle mechanisms."""
+    """Return warnings about gears whose efficiency depends on signs of idle mechanisms."""
     before, after = results.efficiency, published.efficiency
     same = np.isclose(before, after, rtol=SAME_RATIO, atol=0, equal_nan=True)
     problems = []
@@ -178,7 +176,7 @@ def changed_efficiencies(results: Results, published: Results) -> list[Problem]:
 
 
 def _published_case(results: Results) -> Transmission:
-    """Return a case with only those parts that have fields, and with renumbered links."""
+    """Return the case reduced to the fields of the listing, with renumbered links."""
     case = results.with_numbers_only
     ends = case.gear_input(case.gears[0]), case.gear_output(case.gears[0])
     between = (link for link in range(1, case.links + 1) if link not in ends)
@@ -224,16 +222,16 @@ def _published_case(results: Results) -> Transmission:
 def write(
     results: Results, digits: int = listing.LISTING_DECIMALS, *, own_tables: bool = False
 ) -> str:
-    """Write the published listing, with numbers in the Fortran formats F8.3 and I3.
+    """Write the published listing of a case, with rows in F8.3 and I3.
 
     Parameters
     ----------
     results : Results
-        Results that `published_results` returns.
+        Results of `published_results`.
     digits : int
         Number of decimals.
     own_tables : bool
-        Whether to append the unpublished tables and the messages, in Russian.
+        Whether the unpublished tables and the messages follow, in Russian.
     """
     shown = tables(results)
     lines = [*_given(results.case), RESULTS]
@@ -249,7 +247,7 @@ def write(
 
 
 def _given(case: Transmission) -> Iterator[str]:
-    """Yield the lines of the deck of a case, below the headings of the source."""
+    """Yield the fields of a deck, each below its heading in the source."""
     for line in deck.template(case):
         name, colon, numbers = line.partition(": ")
         if line.startswith(BELOW):

@@ -1,4 +1,4 @@
-"""Writer of cases as workbooks (XLSX), which are read back as equal cases."""
+"""Writer of cases as workbooks (XLSX), which are read back exactly."""
 
 from __future__ import annotations
 
@@ -28,28 +28,28 @@ from vstatics.core.writers.named import mapping
 
 _Row = list[Any]
 _Values = Iterator[tuple[Path, Any]]
-"""Values of plain data with their paths."""
+"""Values, with the paths."""
 
 
 def write(case: Transmission) -> bytes:
-    """Write a case as a workbook: a sheet for the case, links, and each kind of part and gear.
+    """Write a case as a workbook with sheets for links, shift elements, mechanisms and gears.
 
     Raises
     ------
     CaseError
-        If openpyxl is missing, or a sheet would be larger than readers allow.
+        If openpyxl is missing, or the case exceeds the size of sheets that can be read.
     """
     require("xlsx", "a case in XLSX")
     return sheet_data(sheets(mapping(case)))
 
 
 def sheets(data: Mapping[str, Any]) -> dict[str, list[_Row]]:
-    """Return the rows of each sheet, by sheet name, of a case in plain data; headings first.
+    """Return the sheets of a case in plain data; the first row of each sheet has the headings.
 
     Raises
     ------
     CaseError
-        If a sheet would be larger than readers allow.
+        If the case exceeds the size of sheets that can be read.
 
     Examples
     --------
@@ -85,12 +85,12 @@ def sheets(data: Mapping[str, Any]) -> dict[str, list[_Row]]:
 
 
 def _parts(parts: Mapping[str, Any], key: str) -> list[_Row]:
-    """Return the rows of a sheet of parts, with one column per path that occurs in any part."""
+    """Return the rows of parts, with a column for each path of any part."""
     first = {path: heading for heading, path in PART_SHEETS[key].first.items()}
     cells: dict[str, dict[str, Any]] = {}
     for name, part in parts.items():
         whole, ends = part, []
-        if first:  # shift elements, of which some are given as a list of two links only
+        if first:  # a shift element, which can be given by its links alone
             whole = dict(part) if isinstance(part, dict) else {"links": part}
             ends = whole.pop("links")
         cells[name] = {first["links", end]: _cell(link) for end, link in enumerate(ends, 1)}
@@ -103,7 +103,7 @@ def _parts(parts: Mapping[str, Any], key: str) -> list[_Row]:
 
 
 def _gears(gears: Mapping[str, Any], names: Sequence[str]) -> list[_Row]:
-    """Return the rows of the gears, with one column per shift element and one per path."""
+    """Return the rows of gears, with columns of shift elements and of paths."""
     engaged = {name: list(map(str, gear.get("engaged", ()))) for name, gear in gears.items()}
     columns = _in_order(names, list(engaged.values()))
     place = {name: number for number, name in enumerate(columns)}
@@ -130,7 +130,7 @@ def _gears(gears: Mapping[str, Any], names: Sequence[str]) -> list[_Row]:
 
 
 def _in_order(names: Sequence[str], engaged: Sequence[Sequence[str]]) -> list[str]:
-    """Sort shift elements in an order that agrees with the order in each gear, where possible."""
+    """Sort the shift elements in the order within the gears, as far as possible."""
     best, known = list(names), set[tuple[str, str]]()
     for elements in engaged:
         pairs = known | {*pairwise(elements)}
@@ -138,7 +138,7 @@ def _in_order(names: Sequence[str], engaged: Sequence[Sequence[str]]) -> list[st
             continue
         try:
             best, known = _sorted(names, pairs), pairs
-        except CycleError:  # no order agrees with all gears, so that this gear has numbers as marks
+        except CycleError:  # the gear gets numbers as marks
             continue
     return best
 
@@ -158,7 +158,7 @@ def _sorted(names: Sequence[str], pairs: Collection[tuple[str, str]]) -> list[st
 
 
 def _flat(value: Mapping[str, Any], path: Path = ()) -> _Values:
-    """Yield the path and the value of each cell for plain data."""
+    """Yield the paths of plain data with the contents of cells."""
     for key, item in value.items():
         yield from _flat_value(item, (*path, str(key)))
 
@@ -182,12 +182,12 @@ def _flat_value(value: Any, path: Path) -> _Values:
 
 
 def _cell(value: Any) -> Any:
-    """Convert a value to the content of a cell.
+    """Return the content of a cell.
 
     Raises
     ------
     CaseError
-        If a text is longer than a cell allows.
+        If a text is too long for a cell.
     """
     if not isinstance(value, str):
         is_exact = value == float(value) and abs(value) < float("inf")

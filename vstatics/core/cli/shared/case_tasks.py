@@ -1,4 +1,4 @@
-"""Assignment of a result file to each case of a run, and detection of conflicts between files."""
+"""Assignment of a result file to each case of a run, and conflicts between these files."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from vstatics.core.tables.file_suffixes import known
 
 STDIN_STEM = "stdin"
 MOST_TOLD = 5
-"""Largest number of conflicts listed in a message."""
+"""Largest number of conflicts that a message lists."""
 TABULAR = known(("listing", "text", "json", "csv"))
 
 
 class CaseTask(NamedTuple):
-    """Case, and the file for the result; None instead of a file if results go to a stream."""
+    """Case, and the file for the result, or `None` if results go to a stream."""
 
     file: str
     target: str | None = None
@@ -28,7 +28,7 @@ class CaseTask(NamedTuple):
 def tasks(
     cases: Sequence[str], folder: str, suffix: str, others: Sequence[str] = ()
 ) -> list[CaseTask]:
-    """Assign a result file in a folder to each case, with the stem of the case.
+    """Assign a result file in the folder to each case: the stem of the case with the suffix.
 
     Parameters
     ----------
@@ -38,8 +38,8 @@ def tasks(
     Raises
     ------
     UsageError
-        If a case is given twice, two results have the same name, or a result would overwrite a
-        case; the message lists each conflict.
+        If a case is named twice, two results have the same name, or a result would overwrite
+        a case; the message lists every pair.
 
     Examples
     --------
@@ -89,7 +89,7 @@ def _stem(file: str) -> str:
 
 
 def _real_path(real_folder: Callable[[str], str], file: str) -> str:
-    """Return the path of a file with all links resolved; `-` for standard input."""
+    """Return the path of a file with all links resolved, or `-` for standard input."""
     if file == files.STDIN:
         return file
     folder, name = os.path.split(file)

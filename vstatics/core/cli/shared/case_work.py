@@ -1,4 +1,4 @@
-"""Work of a process on a case of several: reading, calculation and writing."""
+"""One of several cases: read, calculated and written by one of the processes."""
 
 from __future__ import annotations
 
@@ -18,25 +18,25 @@ from vstatics.core.jobs.page_files import set_pages_aside
 
 
 class Done(NamedTuple):
-    """Outcome of a case, as reported to the process that counts cases and prints messages."""
+    """Outcome of a case, as reported to the process that counts and prints."""
 
     file: str
     problems: list[Problem]
     failed: bool = True
     has_result: bool = False
-    """True if there is output to write, which can lack some gears."""
+    """True if there is output to write, perhaps of some gears only."""
     part: texts.Part = b""
-    """Output of the case for the common stream of all cases."""
+    """Output of the case, as a part of the stream of all cases."""
     stop: bool = False
-    """True if further cases cannot be written either."""
+    """True if the remaining cases cannot be written either."""
     left: str = ""
-    """New name of the file with the result of an earlier run, if the case failed."""
+    """New name of the file with an earlier result, if the case failed."""
     mark: CaseMark | None = None
-    """Hashes that identify the case and options, if the output is stored for --resume."""
+    """Hashes that identify the case, if the part is stored for resuming."""
 
 
 def calculate_and_write(job: Job, task: CaseTask) -> Done:
-    """Read, calculate and write a case; return all errors as problems."""
+    """Read, calculate and write a case, with all errors as problems."""
     case, shown = _shown_of_case(job, calculate_one(task.file, job.options))
     file, problems = case.file, case.problems
     try:
@@ -50,7 +50,7 @@ def calculate_and_write(job: Job, task: CaseTask) -> Done:
         result = texts.alone(file, shown, job.to)
         named_files = _named_files(case)
         job.finished.put(task.target, result, case.data, named_files, failed=case.failed)
-    except ReadError as error:  # a page would overwrite a file that this program did not write
+    except ReadError as error:  # a page would overwrite a file of another origin
         return Done(file, [*problems, *error.problems])
     except OSError as error:
         return Done(
@@ -58,7 +58,7 @@ def calculate_and_write(job: Job, task: CaseTask) -> Done:
             [*problems, unwritable(task.target, error)],
             stop=error.errno not in OWN_FAULTS,
         )
-    except Exception as error:  # noqa: BLE001 - the other cases should continue
+    except Exception as error:  # noqa: BLE001 - the other cases are to go on
         return Done(file, [*problems, unexpected(file, error)])
     return Done(file, problems, case.failed, has_result=True)
 
@@ -70,7 +70,7 @@ def _named_files(case: CalculatedCase) -> set[str]:
 def _shown_of_case(
     job: Job, case: CalculatedCase
 ) -> tuple[CalculatedCase, texts.CaseOutput | None]:
-    """Return a case and the output of the case; without output, the case has failed."""
+    """Return the output of a case, and a failure if the output is impossible."""
     if case.results is None:
         return case, None
     try:
@@ -80,7 +80,7 @@ def _shown_of_case(
         causes = error.problems
     except click.BadParameter as error:
         causes = [of_file("E090", case.file, error.message)]
-    except Exception as error:  # noqa: BLE001 - the other cases should continue
+    except Exception as error:  # noqa: BLE001 - the other cases are to go on
         causes = [unexpected(case.file, error)]
     return case._replace(results=None, problems=[*case.problems, *causes]), None
 
@@ -91,7 +91,7 @@ def _given_up(task: CaseTask) -> Done:
 
 
 def _is_only_here(task: CaseTask) -> bool:
-    """Return True for a case on a stream, which worker processes cannot read."""
+    """Return True for a case on a stream, which other processes cannot read."""
     return task.file == files.STDIN or task.file.startswith(("/dev/", "/proc/"))
 
 

@@ -1,4 +1,4 @@
-"""Options of commands that take cases, and functions that read and calculate cases."""
+"""Options of commands that take cases, and the reading and calculation of each case."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ argument, optional_argument = (
     )
     for required in (True, False)
 )
-"""Arguments for at least one case, and for any number of cases; file patterns are expanded."""
+"""Arguments for one or more cases, and for any number of cases; patterns are expanded."""
 files_from = under(
     INPUT,
     click.option(
@@ -126,7 +126,7 @@ limit = under(
         help="Stop each simulation after SECONDS of wall-clock time and keep the results so far.",
     ),
 )
-"""Option --limit, which limits the computing time of a simulation."""
+"""Option that limits the computing time of a simulation."""
 some_gears = under(
     INPUT,
     click.option(
@@ -140,14 +140,14 @@ some_gears = under(
 
 
 class RequiredUnless(RenamedOption):
-    """Option that is required unless an alternative option is given."""
+    """Option that is required unless a second option is given."""
 
     def __init__(self, *names: Any, unless: str = "", **named: Any) -> None:
         super().__init__(*names, **named)
         self.unless = unless
 
     def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
-        """Return the help record of click, which also names the alternative option."""
+        """Return the help record of click, with the name of the alternative option."""
         record = super().get_help_record(ctx)
         other = self._other(ctx)
         if record is None or other is None:
@@ -155,7 +155,7 @@ class RequiredUnless(RenamedOption):
         return record[0], record[1].replace("[required]", f"[required without {other.opts[-1]}]")
 
     def process_value(self, ctx: click.Context, value: Any) -> Any:
-        """Process the value as click does, with an error that also names the alternative option."""
+        """Process the value; the error for a missing option also names the alternative option."""
         try:
             return super().process_value(ctx, value)
         except click.MissingParameter:
@@ -172,7 +172,7 @@ class RequiredUnless(RenamedOption):
         return next((option for option in options if option.name == self.unless), None)
 
     def value_is_missing(self, value: Any) -> bool:
-        """Return whether the option and the alternative option are both missing."""
+        """Return whether the option is missing although the alternative option is not given."""
         context = click.get_current_context()
         is_given = context.get_parameter_source(self.unless) not in (None, ParameterSource.DEFAULT)
         other = is_given and context.params.get(self.unless)
@@ -180,7 +180,7 @@ class RequiredUnless(RenamedOption):
 
 
 def required_output(says: str, unless: str = "") -> Callable[[Command], Command]:
-    """Return the option of an output file, required unless the option `unless` is given."""
+    """Return the option of an output file, required unless `unless` is given."""
     return under(
         OUTPUT,
         click.option(
@@ -197,11 +197,11 @@ def required_output(says: str, unless: str = "") -> Callable[[Command], Command]
 
 
 WORDS = "headings and words; names and messages stay as they are"
-"""Help text of --lang for commands that print tables."""
+"""Help of --lang of commands that print tables."""
 
 
 def language(of: str, *more: str) -> Callable[[Command], Command]:
-    """Return the option --lang, whose help begins with `of`, with additional choices `more`."""
+    """Return the option --lang for the language of `of`, with further choices `more`."""
     return under(
         OUTPUT,
         click.option(
@@ -215,29 +215,29 @@ def language(of: str, *more: str) -> Callable[[Command], Command]:
 
 
 class CalculatedCase(NamedTuple):
-    """Outcome of a case: results with problems, or only problems."""
+    """Outcome of a case: results and problems, or problems alone."""
 
     file: str
     results: Results | None
     problems: list[Problem]
     data: bytes = b""
-    """Content of the file that contains the case."""
+    """Content of the file of the case."""
     telling: Telling = Telling()
     scenario: DocumentOfCase | None = None
-    """Scenario that refers to the case, if a scenario is given."""
+    """Scenario that names the case, if the command takes scenarios."""
     is_run: bool = False
-    """True if the simulated run of the scenario is shown."""
+    """True if the run of the scenario is shown."""
     locate: Callable[[Problem], Problem] | None = None
-    """Function that adds the place in the file to a problem found by the calculation."""
+    """Function that adds the place in the file to a problem of the model."""
 
     def located(self, error: CaseError) -> ReadError:
-        """Return an error of the calculation as an error whose problems have places."""
+        """Return an error whose problems have their places in the file of the case."""
         problems = error.problems if self.locate is None else map(self.locate, error.problems)
         return ReadError(each if each.place else each.in_file(self.file) for each in problems)
 
     @property
     def failed(self) -> bool:
-        """True if the case has an error, a gear is tied up, or warnings count as errors."""
+        """True if the case has an error, a gear is tied up, or warnings are fatal."""
         if self.results is None or (self.results.failed and not self.is_run):
             return True
         return self.telling.fails(self.problems)
@@ -248,7 +248,7 @@ class CalculatedCase(NamedTuple):
 
 
 class CaseOptions(NamedTuple):
-    """Options for reading and calculating cases; None leaves the choice to the case."""
+    """Options of reading and calculating cases; None stands for the value of the case."""
 
     input_format: readers.Format | None = None
     coast: bool | None = None
@@ -257,29 +257,29 @@ class CaseOptions(NamedTuple):
     scenarios: bool = False
     """True if a scenario can be given instead of a case."""
     of_runs: bool = False
-    """True if simulated runs are shown; then faults of gears are not failures."""
+    """True if the run of a scenario is shown; faults of gears then are not failures."""
     of_vibration: bool = False
-    """True if vibration is shown; then a converter without speed ratio transmits nothing."""
+    """True if vibration is shown, for which a converter without ratio is open."""
 
     load: Load | None = None
-    """Operating point that the command uses for a case without an operating point."""
+    """Operating point of the command, for a case without an operating point."""
     is_nominal: bool = False
-    """True if `load` does not affect the shown results; messages about gears are then left out."""
+    """True if no result that is shown depends on `load`; messages about gears are then omitted."""
 
     @property
     def on_page(self) -> CaseOptions:
-        """Options for a page, which shows notes instead of printing to stderr."""
+        """Options for a page that shows the notes instead of stderr."""
         return self._replace(telling=self.telling._replace(notes=True, on_page=True))
 
 
 telling = gathered("telling", Telling, quiet, strict, allow)
-"""Options --quiet, --strict and --allow, which the command receives as argument `telling`."""
+"""Options that choose which messages are printed, and which make the command fail."""
 settings = gathered("settings", CaseOptions, input_format, coast, idle, telling)
-"""Options for reading, calculating and reporting cases, received as argument `settings`."""
+"""Options of reading, calculating and reporting cases."""
 
 
 def gear_number(case: Transmission, asked: str, option: str = "--gear") -> int:
-    """Return the number, from 1, of a gear given by name or by a number such as ``#3``.
+    """Return the number of a gear, from 1, that is given by name or by a number such as ``#3``.
 
     Raises
     ------
@@ -291,7 +291,7 @@ def gear_number(case: Transmission, asked: str, option: str = "--gear") -> int:
 
 
 def gear_indices(case: Transmission, asked: Sequence[str], option: str = "--gear") -> Sequence[int]:
-    """Return the indices of requested gears, without repetitions; by default all gears.
+    """Return the indices of the requested gears without repetition; all by default.
 
     Raises
     ------
@@ -303,7 +303,7 @@ def gear_indices(case: Transmission, asked: Sequence[str], option: str = "--gear
 
 
 def calculate(cases: Sequence[str], settings: CaseOptions) -> Iterator[CalculatedCase]:
-    """Calculate each case and print the problems; after a failed case, the next follows."""
+    """Calculate each case and print the problems; a failed case does not stop the others."""
     check_streams(cases)
     for file in cases:
         outcome = calculate_one(file, settings)
@@ -312,7 +312,7 @@ def calculate(cases: Sequence[str], settings: CaseOptions) -> Iterator[Calculate
 
 
 def outside_notes(names: Sequence[str], case: Transmission, file: str) -> list[Problem]:
-    """Return a note on characteristic curves evaluated outside their points, if permitted."""
+    """Return a note on laws evaluated outside their points, unless the case suppresses it."""
     from vstatics.core.statics.diagnosis import outside_message
 
     messages = not_allowed([outside_message(names)] if names else [], case.untold)
@@ -320,18 +320,18 @@ def outside_notes(names: Sequence[str], case: Transmission, file: str) -> list[P
 
 
 def show_problems(problems: Sequence[Problem], telling: Telling, name: str) -> None:
-    """Print problems of a file on stderr, and the reason of a failure by warnings not printed."""
+    """Print problems of a file on stderr; state a failure that is due to warnings not printed."""
     files.show(telling.printed(problems))
     files.show(telling.quiet_failure(problems, name))
 
 
 def named(cases: tuple[str, ...], files_from: str | None) -> list[str]:
-    """Return the names of all cases: the arguments, and the files listed in --files-from.
+    """Return all cases: the arguments, and the files in the list of --files-from.
 
     Raises
     ------
     UsageError
-        If no case is given, or standard input would be both the list and a case.
+        If there are no cases, or standard input is both the list and a case.
     ReadError
         If the list cannot be read.
     """
@@ -348,13 +348,13 @@ def named(cases: tuple[str, ...], files_from: str | None) -> list[str]:
 
 
 def check_streams(cases: Sequence[str]) -> None:
-    """Refuse cases that name standard input more than once."""
+    """Refuse standard input that is named twice."""
     if cases.count(files.STDIN) > 1:
         raise click.UsageError("standard input (-) can be read once")
 
 
 def check_order(case: str, table: str) -> None:
-    """Refuse a case in CSV that comes after the table of numbers."""
+    """Refuse a case in CSV that follows the table of numbers."""
     if suffix_of(case) == ".csv" != suffix_of(table):
         raise click.UsageError(f"the case stands first, then the CSV file: {table} {case}")
 
@@ -366,10 +366,9 @@ def calculate_one(
     *,
     regular: bool = False,
 ) -> CalculatedCase:
-    """Read and calculate a case; return all errors as problems.
+    """Read and calculate a case, with all errors as problems.
 
-    `texts` contains contents that replace files, by name. With `regular`, pipes and devices are
-    refused.
+    `texts` replace the content of the files of their names. `regular` refuses pipes and devices.
     """
     name, data = files.file_name(file), b""
     scenario, locate, is_run = None, None, False
@@ -380,7 +379,7 @@ def calculate_one(
             data, name = files.read_input(file, regular=regular)
         with_case = None
         if settings.scenarios:
-            from vstatics.core.readers.kinds import document_function  # slow to import
+            from vstatics.core.readers.kinds import document_function  # costs start-up time
 
             with_case = document_function("read_with_case", data, name)
         if with_case:
@@ -404,20 +403,19 @@ def calculate_one(
         taken = "read_with_case" if settings.scenarios else ""
         no_case = documents.no_case(data, name, taken)
         results, problems = None, no_case or error.problems
-    except Exception as error:  # noqa: BLE001 - the other cases should continue
+    except Exception as error:  # noqa: BLE001 - the other cases are to go on
         results, problems = None, [unexpected(name, error)]
     reported = settings.telling.told(problems)
     return CalculatedCase(name, results, reported, data, settings.telling, scenario, is_run, locate)
 
 
 def _solved(reading: Reading, settings: CaseOptions, *, opens: bool) -> Results:
-    """Calculate a case; with `opens`, converters without a speed ratio transmit nothing.
+    """Solve a case; with `opens`, converters without a speed ratio transmit nothing.
 
     Raises
     ------
     ReadError
-        If the case has no solution, for example because a characteristic curve gives an impossible
-        torque; each problem has a place.
+        If a law of the case gives an impossible torque, with its place.
     """
     from vstatics.core.statics.solution import solution  # not needed for the help text
 
@@ -435,7 +433,7 @@ def _solved(reading: Reading, settings: CaseOptions, *, opens: bool) -> Results:
 
 
 def _with_load(case: Transmission, load: Load) -> Transmission:
-    """Return a case with a load, if the calculation of losses needs a load that the case lacks."""
+    """Return a case at a load if its operating points lack a number that its losses need."""
     from vstatics.core.model.laws import of_sought_ratios, without_loads
 
     if not any(problem.id == "E267" for problem in (*without_loads(case), *of_sought_ratios(case))):
@@ -447,12 +445,12 @@ def _with_load(case: Transmission, load: Load) -> Transmission:
 def read_data(
     data: bytes, name: str, input_format: readers.Format | None, telling: Telling
 ) -> Reading:
-    """Read a case and print the warnings, for a command that does not calculate gears.
+    """Read a case and print the warnings, for a command without results.
 
     Raises
     ------
     ReadError
-        If the case cannot be read, with the problems to print.
+        If the case cannot be read; with the problems to print.
     """
     try:
         reading = readers.read(data, name, input_format).allowing(telling.allow)
@@ -463,9 +461,9 @@ def read_data(
 
 
 def unexpected(name: str, error: Exception) -> Problem:
-    """Return the problem that reports a fault of the program, with the line of code.
+    """Return the problem that reports a fault in the program, with the line of the code.
 
-    A package that cannot be imported is reported as a missing package.
+    A package that cannot be imported is reported as such.
     """
     if why := broken(error):
         return of_file("E014", name, why)

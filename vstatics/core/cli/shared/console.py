@@ -1,6 +1,6 @@
-"""Terminal output by the package rich, with texts of users escaped for safety.
+"""Terminal output by rich: texts of users are escaped, and the colours of rich remain.
 
-Import this module only where it is used, because rich is slow to import.
+Import this module where it is used, because rich costs start-up time.
 """
 
 from __future__ import annotations
@@ -14,11 +14,11 @@ from rich.segment import Segment
 from vstatics.core.errors import printable
 
 _BLANKS = re.compile(r"[ ]+((?:\x1b\[[0-9;]*m)*)$", re.MULTILINE)
-"""Blanks at the end of a line, followed by control characters that end colours."""
+"""Blanks at the end of a line, before the marks that end colours."""
 
 
 class SafeConsole(Console):
-    r"""Console that escapes control characters in all printed texts.
+    r"""Console that escapes all printed texts.
 
     >>> SafeConsole().print("a\x1b[2J")
     a\u001b[2J
@@ -27,14 +27,14 @@ class SafeConsole(Console):
     def render(
         self, renderable: RenderableType, options: ConsoleOptions | None = None
     ) -> Iterable[Segment]:
-        """Render as rich does, with control characters in each text escaped."""
+        """Render as rich does, with the text of each segment made safe."""
         for text, style, control in super().render(renderable, options):
             shown = text if control else printable(text, lines=True)
             yield Segment(shown, style, control)
 
 
 def trimmed(text: str) -> str:
-    r"""Remove trailing blanks and empty lines from a text for a terminal.
+    r"""Return a text for a terminal without trailing blanks and empty lines.
 
     >>> trimmed("gear  \n\x1b[1m1   \x1b[0m\n  \n")
     'gear\n\x1b[1m1\x1b[0m\n'

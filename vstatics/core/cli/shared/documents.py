@@ -1,4 +1,4 @@
-"""Recognition of documents other than cases, such as scenarios, which annexes declare."""
+"""Recognition of documents that annexes declare in addition to cases, such as scenarios."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class DocumentOfCase(Protocol):
 
     @property
     def name(self) -> str:
-        """Name given in the document; empty without a name."""
+        """Name given in the document, or an empty string."""
 
     @property
     def description(self) -> str:
@@ -26,21 +26,21 @@ class DocumentOfCase(Protocol):
 
     @property
     def reading(self) -> Reading:
-        """Case to which the document refers, as read."""
+        """The case of the document, as read."""
 
     @property
     def input_speeds(self) -> tuple[float, ...]:
-        """Input speeds that the document gives [rpm]."""
+        """Speeds of the input that the document gives [rpm]."""
 
     def allowing(self, ids: Sequence[str]) -> Self:
-        """Return the document with the messages of some ids suppressed."""
+        """Return the document with further messages suppressed."""
 
     def locate(self, problem: Problem) -> Problem:
-        """Add the place in the file to a problem of the document or of the case."""
+        """Add the place in the file to a problem of the document or the case."""
 
 
 def is_a(kind: str, data: bytes, name: str) -> bool:
-    """Return whether data are a document of a kind that an annex declares.
+    """Return whether a text is a document of a kind that an annex declares.
 
     >>> is_a("scenario", b"{case: box.yaml, duration: 6}", "up.yaml")
     True
@@ -54,9 +54,9 @@ def is_a(kind: str, data: bytes, name: str) -> bool:
 
 
 def no_case(data: bytes, name: str, taken: str = "") -> list[Problem]:
-    """Return the problems of a document that a command cannot use as a case, if any.
+    """Return the problems of a document that a command cannot use as a case; empty if it can.
 
-    A document can be used if the annex declares the function named `taken` for this kind.
+    Documents of a kind can be used if the annex declares the function `taken` for the kind.
     """
     problems = []
     for kind, (annex, _) in DOCUMENTS.items():

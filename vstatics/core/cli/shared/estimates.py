@@ -1,4 +1,4 @@
-"""Estimates of time and size for --dry-run, and a check of the free disk space."""
+"""Estimates before a command runs, as --dry-run prints them, and a check of free disk space."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class CommandEstimate(NamedTuple):
-    """Time, size and further numbers that are known before a command is executed.
+    """Time, size and other numbers known before a command is carried out.
 
     Examples
     --------
@@ -28,23 +28,23 @@ class CommandEstimate(NamedTuple):
     """
 
     said: Mapping[str, str]
-    """Estimated quantities as texts, by label."""
+    """Texts of the estimated quantities, by label."""
     answer: Answer
-    """Record that is written as JSON, including the time."""
+    """Record written as JSON, which contains the seconds."""
     seconds: float
     jobs: int = 1
     at_least: bool = False
-    """True if the estimate is a lower limit, so that the command can take much longer."""
+    """True if the estimate is a lower limit, and the command can take much longer."""
 
     @property
     def rows(self) -> dict[str, str]:
-        """Estimated quantities and time as texts, by label."""
+        """Texts of all estimates, including the time, by label."""
         processes = f" with {self.jobs} jobs" if self.jobs > 1 else ""
         more = " or more" if self.at_least else ""
         return {**self.said, "time": f"about {duration_text(self.seconds)}{more}{processes}"}
 
     def text(self, form: str | None, least: int = 0) -> str:
-        """Return the estimate as JSON, or as lines with labels padded to `least` letters."""
+        """Return JSON, or lines with labels padded to at least `least` letters."""
         if form in ("json", "jsonl"):
             from vstatics.core.tables.answer import as_json
 
@@ -102,7 +102,7 @@ def check_room(size: float, output: str | None, expected: str) -> None:
         Estimated size. [bytes]
     output : str, optional
     expected : str
-        Advice at the end of the message, such as a smaller output.
+        Alternative named in the message.
 
     Raises
     ------
@@ -116,10 +116,10 @@ def check_room(size: float, output: str | None, expected: str) -> None:
 
 
 def free_room(output: str | None) -> int | None:
-    """Return the free disk space for an output file [bytes]; None for a stream."""
+    """Return the free disk space for an output file [bytes], or `None` for a stream."""
     from shutil import disk_usage
 
-    # An error here will be reported when the output is written.
+    # a failure here is reported when the output is written
     with contextlib.suppress(OSError, ValueError, AttributeError, TypeError):
         if output is None or output == STDOUT:
             stdout = sys.stdout.fileno()

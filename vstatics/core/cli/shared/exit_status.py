@@ -4,15 +4,15 @@ from __future__ import annotations
 
 DONE = 0
 FAILED = 1
-"""Status if a case has an error, a gear is impossible, or the output is incomplete."""
+"""Status if a case has an error, a gear is impossible, or an output is incomplete."""
 WRONG_USE = 2
-"""Status after wrong use of the command line, equal to the status of click."""
+"""Status of wrong use of the command line; click uses the same status."""
 EMPTY = 3
-"""Status of a sweep without rows with --fail-empty."""
+"""Status of a sweep without rows, with --fail-empty."""
 
 
 def stopped_by(signal: int) -> int:
-    """Return the exit status of a process that a signal stopped, as shells do.
+    """Return the exit status of a process stopped by a signal, as in shells.
 
     >>> stopped_by(2), stopped_by(15)
     (130, 143)

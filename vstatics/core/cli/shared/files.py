@@ -1,4 +1,4 @@
-"""Input and output of the program: files, standard streams and messages."""
+"""Input and output of the program: files, standard streams, messages."""
 
 from __future__ import annotations
 
@@ -38,23 +38,23 @@ if TYPE_CHECKING:
 
 STDIN = "-"
 MOST_SHOWN_PROBLEMS = 100
-"""Largest number of printed problems of a case."""
+"""Largest number of problems of a case that are printed."""
 MOST_SEARCHED = 1000
-"""Largest number of files in a folder that are searched for a similar name."""
+"""Largest number of files of a folder among which a similar name is searched."""
 ALIKE, SHORT = 0.75, 0.66
-"""Smallest similarity of suggested names, from 0 to 1, and the value for short names. [-]"""
+"""Smallest similarity, from 0 to 1, of suggested names; lower for names of three letters."""
 CLOSED = "it is closed"
 
 
 def file_name(file: str) -> str:
-    """Return the name by which messages refer to an input file."""
+    """Return the name of an input file in messages."""
     return STDIN_NAME if file == STDIN else file
 
 
 def read_input(
     file: str, most: int = DOCUMENT_BYTES, *, regular: bool = False
 ) -> tuple[bytes, str]:
-    """Return the bytes of a file or of standard input, and the name for messages.
+    """Return the bytes of a file or of standard input, and the name in messages.
 
     Parameters
     ----------
@@ -67,7 +67,7 @@ def read_input(
     Raises
     ------
     ReadError
-        If the file cannot be read, or is too large.
+        If the file cannot be read, or is larger.
     """
     name = file_name(file)
     try:
@@ -83,14 +83,14 @@ def read_input(
         reason = f"{error.strerror}; expected a file, or of several a pattern, '{pattern}'"
     except OSError as error:
         raise ReadError([unreadable(name, error)]) from None
-    except ValueError as error:  # the name contains a zero byte
+    except ValueError as error:  # a name that contains a zero byte
         reason = str(error)
     raise ReadError([of_file("E006", name, f"cannot be read: {reason}")])
 
 
 @contextlib.contextmanager
 def problems_of_file(file: str, hint: str = "") -> Iterator[None]:
-    """Report an error about a file as a problem of the file, with a hint after the message.
+    """Report problems without a line, with a hint after each message.
 
     Raises
     ------
@@ -105,11 +105,11 @@ def problems_of_file(file: str, hint: str = "") -> Iterator[None]:
 
 
 def _nearest_file(file: str) -> str:
-    """Return a hint with the name of the most similar file in the folder.
+    """Return a hint that names the most similar file in the folder.
 
-    Only stems are compared, because equal suffixes make all names similar.
+    Stems are compared, because equal suffixes make different names similar.
     """
-    from difflib import get_close_matches  # slow to import
+    from difflib import get_close_matches  # costs start-up time
 
     folder, name = os.path.split(file)
     try:
@@ -131,7 +131,7 @@ def _stem(name: str) -> str:
 
 
 def _shipped(file: str) -> str:
-    """Return a hint about the command that writes a shipped case of the same name.
+    """Return a hint on the command that writes a shipped case of this name.
 
     >>> _shipped("../tarasik-box.yaml"), _shipped("mine.yaml")
     ('; `vstatics new ../tarasik-box.yaml -t tarasik-box` writes the shipped case', '')
@@ -144,13 +144,13 @@ def _shipped(file: str) -> str:
     name = next((candidate for candidate in names if candidate in example_files()), None)
     if name is None:
         return ""
-    import shlex  # slow to import
+    import shlex  # costs start-up time
 
     return f"; `vstatics new {shlex.quote(file)} -t {name}` writes the shipped case"
 
 
 def show(problems: Iterable[Problem]) -> None:
-    """Print problems to stderr in the format of a compiler, with the source line and a caret."""
+    """Print problems to stderr in the format of a compiler, with the line and a caret."""
     all_problems = list(problems)
     for problem in all_problems[:MOST_SHOWN_PROBLEMS]:
         say(str(problem))
@@ -163,18 +163,18 @@ def show(problems: Iterable[Problem]) -> None:
 
 
 def say(line: str) -> None:
-    """Print a line to stderr with control characters escaped; a closed stderr is ignored."""
+    """Print a line to stderr, made safe; a closed stderr is ignored."""
     with contextlib.suppress(OSError):
         _speakers[-1](printable(line))
 
 
 _speakers: list[Callable[[str], None]] = [partial(click.echo, err=True)]
-"""Stack of functions that print a line, of which the last is used."""
+"""Stack of functions that print a line; the last of them is used."""
 
 
 @contextlib.contextmanager
 def speaking(speaker: Callable[[str], None]) -> Iterator[None]:
-    """Print lines of `say` by the function `speaker` within the context."""
+    """Let `speaker` print the lines of `say` within the context."""
     _speakers.append(speaker)
     try:
         yield
@@ -183,7 +183,7 @@ def speaking(speaker: Callable[[str], None]) -> Iterator[None]:
 
 
 def spare(inputs: Iterable[str], output: str | None) -> None:
-    """Refuse an output file that would overwrite an input file.
+    """Refuse an output that would overwrite an input.
 
     Raises
     ------
@@ -192,7 +192,7 @@ def spare(inputs: Iterable[str], output: str | None) -> None:
     if output is None or is_stream(output):
         return
     for file in inputs:
-        with contextlib.suppress(OSError, ValueError, AttributeError):  # some names are not files
+        with contextlib.suppress(OSError, ValueError, AttributeError):  # not all are files
             read = sys.stdin.fileno() if file == STDIN else file
             if os.path.samestat(os.stat(read), os.stat(output)):  # noqa: PTH116
                 message = f"{output} is what is read, and would be overwritten"
@@ -200,7 +200,7 @@ def spare(inputs: Iterable[str], output: str | None) -> None:
 
 
 def refuse_existing(output: str) -> None:
-    """Refuse to overwrite an existing file, which can have been edited; streams are permitted.
+    """Refuse to overwrite a file, which may have been edited; streams are allowed.
 
     Raises
     ------
@@ -212,7 +212,7 @@ def refuse_existing(output: str) -> None:
 
 
 def write_output(text: str, output: str | None) -> None:
-    """Write a text as UTF-8 to a file, completely or not at all, or to stdout.
+    """Write a text in UTF-8 to a file, completely or not at all, or to stdout.
 
     Raises
     ------
@@ -229,20 +229,20 @@ def write_data(data: bytes, output: str | None) -> None:
 
 
 def write_pages(pages: Sequence[bytes], output: str | None, *, quiet: bool = False) -> None:
-    """Write each page of a picture to a file, or a single page to a stream.
+    """Write the pages of a picture to a file each, or the only page to a stream.
 
-    The names of files after the first are printed, unless `quiet`.
+    Unless `quiet`, the names of further files are printed.
 
     Raises
     ------
     ReadError
-        If a page cannot be written, or would overwrite a file that is not a page of this picture.
+        If a page cannot be written, or would overwrite a file of another origin.
     """
     if output is None or is_stream(output):
         [data] = pages
         write_data(data, output)
         return
-    from vstatics.core.jobs.page_files import page_name, replace_pages  # slow to import
+    from vstatics.core.jobs.page_files import page_name, replace_pages  # costs start-up time
 
     try:
         replace_pages(output, pages)
@@ -254,7 +254,7 @@ def write_pages(pages: Sequence[bytes], output: str | None, *, quiet: bool = Fal
 
 
 def write_coloured(text: str) -> None:
-    """Write a text from `SafeConsole`, which is already escaped, to stdout.
+    """Write a text of `SafeConsole`, which is already escaped, to stdout.
 
     Raises
     ------
@@ -269,10 +269,9 @@ def write_coloured(text: str) -> None:
 def stream(
     output: str | None, *, coloured: bool = False, folder: StateFolder | None = None
 ) -> Iterator[Write]:
-    """Yield a function that writes data piece by piece to stdout, a device or a file.
+    """Yield a function that writes piece by piece, to stdout, a device or a file.
 
-    A file gets its name only at the end; until then, its content is in a temporary file in
-    `folder`, or in the folder of the file.
+    A file appears at the end; until then its content is in `folder`, or in the folder of the file.
 
     Raises
     ------
@@ -290,13 +289,13 @@ def stream(
             with way as write:
                 yield write
     except BrokenPipeError:
-        raise  # the reader of a pipe has ended; click exits quietly
+        raise  # the reader of a pipe has left; click ends quietly
     except OSError as error:
         raise ReadError([unwritable(output, error)]) from None
 
 
 def encoded(text: str, *, as_is: bool = False) -> bytes:
-    r"""Encode a text as UTF-8, with control characters escaped unless `as_is`.
+    r"""Encode a text in UTF-8, escaped for a terminal unless `as_is`.
 
     >>> encoded("\x1b[2J"), encoded("\x1b[2J", as_is=True)
     (b'\\u001b[2J', b'\x1b[2J')
@@ -305,7 +304,7 @@ def encoded(text: str, *, as_is: bool = False) -> bytes:
 
 
 def read_names(file: str) -> list[str]:
-    r"""Read a list of file names, separated by line ends, or ended by NUL (`find -print0`).
+    r"""Read the names in a list of files, a line each, or ended by NUL (`find -print0`).
 
     Blanks around a line are removed; empty lines and lines that begin with # are ignored.
 
@@ -327,7 +326,7 @@ def read_names(file: str) -> list[str]:
 
 
 def _print(data: bytes | memoryview, *, coloured: bool) -> None:
-    """Write data to stdout at once; on a terminal, data without colours are escaped."""
+    """Write to stdout at once; at a terminal, uncoloured data are escaped."""
     if sys.stdout is None:
         raise OSError(CLOSED)
     if sys.stdout.isatty() and not coloured:

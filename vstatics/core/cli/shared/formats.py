@@ -1,4 +1,4 @@
-"""Output file and format of a command, determined by -f and the suffix of -o."""
+"""Output file and format of a command, chosen by -f and the suffix of -o."""
 
 from __future__ import annotations
 
@@ -18,30 +18,30 @@ from vstatics.core.tables.file_suffixes import SUFFIXES, format_of, known, misma
 from vstatics.core.texts import Language
 
 TABLES = ("text", "json", "jsonl", "csv", "markdown", "latex", "xlsx")
-"""Formats of commands that print tables."""
+"""Formats of a command with tables."""
 READ_BY_PEOPLE = ("text", "listing", "markdown", "latex", "html")
-"""Formats with words in the language of --lang."""
+"""Formats with words in the chosen language."""
 FULL = ("json", "jsonl", "csv", "parquet")
-"""Formats that contain all digits of a number."""
+"""Formats with all digits of a number."""
 STREAMS = ("jsonl", "parquet")
-"""Formats with all cases in a single file, which permit --resume."""
+"""Formats that hold all cases in one file, which allows --resume."""
 
 
 class TextStyle(NamedTuple):
-    """Style of texts: language, digits, CSV without apostrophes."""
+    """Style of texts."""
 
     lang: Language | Literal["source"] = "en"
-    """Language of the words; "source" is an alias for a format, which `run` replaces."""
+    """Language of the words; `run` resolves "source", an alias of a format."""
     digits: int | None = None
-    """Number of decimals; None for a number of digits that suits each value."""
+    """Number of decimals; by default a number of digits that suits each value."""
     raw: bool = False
-    """True to write CSV texts without the apostrophe that prevents use as a formula."""
+    """True if CSV texts have no apostrophe in front that prevents their use as a formula."""
     own_tables: bool = False
-    """True to append tables that the published listing does not have to the listing."""
+    """True if tables that are not part of the published listing follow the listing."""
 
 
 class Destination(NamedTuple):
-    """Destination of a command: output file and format."""
+    """Output and format of a command."""
 
     form: str
     output: str | None
@@ -50,26 +50,26 @@ class Destination(NamedTuple):
 
     @property
     def suffix(self) -> str:
-        """Suffix of files of the format in a directory."""
+        """Suffix of the files of the format in a directory."""
         return SUFFIXES[self.form][0]
 
     @property
     def language(self) -> Language:
-        """Language of the words; machine-readable formats are in English."""
+        """Language of the words; formats for programs are in English."""
         lang = self.style.lang
         return lang if lang != "source" and self.form in READ_BY_PEOPLE else "en"
 
     @property
     def is_text(self) -> bool:
-        """True if people read the format directly, as text."""
+        """True if people read the format directly."""
         return self.form in ("text", "listing", "source")
 
 
 class OutputOptions(NamedTuple):
-    """Values of the options -f, -o, --digits and --raw."""
+    """Values of -f, -o, --digits and --raw."""
 
     formats: Sequence[str]
-    """Formats of the command, of which the first is the default."""
+    """Formats of the command, the default first."""
     form: str | None
     output: str | None
     style: TextStyle
@@ -77,23 +77,23 @@ class OutputOptions(NamedTuple):
     def destination(
         self, inputs: Sequence[str], *, several: bool = False, together: bool = False
     ) -> Destination:
-        """Return the output and format, after checks that need no calculation.
+        """Return output and format, checked before any calculation.
 
         Parameters
         ----------
         inputs : sequence of str
             Input files, which no output may overwrite.
         several : bool
-            Whether there are several cases; then a name without suffix is a directory.
+            Whether there are several cases, for which a name without suffix is a directory.
         together : bool
-            Whether the output of several cases is one text, unless it is a directory.
+            Whether several cases share one text, unless the output is a directory.
 
         Raises
         ------
         UsageError
             If the format is unknown or contradictory, or an input would be overwritten.
         ReadError
-            If a package that the format needs, or the directory of the file, is missing.
+            If a package of the format, or the directory of the file, is missing.
         """
         files.spare(inputs, self.output)
         output, form = self.output, self.form
@@ -146,7 +146,7 @@ class OutputOptions(NamedTuple):
 def each_by_itself(
     output: str, cases: Sequence[str], formats: Sequence[str], what: str
 ) -> Destination:
-    """Return the destination of pages or pictures; more than two cases need a directory.
+    """Return the destination of a page or picture; more than two cases need a directory.
 
     Raises
     ------
@@ -180,17 +180,17 @@ digits = under(
     ),
 )
 WHOLE_OUTPUT = "Output file, written completely or not at all."
-"""Help text of options for a file that is replaced only when the new content is complete."""
+"""Help of an option for a file that is replaced only when the new content is complete."""
 OF_SEVERAL_CASES = (
     f"{WHOLE_OUTPUT} With several cases: a directory, or one file if the name has a suffix."
 )
-"""Help text of the option -o of commands that take several cases."""
+"""Help of the option -o of commands that take several cases."""
 
 
 def options(
     *formats: str, says: str = "Format of the output", output_help: str = WHOLE_OUTPUT
 ) -> Callable[[Command], Command]:
-    """Return a decorator with -f, -o, --digits and --raw, received as argument `wanted`."""
+    """Return the decorator of -f, -o, --digits and --raw; the command gets `wanted`."""
     return gathered(
         "wanted",
         partial(OutputOptions, formats),

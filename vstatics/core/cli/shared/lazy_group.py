@@ -1,4 +1,4 @@
-"""Group of commands, each in a module that is imported when the command is called."""
+"""Group of commands, each in a module that is imported when its command is called."""
 
 from __future__ import annotations
 
@@ -13,28 +13,28 @@ from vstatics.core.errors import quoted
 from vstatics.core.suggestions import nearest
 
 Modules = Mapping[str, tuple[str, str]]
-"""Module and summary of each command; a module defines the command as `NAME_command`."""
+"""Module and summary of each command; the module defines the command as `NAME_command`."""
 
 
 class LazyGroup(click.Group):
-    """Group of commands that imports a command on demand."""
+    """Group that imports commands on demand."""
 
     modules: ClassVar[Modules] = {}
 
     def listed(self) -> Modules:
-        """Return the commands in the order of the help text."""
+        """Return the commands in the order of use."""
         return self.modules
 
     def module(self, name: str) -> str:
-        """Return the module of a command; empty if the command does not exist."""
+        """Return the module of a command, or an empty string."""
         return self.listed().get(name, ("", ""))[0]
 
     def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002
-        """Return the names of all commands in the order of the help text."""
+        """Return all names in the order of use."""
         return list(self.listed())
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:  # noqa: ARG002
-        """Import and return a command."""
+        """Import and return the command of a name."""
         module = self.module(cmd_name)
         if not module:
             return None
@@ -44,7 +44,7 @@ class LazyGroup(click.Group):
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """Find a command by name; the error about an unknown name suggests the nearest command."""
+        """Resolve a command; the error for an unknown name suggests the nearest command."""
         name = args[0]
         if name.startswith("-") or self.module(name):
             return super().resolve_command(ctx, args)
@@ -54,6 +54,6 @@ class LazyGroup(click.Group):
         raise click.UsageError(f"there is no command {quoted(name)}{hint}", ctx)
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:  # noqa: ARG002
-        """Write the list of commands in the help text, without importing any command."""
+        """List the commands without importing any."""
         with formatter.section("Commands"):
             formatter.write_dl([(name, summary) for name, (_, summary) in self.listed().items()])

@@ -1,4 +1,4 @@
-"""Runs of several cases, with output to files in a directory or to a single stream."""
+"""Runs of several cases, with the outputs in files of a directory or in one stream."""
 
 from __future__ import annotations
 
@@ -26,19 +26,19 @@ from vstatics.core.jobs.workers import workers
 
 
 class _HaltedError(Exception):
-    """Signal that writing has failed for all further cases."""
+    """Signal that no further case can be written."""
 
 
 class _Count:
-    """Counts of finished, calculated and failed cases during a run."""
+    """Counts of finished, calculated and failed cases of a run."""
 
     def __init__(self, total: int, finished_before: int) -> None:
         self.total = total
         self.finished_before = self.done = self.calculated = finished_before
         self.doubtful = 0
-        """Number of cases that fail although results exist."""
+        """Number of cases that have results and nevertheless fail."""
         self.failures: list[str] = []
-        """Lines for the summary, a line for each failed case."""
+        """A line for each failed case."""
 
     def add(self, done: Done) -> None:
         self.done += 1
@@ -49,11 +49,11 @@ class _Count:
 
     @property
     def status(self) -> int:
-        """Exit status of the run, from the counts."""
+        """Exit status of the run."""
         return FAILED if self.failures else DONE
 
     def summary(self, telling: Telling) -> None:
-        """Print the numbers of calculated and failed cases; with -q, only if a case failed."""
+        """Print the numbers of calculated and failed cases; with -q, only after failures."""
         if telling.quiet and not self.failures:
             return
         line = f"{self.calculated} of {self.total} cases calculated"
@@ -69,7 +69,7 @@ class _Count:
 
 
 def _failure(done: Done) -> str:
-    """Describe a failed case by the first error or warning, and the number of further problems."""
+    """Describe a failed case by the first error or warning and the number of further ones."""
     causes = [problem for problem in done.problems if problem.severity == "error"]
     causes = causes or [problem for problem in done.problems if problem.severity == "warning"]
     first = str(causes[0]) if causes else "failed"
@@ -99,7 +99,7 @@ def to_directory(
     Raises
     ------
     UsageError
-        If results would overwrite each other or a case, or an interrupted run had other options.
+        If results would overwrite one another or a case, or the earlier run had other options.
     ReadError
         If the directory cannot be written to.
     """
@@ -122,7 +122,7 @@ def to_directory(
 
 
 def _tell_others(folder: str, suffix: str, planned: Sequence[CaseTask]) -> None:
-    """Report results in the directory that do not belong to a case of the present run."""
+    """Report results in the directory that belong to no case of this run."""
     expected = {os.path.basename(str(task.target)) for task in planned}  # noqa: PTH119
     present = {name for name in os.listdir(folder) if name.endswith(suffix) and name[0] != "."}  # noqa: PTH208
     if others := sorted(present - expected):
@@ -133,12 +133,12 @@ def _tell_others(folder: str, suffix: str, planned: Sequence[CaseTask]) -> None:
 def _begun(
     todo: list[CaseTask], finished: FinishedCases, *, resume: bool, quiet: bool
 ) -> list[CaseTask]:
-    """Begin or resume a run, and return the cases that must still be calculated.
+    """Begin or resume a run, and return the cases that remain to be calculated.
 
     Raises
     ------
     UsageError
-        If the directory is a file, or the interrupted run had other options.
+        If the directory is a file, or the earlier run had other options.
     OSError
     """
     try:
@@ -161,7 +161,7 @@ def _begun(
 
 @contextmanager
 def _other_options_as_wrong_use() -> Iterator[None]:
-    """Report that the interrupted run had other options as wrong use of --resume."""
+    """Report the error about an earlier run with other options as wrong use of --resume."""
     try:
         yield
     except ReadError as error:
@@ -178,7 +178,7 @@ def to_stream(
     Raises
     ------
     UsageError
-        If the interrupted run had other options.
+        If the earlier run had other options.
     ReadError
         If the output cannot be written.
     """
@@ -234,12 +234,12 @@ def _in_order(
 ) -> Iterator[texts.Part]:
     for file in cases:
         yield parts.part(file) if file in done else next(coming)
-    yield from coming  # yields nothing, but runs the generator to the end
+    yield from coming  # yields nothing, but runs the generator to its end
 
 
 @contextmanager
 def _results(job: Job, todo: Sequence[CaseTask], jobs: int) -> Iterator[Iterator[Done]]:
-    """Yield an iterator of the outcomes of cases, in order, calculated by `jobs` processes."""
+    """Yield an iterator of the outcomes of cases, in order, from `jobs` processes."""
     with workers(job, str, jobs=min(jobs, len(todo)), rules=RULES_OF_CASES) as called:
         yield (done for _, done in called.each(calculate_and_write, todo, ordered=True))
 
@@ -253,7 +253,7 @@ def _follow(
     beside_stdout: bool = False,
     parts: FinishedParts | None = None,
 ) -> Iterator[texts.Part]:
-    """Report and count the outcome of each case; store and yield the output of each case."""
+    """Report and count the outcome of each case; store its part, and yield the part."""
     quiet, telling = telling.quiet, telling._replace(notes=True)
     with progress(count.total, "cases", beside_stdout=beside_stdout, quiet=quiet) as advance:
         advance(count.finished_before)
@@ -275,7 +275,7 @@ def _follow(
 
 @contextmanager
 def _until_written(output: str | None, remains: Callable[[], str]) -> Iterator[None]:
-    """Exit if the output cannot be written, with a message about the stored work.
+    """End the command if the output cannot be written, with a message that names the stored work.
 
     Raises
     ------
@@ -292,12 +292,12 @@ def _until_written(output: str | None, remains: Callable[[], str]) -> Iterator[N
 
 @contextmanager
 def _until_stopped(count: _Count, remains: str, *, resumable: bool = False) -> Iterator[Stop]:
-    """Report progress, and exit after Ctrl-C, SIGTERM or a full disk.
+    """Report progress and exit after Ctrl-C, SIGTERM or a full disk.
 
     Parameters
     ----------
     resumable : bool
-        True if the run can be resumed after an error of writing the output.
+        True if the run can be resumed after the output could not be written.
     """
     try:
         with stoppable() as stop:
@@ -318,19 +318,17 @@ def _until_stopped(count: _Count, remains: str, *, resumable: bool = False) -> I
 
 
 def _depends(job: Job) -> dict[str, object]:
-    """Return the options that affect results, which a resumed run must repeat."""
+    """Return the options on which results depend, and which a resumed run must repeat."""
     style = job.to.style
     return {
         "command": job.command,
         "--from": job.options.input_format,
         "--coast": job.options.coast,
         "--unloaded": job.options.idle,
-        # Determines whether a result with warnings counts as finished.
-        "--strict": job.options.telling.strict,
+        "--strict": job.options.telling.strict,  # decides whether a result with warnings is done
         "--allow": sorted(set(job.options.telling.allow)) or None,
         "--lang": style.lang if job.to.is_text else None,
-        # Results of both formats have the same suffix.
-        "-f source": job.to.form == "source" or None,
+        "-f source": job.to.form == "source" or None,  # same suffix as listings
         "--digits": style.digits,
         "--raw": style.raw or None,
         "--own-tables": style.own_tables or None,

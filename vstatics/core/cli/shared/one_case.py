@@ -1,4 +1,4 @@
-"""Building blocks of commands that take a single case: reading, places of problems, output."""
+"""Parts of commands that take one case: its reading, the places of problems, and the output."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from vstatics.core.tables.grid import Grid
 
 @contextmanager
 def problems_of(reading: Reading) -> Iterator[None]:
-    """Add the places in the file to all problems of a case that are raised in the context.
+    """Add the places in the file to all problems of a case that are raised in the block.
 
     Raises
     ------
@@ -41,7 +41,7 @@ def problems_of(reading: Reading) -> Iterator[None]:
 
 
 def _placed(problem: Problem, reading: Reading) -> Problem:
-    """Return a problem with the place in the file; without a path, only with the file name."""
+    """Return a problem with its place in the file; a problem without a path gets the file only."""
     located = reading.locate(problem)
     if problem.path or located.place is None:
         return located
@@ -49,32 +49,32 @@ def _placed(problem: Problem, reading: Reading) -> Problem:
 
 
 class CaseAnswer(NamedTuple):
-    """Answer of a command about a case; `grids` is called only if tables are written."""
+    """Answer of a command about a single case; `grids` creates the tables only when called."""
 
     grids: Callable[[], Iterable[Grid]]
     answer: Answer
-    """Record that is written as JSON."""
+    """Record written as JSON."""
     problems: Sequence[Problem] = ()
     failed: bool = False
-    """True if the command fails although no problem is an error."""
+    """True if the command fails even without errors among the problems."""
     write: Callable[[], bool] | None = None
-    """Function that writes a further file, and returns False if data were lost."""
+    """Function that writes a further file and returns whether the file is complete."""
 
 
 class OneCase(NamedTuple):
-    """Case and options of a command with a single case."""
+    """Case and output options of a command with a single case."""
 
     case: str
     wanted: OutputOptions
     input_format: readers.Format | None
     telling: Telling
     coast: bool | None = None
-    """True if power enters at the output; None for the direction of power that the case gives."""
+    """True if power enters at the output; None for the direction of power in the case."""
     static_torque: float | None = None
-    """Input torque; None for the input torque that the case gives. [N*m]"""
+    """Torque at the input; None for the torque in the case. [N*m]"""
 
     def destination(self, *others: str) -> Destination:
-        """Return the destination of the output; refuse to overwrite an input.
+        """Return the destination of the output; refuse to overwrite the case or another input.
 
         Raises
         ------
@@ -85,7 +85,7 @@ class OneCase(NamedTuple):
         return one_text(self.wanted, inputs)
 
     def read(self, *given: tuple[bytes, str]) -> Reading:
-        """Read the case from the file or from given data, and print the warnings.
+        """Read the case from its file, or from the given text, and print the warnings.
 
         Raises
         ------
@@ -101,19 +101,18 @@ class OneCase(NamedTuple):
         extra: str = "",
         *given: tuple[bytes, str],
     ) -> int:
-        """Read the case, calculate the answer, write the answer, and return the exit status.
+        """Read the case, calculate and write the answer, and return the exit status.
 
         Parameters
         ----------
         calculate : callable
-            Function that returns the answer; problems that it raises are completed by places in the
-            file.
+            Function that returns the answer; problems that it raises get their places in the file.
         to : Destination, optional
-            Destination, if the command has already determined it.
+            Output, if the command has determined it already.
         extra : str
-            Name of the command as an optional feature whose packages are needed; empty for none.
+            Package that the command needs, and name of the command.
         *given : tuple of (bytes, str)
-            Content and name of the file of the case, if the file has already been read.
+            Text of the case and name of its file, if it has been read already.
 
         Raises
         ------
@@ -139,15 +138,15 @@ class OneCase(NamedTuple):
 
 
 def _in_both_units(case: Transmission, grids: Callable[[], Iterable[Grid]]) -> Iterator[Grid]:
-    from vstatics.core.tables.straight import in_both_units  # few cases need this import
+    from vstatics.core.tables.straight import in_both_units  # few cases need this
 
     return in_both_units(case, grids())
 
 
 of_case = (formats.options(*formats.TABLES), cases.input_format, cases.telling)
-"""Options of all commands with a single case: output, input format and messages."""
+"""Options that every command with a single case has: output, input format and messages."""
 one_case = gathered("request", OneCase, click.argument("case", type=click.Path()), *of_case)
-"""Case and options of a command with a single case, received as argument `request`."""
+"""Case and options of a command with a single case, passed to the command as `request`."""
 
 
 def show(file: str, to: Destination, title: str, answer: CaseAnswer) -> None:
@@ -158,17 +157,17 @@ def show(file: str, to: Destination, title: str, answer: CaseAnswer) -> None:
 
 
 def tell(problems: Sequence[Problem], telling: Telling, file: str) -> None:
-    """Print problems on stderr, except problems that options suppress."""
+    """Print problems on stderr."""
     show_problems(problems, telling, file_name(file))
 
 
 def warnings_of(identity: str, messages: Iterable[str], file: str) -> list[Problem]:
-    """Return warnings about a file as a whole, a warning for each message."""
+    """Return warnings about a file as a whole."""
     return [of_file(identity, file, message) for message in messages]
 
 
 def one_text(wanted: OutputOptions, inputs: Sequence[str]) -> Destination:
-    """Return the destination of a command for a single case; refuse a directory."""
+    """Return the destination of a command for one case; refuse a directory as output."""
     to = wanted.destination(inputs)
     if to.is_folder:
         raise click.UsageError(f"one case gives one text: expected -o FILE, not {to.output}")

@@ -1,4 +1,4 @@
-"""Execution of a command for a single case, or for several cases by the module `many`."""
+"""Carry out a command for one case, or for several by the module `many`."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ def carry_out(
     jobs: int = 1,
     resume: bool = False,
 ) -> int:
-    """Calculate cases, write the output of each case, and return the exit status.
+    """Calculate cases, write the output for each, and return the exit status.
 
     Parameters
     ----------
     others : sequence of str
         Further input files, which no output may overwrite.
     a_list : bool
-        True if the cases come from a list, so that even a single case counts as several.
+        True if the cases are a list, even if it contains only one.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Options of commands: headings in the help text, former names, combination to arguments."""
+"""Options of commands: headings in the help, former names, several options as one argument."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 Option = Callable[[Any], Any]
-"""Decorator from click that adds an option to a command."""
+"""Decorator that adds an option to a command, as returned by click."""
 
 INPUT = "Input"
 CALCULATION = "Calculation"
@@ -27,32 +27,32 @@ PROCESSING = "Processing"
 MESSAGES = "Messages"
 HELP = "Help"
 _LAST = (CALCULATION, OUTPUT, PROCESSING, MESSAGES, HELP)
-"""Headings after the input and the headings of the command, in order."""
+"""Headings that follow the input and the headings of the command, in this order."""
 _FEW = 7
-"""Largest number of options that are listed without headings."""
+"""Largest number of options that are listed under the single heading "Options"."""
 _HEADING = "heading"
-"""Attribute of an option that contains the heading in the help text."""
+"""Attribute of an option with the heading of the option in the help text."""
 _PARAMETERS = "__click_params__"
-"""Attribute of a function to which click's decorators append options."""
+"""Attribute of a function to which decorators of click append options."""
 _WIDTH = 28
-"""Largest width of the column of options, in characters; longer options have a separate line."""
+"""Largest width of the column of options, in characters; longer options get a line of their own."""
 
 
 def needs(extra: str, purpose: str) -> None:
-    """Raise an error if the optional packages `extra`, which a purpose needs, are missing."""
+    """Raise an error if the package `extra`, which a purpose needs, is not installed."""
     if message := missing(extra, purpose):
         raise ReadError("E014", message)
 
 
 def provided(name: str) -> Callable[[Command], Command]:
-    """Return a decorator that adds options of an annex; without the annex, no options."""
+    """Return the decorator that adds options of an annex; without the annex, it adds none."""
     return higher(name) if module_of_method(name) else lambda command: command
 
 
 def gathered(
     name: str, build: Callable[..., object], *options: Option
 ) -> Callable[[Command], Command]:
-    r"""Return a decorator that combines options into a single argument of the command.
+    r"""Return a decorator that combines options into a single argument.
 
     Parameters
     ----------
@@ -61,8 +61,7 @@ def gathered(
     build : callable
         Function that returns the argument; its parameters have the names of the options.
     *options : callable
-        Options in the order of the help text. Options that are not parameters of `build` become
-        separate arguments.
+        Options in the order of the help. The command receives options that `build` does not take.
 
     Examples
     --------
@@ -98,9 +97,9 @@ def gathered(
 def completing(
     names: Callable[[], Iterable[str]],
 ) -> Callable[[Any, Any, str], list[CompletionItem]]:
-    """Return a function that completes option values in a shell from a list of names.
+    """Return a completion of option values by names; names are listed only if a shell asks.
 
-    In a comma-separated list, the last name is completed.
+    Of comma-separated names the last is completed.
 
     >>> complete = completing(lambda: ["zf-8hp70", "simpson"])
     >>> [item.value for begun in ("zf", "a,s") for item in complete(None, None, begun)]
@@ -108,7 +107,7 @@ def completing(
     """
 
     def complete(_context: Any, _option: Any, begun: str) -> list[CompletionItem]:
-        from click.shell_completion import CompletionItem  # only needed for completion in a shell
+        from click.shell_completion import CompletionItem  # only a shell asks for it
 
         known = names()
         before, comma, begun = begun.rpartition(",")
@@ -123,12 +122,12 @@ def completing(
 
 
 def refuse(*rules: tuple[object, str]) -> None:
-    """Raise an error for the first violated rule about combinations of options.
+    """Raise the first error in combinations of options.
 
     Parameters
     ----------
     *rules : tuple
-        Condition that violates the rule, and the message.
+        Condition of the error, and its message.
 
     Raises
     ------
@@ -140,7 +139,7 @@ def refuse(*rules: tuple[object, str]) -> None:
 
 
 def _place(heading: str) -> int:
-    """Return the sort key of a heading: input, headings of the command, then `_LAST`."""
+    """Return the sort key of a heading; headings of a command are between input and calculation."""
     return -1 if heading == INPUT else heading in _LAST and _LAST.index(heading) + 1
 
 
@@ -152,7 +151,7 @@ class RenamedOption(click.Option):
         self.former = tuple(former)
 
     def add_to_parser(self, parser: Any, ctx: click.Context) -> None:
-        """Add the option to the parser with all present and former names."""
+        """Add the option to the parser by all of its names."""
         names = self.opts
         self.opts = [*names, *self.former]
         super().add_to_parser(parser, ctx)
@@ -160,10 +159,10 @@ class RenamedOption(click.Option):
 
 
 class HeadedCommand(click.Command):
-    """Command whose help text lists options under headings, if there are more than a few."""
+    """Command whose help lists the options under headings if it has more than a few options."""
 
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """Write the options by heading, in the order of declaration."""
+        """Write the options, by heading, in the order of declaration."""
         listed: dict[str, list[tuple[str, str]]] = {}
         for option in self.get_params(ctx):
             if isinstance(option, click.Option) and (record := option.get_help_record(ctx)):
@@ -173,7 +172,7 @@ class HeadedCommand(click.Command):
         if sum(map(len, listed.values())) <= _FEW:
             listed = {"Options": [record for records in listed.values() for record in records]}
         names = [len(name) for records in listed.values() for name, _ in records]
-        width = min(max(names), _WIDTH)  # the width is common to all headings
+        width = min(max(names), _WIDTH)  # common to all headings
         for heading in sorted(listed, key=_place):
             with formatter.section(heading):
                 rows = [(name.ljust(width), text) for name, text in listed[heading]]
@@ -181,9 +180,9 @@ class HeadedCommand(click.Command):
 
 
 def command(function: Callable[..., Any]) -> click.Command:
-    """Return the command NAME for a function `NAME_command`, whose docstring is the help text.
+    """Return the command of a function `NAME_command`, whose docstring is the help text.
 
-    The suffix distinguishes the function from a public Python function, such as `sweep`.
+    The suffix distinguishes the command from a function of the Python interface, such as `sweep`.
     """
     return click.command(cls=HeadedCommand)(function)
 

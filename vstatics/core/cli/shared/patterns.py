@@ -1,4 +1,4 @@
-"""Expansion of file names with patterns such as `*.yaml`, also for shells without expansion."""
+"""File names by patterns such as `*.yaml`, for shells that do not expand them."""
 
 from __future__ import annotations
 
@@ -10,16 +10,16 @@ import click
 from vstatics.core.errors import quoted
 
 WILDCARDS, SIGNS = "*?", "*?["
-"""Characters that make a name a pattern, and all characters with a meaning in patterns.
+"""Characters that make a name a pattern, and all special characters of patterns.
 
-A name with a bracket only is not a pattern, because file names can contain brackets.
+A bracket alone can belong to a file name.
 """
 
 
 def expanded(names: Iterable[str]) -> list[str]:
-    """Expand names and patterns to files; `**` matches any folders, but does not follow links.
+    """Expand names and patterns to files; `**` matches any folders, but follows no links.
 
-    A file that matches several patterns or names is listed only once.
+    A file is listed once, however many patterns and names match it.
 
     Raises
     ------
@@ -49,11 +49,11 @@ def expanded(names: Iterable[str]) -> list[str]:
 
 
 def _matching(pattern: str) -> Iterator[str]:
-    """Yield the paths that match a pattern, which can contain `**`.
+    """Yield the paths that match a pattern with any number of `**`.
 
-    `glob` would follow links, and would not end in a loop of links.
+    `glob` alone would follow links, and never end in a loop of links.
     """
-    from glob import escape  # slow to import
+    from glob import escape  # costs start-up time
 
     parts = pattern.replace(os.sep, "/").split("/")
     if "**" not in parts:
@@ -69,8 +69,8 @@ def _matching(pattern: str) -> Iterator[str]:
 
 
 def _below(tops: Iterable[str], parts: Sequence[str]) -> Iterator[str]:
-    """Yield matching paths below some folders, without links back to a parent folder."""
-    from glob import escape, glob, has_magic  # slow to import
+    """Yield the paths below some folders that match, without links back to a parent folder."""
+    from glob import escape, glob, has_magic  # costs start-up time
 
     for top in tops:
         part, *inner_parts = parts

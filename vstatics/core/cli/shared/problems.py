@@ -1,4 +1,4 @@
-"""Selection of problems by -q, --strict and --allow: to print, and to fail the command."""
+"""Selection of problems by -q and --strict: which are printed, and which make a command fail."""
 
 from __future__ import annotations
 
@@ -12,17 +12,17 @@ class Telling(NamedTuple):
     """Treatment of warnings and notes; errors are always printed and make the command fail."""
 
     allow: Sequence[str] = ()
-    """Ids of suppressed messages, in addition to ids under the key `allow` of a case."""
+    """Ids of suppressed messages, in addition to the key `allow` of the case."""
     quiet: bool = False
-    """True to print only errors, without warnings, notes and progress."""
+    """True if only errors are printed, without progress."""
     strict: bool = False
     """True if warnings make the command fail."""
     notes: bool = False
-    """True to report notes, as `vstatics check` does."""
+    """True if notes are reported, as `vstatics check` does."""
     on_page: bool = False
-    """True to show notes on a page only, without printing."""
+    """True if notes appear on a page only and are not printed."""
     each_gear: bool = False
-    """True to repeat a message about several gears at each gear."""
+    """True if a message about several gears is repeated at each gear."""
 
     def told(self, problems: Iterable[Problem]) -> list[Problem]:
         """Return the problems to report, notes last."""
@@ -33,14 +33,14 @@ class Telling(NamedTuple):
         return warnings_and_errors + notes * self.notes
 
     def printed(self, problems: Iterable[Problem]) -> list[Problem]:
-        """Return the problems to print, without problems held back by -q or for a page."""
+        """Return the problems to print, without messages held back by -q or for a page."""
         reported = self.told(problems)
         if self.quiet:
             return [problem for problem in reported if problem.severity == "error"]
         return [problem for problem in reported if not self.on_page or problem.severity != "note"]
 
     def quiet_failure(self, problems: Iterable[Problem], file: str) -> Iterator[Problem]:
-        """Yield a problem that explains a failure due to warnings that are not printed."""
+        """Yield a problem if a case fails because of warnings that are not printed."""
         all_problems = list(problems)
         if self.quiet and self.fails(all_problems) and not self.printed(all_problems):
             ids = [problem.id for problem in all_problems if problem.severity == "warning"]

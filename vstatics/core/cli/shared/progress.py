@@ -1,4 +1,4 @@
-"""Progress on stderr: a bar on a terminal, otherwise a line from time to time."""
+"""Progress on stderr: a bar for a person at a terminal, otherwise a line from time to time."""
 
 from __future__ import annotations
 
@@ -18,24 +18,24 @@ if TYPE_CHECKING:
     from rich.progress import Progress
 
 Advance = Callable[[int], None]
-"""Function that advances the progress by a number of units."""
+"""Function that advances the bar by a number of units."""
 
 PERIOD = 0.1
-"""Shortest time between two drawings of the bar. [s]"""
+"""Shortest time between two drawings of the bar [s]."""
 BAR_COLUMNS = 24
-"""Width of the bar in characters; the line fits 80 characters with numbers of eight digits."""
+"""Width of the bar, in columns; with numbers of eight digits the line fits 80 columns."""
 FIRST_WORD, LONGEST_SILENCE = 5.0, 600.0
-"""Time until the first line, and longest time between lines, which doubles each time. [s]"""
+"""Time until the first line, and longest time between lines, which doubles each time [s]."""
 
 
 @contextmanager
 def telling(said: Callable[[], str]) -> Iterator[None]:
-    """Print the progress of long work from time to time; for short work, print nothing.
+    """Print the progress of long work from time to time, and nothing for short work.
 
     Parameters
     ----------
     said : callable
-        Function that returns the line to print; an empty line is not printed.
+        Function that returns a line, or an empty string.
     """
     ended = threading.Event()
 
@@ -54,7 +54,7 @@ def telling(said: Callable[[], str]) -> Iterator[None]:
 
 
 def done_text(part: float, seconds: float) -> str:
-    """Describe progress by the finished part, the time, and the extrapolated remaining time.
+    """Describe progress by the finished part and the remaining time, which is extrapolated.
 
     >>> done_text(0.25, 30)
     '25 % after 30 s, about 1.5 minutes left'
@@ -71,19 +71,19 @@ def progress(
 ) -> Iterator[Advance]:
     """Show the number of finished units by a bar, or by lines if stderr is not a terminal.
 
-    Messages (`files.say`) appear above the bar. The bar is drawn when it advances, without a
-    thread, so that processes can be started meanwhile.
+    Messages (`files.say`) appear above the bar. It is drawn only when it advances, without a
+    thread, so that processes can be started while it is shown.
 
     Parameters
     ----------
     total : int, optional
-        Total number of units, if known.
+        Number of all units, if known.
     unit : str
-        Name of the units in the plural, such as "variants".
+        Name of the units, in the plural: "variants".
     beside_stdout : bool
-        True if results go to stdout meanwhile; then a bar on the same terminal is not drawn.
+        True if results go to stdout meanwhile, which allows no bar on the same terminal.
     quiet : bool
-        True to show nothing.
+        True if nothing is to be shown.
 
     Examples
     --------
@@ -119,7 +119,7 @@ def progress(
 
 @contextmanager
 def _lines(total: int | None, unit: str) -> Iterator[Advance]:
-    """Print lines of progress instead of a bar, if the total is known."""
+    """Print lines instead of a bar, if the total is known."""
     began, done = time.monotonic(), 0
 
     def advance(count: int) -> None:
@@ -138,14 +138,14 @@ def _is_terminal(stream: TextIO | None) -> bool:
 
 
 def _bar(unit: str) -> Progress:
-    """Return a bar of the package rich that disappears when closed."""
+    """Build a bar that vanishes when closed."""
     from rich import progress as parts
     from rich.text import Text
 
     from vstatics.core.cli.shared.console import SafeConsole
 
     class Rate(parts.ProgressColumn):
-        """Column of the bar with units per second, after the name of the units."""
+        """Column of the bar with units per second; the preceding column names the unit."""
 
         def render(self, task: parts.Task) -> Text:
             speed = task.finished_speed or task.speed

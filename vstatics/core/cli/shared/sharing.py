@@ -1,4 +1,4 @@
-"""Options for worker processes, and for resuming interrupted work."""
+"""Distribution of the work of a command over processes, and resumption after a stop."""
 
 from __future__ import annotations
 
@@ -30,22 +30,22 @@ JOBS = click.option(
 
 
 class Sharing(NamedTuple):
-    """Values of the options -j, --scheduler and --resume."""
+    """Values of -j, --scheduler and --resume."""
 
     jobs: int | None = None
-    """Number of worker processes; None for the number of processor cores."""
+    """Number of processes; by default the number of cores."""
     scheduler: str | None = None
     resume: bool = False
 
     @property
     def processes(self) -> int:
-        """Number of worker processes on the local computer."""
+        """Number of processes on the local computer."""
         from vstatics.core.jobs.workers import cores
 
         return 1 if self.scheduler else self.jobs or cores()
 
     def check(self, output: str | None, expected: str = "a file to go on with: -o FILE") -> None:
-        """Refuse contradictory options, and --resume without an output file.
+        """Refuse contradictory options, and --resume without a file.
 
         Raises
         ------
@@ -66,17 +66,17 @@ class Sharing(NamedTuple):
         *,
         quiet: bool,
     ) -> None:
-        """Open the store of finished pieces, and resume with stored pieces if possible.
+        """Open the store of pieces: begin anew, or resume with the stored pieces if possible.
 
         Parameters
         ----------
         done : str
-            End of a message after the word "every", such as "piece is searched".
+            Rest of a message after the word "every", such as "piece is searched".
 
         Raises
         ------
         ReadError
-            If the stored pieces belong to other work.
+            If the pieces belong to other work.
         OSError
         """
         if self.resume and not (quiet or store.exists()) and os.path.exists(output):  # noqa: PTH110
@@ -90,7 +90,7 @@ class Sharing(NamedTuple):
 def going_on_later(
     output: str, store: FinishedPieces, remains: Callable[[], str]
 ) -> Iterator[None]:
-    """On interruption or an error of writing, print the amount of stored work, and exit.
+    """If the command is stopped or cannot write, print how much work is stored, and exit.
 
     Raises
     ------
@@ -107,7 +107,7 @@ def going_on_later(
         status = FAILED
     except CaseError as error:
         files.show(error.problems)
-        if store.is_open and store.finished():  # a store that was refused is not open
+        if store.is_open and store.finished():  # the store is not open if it was refused
             files.say(remains())
         status = FAILED
     else:
@@ -116,13 +116,13 @@ def going_on_later(
 
 
 def kept_pieces(finished: int, whole: str, store: FinishedPieces, output: str) -> str:
-    """Describe the finished pieces with which an interrupted command can be resumed.
+    """Describe the finished pieces that an interrupted command can resume with.
 
     Parameters
     ----------
     finished : int
     whole : str
-        Total amount of work, such as "64 variants".
+        Total amount of work: "64 variants".
     """
     if not finished:
         return "nothing was finished"
@@ -135,12 +135,12 @@ def kept_pieces(finished: int, whole: str, store: FinishedPieces, output: str) -
 
 
 def shared(resumed: str, *between: Option, jobs: Option = JOBS) -> Callable[[Command], Command]:
-    """Return a decorator with the options of `Sharing`, received as argument `sharing`.
+    """Return the decorator of the options of `Sharing`; the command gets `sharing`.
 
     Parameters
     ----------
     resumed : str
-        Words for the work that --resume continues, for the help text.
+        Name of the work that --resume continues, for the help.
     *between : callable
         Options listed before --resume.
     jobs : callable

@@ -1,7 +1,7 @@
-"""Output of a command for a case in each format: alone, or among several cases.
+"""Output of a command for each case, as text in each format: alone or among several cases.
 
-A command supplies a `CaseOutput`, from which this module writes every format. Writers are imported
-when needed.
+A command supplies a `CaseOutput`, from which this module writes every format. Writers are
+imported when they are needed.
 """
 
 from __future__ import annotations
@@ -24,27 +24,27 @@ if TYPE_CHECKING:
 
 
 class CaseOutput(NamedTuple):
-    """Output of a command for a case, which is calculated only for the requested format."""
+    """Output of a command for a case; each part is calculated on request."""
 
     titles: Sequence[str]
-    """Titles above the tables, a title for each table."""
+    """Titles above the tables."""
     by_format: Mapping[str, Callable[[str | None], str | bytes | Sequence[bytes]]]
-    """Functions that return output in formats for which `grids` is not used, by format.
+    """Functions that return output other than `grids`, such as a text, by format.
 
-    A function receives the name of the file if the case is one of several in a stream, else None.
-    It returns a text, bytes, or the pages of a picture, each for a separate file.
+    The function receives the name of the file if the case is one of several in a stream. A picture
+    has pages, each of which is written to its own file.
     """
     grids: Callable[[], Iterable[Grid]] | None = None
     answer: Callable[[], Answer] | None = None
-    """Function that returns the record to write as JSON."""
+    """Function that returns the record written as JSON."""
     lay_out: Callable[[Any], str] | None = None
     """Function that writes the record as JSON with special line breaks."""
     problems: Sequence[Problem] = ()
-    """Problems of the output, in addition to problems of the case."""
+    """Problems of the output, in addition to the problems of the case."""
 
 
 class CaseTables(NamedTuple):
-    """Tables of a case, with the name of the file."""
+    """Tables of a case."""
 
     file: str
     titles: Sequence[str]
@@ -52,17 +52,17 @@ class CaseTables(NamedTuple):
 
 
 Part = bytes | CaseTables
-"""Output of a case in a stream: text, or tables that are combined with tables of further cases."""
+"""Part of a stream: the text of a case, or tables that are combined with those of other cases."""
 
 
 class Frame(NamedTuple):
-    """Texts before, between and after the outputs of cases in a stream."""
+    """Texts before, between and after the parts of a stream."""
 
     first: str
     between: str
     last: str
     empty: str = ""
-    """Whole text of a stream without any case."""
+    """Whole text of a stream without parts."""
 
 
 FRAMES = {
@@ -74,7 +74,7 @@ FRAMES = {
 
 
 def alone(file: str, shown: CaseOutput, to: Destination) -> Sequence[bytes]:
-    """Return the output of a single case, or the pages of a picture."""
+    """Return the text of a single case, or the pages of a picture."""
     with speaking(to.language):
         if to.form in shown.by_format:
             return _pages(shown, to)
@@ -91,12 +91,12 @@ def _pages(shown: CaseOutput, to: Destination, file: str | None = None) -> Seque
 def among_several(
     outcome: CalculatedCase, shown: CaseOutput | None, to: Destination, *, folders: bool = False
 ) -> Part:
-    """Return the output of a case among several cases; only JSON contains failed cases.
+    """Return the part of a case in the output of several cases; only JSON has failed cases.
 
     Parameters
     ----------
     folders : bool
-        True to write the names of files in JSON with their folders.
+        True if JSON gives the name of the file with its folders.
     """
     file = outcome.file
     if to.form in ("json", "jsonl"):
@@ -121,7 +121,7 @@ def among_several(
 def joined(
     parts: Iterable[Part], to: Destination, frame_of_command: Frame | None = None
 ) -> Iterator[bytes]:
-    """Yield the text of a stream from the outputs of all cases, without empty outputs."""
+    """Yield the text of a stream from the parts of all cases, without empty parts."""
     if to.form == "parquet":
         from vstatics.core.writers import result_parquet
 
@@ -148,7 +148,7 @@ def _tables(file: str, shown: CaseOutput, to: Destination) -> CaseTables:
 
 
 def _of_grids(cases: Iterable[CaseTables], to: Destination, *, several: bool) -> Iterator[bytes]:
-    """Yield the tables of cases in a format that contains only tables."""
+    """Yield the tables of cases in a format that contains nothing else."""
     by_file = ((case.file, case.grids) for case in cases)
     if to.form == "xlsx":
         from vstatics.core.tables import xlsx
@@ -171,7 +171,7 @@ def _of_grids(cases: Iterable[CaseTables], to: Destination, *, several: bool) ->
 
 
 def _json(file: str, shown: CaseOutput, to: Destination, *, folders: bool = False) -> str:
-    """Return a case as JSON on several lines or a single line, with a final line break."""
+    """Return a case in JSON, on several lines or on one, with a final line break."""
     from vstatics.core.tables.answer import as_json, with_file
 
     assert shown.answer is not None  # noqa: S101 - the command has this format
@@ -182,12 +182,12 @@ def _json(file: str, shown: CaseOutput, to: Destination, *, folders: bool = Fals
 
 
 def _bytes(text: str | bytes, to: Destination) -> bytes:
-    """Encode a text with control characters escaped; CSV, which has no escapes, is unchanged."""
+    """Encode a text safely for printing; CSV, which has no escapes, stays unchanged."""
     return text if isinstance(text, bytes) else files.encoded(text, as_is=to.form == "csv")
 
 
 class Job(NamedTuple):
-    """Command with options, to be executed for each case."""
+    """Command with options, as applied to each case."""
 
     command: str
     """Name of the command."""
@@ -196,10 +196,10 @@ class Job(NamedTuple):
     show: Callable[[CalculatedCase, Results], CaseOutput]
     """Function that returns the output of the command for a case with results."""
     own_frame: Frame | None = None
-    """Texts around the outputs of several cases, if the format of the command needs texts."""
+    """Texts around several cases, for a format of the command that has its own frame."""
     finished: FinishedCases | None = None
-    """Register of finished cases in the output directory; None if results go to a stream."""
+    """Register of the output directory, if results go to a directory."""
     marked: bool = False
-    """True if the output of each case is also stored for `--resume`, with hashes of the input."""
+    """True if the output of each case is also stored for `--resume`, with hashes of its files."""
     folders: bool = False
-    """True to write names of files in JSON with folders, because some names are equal."""
+    """True if JSON gives files with folders, because some names are equal."""

@@ -1,7 +1,7 @@
-"""Parsers of option values: numbers, pairs, comma-separated lists, values by name.
+"""Values of options: numbers, pairs, comma-separated lists, values by name.
 
-A parser is a function that raises ValueError for a wrong value. `value` converts it to a callback
-of click, which reports the error as wrong use of the option.
+Each is parsed by a function that raises ValueError; `value` turns the function into a callback of
+click, which reports a wrong value as wrong use of the option.
 """
 
 from __future__ import annotations
@@ -29,13 +29,13 @@ def wrong_value(option: str | None = None) -> Iterator[None]:
     Parameters
     ----------
     option : str, optional
-        Name of the option for the message; not needed in a callback of click.
+        Name of the option in the message; not needed in a callback of click.
 
     Raises
     ------
     BadParameter
     CaseError
-        If a problem has a path, so that it concerns the case and not the option.
+        If a problem has a path, since it then concerns a part of the case.
     """
     try:
         yield
@@ -50,7 +50,7 @@ def wrong_value(option: str | None = None) -> Iterator[None]:
 def value(
     read: Callable[[Given], Value], option: str | None = None
 ) -> Callable[[click.Context, click.Parameter, Given], Value | Given]:
-    """Return a callback that parses an option by a function, and leaves None unchanged."""
+    """Return a callback that parses an option by a function; `None` remains `None`."""
 
     def callback(_context: click.Context, _option: click.Parameter, given: Given) -> Value | Given:
         with wrong_value(option):
@@ -60,7 +60,7 @@ def value(
 
 
 def allowable(ids: Iterable[str]) -> tuple[str, ...]:
-    """Parse ids of warnings and notes, separate or comma-separated, in upper or lower case.
+    """Parse ids of warnings and notes, separate or comma-separated, in any case.
 
     Raises
     ------
@@ -79,7 +79,7 @@ def allowable(ids: Iterable[str]) -> tuple[str, ...]:
 
 
 def above_0(given: float) -> float:
-    """Check that a number is above 0, and return the number.
+    """Return a number above 0.
 
     Raises
     ------
@@ -91,7 +91,7 @@ def above_0(given: float) -> float:
 
 
 def from_0(given: float) -> float:
-    """Check that a number is 0 or more, and return the number.
+    """Return a number of 0 or more.
 
     Raises
     ------
@@ -103,7 +103,7 @@ def from_0(given: float) -> float:
 
 
 def numbers(expected: str, least: float = 0.0) -> Callable[[str], list[float]]:
-    """Return a parser of comma-separated numbers of at least `least`.
+    """Return a parser of comma-separated numbers that are at least `least`.
 
     >>> numbers("a speed of 0 or more")("600,900")
     [600.0, 900.0]
@@ -124,7 +124,7 @@ def numbers(expected: str, least: float = 0.0) -> Callable[[str], list[float]]:
 
 
 def told(read: Callable[[str], Value]) -> Callable[[str], Value]:
-    """Return a parser that adds the wrong text to error messages of the parser `read`.
+    """Return a parser that adds the refused text to the errors of `read`.
 
     >>> told(float)("x")
     Traceback (most recent call last):
@@ -150,7 +150,7 @@ def each(read: Callable[[str], Value]) -> Callable[[Iterable[str]], tuple[Value,
 
 
 def pair(text: str, example: str = "-4:-1.5") -> tuple[float, float]:
-    """Parse two numbers LOW:HIGH, or a single number that is used for both.
+    """Parse LOW:HIGH, or a single number as both bounds.
 
     Raises
     ------
@@ -173,7 +173,7 @@ def pair(text: str, example: str = "-4:-1.5") -> tuple[float, float]:
 
 
 def shown_speeds(text: str) -> tuple[float, float]:
-    """Parse a range of speeds, in rpm or with units, and return the range in rpm.
+    """Parse a range of speeds, in rpm or with units, and return rpm.
 
     Raises
     ------
@@ -198,7 +198,7 @@ def shown_speeds(text: str) -> tuple[float, float]:
 
 
 def torque(text: str) -> float:
-    """Parse a torque, with or without a unit, and return the torque in N*m.
+    """Read a torque [N*m], with or without a unit.
 
     Raises
     ------
@@ -220,7 +220,7 @@ def torque(text: str) -> float:
 def named(
     shape: str, read: Callable[[str], Value], shown: Callable[[str], str] = quoted
 ) -> Callable[[Sequence[str]], dict[str, Value]]:
-    """Return a parser of comma-separated NAME=VALUE pairs of a repeatable option.
+    """Return a parser of NAME=VALUE pairs of an option that can be repeated.
 
     >>> named("GEAR=RATIO", float)(['1=2.5, "a, b"=-3', "3=1"])
     {'1': 2.5, 'a, b': -3.0, '3': 1.0}
@@ -245,9 +245,9 @@ def named(
 def wrong_use(
     options: Sequence[str], spelled: Mapping[str, str] = MappingProxyType({})
 ) -> Iterator[None]:
-    """Report problems as wrong use if the path begins with the name of an option.
+    """Report problems whose path begins with the name of an option as wrong use.
 
-    `spelled` contains the names on the command line of options with a different name there.
+    `spelled` contains the names on the command line that differ from those names.
 
     Raises
     ------
@@ -272,7 +272,7 @@ def wrong_use(
 
 
 _ITEM = r'\s*(?:"(?P<quoted>(?:[^"]|"")+)"\s*|(?P<name>[^",=][^,=]*))=(?P<value>[^,=]*)'
-"""Pattern of NAME=VALUE; a name in double quotes can contain commas."""
+"""Pattern of a name, the sign ``=`` and a value; a name in double quotes can contain commas."""
 
 
 _ALONE = r'\s*(?:"(?P<quoted>(?:[^"]|"")+)"\s*(?=,|\Z)|(?P<name>[^,]*))'
@@ -280,7 +280,7 @@ _ALONE = r'\s*(?:"(?P<quoted>(?:[^"]|"")+)"\s*(?=,|\Z)|(?P<name>[^,]*))'
 
 
 def separated(texts: Iterable[str]) -> list[str]:
-    """Split all values of a repeatable option at commas outside double quotes.
+    """Split all values of an option that can be repeated or contain commas.
 
     >>> separated(["5, 7", "6"]), separated(['F1, "a, b" ,"c"d,'])
     (['5', '7', '6'], ['F1', 'a, b', '"c"d', ''])
@@ -290,19 +290,19 @@ def separated(texts: Iterable[str]) -> list[str]:
         at = 0
         while at <= len(text):
             item = re.compile(_ALONE).match(text, at)
-            assert item is not None  # noqa: S101 - for mypy: the name can be empty here
+            assert item is not None  # noqa: S101 - for mypy: a name may be empty here
             parts.append(_unquoted(item["quoted"]) or item["name"].strip())
             at = item.end() + 1
     return parts
 
 
 def _unquoted(quoted: str | None) -> str:
-    """Return a name without the double quotes around, and with doubled quotes as single ones."""
+    """Return a name without double quotes, and with doubled quotes as single ones."""
     return (quoted or "").replace('""', '"')
 
 
 def named_values(text: str, expected: str = "NAME=NUMBER") -> list[tuple[str, str]]:
-    """Split comma-separated NAME=VALUE pairs.
+    """Split comma-separated pairs of a name and a value.
 
     Raises
     ------

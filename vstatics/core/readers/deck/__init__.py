@@ -1,9 +1,8 @@
-"""Reader of the deck of Visual-Statics: bytes -> text -> fields -> values -> case.
+"""Reader of the Visual-Statics deck: bytes -> text -> fields -> values -> `Transmission`.
 
-`text` decodes a deck and finds the fields, which are surrounded by free text (prose). `numbers`
-reads numbers as Fortran's list-directed input does. `values` reads the values of a field with their
-places, and `fields` the number of values that the sizes of the deck require. `table` lists the
-fields with a value for each component, and `places` finds the field that causes a problem of the
-case. `reader` builds the case. The last deck is remembered; of a variant of it, only the changed
-lines are read.
+`text` decodes a deck and finds its fields between the prose. `numbers` reads numbers as Fortran's
+list-directed input does. `values` reads the values of a field with their places, and `fields` the
+number of values that the sizes of the deck require. `table` lists the fields with a value for each
+part, and `places` finds the field behind a problem of the model. `reader` builds the transmission.
+It remembers the last deck, so that a variant of this deck is read by its changed lines only.
 """

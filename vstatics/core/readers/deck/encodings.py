@@ -1,6 +1,6 @@
-"""Detection of the encoding of a Russian text without byte order mark.
+"""Detection of the encoding of a Russian text.
 
-For each encoding, a score is calculated from letters, pairs of letters, capitals and signs.
+A score of letters, pairs of letters, capitals and signs is calculated for each encoding.
 """
 
 from __future__ import annotations
@@ -10,14 +10,14 @@ from functools import lru_cache
 from itertools import pairwise
 
 ENCODINGS = ("cp1251", "cp866", "koi8-r")
-"""Encodings of Windows, DOS and Unix; of equal scores, the first counts."""
+"""Encodings of Windows, DOS and Unix, the most likely first if the scores are equal."""
 
 _FOLLOWERS = (
     "абвгежзйклмнпстчя беоы ваеиклносхы гио даеилноу егджзйклмнпрстхч жеим завм ибезйлмнрстя йл "
     "каеилосту лаеиоьюя маеио надеинотуы обвгдежзйклмнпрстчщ пеор раеиосуь секлоптя таеиорсыь "
     "удрю фа хо це чаеинт шаеи ще ыех эт"
 )
-"""Frequent pairs of Russian letters: a first letter, followed by the letters that often follow."""
+"""Frequent pairs of Russian letters: first letters, each with the letters that often follow."""
 _PAIRS = frozenset(word[0] + letter for word in _FOLLOWERS.split() for letter in word[1:])
 _RUSSIAN = frozenset("абвгдежзийклмнопрстуфхцчшщъыьэюя" + "ё")
 _OTHERS = frozenset("іїєґў")
@@ -31,7 +31,7 @@ _WORD = re.compile(r"[^\x00-\x7f]+")
 
 
 def in_each_encoding(data: bytes) -> list[str]:
-    """Return a text that is not UTF-8, decoded by all encodings, the most likely first.
+    """Decode a text that is not UTF-8 in all possible encodings, the most likely first.
 
     >>> in_each_encoding("Коробка МЗКТ".encode("cp866"))[0]
     'Коробка МЗКТ'
@@ -42,19 +42,18 @@ def in_each_encoding(data: bytes) -> list[str]:
     for encoding in ENCODINGS:
         try:
             candidates.append(data.decode(encoding))
-        except UnicodeDecodeError:  # CP1251 does not define one of the bytes
+        except UnicodeDecodeError:  # one byte is undefined in CP1251
             continue
     return sorted(
         candidates,
-        # Each different word counts once.
-        key=lambda text: sum(map(_word_score, set(_WORD.findall(text)))),
+        key=lambda text: sum(map(_word_score, set(_WORD.findall(text)))),  # all different words
         reverse=True,
     )
 
 
 @lru_cache(maxsize=20000)
 def _word_score(word: str) -> float:
-    """Return the score of a word; a larger score means a more likely word."""
+    """Return the score of a word, which is larger for a more likely word."""
     small = word.lower()
     letters = [letter in _RUSSIAN or letter in _OTHERS for letter in small]
     if not any(letters):
@@ -65,8 +64,8 @@ def _word_score(word: str) -> float:
         if first in _RUSSIAN and second in _RUSSIAN:
             score += 1.5 if first + second in _PAIRS else -1.0
     score -= 3.0 * len(_THRICE.findall(core))
-    # Capitals are at the beginning of words, or follow other capitals.
+    # capitals are first letters, or follow capitals
     score -= 1.5 * sum(a.islower() and b.isupper() for a, b in pairwise(word))
     if word.islower() and not _SOUNDED.intersection(small):
-        score -= 1.5  # every Russian word has a vowel, except acronyms such as МЗКТ in capitals
+        score -= 1.5  # every Russian word has a vowel; acronyms such as МЗКТ are in capitals
     return score

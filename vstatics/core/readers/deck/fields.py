@@ -1,4 +1,4 @@
-"""Lists of values in the fields of a deck, checked for the prescribed lengths."""
+"""Lists of values in the fields of a deck, with the prescribed lengths."""
 
 from __future__ import annotations
 
@@ -22,25 +22,25 @@ from vstatics.core.suggestions import nearest
 
 
 class Fields:
-    """Reader of fields, which collects errors, places of values, and stand-ins."""
+    """Reader of fields, which collects errors, places and stand-ins."""
 
     def __init__(self, scan: Scan, capacity: int) -> None:
-        """Begin with the fields of a scanned deck; `capacity` is the number of characters."""
+        """Start with the fields of a scanned deck; `capacity` is the length of its text."""
         self.scan = scan
         self.capacity = capacity
-        """Number of characters of the text, an upper bound of every size and count in it."""
+        """Number of characters of the text, an upper bound on every size and count."""
         self.places = Places(scan.source)
         self.hidden: list[Path] = []
-        """Paths in the case that contain stand-ins, where problems are not reported."""
+        """Paths of the model that contain stand-ins."""
         self.unreadable: set[str] = set()
-        """Labels of values that are replaced by stand-ins."""
+        """Labels of values that are stand-ins."""
 
     def error(self, label: str, message: str) -> None:
-        """Add an error at the value with a label."""
+        """Add an error at a value that was read."""
         self.scan.error(f"{label}: {message}", *self.places.spots[label])
 
     def size(self, key: str, what: str, lowest: int) -> int | None:
-        """Read a required size, such as KG; return None if missing or wrong."""
+        """Read a required size; return `None` for a missing or wrong value."""
         if key not in self.scan.fields:
             self._missing(key, f"`{key}=` and the number of {what}")
             return None
@@ -60,7 +60,7 @@ class Fields:
         return guess
 
     def optional(self, key: str, default: int, allowed: range, expected: str) -> int | None:
-        """Read an optional field with a single value; return None for a wrong value."""
+        """Read an optional field with a single value; return `None` for a wrong value."""
         if key not in self.scan.fields:
             return default
         value = self._scalar(key)
@@ -74,7 +74,7 @@ class Fields:
         return self._list(key, need, why, parse).numbers
 
     def counts(self, key: str, gears: int, *, required: bool) -> list[int]:
-        """Read the number of values that each gear has in a field; -1 if unreadable."""
+        """Read the number of values that each gear has in a field; -1 for an unreadable number."""
         if key not in self.scan.fields and not required:
             message = f"{key} is missing and read as 0; a file that was cut off looks the same"
             place = self.scan.source.place(*self._end())
@@ -97,7 +97,7 @@ class Fields:
     def rows(
         self, key: str, counts: Sequence[int], counted: str, parse: Parse[Number]
     ) -> tuple[list[list[Number]], set[int]]:
-        """Read the values of each gear; also return the gears that contain stand-ins."""
+        """Read the values of each gear, and list the gears that contain stand-ins."""
         gears = len(counts)
         if min(counts, default=0) < 0:
             return [[] for _ in counts], set(range(1, gears + 1))
@@ -119,7 +119,7 @@ class Fields:
         return [values.numbers[start:end] for start, end in pairwise(ends)], unreadable
 
     def _list(self, key: str, need: int, why: str, parse: Parse[Number]) -> Values[Number]:
-        """Read a list; problems of the case at stand-ins in the list will not be reported."""
+        """Read a list, and hide problems of the model at the stand-ins."""
         field = self.scan.fields.get(key)
 
         def label(position: int) -> str:
@@ -139,14 +139,14 @@ class Fields:
         return values
 
     def _scalar(self, key: str) -> int | None:
-        """Read a field with a single value; return None for an unreadable value."""
+        """Read a field with a single value; return `None` for an unreadable value."""
         field = self.scan.fields[key]
         values = take(self.scan, field, Wanted(key, lambda _: key, 1, ""), integer)
         self.places.named.append(([key], values.spots))
         return None if values.unreadable else values.numbers[0]
 
     def _fits(self, label: str, size: int) -> bool:
-        """Check that the text is long enough to contain `size` values."""
+        """Check that the file is long enough to contain `size` values."""
         if size > self.capacity:
             cannot = f"the file has {self.capacity} characters and cannot hold as many values"
             self.error(label, f"read {size}, expected a smaller number: {cannot}")
@@ -155,7 +155,7 @@ class Fields:
     def _missing(self, key: str, expected: str) -> None:
         name, hint = key.partition("(")[0], ""
         if name in self.scan.broken:
-            return  # the field exists, and an error in the field was already reported
+            return  # the field exists, and the error in it was reported
         for word, line in self.scan.unknown.items():
             if nearest(word, [name]):
                 hint = f"; line {line} starts with `{word}`, which is not a field"

@@ -1,4 +1,4 @@
-"""Numbers in the fields of a deck, read as by list-directed input of Fortran."""
+"""Numbers in the fields of a deck, read like Fortran's list-directed input."""
 
 from __future__ import annotations
 
@@ -19,12 +19,11 @@ Spot = tuple[int, int]
 """Line and column, from 1."""
 _WRITTEN = r"[-+]?\.?[0-9][-+.0-9EDQЕ*]*(?=[\s,:%]|\Z)"
 TOKEN = re.compile(
-    # blanks around the sign are permitted only if no word follows, because the sign could begin a
-    # comment
+    # blanks around the sign only where no word follows, as the sign could begin a comment
     rf"{_WRITTEN}\s*(?::\s*{_WRITTEN}|%)(?=\s*(?:,\s*)?(?:\Z|{_WRITTEN}))|[^\s,]+|,",
     re.IGNORECASE,
 )
-"""Pattern of a token: a number, ratio, percentage, comma or word."""
+"""Pattern of a token: a number, a ratio, a percentage, a comma or a word."""
 REPEATED = r"([0-9]{1,18})\*(.+)"
 INTEGER = re.compile(r"[+-]?[0-9]+")
 REAL = re.compile(r"([+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+))(?:[EDQ]([+-]?[0-9]+)|([+-][0-9]+))?")
@@ -35,7 +34,7 @@ LONGEST_DECK_NUMBER = 1000
 
 
 class Token(NamedTuple):
-    """Token on a line of values: a number, comma or word."""
+    """Number, comma or word on a line of values."""
 
     text: str
     line: int
@@ -48,12 +47,12 @@ class Token(NamedTuple):
 
     @property
     def after(self) -> int:
-        """Column after the token."""
+        """Column behind the token."""
         return self.column + len(self.text)
 
 
 class NotANumberError(ValueError):
-    """Error of a token that is not a number; the message states what was expected."""
+    """Error about a token that is not a number, with the expected number in the message."""
 
 
 def integer(text: str) -> int:
@@ -95,14 +94,14 @@ def real(text: str) -> float:
 
 
 def worked_out(calculation: str) -> float:
-    """Return the result of a calculation such as -96/39, as permitted in all formats of cases.
+    """Return the result of a calculation, as written in other formats of cases.
 
     Raises
     ------
     NotANumberError
-        If the text is not a calculation, or if the result is too large for a number.
+        If the text is not a calculation, or overflows.
     """
-    from vstatics.core.readers.named.arithmetic import dimensionless  # slow to import
+    from vstatics.core.readers.named.arithmetic import dimensionless  # costs start-up time
 
     try:
         return dimensionless(calculation)
@@ -121,7 +120,7 @@ def _fortran_number(text: str) -> float:
 
 
 def value_lines(scan: Scan, field: Field) -> Iterator[tuple[int, str, int, int]]:
-    """Yield line number, text, start and end of each line with values of a field."""
+    """Yield number, text, start and end of each line of a field's values, to the next field."""
     following = bisect_right(scan.stops, field.line)
     last = scan.stops[following] - 1 if following < len(scan.stops) else scan.last
     lines = scan.source.lines
@@ -134,7 +133,7 @@ def value_lines(scan: Scan, field: Field) -> Iterator[tuple[int, str, int, int]]
 
 
 def token_lines(scan: Scan, field: Field) -> Iterator[list[Token]]:
-    """Yield the tokens of each line with values of a field, without blank lines."""
+    """Yield the tokens of each line of a field's values, without blank lines."""
     for number, text, start, end in value_lines(scan, field):
         matches = TOKEN.finditer(text, start, end)
         tokens = [Token(match[0], number, match.start() + 1) for match in matches]
@@ -143,7 +142,7 @@ def token_lines(scan: Scan, field: Field) -> Iterator[list[Token]]:
 
 
 def plain_numbers(text: str, parse: Parse[Number]) -> tuple[Number, ...] | None:
-    """Return the numbers of a text, separated by blanks; None if the text has other words."""
+    """Return the numbers of a text, separated by blanks; `None` if the text contains words."""
     try:
         return tuple(map(parse, text.split()))
     except NotANumberError:
@@ -151,7 +150,7 @@ def plain_numbers(text: str, parse: Parse[Number]) -> tuple[Number, ...] | None:
 
 
 def repeated(token: Token, parse: Parse[Number]) -> tuple[int, Number]:
-    """Return the repeat count and the number of a token such as 3*0.98.
+    """Return the repeat count and the number of a token, without expanding the repetition.
 
     Raises
     ------
@@ -172,7 +171,7 @@ def numbers_alone(tokens: Sequence[Token]) -> bool:
 
 
 def leading_numbers(tokens: Sequence[Token]) -> int:
-    """Return the count of numbers before the first token that is not a number."""
+    """Return how many numbers precede the first token that is not a number."""
     total = 0
     for token in tokens:
         if token.text != ",":
@@ -189,13 +188,13 @@ def is_number(token: Token) -> bool:
 
 
 def is_attempt(token: Token) -> bool:
-    """Check whether a token is a number or a mistyped number, rather than prose."""
+    """Check whether a token is a number or a mistyped number, not a word of prose."""
     word = token.text.lstrip("+-").upper()
     return word in ("NAN", "INF", "INFINITY") or any(sign in "0123456789" for sign in word)
 
 
 def starts_values(tokens: Sequence[Token]) -> bool:
-    """Check whether a line begins with a number or a mistyped number, rather than prose."""
+    """Check whether a line starts with a number or a mistyped number, and so is not prose."""
     words = (token for token in tokens if token.text != ",")
     return any(is_attempt(token) for token in islice(words, 1))
 

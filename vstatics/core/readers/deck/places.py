@@ -1,4 +1,4 @@
-"""Fields of a deck that define the components of a case, for the places of problems."""
+"""Fields of a deck that give the parts of a model, for the places of problems."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from vstatics.core.readers.deck.table import FIELDS
 from vstatics.core.readers.reading import Source
 
 LISTS = {(field.part, field.member): key for key, field in FIELDS.items()}
-"""Name of each list in a deck, by component kind and attribute of the case."""
+"""Name of each list by part and attribute of the model."""
 WHOLE = {
     "links": "KJG",
     "link_names": "KJG",
@@ -32,11 +32,11 @@ class Places:
     def __init__(self, source: Source) -> None:
         self.source = source
         self.named: list[tuple[Iterable[str], Callable[[], Iterable[Spot]]]] = []
-        """Labels of values, with functions that return the places of the values when needed."""
+        """Labels of values with the function that returns their places, called when needed."""
         self.planet: dict[int, int] = {}
-        """Position of each mechanism with a special planet ratio in the deck's list NNM."""
+        """Position of each non-standard mechanism in the deck's list NNM."""
         self.given: dict[tuple[str, int, int], int] = {}
-        """Position of each given speed in the deck's list NWZ, or given torque in the list NMZ.
+        """Position of each given speed in the deck's list NWZ, and of each given torque in NMZ.
 
         The keys are ``("speeds", gear, link)`` and ``("torques", gear, link)``.
         """
@@ -44,14 +44,14 @@ class Places:
 
     @property
     def spots(self) -> dict[str, Spot]:
-        """Place of each value, by label."""
+        """Place of each value by label."""
         for names, places in self.named:
             self._spots.update(zip(names, places(), strict=True))
         self.named.clear()
         return self._spots
 
     def locate(self, problem: Problem) -> Problem:
-        """Add the place and the name of the field to a problem of the case."""
+        """Add the place and the field name to a problem of the model."""
         if problem.place is not None or not problem.path:
             return problem
         spots = self.spots
@@ -62,7 +62,7 @@ class Places:
         return problem
 
     def _labels(self, problem: Problem) -> list[str]:
-        """Return the labels of the values that can cause a problem, the most likely first."""
+        """Return the labels of the fields that can cause a problem, the most likely first."""
         part, *below = problem.path
         number = below[0] if below and isinstance(below[0], int) else 0
         inner = tuple(below[1:])
@@ -95,7 +95,7 @@ class Places:
 
 
 def label_in(key: str, number: int) -> str:
-    """Return the label of the value with a number in a list.
+    """Return the label of a value in a list.
 
     >>> label_in("NZF(I,1)", 3), label_in("IAB", 3)
     ('NZF(3,1)', 'IAB(3)')

@@ -1,11 +1,11 @@
 """Reader of the deck, the input format of the published Visual-Statics example.
 
-`text` finds the fields, `values` reads their values and `fields` checks the number of values. This
-module builds the case.
+`text` finds the fields, `values` reads their values and `fields` checks their number. This module
+builds the transmission.
 
-The last deck without errors and warnings is remembered. If the next deck differs only in numbers of
-mechanisms, only the changed lines are read and checked. Otherwise, for example after an error, a
-deck is read in full.
+The last deck without errors and warnings is remembered. If the next deck differs only in the
+numbers of mechanisms, only the changed lines are read, and only these numbers are checked.
+In all other cases, for example after an error, a deck is read in full.
 """
 
 from __future__ import annotations
@@ -40,14 +40,14 @@ def read(data: bytes, file: str) -> Reading:
     Parameters
     ----------
     data : bytes
-        Text in UTF-8, Windows-1251, CP866 or KOI8-R.
+        The text in UTF-8, Windows-1251, CP866 or KOI8-R.
     file : str
         Name of the file, for messages.
 
     Returns
     -------
     Reading
-        Case with warnings, and with the places of all parts in the file.
+        The transmission, its warnings, and the places of its parts.
 
     Raises
     ------
@@ -69,8 +69,7 @@ def read(data: bytes, file: str) -> Reading:
             result = error
         problems = result.warnings if isinstance(result, Reading) else result.problems
         score = sum(problem.severity == "error" for problem in problems), len(problems)
-        # The damage of the text explains the errors equally well.
-        damaged = bool(damage) and score[0] <= fewest[0]
+        damaged = bool(damage) and score[0] <= fewest[0]  # the damage explains as many errors
         if best is None or score < fewest or damaged:
             best, fewest = result, score
         if fewest == (0, 0):
@@ -90,8 +89,8 @@ def _read_text(text: str, file: str, damage: Iterable[Problem]) -> Reading:
 
 
 def _read_lines(source: Source, damage: Iterable[Problem]) -> Reading:
-    """Read a deck in full, and remember the deck for the next call."""
-    global _known  # noqa: PLW0603 - the last deck
+    """Read a deck in full, and store the deck for the next call."""
+    global _known  # noqa: PLW0603 - the last deck, whose variants are read faster
     text, deck = source.text, scan(source)
     if not text.strip() or not deck.fields:
         message = "no field of a deck found, expected `KJG=` first"
@@ -102,14 +101,14 @@ def _read_lines(source: Source, damage: Iterable[Problem]) -> Reading:
     fields = Fields(deck, len(text))
     reading = finish(_parts(fields), deck.problems, fields.hidden, fields.places.locate)
     if not reading.warnings:
-        # Only a deck without repeat counts has at most as many values as characters.
+        # without repeat counts the number of values is at most the number of characters
         is_remembered = len(text) <= LONGEST_REMEMBERED_DECK and "*" not in text
         _known = KnownDeck(deck, reading.case, fields.places.planet) if is_remembered else None
     return reading
 
 
 def _parts(fields: Fields) -> dict[str, Any]:
-    """Return the arguments of `Transmission`, with stand-ins for unreadable values."""
+    """Read the arguments of `Transmission`, with stand-ins for unreadable values."""
     sizes = {
         "J": fields.size("KJG", "links (input and output)", 2),
         "F": fields.size("KL", "shift elements", 0),
@@ -117,8 +116,7 @@ def _parts(fields: Fields) -> dict[str, Any]:
         "P": fields.size("NP", "gears", 1),
     }
     if fields.optional(SPRINGS, 0, range(1), NO_SPRINGS) is None:
-        # Without the springs, which a deck lacks, links can seem unconnected.
-        fields.hidden.append(("links",))
+        fields.hidden.append(("links",))  # without their springs, links can appear unconnected
     names = _names(fields, sizes)
     elements = fields.or_guess(sizes["F"], "NZF(I,1)", "shift_elements")
     mechanisms = fields.or_guess(sizes["D"], "NZD(I,1)", "mechanisms")
@@ -153,7 +151,7 @@ def _parts(fields: Fields) -> dict[str, Any]:
 
 
 def _members(fields: Fields, part: str, count: int, names: dict[str, str]) -> list[dict[str, Any]]:
-    """Return the arguments of components of a kind, from the lists of a deck and lines of names."""
+    """Read the members of some parts from the lists of a deck and the lines of names."""
     members: list[dict[str, Any]] = [
         {"name": names.get(f"{KINDS[part]}{number}", "")} for number in range(1, count + 1)
     ]
@@ -168,7 +166,7 @@ def _members(fields: Fields, part: str, count: int, names: dict[str, str]) -> li
 
 
 def _planets(fields: Fields, mechanisms: int) -> dict[int, float]:
-    """Return the planet ratio of each mechanism with a special planet ratio, by number."""
+    """Return the planet ratio of each non-standard mechanism by number."""
     count = fields.optional("KNM", 0, range(mechanisms + 1), f"0 to {mechanisms} (KG)")
     every: list[Path] = [("mechanisms", number) for number in range(1, mechanisms + 1)]
     if count is None:
@@ -211,7 +209,7 @@ def _gears(fields: Fields, count: int, names: dict[str, str]) -> list[Gear]:
 def _given(
     fields: Fields, gears: int, part: str, keys: tuple[str, str, str]
 ) -> list[dict[int, float]]:
-    """Return the given speeds or torques of each gear, by number of the link."""
+    """Return the extra speeds or torques of each gear, by links."""
     counted, name, amount = keys
     counts = fields.counts(counted, gears, required=False)
     links, unreadable = fields.rows(name, counts, counted, integer)
@@ -267,7 +265,7 @@ def _names(fields: Fields, sizes: dict[str, int | None]) -> dict[str, str]:
 
 
 def _links_above_all(parts: dict[str, Any]) -> int:
-    """Return a number of links that no link number exceeds, for a deck with unreadable KJG."""
+    """Return a number of links above every link number, for a deck whose KJG is unreadable."""
     links: list[int] = [2, parts["input"], parts["output"]]
     for element in parts["shift_elements"]:
         links += [element.first, element.second]
@@ -279,17 +277,17 @@ def _links_above_all(parts: dict[str, Any]) -> int:
 
 
 class KnownDeck:
-    """Remembered deck without errors and warnings, whose variants are read faster."""
+    """Deck without errors and warnings, whose variants are read faster."""
 
     def __init__(self, scan: Scan, case: Transmission, planets: Iterable[int]) -> None:
-        """Remember the lines of a deck; `planets` are the mechanisms in the list UAQ, in order."""
+        """Remember the lines; `planets` are the numbers of the mechanisms in UAQ, in order."""
         self.scan = scan
         self.case = case
         self.planets = [number - 1 for number in planets]
 
     @cached_property
     def numbers(self) -> Mapping[int, tuple[str, Sequence[int]]]:
-        """Attribute and indices of mechanisms on each line that only has plain numbers, by line."""
+        """Attribute and indices of mechanisms by line, for lines of plain numbers."""
         every = range(len(self.case.mechanisms))
         known = {}
         for key, part, owners in (
@@ -308,10 +306,9 @@ class KnownDeck:
         return known
 
     def variant(self, lines: Sequence[str]) -> Transmission | None:
-        """Return the case of a deck with changed lines; None if the deck must be read in full.
+        """Return the case of a deck with these lines, or `None`.
 
-        A deck must be read in full if lines without numbers of mechanisms differ, or warnings
-        occur.
+        None means that the deck must be read in full, as other lines differ or there are warnings.
         """
         before = self.scan.source.lines
         if len(lines) != len(before):

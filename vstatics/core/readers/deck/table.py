@@ -1,4 +1,4 @@
-"""Lists of a deck with a value for each component or gear, for the reader and the writer."""
+"""Lists of a deck with a value for each part of a kind, used by the reader and the writer."""
 
 from __future__ import annotations
 
@@ -6,21 +6,20 @@ from typing import NamedTuple
 
 
 class DeckList(NamedTuple):
-    """List of a deck with a value for each component of a kind, or for each gear.
+    """List of a deck with a value for each part of a kind.
 
     >>> FIELDS["IAB"].part, FIELDS["IAB"].member, FIELDS["IAB"].size
     ('mechanisms', 'ratio', 'KG')
     """
 
     part: str
-    """Attribute of the case that contains these: ``mechanisms``, ``shift_elements`` or ``gears``.
-    """
+    """Name of the parts in the model: ``mechanisms``, ``shift_elements`` or ``gears``."""
     member: str
-    """Attribute of each component or gear that has the values, such as ``ratio``."""
+    """Attribute of each part that has its values in the list, such as ``ratio``."""
     size: str
-    """Name of the field that gives the number of values."""
+    """Field that gives the number of values."""
     heading: str
-    """Line of text above the list in a written deck."""
+    """Line above the list in a written deck."""
     kind: type[float] = int
     """Type of the values; a list of floats is written on several lines."""
 
@@ -40,6 +39,4 @@ FIELDS = {
     "INP(I)": DeckList("gears", "input", "NP", "Input link in each gear (0: that of the case):"),
     "IOUT(I)": DeckList("gears", "output", "NP", "Output link in each gear (0: that of the case):"),
 }
-"""Lists by the names that messages use, in the order of a written deck; lists of gears are
-optional.
-"""
+"""Lists by their names in messages, in the order of a template; lists for gears are optional."""

@@ -1,7 +1,7 @@
-"""Text of a deck: detection of the encoding, and search for the fields.
+"""Text of a deck: the encoding, and the places of the fields.
 
-A field begins a line with its name, followed by ``(`` or ``=``. Blanks within the name, and
-Cyrillic letters that look like Latin letters, are accepted. All other text is prose.
+A field is recognised only at the start of a line, before ``(`` or ``=``. Blanks inside its name
+and Cyrillic letters that look like Latin letters are accepted. All other text is prose.
 """
 
 from __future__ import annotations
@@ -21,17 +21,17 @@ SPRINGS = "KSPR"
 SPRING = "SPRING "
 """First word of the line of each spring, below `SPRINGS`."""
 SCALARS = {"KJG", "KL", "KG", "KNM", "NP", "INP", "IOUT", "IDLE", "COAST", SPRINGS}
-"""Fields with a single value and without an index list; a line can contain several."""
+"""Fields of a single value, without an index list; several can share a line."""
 
 LISTS = {
     *("NZF", "NZD", "IAB", "ETAI", "NNM", "UAQ", "KFRI", "NFRI"),
     *("KWZ", "NWZ", "WZ", "KMZ", "NMZ", "AMZ"),
 }
 GEAR_LISTS = {"INP": "INP(I)", "IOUT": "IOUT(I)"}
-"""Lists with the same name as a scalar field, recognised by the index list."""
+"""Lists with the name of a scalar, recognised only with an index list."""
 
 PARTS = {"NZF": ("1", "2"), "NZD": ("1", "2", "3")}
-"""Fields that consist of several lists with different second indices."""
+"""Fields that consist of several lists, distinguished by the second index."""
 
 LATIN = str.maketrans("АВЕКМНОРСТУХІЈЅԚԜ", "ABEKMHOPCTYXIJSQW")
 
@@ -45,7 +45,7 @@ WORD = re.compile(r"[^\s,;()]+")
 
 
 class Field(NamedTuple):
-    """Field of a deck, with the place of the values."""
+    """Field of a deck, and the place of the values."""
 
     key: str
     line: int
@@ -53,23 +53,23 @@ class Field(NamedTuple):
     value: int
     """Offset of the first value in the line."""
     end: int | None = None
-    """Offset of the end of the values, if another field follows on the line."""
+    """Offset of the end of the values if a second field follows on the line."""
 
 
 class Scan:
-    """Fields and names found in a text, in order, with errors."""
+    """Fields and names found in a text, in order, with the errors."""
 
     def __init__(self, source: Source, last: int) -> None:
-        """Begin with nothing found; `last` is the number of the last line of the input."""
+        """Start an empty scan; `last` is the number of the last line of the input."""
         self.source = source
         self.last = last
         self.fields: dict[str, Field] = {}
         self.stops: list[int] = []
-        """Numbers of lines with a field or a name, where the values of the previous field end."""
+        """Numbers of lines with a field or a name, which end the values of the field before."""
         self.names: list[tuple[str, str, str, int, int]] = []
-        """Kind, number and name from each line such as ``NAME F3: C1``, with line and column."""
+        """Kind, number and name of each line such as ``NAME F3: C1``, with line and column."""
         self.unknown: dict[str, int] = {}
-        """Line of each unknown word where a field could begin, for hints."""
+        """Line of each unknown word at the place of a field, for hints."""
         self.broken: set[str] = set()
         """Names of fields with a wrong second index."""
         self.problems: list[Problem] = []
@@ -102,7 +102,7 @@ def texts(data: bytes, file: str) -> Iterator[tuple[str, list[Problem]]]:
     try:
         yield with_plain_blanks(data.decode("utf-8-sig")), []
     except UnicodeDecodeError as error:
-        from vstatics.core.readers.deck.encodings import in_each_encoding  # slow to import
+        from vstatics.core.readers.deck.encodings import in_each_encoding  # costs start-up time
 
         for text in in_each_encoding(data):
             yield with_plain_blanks(text), []
@@ -114,7 +114,7 @@ def _unreadable(file: str, message: str) -> ReadError:
 
 
 def _damaged(data: bytes, start: int, file: str) -> tuple[str, list[Problem]]:
-    """Decode the text as damaged UTF-8, so that a truncated file stays readable."""
+    """Decode the text as damaged UTF-8, so that a cut file does not become gibberish."""
     before = Source(file, data[:start].decode("utf-8-sig")).lines
     text = data.decode("utf-8-sig", errors="replace")
     message = f"byte 0x{data[start]:02X} is not UTF-8 here: the file is damaged or cut off"
@@ -124,7 +124,7 @@ def _damaged(data: bytes, start: int, file: str) -> tuple[str, list[Problem]]:
 
 
 def decode(data: bytes, file: str) -> str:
-    """Decode a deck or a report by the encoding in which most lines begin with a field.
+    """Decode a deck or a report, by the encoding in which most lines start with a field.
 
     Raises
     ------
@@ -157,7 +157,7 @@ def head(line: str) -> str:
 
 
 def scan(source: Source) -> Scan:
-    """Find the fields and names of a deck."""
+    """Find the fields and the names of a deck."""
     result = Scan(source, len(source.lines))
     for number, line in enumerate(source.lines, 1):
         kind, what = _meaning(line) if len(line) <= KEPT_CHARACTERS else _read_line(line)
@@ -185,11 +185,11 @@ def scan(source: Source) -> Scan:
 
 
 def _read_line(line: str) -> tuple[str, Any]:
-    """Return the kind and the contents of a line, regardless of other lines.
+    """Return the kind and the contents of a line, which depend on no other line.
 
     The kinds are ``result``; ``fields``, each with its key, column, and offsets of its values; a
     ``broken`` field with its name, column and message; a ``name`` with its kind, number, text and
-    column; an unknown ``word`` where a field could begin; and an empty text for other lines.
+    column; an unknown ``word`` at the place of a field; and an empty text for other lines.
     """
     kind, word, start = _opening(line)
     if kind == "result":
@@ -205,14 +205,12 @@ def _read_line(line: str) -> tuple[str, Any]:
 
 
 KEPT_CHARACTERS = 200
-"""Largest number of characters of a line whose contents are cached, as decks often share short
-lines.
-"""
+"""Largest number of characters of a line whose meaning is cached; many decks share short lines."""
 _meaning = lru_cache(maxsize=2000)(_read_line)
 
 
 def _only_report(result: Scan, first: int) -> None:
-    """Add an error if a second report follows in the text."""
+    """Add an error if a second report follows the first."""
     for number, line in enumerate(result.source.lines[first:], first + 1):
         if head(line) == "KJG":
             result.error("KJG: another case begins here, expected a single case in a file", number)
@@ -220,14 +218,14 @@ def _only_report(result: Scan, first: int) -> None:
 
 
 def _opening(line: str) -> tuple[str, str, int]:
-    """Return the kind of a line, the first word, and the offset of the sign after the word.
+    """Return the kind of a line, the first word, and the offset of the sign behind the word.
 
     The kinds are ``scalar``, ``list``, ``result`` and an empty text.
     """
     start = len(line) - len(line.lstrip())
     start += line.startswith("(", start)
     ends = [end for end in (line.find("(", start), line.find("=", start)) if end >= 0]
-    if not ends or min(ends) - start > 40:  # names are short, even with misplaced blanks
+    if not ends or min(ends) - start > 40:  # names are short, even with stray blanks
         return "", "", start
     end = min(ends)
     word, opens = latin("".join(line[start:end].split())), line[end] == "("
@@ -251,7 +249,7 @@ def _squeezed(match: re.Match[str]) -> str:
 
 
 def _add(result: Scan, new: Field) -> None:
-    """Add a field, or an error if the field was already given."""
+    """Add a field, or an error if the field was given before."""
     if not result.stops or result.stops[-1] != new.line:
         result.stops.append(new.line)
     first = result.fields.setdefault(new.key, new)
@@ -263,7 +261,7 @@ def _add(result: Scan, new: Field) -> None:
 
 
 def _scalars(line: str) -> tuple[tuple[str, int, int, int | None], ...]:
-    """Find all single-value fields of a line such as ``KJG= 6 KL= 5 KG= 3 KNM = 2``."""
+    """Find all fields of a line such as ``KJG= 6 KL= 5 KG= 3 KNM = 2``."""
     heads = []
     before = 0
     for equals in re.finditer("=", line):
@@ -281,14 +279,14 @@ def _scalars(line: str) -> tuple[tuple[str, int, int, int | None], ...]:
 
 
 def _list(line: str, start: int, name: str) -> tuple[str, Any]:
-    """Return the name of a list such as ``IAB(I),I=1,KG:``; colon and index list are optional."""
+    """Read the name of a list such as ``IAB(I),I=1,KG:``; colon and index list can be missing."""
     column = len(line) - len(line.lstrip()) + 1
     key, value, index = GEAR_LISTS.get(name, name), start + 1, ""
     if line[start] == "(":
         match = INDEX_LIST.match(line, start)
         if match is not None:
             value, index = match.end(), _squeezed(match)
-        if match is None or not match[2]:  # the colon is missing, or the index list is broken
+        if match is None or not match[2]:  # there is no colon, or the index list is broken
             colon = line.find(":", value)
             starts_value = line[value:].lstrip(" \t,").startswith(tuple("-+.0123456789"))
             value = value if colon < 0 or starts_value else colon + 1
@@ -304,7 +302,7 @@ def _list(line: str, start: int, name: str) -> tuple[str, Any]:
 
 
 def _name_line(line: str) -> tuple[str, str, str] | None:
-    """Return kind, number and name from a line such as ``NAME F3: C1``; None for other lines."""
+    """Return kind, number and name of a line such as ``NAME F3: C1``, or `None`."""
     before, colon, name = line.partition(":")
     short = colon and len(before) < 40 and before.lstrip()[:1] in ("N", "n")
     match = re.fullmatch(NAME_LINE, latin(before)) if short else None

@@ -1,4 +1,4 @@
-"""Reader of the values in a field of a deck, which checks their number and stores their places."""
+"""Reading of the values in a field of a deck: their number is checked, and each has a place."""
 
 from __future__ import annotations
 
@@ -31,11 +31,11 @@ from vstatics.core.readers.deck.numbers import (
 from vstatics.core.readers.deck.text import KEPT_CHARACTERS, Field, Scan
 
 _CALCULATES = {sign: sign for sign in "%:/*+-"} | {"x": "*", "×": "*", "÷": "/"}
-"""Signs by which a calculation continues, with the corresponding operators in YAML and JSON."""
+"""Signs that can continue a number as a calculation, with the equal operators of YAML and JSON."""
 _DIGITS = tuple("0123456789")
 
 STAND_IN = "-1"
-"""Text that replaces an unreadable value; no link or component has the number -1."""
+"""Text that replaces an unreadable value; -1 is the number of no link and no other part."""
 
 
 class Values(NamedTuple, Generic[Number]):
@@ -43,22 +43,20 @@ class Values(NamedTuple, Generic[Number]):
 
     numbers: list[Number]
     spots: Callable[[], list[Spot]]
-    """Function that returns the places of all values, called only if a place is needed."""
+    """Function that returns the place of each value; few places are ever needed."""
     unreadable: set[int]
-    """Positions, from 0, of values that are missing, unreadable, or in a field with too many
-    values.
-    """
+    """Positions, from 0, of values that are missing, unreadable, or in a field with too many."""
 
 
 class Wanted(NamedTuple):
-    """Description of the values that a field must contain."""
+    """Values that a field must contain."""
 
     name: str
     label: Callable[[int], str]
-    """Function that returns the label of a value by position from 0, such as ``IAB(1)``."""
+    """Function that returns the label of a value, such as ``IAB(1)``, by position from 0."""
     need: int
     why: str
-    """Name of the field that gives the number of values, such as ``KG``."""
+    """Field that gives the number of values, such as ``KG``."""
 
 
 def take(scan: Scan, field: Field, wanted: Wanted, parse: Parse[Number]) -> Values[Number]:
@@ -70,7 +68,7 @@ def take(scan: Scan, field: Field, wanted: Wanted, parse: Parse[Number]) -> Valu
 def _take_with_care(
     scan: Scan, field: Field, wanted: Wanted, parse: Parse[Number]
 ) -> Values[Number]:
-    """Read a field that has faults or repeat counts, token by token."""
+    """Read a field with faults or repeat counts token by token."""
     ending = partial(_ending, scan, field)
     taker = _ValueReader(scan, (field.line, field.value + 1), wanted, parse, ending)
     return taker.take(token_lines(scan, field))
@@ -83,7 +81,7 @@ def take_rows(
     counted: str,
     parse: Parse[Number],
 ) -> Values[Number]:
-    """Read the values of all gears, from a single line or from a separate line for each gear."""
+    """Read the values of all gears, on a single line or on a line for each gear with values."""
     plain = _plain(scan, field, sum(counts), parse)
     if plain is not None and (len(plain[1]) < 2 or plain[1] == [n for n in counts if n]):
         return plain[0]
@@ -134,10 +132,10 @@ _cached_plain_numbers = lru_cache(maxsize=2000)(plain_numbers)
 def _plain(
     scan: Scan, field: Field, need: int, parse: Parse[Number]
 ) -> tuple[Values[Number], list[int]] | None:
-    """Read a field of plain numbers quickly; also return the count of numbers on each line.
+    """Read a field of plain numbers quickly, and return how many numbers each line has.
 
-    The result is None unless the field has exactly `need` plain numbers, with prose only on later
-    lines; then each token must be checked.
+    Return None unless the field contains exactly `need` plain numbers, followed only by prose on
+    later lines; then each token must be checked.
     """
     numbers: list[Number] = []
     counts = []
@@ -168,7 +166,7 @@ def _plain(
 
 
 def _rows(scan: Scan, field: Field, expected: int) -> list[list[Token]]:
-    """Return the tokens of each line of a field, up to the first line of prose."""
+    """Return the lines of numbers of a field, up to the first line of prose."""
     rows: list[list[Token]] = []
     for tokens in token_lines(scan, field):
         if not numbers_alone(tokens) and (len(rows) >= expected or not starts_values(tokens)):
@@ -178,7 +176,7 @@ def _rows(scan: Scan, field: Field, expected: int) -> list[list[Token]]:
 
 
 def _row(key: str, gear: int, need: int, counted: str) -> Wanted:
-    """Return the description of the values of a gear on a separate line."""
+    """Return the description of the values of a gear whose values are on a separate line."""
 
     def label(position: int) -> str:
         return f"{key}({position + 1},{gear})"
@@ -187,7 +185,7 @@ def _row(key: str, gear: int, need: int, counted: str) -> Wanted:
 
 
 def _ending(scan: Scan, field: Field, line: int) -> str:
-    """Describe what follows the values from a line on: prose, a field, or the end of the text."""
+    """Describe the text behind the values from a line on: prose, a field, or the end."""
     lines = scan.source.lines
     if field.end is not None:
         return f"'{lines[field.line - 1][field.end - 1 :].strip()[:30]}'"
@@ -221,10 +219,10 @@ class _ValueReader(Generic[Number]):
         self.after_comma = True
         self.failed = False
         self.complete_at = 0
-        """Number of the line on which the field is complete, if mistyped values are counted."""
+        """Line on which the field is complete, if mistyped values are counted."""
 
     def take(self, lines: Iterable[list[Token]]) -> Values[Number]:
-        """Read all values, and check their number."""
+        """Read all values, and check the number of values."""
         for tokens in lines:
             later = tokens[0].line > self.start[0]
             if later and self.total >= self.need and not numbers_alone(tokens):
@@ -240,7 +238,7 @@ class _ValueReader(Generic[Number]):
         return Values(self.numbers, lambda: self.spots, self.unreadable)
 
     def _line(self, tokens: list[Token]) -> bool:
-        """Read the values of a line; return whether more values can follow on the next line."""
+        """Read the values of a line; return whether more can follow below."""
         for position, token in enumerate(tokens):
             if token.text == ",":
                 if not self._comma(token):
@@ -252,7 +250,7 @@ class _ValueReader(Generic[Number]):
             except NotANumberError as error:
                 if self.total >= self.need and not is_number(token):
                     self._check_behind(tokens[:position], tokens[position:])
-                    return False  # prose follows the last value
+                    return False  # prose behind the last value
                 if self.total < self.need and not self._wrong(token, error, tokens[position:]):
                     return False
                 count, number = 1, self.parse(STAND_IN)
@@ -266,7 +264,7 @@ class _ValueReader(Generic[Number]):
         return True
 
     def _check_behind(self, before: list[Token], behind: list[Token]) -> None:
-        """Report an operator after the last value, which would otherwise be taken for prose."""
+        """Report an operator behind the last value, which would otherwise pass for prose."""
         if self.parse is not real or not before or before[-1].text == ",":
             return
         sign = behind[0].text[0]
@@ -311,7 +309,7 @@ class _ValueReader(Generic[Number]):
         self.failed = True
 
     def _count(self) -> None:
-        """Report too few or too many values in the field."""
+        """Report too few or too many values."""
         expected = (
             f"expected {self.need} ({self.wanted.why})" if self.wanted.why else "expected one"
         )
@@ -327,7 +325,7 @@ class _ValueReader(Generic[Number]):
             self.unreadable.update(range(self.need))
 
     def _hint(self, last: int) -> str:
-        """Return a hint about decimal commas, if lines contain such commas."""
+        """Return a hint on decimal commas if the lines contain any."""
         first, column = self.start
         lines = self.scan.source.lines[first - 1 : last]
         lines[0] = lines[0][column - 1 :]

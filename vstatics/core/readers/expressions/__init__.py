@@ -1,7 +1,7 @@
 """Formulas of sweeps and scenarios: text -> tree -> values.
 
-`excerpt` is a part of a text with its place. `grammar` parses it to a tree whose leaves are
-`operands`, with names as written. `evaluation` calculates the values of the tree on arrays.
+`excerpt` is a text with its place. `grammar` parses the text into a tree whose leaves are
+`operands`, without resolving names. `evaluation` calculates the values of the tree on arrays.
 
 >>> from vstatics.core.readers.expressions.excerpt import Excerpt
 >>> from vstatics.core.readers.expressions.grammar import Language, parse

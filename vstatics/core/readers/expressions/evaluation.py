@@ -1,7 +1,7 @@
-"""Evaluation of a formula: operators and functions on arrays, for all variants at once.
+"""Values of a formula: operators and functions on arrays, for all variants at once.
 
 Every value has the axes (..., gears, rows), as in `Results`. If a formula does not depend on gears
-or rows, that axis has length 1, and NumPy broadcasts it.
+or rows, the axis has the length 1, so that NumPy broadcasts it to the other operand.
 """
 
 from __future__ import annotations
@@ -24,11 +24,11 @@ FUNCTIONS = ("min", "max", "abs", "sum", "sqrt")
 REDUCTIONS = ("min", "max", "sum")
 """Functions that reduce all gears and rows of a single operand to a number."""
 LAST = "last"
-"""Function that returns the last value of a quantity over time, only in runs of a scenario."""
+"""Function that returns the final value of a quantity over time, in runs of a scenario only."""
 
 
 def evaluate(formula: Any, value_of: Callable[[Any], Floats]) -> Floats:
-    """Calculate the values of a formula for all variants.
+    """Calculate the values of a formula.
 
     Parameters
     ----------
@@ -41,8 +41,8 @@ def evaluate(formula: Any, value_of: Callable[[Any], Floats]) -> Floats:
     Returns
     -------
     ndarray, shape (..., gears or 1, rows or 1)
-        Values; 1 and 0 mean true and false. The array can be a view of a result of `value_of`.
-        Leading axes are missing if the values are equal for all variants.
+        1 and 0 for true and false. The array can be a view of a result of `value_of`. Leading
+        axes are missing if the values are equal for all variants.
 
     Examples
     --------
@@ -58,7 +58,7 @@ def evaluate(formula: Any, value_of: Callable[[Any], Floats]) -> Floats:
 
 
 def _values(part: Any, value_of: Callable[[Any], Floats]) -> Values:
-    # Recursion at module level: a nested function would keep a reference to the results.
+    # recursion at module level: a nested function would keep a reference to the results
     if isinstance(part, Applied) and part.name in OPERATIONS:
         return OPERATIONS[part.name]([_values(operand, value_of) for operand in part.operands])
     return np.array([[part.value]]) if isinstance(part, Constant) else value_of(part)
@@ -79,7 +79,7 @@ def _numbers(values: Values) -> Floats:
 
 
 def _unequal(first: Floats, second: Floats) -> Booleans:
-    """Return true where two numbers differ; unlike in NumPy, false if either is NaN."""
+    """Return true where two numbers differ, and false if either is NaN, unlike NumPy."""
     unequal: Booleans = (first < second) | (first > second)
     return unequal
 
@@ -97,7 +97,7 @@ def _of_numbers(
 def _extreme(propagating: np.ufunc, ignoring: np.ufunc) -> Function:
     """Return the function for the smallest or largest value of the operands.
 
-    A single operand is reduced over all gears and rows. `propagating` is fast, but the result is
+    A single operand is reduced over all gears and rows. `propagating` is fast, but its result is
     NaN if any value is NaN; `ignoring` skips NaN.
     """
 
@@ -110,7 +110,7 @@ def _extreme(propagating: np.ufunc, ignoring: np.ufunc) -> Function:
 
 
 def _over_all(values: Floats, propagating: Any, ignoring: Any) -> Floats:
-    """Reduce gears and rows to a number; use the slower function for variants with NaN."""
+    """Reduce gears and rows to a number; repeat the variants with NaN by the slower function."""
     reduced: Floats = propagating(values, axis=(-2, -1), keepdims=True)
     has_nan = np.isnan(reduced[..., 0, 0])
     if has_nan.any():
@@ -155,4 +155,4 @@ OPERATIONS: Mapping[str, Function] = {
     LAST: _of_number(lambda numbers: numbers[..., -1:, :]),
     "sum": _of_number(lambda numbers: _over_all(numbers, np.add.reduce, _sum_ignoring_nan)),
 }
-"""Functions on arrays, by the name of the operator or function in formulas."""
+"""Functions on arrays by the name of the operator or function."""

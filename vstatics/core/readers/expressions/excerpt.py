@@ -1,4 +1,4 @@
-"""Excerpt of a text that contains a formula, with the places of characters."""
+"""Excerpt of a text that contains a formula, with places in the excerpt."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from vstatics.core.errors import Place, ReadError
 
 
 class Excerpt(NamedTuple):
-    """Part of the text of an option, which contains a formula."""
+    """Part of a text that was given to an option."""
 
     text: str
     option: str
@@ -28,7 +28,7 @@ class Excerpt(NamedTuple):
         return self.text[self.start : self.end]
 
     def end_of(self, pattern: re.Pattern[str], at: int) -> int:
-        """Return the offset after a match of a pattern at `at`, or `at` without a match."""
+        """Return the offset behind a match of a pattern at `at`, or `at` without a match."""
         match = pattern.match(self.text, at, self.end)
         return match.end() if match else at
 
@@ -37,9 +37,9 @@ class Excerpt(NamedTuple):
         return self.text.startswith(sign, at, self.end)
 
     def error(self, message: str, at: int) -> ReadError:
-        """Return an error at an offset in the whole text, from 0."""
+        """Return an error at an offset into the text, from 0."""
         return ReadError("E105", message, place=self.place(at))
 
     def place(self, at: int) -> Place:
-        """Return the place of an offset in the whole text, from 0."""
+        """Return the place of an offset into the text."""
         return Place(self.option, 1, at + 1, self.text)

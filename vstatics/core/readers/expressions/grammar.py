@@ -1,12 +1,12 @@
-"""Parser of formulas: converts a text to a tree that contains names as written.
+"""Grammar of formulas: parses a text into a tree, without resolving names.
 
 Operators from the weakest to the strongest binding::
 
     or | and | not x | < <= > >= == != | + - | * / | -x +x | ** (^)
 
 An operand is a number, a name (see `operands`), `(x)` or `function(x, ...)`. The parser uses
-precedence climbing: after an operand it reads all operators that bind at least as strongly as
-required, each with the stronger operations to the right.
+precedence climbing: it reads an operand, then all operators behind it that bind at least as
+strongly as required, each with the stronger operations to its right.
 """
 
 from __future__ import annotations
@@ -34,9 +34,9 @@ MOST_FORMULA_CHARACTERS = 2000
 MOST_FORMULA_BRACKETS = 50
 """Maximum number of brackets that can be open at once."""
 MOST_DEPTH = 100
-"""Maximum number of nested operations, because trees are walked by recursion."""
+"""Maximum number of nested operations, since trees are walked by recursion."""
 MOST_TREE_PARTS = 10_000
-"""Maximum number of nodes of a tree; the middle operands of chained comparisons count twice."""
+"""Maximum number of parts of a tree; the middle operands of a chain of comparisons count twice."""
 
 _LOGIC = ("or", "and")
 _COMPARISONS = ("<", "<=", ">", ">=", "==", "!=")
@@ -44,7 +44,7 @@ _POWERS = ("**", "^")
 _LEVELS = (("or",), ("and",), ("not",), _COMPARISONS, ("+", "-"), ("*", "/"), ("-x",), _POWERS)
 _BINDS = {sign: level for level, signs in enumerate(_LEVELS) for sign in signs}
 _PREFIXES = {"not": "not", "-": "-x", "+": "-x"}
-"""Signs before an operand, each with the operator that binds as strongly."""
+"""Signs that can precede an operand, each with the operator that binds as strongly."""
 _BINARY = _BINDS.keys() - set(_PREFIXES.values())
 _WORD_SIGNS = (*_LOGIC, "not")
 _SIGN = re.compile(r"\*\*|<>|[<>=!]=|//|&&|\|\||[-+*/<>(),=!&|^≤≥≠−–×·÷]")
@@ -54,39 +54,39 @@ _INSIDE = re.compile(r"[^)]*")
 
 
 class Applied(NamedTuple):
-    """Operator or function with operands, as a node of the tree."""
+    """Operator or function with the operands."""
 
     name: str
-    """Sign of the operator, `and`, `or`, `not`, `-x`, or the name of a function."""
+    """Sign, `and`, `or`, `not`, `-x`, or the name of a function."""
     operands: tuple[Any, ...]
-    """Trees of the operands; after names are resolved, meanings instead of names."""
+    """Trees; when names are resolved, the meanings of the names."""
     at: int
     depth: int
-    """Number of nested levels of the tree."""
+    """Number of nested levels."""
     parts: int = 1
-    """Number of nodes of the tree."""
+    """Number of parts of the tree."""
 
 
 Tree: TypeAlias = Constant | TableName | DottedName | Applied
 
 
 class Language(NamedTuple):
-    """Language of a formula: functions and operands, with descriptions for messages.
+    """Functions and operands that a formula can have, described for messages.
 
     Parameters
     ----------
     functions : collection of str
         Names of functions.
     operands : str
-        Description of operands, such as ``a number, or the time t``.
+        Description of an operand: ``a number, or the time t``.
     example : str
-        Example of an operand, such as ``t``.
+        An operand: ``t``.
     instead : str
-        Hint about an unknown function that does not resemble any known function.
+        Hint after an unknown function that resembles no known function.
     caret : bool
-        Whether ``x^2`` is accepted as a power; otherwise the message suggests ``x**2``.
+        Whether ``x^2`` is a power, too; otherwise the message suggests ``x**2``.
     of_names : collection of str
-        Functions whose argument is a quoted name, such as ``speed('out')``.
+        Functions of a quoted name: ``speed('out')``.
     """
 
     functions: Collection[str]
@@ -96,7 +96,7 @@ class Language(NamedTuple):
     caret: bool = False
     of_names: Collection[str] = ()
     quantity: Callable[[str, int], Constant | None] = lambda _text, _at: None
-    """Function that reads a number with a unit, such as ``20 km/h``, at an offset of a text."""
+    """Function that reads a number with a unit, such as ``20 km/h``, from a text and an offset."""
 
 
 def parse(source: Excerpt, language: Language) -> Tree:
@@ -110,8 +110,8 @@ def parse(source: Excerpt, language: Language) -> Tree:
     Returns
     -------
     Tree
-        Tree of the formula; ``a < b < c`` is ``a < b and b < c``, with one tree for both `b`;
-        ``x^2`` is ``x**2``.
+        A chain ``a < b < c`` has become ``a < b and b < c``, with one tree for both `b`;
+        ``x^2`` has become ``x**2``.
 
     Raises
     ------
@@ -140,20 +140,20 @@ class _Parser:
         self.language = language
         self.binary = _BINARY if language.caret else _BINARY - {"^"}
         self.calls: list[bool] = []
-        """Whether each open bracket encloses the arguments of a function."""
+        """Whether each open bracket belongs to a call."""
         self.take("", source.start)
 
     def take(self, read: str, end: int) -> None:
-        """Move to the offset after a text and the blanks behind the text."""
+        """Move behind a text and the blanks after the text."""
         self.before, self.end_of_before = read, end
         self.at = self.source.end_of(_BLANK, end)
 
     def matched(self, pattern: re.Pattern[str]) -> str:
-        """Match a pattern at the current offset, and return the matched text or ""."""
+        """Return the match of a pattern at the current offset, or an empty text."""
         return self.source.text[self.at : self.source.end_of(pattern, self.at)]
 
     def expression(self, least: int = 0, depth: int = 1) -> Tree:
-        """Read operands, and operators that bind at least as strongly as `least`."""
+        """Read operands and operators that bind at least by `least`."""
         left = self.operand(least, depth)
         while (level := _BINDS.get(self.operator(), -1)) >= least:
             operands: list[Tree] = [left]
@@ -161,14 +161,13 @@ class _Parser:
             while (sign := self.operator()) in _LEVELS[level]:
                 signs.append((sign, self.at))
                 self.take(sign, self.at + len(sign))
-                # Powers are evaluated from right to left.
-                behind = level if sign in _POWERS else level + 1
+                behind = level if sign in _POWERS else level + 1  # powers associate to the right
                 operands.append(self.expression(behind, depth + 1))
             left = self.joined(operands, signs)
         return left
 
     def joined(self, operands: Sequence[Tree], signs: Sequence[tuple[str, int]]) -> Tree:
-        """Combine operands and the operators of one level of strength to a tree."""
+        """Combine operands and the operators of a single level."""
         first, at = signs[0]
         if first in _LOGIC:
             return self.operation(first, operands, at)
@@ -199,7 +198,7 @@ class _Parser:
             )
 
     def operator(self) -> str:
-        """Read an operator, `)` or `,` after an operand; return an empty text at the end."""
+        """Read an operator, `)` or `,` behind an operand; return an empty text at the end."""
         sign = self.matched(NAME) or self.matched(_SIGN)
         if sign == ",":
             known = bool(self.calls) and self.calls[-1]
@@ -210,7 +209,7 @@ class _Parser:
         raise self.source.error(no_operator(self.source, self.at, sign, self.before), self.at)
 
     def operand(self, least: int, depth: int) -> Tree:
-        """Read an operand with the signs before the operand."""
+        """Read an operand with the preceding signs."""
         self.check_depth(depth, self.at)
         name = self.matched(NAME)
         sign = name if name in _WORD_SIGNS else self.matched(_SIGN)
@@ -232,13 +231,13 @@ class _Parser:
         return tree
 
     def quantity(self) -> tuple[Constant, int] | None:
-        """Read a number with a unit, and return the offset after the unit; None without."""
+        """Read a number with a unit, if the language knows the unit, with the offset behind it."""
         end = quantity_end(self.source, self.at)
         known = self.language.quantity(self.source.text[self.at : end], self.at)
         return None if known is None else (known, end)
 
     def prefixed(self, sign: str, least: int, depth: int) -> Tree:
-        """Read an operand after a sign."""
+        """Read an operand behind a sign."""
         at, name = self.at, _PREFIXES[sign]
         if sign == "not" and _BINDS[sign] < least:
             raise self.source.error(
@@ -264,7 +263,7 @@ class _Parser:
         return operands
 
     def named(self, name: str, depth: int) -> Tree:
-        """Read a function with arguments, or a name without a point, with subscripts."""
+        """Read a call, or a name without a point, with subscripts."""
         at, end, language = self.at, self.at + len(name), self.language
         behind = self.source.end_of(_BLANK, end)
         call = self.source.has("(", behind)
@@ -298,7 +297,7 @@ class _Parser:
         return TableName(name, subscripts, at)
 
     def of_name(self, word: str, at: int, bracket: int) -> TableName:
-        """Read a function whose argument is a quoted name."""
+        """Read a function of a quoted name."""
         begin = self.source.end_of(_BLANK, bracket + 1)
         end = self.source.end_of(_QUOTED, begin)
         close = self.source.end_of(_BLANK, end)
@@ -330,13 +329,13 @@ ELSEWHERE = {
     "·": "*",
     "÷": "/",
 }
-"""Operators of other languages, with the operators that formulas use instead."""
+"""Operators of other languages, and the operators that formulas use instead."""
 PYTHON = ("lambda", "for", "in", "if", "else", "is", "await", "async", "yield", "from", "import")
-"""Keywords of Python that formulas do not support."""
+"""Keywords of Python that formulas do not have."""
 
 
 def no_operator(source: Excerpt, at: int, read: str, before: str) -> str:
-    """Return the message about a text that is not the expected operator.
+    """Return the message for a text that was read instead of an operator.
 
     >>> no_operator(Excerpt("1 & 2", "--where"), 2, "&", "1")
     'read `&`, expected `and`'
@@ -357,7 +356,7 @@ def no_operator(source: Excerpt, at: int, read: str, before: str) -> str:
 
 
 def no_operand(source: Excerpt, at: int, read: str, before: str, operands: str) -> str:
-    """Return the message about a text that is not the expected operand.
+    """Return the message for a text that was read instead of an operand.
 
     >>> no_operand(Excerpt("1 + * 2", "--where"), 4, "*", "+", "a number")
     'read `*` after `+`, expected a number'

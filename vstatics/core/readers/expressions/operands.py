@@ -1,7 +1,7 @@
 """Operands of a formula as written: numbers, and names with subscripts or a point.
 
-Names can have Cyrillic letters, and can be keywords of other languages. The meanings of names are
-determined elsewhere.
+Names are matched character by character, so that they can be Cyrillic or coincide with keywords of
+other languages. Their meaning is resolved elsewhere.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ _QUANTITY = re.compile(rf"{_NUMBER.pattern} *[^\W\d_]+(?: */ *[^\W\d_]+)?(?!\w)"
 _ANY_NAME = re.compile(rf"\"[^\"]*\"|'[^']*'|#[0-9]+(?!\w)|{NAME.pattern}")
 _WORD = re.compile(r"\w*")
 _MORE = re.compile(r"(?:\.(?:\w+|\*(?=\.)|\"[^\"]*\"|'[^']*'))+|\.")
-"""Pattern of the parts of a name from the first point on, such as `.ratio` or `.*.torques.x`."""
+"""Parts of a name behind the first point: `.ratio`, `.*.torques.x`."""
 _UNTIL_NEXT = re.compile(r"\"[^\"]*\"|'[^']*'|[^,\]\"']*")
 _BLANK = re.compile(r"\s*")
 _SUBSCRIPT = re.compile(rf"\"[^\"]*\"|'[^']*'|:|#?[0-9]+|{DOTTED.pattern}")
@@ -33,14 +33,14 @@ class Constant(NamedTuple):
 
 
 class Velocity(Constant):
-    """Speed of a vehicle [m/s], which becomes the speed of a link when the link is known."""
+    """Speed of a vehicle [m/s], which becomes the speed of a link once the link is known."""
 
     at: int = 0
     written: str = ""
 
     @classmethod
     def of(cls, value: float, written: str, at: int) -> Velocity:
-        """Return a speed [m/s], with the text as written and the offset in the formula.
+        """Return a speed [m/s] with the text and the offset in the formula.
 
         >>> Velocity.of(5.0, "18 km/h", 3).written
         '18 km/h'
@@ -74,7 +74,7 @@ class DottedName(NamedTuple):
 
 
 def read_number(source: Excerpt, at: int) -> tuple[Constant, int] | None:
-    """Read an unsigned number; return the number and the offset after the number.
+    """Read an unsigned number; return the number and the offset behind.
 
     Raises
     ------
@@ -106,7 +106,7 @@ def read_number(source: Excerpt, at: int) -> tuple[Constant, int] | None:
 
 
 def quantity_end(source: Excerpt, at: int) -> int:
-    """Return the offset after a number with a unit; `at` if there is no such number.
+    """Return the offset behind a number with a unit, or `at` without such a number.
 
     >>> quantity_end(Excerpt("36 km/h and t > 2", "when"), 0)
     7
@@ -115,7 +115,7 @@ def quantity_end(source: Excerpt, at: int) -> int:
 
 
 def read_dotted(source: Excerpt, at: int) -> tuple[DottedName, int] | None:
-    """Read a name with a point; return the name and the offset after the name.
+    """Read a name with a point; return the name and the offset behind.
 
     Raises
     ------
@@ -147,7 +147,7 @@ def read_dotted(source: Excerpt, at: int) -> tuple[DottedName, int] | None:
 
 
 def read_subscripts(source: Excerpt, bracket: int) -> tuple[tuple[Subscript, ...], int]:
-    """Read subscripts in brackets after a name; return the subscripts and the offset behind.
+    """Read the subscripts in brackets behind a name; return the subscripts and the offset behind.
 
     Raises
     ------

@@ -1,6 +1,6 @@
-"""Arguments of `Transmission` from the values of a document, relative to the input.
+"""Arguments of `Transmission` from the values of a document, with numbers relative to the input.
 
-Speeds are divided by the input speed of the operating point, torques and drag by the input torque.
+Speeds are divided by the input speed of the operating point, torques and drag by its torque.
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ from vstatics.core.readers.named.units import WithUnit
 from vstatics.core.readers.named.walk import Walk
 
 _ATTRIBUTES = (*(key.name for key in CASE.keys), *KEYS)
-"""Keys of a document that are attributes of a case."""
+"""Keys that are attributes of a case."""
 
 
 def arguments(values: dict[str, Any], walk: Walk) -> dict[str, Any]:
-    """Return the arguments of `Transmission` from the values of a document."""
-    if values.get("output") == HOUSING:  # in the model, 0 means a missing output
+    """Return the arguments of `Transmission`."""
+    if values.get("output") == HOUSING:  # the model takes 0 as a missing output
         walk.spots.tell(("output",), "read the housing, expected the link that drives the load")
     parts = {
         part: [item._replace(name=name) for name, item in values.get(part, {}).items()]
@@ -36,7 +36,7 @@ def arguments(values: dict[str, Any], walk: Walk) -> dict[str, Any]:
     if not parts["gears"] and (given or not parts["shift_elements"]):
         parts["gears"] = [Gear()]
     load = values.get("load", Load())
-    # in a case with inertias, capacities and drag with a unit do not need an operating point
+    # in a case with inertias, capacities and drag with a unit need no operating point
     moves = values.get("inertias") or values.get("masses")
     common = Common(load, load.torque_size or (math.inf if moves else 0.0))
     elements, gears, drag = in_gears(
@@ -55,22 +55,21 @@ def arguments(values: dict[str, Any], walk: Walk) -> dict[str, Any]:
 
 
 def _or_none(load: Load | None) -> Load | None:
-    """Return a load; None for a load without values."""
+    """Return a load, or `None` for a load without values."""
     return None if load == Load() else load
 
 
 def read_with_stand_ins(unreadable: list[Path]) -> list[Path]:
-    """Return the paths at which stand-ins could cause problems, which are not reported.
+    """Return the paths at which problems of the model would be caused by stand-ins.
 
-    After unreadable components, the number of links is not checked either, because the check
-    compares it with the components.
+    Unreadable components hide the number of links, which is checked against the components.
     """
     devices = {("shift_elements",), ("mechanisms",), ("springs",)}
     return [*unreadable, ("links",)] if devices.intersection(unreadable) else unreadable
 
 
 _ByPart = dict[int, tuple[float, Path]]
-"""Number, and path in the document, by link or shift element."""
+"""Number and path in the document, by link or shift element."""
 
 
 class Common(NamedTuple):
@@ -78,7 +77,7 @@ class Common(NamedTuple):
 
     load: Load
     whole: float
-    """Input torque of the load; without a load infinite if units suffice, else 0. [N*m]"""
+    """Torque of the load; without a load, infinity if units suffice and 0 otherwise."""
 
 
 def in_gears(
@@ -90,13 +89,13 @@ def in_gears(
 ) -> tuple[list[ShiftElement], list[Gear], dict[int, float]]:
     """Return shift elements, gears and drag of the case with relative numbers.
 
-    Capacity and drag of shift elements, and the drag of the case, are divided by the torque of the
-    case's operating point. Drags of a gear are divided by the torque of the gear's operating point.
+    Capacity and drag of shift elements, and the drag of the case, are related to the operating
+    point of the case. Each gear relates drags to its own operating point.
 
     Parameters
     ----------
     elements, gears, drag
-        Shift elements, gears and drag of a document, with numbers as written.
+        Parts of a document, with their numbers as written.
     common : Common
         Operating point of the case.
     spots : Spots
@@ -125,7 +124,7 @@ def _located(numbers: Mapping[int, float], path: Path) -> _ByPart:
 
 
 def _by_load(torque: float, load: Load) -> float:
-    """Divide a torque with a unit by the torque of a load; without a load, return infinity."""
+    """Divide a torque with a unit by the torque of a load, infinite without a load."""
     whole = load.torque_size or math.inf
     return OfLoad(float(torque), whole) if isinstance(torque, WithUnit) else torque
 
@@ -157,17 +156,16 @@ def _gear(gear: Gear, number: int, common: Common, spots: Spots) -> Gear:
     return gear._replace(
         speeds={link: speeds[link] for link in gear.speeds if link in speeds},
         slip=related("slip", gear.slip, load.speed or 0.0),
-        # `Transmission` adds the sign of the input torque.
-        torques=related("torques", gear.torques, torque),
+        torques=related("torques", gear.torques, torque),  # `Transmission` adds the sign
         drag=related("drag", gear.drag, drags),
         open_drag=related("open_drag", gear.open_drag, drags),
     )
 
 
 def _related(numbers: _ByPart, whole: float, spots: Spots) -> dict[int, float]:
-    """Return numbers divided by an input quantity `whole`, which is 0 if unknown.
+    """Return numbers relative to an input quantity `whole`, which is 0 if unknown.
 
-    Numbers that cannot be divided are reported and left out.
+    Numbers that cannot be related are reported and omitted.
     """
     relative = {}
     no_load = any(path[-1] == "load" for path in spots.unreadable)

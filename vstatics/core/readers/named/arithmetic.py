@@ -1,6 +1,6 @@
-"""Arithmetic before a unit or a name: `-96/39`, `1.3*400 Nm`, `(2+3)*100 rpm`, `1.05*FL`.
+"""Arithmetic in front of a unit or a name: `-96/39`, `1.3*400 Nm`, `(2+3)*100 rpm`, `1.05*FL`.
 
-The text after the number, such as a unit or the name of a link, is returned to the caller.
+The text behind the number, such as a unit or the name of a link, is left to the caller.
 """
 
 from __future__ import annotations
@@ -31,18 +31,18 @@ _NUMBER = re.compile(rf" *{_FIGURE} *")
 _SIGN = re.compile(r" *([-+])")
 _OPEN, _CLOSED = re.compile(r" *\("), re.compile(r" *\) *")
 _BINDING = tuple(
-    # An operator must be followed by a number, not by a unit or a name as in 2000/min and 1.05*FL.
+    # an operator must precede a number, not a unit or a name as in 2000/min and 1.05*FL
     re.compile(rf" *([{signs}])(?= *[-+]? *[.0-9(])")
     for signs in ("-+", "*/")
 )
 
 
 class UnitError(ValueError):
-    """Error of the unit after a number that can be read."""
+    """Error of the unit of a number that can be read."""
 
 
 class LeadingNumber(NamedTuple):
-    """Number, and the text after the number without surrounding blanks: `Nm`, `/min`, `*FL`."""
+    """Number with the text behind it, without surrounding blanks: `Nm`, `/min`, `*FL`."""
 
     value: float
     behind: str
@@ -54,7 +54,7 @@ def calculated(text: str) -> LeadingNumber:
     Raises
     ------
     ValueError
-        If the text does not begin with a number; the message states what was expected.
+        With what was expected.
 
     Examples
     --------
@@ -77,7 +77,7 @@ def dimensionless(text: str) -> float:
     Raises
     ------
     ValueError
-        If the text is not such a number; the message states what was expected.
+        With what was expected.
 
     Examples
     --------
@@ -108,12 +108,12 @@ def expected(text: str) -> str:
 
 
 def slip_or_percent(text: str) -> str:
-    """Return the hint of `slip`, or a hint about a percentage in words."""
+    """Return a hint as `slip` does, also for a percentage in words."""
     return slip(text) or " (write `%`, or 0.97 for 97 %)" * bool(_PERCENT.search(text))
 
 
 def slip(text: str) -> str:
-    """Return a hint about a number in typographic notation; empty for other texts.
+    """Return a hint for a number in typographic notation, or an empty text.
 
     >>> slip("1,5"), slip("\u22122.6"), slip("x")
     (' (with a decimal point)', ' (with `-` instead of `\u2212`)', '')
@@ -126,14 +126,14 @@ def slip(text: str) -> str:
 
 
 class _Calculation:
-    """Recursive parser of a calculation, which reads a text from left to right."""
+    """Recursive parser of a calculation, which reads from left to right."""
 
     def __init__(self, text: str) -> None:
         self.text = text
         self.at = 0
 
     def match(self, pattern: re.Pattern[str]) -> re.Match[str] | None:
-        """Match a pattern at the current position, and move to the position after the match."""
+        """Match a pattern at the current position, and move behind the match."""
         match = pattern.match(self.text, self.at)
         self.at = match.end() if match else self.at
         return match

@@ -1,4 +1,4 @@
-"""Readers of compound values: entries of mappings, rows, points, and values with several forms."""
+"""Readers of compound values: entries of mappings, rows, points, values with several forms."""
 
 from __future__ import annotations
 
@@ -32,17 +32,17 @@ from vstatics.core.readers.named.references import UnknownNameError
 NO_MERGE = "the merge key `<<` is not accepted, write its keys out"
 NO_COMMA = "write a decimal point, not a decimal comma"
 _AFTER_COMMA = re.compile(r"\d+(%|[ \t].*)?", re.ASCII)
-"""Pattern of a key that YAML reads after a decimal comma in braces: `5 rpm` of `2000,5 rpm`."""
+"""Key that YAML reads after a decimal comma within braces, such as `5 rpm` of `2000,5 rpm`."""
 _SYNONYMS = {
     **dict.fromkeys(("clutches", "brakes", "clutch", "brake"), "shift_elements"),
     **dict.fromkeys(("gear_sets", "gearsets", "sets", "planetary"), "elements"),
 }
-"""Keys that engineers expect, each with the corresponding key of a case."""
+"""Keys that engineers expect, with the key of a case for each."""
 _MEMBERS = {"sun", "ring", "carrier", "teeth", "planets"}
 
 
 def entries(spots: Spots, spot: Spot) -> Iterator[tuple[Scalar, Node]]:
-    """Yield the valid entries of the mapping at a spot, and report invalid entries."""
+    """Yield the valid entries of the mapping at a spot, and report the invalid entries."""
     assert isinstance(spot.node, Mapping)  # noqa: S101 (for mypy)
     seen: dict[str, Scalar] = {}
     for key, value in spot.node.entries:
@@ -62,7 +62,7 @@ def entries(spots: Spots, spot: Spot) -> Iterator[tuple[Scalar, Node]]:
 def known_entries(spots: Spots, spot: Spot, keys: Sequence[KeyShape]) -> dict[str, Node]:
     """Return the values of declared keys; an empty optional key counts as missing.
 
-    A mistyped key is read as the suggested key, so that a mistake causes only one message.
+    A mistyped key is read as the suggested key, so that one mistake causes one message.
     """
     known = {key.name: key for key in keys}
     given = {}
@@ -80,7 +80,7 @@ def known_entries(spots: Spots, spot: Spot, keys: Sequence[KeyShape]) -> dict[st
 
 
 def meant_key(document: DocumentText, key: str, known: Iterable[str]) -> str:
-    """Return a hint with the known key that an unknown key probably means; empty if unclear."""
+    """Return a hint with the known key that an unknown key probably means; empty without one."""
     names = [*known]
     synonym = _SYNONYMS.get(key.casefold())
     return f"; did you mean `{synonym}`?" if synonym in names else document.hint(key, names)
@@ -132,10 +132,10 @@ class ReadsShapes(Protocol):
     spots: Spots
 
     def read(self, spot: Spot, shape: Shape) -> Any:
-        """Read the value at a spot; after an error, return a stand-in."""
+        """Read the value at a spot, or return a stand-in after an error."""
 
     def items(self, spot: Spot, nodes: Sequence[Node], shape: Shape) -> list[Any]:
-        """Read the items of a list, all by the same shape."""
+        """Read the items of a list of a single shape."""
 
     def refuse(
         self, spot: Spot, shape: Shape, expected: object, read: str = "", identity: str = SHAPE
@@ -144,7 +144,7 @@ class ReadsShapes(Protocol):
 
 
 def read_row(walk: ReadsShapes, spot: Spot, shape: RowOf) -> Any:
-    """Read a row with a prescribed number of values."""
+    """Read a row with the prescribed number of values."""
     node, count = spot.node, len(shape.items)
     given = len(node.items) if isinstance(node, Listing) else 0
     known = shape.shapes(given)
@@ -155,7 +155,7 @@ def read_row(walk: ReadsShapes, spot: Spot, shape: RowOf) -> Any:
 
 
 def read_points(walk: ReadsShapes, spot: Spot, shape: ByPoints) -> Any:
-    """Read points as rows, as a number that is the value at 0, or as a mapping."""
+    """Read rows of points, a number as a point at 0, or a mapping."""
     node, leaf = spot.node, shape.row.items[-1]
     if isinstance(node, Listing):
         if not node.items:
@@ -169,7 +169,7 @@ def read_points(walk: ReadsShapes, spot: Spot, shape: ByPoints) -> Any:
 
 
 def read_parsed(walk: ReadsShapes, spot: Spot, shape: Parsed) -> Any:
-    """Read a text by the parser that the shape names."""
+    """Read a text with the parser of the shape."""
     node = spot.node
     if not isinstance(node, Scalar) or is_null(node):
         return walk.refuse(spot, shape, f"expected {shape.expected}")
@@ -187,7 +187,7 @@ def read_parsed(walk: ReadsShapes, spot: Spot, shape: Parsed) -> Any:
 
 
 def _moved_by(walk: ReadsShapes, node: Scalar, offset: int) -> Scalar:
-    """Move the place of a scalar by an offset in the text, if the text is on a single line."""
+    """Move a scalar by an offset into the text, if the text is on a single line."""
     line = walk.spots.document.source.place(node.line).text
     begin = node.column - 1 + (line[node.column - 1 : node.column] in ("'", '"'))
     as_written = line.startswith(node.text, begin)
@@ -195,7 +195,7 @@ def _moved_by(walk: ReadsShapes, node: Scalar, offset: int) -> Scalar:
 
 
 def read_form(walk: ReadsShapes, spot: Spot, shape: ByForm) -> Any:
-    """Read a single value, a list or a mapping, by the shape for each form."""
+    """Read a single value, a list or a mapping."""
     if isinstance(spot.node, Listing):
         return walk.read(spot, shape.listing)
     if isinstance(spot.node, Mapping) and shape.mapping:
@@ -206,7 +206,7 @@ def read_form(walk: ReadsShapes, spot: Spot, shape: ByForm) -> Any:
 
 
 def read_one_or_many(walk: ReadsShapes, spot: Spot, shape: OneOrMany) -> Any:
-    """Read a list of items; a single item is read as a list."""
+    """Read a list of items; a single item becomes a list."""
     node = spot.node
     if not isinstance(node, Listing) or all(
         isinstance(row, Listing) and all(isinstance(item, Scalar) for item in row.items)

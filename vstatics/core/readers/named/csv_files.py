@@ -1,4 +1,4 @@
-"""Files of numbers that a document names, with control over the permitted files."""
+"""Files of numbers that a document names, with control over which files are read."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _ALLOWED: ContextVar[bool] = ContextVar("files are read", default=True)
 
 @contextmanager
 def noted_files() -> Iterator[set[str]]:
-    """Record the files that are read, or cannot be read, within the context.
+    """Record the files that this block reads or tries to read.
 
     >>> with noted_files() as noted:
     ...     try:
@@ -39,7 +39,7 @@ def noted_files() -> Iterator[set[str]]:
 
 @contextmanager
 def no_files() -> Iterator[None]:
-    """Refuse all files named in texts within the context, for texts of unknown origin.
+    """Refuse all files named in texts within this block, as such texts may be untrusted.
 
     >>> with no_files():
     ...     csv_rows(Path("/etc/passwd"), 100, bool)
@@ -54,29 +54,29 @@ def no_files() -> Iterator[None]:
 
 
 def are_read() -> bool:
-    """Check whether files that a text names may be read."""
+    """Check whether files named in a text can be read."""
     return _ALLOWED.get()
 
 
 def csv_rows(
     file: Path, most: int, is_heading: Callable[[str], bool]
 ) -> list[tuple[int, list[str]]]:
-    """Read the rows of a file, beginning with the headings, each with the line number.
+    """Read the rows of a file from the headings on, each with the line number.
 
     Parameters
     ----------
     file : Path
     most : int
-        Largest size of the file. [bytes]
+        Most bytes of the file.
     is_heading : callable
         Function that recognises a cell of the headings; lines above the headings are titles.
 
     Raises
     ------
     OSError
-        If the file cannot be read, or is too large.
+        If the file cannot be read, or is larger.
     ValueError
-        If the file is not a table; the message states the expected content.
+        With the expected content.
     """
     if not are_read():
         hint = "`loads` reads files from the folder of `name`, if it has a folder"

@@ -1,7 +1,7 @@
 """Rows of CSV files as spreadsheets write them: with commas, semicolons or tabs.
 
 In countries with a decimal comma, such as Germany or Russia, spreadsheets separate cells by
-semicolons. All readers of CSV use this module for separators and numbers.
+semicolons. All readers of such files take the separator and the numbers from this module.
 """
 
 from __future__ import annotations
@@ -19,12 +19,11 @@ _THOUSANDS = re.compile(r"(?<![.,\d])[1-9]\d{0,2}\.\d{3}(?![.,\deE])")
 _COMMA_THOUSANDS = re.compile(r"(?<![.,\d])[1-9]\d{0,2},\d{3}(?![.,\deE])")
 _FRACTION = re.compile(r"(?<![.,\d])\d*\.\d+(?![.,\d])")
 _SEPARATOR_LINE = re.compile(r'\s*"?sep=[^"\n]"?[\s,;]*', re.IGNORECASE)
-"""Pattern of a line that prescribes the separator to a spreadsheet; this reader ignores the line.
-"""
+"""Line that prescribes the separator to a spreadsheet; here the headings decide."""
 
 
 def separator_of(head: str) -> str:
-    """Return the separator of cells that the line of headings uses.
+    """Return the separator of the cells of a table, as used in the line of headings.
 
     Examples
     --------
@@ -39,11 +38,11 @@ def separator_of(head: str) -> str:
 
 
 class Decimals:
-    """Converter of decimal commas, in tables with semicolons or tabs, to decimal points.
+    """Numbers of a table, with decimal points instead of the commas between semicolons or tabs.
 
-    A point can be a decimal point, or separate thousands as in `1.200`. Other numbers decide: it is
-    a decimal point if a number such as `0.5` cannot mean anything else, and no number has a comma.
-    The same rule applies to a comma between tabs, as in `1,200`.
+    A point can be a decimal point, or separate thousands as in `1.200`. The other numbers decide:
+    it is a decimal point if a number such as `0.5` can have no other meaning, and no number has a
+    comma. The rule also holds for a comma between tabs, as in `1,200`.
 
     >>> german = Decimals(";")
     >>> [german.with_points(cell, 2) for cell in ("-36,5", "-78,5/30", "1.200", "a,b")]
@@ -54,7 +53,7 @@ class Decimals:
     Attributes
     ----------
     are_commas : bool
-        Whether any number has a comma.
+        Whether a number had a comma.
     """
 
     def __init__(self, separator: str) -> None:
@@ -62,7 +61,7 @@ class Decimals:
         self._separator = separator
         self._are_points = False
         self._doubts: dict[str, tuple[int, str]] = {}
-        """First line and ambiguous number, by the sign that can separate thousands."""
+        """First line and number in doubt, by the sign that may separate thousands."""
 
     def with_points(self, cell: str, line: int) -> str:
         """Return a cell with decimal points, if the cell is a number between semicolons or tabs."""
@@ -80,7 +79,7 @@ class Decimals:
 
     @property
     def doubt(self) -> tuple[int, str] | None:
-        """Line of the first ambiguous number, with a message; None without an ambiguous number."""
+        """Line of the first ambiguous number, with a message; `None` without ambiguity."""
         if "," in self._doubts and (self._are_points or not self.are_commas):
             line, text = self._doubts[","]
             whole, point = text.replace(",", ""), text.replace(",", ".")
@@ -124,7 +123,7 @@ def decimal(cell: str) -> float:
     Raises
     ------
     ValueError
-        If the cell is not a number; the message states what was expected.
+        With what was expected.
 
     Examples
     --------
@@ -152,12 +151,12 @@ def headings_of(cells: Sequence[str]) -> list[str]:
 
 
 def expect_cells(cells: Sequence[str], expected: int, separator: str) -> None:
-    """Check that a row has a cell for each heading, and further cells only if empty.
+    """Check that a row has a cell for each heading, followed only by empty cells.
 
     Raises
     ------
     ValueError
-        If the number of cells is wrong; the message states what was expected.
+        With what was expected.
 
     Examples
     --------
@@ -176,7 +175,7 @@ def expect_cells(cells: Sequence[str], expected: int, separator: str) -> None:
 
 
 def numbered_rows(lines: Iterable[str]) -> Iterator[tuple[int, list[str]]]:
-    """Yield the rows of a table that are not empty, each with the number of the row's last line.
+    """Yield the rows of a table that are not empty, each with the number of the last line.
 
     The first row contains the headings, and no other row is longer. Numbers have decimal points.
 

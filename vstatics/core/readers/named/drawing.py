@@ -1,4 +1,4 @@
-"""Reader of cases with gear sets under `elements:`, which are converted to mechanisms."""
+"""Reader of cases with gear sets under `elements:`, which become mechanisms."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def read_drawing(root: nodes.Mapping, walk: Walk, case: ByKey) -> Reading:
     Raises
     ------
     ReadError
-        With every problem that does not follow from another problem.
+        With every problem that does not follow from another.
     """
     spots = walk.spots
     given = {key.text for key, value in root.entries if not is_null(value)}
@@ -69,7 +69,7 @@ def read_drawing(root: nodes.Mapping, walk: Walk, case: ByKey) -> Reading:
 
 
 def _dependent(given: Collection[str]) -> list[Path]:
-    """Return the paths of problems that can follow from gear sets with errors."""
+    """Return the paths of problems that follow from gear sets in error."""
     keys = installed_keys(name for name in KEYS if name in given)
     naming = [key.shape.name for key in keys if key.names_members]
     return [(name,) for name in ("links", "mechanisms", *naming)]
@@ -84,7 +84,7 @@ def _planets_called_like_links(drawing: Drawing, names: Sequence[str]) -> Iterat
 
 
 def _locator(spots: Spots, drawing: Drawing) -> Callable[[Problem], Problem]:
-    """Return the function that moves a problem of a mechanism to the gear set."""
+    """Return the function that locates a problem of a mechanism at the gear set."""
     paths = []
     for number, part in enumerate(drawing.parts, 1):
         count = number - len(drawing.elements)

@@ -1,8 +1,8 @@
-"""Headings of tables of numbers: names with units, in many notations.
+"""Headings of tables of numbers: names with units, as in published files.
 
-A unit can be in brackets, in parentheses, after `_`, or after a comma that does not separate cells.
-Lines before the headings are titles, even lines of numbers. Upper case and comment signs before the
-headings are ignored. Units can also be on a separate line below the names.
+A unit is in brackets, in parentheses, after `_`, or after a comma that does not separate cells.
+Lines before the headings are titles, even lines of numbers. Upper case and comment signs before
+the headings are ignored. Units can also be on a separate line below the names.
 """
 
 from __future__ import annotations
@@ -22,15 +22,15 @@ from vstatics.core.readers.named.si_units import measured
 from vstatics.core.suggestions import nearest
 
 MOST_TITLE_LINES = 100
-"""Largest number of lines that are searched for headings."""
+"""Number of lines that are searched for headings."""
 MOST_QUOTED = 76
 """Maximum number of characters of a line quoted in a message."""
 LEAST_LIKENESS = 0.75
-"""Smallest similarity, from 0 to 1, at which a heading counts as a mistyped name. [-]"""
+"""Least similarity, from 0 to 1, at which a heading counts as a mistyped name."""
 COMMENT_SIGNS = ("#", "%")
-"""Signs that begin a comment."""
+"""Signs at the beginning of a comment."""
 _IN_ANY_LETTERS: tuple[Measure, ...] = ("time", "velocity")
-"""Quantities whose units can be written in upper or lower case."""
+"""Measures whose units can be written in upper or lower case."""
 _UNIT_BEHIND = re.compile(
     r"(?P<name>.*?)\s*"
     r"(?:\[(?P<bracket>[^\[\]]*)\]?|\((?P<round>[^()]*(?:\([^()]*\)[^()]*)*)\)|,(?P<comma>[^,]*))"
@@ -46,18 +46,17 @@ class TableColumn(NamedTuple):
 
     name: str
     measure: Measure | None = None
-    """Quantity of the numbers, which are converted to SI; None for texts and numbers without unit.
-    """
+    """Measure of the numbers, converted to SI; `None` for texts and numbers without a unit."""
     is_text: bool = False
     optional: bool = False
     may_be_bare: bool = False
     """Whether a heading without a unit means the SI unit."""
     meaning: str = ""
-    """Hint at the end of messages about a wrong unit."""
+    """Hint at the end of the message about a wrong unit."""
     sizes: Mapping[str, float] | None = None
-    """Sizes of the permitted units, for a column without `measure`."""
+    """Sizes of the allowed units if the column has no measure."""
     aliases: Mapping[str, str] = MappingProxyType({})
-    """Other names of the column in lower case, each with the implied unit or an empty text."""
+    """Aliases in lower case, each with an implied unit or an empty text."""
 
     @property
     def heading(self) -> str:
@@ -72,12 +71,12 @@ class TableColumn(NamedTuple):
         return f"{self.name} [{UNIT_OF[self.measure]}]" if self.measure else self.name
 
     def size(self, unit: str | None) -> float:
-        """Return the size of a unit in SI units; None means a heading without a unit.
+        """Return the size of a unit in SI; `None` stands for a heading without a unit.
 
         Raises
         ------
         ValueError
-            If the unit is wrong; the message states what was expected.
+            With what was expected.
         """
         if self.sizes is not None or self.measure is None:
             sizes = {"": 1.0, "-": 1.0} if self.sizes is None else self.sizes
@@ -97,12 +96,12 @@ class TableColumn(NamedTuple):
 
 
 def _size_of(unit: str, measure: Measure) -> float:
-    """Return the size of a unit in SI units; for time and vehicle speed, in any case of letters.
+    """Return the size of a unit in SI; times and vehicle speeds accept any case.
 
     Raises
     ------
     ValueError
-        If the unit is wrong; the message states what was expected.
+        With what was expected.
 
     Examples
     --------
@@ -120,13 +119,13 @@ def _size_of(unit: str, measure: Measure) -> float:
 
 
 class Heading(NamedTuple):
-    """Heading of a column to be read."""
+    """Heading of a column that is read."""
 
     column: TableColumn
     place: int
     """Index of the column in a row."""
     unit: str | None
-    """Unit in the heading; None without a unit."""
+    """Unit in the heading, or `None`."""
 
     @property
     def size(self) -> float:
@@ -135,13 +134,13 @@ class Heading(NamedTuple):
 
 
 class HeadingLine(NamedTuple):
-    """Line of headings of a table, as read."""
+    """Line with the headings of a table."""
 
     number: int
     separator: str
     headings: Sequence[Heading]
     width: int
-    """Number of cells in the line, including columns that are skipped."""
+    """Number of cells in the line of headings, including skipped columns."""
     skipped: Sequence[str]
     """Headings of columns that are not read."""
 
@@ -150,7 +149,7 @@ class HeadingError(ValueError):
     """Error in the headings, with the line number."""
 
     def __init__(self, message: str, line: int) -> None:
-        """Store the message and the line number."""
+        """Store the line number."""
         super().__init__(message)
         self.line = line
 
@@ -182,9 +181,9 @@ def read_headings(
     Parameters
     ----------
     lines : iterable of (int, str)
-        First lines of the table that are not empty, with line numbers.
+        First lines that are not empty, with their numbers.
     what : str
-        Words for the kind of table, such as ``a duty cycle``.
+        Kind of the table, in words: ``a duty cycle``.
     columns : sequence of TableColumn
         Columns that the table can have, in any order.
     skips : bool
@@ -207,7 +206,7 @@ def read_headings(
 
 
 def without_titles(lines: Sequence[str], is_heading: Callable[[str], bool]) -> Iterator[str]:
-    """Yield the lines of a table, with empty lines in place of lines above the headings.
+    """Return the lines of a table with empty lines instead of the titles.
 
     Examples
     --------
@@ -227,7 +226,7 @@ class _ExpectedTable(NamedTuple):
     skips: bool
 
     def headings(self, lines: Sequence[NumberedLine]) -> HeadingLine:
-        """Return the first line with all required columns; otherwise report the best line."""
+        """Return the first line with all required columns, or report the best line."""
         if not lines:
             raise HeadingError(f"read nothing, expected {self.what}", 1)
         candidates = []
@@ -237,20 +236,19 @@ class _ExpectedTable(NamedTuple):
             if known >= required:
                 return self.checked(lines, at, separator, cells)
             candidates.append((len(known), at, separator, cells))
-        # Of lines with equally many known headings, the first counts.
-        most, at, separator, cells = max(candidates, key=itemgetter(0))
+        most, at, separator, cells = max(candidates, key=itemgetter(0))  # the first of equal ones
         if not most:
             at = _above_numbers([line for _, line in lines])
             separator, cells = next(_split(lines[at][1]))
         return self.checked(lines, at, separator, cells)
 
     def understood(self, cells: Sequence[str]) -> list[Heading]:
-        """Return the known headings among cells, in order."""
+        """Return the known headings in order."""
         headings = (self.heading(cell, place) for place, cell in enumerate(cells))
         return [heading for heading in headings if heading]
 
     def heading(self, cell: str, place: int) -> Heading | None:
-        """Return the heading in a cell; None for an unknown name."""
+        """Return the heading in a cell, or `None` for an unknown name."""
         name, unit = with_unit(cell)
         known = self.named(name)
         if known is None and unit is None and "_" in name:
@@ -262,7 +260,7 @@ class _ExpectedTable(NamedTuple):
         return Heading(column, place, implied or None if unit is None else unit)
 
     def named(self, name: str) -> tuple[TableColumn, str] | None:
-        """Return the column with a name, and the unit that this name implies."""
+        """Return the column of a name, with the unit that this name implies."""
         name = _folded(name)
         for column in self.columns:
             if name == column.name:
@@ -279,7 +277,7 @@ class _ExpectedTable(NamedTuple):
         Raises
         ------
         HeadingError
-            If a heading is wrong; the message states what was read and expected.
+            With the text that was read, and the expected headings.
         """
         number = lines[at][0]
         headings = self.understood(cells)
@@ -299,14 +297,14 @@ class _ExpectedTable(NamedTuple):
         return HeadingLine(number, separator, headings, len(cells), others)
 
     def check_names(self, headings: Sequence[Heading], others: Sequence[str]) -> None:
-        """Check that each required column occurs once, and that no heading is unknown.
+        """Check that each required column occurs once, without unknown headings.
 
         Raises
         ------
         ValueError
-            If a heading is wrong; the message states what was read and expected.
+            With the heading that was read, and the expected headings.
         """
-        from difflib import get_close_matches  # slow to import
+        from difflib import get_close_matches  # costs start-up time
 
         names = [heading.column.name for heading in headings]
         lacking = [column for column in self.columns if column.name not in names]
@@ -328,12 +326,12 @@ class _ExpectedTable(NamedTuple):
 
 
 def _check_units(headings: Sequence[Heading]) -> None:
-    """Check that each heading has a unit of the right quantity.
+    """Check that each heading has a unit of the right measure.
 
     Raises
     ------
     ValueError
-        If a unit is wrong; the message states what was read and expected.
+        With the unit that was read, and the expected unit.
     """
     for heading in headings:
         _ = heading.size
@@ -342,7 +340,7 @@ def _check_units(headings: Sequence[Heading]) -> None:
 def _with_units_below(
     headings: Sequence[Heading], separator: str, below: Sequence[NumberedLine]
 ) -> list[Heading]:
-    """Add the units from the line below the headings; return an empty list if it has no units."""
+    """Add the units on the line below the headings; return an empty list for other lines."""
     for _, line in below:
         cells = [cell.strip("[]() ") for cell in cells_of(line, separator)]
         if len(cells) > max(heading.place for heading in headings):
@@ -357,7 +355,7 @@ def _with_units_below(
 
 
 def _heading_lines(lines: Sequence[str]) -> Iterator[tuple[int, str, list[str]]]:
-    """Yield index, separator and cells of each line, once for each likely separator."""
+    """Yield the index, separator and cells of each line, once for each likely separator."""
     for at, line in enumerate(lines):
         for separator, cells in _split(line):
             yield at, separator, cells

@@ -40,7 +40,7 @@ _HEAVY = CASE._replace(keys=tuple(key for key in CASE.keys if key.name in BODIES
 
 
 _HOUSINGS = {"ground", "frame", "case", "casing", "gehäuse", "fixed", "earth", "chassis", "корпус"}
-"""Names by which engineers may mean the housing, in lower case."""
+"""Names by which engineers may mean the housing."""
 
 
 def _is_housing(name: str) -> bool:
@@ -55,9 +55,9 @@ def is_listed(root: nodes.Mapping) -> bool:
 
 
 def gathered_links(root: nodes.Mapping, walk: Walk) -> list[str]:
-    """Collect the links in the order of the components, and set them as known link names.
+    """Collect the links in the order of the components, and set the names of the references.
 
-    Without components, links with inertias are collected.
+    Without components, the links are those with inertias.
     """
     root = _as_meant(root, walk.spots.document)
     places = joined_links(root) or _named(_links(root, _HEAVY))
@@ -68,7 +68,7 @@ def gathered_links(root: nodes.Mapping, walk: Walk) -> list[str]:
 
 
 def _as_meant(root: nodes.Mapping, document: DocumentText) -> nodes.Mapping:
-    """Return a document with each mistyped key replaced by the key that is probably meant."""
+    """Return a document with each mistyped key replaced by the key of a case that it means."""
     known = [key.name for key in with_elements(CASE).keys]
     entries = []
     for key, value in root.entries:
@@ -89,7 +89,7 @@ def joined_links(root: nodes.Mapping) -> list[Scalar]:
 
 
 def _named(links: Iterable[Node]) -> list[Scalar]:
-    """Return the names in a list of links, without the housing."""
+    """Return the names of links without the housing."""
     named = (node for node in links if isinstance(node, Scalar))
     return [node for node in named if not is_null(node) and node.text not in ("0", "housing")]
 
@@ -103,9 +103,9 @@ def loose_links(
 ) -> Iterator[Problem]:
     """Yield a warning for each link that is connected to a single component.
 
-    A link to which several brakes are connected instead of the housing is also reported.
+    A link that several brakes share instead of the housing is reported, too.
 
-    A carrier can rotate freely, so that a carrier is reported only if the name looks mistyped.
+    A carrier can rotate freely, so it is reported only if its name looks mistyped.
     """
     root = _as_meant(root, spots.document)
     places = joined_links(root)
@@ -143,7 +143,7 @@ def loose_links(
 
 
 def _links(node: Node, shape: Shape) -> Iterator[Node]:  # noqa: C901, PLR0912 - a table
-    """Yield the nodes of link names in a shape, single links before links in lists."""
+    """Yield the nodes of links in a shape, single links before links in lists."""
     match node, shape:
         case _, Leaf("link"):
             yield node
@@ -157,7 +157,7 @@ def _links(node: Node, shape: Shape) -> Iterator[Node]:  # noqa: C901, PLR0912 -
             known = [records[kind] for kind in kinds[:1] if kind in records]
             for record in (
                 known or records.values()
-            ):  # a component of unknown kind can have the members of all kinds
+            ):  # an unknown kind can have the members of all kinds
                 yield from _links(node, record)
         case nodes.Mapping(entries), ByName(_, item):
             for _, value in entries:

@@ -1,4 +1,4 @@
-"""JSON text -> tree of nodes, with the places that the parser of Python omits."""
+"""JSON text -> tree of nodes, with the places that the standard library omits."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _LITERAL = re.compile(r"true|false|null|-?(?:0|[1-9][0-9]*)(?:\.[0-9]+)?(?:[eE][
 
 
 def json_tree(document: DocumentText) -> Node:
-    """Return the tree of a JSON text, strictly according to RFC 8259.
+    """Return the tree of a JSON text, strictly by RFC 8259.
 
     Raises
     ------
@@ -33,7 +33,7 @@ def json_tree(document: DocumentText) -> Node:
 
 
 class _Scanner:
-    """Recursive parser of JSON, which reads a text from left to right."""
+    """Recursive parser of JSON, which reads from left to right."""
 
     def __init__(self, document: DocumentText) -> None:
         self.document = document
@@ -50,7 +50,7 @@ class _Scanner:
         return self.document.place(self.at)
 
     def skip(self, signs: int = 0) -> None:
-        """Move to the position after some characters and the blanks behind."""
+        """Move behind some characters and the blanks that follow."""
         blanks = _BLANKS.match(self.text, self.at + signs)
         self.at = blanks.end() if blanks else self.at + signs
 
@@ -95,7 +95,7 @@ class _Scanner:
         return key, self.value(depth + 1)
 
     def inside(self, closing: str) -> Iterator[None]:
-        """Stop before each item between brackets, and finally move after the closing bracket."""
+        """Stop before each item between brackets, then move behind the closing bracket."""
         self.skip(1)
         more = self.sign != closing
         while more:

@@ -1,4 +1,4 @@
-"""Characteristics given as formulas: drag `1.2 + 0.004*w`, efficiency `0.98 - 1.5/(T + 20)`."""
+"""Laws as formulas: drag `1.2 + 0.004*w`, efficiency `0.98 - 1.5/(T + 20)`."""
 
 from __future__ import annotations
 
@@ -20,23 +20,22 @@ from vstatics.core.readers.expressions.operands import DottedName, TableName
 from vstatics.core.suggestions import nearest
 
 SPEED, TORQUE = "w", "T"
-"""Names of speed [rad/s] and torque [N*m] in a formula; magnitudes, unless the quantity has a sign.
-"""
+"""Names of a speed [rad/s] and a torque [N*m] in a formula, magnitudes unless a law has signs."""
 OF_SPEED: Mapping[str, str] = MappingProxyType({SPEED: "speed", "speed": "speed"})
-"""Quantities by their names in formulas of drag; in scenarios, the speed has a sign."""
+"""Quantities by their names in formulas of drag; in formulas of a scenario the speed has a sign."""
 OF_BOTH: Mapping[str, str] = MappingProxyType({**OF_SPEED, TORQUE: "torque", "torque": "torque"})
 """Quantities by their names in formulas of efficiency."""
 FUNCTIONS = ("abs", "min", "max", "sqrt", "exp", "tanh")
 
 
 class _LawFormula(Law):
-    """Characteristic given as a formula of speed, or of speed and torque."""
+    """Law as a formula of speed, or of speed and torque."""
 
     quantities: ClassVar[Mapping[str, str]]
-    """Quantities in the formula, by their names."""
+    """Quantities by their names."""
 
     def __new__(cls, text: str) -> Self:
-        """Parse the formula, and store the text."""
+        """Parse and store the text."""
         tree = _tree(text, tuple(cls.quantities))
         of = {cls.quantities[name] for name in map(_name, _names(tree)) if name in cls.quantities}
         law = super().__new__(cls, cls._at_0(_value(text, cls, dict.fromkeys(of, np.zeros(1)))))
@@ -53,7 +52,7 @@ class _LawFormula(Law):
         return float(values[0])
 
     def at(self, *sizes: Size) -> Size:
-        """Return the value at speed, torque or both, or for arrays of these; NaN if undefined."""
+        """Return the value at speed, torque or both, or of arrays; NaN if undefined."""
         names = ("speed", "torque") if self.over == "both" else (self.over,)
         arrays = np.broadcast_arrays(*(np.atleast_1d(np.asarray(size, float)) for size in sizes))
         values = _value(self.text, type(self), dict(zip(names, arrays, strict=True)))
@@ -61,7 +60,7 @@ class _LawFormula(Law):
         return values if is_array else float(values[0])  # type: ignore[return-value] # as given
 
     def is_outside(self, *sizes: Floats) -> Booleans:
-        """Return False everywhere, because a formula is not limited to given points."""
+        """Return False everywhere, because a formula has no points."""
         return np.zeros(np.shape(sizes[0]), np.bool_)
 
 
@@ -81,7 +80,7 @@ class DragFormula(_LawFormula):
 class EfficiencyFormula(_LawFormula):
     """Efficiency [-] as a formula of the speed w [rad/s] and the torque T [N*m].
 
-    Used as a number, it is the value at 0, or 1 if this value is not an efficiency.
+    As a number it is the value at 0, or 1 if that is not an efficiency.
 
     Examples
     --------
@@ -98,12 +97,12 @@ class EfficiencyFormula(_LawFormula):
 
 
 def read_formula(text: str, law: type[_LawFormula]) -> _LawFormula:
-    """Parse the formula of a drag torque or an efficiency.
+    """Parse a formula.
 
     Raises
     ------
     ValueError
-        If the text is not such a formula; the message states what was expected.
+        With what was expected.
 
     Examples
     --------
@@ -134,7 +133,7 @@ def _value(text: str, law: type[_LawFormula], given: Mapping[str, Floats]) -> Fl
 
 @lru_cache(maxsize=256)
 def _tree(text: str, names: tuple[str, ...]) -> Tree:
-    """Parse a formula, and check that all names are known."""
+    """Parse a formula, and check all names."""
     torque = f", the torque {TORQUE} in N*m" if TORQUE in names else ""
     operands = f"a number, the speed {SPEED} in rad/s{torque}, pi, or one of {', '.join(FUNCTIONS)}"
     excerpt = Excerpt(text, "law")

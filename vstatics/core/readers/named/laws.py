@@ -1,4 +1,4 @@
-"""Characteristic curves of a case: points, efficiencies versus speed or torque, files."""
+"""Laws of a case: points, efficiencies versus speed or torque, points in a file."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from vstatics.core.readers.named.nodes import Listing, Mapping, Spot
 
 
 def read_law(walk: ReadsShapes, spot: Spot, shape: ByLaw) -> Any:
-    """Read a number, or a characteristic curve."""
+    """Read a number or a law."""
     if isinstance(spot.node, Mapping):
         law = walk.read(spot, shape.mapping)
         if isinstance(law, Law):
@@ -22,7 +22,7 @@ def read_law(walk: ReadsShapes, spot: Spot, shape: ByLaw) -> Any:
         file = law.get("file")
         return _of_file(walk, spot, shape, file) if file else stand_in(shape)
     if isinstance(spot.node, Listing) and shape.row is not None:
-        from vstatics.core.model.laws import PointLaw  # only few cases need this import
+        from vstatics.core.model.laws import PointLaw  # needed by few cases
 
         if not spot.node.items:
             return walk.refuse(spot, shape, f"expected points: [[{shape.row.kind}], ...]")
@@ -33,8 +33,8 @@ def read_law(walk: ReadsShapes, spot: Spot, shape: ByLaw) -> Any:
 
 
 def _of_file(walk: ReadsShapes, spot: Spot, shape: ByLaw, name: str) -> Any:
-    """Read the points or the map in a file, whose name is relative to the folder of the case."""
-    from vstatics.core.model.laws import PointLaw  # only few cases need this import
+    """Read the points or the map of a file, whose name is relative to the folder of the case."""
+    from vstatics.core.model.laws import PointLaw  # needed by few cases
     from vstatics.core.readers.named.point_files import map_of, points_of
 
     path = os.path.join(os.path.dirname(walk.spots.document.source.file), name)  # noqa: PTH118 PTH120
@@ -51,7 +51,7 @@ def _of_file(walk: ReadsShapes, spot: Spot, shape: ByLaw, name: str) -> Any:
 
 
 def read_balance(walk: ReadsShapes, spot: Spot, shape: Balances) -> Any:
-    """Read the efficiencies of electric machines by link, and the power of the battery."""
+    """Read the efficiencies of machines by links, and the power of the battery."""
     node = spot.node
     if not isinstance(node, Mapping):
         return walk.refuse(spot, shape, "expected a mapping: an efficiency for each link")

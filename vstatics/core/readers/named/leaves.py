@@ -1,4 +1,4 @@
-"""Readers of single values, and stand-ins that replace unreadable values."""
+"""Readers of single values, and the stand-ins for unreadable values."""
 
 from __future__ import annotations
 
@@ -29,20 +29,19 @@ from vstatics.core.model.shape import (
 from vstatics.core.readers.named import scalars, units
 from vstatics.core.readers.named.references import NO_ELEMENT, NO_LINK
 
-# Larger than any link number; the resulting problem of the case is not reported.
-_MANY_LINKS = 10**9
+_MANY_LINKS = 10**9  # admits every link number; the model's complaint about it is hidden
 _NO_LINKS = (NO_LINK, NO_LINK)
 _MAY_BE_0 = frozenset(("damping", "pressure", "time", "angle", "velocity", "cooling"))
-"""Quantities whose stand-in is 0, because 0 is a permitted value."""
+"""Measures whose stand-in is 0, as the value 0 is allowed."""
 
 
 class LeafReading(NamedTuple):
-    """Description, stand-in and parser of a kind of single value."""
+    """Description, stand-in and parser of a kind of value."""
 
     expected: str
     stand_in: Any
     parse: Callable[[str], Any] = str
-    """Function that converts the text to the value, for values that need no context."""
+    """Function from text to value, for values that need no context."""
 
 
 def _in_si(text: str, measure: Measure) -> float:
@@ -52,8 +51,8 @@ def _in_si(text: str, measure: Measure) -> float:
 
 
 def either_way(text: str, measure: Any) -> float:
-    """Read a quantity of rotation or of straight motion; the result contains the quantity."""
-    from vstatics.core.readers.named.si_units import of_either  # slow to import
+    """Read a quantity of rotation or of straight motion; the result gives its measure."""
+    from vstatics.core.readers.named.si_units import of_either  # costs start-up time
 
     return of_either(text, measure)
 
@@ -61,12 +60,11 @@ def either_way(text: str, measure: Any) -> float:
 _FORMULA = re.compile(
     r"\b(w|speed)\b|^(?![-+]?[\d./]+(e[-+]?\d+)?\s*[^\W\d_]).*\d.*[*/+(^-]|\(", re.IGNORECASE
 )
-"""Pattern of a formula of the speed: its name, or operators without a unit after the first number.
-"""
+"""Name of the speed, or operators without a unit behind the first number."""
 
 
 def _drag(text: str) -> float:
-    """Read a drag torque, or a formula of the speed."""
+    """Read a torque, or a formula of the speed."""
     try:
         return units.relative(text, "torque")
     except ValueError as error:
@@ -74,7 +72,7 @@ def _drag(text: str) -> float:
             raise type(error)(
                 f"{error}; a formula of the speed `w` is allowed too, such as `1 + 0.01*w`"
             ) from None
-    from vstatics.core.readers.named.law_formulas import (  # slow to import
+    from vstatics.core.readers.named.law_formulas import (  # costs start-up time
         DragFormula,
         read_formula,
     )
@@ -83,17 +81,17 @@ def _drag(text: str) -> float:
 
 
 _OF_BOTH = re.compile(r"\b(w|speed|T|torque)\b|\d.*[*+(^-].*[^\W\d_]")
-"""Pattern of a formula: a name of speed or torque, or operators between a number and a name."""
+"""Name of the speed or the torque, or operators between a number and a name."""
 
 
 def _efficiency(text: str) -> float:
-    """Read an efficiency, or a formula of speed and torque."""
+    """Read an efficiency, or a formula of the speed and the torque."""
     try:
         return scalars.number(text)
     except ValueError:
         if not _OF_BOTH.search(text):
             raise
-    from vstatics.core.readers.named.law_formulas import (  # slow to import
+    from vstatics.core.readers.named.law_formulas import (  # costs start-up time
         EfficiencyFormula,
         read_formula,
     )
@@ -132,7 +130,7 @@ LEAVES: dict[LeafKind, LeafReading] = {
 
 
 def stand_in(shape: Shape) -> Any:  # noqa: PLR0911, C901 - a table
-    """Return the stand-in for an unreadable value of a shape."""
+    """Return the stand-in for an unreadable value."""
     match shape:
         case Leaf():
             return shape.choices[0] if shape.choices else LEAVES[shape.kind].stand_in

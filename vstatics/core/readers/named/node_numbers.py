@@ -1,4 +1,4 @@
-"""Numbers in the nodes of a document, found, read and replaced by paths of keys."""
+"""Numbers in the nodes of a document: found, read and replaced by paths of keys."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ MOST_KNOWN = 12
 _CALL = re.compile(r"[^\W\d]\w*\s*\(")
 _VARIABLES = ("t", "speed", "angle")
 _SIGNS = ("*", "+", "-", "^")
-"""Signs with which a formula, but not a unit, can begin."""
+"""Signs at the beginning of a formula, which begin no unit."""
 
 
 def keys_of(node: Node) -> list[str]:
@@ -32,7 +32,7 @@ def keys_of(node: Node) -> list[str]:
 
 
 def child(node: Node, key: str) -> Node | None:
-    """Return the value of a key or an item of a node; None if missing."""
+    """Return the value of a key or an item, or `None` if missing."""
     match node:
         case Mapping():
             return next((value for name, value in node.entries if name.text == key), None)
@@ -43,7 +43,7 @@ def child(node: Node, key: str) -> Node | None:
 
 
 def find_node(root: Node, parts: Sequence[PathPart]) -> Node | None:
-    """Find the node at a path; return None if only the last key, in a mapping, is missing.
+    """Find the node at a path; return `None` if only the last key, of a mapping, is missing.
 
     Raises
     ------
@@ -64,7 +64,7 @@ def find_node(root: Node, parts: Sequence[PathPart]) -> Node | None:
 
 
 def _missing(node: Node, name: str, before: str) -> str:
-    """Return the message about a path whose next key is missing."""
+    """Return the message for a path that cannot be followed."""
     known = keys_of(node)
     of = f" in {quoted(before)}" if before else ""
     match node:
@@ -79,7 +79,7 @@ def _missing(node: Node, name: str, before: str) -> str:
 
 
 class WrittenNumber(NamedTuple):
-    """Number as written in a document, with the unit or an empty text."""
+    """Number as written in a document, with a unit or an empty text."""
 
     value: float
     unit: str
@@ -91,7 +91,7 @@ def number_of(node: Node) -> WrittenNumber:
     Raises
     ------
     ValueError
-        If the node does not contain a number; the message describes the node.
+        If the node contains no number; the message describes the node.
 
     Examples
     --------
@@ -114,7 +114,7 @@ def number_of(node: Node) -> WrittenNumber:
 
 
 def number_text(value: float, unit: str = "") -> str:
-    """Return a number as text for a document; whole numbers have no decimal point.
+    """Return a number as written in a document; whole numbers have no point.
 
     >>> number_text(42.0), number_text(0.1, "rpm")
     ('42', '0.1 rpm')
@@ -125,7 +125,7 @@ def number_text(value: float, unit: str = "") -> str:
 
 
 def replaced(node: Node, keys: Sequence[str], text: str) -> Node:
-    """Return a tree with the text of the value at a path replaced; a missing last key is added.
+    """Return a tree with a new text at a path; a missing last key is appended.
 
     Parameters
     ----------

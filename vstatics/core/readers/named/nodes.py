@@ -1,7 +1,7 @@
 """Tree of nodes with places, shared by YAML, JSON and workbooks.
 
-Scalars are texts as written, which are interpreted later, so that a gear can be called `on`, `1` or
-`1e3`. `Spots` stores the places of all parts of a case.
+Scalars remain texts as written, and their meaning depends on their place, so that a gear can be
+called `on`, `1` or `1e3`. `Spots` stores the places of the parts of a model.
 """
 
 from __future__ import annotations
@@ -20,26 +20,25 @@ from vstatics.core.suggestions import nearest
 
 MOST_DEEP = 16
 MOST_PROBLEMS = 100
-MOST_HINTS = 20  # each hint compares a word with all known names, which takes time
+MOST_HINTS = 20  # each hint compares a word with all known names
 UNIT, NUMBER, NAME, SHAPE, CONTRADICTION = "E124", "E125", "E126", "E127", "E107"
-"""Ids of errors of values: a unit, a number, an unknown name or word, an expected list or mapping,
-and contradictory keys.
-"""
+"""Ids of wrong values: a unit, a number, an unknown name or word, a list or mapping that was
+expected, and keys that contradict each other."""
 TWICE, MISSING, UNKNOWN_KEY = "E192", "E191", "E190"
-"""Ids of errors of keys: repeated, missing and unknown keys."""
+"""Ids of wrong keys."""
 _NULLS = frozenset({"", "~", "null", "Null", "NULL"})
-BYTE_ORDER_MARKS = (  # UTF-32 first, because its little-endian mark begins with the mark of UTF-16
+BYTE_ORDER_MARKS = (  # UTF-32 first, as its little-endian mark begins with the mark of UTF-16
     (codecs.BOM_UTF32_LE, "utf-32", "utf-32-le"),
     (codecs.BOM_UTF32_BE, "utf-32", "utf-32-be"),
     (codecs.BOM_UTF8, "utf-8-sig", "utf-8"),
     (codecs.BOM_UTF16_LE, "utf-16", "utf-16-le"),
     (codecs.BOM_UTF16_BE, "utf-16", "utf-16-be"),
 )
-"""Byte order marks, each with the encoding of the whole text, and of the text after the mark."""
+"""Byte order marks, each with the encoding of a text with the mark, and of the text behind."""
 
 
 class Scalar(NamedTuple):
-    """Single value as written; `plain` is True without quotes."""
+    """Single value as written; `plain` means without quotes."""
 
     text: str
     line: int
@@ -67,7 +66,7 @@ Node: TypeAlias = Scalar | Listing | Mapping
 
 
 class DocumentText:
-    """Text of a document, with problems found in the text, up to `MOST_PROBLEMS`."""
+    """Text of a document, with the problems in the text, up to `MOST_PROBLEMS`."""
 
     def __init__(self, source: Source) -> None:
         self.source = source
@@ -75,7 +74,7 @@ class DocumentText:
 
     @cached_property
     def text(self) -> str:
-        """Text with a line feed after each line, built only when needed."""
+        """Text with a line feed after each line, made on demand: long tables do not need it."""
         return "\n".join(self.source.lines)
 
     @cached_property
@@ -90,43 +89,43 @@ class DocumentText:
     def add(
         self, message: str, line: int, column: int, path: Path = (), identity: str = SHAPE
     ) -> None:
-        """Add an error; after too many errors, stop reading."""
+        """Add an error; stop if there are too many."""
         self.problems.append(Problem(identity, message, path, self.source.place(line, column)))
         if len(self.problems) >= MOST_PROBLEMS:
             self.stop("too many errors, the rest is not read", 0, 1)
 
     def stop(self, message: str, line: int, column: int) -> NoReturn:
-        """Raise all errors, of which the last makes further reading impossible."""
+        """Raise all errors, the last of which makes further reading impossible."""
         raise ReadError(
             [*self.problems, Problem("E108", message, (), self.source.place(line, column))]
         )
 
     def hint(self, word: str, known: Iterable[str]) -> str:
-        """Return a hint with the nearest known word, as long as the effort is limited."""
+        """Return a hint with the nearest known word, within limits on the effort."""
         if len(self.problems) >= MOST_HINTS or len(word) > 60:
             return ""
         return nearest(word, islice(known, 1000))
 
     def check_depth(self, depth: int, line: int, column: int) -> None:
-        """Stop reading if values are nested more deeply than in any valid document."""
+        """Stop if values are nested more deeply than in any case."""
         if depth > MOST_DEEP:
             self.stop(
                 f"nested deeper than {MOST_DEEP} levels, expected at most this depth", line, column
             )
 
     def check_characters(self, text: str, line: int, column: int) -> None:
-        """Stop reading at a lone surrogate (half of a character), which escapes can create."""
+        """Stop at a lone surrogate, half of a character, which escapes can create."""
         if any("\ud800" <= character <= "\udfff" for character in text):
             self.stop("read half a character (a lone surrogate)", line, column)
 
 
 def is_null(node: Node) -> bool:
-    """Check whether a node is an empty value (null)."""
+    """Check whether a node is an empty value."""
     return isinstance(node, Scalar) and node.plain and node.text in _NULLS
 
 
 def shown(text: str) -> str:
-    r"""Return a text for a message, on a single line and shortened.
+    r"""Return a text on a single line, shortened, for a message.
 
     >>> shown("6R"), shown("a" * 50), shown("two" + chr(10) + "lines")
     ('6R', 'aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa...', 'two\\nlines')
@@ -136,7 +135,7 @@ def shown(text: str) -> str:
 
 
 def what(node: Node) -> str:
-    """Describe a node in words for a message."""
+    """Describe a node in the words of a message."""
     match node:
         case Mapping():
             return "a mapping"
@@ -148,12 +147,12 @@ def what(node: Node) -> str:
 
 
 def length(node: Node) -> str:
-    """Describe the length of a list for a message; empty for other nodes."""
+    """Describe the length of a list in a message; other nodes give an empty text."""
     return f"a list of {len(node.items)}" if isinstance(node, Listing) else ""
 
 
 def encoding_of(data: bytes) -> str:
-    """Return the encoding of a text by the byte order mark; without a mark, UTF-8.
+    """Return the encoding of a text from the byte order mark, or UTF-8 without a mark.
 
     >>> encoding_of(b"a: 1"), encoding_of(codecs.BOM_UTF8)
     ('utf-8', 'utf-8-sig')
@@ -164,7 +163,7 @@ def encoding_of(data: bytes) -> str:
 
 
 def decode(data: bytes, file: str, expected: str = "a case") -> DocumentText:
-    """Decode a text by the byte order mark; without a mark, as UTF-8.
+    """Decode a text in UTF-8, or in the encoding of the byte order mark.
 
     Raises
     ------
@@ -195,28 +194,28 @@ def decode(data: bytes, file: str, expected: str = "a case") -> DocumentText:
 
 
 class Spot(NamedTuple):
-    """Place of a value in the case (path) and in the document, with the label for messages."""
+    """Place in the model and in the document, with a label that begins the messages."""
 
     path: Path
     label: str
     node: Node
 
     def key(self, part: str | int, key: str, node: Node) -> Spot:
-        """Return the spot of the value under a key, which is called `part` in the case."""
+        """Return the spot of the value under a key, which has the name `part` in the model."""
         return Spot((*self.path, part), _joined(self.label, shown(key)), node)
 
     def item(self, part: str | int, number: int, node: Node) -> Spot:
-        """Return the spot of an item by number from 1; `part` is the number in the case."""
+        """Return the spot of an item by number from 1; `part` is the number in the model."""
         return Spot((*self.path, part), f"{self.label}[{number}]", node)
 
 
 class Spots:
-    """Spots of all values of a document, by path in the case.
+    """Spots of a document by path.
 
     Attributes
     ----------
     unreadable : list of Path
-        Paths of unreadable values, for which the case contains stand-ins.
+        Paths of unreadable values, for which the model contains stand-ins.
     """
 
     def __init__(self, document: DocumentText) -> None:
@@ -225,53 +224,53 @@ class Spots:
         self._spots: dict[Path, Spot] = {}
 
     def keep(self, spot: Spot, node: Node | None = None) -> None:
-        """Store a spot unless the path already has a spot; `node` replaces its node."""
+        """Store a spot unless its path has one; `node`, if given, is its place in the document."""
         self._spots.setdefault(spot.path, spot._replace(node=node or spot.node))
 
     def has(self, path: Path) -> bool:
-        """Check whether the value at a path was read."""
+        """Check whether a part was read."""
         return path in self._spots
 
     def keys(self, path: Path) -> list[str]:
-        """Return the keys of the mapping that was read at a path; empty without a mapping."""
+        """Return the keys of a mapping that was read, or an empty list."""
         node = self._spots[path].node if path in self._spots else None
         return [key.text for key, _ in node.entries] if isinstance(node, Mapping) else []
 
     def complain(
         self, spot: Spot, message: str, node: Node | None = None, identity: str = SHAPE
     ) -> None:
-        """Add an error at a spot, or at a node within the spot."""
+        """Add an error at a spot, or at a `node` of the spot."""
         at = node or spot.node
         text = f"{spot.label}: {message}" if spot.label else message
         self.document.add(text, at.line, at.column, spot.path, identity)
 
     def refuse(self, spot: Spot, message: str, identity: str = SHAPE) -> None:
-        """Add an error at a spot whose value is unreadable."""
+        """Add an error at an unreadable spot."""
         self.complain(spot, message, identity=identity)
         self.unreadable.append(spot.path)
 
     def tell(self, path: Path, message: str) -> None:
-        """Add an error at a path, for which problems of the case are then not reported."""
+        """Add an error at a part of the model, about which the model then reports nothing."""
         self.document.problems.append(self.locate(Problem("E109", message, path)))
         self.unreadable.append(path)
 
     def missing(self, spot: Spot, key: str) -> None:
-        """Add an error about a missing key, at the start of the record."""
+        """Add an error for a missing key, at the start of the record."""
         self.complain(self._spots[spot.path], f"`{key}` is missing", identity=MISSING)
         self.unreadable.append((*spot.path, key))
 
     def place(self, path: Path) -> Place:
-        """Return the place of the value that was read at a path."""
+        """Return the place of a part that was read."""
         node = self._spots[path].node
         return self.document.source.place(node.line, node.column)
 
     def locate(self, problem: Problem) -> Problem:
-        """Add the place in the document and the label to a problem of the case."""
+        """Add the place in the document, and the label, to a problem of the model."""
         if problem.place is not None:
             return problem
         known = problem.path
         while known not in self._spots:
-            known = known[:-1]  # the document itself always has a place
+            known = known[:-1]  # the root always exists
         label = _joined(self._spots[known].label, path_text(problem.path[len(known) :]))
         return problem._replace(
             message=f"{label}: {problem.message}" if label else problem.message,

@@ -1,4 +1,4 @@
-"""Points of a characteristic curve, or a map of speed and torque, in a CSV file."""
+"""Points of a law, or a map over speed and torque, in a CSV file."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from vstatics.core.readers.named.headings import with_unit
 from vstatics.core.readers.named.si_units import measured
 
 MOST_POINT_FILE_BYTES = 1_000_000
-"""Largest size of a file of points. [bytes]"""
+"""Maximum number of bytes of a file of points."""
 Values = Literal["efficiency", "loss"]
 _MEASURES: Mapping[str, Measure] = {"speed": "si_speed", "torque": "si_torque"}
 _VALUES = {
@@ -35,27 +35,27 @@ _Reading = Callable[[str], float]
 
 
 def points_of(name: str) -> list[tuple[float, ...]]:
-    """Read the points of a characteristic curve from a file.
+    """Read the points of a file.
 
     Raises
     ------
     OSError
         If the file cannot be read, or is too large.
     ValueError
-        If the file does not contain points; the message states the expected content.
+        With the expected content.
     """
     return _points(_rows_of(name))
 
 
 def map_of(name: str, values: Values) -> MapLaw:
-    """Read a map from a file, whose rows are the points of a full grid in any order.
+    """Read a map from a file, whose rows have the points of a full grid in any order.
 
     Raises
     ------
     OSError
         If the file cannot be read, or is too large.
     ValueError
-        If the file does not contain a map; the message states the expected content.
+        With the expected content.
     """
     return _map(_rows_of(name), values)
 
@@ -74,7 +74,7 @@ def _points(rows: _Rows) -> list[tuple[float, ...]]:
     Raises
     ------
     ValueError
-        If the rows are not points; the message states the expected content.
+        With the expected content.
 
     Examples
     --------
@@ -134,7 +134,7 @@ def _plain(unit: str) -> str:
 
 
 def _reading(heading: str, values: str) -> _Reading:
-    """Return the function that converts the numbers of a column to SI units."""
+    """Return the function that reads the numbers of a column, in SI units."""
     name, unit = _name(heading), with_unit(heading)[1] or ""
     if name in _MEASURES:
         if not unit:

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from vstatics.core.readers import Format
 
 _CORE_KEYS = (*(key.name for key in CASE.keys), "elements", "losses", "mesh_efficiency")
-"""Keys of a case that the core declares, as opposed to annexes."""
+"""Keys of a case that the core declares."""
 
 
 def read_yaml(data: bytes, file: str) -> Reading:
@@ -37,19 +37,19 @@ def read_yaml(data: bytes, file: str) -> Reading:
     Parameters
     ----------
     data : bytes
-        Text in UTF-8, or in another Unicode encoding with a byte order mark.
+        UTF-8, or another Unicode encoding with its byte order mark.
     file : str
         Name of the file, for messages.
 
     Returns
     -------
     Reading
-        Case with warnings, and with the places of all parts in the file.
+        The transmission, its warnings, and the places of its parts.
 
     Raises
     ------
     ReadError
-        With every problem that does not follow from another problem.
+        With every problem that does not follow from another.
 
     Examples
     --------
@@ -73,7 +73,7 @@ def read_json(data: bytes, file: str) -> Reading:
 
 
 def _tree(document: DocumentText, form: Format) -> Node:
-    """Return the tree of a text; the parsers are imported here, because they are slow to import."""
+    """Return the tree of a text; the parsers cost start-up time."""
     if form == "json":
         from vstatics.core.readers.named.json_nodes import json_tree
 
@@ -84,7 +84,7 @@ def _tree(document: DocumentText, form: Format) -> Node:
 
 
 def case_tree(document: DocumentText, form: Format) -> Node:
-    """Return a case in YAML or JSON as a tree of nodes.
+    """Return the case in YAML or JSON as a tree of nodes.
 
     Raises
     ------
@@ -102,12 +102,12 @@ def read_case_tree(root: Node, document: DocumentText) -> Reading:
     ----------
     root : Node
     document : DocumentText
-        Text of the tree, with problems found while parsing.
+        Text of the tree, with the problems found before.
 
     Raises
     ------
     ReadError
-        With every problem that does not follow from another problem.
+        With every problem that does not follow from another.
     """
     expected = "a case: a mapping with `elements`, `mechanisms`, `springs`, `inertias` or `masses`"
     root = _case(_mapping(root, document, expected))
@@ -127,8 +127,7 @@ def read_case_tree(root: Node, document: DocumentText) -> Reading:
         for key, value in root.entries
         if key.text in mistyped and isinstance(value, Mapping)
     ):
-        # Not every case needs this import.
-        from vstatics.core.readers.named.drawing import read_drawing
+        from vstatics.core.readers.named.drawing import read_drawing  # not needed by every case
 
         return read_drawing(root, walk, shape)
     gathered = None
@@ -147,10 +146,10 @@ def read_case_tree(root: Node, document: DocumentText) -> Reading:
 
 
 def _with_annexes(root: Mapping, document: DocumentText) -> tuple[Mapping, ByKey]:
-    """Return the document without keys of missing annexes, and the shape of a case.
+    """Return the document without missing annexes, and the shape of a case with annexes.
 
-    Keys of annexes that are not installed are left out with a warning. An annex is imported only if
-    its keys occur, or if a key is unknown, because the hint needs the names of all keys.
+    Keys of annexes that are not installed are omitted with a warning. Annexes are imported only for
+    their keys, or for an unknown key, whose hint needs the names of all keys.
     """
     unknown = {key.text for key, _ in root.entries}.difference(_CORE_KEYS)
     if not unknown:
@@ -174,25 +173,25 @@ def _mapping(root: Node, document: DocumentText, expected: str) -> Mapping:
 
 
 def _case(root: Mapping) -> Mapping:
-    """Return the case in a document, which can also be a result or solution in JSON."""
+    """Return the case, also from a JSON result or solution, so that both can be run again."""
     entries = {key.text: value for key, value in root.entries}
     inner = entries.get("case")
     return inner if entries.keys() & {"format", "blanks"} and isinstance(inner, Mapping) else root
 
 
 def read_document(data: bytes, file: str, shape: ByKey, expected: str) -> tuple[Any, Spots]:
-    """Read a document in YAML, and return the values with places.
+    """Read a document in YAML, and return the values with their places.
 
     Parameters
     ----------
     data : bytes
-        Content of a file.
+        The content of a file.
     file : str
         Name of the file, for messages.
     shape : ByKey
-        Shape of the document, whose function `make` builds the result.
+        Declared shape of the document, whose `make` builds the result.
     expected : str
-        Words for the kind of document, for messages.
+        Kind of the document, for messages.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Numbers of links, shift elements and other components, by their names in a document."""
+"""Numbers of links, shift elements and other components by the names of a document."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from vstatics.core.readers.named.nodes import DocumentText, shown
 from vstatics.core.readers.named.units import unit
 
 NO_LINK = -1
-"""Stand-in for the number of an unknown link, different from every link."""
+"""Stand-in for an unknown link, equal to no other link."""
 
 NO_ELEMENT = 0
 _FEW_LINKS = 8
@@ -22,16 +22,16 @@ _HOUSING = ("0", "housing")
 
 
 class UnknownNameError(ValueError):
-    """Error of a name or number of a link or component that does not exist in the document."""
+    """Error of a name or number of a link or component that a document does not have."""
 
 
 class References:
-    """Numbers of links, shift elements and other components, by the names in a document.
+    """Numbers of links and shift elements by the names in a document.
 
     Attributes
     ----------
     link_names : list of str
-        Names of the links; empty if links are only numbered.
+        Names of the links; empty if the links have only numbers.
         links_known, elements_known : bool
         Whether the names could be read; if not, errors about names are suppressed.
     """
@@ -51,7 +51,7 @@ class References:
         }
 
     def set_links(self, links: int) -> None:
-        """Set the number of links, which are only numbered."""
+        """Set the number of links, which have no names."""
         self._links, self.links_known = links, True
 
     def set_link_names(self, names: Sequence[str]) -> None:
@@ -65,7 +65,7 @@ class References:
         self._numbers[kind] = _numbered(names)
 
     def add_converters(self, names: Iterable[str]) -> None:
-        """Append names of converters to the names of mechanisms, as both have speed ratios."""
+        """Append names of converters to those of mechanisms; both have speed ratios."""
         self.set_numbers("mechanism", [*self._numbers["mechanism"], *names])
 
     def other(self, kind: str, text: str) -> int:
@@ -74,7 +74,7 @@ class References:
         Raises
         ------
         ValueError
-            If the name does not exist; the message states what was expected.
+            With the expected name.
         """
         numbers = self._numbers[kind]
         if text in numbers:
@@ -83,12 +83,12 @@ class References:
         raise UnknownNameError(f"expected the name of {article} {kind}{self._known(text, numbers)}")
 
     def link(self, text: str) -> int:
-        """Return the number of a link: 0 for the housing, `NO_LINK` if the links are unknown.
+        """Return the number of a link: 0 for the housing, `NO_LINK` if no links are known.
 
         Raises
         ------
         ValueError
-            If the link does not exist; the message states what was expected.
+            With the expected name or number.
         """
         if text in _HOUSING:
             return HOUSING
@@ -106,12 +106,12 @@ class References:
         raise UnknownNameError(f"expected a link number from 1 to {self._links} or `housing`{hint}")
 
     def speed_of(self, text: str) -> SpeedOf | None:
-        """Return a speed given by a link, such as `FL`, `1.05*FL` or `1.05*link 3`; else None.
+        """Return the speed of a link, as `FL`, `1.05*FL` or `1.05*link 3`, or `None`.
 
         Raises
         ------
         ValueError
-            If the link is unknown, or the factor comes after the link.
+            If the link is unknown, or the factor is behind the link.
         """
         for factor, link in ((1.0, text), (-1.0, text.removeprefix("-").strip())):
             number = self._number(link)
@@ -134,7 +134,7 @@ class References:
         return None
 
     def _number(self, link: str) -> int | None:
-        """Return the number of a link given by name, or after the word `link`; None if unknown."""
+        """Return the number of a link named alone or behind the word `link`, or `None`."""
         name = link.removeprefix("link ").strip()
         if self.link_names:
             return self._link_numbers.get(name if name in self._link_numbers else link)
@@ -142,12 +142,12 @@ class References:
         return number if number and number <= self._links else None
 
     def element(self, text: str) -> int:
-        """Return the number of a shift element; `NO_ELEMENT` if the shift elements are unknown.
+        """Return the number of a shift element, or `NO_ELEMENT` if no names are known.
 
         Raises
         ------
         ValueError
-            If the name does not exist; the message states what was expected.
+            With the expected name.
         """
         numbers = self._numbers["shift element"]
         if text in numbers:
@@ -166,7 +166,7 @@ class References:
 
 
 def _behind(text: str) -> str:
-    """Return the text after a number; empty if there is no number."""
+    """Return the text behind a number, or an empty text."""
     try:
         return calculated(text).behind
     except ValueError:

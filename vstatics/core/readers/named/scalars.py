@@ -1,6 +1,6 @@
-"""Single values: numbers, link numbers, and switches (true or false).
+"""Single values: numbers, link numbers, switches.
 
-The conversions of Python accept texts (`1_000`, `nan`, `٣`) that a case must not contain.
+Python's own conversions accept texts (`1_000`, `nan`, `٣`) that a case must not contain.
 """
 
 from __future__ import annotations
@@ -10,10 +10,10 @@ import re
 from vstatics.core.readers.named.arithmetic import DIMENSIONLESS, dimensionless, slip_or_percent
 
 NUMBER = rf"^{DIMENSIONLESS}$"
-"""Pattern of a number or calculation for JSON Schema (ECMAScript)."""
+"""Number or calculation, as a pattern for ECMAScript."""
 
 LINK_NUMBER = "^(0|[1-9][0-9]*)$"
-"""Pattern of a link number: digits without a leading zero, because YAML can read `010` as 8."""
+"""Plain digits without a leading zero, as some readers of YAML take `010` for 8."""
 
 INFINITE = frozenset((".inf", ".Inf", ".INF", "+.inf", "+.Inf", "+.INF"))
 """Infinity in the notation of YAML 1.1 and 1.2."""
@@ -28,7 +28,7 @@ def number(text: str) -> float:
     Raises
     ------
     ValueError
-        If the text is not such a number; the message states what was expected.
+        With what was expected.
 
     Examples
     --------
@@ -39,7 +39,7 @@ def number(text: str) -> float:
 
 
 def link_number(text: str) -> int | None:
-    """Return a link number; None if the text is not a link number.
+    """Return a link number, or `None` if the text is not a link number.
 
     >>> link_number("12"), link_number("0x10")
     (12, None)
@@ -57,7 +57,7 @@ def count(text: str) -> int:
     Parameters
     ----------
     text : str
-        Text with decimal digits.
+        Decimal digits.
 
     Returns
     -------
@@ -80,7 +80,7 @@ def count(text: str) -> int:
 
 
 def share(text: str) -> float:
-    """Return a share, which will be divided by the sum of all shares.
+    """Return a share, which is later divided by the sum of all shares.
 
     >>> share("3/2")
     1.5
@@ -95,7 +95,7 @@ def share(text: str) -> float:
 
 
 def flag(text: str, *, plain: bool) -> bool:
-    """Return the value of a switch, `true` or `false` without quotes."""
+    """Return a switch, `true` or `false` without quotes."""
     if not plain or text not in ("true", "false"):
         raise ValueError("expected `true` or `false`" + ("" if plain else " without quotes"))
     return text == "true"

@@ -1,4 +1,4 @@
-"""JSON Schema of a case, generated from the declared shape of cases."""
+"""JSON Schema of a case, generated from the declared shape."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ Words = dict[str, Any]
 _DAMPING, _EFFICIENCY = "any_damping", "efficiency"
 _IN_NO_CASE = frozenset(("time", "velocity", *STRAIGHT.values()))
 _IN_NO_CASE -= {"length", "force"}
-"""Quantities that occur only in scenarios."""
+"""Measures that occur only in scenarios."""
 _NAME: Words = {"type": ["string", "integer"], "minLength": 1}
 _DEFINITIONS: dict[str, Words] = {
     "link": {
@@ -69,7 +69,7 @@ _GEARS: tuple[Words, ...] = (
     {"required": ["gears"], "properties": {"gears": {**_GIVEN, **_NOT_EMPTY}}},
     {"properties": {"shift_elements": {"maxProperties": 0}}},
 )
-"""Schemas of the gears: at least one gear, or no shift elements, which implies a single gear."""
+"""Conditions on the gears: any gears, or no shift elements, which implies a single gear."""
 _ENOUGH: tuple[Words, ...] = (
     {"required": ["elements"], "properties": {"links": _TWO_LINKS}, "anyOf": [*_GEARS]},
     {
@@ -82,13 +82,13 @@ _ENOUGH: tuple[Words, ...] = (
         for key in ("springs", "inertias", "masses")
     ),
 )
-"""Minimal combinations of keys of a case."""
+"""Minimal sets of keys of a case."""
 
 
 def json_schema() -> Words:
     """Return the JSON Schema (draft 2020-12) of a case in YAML or JSON.
 
-    A schema cannot check whether named links and shift elements exist.
+    Names of links and shift elements cannot be checked by a schema.
 
     Examples
     --------
@@ -100,12 +100,12 @@ def json_schema() -> Words:
     schema = document_schema(shape, measures)
     damping = {"anyOf": [_reference("damping"), _record(DAMPING.record)]}
     several = {_DAMPING: damping, _EFFICIENCY: _of_law(EFFICIENCY)}
-    definitions = schema.pop("$defs") | several  # these definitions come last
+    definitions = schema.pop("$defs") | several  # these are last
     return {**schema, "anyOf": list(_ENOUGH), "$defs": definitions}
 
 
 def document_schema(shape: ByKey, measures: Iterable[Measure]) -> Words:
-    """Return the JSON Schema of a document with a declared shape."""
+    """Return the JSON Schema of a document with a shape."""
     schema = {"$schema": "https://json-schema.org/draft/2020-12/schema", **_record(shape)}
     return {**schema, "$defs": {**_DEFINITIONS, **{name: _measure(name) for name in measures}}}
 
@@ -147,7 +147,7 @@ def _key(key: KeyShape) -> Words:
 
 
 def _optional(words: Words) -> Words:
-    """Permit null for an optional key, which then counts as missing."""
+    """Allow null for an optional key, which then counts as missing."""
     if "anyOf" in words:
         return {**words, "anyOf": [*words["anyOf"], {"type": "null"}]}
     if "$ref" in words:
@@ -168,7 +168,7 @@ def _shape(shape: Shape) -> Words:  # noqa: PLR0911, PLR0912, C901 - a table
         case Links() | Ends() | ListOf() | Pair() | RowOf():
             return _sequence(shape)
         case Either() if shape is DAMPING:
-            return _reference(_DAMPING)  # many keys share this schema
+            return _reference(_DAMPING)  # used by many keys
         case Either():
             return {"anyOf": [_shape(shape.short), _record(shape.record)]}
         case ByPoints():
@@ -219,7 +219,7 @@ def _sequence(shape: Links | Ends | ListOf | Pair | RowOf) -> Words:
 
 
 def _of_law(shape: Balances | ByLaw) -> Words:
-    """Return the schema of a number or characteristic curve, or of a power balance."""
+    """Return the schema of a number or a law, or of a balance of powers with a battery."""
     if isinstance(shape, Balances):
         words = _by_name(_shape(shape.links.item))
         return {**words, "properties": {shape.power: _leaf(Leaf("power"))}}
@@ -253,7 +253,7 @@ def _leaf(shape: Leaf) -> Words:  # noqa: PLR0911 - a table
         case "count":
             return {"type": ["integer", "string"], "minimum": 1, "pattern": LINK_NUMBER}
         case "relative_speed" | "drag" | "efficiency":
-            return {"type": ["number", "string"]}  # the text is `FACTOR * LINK`, or a formula
+            return {"type": ["number", "string"]}  # a text is `FACTOR * LINK`, or a formula
         case "relative_torque" | "slip":
             return {"type": ["number", "string"], "pattern": f"{NUMBER}|{QUANTITY}"}
         case "speed" | "torque" | "power":
@@ -266,4 +266,4 @@ def _leaf(shape: Leaf) -> Words:  # noqa: PLR0911 - a table
             return dict(_NAME)
         case "text":
             return {"type": ["string", "number", "boolean"]}
-    return _reference(shape.kind)  # a number, a link or a quantity
+    return _reference(shape.kind)  # a number, a link, a measure

@@ -1,4 +1,4 @@
-"""Units of inertia, stiffness, pressure and other quantities, with any exponents, in SI."""
+"""Units of inertia, stiffness, pressure and other measures in SI, with any exponents."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from vstatics.core.readers.named.units import (
 )
 
 WITH_UNIT = rf"^{ARITHMETIC}[*·]? *[1A-Za-zА-я°/(][-A-Za-zА-я°0-9*·⋅×./^() ²³⁴⁻−¹]{{0,39}}$"
-"""Pattern of a number with a unit for JSON Schema (ECMAScript)."""
+"""Number with a unit, as a pattern for ECMAScript."""
 
 _Dimension = tuple[int, ...]
 """Exponents of kg, m, s, rad and K."""
@@ -34,14 +34,14 @@ _FORMS: dict[str, tuple[str, ...]] = {
     "damping": ("N*m*s/rad", "N*m*s"),
     "pump_factor": ("N*m*s^2/rad^2", "N*m*s^2"),
 }
-"""Units of each quantity; without the radian if the meaning is clear, as N*m is a torque."""
+"""Units of each measure, with the radian or without if the meaning is clear; N*m is a torque."""
 
 
 class _Base(NamedTuple):
     dimension: _Dimension
     above: float
     below: float = 1.0
-    """Divisor of `above`; the quotient is the size of the unit in SI units."""
+    """Divisor of `above`; the quotient is the size of the unit in SI."""
 
 
 _NOTHING: _Dimension = (99, 99, 99, 99, 99)
@@ -54,7 +54,7 @@ _BASES: dict[str, tuple[_Dimension, float]] = {
     "speed": ((0, 0, -1, 1, 0), math.pi / 30),
     "power": ((1, 2, -3, 0, 0), 1000),
 }
-"""Dimension, and size in SI units, of the unit by which `units` counts each kind of factor."""
+"""Dimension and size in SI of the unit in which `units` counts each kind of factor."""
 _STANDARD_GRAVITY = 9.80665
 _GRAMS = {
     "g": _Base(_MASS, 1, 1000),
@@ -86,25 +86,25 @@ _VELOCITIES = {
     "mps": _Base((0, 1, -1, 0, 0), 1),
     **dict.fromkeys(("kph", "kmh", "kmph"), _Base((0, 1, -1, 0, 0), 10, 36)),
 }
-"""Units of vehicle speed in a single word, in upper or lower case."""
+"""Vehicle speeds in a single word, in upper or lower case."""
 _POUNDS = frozenset(("lb", "lbs", "pound", "pounds", "oz", "ounce", "ounces"))
-"""Units of force in `units` that are read as mass where a mass is required."""
+"""Units of force in `units`, read as mass if the measure requires a mass."""
 _MILLISECONDS = frozenset(("ms", "msec", "мс"))
-"""Metre per second in `units`, which is read as milliseconds where a time is required."""
+"""Metre per second in `units`, read as milliseconds if the measure requires a time."""
 _QUANTITIES: dict[Measure, Quantity] = {"si_speed": "speed", "si_torque": "torque"}
-"""Quantities that `units` also knows, with more spellings of units."""
+"""Measures that `units` knows, with more spellings of the units."""
 _TOKEN = re.compile(r" *(?:([*·.×⋅/()-]|1(?= */))|([^\W\d_]+|°))")
 _EXPONENT = re.compile(r"(?:\^|\*\*)?(\()?(-?[1-4])(?(1)\))(?![0-9])")
 _SUPERSCRIPTS = str.maketrans("²³⁴⁻−¹", "234--1")
 
 
 def measured(text: str, measure: Measure) -> float:
-    """Return a number in SI units, from a bare number or a number with a unit.
+    """Return a number in SI from a bare number or a number with a unit.
 
     Raises
     ------
     ValueError
-        If the text or unit is wrong; the message states what was expected.
+        With what was expected.
 
     Examples
     --------
@@ -137,12 +137,12 @@ def measured(text: str, measure: Measure) -> float:
 
 
 def in_any_unit(text: str, measures: Sequence[Measure]) -> InUnit:
-    """Return a number in SI units, from a number that is bare or has a unit of several quantities.
+    """Return a number in SI, bare or with a unit of any of several measures.
 
     Raises
     ------
     ValueError
-        If the text or unit is wrong; the message states what was expected.
+        With what was expected.
 
     Examples
     --------
@@ -162,12 +162,12 @@ def in_any_unit(text: str, measures: Sequence[Measure]) -> InUnit:
 
 
 def of_either(text: str, measure: Measure) -> InUnit:
-    """Return a number in SI units, of a quantity of rotation or of straight motion.
+    """Return a number in SI, with a measure of rotation or of the matching straight motion.
 
     Raises
     ------
     ValueError
-        If the text or unit is wrong; the message states what was expected.
+        With what was expected.
 
     Examples
     --------
@@ -185,14 +185,14 @@ def of_either(text: str, measure: Measure) -> InUnit:
 
 @cache
 def _dimensions() -> dict[str, list[_Dimension]]:
-    """Return the possible dimensions of each quantity; the first belongs to no other quantity."""
+    """Return the dimensions of each measure; the first dimension is unique."""
     return {
         kind: [_unit(form, of_words=False)[0] for form in forms] for kind, forms in _FORMS.items()
     }
 
 
 def _unit(text: str, *, of_words: bool) -> tuple[_Dimension, float, float]:
-    """Return the dimension of a unit, and the size in SI units as a ratio, or `_NOTHING`.
+    """Return the dimension of a unit, and the size in SI as a ratio, or `_NOTHING`.
 
     Parameters
     ----------
@@ -210,13 +210,13 @@ def _unit(text: str, *, of_words: bool) -> tuple[_Dimension, float, float]:
                 above, below = above * up ** abs(times), below * down ** abs(times)
     except (ValueError, OverflowError, ZeroDivisionError):
         return _NOTHING, 1.0, 1.0
-    if total == [0, 0, -1, 0, 0] and unit(text)[0] == "speed":  # 1/min means rpm, as in `units`
+    if total == [0, 0, -1, 0, 0] and unit(text)[0] == "speed":  # 1/min is rpm, as in `units`
         return _unit("rpm", of_words=of_words)
     return tuple(total), above, below
 
 
 def _powers(text: str) -> Iterator[tuple[str, int]]:
-    """Yield the words of a unit with their exponents; brackets after `/` divide as a whole."""
+    """Yield the words of a unit with exponents; brackets behind `/` divide as a whole."""
     if len(text) > LONGEST_UNIT:
         raise ValueError
     at, signs, sign = 0, [1], 1
@@ -246,7 +246,7 @@ def _powers(text: str) -> Iterator[tuple[str, int]]:
 
 
 def _bases(word: str, *, of_words: bool) -> list[_Base]:
-    """Return the units whose product is a word, the last first, to which exponents apply."""
+    """Return the units of which a word is a product, the last first: an exponent belongs to it."""
     if of_words and word.casefold() in _POUNDS:
         [(_, above, below)] = factors(word)
         return [_Base(_MASS, above / _STANDARD_GRAVITY, below)]
@@ -276,6 +276,6 @@ def _known(parts: Sequence[tuple[str, float, float]]) -> bool:
 def _base(factor: tuple[str, float, float]) -> _Base:
     kind, above, below = factor
     dimension, times = _BASES.get(kind, (_NOTHING, 1.0))
-    if (below / times).is_integer():  # so that the sizes of rad, s and W are exactly 1
+    if (below / times).is_integer():  # so that rad, s and W are exactly 1
         return _Base(dimension, above, below / times)
     return _Base(dimension, above * times, below)

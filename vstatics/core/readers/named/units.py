@@ -1,4 +1,4 @@
-"""Common units of speed, torque and power, and numbers with such a unit."""
+"""Units of speed, torque and power in common use, and numbers with a unit."""
 
 from __future__ import annotations
 
@@ -20,8 +20,7 @@ from vstatics.core.suggestions import mixed_letters, nearest
 Quantity = Literal["speed", "torque", "power"]
 
 _Factor = tuple[str, int, float]
-"""Kind of a factor of a unit, and size in N, m, turns, minutes or kW as numerator and denominator.
-"""
+"""Kind of a factor of a unit, and its size in N, m, turns, minutes or kW as a quotient."""
 _LB, _FT, _G = (45359237, 10**8), (3048, 10**4), (980665, 10**5)
 """Pound in kg and foot in m (International Yard and Pound, 1959), standard gravity in m/s^2
 (3rd CGPM, 1901). All values are exact."""
@@ -32,7 +31,7 @@ _PREFIXED: dict[str, _Factor] = {
     **dict.fromkeys(("m", "м", "meter", "meters", "metre", "metres"), ("length", 1, 1)),
     **dict.fromkeys(("W", "Вт", "watt", "watts"), ("power", 1, 1000)),
 }
-"""Units that can have a prefix such as k; upper and lower case differ."""
+"""Units that can have a prefix, case-sensitive."""
 _PREFIXES = {
     prefix: (above, below)
     for prefixes, above, below in (
@@ -74,7 +73,7 @@ _WORDS_OF_UNITS: dict[str, _Factor] = {
     )
     for word in words.split()
 }
-"""Units without prefixes; upper and lower case are equal."""
+"""Units without prefixes, in upper or lower case."""
 
 _KINDS: dict[str, tuple[Quantity, int]] = {
     "speed": ("speed", 1),
@@ -83,7 +82,7 @@ _KINDS: dict[str, tuple[Quantity, int]] = {
     "power": ("power", 1),
     "/time force length": ("power", 60_000),  # N*m/min
 }
-"""Quantity and divisor for each combination of kinds of factors."""
+"""Quantity and divisor of each combination of kinds of factors."""
 
 _SIGNS = str.maketrans("·⋅×⁻−¹", "***--1")
 _FACTOR = re.compile(r" *([*./-]?) *(1(?= */)|[^\W\d_]+|°)(?:(?:\^|\*\*)?(-?1)(?![0-9]))?")
@@ -92,13 +91,12 @@ LONGEST_UNIT = 40
 
 
 def unit(text: str) -> tuple[Quantity | None, float]:
-    """Return the quantity and size [rpm, N*m, kW] of a unit; None for an unknown unit.
+    """Return the quantity and size [rpm, N*m, kW] of a unit; `None` for an unknown unit.
 
     Parameters
     ----------
     text : str
-        Unit: factors separated by `*`, `.`, `-`, a blank or nothing, or divided by `/`; with
-        exponents 1 and -1.
+        Factors with `*`, `.`, `-`, a blank or nothing between them, or `/`; exponents 1 and -1.
 
     Examples
     --------
@@ -120,7 +118,7 @@ def unit(text: str) -> tuple[Quantity | None, float]:
             above, below = (above * down, below * up) if inverse else (above * up, below * down)
         at = factor.end()
     together = " ".join(sorted(kinds))
-    if together == "/time" and above == below:  # 1/min means rpm; 1/s could be rad/s or rev/s
+    if together == "/time" and above == below:  # 1/min is rpm; 1/s could be rad/s
         return "speed", 1.0
     if at < len(text) or together not in _KINDS:
         return None, 1.0
@@ -129,7 +127,7 @@ def unit(text: str) -> tuple[Quantity | None, float]:
 
 
 def factors(word: str) -> list[_Factor]:
-    """Split a word into factors: N and m for `Nm`; an unknown word is a single factor."""
+    """Split a word into factors: N and m for `Nm`, an unknown factor for `Mm2`."""
     if word == "1":
         return []
     for end in range(len(word), 0, -1):
@@ -149,7 +147,7 @@ def _factor(word: str) -> _Factor | None:
 
 
 QUANTITY = rf"^{ARITHMETIC}[*·]? *(1? */ *)?[A-Za-zА-я°][-A-Za-zА-я0-9*·⋅×./^ ⁻−¹]{{0,39}}$"
-"""Pattern of a number with a unit for JSON Schema (ECMAScript)."""
+"""Number with a unit, as a pattern for ECMAScript."""
 
 EXAMPLES: dict[Quantity, str] = {
     "speed": "`2100 rpm` or `220 rad/s`",
@@ -166,12 +164,12 @@ _MEANT = {
     "kgm": "kgf*m",
     "kgcm": "kgf*cm",
 }
-"""Suggestions for wrong units of speed or torque, by the letters in the unit."""
+"""Suggestions for wrong units of speed or torque, by the letters of the unit."""
 
 
 _MASSES = ("kg", "g", "t")
 _MEASURES = ("force", "length", "time", "angle")
-"""Kinds of factors that messages can name."""
+"""Kinds of factors that messages name."""
 
 
 def quantity(text: str, kind: Quantity, or_else: str = "") -> float:
@@ -180,15 +178,15 @@ def quantity(text: str, kind: Quantity, or_else: str = "") -> float:
     Parameters
     ----------
     text : str
-        Number or calculation with a unit.
+        Number or calculation with its unit.
     kind : {"speed", "torque", "power"}
     or_else : str
-        Alternative to the quantity, which the message names.
+        Alternative to the quantity, for the message.
 
     Raises
     ------
     ValueError
-        If the text or unit is wrong; the message states what was expected.
+        With what was expected.
 
     Examples
     --------
@@ -217,7 +215,7 @@ def has_digits(text: str) -> bool:
 
 
 def usual(read: str, kind: Quantity | None) -> str:
-    """Return a hint with the usual spelling of a unit; empty without a hint.
+    """Return a hint with the usual spelling of a unit, or an empty text.
 
     >>> usual("Hz", "speed"), usual(",5", None)
     ('; did you mean `rev/s` or `rad/s`?', ' (with a decimal point)')
@@ -238,7 +236,7 @@ def usual(read: str, kind: Quantity | None) -> str:
 
 
 def _measure(text: str) -> str:
-    """Return the quantity of a unit other than speed, torque and power; empty if unknown."""
+    """Return the measure of a single unit that belongs to no quantity of a load, or nothing."""
     if text in _MASSES:
         return "mass"
     parts = factors(text) if text else []
@@ -250,13 +248,13 @@ def _letters(text: str) -> str:
 
 
 def with_article(kind: str) -> str:
-    """Return the noun for a quantity with an article, such as `an inertia`."""
+    """Return the noun of a measure with an article: `an inertia`."""
     noun = kind.removeprefix("si_").replace("_", " ")
     return f"an {noun}" if noun[0] in "aei" else f"a {noun}"
 
 
 class WithUnit(float):
-    """Speed in rpm or torque in N*m, as opposed to a number relative to the input."""
+    """Speed in rpm or torque in N*m, unlike numbers relative to the input."""
 
     quantity: Quantity
 
@@ -271,12 +269,12 @@ class WithUnit(float):
 
 
 def relative(text: str, kind: Quantity) -> float:
-    """Return a bare number as relative to the input, or a speed or torque with a unit.
+    """Return a number relative to the input, or a speed or torque with a unit.
 
     Raises
     ------
     ValueError
-        If the text or unit is wrong; the message states what was expected.
+        With what was expected.
 
     Examples
     --------
@@ -293,12 +291,12 @@ def relative(text: str, kind: Quantity) -> float:
 
 
 def common_unit(text: str) -> tuple[str, str]:
-    """Split a list of values for `--vary` from their common unit, which blanks replace.
+    """Split the values of `--vary` from the common unit, replaced by blanks.
 
     Raises
     ------
     ValueError
-        If the values have several units.
+        If there are several.
 
     Examples
     --------

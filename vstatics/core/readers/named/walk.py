@@ -1,7 +1,7 @@
-"""Conversion of a tree of nodes to values, by the declared shape of a document.
+"""Walk through a tree of nodes along the declared shape of a case.
 
-The values are parts of the case or plain values. The place of each path of the case is stored, and
-a stand-in replaces each unreadable value.
+The walk returns parts of the model and plain values, stores the place of each path of the model,
+and returns a stand-in for each unreadable value.
 """
 
 from __future__ import annotations
@@ -67,11 +67,11 @@ from vstatics.core.readers.named.references import NO_ELEMENT, NO_LINK, Referenc
 
 _ENDS = ("first", "second")
 _SHORT: dict[type[Shape], type[Node]] = {ListOf: Listing, Leaf: Scalar}
-"""Nodes that can be the short form of a record; for other nodes, messages expect a mapping."""
+"""Nodes that can replace a record; for other nodes the message asks for a mapping."""
 
 
 class Walk:
-    """Converter of nodes to values by their shapes."""
+    """Reader of nodes by shape."""
 
     def __init__(self, spots: Spots) -> None:
         self.spots = spots
@@ -98,12 +98,12 @@ class Walk:
         }
 
     def read(self, spot: Spot, shape: Shape) -> Any:
-        """Read the value at a spot; after an error, return a stand-in."""
+        """Read the value at a spot, or return a stand-in after an error."""
         self.spots.keep(spot)
         return self._readers[type(shape)](spot, shape)
 
     def items(self, spot: Spot, nodes: Sequence[Node], shape: Shape) -> list[Any]:
-        """Read the items of a list, all by the same shape."""
+        """Read the items of a list of a single shape."""
         return [self.read(spot.item(n, n, node), shape) for n, node in enumerate(nodes, 1)]
 
     def refuse(
@@ -181,15 +181,15 @@ class Walk:
             spot.item(member, number, item)
             for number, (member, item) in enumerate(zip(_ENDS, node.items, strict=False), 1)
         ]
-        if spot.path[-1] == "links":  # the case has no part `links` within a component
+        if spot.path[-1] == "links":  # the model has no part `links` within a record
             inner = [end._replace(path=(*spot.path[:-1], end.path[-1])) for end in inner]
         first, *second = [self.read(end, Leaf("link")) for end in inner]
         return first, *(second or [HOUSING])
 
     def _either(self, spot: Spot, shape: Either) -> Any:
-        """Read a record as a mapping, or by the short form that only gives the main key.
+        """Read a record, or the short form of the main key.
 
-        If the main key is unreadable, problems of the case about the record are not reported.
+        If the main key is unreadable, problems of the model about the record are hidden.
         """
         inner = spot._replace(path=(*spot.path, shape.key))
         if isinstance(spot.node, Mapping) or (is_null(spot.node) and not shape.record.required):
@@ -344,7 +344,7 @@ class Walk:
 
 
 def _joined(node: Node, known: Iterable[str]) -> Node:
-    """Return a list of words as a single word, if the shape can name a record by a list."""
+    """Return a list of words as one word, if `ByKind` names any record by a list."""
     if not isinstance(node, Listing) or not all(isinstance(item, Scalar) for item in node.items):
         return node
     if not any(name.startswith("[") for name in known):

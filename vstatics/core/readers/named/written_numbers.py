@@ -1,6 +1,6 @@
-"""Numbers in the text of a document, which can be replaced without other changes.
+"""Numbers in the text of a document, which can be replaced in place.
 
-Comments, blanks, line ends and units remain unchanged.
+Comments, blanks, line endings and the units behind the numbers remain unchanged.
 """
 
 from __future__ import annotations
@@ -16,11 +16,11 @@ from vstatics.core.readers.named.nodes import Mapping as MappingNode
 
 _ENDS = re.compile(r"\r\n|\r|\n")
 _PROPERTIES = re.compile(r"(?:[&!][^\s,\[\]{}]*\s+)*")
-"""Pattern of anchors and tags, which come before a value in YAML."""
+"""Anchor and tag, which precede a value in YAML."""
 
 
 class NumberSpot(NamedTuple):
-    """Number of a document, with the start and end in the text."""
+    """Number of a document, with start and end in the text."""
 
     value: float
     unit: str
@@ -29,16 +29,16 @@ class NumberSpot(NamedTuple):
 
 
 def number_spots(text: str, root: Node) -> dict[Keys, NumberSpot]:
-    r"""Find the numbers of a document in its text, by their paths of keys.
+    r"""Find the numbers of a document in the text, by paths of keys.
 
-    Numbers that are written with escapes or on several lines are left out.
+    Numbers that are written with escapes or over several lines are omitted.
 
     Parameters
     ----------
     text : str
-        Text with the original line ends.
+        Text with its original line endings.
     root : Node
-        Tree of nodes of the text.
+        Nodes of this text.
 
     Examples
     --------
@@ -59,7 +59,7 @@ def number_spots(text: str, root: Node) -> dict[Keys, NumberSpot]:
         match = _PROPERTIES.match(text, at)
         at = match.end() if match else at
         at += not node.plain and text[at : at + 1] in ("'", '"')
-        # -1 if the value is written with escapes
+        # -1 for a value with escapes
         start = at if node.text and text.startswith(node.text, at) else -1
         end = start + len(node.text.rstrip().removesuffix(unit).rstrip())
         if start >= 0:
@@ -91,12 +91,12 @@ def with_written(
     spots : mapping
         Numbers of the document, from `number_spots`.
     values : mapping of Keys to float
-        New values, in the units that the numbers have in the text.
+        New values, in the units behind the numbers.
 
     Raises
     ------
     ValueError
-        If a number would get two values, because by an alias it has two paths.
+        If a place would get two numbers, since an alias can give a number two paths.
 
     Examples
     --------

@@ -1,7 +1,7 @@
 """YAML text -> tree of nodes, from the events of the parser.
 
-Events are read singly, so that a document with unlimited nesting or aliases is refused early. Tags
-have no effect: only texts, lists and mappings are created.
+Events are read one at a time, so that a document with unbounded nesting or aliases is refused
+early. Tags have no effect: only texts, lists and mappings are created.
 """
 
 from __future__ import annotations
@@ -15,24 +15,24 @@ import yaml
 from vstatics.core.readers.named.nodes import DocumentText, Listing, Mapping, Node, Scalar, shown
 
 _BRACKETS = {"flow sequence": ("list", "]"), "flow mapping": ("mapping", "}")}
-"""The parser's names for values in brackets, each with a plain name and the closing bracket."""
+"""Names of the parser for values in brackets, with plain names and closing brackets."""
 _BLOCKS = {
     "block mapping": ("mapping", "a key"),
     "block collection": ("list", "`- `"),
     "block sequence": ("list", "`- `"),
 }
-"""The parser's names for values without brackets, each with plain names of value and entry."""
+"""Names of the parser for values without brackets, with plain names and their entries."""
 MOST_VALUES = 200_000
 """Maximum number of values of a document with all aliases expanded."""
 
 _READ_AHEAD = "exceeded maximum nesting depth"
-"""Message of libyaml about more than 1000 levels, which can come before all events."""
+"""Message of libyaml about more than 1000 levels, which can precede all events."""
 
 _UNPRINTABLE = re.compile("[^\t\n\r -~\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 _TEXT_WITH_BRACKETS = re.compile(r"[^\s,:'\"{}[\]]\[")
-"""Pattern of a text with a bracket, which YAML reads as the start of a list."""
+"""Text with a bracket, which YAML takes for the start of a list within a list."""
 _SPACED_RATIO = re.compile(r"(-?\d*\.?\d+)[ \t]+:[ \t]*(\d*\.?\d+)")
-"""Pattern of a ratio with blanks around the colon, which YAML reads as a key."""
+"""Ratio with blanks around the colon, which YAML takes for the end of a key."""
 _STANDARD = "tag:yaml.org,2002:"
 _TAGS = {
     Scalar: {"!", *(_STANDARD + kind for kind in ("str", "int", "float", "bool", "null"))},
@@ -42,7 +42,7 @@ _TAGS = {
 
 
 def yaml_tree(document: DocumentText) -> Node:
-    """Return the tree of a text that is a single YAML document.
+    """Return the tree of the single YAML document in a text.
 
     Raises
     ------
@@ -59,13 +59,13 @@ def yaml_tree(document: DocumentText) -> Node:
 
 
 class _Builder:
-    """Builder of nodes from events, which counts the values of anchors."""
+    """Builder of nodes from events, with the sizes of anchors."""
 
     def __init__(self, document: DocumentText, loader: Any) -> None:
         self.document = document
         self.events: Iterator[yaml.Event] = yaml.parse(document.text, Loader=loader)
         self.anchors: dict[str, tuple[Node | None, int]] = {}
-        """Node and number of values of each anchor; None until the node is complete."""
+        """Node and number of values of each anchor; `None` until the node is complete."""
         self.values = 0
         self.last = (1, 1)
 
@@ -88,7 +88,7 @@ class _Builder:
             if error.problem == _READ_AHEAD:
                 _Builder(
                     self.document, yaml.SafeLoader
-                ).root()  # raises an error at the 17th level of nesting
+                ).root()  # raises an error at nesting level 17
             mark = error.problem_mark or error.context_mark
             place = self.document.place(mark.index) if mark else self.last
             reason = reason_of(error, self.document.text)
@@ -102,14 +102,14 @@ class _Builder:
             if mark and self.document.text[mark.index : mark.index + 1] == "\t":
                 reason = "read a tab, expected blanks: no tab indents a line"
             self.document.stop(f"not YAML: {reason}", *place)
-        except (yaml.YAMLError, ValueError, OverflowError) as error:  # for example "\U00110000"
+        except (yaml.YAMLError, ValueError, OverflowError) as error:  # such as "\U00110000"
             self.document.stop(f"not YAML: {error}", *self.last)
         if event.start_mark:
             self.last = self.document.place(event.start_mark.index)
         return event
 
     def _spaced_ratio(self, at: int) -> str:
-        """Return advice on writing the ratio at a place of the text; empty if there is no ratio."""
+        """Return how to write the ratio at a place of the text, if there is a ratio."""
         for ratio in _SPACED_RATIO.finditer(self.document.text, max(at - 40, 0), at + 40):
             if ratio.start() <= at <= ratio.end():
                 first, second = ratio.groups()
@@ -180,7 +180,7 @@ class _Builder:
 
 
 def reason_of(error: yaml.MarkedYAMLError, text: str) -> str:
-    """Return the reason of an error of the parser, with advice for typical mistakes.
+    """Return the reason of an error of the parser in a text, with advice where it is known.
 
     >>> def reason(text):
     ...     try:
@@ -206,7 +206,7 @@ def reason_of(error: yaml.MarkedYAMLError, text: str) -> str:
 
 
 def _of_part(context: str, begin: yaml.Mark, text: str, index: int) -> str:
-    """Return the reason of an error within an unfinished value; empty if unknown."""
+    """Return the reason of an error at an index within a part of a text; empty if unknown."""
     place = f"line {begin.line + 1}, column {begin.column + 1}"
     for kind, (name, bracket) in _BRACKETS.items():
         if kind in context:

@@ -1,4 +1,4 @@
-"""Cells of the sheets of a workbook, limited in number whatever the file claims."""
+"""Cells of the sheets of a workbook, bounded in number for any file."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _DATE = "d"
 
 
 class ReadCell(NamedTuple):
-    """Cell of a sheet that has a value."""
+    """Cell with a value."""
 
     text: str
     """Text of the cell; numbers and switches are written as in YAML."""
@@ -37,7 +37,7 @@ class ReadSheet(NamedTuple):
 
 
 def read_sheets(data: bytes, file: str, wanted: Iterable[str]) -> list[ReadSheet]:
-    """Read the cells of requested sheets of a workbook; all other sheets have no rows.
+    """Read the cells of the wanted sheets of a workbook; other sheets have no rows.
 
     Raises
     ------
@@ -56,7 +56,7 @@ def read_sheets(data: bytes, file: str, wanted: Iterable[str]) -> list[ReadSheet
                 parts.parse(path, sheet.start, sheet.end, sheet.text)
             except ReadError:
                 raise
-            except Exception as error:  # noqa: BLE001 (damaged files raise many classes of errors)
+            except Exception as error:  # noqa: BLE001 (as above)
                 raise _no_workbook(file, error, name) from None
         read.append(ReadSheet(name, [row for row in sheet.rows if row]))
     if problems:
@@ -71,20 +71,20 @@ def _no_workbook(file: str, error: Exception, sheet: str = "") -> ReadError:
 
 
 class _SheetElements:
-    """Handler of the XML elements of a sheet, which collects the cells."""
+    """Handler of the elements of a sheet, which collects the cells."""
 
     def __init__(self, place: CellPlace, parts: PackedParts, problems: list[Problem]) -> None:
         self.rows: list[list[ReadCell]] = []
         self._place, self._parts, self._problems = place, parts, problems
         self._row = self._column = self._cells = 0
         self._attributes: Mapping[str, str] = {}
-        """XML attributes of the current cell."""
+        """Attributes of the current cell."""
         self._contents: dict[str, list[str]] = {}
-        """Value, formula and text of the current cell, by the XML element."""
+        """Value, formula and text of the current cell."""
         self._inside: list[str] = []
 
     def start(self, name: str, given: Mapping[str, str]) -> None:
-        """Handle the start of an XML element."""
+        """Handle the start of an element."""
         self._inside.append(name)
         if name == "row":
             self._begin_row(int(given.get("r", self._row + 1)))
@@ -108,7 +108,7 @@ class _SheetElements:
             self._contents[self._inside[-1]].append(read)
 
     def end(self, name: str) -> None:
-        """Handle the end of an XML element."""
+        """Handle the end of an element."""
         self._inside.pop()
         if name == "c":
             try:
@@ -138,7 +138,7 @@ class _SheetElements:
         Raises
         ------
         ValueError
-            If the cell contains an error, a date, or a formula without a stored value.
+            If the cell contains an error, a date, or a formula without its value.
         """
         kind = self._attributes.get("t", "n")
         value = "".join(self._contents.get("t" if kind == "inlineStr" else "v", ()))
@@ -165,7 +165,7 @@ class _SheetElements:
         return number
 
     def _merged(self, ref: str) -> None:
-        """Report merged cells, because all but the first would seem empty."""
+        """Report merged cells, as all but the first would seem empty."""
         first, _, last = ref.partition(":")
         place = _PLACE.fullmatch(first)
         if place and last:
@@ -196,7 +196,7 @@ def _column_of(letters: str) -> int:
 
 
 def _number(text: str) -> str:
-    """Return the text of a number in the notation of Python.
+    """Return a number in the notation of Python.
 
     >>> _number("-3.5"), _number("1E3"), _number("97")
     ('-3.5', '1000.0', '97')
@@ -214,7 +214,7 @@ def _index(text: str) -> int:
     Raises
     ------
     LookupError
-        If the text is not an index because the workbook is damaged.
+        If the text is not an index, as the workbook is damaged.
     """
     if not (text.isascii() and text.isdecimal() and len(text) < 10):
         raise LookupError(f"there is no text or format {quoted(text[:40])}")

@@ -1,4 +1,4 @@
-"""Nodes that grow value by value, from different cells of a workbook."""
+"""Nodes that are built value by value, from different cells."""
 
 from __future__ import annotations
 
@@ -7,22 +7,21 @@ from vstatics.core.readers.workbook.sheets import Part
 
 
 class GrownNode:
-    """Mapping or list under construction, with the place of the first cell."""
+    """Mapping or list under construction, at the place of the first cell."""
 
     def __init__(self, line: int, column: int) -> None:
         self.line, self.column = line, column
         self.entries: list[tuple[Part, Scalar, GrownNode | Node]] = []
         self._values: dict[Part, GrownNode | Node] = {}
-        """Values by key or number; of repeated keys, only the first value."""
+        """First value of each key."""
 
     def below(self, part: Part) -> GrownNode | Node | None:
-        """Return the value at a key or a number; None if missing."""
+        """Return the value at a key or a number, or `None`."""
         return self._values.get(part)
 
     def add(self, part: Part, value: GrownNode | Node) -> None:
-        """Add a value at a key or a number; a repeated key keeps both values for the error."""
-        # A key is a name, never null.
-        key = Scalar(str(part), value.line, value.column, plain=False)
+        """Add a value at a key or a number."""
+        key = Scalar(str(part), value.line, value.column, plain=False)  # a name, never null
         self.entries.append((part, key, value))
         self._values.setdefault(part, value)
 
@@ -46,7 +45,7 @@ class GrownNode:
 
 
 def moved(node: Node, line: int, column: int) -> Node:
-    """Return a tree in which all nodes have the same place."""
+    """Return a tree with all nodes at a single place."""
     if isinstance(node, Scalar):
         return node._replace(line=line, column=column)
     if isinstance(node, Listing):

@@ -1,4 +1,4 @@
-"""Parts of a workbook file, read within limits: sheets, shared texts and formats of dates."""
+"""Parts of a workbook file within bounds: sheets, shared texts and formats of dates."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ MOST_UNPACKED_BYTES = 10_000_000
 MOST_STYLE_BYTES = 20_000_000
 """Largest size of the part with the cell formats. [bytes]
 
-Of this part, only the numbers of the formats for dates are stored.
+Only the numbers of the formats for dates are stored from it.
 """
 MOST_NESTED_ELEMENTS = 100
 MOST_WORKBOOK_SHEETS = 1000
 _PART_PIECE = 2**16
-"""Size of the portions in which a part is parsed. [bytes]"""
+"""Size of the pieces in which a part is parsed. [bytes]"""
 _BUILT_IN_DATES = frozenset([*range(14, 23), *range(27, 37), *range(45, 48), *range(50, 59)])
-"""Numbers of the built-in formats for dates and times."""
+"""Numbers of built-in formats for dates or times."""
 _NO_DATE = re.compile(r'"[^"]*"|\[(?!hh?\]|mm?\]|ss?\])[^\]]*\]|[_\\].')
-"""Pattern of literals in a format: quoted texts, colours, single letters."""
+"""Literal parts of a format: texts, colours, single letters."""
 
 Start = Callable[[str, Mapping[str, str]], object]
 End = Callable[[str], object]
@@ -34,16 +34,16 @@ End = Callable[[str], object]
 def parse(
     stream: io.BufferedIOBase | Any, start: Start, end: End = lambda _: None, text: Any = None
 ) -> None:
-    """Parse the XML elements of a part, and call handlers with names without namespace.
+    """Parse the elements of a part, and call the handlers with names without the namespace.
 
     Raises
     ------
     ValueError
-        If the part is nested too deeply, or has a document type, whose entities can be harmful.
+        If the part is nested too deeply, or has a document type, whose entities can be hostile.
     ExpatError
         If the part is not valid XML.
     """
-    from xml.parsers import expat  # slow to import
+    from xml.parsers import expat  # costs start-up time
 
     depth = 0
 
@@ -74,7 +74,7 @@ def parse(
 
 
 class PackedParts:
-    """Parts of a workbook file, which is a ZIP archive.
+    """Parts of a workbook.
 
     Raises
     ------
@@ -85,15 +85,14 @@ class PackedParts:
     """
 
     def __init__(self, data: bytes) -> None:
-        """Open the archive, and find the sheets."""
+        """Find the sheets."""
         self._packed = zipfile.ZipFile(io.BytesIO(data))
         self._left = MOST_UNPACKED_BYTES
         roots = self._relations("")
         self._book = next((path for kind, path in roots.values() if kind == "officeDocument"), "")
         self._book = self._book or "xl/workbook.xml"
         self.sheets: dict[str, str] = {}
-        """Path of the part with the cells of each sheet, by name of the sheet; empty for a chart.
-        """
+        """Part of each sheet of cells by its name; empty for a chart."""
         self._first_day = dt.datetime(1899, 12, 30)  # noqa: DTZ001 (days have no time zone)
         self._named: list[tuple[str, str]] = []
         with self._open(self._book) as part:
@@ -104,7 +103,7 @@ class PackedParts:
             self.sheets[name] = path if kind == "worksheet" else ""
 
     def parse(self, path: str, start: Start, end: End = lambda _: None, text: Any = None) -> None:
-        """Parse the XML elements of a part."""
+        """Parse the elements of a part."""
         with self._open(path) as part:
             parse(part, start, end, text)
 
@@ -150,13 +149,13 @@ class PackedParts:
             return value
 
     def _part(self, kind: str) -> str:
-        """Return the path of the part of a kind; empty if missing."""
+        """Return the path of a part by kind, or an empty text."""
         paths = [path for of, path in self._related.values() if of == kind]
         return next((path for path in paths if path in self._packed.NameToInfo), "")
 
     @cached_property
     def texts(self) -> list[str]:
-        """Texts that cells refer to by index, without phonetic hints."""
+        """Texts shared by cells, without phonetic hints."""
         texts = []
         parts: list[str] = []
         inside = []

@@ -1,4 +1,4 @@
-"""Reader of cases in workbooks: bytes -> cells -> tree of nodes, which is read as from YAML."""
+"""Reader of cases in workbooks: bytes -> cells -> tree of nodes, which is read like YAML."""
 
 from __future__ import annotations
 
@@ -17,19 +17,19 @@ def read(data: bytes, file: str) -> Reading:
     Parameters
     ----------
     data : bytes
-        Content of a file.
+        The content of a file.
     file : str
         Name of the file, for messages.
 
     Returns
     -------
     Reading
-        Case with warnings, and with the places of all parts in the file.
+        The transmission, its warnings, and the places of its parts.
 
     Raises
     ------
     ReadError
-        With every problem, and with sheet and cell.
+        With every problem, its sheet and its cell.
 
     Examples
     --------
@@ -45,12 +45,12 @@ def read(data: bytes, file: str) -> Reading:
 
 
 def workbook_tree(data: bytes, file: str) -> tuple[MappingNode, DocumentText]:
-    """Read a workbook as a tree of nodes; also return the source of places.
+    """Read the tree of nodes of a workbook, and return the tree with the text and places.
 
     Raises
     ------
     ReadError
-        If the file is not a workbook, or does not have sheets of a case.
+        If the file is not a workbook, or has no sheets of a case.
     """
     sheets = read_sheets(data, file, SHEETS)
     document = DocumentText(WorkbookSource(file, [sheet.name for sheet in sheets]))

@@ -1,7 +1,7 @@
 """Sheets of a case in a workbook, and the conversion of texts and paths to cells and back.
 
-A cell whose text begins with a bracket, a brace or a double quote is read as YAML, so that it can
-contain a list. Any other cell is a plain text.
+A cell whose text begins with a bracket, a brace or a double quote is read like YAML, so that a list
+fits into a cell. Every other cell is a plain text.
 """
 
 from __future__ import annotations
@@ -18,38 +18,37 @@ from vstatics.core.model.paths import PathPart, in_quotes, split, written
 from vstatics.core.model.shape import ByKey, ByKind, ByName
 
 CASE_SHEET = "case"
-"""Name of the sheet with paths and values, for all keys without their own sheet."""
+"""Sheet of paths and values, for all keys without a sheet."""
 LINKS = "links"
-"""Name of the sheet with a single column, which contains the names of links."""
+"""Sheet with a single column, of names."""
 GEARS = "gears"
-"""Name of the sheet of gears, whose columns can also be shift elements (a shift table)."""
+"""Sheet whose columns can also be shift elements."""
 ENGAGED = "x"
-# Latin x, Cyrillic x, multiplication sign.
-MARKS = dict.fromkeys([ENGAGED, "\u0445", "\u00d7", "true"], True)
+MARKS = dict.fromkeys([ENGAGED, "\u0445", "\u00d7", "true"], True)  # Latin, Cyrillic, times
 MARKS |= dict.fromkeys(["-", "\u2013", "\u2014", "\u2212", "false"], False)
-"""True for marks of an engaged shift element in a shift table, False for a disengaged one."""
+"""Whether a shift element is engaged, by the mark in a shift table."""
 LONGEST_NUMBER = 9
-"""Maximum number of digits in the number of a list item."""
+"""Maximum number of digits of the number of an item."""
 
 Part = str | int
-"""Part of a path: a key, or the number of a list item from 1."""
+"""Part of a path: a key, or the number of an item from 1."""
 
 _SPECIAL = ("[", "{", '"')
 _WORDS = frozenset({"", "~", "null", "Null", "NULL"})
 _UNSAFE = re.compile(
     r"[\x00-\x1f\x7f-\x9f\u2028\u2029\ud800-\udfff\ufeff\ufffe\uffff]|_(?=x[0-9A-Fa-f]{4}_)"
 )
-"""Characters that XML, YAML or spreadsheet programs would change, and escapes such as `_x000a_`."""
+"""Characters that XML, YAML or spreadsheet programs change, such as the escape `_x000a_`."""
 _ITEM = re.compile(rf"(.*?)((?:\[\d{{1,{LONGEST_NUMBER}}}\])+)\Z", re.DOTALL)
 
 
 class PartSheet(NamedTuple):
-    """Sheet with a row for each component or gear, whose name is in the first column."""
+    """Sheet with a row for each part of a case, and the name of the part in the first column."""
 
     first: dict[str, Path]
-    """Headings that always come first, with their paths."""
+    """Headings that always come first, with paths."""
     known: frozenset[str]
-    """Keys that can begin the path in a heading."""
+    """Keys with which the path of a heading can begin."""
 
 
 def _keys(shape: ByKey) -> frozenset[str]:
@@ -58,7 +57,7 @@ def _keys(shape: ByKey) -> frozenset[str]:
 
 def _of_elements() -> frozenset[str]:
     [key] = (key for key in with_elements(CASE).keys if key.name == "elements")
-    assert isinstance(key.shape, ByName)  # noqa: S101 (declared by name)
+    assert isinstance(key.shape, ByName)  # noqa: S101 (as declared)
     assert isinstance(key.shape.item, ByKind)  # noqa: S101
     return frozenset().union(*map(_keys, key.shape.item.records.values()))
 
@@ -69,12 +68,12 @@ PART_SHEETS = {
     "elements": PartSheet({}, _of_elements()),
     GEARS: PartSheet({}, _keys(GEAR)),
 }
-"""Sheets with a row for each component or gear, by the key in a case."""
+"""Sheets of parts by the key in a case."""
 SHEETS = (CASE_SHEET, LINKS, *PART_SHEETS)
 
 
 def text_cell(text: str) -> str:
-    r"""Return a text as a cell, in quotes if the cell would otherwise be read differently.
+    r"""Return a text as a cell, in quotes if the plain text would be read differently.
 
     >>> text_cell("sun"), text_cell("[1] a"), text_cell(" a\r")
     ('sun', '"[1] a"', '" a\\r"')
@@ -85,7 +84,7 @@ def text_cell(text: str) -> str:
 
 
 def flow_cell(value: Any) -> str:
-    """Return plain data as text on a single line, valid as JSON and as YAML.
+    """Return plain data on a single line, valid in JSON and YAML.
 
     >>> flow_cell([["a", 2.5], []])
     '[["a", 2.5], []]'
@@ -95,7 +94,7 @@ def flow_cell(value: Any) -> str:
 
 
 def is_flow(text: str) -> bool:
-    """Check whether the text of a cell is read as YAML.
+    """Check whether the text of a cell is read like YAML.
 
     >>> is_flow("[[0, 1]]"), is_flow("3000 rpm")
     (True, False)
@@ -104,12 +103,12 @@ def is_flow(text: str) -> bool:
 
 
 def can_be_path(keys: Sequence[str]) -> bool:
-    """Check whether keys can be written as a path: not empty, and without both kinds of quotes."""
+    """Check whether keys can be written in a path: not empty, and with a single kind of quotes."""
     return not any(not key or ('"' in key and "'" in key) for key in keys)
 
 
 def path_cell(parts: Sequence[Part]) -> str:
-    """Return a path as a cell; numbers of list items are in brackets.
+    """Return a path as a cell; items of lists are numbers in brackets.
 
     >>> path_cell(("teeth", "sun")), path_cell(("speeds", "a.b")), path_cell(("points", 2, 1))
     ('teeth.sun', 'speeds."a.b"', 'points[2][1]')
@@ -121,7 +120,7 @@ def path_cell(parts: Sequence[Part]) -> str:
 
 
 def quoted_path_cell(parts: Sequence[Part]) -> str:
-    """Return a path as a cell, with the first key in quotes to differ from shift elements.
+    """Return a path as a cell, with a quoted first key, unlike the name of a shift element.
 
     >>> quoted_path_cell(("speeds", "C1"))
     '"speeds".C1'
@@ -132,7 +131,7 @@ def quoted_path_cell(parts: Sequence[Part]) -> str:
 
 
 def path_parts(text: str) -> Path:
-    """Split the path in a cell into keys and numbers.
+    """Split the path in a cell into parts.
 
     Raises
     ------
@@ -148,7 +147,7 @@ def path_parts(text: str) -> Path:
 
 
 def _with_items(part: PathPart, text: str) -> Path:
-    """Return the key of a part of a path, and the numbers in brackets after the key."""
+    """Return the key of a part of a path, and the numbers in brackets behind the key."""
     items = None if text[part.at] in "\"'" else _ITEM.fullmatch(part.name)
     if items is None:
         return (part.name,)

@@ -1,4 +1,4 @@
-"""Tree of nodes from the cells of sheets, similar to the tree of a text in YAML."""
+"""Tree of nodes from the cells of sheets, like the tree of a text in YAML."""
 
 from __future__ import annotations
 
@@ -30,13 +30,11 @@ from vstatics.core.readers.workbook.sheets import (
 from vstatics.core.suggestions import nearest
 
 _ROWS = MOST_ROWS + 2
-"""Difference of line numbers between two sheets, as the line number of a node encodes sheet and
-row.
-"""
+"""Difference of line numbers between two sheets; a line number of a node encodes sheet and row."""
 
 
 class WorkbookSource(Source):
-    """Workbook as a source of places, which are cells."""
+    """Workbook whose places are cells."""
 
     def __init__(self, file: str, sheets: Sequence[str]) -> None:
         super().__init__(file, "")
@@ -50,7 +48,7 @@ class WorkbookSource(Source):
 
 
 class TreeOfSheets:
-    """Builder of the tree of a case from sheets."""
+    """Builder of the tree of a case."""
 
     def __init__(self, sheets: Sequence[ReadSheet], document: DocumentText) -> None:
         self.document = document
@@ -59,7 +57,7 @@ class TreeOfSheets:
         self.sheet = CASE_SHEET
 
     def root(self) -> MappingNode:
-        """Return the tree of the whole case.
+        """Return the whole tree.
 
         Raises
         ------
@@ -86,7 +84,7 @@ class TreeOfSheets:
         return node
 
     def _check_names(self) -> None:
-        """Check the names of sheets; unknown names are permitted unless similar to a known name."""
+        """Check the names of sheets; unknown names are allowed unless similar to a known name."""
         if self.sheets.keys().isdisjoint(SHEETS):
             names = ", ".join(map(quoted, SHEETS))
             self.document.stop(f"no sheet of a case, expected some of {names}", 0, 1)
@@ -124,7 +122,7 @@ class TreeOfSheets:
                 grown.add(number, self._value(row[0]))
 
     def _parts(self, grown: GrownNode, name: str, rows: Sequence[list[ReadCell]]) -> None:
-        """Add components or gears, each from a row."""
+        """Add parts with a row each."""
         elements = self._shift_elements() if name == GEARS else {}
         paths, engaged = self._headings(name, elements)
         for row in rows:
@@ -146,27 +144,27 @@ class TreeOfSheets:
                 self._refuse(row[0], f"the name {quoted(text)} is given twice")
 
     def _shift_elements(self) -> dict[str, str]:
-        """Return the names of shift elements, by the heading in the shift table."""
+        """Return the names of shift elements by heading."""
         rows = self.sheets.get("shift_elements", [])[1:]
         headings = [row[0].text for row in rows if row[0].column == 1]
         for row in self.sheets.get(CASE_SHEET, [])[1:]:
             try:
                 parts = path_parts(row[0].text)
-            except NoValueError:  # `_paths` reports this error
+            except NoValueError:  # reported by `_paths`
                 continue
             if parts[0] == "shift_elements" and len(parts) > 1:
                 headings.append(text_cell(str(parts[1])))
         return {heading: self._plain(heading) for heading in headings}
 
     def _plain(self, heading: str) -> str:
-        """Return the name in a heading, without quotes."""
+        """Return the name in a heading, without the quotes of YAML."""
         node = self._value(ReadCell(heading, 1, 1))
         return node.text if isinstance(node, Scalar) else heading
 
     def _headings(
         self, name: str, elements: Mapping[str, str]
     ) -> tuple[dict[int, Path], dict[int, str]]:
-        """Return the paths and the shift elements in the headings, each by column."""
+        """Return the paths and the shift elements in the headings, by columns."""
         paths, engaged = dict[int, Path](), dict[int, str]()
         sheet, rows = PART_SHEETS[name], self.sheets[name]
         given = set()
@@ -181,7 +179,7 @@ class TreeOfSheets:
         return paths, engaged
 
     def _path(self, cell: ReadCell, sheet: PartSheet, elements: Mapping[str, str]) -> Path:
-        """Return the path in a heading; after reporting a wrong heading, return an empty path."""
+        """Return the path in a heading; report a wrong heading and return an empty path."""
         if cell.text in sheet.first:
             return sheet.first[cell.text]
         try:
@@ -200,10 +198,9 @@ class TreeOfSheets:
     def _engage(
         self, part: GrownNode, cells: Sequence[ReadCell], engaged: Mapping[int, str]
     ) -> None:
-        """Add the engaged shift elements of a gear, in the order of columns or of given numbers.
+        """Add the engaged shift elements of a gear, in the order of columns or given numbers.
 
-        A mark can be the position in the order, from 1; 0 means disengaged, so that a table of 1
-        and 0 is also valid.
+        A shift table of 1 and 0 is read alike: orders count from 1, and 0 is disengaged.
         """
         engagements = []
         for cell in cells:
@@ -224,7 +221,7 @@ class TreeOfSheets:
             part.add("engaged", Listing(items, items[0].line, items[0].column))
 
     def _paths(self, root: GrownNode) -> None:
-        """Add the values from the sheet of paths and values."""
+        """Add the values of the sheet of paths and values."""
         rows = self.sheets[CASE_SHEET]
         if rows and [cell.text for cell in rows[0]] != ["path", "value"]:
             self._refuse(ReadCell("", 1, 1), "expected the headings `path` and `value`")
@@ -247,7 +244,7 @@ class TreeOfSheets:
             self._put(root, parts, path, self._value(values[0]))
 
     def _put(self, grown: GrownNode, parts: Sequence[Part], cell: ReadCell, value: Node) -> None:
-        """Add a value at a path; after a wrong heading, the path is empty."""
+        """Add a value at a path; the path is empty after a refused heading."""
         if not parts:
             return
         for part in parts[:-1]:
@@ -265,12 +262,12 @@ class TreeOfSheets:
         grown.add(parts[-1], value)
 
     def _value(self, cell: ReadCell) -> Node:
-        """Return the node for the text of a cell."""
+        """Return the node of a cell."""
         at = self._at(cell)
         text = with_plain_blanks(cell.text)
         if not is_flow(text):
             return Scalar(text, *at)
-        from vstatics.core.readers.named.yaml_nodes import yaml_tree  # yaml is slow to import
+        from vstatics.core.readers.named.yaml_nodes import yaml_tree  # yaml costs start-up time
 
         try:
             return moved(yaml_tree(DocumentText(Source("", text))), *at)
