@@ -1,6 +1,6 @@
 """Pictures of a result: the kinds of pictures, and drawing to SVG, PNG or PDF.
 
-The functions take a result, a kind of picture and a style, and return the bytes of a file.
+The functions take results, a kind of picture and a style, and return the bytes of a file.
 
 >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
 >>> from vstatics.pictures.drawing.style import Style
@@ -10,15 +10,15 @@ b'<?xml'
 >>> picture(solve(case), "plan", Style()).texts[0].get_text()
 'Generalised kinematic plan'
 
-`drawing` has the common parts of all pictures. `flow`, `lever`, `schemes` and `plan` have kinds of
-pictures, `paged` embeds pictures in HTML pages, `pair` puts two cases on one sheet, and `cli` has
-the command `vstatics plot`; other annexes have the pictures of their results.
+`drawing` contains what all pictures share. `flow`, `lever`, `schemes` and `plan` each draw a kind
+of picture, `paged` embeds pictures in HTML pages, `pair` puts two cases on one sheet, and `cli`
+contains the command `vstatics plot`. Other annexes draw their own results.
 
-The records of annexes declare the kinds. A kind is a function ``draw(results, style, gears)`` in a
-module that is imported only for drawing, because matplotlib is an extra. The function returns pages
-no larger than the style allows; kinds that show a run take the motion, too. Kinds whose gears share
-work have a function ``each(results, style, shown)`` instead, which returns the pages of several
-lists of gears.
+The record of each annex declares its kinds of pictures. A kind is a function
+``draw(results, style, gears)`` in a module that is imported only for drawing, because matplotlib is
+an extra. The function returns pages no larger than the style allows. Kinds that show a simulated
+run also take the run as ``motion``. Kinds that calculate something common to all gears have a
+function ``each(results, style, shown)`` instead, which returns the pages of several lists of gears.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ if TYPE_CHECKING:
 
 
 def drawn_kinds() -> Mapping[str, PictureKind]:
-    """Return the kinds of pictures of a case in their order, without kinds that plot documents."""
+    """Return the kinds of pictures of a case in order, without kinds of pictures of documents."""
     return {kind: record for kind, record in picture_kinds().items() if not record.plots}
 
 
@@ -53,13 +53,13 @@ def module_of(kind: str) -> ModuleType:
 
 
 def kinds_of_runs() -> list[str]:
-    """Return the kinds of pictures that can show a run; the kind that requires a run is first."""
+    """Return the kinds of pictures that can show a run; kinds that require a run are first."""
     kinds = [kind for kind, record in drawn_kinds().items() if "motion" in record.options]
     return sorted(kinds, key=lambda kind: picture_kinds()[kind].shows != "run")
 
 
 def misplaced(kind: str, given: Mapping[str, object]) -> Iterator[tuple[str, str]]:
-    """Yield the given options that a kind of picture does not have, with the reason.
+    """Yield each given option that does not apply to a kind of picture, with the reason.
 
     >>> [*misplaced("plan", {"merge": True, "wheels": False})]
     [('merge', 'only levers can be merged')]
@@ -93,7 +93,7 @@ def picture(
     gears : sequence of int, optional
         Numbers of the gears to show, from 1; empty for all.
     motion : Motion, optional
-        Run of the case, for kinds that can show a run.
+        Simulated run of the case, for kinds of pictures that can show a run.
 
     Raises
     ------
@@ -107,7 +107,7 @@ def picture(
     return figure
 
 
-def drawn_pages(  # noqa: PLR0913, PLR0917 - what is drawn, and how
+def drawn_pages(  # noqa: PLR0913, PLR0917 - arguments of a picture
     results: Results,
     kind: str,
     style: Style,
@@ -115,7 +115,7 @@ def drawn_pages(  # noqa: PLR0913, PLR0917 - what is drawn, and how
     motion: PicturedRun | None = None,
     others: Sequence[tuple[Results, PicturedRun]] = (),
 ) -> list[list[Canvas]]:
-    """Draw the pages of each list of gears; scales of a run are wide enough for the other runs."""
+    """Draw the pages of each list of gears; the scales of a run also cover further runs."""
     from vstatics.pictures.drawing.style import POINTS_PER_MILLIMETRE
 
     require("plot", "a picture")
@@ -130,7 +130,7 @@ def drawn_pages(  # noqa: PLR0913, PLR0917 - what is drawn, and how
     return [[*drawing.draw(results, style, gears, *run)] for gears in shown]
 
 
-def render(  # noqa: PLR0913 - what is drawn, and how
+def render(  # noqa: PLR0913 - arguments of a picture
     results: Results,
     kind: str,
     form: Format,
@@ -145,7 +145,7 @@ def render(  # noqa: PLR0913 - what is drawn, and how
     return file
 
 
-def pages(  # noqa: PLR0913 - what is drawn, and how
+def pages(  # noqa: PLR0913 - arguments of a picture
     results: Results,
     kind: str,
     form: Format,
@@ -155,9 +155,10 @@ def pages(  # noqa: PLR0913 - what is drawn, and how
     motion: PicturedRun | None = None,
     others: Sequence[tuple[Results, PicturedRun]] = (),
 ) -> list[bytes]:
-    """Draw a picture as files of a page each, or one PDF; parameters as in `picture`.
+    """Draw a picture as a file for each page, or as a PDF; parameters as in `picture`.
 
-    The scales of a run are wide enough for the other runs.
+    The scales of the run `motion` also cover the runs in `others`, so that pictures can be
+    compared.
     """
     from vstatics.pictures.drawing.files import files_of
 
@@ -168,7 +169,7 @@ def pages(  # noqa: PLR0913 - what is drawn, and how
 def of_each_gear(
     results: Results, kind: str, style: Style, gears: Sequence[int]
 ) -> list[list[bytes]]:
-    """Draw the pages of each gear as SVG; parameters and errors as in `picture`."""
+    """Draw the pages of each gear separately as SVG; parameters and errors as in `picture`."""
     from vstatics.pictures.drawing.files import files_of
 
     shown = [(number,) for number in gears]
@@ -180,7 +181,7 @@ def of_each_gear(
 
 
 def _alternative(results: Results, kind: str, style: Style, gears: Sequence[int]) -> str:
-    """Return the text that describes a picture to readers who cannot see the picture."""
+    """Return the alternative text of a picture, for readers who cannot see pictures."""
     from vstatics.pictures.drawing.words import gear_title, title
 
     names = (gear_title(results.case.gears[number - 1].name, style) for number in gears)

@@ -1,4 +1,4 @@
-"""Two cases on one sheet, with their pictures of a kind below each other or side by side."""
+"""Pictures of two cases on one sheet, below each other or side by side."""
 
 from __future__ import annotations
 
@@ -21,23 +21,23 @@ if TYPE_CHECKING:
 
 LETTERS = "AB"
 BESIDE = ("efficiency",)
-"""Kinds that are drawn side by side if half the width does not make the pictures much higher."""
+"""Kinds of pictures drawn side by side, if half the width makes them little higher."""
 AS_HIGH = 1.1
-"""Largest ratio of the height in half the width to the full-width height for this layout."""
+"""Largest ratio of heights, half width to full width, for pictures side by side. [-]"""
 
 
 class PairedCase(NamedTuple):
-    """A case drawn together with a second case."""
+    """Case that is drawn together with a second case."""
 
     name: str
-    """Name of the file."""
+    """Name of the file of the case."""
     results: Results
     gears: Sequence[int] = ()
     motion: PicturedRun | None = None
 
 
 def pair_pages(both: Sequence[PairedCase], kind: str, form: Format, style: Style) -> list[bytes]:
-    """Draw a picture of two cases as files of a page each.
+    """Draw a picture of two cases, as one file per page.
 
     Raises
     ------
@@ -78,7 +78,7 @@ def _sheets(both: Sequence[PairedCase], kind: str, style: Style) -> Iterator[Can
             parts = [figure for figures in halves for figure in figures]
             yield joined(parts, style, side_by_side=True)
             return
-    half = style.height / 2 - LETTER_HEIGHT  # room for each of two pictures on a page
+    half = style.height / 2 - LETTER_HEIGHT  # each of two pictures on a page has half its height
     for pages in zip_longest(*lettered(style.width, half)):
         present = [page for page in pages if page]
         if sum(page.size[1] for page in present) <= style.height:
@@ -88,7 +88,7 @@ def _sheets(both: Sequence[PairedCase], kind: str, style: Style) -> Iterator[Can
 
 
 def _drawn(both: Sequence[PairedCase], place: int, kind: str, style: Style) -> list[Canvas]:
-    """Draw the pages of a case, with scales that are wide enough for the second case, too.
+    """Draw the pages of a case, with scales that also cover the other case.
 
     Raises
     ------

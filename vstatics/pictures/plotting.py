@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 
 
 class Picture:
-    """A picture of the results of one case, which a notebook shows as SVG."""
+    """Picture of the results of one case, which a notebook shows as SVG."""
 
     def __init__(
         self,
@@ -44,7 +44,7 @@ class Picture:
         gears: Sequence[int],
         motion: Motion | None = None,
     ) -> None:
-        """Store the arguments; drawing begins when the picture is shown or saved."""
+        """Store the arguments; the picture is drawn when it is shown or saved."""
         self._drawn = results, kind, style, gears
         self._motion = motion
 
@@ -59,13 +59,13 @@ class Picture:
 
     @property
     def figure(self) -> Figure:
-        """The picture as a matplotlib figure, which can be changed."""
+        """Picture as a matplotlib figure, which can be changed."""
         return picture(*self._drawn, motion=self._motion)
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the picture to a file: SVG, PNG or PDF by the suffix.
 
-        Further pages are files next to the first, such as ``box-2.svg``, or pages of the same PDF.
+        Each page after the first is a file of its own such as ``box-2.svg``, or a page of the PDF.
 
         Parameters
         ----------
@@ -87,7 +87,7 @@ class Picture:
 
 
 def format_of_picture(path: str | os.PathLike[str]) -> Format:
-    """Return the format of a picture by the suffix of the file.
+    """Return the format of a picture from the suffix of its file.
 
     Raises
     ------
@@ -107,7 +107,7 @@ def format_of_picture(path: str | os.PathLike[str]) -> Format:
 
 
 @refusing(Motion=module_of_name("Motion"))
-def plot(  # noqa: PLR0913 - all but the first by name
+def plot(  # noqa: PLR0913 - all but the first argument are given by name
     results: Results,
     kind: str = "plan",
     *,
@@ -137,13 +137,13 @@ def plot(  # noqa: PLR0913 - all but the first by name
     gear : int or str, optional
         Number from 1, or name, of the gear to show; by default all gears.
     motion : Motion, optional
-        Run of the case, for the kinds `shift` and `plan`.
+        Simulated run of the case, for the kinds `shift` and `plan`.
     wheels : bool, optional
         Whether stick diagrams show names and tooth numbers of gears.
     merge : bool, optional
         Whether two gear sets with two common links become one lever.
     orders : sequence of float, optional
-        Orders of the speed, for the kinds `campbell` and `response`; by default those of the
+        Orders of the speed, for the kinds `campbell` and `response`; by default the orders of the
         engine.
     speed : tuple of float, optional
         Range of speeds for the kinds `campbell` and `response`; by default the range of the

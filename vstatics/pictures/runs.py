@@ -1,4 +1,4 @@
-"""Protocols of a run and of events for pictures, and labels of events."""
+"""Protocols of a simulated run and of events for pictures, and the labels of events."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from vstatics.pictures.drawing.style import Style
 
 
 class PicturedEvent(Protocol):
-    """Event of a run."""
+    """Event of a simulated run."""
 
     @property
     def time(self) -> float:
@@ -20,35 +20,35 @@ class PicturedEvent(Protocol):
 
     @property
     def element(self) -> str:
-        """Name of the part that the event concerns."""
+        """Name of the component that the event concerns."""
 
     @property
     def event(self) -> str:
-        """Key of `IMPORTANCE`."""
+        """Kind of event, a key of `IMPORTANCE`."""
 
     @property
     def word(self) -> str:
-        """Word for the event in labels; empty if the word is the key of the event."""
+        """Word for the event in labels; empty if the kind of event is that word."""
 
     @property
     def step(self) -> int | None:
-        """Number of the step of a sequence."""
+        """Number of the step of a shift sequence, if the event is a step."""
 
 
 class PicturedRun(Protocol):
-    """Run over time."""
+    """Simulated run of a case over time, as pictures need it."""
 
     @property
     def time(self) -> Floats:
-        """Instants, in s."""
+        """Time of each instant, in s."""
 
     @property
     def links(self) -> Sequence[str]:
-        """Names of the columns of `speeds`."""
+        """Names of the links in the columns of `speeds`."""
 
     @property
     def speeds(self) -> Floats:
-        """Speeds of links at each instant, in rad/s."""
+        """Speeds of links at each instant, in rad/s, shape (instants, links)."""
 
     @property
     def events(self) -> Sequence[PicturedEvent]:
@@ -56,18 +56,18 @@ class PicturedRun(Protocol):
 
     @property
     def case(self) -> Transmission | None:
-        """The case that moves."""
+        """Case that the run simulates."""
 
 
 AnEvent = TypeVar("AnEvent", bound=PicturedEvent)
 NAME_LETTERS = 40
 """Largest number of letters of a name in a label."""
 IMPORTANCE = {"impact": 0, "locks": 1, "step": 2, "reverses": 3, "slips": 4}
-"""Ranks of events by their keys; of simultaneous events, lower ranks get a label first."""
+"""Rank of each kind of event; among simultaneous events, lower ranks get a label first."""
 
 
 def short(name: str) -> str:
-    """Return a printable name, cut to fit a margin.
+    """Return a name with printable letters only, cut to `NAME_LETTERS`.
 
     >>> short("C1"), short("a" * 50)
     ('C1', 'aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa…')
@@ -77,7 +77,7 @@ def short(name: str) -> str:
 
 
 def event_word(event: PicturedEvent, style: Style) -> str:
-    """Return the word for an event; for a step of a sequence, with its number.
+    """Return the word for an event; a step of a shift sequence includes its number.
 
     >>> from types import SimpleNamespace
     >>> event_word(SimpleNamespace(event="step", word="step", step=2), Style())
@@ -89,7 +89,7 @@ def event_word(event: PicturedEvent, style: Style) -> str:
 
 
 def event_text(event: PicturedEvent, style: Style) -> str:
-    """Return the label of an event: the name of the part and the word.
+    """Return the label of an event: the name of its component, and the word for the event.
 
     >>> from types import SimpleNamespace
     >>> event_text(SimpleNamespace(element="C1", event="locks", word="", step=None), Style())
@@ -99,7 +99,7 @@ def event_text(event: PicturedEvent, style: Style) -> str:
 
 
 def named_events(events: Sequence[AnEvent], most: int) -> list[AnEvent]:
-    """Return the events that get a label; if there are more than `most`, the most important."""
+    """Return the events that get a label: all, or the `most` important ones."""
     if len(events) <= most:
         return list(events)
     first = sorted(range(len(events)), key=lambda place: (IMPORTANCE[events[place].event], place))

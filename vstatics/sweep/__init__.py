@@ -1,4 +1,4 @@
-"""Sweeps: thousands or millions of variants of a case, with selected results of each.
+"""Sweeps: thousands or millions of variants of a case, each with selected results.
 
 >>> from vstatics import Gear, Mechanism, Transmission
 >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear(speeds={2: 0})])
@@ -6,10 +6,10 @@
 ...     print(chunk.values[:, 0], chunk.columns[:, 0])
 [-4.  -3.5] [5.  4.5]
 
-`options` become a plan (`build`, `plan`): numbered `variants`, and their `results` as columns and
-conditions. The pieces of a plan are calculated by any process (`chunk`, `tasks`) and assembled in
-one of the `formats` (`output`), or in Python (`swept`). `pictures` draws written sweeps, `cli` is
-the command `vstatics sweep`.
+`build` turns `options` into a `plan`: numbered `variants`, with expressions of their `results` as
+columns and conditions. Worker processes calculate pieces of the plan (`chunk`, `tasks`). `output`
+assembles the pieces to a file in one of the `formats`, `swept` returns them in Python. `pictures`
+draws sweep files, and `cli` is the command `vstatics sweep`.
 """
 
 from __future__ import annotations
@@ -67,7 +67,8 @@ def sweep(  # noqa: PLR0913 (as on the command line)
         ``"engine.inertia"`` [kg*m^2]. Arrays of speeds, torques and powers are in rad/s, N*m and W,
         even in a scenario and although `Load` has rpm; ``"load.speed [rpm]"`` is in rpm.
     zip : bool
-        Take the values in parallel instead of as a grid.
+        Take the first values of all numbers together, then the second values, and so on, instead of
+        a grid.
     sample : int, optional
         Number of variants drawn between ``low:high`` of each number, instead of a grid.
     method : {"sobol", "lhs", "random"}
@@ -75,20 +76,20 @@ def sweep(  # noqa: PLR0913 (as on the command line)
     seed : int
         Seed of the sample; equal seeds give equal samples.
     variants : mapping of str to array_like, optional
-        A table of variants instead of `vary`, with a value of each number for every variant. [-]
+        A table of variants instead of `vary`: for each number, its values in all variants. [-]
     linked : mapping of str to str, or sequence of str
-        Numbers that follow from varied numbers, earlier linked numbers, and numbers of the case:
-        ``{"P1.teeth.planet": "(P1.teeth.ring - P1.teeth.sun)/2"}``.
+        Formulas of numbers that follow from varied numbers, earlier linked numbers, and numbers of
+        the case: ``{"P1.teeth.planet": "(P1.teeth.ring - P1.teeth.sun)/2"}``.
     out : str or sequence of str
-        The columns, as in ``--out`` of the command line.
+        Columns of the result, as in ``--out`` of the command line.
     where : str, optional
-        Condition for a variant to get a row.
+        Condition that a variant must satisfy to get a row.
     min, max : str or sequence of str
-        Objectives to minimise and maximise: only the best variants get a row, in one chunk.
+        Objectives to minimise and maximise. Only the best variants get a row, all in one chunk.
     best : int, optional
         Number of best variants; 20 by default for a single objective.
     by : {"gear"}, optional
-        A row for each gear of a variant, given by `Chunk.of_gear`.
+        One row for each gear of a variant; `Chunk.of_gear` has the gear of each row.
     coast, idle : optional
         As in `vstatics.solve`.
     jobs : int

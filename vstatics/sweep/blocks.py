@@ -1,4 +1,4 @@
-"""Calculation of a part of a sweep of a case, block by block.
+"""Calculation of a range of variants of a case, block by block.
 
 The size of a block is chosen so that its results take tens of megabytes.
 """
@@ -44,11 +44,13 @@ from vstatics.sweep.variants.targets import OF_MECHANISM, Target, Varied, imposs
 Chosen: TypeAlias = Integers | slice
 """Indices of variants in a block."""
 Made: TypeAlias = tuple[Chosen, Transmission | None]
-"""Indices of variants in a block, and the case that they share; `None` for an impossible case."""
+"""Indices of variants in a block, and the case from which they are calculated; None if it is
+impossible.
+"""
 Array = TypeVar("Array", Floats, Codes)
 
 MEASURED_RUNS = 8
-"""Number of runs from which the time of all runs is estimated."""
+"""Number of runs whose time is measured to estimate the time of all runs."""
 BLOCK_BYTES = 32 * 2**20
 LEAST_BLOCK, MOST_BLOCK = 256, 16384
 
@@ -66,7 +68,7 @@ class Frequencies(Protocol):
 
     @property
     def conflict(self) -> Booleans:
-        """Mask of the variants with a conflict between freewheels, shape (variants,)."""
+        """Mask of the variants whose freewheels contradict each other, shape (variants,)."""
 
 
 class BlockTables(NamedTuple):
@@ -75,15 +77,16 @@ class BlockTables(NamedTuple):
     results: Results | None
     modes: Frequencies | None
     numbers: Mapping[str, Floats]
-    """Numbers of mechanisms by the table in `PART_NUMBERS`, shape (variants, 1, mechanisms). [-]"""
+    """Numbers of mechanisms for each name in `PART_NUMBERS`, shape (variants, 1, mechanisms). [-]
+    """
 
     def existing(self, name: str) -> Floats:
-        """Return a table that the plan uses."""
+        """Return the table of a name, which the plan uses, so that it has been calculated."""
         if name == OMEGA and self.modes is not None:
             return self.modes.omegas
         if name in self.numbers:
             return self.numbers[name]
-        assert self.results is not None  # noqa: S101 - the plan has looked
+        assert self.results is not None  # noqa: S101 - calculated if the plan uses any such table
         if name == STEP:
             return steps(self.results.case, self.results.ratio)
         if name == SPREAD:
@@ -92,19 +95,19 @@ class BlockTables(NamedTuple):
 
 
 class OfCases(NamedTuple):
-    """Tables of a block of variants that are calculated as several groups."""
+    """Tables of a block of variants, calculated separately for groups of its variants."""
 
     places: list[Chosen]
-    """Indices of the variants of each group."""
+    """Indices in the block of the variants of each group."""
     parts: list[BlockTables]
 
     def existing(self, name: str) -> Floats:
-        """Return a table of all groups in the order of the variants."""
+        """Return the table of a name for the whole block, in the order of the variants."""
         return _in_order(self.places, [part.existing(name) for part in self.parts])
 
     @property
     def outside(self) -> tuple[str, ...]:
-        """Names of laws that were evaluated outside their points."""
+        """Names of characteristic curves that were evaluated outside their given points."""
         names = (
             name
             for part in self.parts
@@ -135,7 +138,7 @@ def calculate(plan: SweepPlan, start: int, stop: int) -> Chunk:
 
 
 def blocks(case: Transmission, start: int, stop: int) -> Iterator[tuple[int, int]]:
-    """Return the first variant and the end of each block of a part; sizes are nearly equal."""
+    """Return the first variant and the end of each block of a range; blocks are nearly equal."""
     most = min(max(BLOCK_BYTES // variant_bytes(case), LEAST_BLOCK), MOST_BLOCK)
     number = -(-(stop - start) // most)
     ends = [start + (stop - start) * block // number for block in range(number + 1)]
@@ -173,7 +176,7 @@ def _block(plan: SweepPlan, unvaried: Results | None, start: int, stop: int) -> 
 def possible_numbers(
     case: Transmission, targets: Sequence[Varied], values: Floats
 ) -> tuple[Floats, Booleans]:
-    """Return the varied numbers with impossible values replaced, and a mask of such variants."""
+    """Return the varied numbers with impossible values replaced, and a mask of their variants."""
     invalid = np.zeros(len(values), dtype=np.bool_)
     possible = values
     for column, target in enumerate(targets):
@@ -192,12 +195,12 @@ def _wrong(case: Transmission, target: Varied, given: Floats) -> tuple[Booleans,
         value = own_number(case, target.owner, target.quantity)
         between = [case.ratio_range(target.owner)] if target.quantity == "ratio" else []
         return impossible(target.quantity, given, *between), value
-    assert isinstance(target, CasePath)  # noqa: S101 - a case has no other
+    assert isinstance(target, CasePath)  # noqa: S101 - a case has only these two kinds of targets
     return target.impossible(given), 1.0
 
 
 def _cases(plan: SweepPlan, values: Floats) -> Iterator[Made]:
-    """Yield the case of each group of variants, or `None` for an impossible case."""
+    """Yield groups of variants that need the same case, with the case; None if it is impossible."""
     paths = plan.parts
     if not paths:
         yield slice(None), plan.case
@@ -215,10 +218,10 @@ def _cases(plan: SweepPlan, values: Floats) -> Iterator[Made]:
 def _groups(
     plan: SweepPlan, cases: Sequence[Made]
 ) -> Iterator[tuple[Chosen, Transmission, Sequence[Made]]]:
-    """Yield groups of variants that are solved together.
+    """Yield groups of variants that are solved together, each with the case.
 
-    Cases that differ only in ratios and efficiencies form a group, unless planet speeds or natural
-    frequencies are used, which depend on each case.
+    Variants whose cases differ only in ratios and efficiencies form one group, unless the plan uses
+    planet speeds or natural frequencies, which need further numbers of each case.
     """
     efficiencies = [mechanism.back_efficiency for mechanism in plan.case.mechanisms]
     of_each_case = plan.tables & {OMEGA, "planet_speeds", "planet_speeds_rpm"}
@@ -240,9 +243,9 @@ def _groups(
 def block_tables(
     plan: SweepPlan, case: Transmission, values: Floats, cases: Sequence[Made]
 ) -> BlockTables:
-    """Return the tables that a plan uses, for a case and possible varied numbers.
+    """Return the tables that a plan uses, for variants of a case whose values are possible.
 
-    `cases` replace the ratios and efficiencies of some variants.
+    The ratios and efficiencies of the `cases` replace those of `case` in their variants.
     """
     results = modes = None
     paths = _by_path(plan, values)
@@ -266,7 +269,7 @@ def block_tables(
 
 
 def _by_path(plan: SweepPlan, values: Floats) -> dict[str, Floats]:
-    """Return the numbers that `vstatics.solve` varies by path, in SI."""
+    """Return the varied numbers that `vstatics.solve` accepts by path, in SI units."""
     numbers: dict[str, Floats] = {}
     of_solve = [path for path in plan.paths if path.of]
     for target, column in zip(plan.variants.targets, values.T, strict=True):
@@ -281,7 +284,7 @@ def _by_path(plan: SweepPlan, values: Floats) -> dict[str, Floats]:
 def _of_mechanisms(
     case: Transmission, plan: SweepPlan, values: Floats, cases: Sequence[Made]
 ) -> dict[str, Floats]:
-    """Return ratios and efficiencies if they vary, else ratios; shape (variants, mechanisms)."""
+    """Return ratios or efficiencies that vary, else ratios; shape (variants, mechanisms)."""
     varied = {target.quantity for target in plan.targets} & {*OF_MECHANISM}
     asked = OF_MECHANISM if cases else varied or {"ratio"}
     return {quantity: _numbers_of(case, plan, values, cases, quantity) for quantity in asked}
@@ -304,10 +307,10 @@ def _numbers_of(
 
 
 def _status(tables: BlockTables, unvaried: Results | None, plan: SweepPlan, variants: int) -> Codes:
-    """Return the worst status of each variant over the gears that the plan uses, or of each gear.
+    """Return the worst status over the gears that the plan uses, or the status of each gear.
 
-    Whole arrays are tested first, because most variants are ok. If only natural frequencies are
-    used, they determine the status.
+    Whole arrays are tested first, because most variants are ok. If the plan only uses natural
+    frequencies, their calculation gives the status.
     """
     by_gear = plan.by_gear
     status = np.zeros((variants, len(plan.gears)) if by_gear else variants, dtype=np.uint8)
@@ -341,7 +344,7 @@ def _in_order(places: Sequence[Chosen], arrays: Sequence[Array]) -> Array:
 
 
 def middle(plan: SweepPlan) -> tuple[int, int]:
-    """Return the first variant and the end of a block in the middle of a sweep, for estimates."""
+    """Return the range of variants of a block in the middle of a sweep, for estimates."""
     start, stop = plan.span(plan.pieces // 2)
     if not isinstance(plan.subject, Transmission):
         return start, min(stop, start + MEASURED_RUNS)
@@ -350,7 +353,7 @@ def middle(plan: SweepPlan) -> tuple[int, int]:
 
 
 def reason(plan: SweepPlan) -> list[Problem]:
-    """Return the problems of the first variant if its case is impossible, otherwise none."""
+    """Return the reasons why the case of the first variant is impossible, if any."""
     values = plan.variants.block(0, 1)
     for n, varied in enumerate(plan.variants.targets):
         if isinstance(varied, Target) and varied.quantity == "ratio":

@@ -1,4 +1,4 @@
-"""Construction of the plan of a sweep from options of a command, a sweep file or a call."""
+"""Construction of the plan of a sweep from the options of a command, sweep file or call."""
 
 from __future__ import annotations
 
@@ -74,9 +74,9 @@ def plan(
     subject : Transmission or VariedScenario
     options : SweepOptions
     arrays : mapping of str to array_like or str, optional
-        Further numbers to vary, as arrays [-] or as the text of their values.
+        Further numbers to vary: arrays of values [-], or values as text, by the name of the number.
     table : mapping of str to array_like, optional
-        A table of variants instead of varied numbers. [-]
+        Table of variants instead of varied numbers: the values in all variants, by the name. [-]
 
     Raises
     ------
@@ -142,14 +142,14 @@ def _variants(
 
 
 def _check_paths(case: Transmission, variants: Variants, places: Sequence[Place | None]) -> None:
-    """Check that the first variant can be solved with the numbers varied by path.
+    """Check that the first variant can be solved with the numbers that vary by path.
 
     Raises
     ------
     ReadError
-        If a path prevents a solution, with the place of the first such path.
+        If a varied path prevents the solution, with the place of the first such path.
     CaseError
-        If this path has no place.
+        If this path was not read from a text, so that it has no place.
     """
     numbers, _ = possible_numbers(case, variants.targets, variants.block(0, 1))
     paths = [(n, path) for n, path in enumerate(variants.targets) if isinstance(path, CasePath)]
@@ -191,7 +191,7 @@ def _check_ratios(
 
 
 def _check_slopes(sweep_plan: SweepPlan) -> None:
-    """Refuse natural frequencies if a varied load changes the slope of a spring with points."""
+    """Refuse natural frequencies if a load varies and a spring has a nonlinear characteristic."""
     if not sweep_plan.modes:
         return
     bent = [spring.name for spring in sweep_plan.case.springs if spring.points]
@@ -262,7 +262,7 @@ def with_expressions(subject: Subject, options: SweepOptions, variants: Variants
     subject.check_runs(variants.targets, variants.block(0, 1)[0].tolist())
     return replace(
         sweep_plan, piece=piece_of_runs(variants.count)
-    )  # small pieces, because runs are slow
+    )  # simulated runs are slow, so pieces are small
 
 
 def _all(

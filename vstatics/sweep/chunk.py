@@ -1,7 +1,7 @@
-"""Rows of a part of a sweep, with the status of each row.
+"""Chunk of a sweep: rows of a range of variants, with the status of each row.
 
-The plan alone determines where blocks of variants begin: equal builds give equal numbers for any
-number of jobs.
+The plan alone determines where blocks of variants begin, so that results do not depend on the
+number of processes.
 """
 
 from __future__ import annotations
@@ -38,54 +38,57 @@ STATUS = (
     "invalid",
     "stopped",
 )
-"""Statuses of a variant in ascending order of severity; the worst of the gears counts."""
+"""Statuses of a variant from harmless to severe; the worst status of its gears counts."""
 DRAGGED, OPEN, UNDECIDED, LOCKED, NOT_ASSEMBLED, TIED_UP, CONFLICT, INVALID, STOPPED = range(
     1, len(STATUS)
 )
 
 
 OF_ROWS = ("places", "values", "status", "columns", "objectives")
-"""Names of the fields of a chunk that have a row for each variant."""
+"""Names of the fields of a chunk that have an entry for each row."""
 
 
 class Chunk(NamedTuple):
-    """Variants of a part of a sweep that passed the condition."""
+    """Rows of the variants in a range that passed the condition of the sweep."""
 
     start: int
-    """First variant of the part, from 0."""
+    """Number of the first variant of the range, from 0."""
     places: Integers
-    """(rows,) numbers of the variants, or of the gears of all variants in sequence, from 0."""
+    """Number of each row's variant, or of the gear counted through all variants, from 0; (rows,).
+    """
     values: Floats
-    """(rows, targets): varied numbers. [-]"""
+    """Varied numbers, shape (rows, targets). [-]"""
     status: Codes
-    """(rows,) statuses as indices into `STATUS`."""
+    """Status of each row as an index into `STATUS`, shape (rows,)."""
     columns: Floats
-    """(rows, columns): values of the columns of the plan; NaN for undefined values."""
+    """Values of the columns of the plan, shape (rows, columns); NaN for undefined values."""
     objectives: Floats
-    """(rows, objectives): values of the objectives; smaller is better, also for `max`."""
+    """Values of the objectives, shape (rows, objectives), negated if maximised, so smaller is
+    better.
+    """
     counts: Mapping[str, int]
-    """Number of variants of the whole part by status, including variants without a row."""
+    """Number of variants with each status in the whole range, including variants without a row."""
     names: tuple[str, ...]
     """Names of the varied numbers."""
     headings: tuple[str, ...]
     """Headings of the columns."""
     removed: tuple[int, ...] = ()
-    """Numbers of variants that the parts of the condition removed, in the order of the parts."""
+    """Number of variants that each part of the condition removed, in the order of the parts."""
     gears: tuple[str, ...] = ()
-    """Names of the gears of a variant, if each gear has a row."""
+    """Names of the gears if each gear has a row; otherwise empty."""
     outside: tuple[str, ...] = ()
-    """Names of laws that were evaluated outside their points."""
+    """Names of characteristic curves that were evaluated outside their given points."""
     noticed: tuple[Noticed, ...] = ()
-    """Messages of runs, each once for the whole part."""
+    """Messages of simulated runs, each once for the whole range."""
 
     @property
     def variants(self) -> Integers:
-        """(rows,) numbers of the variants, from 0."""
+        """Number of each row's variant, from 0, shape (rows,)."""
         return self.places // len(self.gears) if self.gears else self.places
 
     @property
     def of_gear(self) -> Codes:
-        """(rows,) indices of the gears; empty if a row is of a variant."""
+        """Index of each row's gear, shape (rows,); empty if a row represents a whole variant."""
         gears: Codes = (
             (self.places % len(self.gears)).astype("<u2") if self.gears else np.zeros(0, "<u2")
         )
@@ -113,7 +116,7 @@ class Chunk(NamedTuple):
         return pd.DataFrame(columns, index=pd.Index(columns.pop("variant"), name="variant"))
 
     def output_columns(self) -> dict[str, Floats | Integers | Codes]:
-        """Return the columns of the output by heading."""
+        """Return the columns of an output file, by heading."""
         by_gear = bool(self.gears)
         tables = (
             self.variants,
@@ -130,7 +133,7 @@ class Chunk(NamedTuple):
         return self._replace(**{name: getattr(self, name)[chosen] for name in OF_ROWS})
 
 
-def rows_of(  # noqa: PLR0913 PLR0917 (what is known of a block)
+def rows_of(  # noqa: PLR0913 PLR0917 (everything known of a block)
     plan: SweepPlan, start: int, values: Floats, status: Codes, tables: Tables, unknown: Booleans
 ) -> Chunk:
     """Return the rows of a block of variants that pass the condition of the plan.
@@ -139,14 +142,14 @@ def rows_of(  # noqa: PLR0913 PLR0917 (what is known of a block)
     ----------
     plan : SweepPlan
     start : int
-        First variant.
+        Number of the first variant of the block.
     values : ndarray, shape (variants, targets)
         The varied numbers.
     status : ndarray, shape (variants[, gears])
     tables : Tables
         Results of these variants.
     unknown : ndarray, shape (variants,)
-        Mask of variants without results; they have NaN, and never pass the condition.
+        Mask of variants without results, whose values are NaN and which never pass the condition.
     """
     if gears := len(plan.gears):
         tables, status = GearRows(tables, gears), status.ravel()
@@ -180,7 +183,7 @@ def rows_of(  # noqa: PLR0913 PLR0917 (what is known of a block)
 
 
 def joined(parts: Sequence[Chunk]) -> Chunk:
-    """Return the rows and counts of several chunks as a single chunk."""
+    """Return several chunks as a single chunk, with all rows and the sums of the counts."""
     if len(parts) == 1:
         return parts[0]
     rows: dict[str, Any] = {
@@ -196,7 +199,7 @@ def joined(parts: Sequence[Chunk]) -> Chunk:
 
 
 def counted(parts: Iterable[Chunk | Account]) -> dict[str, int]:
-    """Return the number of variants with each status in several parts."""
+    """Return the number of variants with each status, summed over several ranges."""
     counts: Counter[str] = Counter()
     for part in parts:
         counts.update(part.counts)
@@ -204,17 +207,17 @@ def counted(parts: Iterable[Chunk | Account]) -> dict[str, int]:
 
 
 def removed_in(parts: Iterable[Chunk | Account]) -> tuple[int, ...]:
-    """Return the number of variants removed by each part of the condition."""
+    """Return the number of variants removed by each part of the condition, over several ranges."""
     return tuple(map(sum, zip(*(part.removed for part in parts), strict=True)))
 
 
 def outside_in(parts: Iterable[Chunk | Account]) -> tuple[str, ...]:
-    """Return the laws that were evaluated outside their points in any of several parts."""
+    """Return the names of curves that were evaluated outside their points in several ranges."""
     return tuple(dict.fromkeys(name for part in parts for name in part.outside))
 
 
 def noticed_in(parts: Iterable[Chunk | Account]) -> tuple[Noticed, ...]:
-    """Return the messages of several parts; messages that differ only in numbers are merged."""
+    """Return the messages of several ranges; messages that differ only in numbers are merged."""
     merged: dict[tuple[str, str], Noticed] = {}
     for notice in (notice for part in parts for notice in part.noticed):
         alike = notice.alike

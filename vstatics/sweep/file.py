@@ -1,4 +1,4 @@
-"""Sweep file: a complete sweep in YAML, for repetition and for CI."""
+"""Sweep file: all options of a sweep in YAML, for repetition and for continuous integration."""
 
 from __future__ import annotations
 
@@ -37,11 +37,11 @@ _NO_SWEEPS = {
     "case": "this is a case, expected a sweep file: `vstatics sweep CASE --vary NAME=VALUES` "
     "varies it",
 }
-"""Message about a document that is not a sweep file, by the kind of the document."""
+"""Message about a document that is not a sweep file, by the kind of document."""
 
 
 def read_sweep_file(data: bytes, file: str) -> SweepOptions:
-    """Read a sweep file, whose paths are relative to the file.
+    """Read a sweep file; file names in it are relative to its folder.
 
     Parameters
     ----------
@@ -60,7 +60,7 @@ def read_sweep_file(data: bytes, file: str) -> SweepOptions:
     >>> options.case, options.sample
     ('box.yaml', 100)
     """
-    from vstatics.core.readers.named.yaml_nodes import yaml_tree  # yaml costs start-up time
+    from vstatics.core.readers.named.yaml_nodes import yaml_tree  # yaml is slow to import
 
     source = decode(data, file, "a sweep")
     root = yaml_tree(source)
@@ -77,7 +77,7 @@ def read_sweep_file(data: bytes, file: str) -> SweepOptions:
 
 
 class _WrongError(Exception):
-    """Error for a node with a wrong value; it states the expected value."""
+    """Error of a wrong value in a sweep file; the text states the expected value."""
 
     def __init__(self, expected: str, node: Node | None = None) -> None:
         super().__init__(expected)
@@ -103,7 +103,7 @@ class _Reader:
             elif not is_null(node):
                 values[name] = None
                 option = OPTIONS[name]
-                try:  # the method named after the kind of the option
+                try:  # each kind of option has a method of that name
                     values[name] = getattr(self, option.kind)(node, option)
                 except _WrongError as error:
                     wrong = error.node or node
@@ -156,11 +156,11 @@ class _Reader:
         return tuple(self.text(item) for item in items)
 
     def list(self, node: Node, _: Option) -> Text:
-        """Join the items of a list by commas."""
+        """Return the items of a list as a text, separated by commas."""
         return joined(Text(""), self.texts(node), ", ")
 
     def vary(self, node: Node, _: Option) -> tuple[Text, ...]:
-        """Return texts as for the option --vary, also for a mapping from numbers to values."""
+        """Return texts as for the option --vary; a mapping from names to values is accepted."""
         if not isinstance(node, Mapping):
             return self.texts(node)
         return tuple(

@@ -9,10 +9,11 @@ from vstatics.core.numerics.arrays import Floats
 
 
 def steps(case: Transmission, ratios: Floats) -> Floats:
-    """Return the ratio of each gear divided by the ratio of the next gear.
+    """Return the step ratio of each gear: its ratio divided by the ratio of the next gear.
 
-    The next gear has the next smaller magnitude of the ratio, the same direction, and the same
-    input and output; of equal ratios the later gear follows. NaN marks a gear without a next gear.
+    The next gear has the next smaller magnitude of the ratio among gears with the same direction,
+    input and output; of gears with equal ratios, the later follows the earlier. NaN marks a gear
+    without a next gear.
 
     Parameters
     ----------
@@ -43,10 +44,10 @@ def steps(case: Transmission, ratios: Floats) -> Floats:
 
 
 def spread(case: Transmission, ratios: Floats) -> Floats:
-    """Return the largest forward ratio divided by the smallest, shape ``(...)``.
+    """Return the ratio spread: the largest forward ratio divided by the smallest, shape ``(...)``.
 
-    Forward is the direction, input and output that most gears share; in a tie, those of the first
-    gear. NaN is returned for a case without gears.
+    Forward gears are the largest group of gears with the same direction, input and output; of equal
+    groups, the group of the earliest gear. A case without gears gives NaN.
 
     Parameters
     ----------
@@ -70,9 +71,9 @@ def spread(case: Transmission, ratios: Floats) -> Floats:
 
 
 def _alike(case: Transmission) -> list[list[int]]:
-    """Return for each gear the indices of other gears that have the same input and output.
+    """Return for each gear the indices of the other gears with the same input and output.
 
-    Operating points are left out.
+    Entries of `gears` that are operating points, not gears, are left out.
     """
     ends = [(case.gear_input(gear), case.gear_output(gear)) for gear in case.gears]
     every = [index for index, gear in enumerate(case.gears) if gear.kind == "gear"]
@@ -87,7 +88,7 @@ def _alike(case: Transmission) -> list[list[int]]:
 def _comparable(case: Transmission, ratios: Floats) -> Floats:
     """Return the magnitudes of ratios, rounded to ten digits; NaN for operating points.
 
-    Rounding keeps equal ratios from being ordered by their last digits.
+    Without rounding, the last digits would determine the order of equal ratios.
     """
     sizes = np.abs(ratios)
     with np.errstate(all="ignore"):

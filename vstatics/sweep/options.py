@@ -14,35 +14,35 @@ from vstatics.sweep.variants.samples import METHODS
 
 
 class PlacedPart(NamedTuple):
-    """Place in a sweep file of a part of the text of an option."""
+    """Place in a sweep file from which a part of an option's text was read."""
 
     first: int
-    """First column of the part in the text, from 1."""
+    """Column in the text where the part begins, from 1."""
     place: Place
     as_written: bool = True
-    """True if the columns of text and file correspond; False for text joined from several lines."""
+    """True if columns of text and file correspond; False for a text joined from several lines."""
 
 
 class PlacedFile(str):
-    """Name of a file that a sweep file gives, with the place of the name."""
+    """File name in a sweep file, with the place where it is given."""
 
     __slots__ = ("place",)
     place: Place
 
     def at(self, place: Place) -> PlacedFile:
-        """Set the place, and return the name."""
+        """Set the place of the file name, and return the name."""
         self.place = place
         return self
 
 
 class Text(NamedTuple):
-    """Text of an option; text from a sweep file has the places of its parts."""
+    """Text of an option, with the places of its parts if it comes from a sweep file."""
 
     text: str
     parts: tuple[PlacedPart, ...] = ()
 
     def place(self, column: int) -> Place | None:
-        """Return the place of a column of the text."""
+        """Return the place in the sweep file of a column of the text, from 1; None if unknown."""
         for first, place, as_written in reversed(self.parts):
             if column >= first:
                 further = column - first if as_written else 0
@@ -51,7 +51,7 @@ class Text(NamedTuple):
 
 
 def joined(first: Text, others: tuple[Text, ...], separator: str) -> Text:
-    """Join texts after a first text with a separator, and keep all places.
+    """Append texts to a first text with a separator between them, and keep all places.
 
     >>> joined(Text("D1.ratio="), (Text("-2"), Text("-3")), ",").text
     'D1.ratio=-2,-3'
@@ -66,7 +66,7 @@ def joined(first: Text, others: tuple[Text, ...], separator: str) -> Text:
 
 @contextmanager
 def located(text: Text) -> Iterator[None]:
-    """Add places in the sweep file to problems of the text of an option."""
+    """Add the place in the sweep file to problems found in the text of an option."""
     try:
         yield
     except ReadError as error:
@@ -81,25 +81,25 @@ def _moved(problem: Problem, text: Text) -> Problem:
 
 
 Kind = Literal["path", "count", "flag", "choice", "text", "texts", "list", "vary"]
-"""Kind of the value of an option: `list` is a text with commas, `vary` are texts such as `a=1`."""
+"""Kind of an option's value: `list` is a text with commas, `vary` is texts such as `a=1`."""
 
 
 class Option(NamedTuple):
-    """Declaration of an option; the name is the name of the field."""
+    """Declaration of an option, stored with the field of `SweepOptions` that has its name."""
 
     kind: Kind
     help: str = ""
-    """Help on the command line; empty for an option that other commands have, too."""
+    """Help on the command line; empty for an option whose help other commands share."""
     metavar: str | None = None
     short: str = ""
-    """Short name on the command line."""
+    """Single letter for the option on the command line; empty if it has none."""
     least: int = 1
-    """Smallest count."""
+    """Smallest value of an option of kind `count`."""
     choices: tuple[str, ...] = ()
     heading: str = "Variants"
-    """Heading of the option in the help text."""
+    """Heading of the group of options in the help text."""
     key: str = ""
-    """Name on the command line and in sweep files; empty for the name of the field."""
+    """Name on the command line and in sweep files; empty if it is the name of the field."""
 
 
 _ROWS = "Rows and columns"
@@ -113,7 +113,7 @@ def _option(kind: Kind, help: str = "", **more: Any) -> Any:  # noqa: A002
 
 @dataclass(frozen=True)
 class SweepOptions:
-    """Options of a command line, a sweep file or a call; `None` and () if missing."""
+    """Options of a sweep from a command line, sweep file or call; None or () if not given."""
 
     case: str | None = _option("path")
     vary: tuple[Text, ...] = _option("vary", "Vary a number. Repeatable.", metavar="NAME=VALUES")
@@ -134,10 +134,10 @@ class SweepOptions:
         metavar="NAME=FORMULA",
         key="with",
     )
-    out: Text | None = _option(  # noqa: RUF009 (a field)
+    out: Text | None = _option(  # noqa: RUF009 (immutable default)
         "list", "Columns to write.  [default: ratio,efficiency]", metavar="LIST", heading=_ROWS
     )
-    where: Text | None = _option(  # noqa: RUF009 (a field)
+    where: Text | None = _option(  # noqa: RUF009 (immutable default)
         "text", "Keep the variants for which EXPR is true.", metavar="EXPR", heading=_ROWS
     )
     by: str | None = _option(
@@ -167,7 +167,7 @@ class SweepOptions:
 
     @classmethod
     def of(cls, **values: Any) -> SweepOptions:
-        """Return options from plain values, in which texts are of type str.
+        """Return options from plain values, with str instead of `Text`.
 
         >>> SweepOptions.of(vary=["D1.ratio=-2,-3"], out=["ratio", "losses"]).out.text
         'ratio,losses'
@@ -177,11 +177,11 @@ class SweepOptions:
         )
 
     def over(self, others: SweepOptions) -> SweepOptions:
-        """Return the options, completed by others.
+        """Return these options, completed by other options where not given.
 
-        Options in `others` that these options exclude are dropped, together with options that
-        depend on them. A given table, for example, replaces a grid. Objectives are replaced
-        together.
+        Other options that contradict these options are dropped, with any options that depend on
+        them: for example, a given table of variants replaces a grid. If these options have an
+        objective, all other objectives are dropped.
         """
         options = vars(self)
         given = {name for name in options if says(options[name])}
@@ -198,20 +198,20 @@ class SweepOptions:
 OPTIONS: Mapping[str, Option] = {
     option_field.name: option_field.metadata["option"] for option_field in fields(SweepOptions)
 }
-"""All options by name, in order."""
+"""Declarations of all options by name, in the order of the fields."""
 
 
 KEYS: Mapping[str, str] = {option.key or name: name for name, option in OPTIONS.items()}
-"""Names of the options by their names on the command line and in sweep files."""
+"""Names of the fields of `SweepOptions`, by the name on the command line and in sweep files."""
 
 
 class Rule(NamedTuple):
-    """Option, and other options that it excludes, or of which it needs one."""
+    """Rule that an option excludes other options, or that it needs one of them."""
 
     option: str
     others: tuple[str, ...]
     message: str
-    """Message with names of options in braces, which are spelled as given."""
+    """Message in which names of options are in braces, to be spelled as the user gave them."""
 
 
 EXCLUSIONS = (
@@ -230,12 +230,12 @@ NEEDS = (
 
 
 def conflicts(said: Mapping[str, object], spelled: Callable[[str], str] = str) -> Iterator[str]:
-    """Yield messages about options that are contradictory or incomplete.
+    """Yield a message for each contradictory or incomplete combination of options.
 
     Parameters
     ----------
     said : mapping of str to object
-        Options and their values.
+        Values of the options, by name.
     spelled : callable
         Function that spells an option as the user gave it: ``--zip``.
 
@@ -253,7 +253,7 @@ def conflicts(said: Mapping[str, object], spelled: Callable[[str], str] = str) -
 
 
 def says(value: object) -> bool:
-    """Return whether an option is given; a count of 0 is given, a flag that is False is not."""
+    """Return whether an option is given: any value except None, False, empty text or tuple."""
     return value is not False and value not in (None, (), "")
 
 

@@ -25,21 +25,21 @@ Advance = Callable[[int], None]
 
 
 class SweepReport(NamedTuple):
-    """Outcome of a sweep."""
+    """Outcome of a sweep, for the report at the end."""
 
     rows: int
     counts: dict[str, int]
-    """Number of variants, or of gears of variants, by status."""
+    """Number of variants, or of gears of variants, with each status."""
     removed: tuple[int, ...]
-    """Numbers of variants that the parts of the condition removed, in the order of the parts."""
+    """Number of variants that each part of the condition removed, in the order of the parts."""
     outside: tuple[str, ...]
-    """Names of laws that were evaluated outside their points."""
+    """Names of characteristic curves that were evaluated outside their given points."""
     noticed: tuple[Noticed, ...]
-    """Messages of runs."""
+    """Messages of simulated runs."""
 
     @classmethod
     def of(cls, accounts: Sequence[Account]) -> SweepReport:
-        """Return the outcome of pieces."""
+        """Return the outcome of a sweep from the accounts of its pieces."""
         return cls(
             sum(account.rows for account in accounts),
             chunk.counted(accounts),
@@ -55,7 +55,7 @@ class SweepReport(NamedTuple):
 
 
 def description(plan: SweepPlan, form: Format) -> dict[str, Any]:
-    """Return the description of a sweep in the directory of pieces."""
+    """Return the description of a sweep that is stored next to its finished pieces."""
     return {
         "what": "unfinished sweep of vstatics; the same command with --resume goes on",
         "build": build(),
@@ -84,35 +84,35 @@ def column_types(plan: SweepPlan) -> list[ColumnType]:
 
 
 class Output:
-    """Calculation and assembly of the file of a sweep; its pieces are in `store`."""
+    """Output file of a sweep: calculation of pieces in a store, and assembly to the file."""
 
     def __init__(
         self, plan: SweepPlan, form: Format, store: FinishedPieces, *, raw: bool = False
     ) -> None:
-        """Prepare to use the stored pieces, which do not depend on `raw`."""
+        """Store the plan and the folder of pieces; `raw` affects only the assembly."""
         self._task = SweepTask(plan, form, store.directory, raw)
         self.store = store
 
     @property
     def task(self) -> SweepTask:
-        """Task of the workers; the work of a store is only known once the store is open."""
+        """Task for the workers; its hash of the work is known only after the store is opened."""
         return self._task._replace(work=self.store.work)
 
     @property
     def pending(self) -> Iterator[int]:
-        """Numbers of the missing pieces, as an iterator because there can be millions."""
+        """Numbers of the missing pieces; an iterator, because there can be millions."""
         pieces = range(self.task.plan.pieces)
         return (piece for piece in pieces if piece not in self.store.accounts)
 
     @property
     def finished(self) -> int:
-        """Number of variants of the stored pieces, including pieces not yet reported."""
+        """Number of variants in stored pieces, including pieces not yet reported as progress."""
         plan = self.task.plan
         spans = [plan.span(piece) for piece in self.store.finished() if piece < plan.pieces]
         return sum(stop - start for start, stop in spans) * (len(plan.gears) or 1)
 
     def calculate(self, workers: Workers, advance: Advance) -> None:
-        """Calculate the missing pieces.
+        """Calculate the missing pieces and store them.
 
         Raises
         ------
@@ -136,12 +136,12 @@ class Output:
                 yield account
 
     def assemble(self, workers: Workers) -> SweepReport:
-        """Assemble the pieces and move the output into place.
+        """Assemble the pieces to the output file and move it into place.
 
         Raises
         ------
         OSError
-            If the output cannot be written; the pieces stay.
+            If the output cannot be written; the pieces are kept.
         """
         plan, form = self.task.plan, self.task.form
         accounts = [self.store.accounts[piece] for piece in range(plan.pieces)]
@@ -161,7 +161,8 @@ class Output:
             else:
                 self._copy(workers, self._layout(accounts))
         except BaseException:
-            self.store.folder.remove(piece_file.ASSEMBLED)  # a large incomplete file is of no use
+            # An incomplete output would only take space.
+            self.store.folder.remove(piece_file.ASSEMBLED)
             raise
         self.store.finish()
         return report._replace(rows=sum(account.rows for account in accounts))
@@ -179,7 +180,7 @@ class Output:
         return ArchiveLayout([(0, head)], copies, place)
 
     def _copy(self, workers: Workers, layout: ArchiveLayout) -> None:
-        """Write the headers of the layout, and let the workers copy each piece into place."""
+        """Write the headers of an archive, and let the workers copy the pieces into it."""
         with self.store.folder.writing(piece_file.ASSEMBLED) as file:
             file.truncate(layout.length)
             for place, text in layout.texts:
@@ -197,7 +198,7 @@ class Output:
             yield tasks.read_chunk(self.task, account)
 
     def _select(self, accounts: Sequence[Account]) -> Iterator[Account]:
-        """Yield the best rows of all pieces, as pieces in the order of the output."""
+        """Store the best rows of all pieces as new pieces; yield their accounts in order."""
         number = self.task.plan.pieces
         for selected in best.among(self.task.plan, lambda: self._chunks(accounts)):
             data = tasks.data_of(self.task.form, selected)

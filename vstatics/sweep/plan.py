@@ -27,28 +27,28 @@ from vstatics.sweep.variants.path_numbers import CasePath
 from vstatics.sweep.variants.targets import Target
 
 PIECE = 65536
-"""Number of variants in a piece, which is calculated and stored as a whole.
+"""Number of variants in a piece, the part of a sweep that a worker calculates and stores.
 
-The number is constant, so that the result does not depend on the number of jobs.
+The number is fixed, so that results do not depend on the number of processes.
 """
 
 
 @dataclass(frozen=True)
 class SweepPlan:
-    """Checked plan of a sweep; equal plans give equal results.
+    """Plan of a sweep without errors; equal plans give equal results.
 
     Parameters
     ----------
     subject : Transmission or VariedScenario
-        A case with the conventions to use (`coast`, `idle`).
+        A case with the conventions to use (`coast`, `idle`), or a scenario.
     variants : Variants
         The numbered variants.
     columns : OutputColumns
         Columns written for each variant.
     where : WhereCondition, optional
-        Condition on the variants that are written; by default all are.
+        Condition on the variants that are written; by default all are written.
     objectives : sequence of Objective
-        Objectives; with any, only the best variants are written.
+        Objectives; if there are any, only the best variants are written.
     best : int, optional
         Number of best variants; by default 20 for one objective, all for several.
     piece : int
@@ -68,23 +68,23 @@ class SweepPlan:
 
     @property
     def gears(self) -> tuple[str, ...]:
-        """Names of the gears, if each gear of a variant has a row; otherwise empty."""
+        """Names of the gears if each gear of a variant has a row; otherwise empty."""
         return tuple(gear.name for gear in self.case.gears) if self.by_gear else ()
 
     @property
     def count(self) -> int:
-        """Number of possible rows: variants, or gears of variants."""
+        """Largest possible number of rows: variants, or gears of variants."""
         return self.variants.count * (len(self.gears) or 1)
 
     @property
     def case(self) -> Transmission:
-        """Case of the sweep, if the subject is a case."""
-        assert isinstance(self.subject, Transmission)  # noqa: S101 - callers know the kind
+        """Case that is varied; only for a sweep of a case."""
+        assert isinstance(self.subject, Transmission)  # noqa: S101 - only called for cases
         return self.subject
 
     @property
     def targets(self) -> tuple[Target, ...]:
-        """Varied numbers of the case that are given by part and quantity, such as `D1.ratio`."""
+        """Varied numbers of the case that are given by owner and quantity, as in `D1.ratio`."""
         return tuple(varied for varied in self.variants.targets if isinstance(varied, Target))
 
     @property
@@ -94,12 +94,12 @@ class SweepPlan:
 
     @property
     def paths(self) -> list[CasePath]:
-        """Varied numbers of the case that are given by their paths."""
+        """Varied numbers of the case that are given by a path, such as `load.torque`."""
         return [varied for varied in self.variants.targets if isinstance(varied, CasePath)]
 
     @property
     def parts(self) -> dict[int, CasePath]:
-        """Varied numbers of parts, by index; each set of their values requires a new case."""
+        """Varied numbers whose every value needs a new case, such as tooth numbers, by index."""
         paths = enumerate(self.variants.targets)
         return {n: varied for n, varied in paths if isinstance(varied, CasePath) and varied.part}
 
@@ -115,21 +115,21 @@ class SweepPlan:
 
     @property
     def output_headings(self) -> list[str]:
-        """Headings of the whole output."""
+        """Headings of the output: variant, varied numbers, status, gear, columns."""
         return output_headings(self.names, self.headings, by_gear=self.by_gear)
 
     @property
     def pieces(self) -> int:
-        """Number of pieces."""
+        """Number of pieces in the sweep."""
         return -(-self.variants.count // self.piece)
 
     def span(self, piece: int) -> tuple[int, int]:
-        """Return the first variant of a piece, and the variant after its last."""
+        """Return the first variant of a piece, and the number after its last variant."""
         return piece * self.piece, min((piece + 1) * self.piece, self.variants.count)
 
     @property
     def selections(self) -> Iterator[Selection]:
-        """All parts of tables in expressions evaluated for a variant."""
+        """Tables, or parts of tables, that the expressions of the plan use."""
         for part in self.columns.parts:
             yield from part.expression.selections
         for objective in self.objectives:
@@ -143,7 +143,7 @@ class SweepPlan:
 
     @property
     def tables(self) -> set[str]:
-        """All tables used by expressions."""
+        """Names of all tables that the expressions of the plan use."""
         return {part.table for part in self.selections}
 
     @property
@@ -153,12 +153,12 @@ class SweepPlan:
 
     @property
     def takes_all(self) -> bool:
-        """True if the condition allows variants that cannot be assembled."""
+        """True if the condition uses the status; then variants not assembled are ranked, too."""
         return any(part.table == OK for part in self._selections_of_condition)
 
     @property
     def asked_gears(self) -> list[int]:
-        """Indices of the gears used by expressions; all if an expression covers all."""
+        """Indices of the gears that expressions use; all gears if an expression uses all."""
         of_parts = PART_NUMBERS.values()
         parts = [part for part in self.selections if part.table not in (OK, *of_parts)]
         if not parts or any(part.gear is None or part.table in OF_RATIOS for part in parts):
@@ -181,7 +181,8 @@ class SweepPlan:
     def objective_values(self, tables: Tables, values: Floats) -> Floats:
         """Return the values of the objectives, shape (variants, objectives); smaller is better.
 
-        The values are rounded as in the output, so that rounding noise decides nothing.
+        Values are rounded as in the output, so that rounding noise does not decide between
+        variants.
         """
         objectives = np.empty((len(values), len(self.objectives)))
         for column, objective in enumerate(self.objectives):
@@ -189,9 +190,9 @@ class SweepPlan:
         return objectives
 
     def fingerprint(self, *more: str) -> str:
-        """Return a hash of everything that determines the result, and of the given further texts.
+        """Return a hash of everything that determines the result, and of further texts.
 
-        With equal builds of this package, equal fingerprints give equal files.
+        For the same version of this package, equal hashes give equal files.
         """
         digest = hashlib.sha256()
         subject = self.subject
@@ -215,7 +216,7 @@ def rounded(numbers: Floats) -> Floats:
 
 
 def _canonical(part: Any) -> Iterator[bytes]:
-    """Yield bytes that identify a part of a plan, equal in every process.
+    """Yield bytes that identify an object in a plan, the same in every process.
 
     Attributes that begin with an underscore follow from other attributes, and are left out.
     """
@@ -233,7 +234,7 @@ def _canonical(part: Any) -> Iterator[bytes]:
 
 
 def _parts(part: Any) -> Iterator[tuple[object, Any]]:
-    """Yield the items or attributes of an object in a plan, each with a key or name."""
+    """Yield the items or attributes of an object in a plan, each with its key or name."""
     if isinstance(part, Mapping):
         yield from sorted(part.items(), key=lambda item: str(item[0]))
     elif is_dataclass(part):

@@ -1,4 +1,4 @@
-"""Calculation of a part of a sweep of a document, in which each variant is a run."""
+"""Calculation of a range of variants of a scenario, in which each variant is a simulated run."""
 
 from __future__ import annotations
 
@@ -26,20 +26,20 @@ def piece_of_runs(count: int) -> int:
 
 
 def calculate(plan: SweepPlan, subject: SweptDocument, start: int, stop: int) -> Chunk:
-    """Run the variants from `start` up to `stop`."""
+    """Simulate the variants from `start` up to, but without, `stop`."""
     asked = subject.asked(plan.selections)
     return joined([_row(plan, subject, number, asked) for number in range(start, stop)])
 
 
 def reason(plan: SweepPlan, subject: SweptDocument) -> list[Problem]:
-    """Return the reasons if the first variant has no numbers."""
+    """Return the reasons why the first variant has no results; empty if it has results."""
     return subject.reason(plan.variants.targets, plan.variants.block(0, 1)[0].tolist())
 
 
 def _row(
     plan: SweepPlan, subject: SweptDocument, number: int, asked: Sequence[tuple[str, str]]
 ) -> Chunk:
-    """Return the row of a variant, if the variant passes the condition."""
+    """Simulate a variant, and return its row if it passes the condition."""
     values = plan.variants.block(number, number + 1)
     outcome = subject.outcome(plan.variants.targets, values[0], asked)
     status, unknown = np.array([outcome.status], np.uint8), np.array([outcome.unknown])

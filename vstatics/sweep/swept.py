@@ -1,4 +1,4 @@
-"""Sweep in Python: chunk by chunk, or as a complete table or dataset."""
+"""Sweep in Python: an iterator over chunks, or a complete table or dataset."""
 
 from __future__ import annotations
 
@@ -25,15 +25,15 @@ if TYPE_CHECKING:
     import xarray as xr
 
 LEFT_OUT = "left out"
-"""Status of a cell of a grid whose variant a condition removed."""
+"""Status of a grid point whose variant the condition removed."""
 GIB = 2**30
 
 
 class Sweep(Iterator[Chunk]):
-    """Iterator over the variants of a case, calculated on demand.
+    """Iterator over the variants of a case in chunks, which are calculated on demand.
 
-    The sweep can be iterated once, by chunks; `to_dataframe`, `to_xarray` and `plot` always
-    calculate all variants.
+    The sweep can be iterated once; `to_dataframe`, `to_xarray` and `plot` always calculate all
+    variants.
 
     Parameters
     ----------
@@ -53,11 +53,11 @@ class Sweep(Iterator[Chunk]):
         return next(self._remaining)
 
     def close(self) -> None:
-        """End the iteration and the processes."""
+        """End the iteration and the worker processes."""
         self._remaining.close()
 
     def __repr__(self) -> str:
-        """Return the varied numbers, the number of variants and the columns."""
+        """Return a description: varied numbers, number of variants, columns."""
         plan, of = self.plan, " x ".join(map(str, self._shape or [self.plan.variants.count]))
         return f"<Sweep of {listed(plan.names)}: {of} variants, columns {listed(plan.headings)}>"
 
@@ -75,7 +75,7 @@ class Sweep(Iterator[Chunk]):
 
     @property
     def _shape(self) -> list[int]:
-        """Number of values of each varied number of a grid; empty for other variants."""
+        """Number of values of each varied number of a grid; empty for other kinds of variants."""
         variants = self.plan.variants
         return [*map(len, variants.values)] if isinstance(variants, VariantGrid) else []
 
@@ -85,10 +85,10 @@ class Sweep(Iterator[Chunk]):
         Returns
         -------
         DataFrame
-            A row for each variant, or for each gear of a variant; the index is the number of the
+            One row for each variant, or for each gear of a variant; the index is the number of the
             variant from 0. Columns are as in a file: varied numbers, `status`, columns of `out`.
-            `attrs["units"]` has their units: ``load.speed`` is in rad/s, ``load.speed [rpm]`` in
-            rpm. [-]
+            `attrs["units"]` contains their units: ``load.speed`` is in rad/s, ``load.speed [rpm]``
+            in rpm. [-]
 
         Raises
         ------
@@ -115,12 +115,12 @@ class Sweep(Iterator[Chunk]):
         -------
         Dataset
             The dimensions of a grid are the varied numbers, with their values as coordinates. Other
-            variants have the dimension `variant`, with the varied numbers as coordinates. With a
-            row for each gear there is also the dimension `gear`. Each column is a variable named by
-            its heading; the variable `status` holds words.
-            Cells of a grid removed by a condition are NaN with the status `left out`; other
-            removed variants are absent. The attribute `units` is missing if a variable is
-            relative to the input [-], or is not part of a single table.
+            variants have the dimension `variant`, with the varied numbers as coordinates. If each
+            gear has a row, there is also the dimension `gear`. Each column is a variable named by
+            its heading; the variable `status` holds words. Cells of a grid removed by a condition
+            are NaN with the status `left out`; other removed variants are absent. The attribute
+            `units` is missing if a variable is relative to the input [-], or is not part of a
+            single table.
 
         Raises
         ------
@@ -161,7 +161,7 @@ class Sweep(Iterator[Chunk]):
             numbers, first, of = np.unique(rows.variants, return_index=True, return_inverse=True)
             along, shape = ["variant"], [len(numbers)]
             varied = {"variant": numbers} | {
-                name: ("variant", rows.values[first, column], attributes[name])  # noqa: PD011 - a chunk
+                name: ("variant", rows.values[first, column], attributes[name])  # noqa: PD011 - of a chunk
                 for column, name in enumerate(plan.names)
             }
             parts = [(of * per_variant + (rows.of_gear if gears else 0), rows)]
@@ -175,14 +175,14 @@ class Sweep(Iterator[Chunk]):
         return xr.Dataset(variables, varied | {name: list(plan.gears) for name in gears})
 
     def plot(self, kind: str = "curves", **how: Any) -> AnyPicture:
-        """Draw a picture, which a notebook shows: curves, a map or histograms of all variants.
+        """Draw a picture of all variants, which a notebook shows: curves, a map or histograms.
 
-        Numbers are rounded as in the output, so that rounding noise does not cross a limit.
+        Numbers are rounded as in the output, so that rounding noise is not drawn.
 
         Parameters
         ----------
         kind : {"curves", "map", "histogram"}
-            Columns over one varied number, contours over two, or how often numbers occur.
+            Curves versus a varied number, contours versus two, or how often values occur.
         **how
             Arguments of `plot_sweep`, such as the columns `x`, `y`, `z` and `by`.
 
@@ -201,7 +201,7 @@ class Sweep(Iterator[Chunk]):
         <SweepPicture curves of 5 rows>
         """
         rows = self._rows("a picture")
-        columns = [*zip(self.plan.names, rows.values.T, strict=True)]  # noqa: PD011 - a chunk
+        columns = [*zip(self.plan.names, rows.values.T, strict=True)]  # noqa: PD011 - of a chunk
         columns += zip(self.plan.headings, rounded(rows.columns).T, strict=True)
         written = WrittenSweep(
             rows.variants.tolist(),
@@ -216,8 +216,9 @@ class Sweep(Iterator[Chunk]):
     def _placed(
         self, parts: Iterable[tuple[Integers, Chunk]], size: int
     ) -> tuple[Floats, np.ndarray[Any, np.dtype[np.object_]]]:
-        """Return columns and statuses in words as arrays of all variants, NaN without a row."""
-        words = np.array(STATUS, object)  # 8 bytes each, for words of any length
+        """Return columns, and statuses as words, of all variants; NaN without a row."""
+        # References take 8 bytes each, whatever the length of the words.
+        words = np.array(STATUS, object)
         columns = np.full((len(self.plan.headings), size), np.nan)
         status = np.full(size, LEFT_OUT, object)
         for places, chunk in parts:
@@ -226,7 +227,7 @@ class Sweep(Iterator[Chunk]):
         return columns, status
 
     def _rows(self, what: str) -> Chunk:
-        """Return all rows as a chunk; check the memory if the number of rows is known."""
+        """Return all rows as a single chunk; check the memory if the number of rows is known."""
         if self.plan.where is None and not self.plan.objectives:
             self._expect_room(what)
         return joined(list(self._chunks()) or [_no_rows(self.plan)])
@@ -256,8 +257,8 @@ def _no_rows(plan: SweepPlan) -> Chunk:
 
 
 def _memory() -> float:
-    """Return the memory of the machine [bytes]; infinite if unknown."""
+    """Return the memory of the computer in bytes; infinite if unknown."""
     try:
         return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
-    except (AttributeError, OSError, ValueError):  # names unknown to the system
+    except (AttributeError, OSError, ValueError):  # the system does not provide the size
         return math.inf

@@ -1,4 +1,4 @@
-"""Task of a worker: the calculation of a piece of a sweep."""
+"""Task of a worker process: the calculation of a piece of a sweep."""
 
 from __future__ import annotations
 
@@ -22,18 +22,18 @@ from vstatics.sweep.variants.numbered import VariantPart
 
 
 class SweepTask(NamedTuple):
-    """State that every worker of a sweep receives: the plan and the form of the output."""
+    """Data that every worker of a sweep receives: the plan and the form of the output."""
 
     plan: SweepPlan
     form: Format
     directory: str = ""
     raw: bool = False
-    """True if CSV headings have no apostrophe in front that prevents their use as a formula."""
+    """True to write CSV headings without the apostrophe that prevents their use as formulas."""
     work: str = ""
-    """Hash of the definition of the sweep."""
+    """Hash of everything that determines the result, by which stored pieces are recognised."""
 
     def describe(self, item: object) -> str:
-        """Return the words for the variants of a piece."""
+        """Return words for the work on a piece, for messages: its variants."""
         piece = _number(item)
         if not isinstance(piece, int):
             return "putting the output together"
@@ -41,13 +41,13 @@ class SweepTask(NamedTuple):
         return f"variants {start} to {stop - 1}"
 
     def workers(self, jobs: int, scheduler: str | None = None) -> Workers:
-        """Return workers for the pieces, with at most one process per piece."""
+        """Return workers for the pieces; there are at most as many processes as pieces."""
         jobs = min(jobs, self.plan.pieces)
         return workers(self, self.describe, jobs=jobs, scheduler=scheduler)
 
 
 class Portion(NamedTuple):
-    """Piece with its variants, for a worker without access to the file of variants."""
+    """Piece of a sweep with its variants, for a worker without access to their file."""
 
     piece: int
     variants: VariantPart
@@ -57,7 +57,7 @@ Item = int | Portion
 
 
 def items(task: SweepTask, pieces: Iterable[int], *, remote: bool) -> Iterator[Item]:
-    """Yield the numbers of pieces, or pieces with variants for remote workers."""
+    """Yield the numbers of pieces; for remote workers, pieces with the values of their variants."""
     variants = task.plan.variants
     for piece in pieces:
         if remote and table_of(variants):
@@ -67,7 +67,7 @@ def items(task: SweepTask, pieces: Iterable[int], *, remote: bool) -> Iterator[I
 
 
 def calculate(task: SweepTask, item: Item) -> Chunk:
-    """Return the rows of a piece that can be in the output."""
+    """Calculate a piece, and return its rows that can be in the output."""
     plan, piece = task.plan, _number(item)
     if isinstance(item, Portion):
         plan = replace(plan, variants=item.variants)
@@ -80,7 +80,7 @@ def _number(item: Any) -> Any:
 
 
 def lines(task: SweepTask, item: Item) -> tuple[Account, bytes]:
-    """Return the account of a piece, and the rows as text."""
+    """Calculate a piece, and return its account and its rows as text."""
     rows = calculate(task, item)
     notes = rows.removed, rows.outside, rows.noticed
     account = Account(_number(item), len(rows.variants), dict(rows.counts), (), *notes)
@@ -88,7 +88,7 @@ def lines(task: SweepTask, item: Item) -> tuple[Account, bytes]:
 
 
 def piece_data(task: SweepTask, item: Item) -> tuple[Account, list[Any]]:
-    """Return a piece as stored: text if the output is text, else columns."""
+    """Calculate a piece, and return its account and its stored form: text or columns."""
     rows = calculate(task, item)
     data = columns_of(rows) if task.plan.objectives else data_of(task.form, rows)
     counts = dict(rows.counts)
@@ -97,30 +97,30 @@ def piece_data(task: SweepTask, item: Item) -> tuple[Account, list[Any]]:
 
 
 def piece_sent(task: SweepTask, item: Item) -> tuple[Account, bytes]:
-    """Return a piece in the form sent between machines."""
+    """Calculate a piece, and return its account and its data as sent between machines."""
     account, data = piece_data(task, item)
     return account, b"".join(memoryview(segment).cast("B") for segment in data)
 
 
 def write_piece(task: SweepTask, piece: int) -> Account:
-    """Calculate and store a piece."""
+    """Calculate a piece, store it, and return its account."""
     account, data = piece_data(task, piece)
     piece_file.write_piece(task.directory, piece, data)
     return account
 
 
 def copy(task: SweepTask, copies: Sequence[Copy]) -> int:
-    """Copy parts of pieces into the output."""
+    """Copy segments of pieces into the output, and return the number of bytes."""
     return piece_file.copy(task.directory, copies)
 
 
 def data_of(form: Format, rows: Chunk) -> list[Any]:
-    """Return the rows of a chunk in the form of the output: as text, or as columns."""
+    """Return the rows of a chunk in the stored form: as text, or as columns."""
     return [text.rows(form, rows)] if form in TEXTS else columns_of(rows)
 
 
 def columns_of(rows: Chunk) -> list[Any]:
-    """Return the contiguous columns of a chunk."""
+    """Return the columns of a chunk as contiguous arrays."""
     return [
         np.ascontiguousarray(column, dtype=column.dtype.newbyteorder("<"))
         for column in (*rows.output_columns().values(), *rows.objectives.T)
@@ -128,7 +128,7 @@ def columns_of(rows: Chunk) -> list[Any]:
 
 
 def read_chunk(task: SweepTask, account: Account) -> Chunk:
-    """Read a stored piece of columns."""
+    """Read a piece that was stored as columns."""
     data = piece_file.read_segments(task.directory, account)
     names, headings, gears = task.plan.names, task.plan.headings, task.plan.gears
     values = 1 + len(names)

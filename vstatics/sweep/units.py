@@ -1,4 +1,4 @@
-"""Units of varied numbers and of columns, as attributes of a dataset."""
+"""Units of varied numbers and columns, for the attributes of a dataset."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from vstatics.sweep.variants.path_numbers import CasePath
 from vstatics.sweep.variants.targets import Target, Varied
 
 KEEPING = (LAST, "abs", "min", "max", "sum")
-"""Functions whose value has the unit of their operands."""
+"""Names of functions whose value has the unit of their operands."""
 
 
 def units_of(plan: SweepPlan) -> dict[str, str]:
-    """Return the known units of varied numbers and columns.
+    """Return the known units of varied numbers and columns, by name.
 
     Examples
     --------
@@ -56,7 +56,7 @@ def _of_varied(varied: Varied, case: Transmission) -> str:
 
 
 def _of_node(node: Node, subject: Subject) -> str:
-    """Return the unit of an expression, or "" unless the expression is part of a table."""
+    """Return the unit of an expression; "" unless it is a table or a part of a table."""
     if isinstance(node, Selection):
         if not isinstance(subject, Transmission):
             return subject.unit_of(node.table)

@@ -1,10 +1,10 @@
-"""Synthesis of gearboxes: schemes, gears, ratios and teeth of planetary gear sets.
+"""Synthesis of gearboxes from planetary gear sets: schemes, gears, ratios and teeth.
 
-`structures` lists the schemes of a number of planetary sets. A scheme becomes a case, for which
-`gears` tries the combinations of shift elements, `ratios` fits the ratios of mechanisms to wanted
-ratios of gears, and `teeth` finds integer tooth numbers. `boxes` finds whole gearboxes at once.
-`pictures` draws found gearboxes, `report` writes a page about them, and `cli` has the commands
-`vstatics synth ...`.
+`structures` lists the schemes (ways to connect the links) of a number of planetary gear sets. For a
+case with such a scheme, `gears` tries the combinations of shift elements, `ratios` fits the ratios
+of the gear sets to wanted ratios of the gears, and `teeth` finds integer tooth numbers. `boxes`
+finds whole gearboxes at once. `pictures` draws found gearboxes, `report` writes a page about them,
+and `cli` contains the commands `vstatics synth ...`.
 
 >>> from vstatics.synthesis import SetScheme, StructureSearch, combinations, find_teeth
 >>> from vstatics.synthesis import fit, scheme_case, schemes

@@ -1,4 +1,4 @@
-"""The record of the annex of synthesis: commands, public names, pictures and schemas."""
+"""Record of the annex of synthesis: commands, public names, pictures and schemas."""
 
 from vstatics.core.annexes import Annex, Command, DocumentKind, PictureKind, Schema
 

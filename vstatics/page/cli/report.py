@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 
 class PageOptions(NamedTuple):
-    """Options of `vstatics report`: sections, digits, language, reading of cases, duty cycle."""
+    """Options of `vstatics report`: sections, digits, language, settings of cases, duty cycle."""
 
     asked: AskedPage
     digits: int | None
@@ -41,7 +41,7 @@ class PageOptions(NamedTuple):
 
     @property
     def duty_files(self) -> list[str]:
-        """Files of the duty cycle, if it is given."""
+        """Names of the files of the duty cycle; empty without a duty cycle."""
         return self.duty.files if self.duty else []
 
 
@@ -148,7 +148,7 @@ def report_command(
         from vstatics.page.cli.serve import serve_page
 
         return serve_page(cases[0], page.digits, page.lang, settings)
-    assert output is not None  # noqa: S101 - it is required
+    assert output is not None  # noqa: S101 - the option is required
     to = formats.each_by_itself(output, cases, ["html"], "a page")
     if len(cases) == 1 and (listing := _listing_in(cases[0])):
         if to.is_folder:
@@ -171,7 +171,7 @@ def report_command(
 
 
 def _listing_in(file: str) -> tuple[object, object] | None:
-    """Return the gearboxes that a file of `synth box` lists, and its document; None for a case."""
+    """Return the gearboxes listed in a file of `synth box`, and its document; None for a case."""
     if not module_of_method("listing_in"):
         return None
     listing: tuple[object, object] | None = higher("listing_in")(file)
@@ -210,7 +210,7 @@ def _report_two(cases: tuple[str, ...], output: str, page: PageOptions) -> int:
 def _shown(
     outcome: CalculatedCase, results: Results, page: PageOptions, cycle: GivenCycle | None
 ) -> texts.CaseOutput:
-    """Return the page of a case as the output of `vstatics report`."""
+    """Return the page of a case as output of `vstatics report`."""
     asked, quiet = page.asked, page.settings.telling.quiet
     chosen = arguments.gear_indices(results.case, asked.gears, "--gears") if asked.gears else ()
     chosen_page = asked._replace(gears=[results.case.gears[index].name for index in chosen])

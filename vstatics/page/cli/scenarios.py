@@ -1,4 +1,4 @@
-"""Run and name of a scenario that is given instead of its case."""
+"""Simulated run and name of a scenario that is given instead of a case."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ if TYPE_CHECKING:
 
 
 def run_of(outcome: CalculatedCase) -> PicturedRun | None:
-    """Return the run of a scenario, and print the problems of the run; return None for a case.
+    """Return the simulated run of a scenario, and print its problems; return None for a case.
 
     Raises
     ------
     ReadError
-        If the run cannot begin; the problems have the places of the reasons.
+        If the run cannot begin; each problem has the place of its reason.
     """
     if outcome.scenario is None:
         return None

@@ -1,4 +1,4 @@
-"""`vstatics serve`: serve the page of a case on loopback and edit its file from there."""
+"""`vstatics serve`: serve the page of a case on loopback, and change its file from the page."""
 
 from __future__ import annotations
 
@@ -30,11 +30,10 @@ if TYPE_CHECKING:
     from vstatics.page.serve.states import Calculated
 
 TOKEN_BYTES = 24
-"""Number of random bytes in the token of the address; three bytes give four characters."""
+"""Number of random bytes in the secret part of the address; three bytes give four characters."""
 MOST_PORT = 65535
 GARBAGE = 50_000
-"""Number of new objects after which Python collects garbage; a page state has about as many.
-"""
+"""Number of new objects after which Python collects garbage, about as many as a page state has."""
 
 
 @command
@@ -89,7 +88,7 @@ def serve_page(
     *,
     opens: bool = False,
 ) -> int:
-    """Serve the page of a case until a signal ends it.
+    """Serve the page of a case until a signal stops the process.
 
     Raises
     ------
@@ -100,7 +99,8 @@ def serve_page(
     """
     if case == files.STDIN:
         raise click.UsageError("standard input is not saved again: expected a file")
-    files.read_input(case, regular=True)  # a missing file is an error, an invalid one is shown
+    # A missing file is an error; an invalid file is shown on the page.
+    files.read_input(case, regular=True)
     from vstatics.page.serve.server import PageServer
     from vstatics.page.serve.states import ShownStates
     from vstatics.page.serve.studio import Studio, StudioProcess
@@ -123,15 +123,16 @@ async def _until_stopped(server: PageServer, port: int, *, opens: bool) -> None:
     stop = asyncio.Event()
     loop = asyncio.get_running_loop()
     for signal in ENDING:
-        with contextlib.suppress(NotImplementedError):  # Windows has no signal handlers in a loop
+        # Windows does not support signal handlers in an event loop.
+        with contextlib.suppress(NotImplementedError):
             loop.add_signal_handler(signal, stop.set)
 
     def ready(address: str) -> None:
-        gc.freeze()  # modules are never collected; searching them delayed some saves
+        gc.freeze()  # modules are never collected; searching them for garbage delayed some saves
         gc.set_threshold(GARBAGE)
         files.write_output(f"{address}\n", None)
         if opens:
-            import webbrowser  # slow: it searches for browsers
+            import webbrowser  # slow to import, because it searches for browsers
 
             loop.run_in_executor(None, webbrowser.open, address)
 
@@ -139,7 +140,7 @@ async def _until_stopped(server: PageServer, port: int, *, opens: bool) -> None:
 
 
 def calculated(file: str, settings: CaseOptions, texts: Texts) -> Calculated:
-    """Calculate a case or a scenario, with edited texts instead of some files."""
+    """Calculate a case or a scenario, with edited texts in place of some files' contents."""
     from vstatics.core.readers.named.csv_files import noted_files
     from vstatics.page.serve.states import Calculated
 
@@ -152,22 +153,22 @@ def calculated(file: str, settings: CaseOptions, texts: Texts) -> Calculated:
             regular=True,
         )
     if outcome.results is not None and len(texts_read) < len(file_names):
-        return calculated(file, settings, texts)  # a missing file has appeared since
+        return calculated(file, settings, texts)  # the missing file has appeared since
     return Calculated(
         outcome.results,
         outcome.problems,
         naming_of(outcome),
         texts_read,
         [*file_names, *sorted(tables)],
-        cache(partial(run_of, outcome)),  # a run is calculated when first shown
+        cache(partial(run_of, outcome)),  # a run is calculated when it is first shown
         outcome.is_run,
     )
 
 
 def _read(file: str, texts: Texts) -> tuple[dict[str, bytes], list[str]]:
-    """Return the texts of all readable files, scenario first, and the names of all files."""
+    """Return the contents of all readable files, scenario first, and the names of all files."""
     texts_read, file_names = {}, [file]
-    with contextlib.suppress(ReadError):  # the calculation reports the reason
+    with contextlib.suppress(ReadError):  # the calculation will report the reason
         texts_read[file] = texts.get(file) or files.read_input(file, regular=True)[0]
         if documents.is_a("scenario", texts_read[file], file) and module_of_method("read_scenario"):
             case = higher("read_scenario")(texts_read[file], file).case_file

@@ -1,4 +1,4 @@
-"""Choice of the parts of a page: sections, gears, printed sections and a stamp."""
+"""Choice of the parts of a page: sections, gears, what to print, and a stamp."""
 
 from __future__ import annotations
 
@@ -26,27 +26,27 @@ _PLACES = {
     "conventions": ("Conventions", 160),
 } | {key: (part.name, part.place) for key, part in report_parts().items()}
 SECTIONS = {key: _PLACES[key][0] for key in sorted(_PLACES, key=lambda key: _PLACES[key][1])}
-"""Headings of sections by key, in the order of the page, including sections of annexes."""
+"""Headings of the sections by key, in the order of the page, including annexes."""
 PRINTED = (
     *("overview", "gears", "flow", "efficiency", "vehicle", "duty", "largest"),
     *(key for key, part in report_parts().items() if part.is_printed),
 )
-"""Sections that are printed by default."""
+"""Keys of the sections that are printed by default."""
 
 
 class AskedPage(NamedTuple):
-    """Choice of the parts of the page of a case.
+    """Choice of the parts of a case's page, and of the parts that are printed.
 
     Parameters
     ----------
     sections : collection of str
-        Keys of `SECTIONS`; empty for all. The chosen sections are printed, too.
+        Keys of `SECTIONS`; empty for all sections. Chosen sections are also printed.
     gears : sequence of str
-        Names of the gears shown; empty for all.
+        Names of the gears to show; empty for all gears.
     prints_all : bool
         Whether to print everything that the screen shows.
     stamp : mapping of str to str
-        Entries of the stamp at the head of the page by name, such as author, project and date.
+        Entries of the stamp at the head of the page, by name, such as author, project and date.
     """
 
     sections: Collection[str] = ()

@@ -1,4 +1,4 @@
-"""Explanation of each gear on the page: its ratio first, then the equations behind it."""
+"""Explanation of each gear on the page: its ratio, and the equations behind it."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ from vstatics.page.report.material import Material
 def explained(material: Material) -> list[Sequence[Markup]]:
     """Return the explanation of each gear shown: ratio, equations and signs.
 
-    The matrix, which all gears share, is shown among the tables. If ratios have no formula,
-    `no_formula` gives the reason, once for all gears.
+    The matrix, which is common to all gears, is shown among the tables. If ratios have no formula,
+    `no_formula` returns the reason, which is the same for all gears.
     """
     return [
         list(_explained(material, gear.name))
@@ -36,12 +36,12 @@ def _explained(material: Material, gear: str) -> Iterator[Markup]:
 
 
 def no_formula() -> str:
-    """Return the reason why ratios have no formula, such as a missing package, or an empty text."""
+    """Return the reason why ratios have no formula, such as a missing package; "" if they have."""
     return missing("formula", "the formula of the ratio")
 
 
 def _gear(explanation: Explanation, digits: int | None) -> Iterator[Markup]:
-    """Yield the parts of an explanation, the ratio first."""
+    """Yield the elements of an explanation, the ratio first."""
     if no_formula():
         explanation = explanation._replace(reason="")
     parts = sorted(sections(explanation, digits), key=lambda part: part.key != "ratio")
@@ -56,11 +56,11 @@ def _gear(explanation: Explanation, digits: int | None) -> Iterator[Markup]:
 
 
 _BEFORE = re.compile(r"\S.*?\s{2,}|\s*")
-"""Pattern of the text before an equation: a name, or the indentation below a named line."""
+"""Pattern of the text before an equation: a name with blanks, or an indentation."""
 
 
 def _lines(lines: Sequence[str]) -> Markup:
-    """Return equations as text whose long lines continue below the equation.
+    """Return equations as HTML; a long line continues below its own equation, after the name.
 
     >>> print(_lines(["in  M = 1", "2 M = 2"]))
     <pre style="--before: 4ch"><span>in  M = 1
@@ -81,7 +81,7 @@ _MINUS, _TIMES = re.compile(r"(?<![^\s(])-(?=[a-z(])"), re.compile(r"(?<=[\d)]) 
 
 
 def _typeset(text: str) -> str:
-    """Replace hyphens, crosses and eta of equations by typographic characters.
+    """Replace minus signs, multiplication signs and eta in equations by typographic characters.
 
     >>> _typeset("-w[sun 1-2] - (1 - u) w_in = -0.5; -2 x (-0.5) = 1, u eta^x")
     '−w[sun 1-2] - (1 - u) w_in = -0.5; -2 × (-0.5) = 1, u η^x'

@@ -1,4 +1,4 @@
-"""Layout of the HTML page: head, sections, style sheet and embedded data."""
+"""Layout of the HTML page: head, sections, style sheet, scripts and embedded data."""
 
 from __future__ import annotations
 
@@ -19,30 +19,30 @@ from vstatics.pictures.paged.inline import palette, shared
 from vstatics.pictures.paged.parts import SCREEN, Part
 
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'"
-"""Content security policy that forbids a browser to load anything."""
+"""Content security policy, by which browsers do not load anything for the page."""
 NOTHING = Markup()
 
 
 class PageFrame(NamedTuple):
-    """Parts of a page in addition to its sections."""
+    """Parts of a page around the sections."""
 
     choice: Markup = NOTHING
-    """Links that choose a gear and stay in sight while the page scrolls."""
+    """Links that choose a gear, which stay visible while the page scrolls."""
     panel: Markup = NOTHING
-    """Panel below the head of the page."""
+    """Panel below the title of the page, with buttons and errors."""
     scripts: Sequence[Markup] = ()
     """Additional scripts, after the script of every page."""
     end: Markup = NOTHING
-    """End of the page, such as scripts that contain names."""
+    """End of the page after the sections, such as scripts that contain names of the case."""
     style: Markup = NOTHING
     policy: str = POLICY
-    """Content security policy; empty if the server sends a header with the policy."""
+    """Content security policy in the page; empty if a server sends it as a header."""
     state: Mapping[str, object] = {}
-    """Attributes of the element `body`."""
+    """Attributes of the HTML element `body`."""
     revision: int | None = None
-    """Number of the state that the page shows first, for an attribute of the page."""
+    """Number of the state that the page shows first, as an attribute; None if not served."""
     named: object = None
-    """Plain data with names that are not translated; by default the case in the document."""
+    """Plain data whose names are not translated; by default the case in the embedded document."""
 
 
 BARE = PageFrame()
@@ -57,14 +57,14 @@ SCRIPT = _resource("script.js")
 
 
 _LITERAL = re.compile(r'"((?:[^"\\\n]|\\u\w{4})*)"|`([^`\\\n]*)`')
-"""String literal in a script."""
+"""String literal in a script, with quotes or backquotes."""
 
 
 def in_language(script: Markup) -> Markup:
-    """Translate the user-visible texts of a script to the spoken language.
+    """Translate the visible texts of a script to the language of the page.
 
-    A text is user-visible if it begins with a capital letter or contains a blank. Keys in the
-    scripts do neither.
+    A text is visible if it begins with a capital letter or contains a blank, which no key in the
+    scripts does.
 
     >>> from vstatics.core.texts import speaking
     >>> with speaking("ru"):
@@ -101,7 +101,7 @@ def page(material: Material) -> str:
 
 
 def choice(material: Material) -> Markup:
-    """Return the links that choose a gear; empty if no gear is shown."""
+    """Return the links by which the reader chooses a gear; empty if no gear is shown."""
     gears = material.results.case.gears
     names = [gear.name for gear in gears if material.asked.shows(gear.name)]
     return chooser(names) if names else NOTHING
@@ -114,23 +114,23 @@ def framed(
     document: dict[str, Any],
     frame: PageFrame = BARE,
 ) -> str:
-    """Return a page with sections, table of contents, style and embedded data.
+    """Return a page of given sections, with table of contents, style sheet and embedded data.
 
     Parameters
     ----------
     notes : iterable of Markup
-        Text below the title.
+        Texts below the title.
     document : dict
-        Contents of the page that are embedded as JSON.
+        Data that the page contains as JSON.
     frame : PageFrame, optional
-        Parts in addition to the sections.
+        Parts around the sections.
     """
     links = (tag("a", tr(part.name), href=f"#{id_of(part.name)}") for part in parts)
     contents = tag("nav", *links, class_="contents", aria_label=tr("Contents"))
     shown = tag("main", *map(_section, parts))
     main, looks = shared(printed(shown, _names(frame.named or document.get("case"))))
     data = json.dumps(document, ensure_ascii=False, allow_nan=False)
-    data = data.replace("<", "\\u003c")  # so that no text of the case ends the script element
+    data = data.replace("<", "\\u003c")  # so that no text in the data can end the script element
     body = tag(
         "body",
         tag("header", tag("h1", title), *notes, contents),
@@ -169,12 +169,12 @@ def stamped_page(
 
 
 def shown_alone(part: Part, document: Mapping[str, Any]) -> Markup:
-    """Return a section without its heading; names that occur in a document are not translated."""
+    """Return the contents of a section; names that occur in the document are not translated."""
     return printed(joined(*part.shown), _names(document.get("case")))
 
 
 def section_alone(part: Part, document: Mapping[str, Any]) -> Markup:
-    """Return a section with its heading; names that occur in a document are not translated."""
+    """Return a section with the heading; names that occur in the document are not translated."""
     return printed(_section(part), _names(document.get("case")))
 
 
@@ -184,7 +184,7 @@ def _section(part: Part) -> Markup:
 
 
 def stamped(stamp: Mapping[str, str]) -> Iterator[Markup]:
-    """Yield the stamp of a page, such as author and project, if given.
+    """Yield the stamp of a page with entries such as author and project, if any.
 
     >>> print(*stamped({"author": "A < B"}))
     <dl class="stamp"><div><dt>author</dt><dd>A &lt; B</dd></div></dl>
@@ -195,7 +195,7 @@ def stamped(stamp: Mapping[str, str]) -> Iterator[Markup]:
 
 
 def about(material: Material) -> Iterator[Markup]:
-    """Yield the text below the title of the page of a case."""
+    """Yield the texts below the title of the page of a case."""
     case = material.results.case
     yield from stamped(material.asked.stamp)
     if material.has_run:
@@ -217,7 +217,7 @@ def about(material: Material) -> Iterator[Markup]:
 
 
 def _names(data: Any) -> Iterator[str]:
-    """Yield all texts of plain data, which include every name.
+    """Yield all texts in plain data, among which is every name.
 
     >>> [*_names({"links": ["in", "-3"], "gears": {"R": {"speeds": {"in": 1}}}})]
     ['links', 'in', '-3', 'gears', 'R', 'speeds', 'in']
@@ -253,7 +253,7 @@ def _styles(title: str) -> Markup:
 
 
 def _quoted(text: str) -> str:
-    """Quote and escape a text for a style sheet, so that no text can end the style element.
+    """Quote a text for a style sheet, escaped so that it cannot end the style element.
 
     >>> print(_quoted('a "b" </style>'))
     "a \\22 b\\22  \\3c \\2f style\\3e "

@@ -15,7 +15,7 @@ _OF_GEARS = {"ratio": "ratio", "step": "step", "efficiency": "efficiency"} | {
     for quantity in QUANTITIES
     if quantity.rows == "one"
 }
-"""Keys of quantities by the heading of their column in the table with a row for each gear."""
+"""Keys of quantities, by the heading of their column in the table with a row for each gear."""
 _WITH_ROWS = {quantity.name for quantity in QUANTITIES if quantity.columns == "gears"}
 """Keys of quantities whose tables have a column for each gear."""
 
@@ -46,8 +46,9 @@ def marked(grid: Grid) -> Grid:
 def marked_powers(grid: Grid, gear: str) -> Grid:
     """Return the table of powers of a gear with marks on the numbers.
 
-    Names of rows are such as ``link ring`` or ``mechanism P1.sun``. Powers of tooth meshes and of
-    members of springs are converted from their present unit, because no script recalculates them.
+    Rows are named by kind and name, as in ``link ring`` or ``mechanism P1.sun``. Powers of tooth
+    meshes and of spring members are marked with their present unit only, because scripts convert
+    but do not recalculate them.
 
     Examples
     --------
@@ -78,7 +79,7 @@ def marked_powers(grid: Grid, gear: str) -> Grid:
 
 
 def _in_units(cells: Sequence[Cell], names: Sequence[str], gear: str) -> Iterator[Cell]:
-    """Yield cells of powers that a script only converts from their present unit."""
+    """Yield cells of powers with their present unit, for scripts that only convert them."""
     for cell, name in zip(cells, names, strict=True):
         if cell.kind is not float or name in ("", LOSS_SHARE):
             yield cell

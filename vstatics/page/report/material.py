@@ -1,4 +1,4 @@
-"""Contents of the page of a case, calculated once."""
+"""Contents of the page of a case: everything that is calculated for it."""
 
 from __future__ import annotations
 
@@ -27,10 +27,10 @@ from vstatics.pictures.runs import PicturedRun
 
 
 class Naming(NamedTuple):
-    """Name and description for a page, from the file of the case or from the scenario."""
+    """Name and description for a page, from the file of the case or of the scenario."""
 
     name: str = ""
-    """Name of the scenario; without a scenario, name of the file."""
+    """Name of the scenario, or of the file of the case without a scenario."""
     description: str = ""
     """Description of the scenario."""
 
@@ -42,7 +42,7 @@ class Naming(NamedTuple):
         case : str
             Name of the case; can be empty.
         runs : bool
-            Whether the page has a run.
+            Whether the page shows a simulated run.
 
         Examples
         --------
@@ -64,41 +64,41 @@ class Material(NamedTuple):
 
     results: Results
     document: dict[str, Any]
-    """Result as written by ``vstatics run -f json``."""
+    """Result of the case, as ``vstatics run -f json`` writes it."""
     summary: Summary
     flows: Sequence[GearFlow]
     pictures: Pictures
     messages: Sequence[str]
-    """Messages of the input, then of the results."""
+    """Messages about the input, then messages about the results."""
     without: str
-    """Reason why the page has no pictures at all; otherwise empty."""
+    """Reason why the page has no pictures at all; empty if it has pictures."""
     parts: Mapping[str, PagePart] = {}
-    """Sections of annexes by keys of `SECTIONS`."""
+    """Sections of annexes, by key in `SECTIONS`."""
     digits: int | None = None
-    """Digits after the point; None for a number that suits each quantity."""
+    """Number of decimals; None for a number that suits each quantity."""
     naming: Naming = UNNAMED
     asked: AskedPage = EVERYTHING
     has_marks: bool = False
-    """Whether numbers carry marks for a script that changes them."""
+    """Whether numbers have marks for a script that changes them."""
 
     def marked(self, grids: Iterable[Grid]) -> Iterator[Grid]:
-        """Return tables with marks, if the page has marks."""
+        """Return tables with marks on their numbers, if the page has marks."""
         if not self.has_marks:
             return iter(grids)
         return (with_tool_marks(marked(grid), self.results.case) for grid in grids)
 
     @property
     def has_run(self) -> bool:
-        """Whether the page has the run of a scenario."""
+        """Whether the page shows the simulated run of a scenario."""
         return "run" in self.parts
 
     @property
     def shown_flows(self) -> Sequence[GearFlow]:
-        """Power flows of the gears shown."""
+        """Power flows of the gears that the page shows."""
         return [flow for flow in self.flows if self.asked.shows(flow.gear)]
 
 
-def gather(  # noqa: PLR0913 - what there is, and how it is shown
+def gather(  # noqa: PLR0913 - contents and options of the page
     results: Results,
     problems: Iterable[Problem] = (),
     digits: int | None = None,
@@ -116,19 +116,19 @@ def gather(  # noqa: PLR0913 - what there is, and how it is shown
     results : Results
         Results of one case, not of arrays of variants.
     problems : iterable of Problem
-        Warnings of the input; warnings that the results repeat are left out.
+        Warnings about the input, without those that the results repeat.
     digits : int, optional
-        Digits after the point; by default a number that suits each quantity.
+        Number of decimals; by default a number that suits each quantity.
     motion : Motion, optional
-        Run of the case.
+        Simulated run of the case.
     naming : Naming, optional
-        Names from the file and the scenario.
+        Name and description for the page.
     asked : AskedPage, optional
         Sections and gears of the page.
     has_marks : bool, optional
-        Whether numbers carry marks; see `vstatics.page.report.marks`.
+        Whether numbers have marks for scripts; see `vstatics.page.report.marks`.
     drawn : Pictures, optional
-        Placeholders instead of pictures.
+        Placeholders to use instead of pictures.
     """
     without = ""
     if drawn is None:
@@ -148,7 +148,7 @@ def gather(  # noqa: PLR0913 - what there is, and how it is shown
     messages = []
     for problem in problems:
         if not _is_among(problem, results.messages):
-            # Messages on the page name the line, but not the file.
+            # Messages on the page contain the line, but not the name of the file.
             place = f"line {problem.place.line}: " if problem.place and problem.place.line else ""
             messages.append(f"{problem.severity}: {place}{problem.message}")
     return Material(
@@ -174,18 +174,18 @@ def _parts(request: PartRequest, asked: AskedPage) -> Iterator[tuple[str, PagePa
 
 
 def part_of(key: str, request: PartRequest) -> PagePart | None:
-    """Return a section of an annex; None if the case lacks the data."""
+    """Return the section of an annex with a key; None if the case lacks the data."""
     part: PagePart | None = module_of_part(key).part(request)
     return part
 
 
 def module_of_part(key: str) -> ModuleType:
-    """Import the module of a section of an annex."""
+    """Import the module of the section of an annex with a key."""
     return module(report_parts()[key].module)
 
 
 def _is_among(problem: Problem, messages: Iterable[Message]) -> bool:
-    """Check whether a message repeats a problem: readers name fields, results name parts."""
+    """Check whether results repeat a problem of the input, apart from the named part."""
     text = problem.message
     return any(
         text.endswith(f": {message.text}" if message.gear else message.text.partition(": ")[2])

@@ -1,4 +1,4 @@
-"""The overview of a case: its main figures in one line, and its messages by severity."""
+"""Overview of a case: a line with the main figures, and the messages by severity."""
 
 from __future__ import annotations
 
@@ -22,8 +22,9 @@ WEIGHTS = {"error": "errors", "warning": "warnings", "note": "notes"}
 def overview(material: Material) -> Iterator[Markup]:
     """Yield the line of the main figures, each with the gear to which it belongs.
 
-    The figures are the number of gears, the spread, the lowest efficiency, the largest torque of a
-    shift element, the largest share of circulating power, and the number of alerts by severity.
+    The figures are the number of gears, the ratio spread, the lowest efficiency, the largest torque
+    of a shift element, the largest share of recirculating power, and the number of messages by
+    severity.
     """
     facts = [*_gears(material), *_efficiency(material), *_torque(material)]
     facts += [*_circulation(material), (tr("alerts"), _alerts(material.messages))]
@@ -63,7 +64,7 @@ def _efficiency(material: Material) -> Iterator[tuple[str, str]]:
 
 
 def _torque(material: Material) -> Iterator[tuple[str, str]]:
-    """Yield the largest torque of a shift element, with losses and in N*m where known."""
+    """Yield the largest torque of a shift element, with losses and in N*m if known."""
     largest = material.summary.largest
     for loaded in (True, False):
         for key in (LOSSY_TORQUES, TORQUES):
@@ -82,7 +83,7 @@ def _torque(material: Material) -> Iterator[tuple[str, str]]:
 
 
 def _in_unit(text: str, unit: str, value: float, gear: str, *, loaded: bool) -> Markup:
-    """Return a torque with marks for the choice of units."""
+    """Return a torque as text, with marks by which the choice of units converts it."""
     marks = {"data_gear": gear, "data_value": value, "data_unit" if loaded else "data_scaled": "Nm"}
     return joined(tag("span", text, **marks), " ", tag("span", unit, class_="unit"))
 

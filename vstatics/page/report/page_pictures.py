@@ -13,30 +13,30 @@ from vstatics.pictures.paged.drawn import HALF, PAGE, Drawn, of_each, picture_of
 
 OF_ALL_GEARS = ("efficiency", "plan")
 OF_A_VEHICLE = ("traction", "sawtooth")
-"""Kinds of pictures of a case whose vehicle has an engine."""
+"""Kinds of pictures of a case that need a vehicle with an engine."""
 
 
 def of_all_gears(case: Transmission) -> tuple[str, ...]:
-    """List the kinds of pictures that show all gears of a case."""
+    """List the kinds of pictures of a case that show all gears together."""
     return (*OF_ALL_GEARS, *(OF_A_VEHICLE if getattr(case.vehicle, "engine", ()) else ()))
 
 
 class Pictures(NamedTuple):
-    """Pictures of a case by kind, except pictures of vibration and of a run."""
+    """Pictures on the page of a case, except pictures of vibration and of a simulated run."""
 
     of_gears: Mapping[str, Sequence[Drawn]] = {}
-    """Pictures of each gear shown, by kind."""
+    """Pictures of each gear that the page shows, by kind."""
     of_all: Mapping[str, Drawn] = {}
     small_sticks: Sequence[Drawn] = ()
-    """Small stick diagrams of each gear shown, for print."""
+    """Small stick diagrams of each gear that the page shows, for print."""
     bare_stick: Drawn | None = None
     """Stick diagram without a gear, for print."""
     flows: Drawn | None = None
-    """Power flow of all gears shown, for print."""
+    """Power flow of all gears that the page shows, for print."""
 
 
 def pictures(results: Results, asked: AskedPage = EVERYTHING) -> Pictures:
-    """Draw the pictures on the page of a case, except vibration and run.
+    """Draw the pictures on the page of a case, except vibration and simulated run.
 
     If no stick diagram can be drawn, the structure of each gear replaces it.
 
@@ -65,10 +65,10 @@ def pictures(results: Results, asked: AskedPage = EVERYTHING) -> Pictures:
 def _sticks(
     results: Results, asked: AskedPage, gears: Sequence[int]
 ) -> tuple[Sequence[Drawn], Sequence[Drawn], Drawn | None]:
-    """Draw large and small stick diagrams of gears, and a diagram without a gear.
+    """Draw large and small stick diagrams of gears, and a stick diagram without a gear.
 
-    Structures replace diagrams that cannot be drawn. If the section of gears prints small diagrams,
-    large diagrams are printed only on request.
+    The structure replaces a stick diagram that cannot be drawn. If the table of gears is printed
+    with small diagrams, large diagrams are printed only on request.
     """
     in_full = asked.in_full("overview") and (asked.prints_all or not asked.has("gears"))
     for kind in ("stick", "structure"):

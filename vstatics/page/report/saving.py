@@ -29,7 +29,7 @@ def write_report(
     path : path-like
         File to write; an existing file is replaced.
     motion : Motion, optional
-        Run of the case, which adds a section about it.
+        Simulated run of the case, shown in a section of its own.
 
     Raises
     ------

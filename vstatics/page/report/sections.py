@@ -1,4 +1,4 @@
-"""The sections of the page of a case."""
+"""Sections of the page of a case."""
 
 from __future__ import annotations
 
@@ -27,20 +27,21 @@ from vstatics.pictures.paged.drawn import Drawn, name_of
 from vstatics.pictures.paged.parts import Part, figures, gear_link, of_gear, on_screen
 
 ALREADY = ("efficiency", "ratio")
-"""Columns of the table of results by gear that the table of gears has already, by heading."""
+"""Headings of columns of the results by gear that the table of gears already contains."""
 WELL = {
     "power balance": (0.0, "power balance 0"),
     "consistent": (1.0, "directions of power agree with the losses"),
     "locked": (0.0, "no self-locking gear"),
 }
-"""Value of a column of the results by gear if all is well, and the sentence that replaces it."""
+"""Value of a column of the results by gear if all is well, and the sentence that then replaces it.
+"""
 PORTS, LARGEST = "ports", ("planets", "shift elements")
-"""Keys of the tables of ports and of largest values; largest values also have tables in units."""
+"""Keys of the table of ports, and of the tables of largest values, which also exist in units."""
 MARKS = Marks(holds="○", open="")
 SPREAD = "spread"
-"""Key of the table of the spread; the page has the spread in the overview instead."""
+"""Key of the table of the ratio spread, which the overview shows instead."""
 SHIFTS = ("transitions", "margins", "margins by gear")
-"""Keys of the tables of shifts and of torque margins of shift elements."""
+"""Keys of the tables of shifts, and of torque margins of shift elements."""
 VEHICLE = ("vehicle gears", "vehicle")
 """Keys of the tables of a vehicle."""
 DUTY = ("duty", "duty members", "damage")
@@ -96,7 +97,7 @@ def _overview(material: Material) -> Iterator[Markup]:
 
 
 def _gears(material: Material, grid: Grid) -> Iterator[Markup]:
-    """Yield the table of gears with a sign for each shift element that is engaged or holds.
+    """Yield the table of gears, with a sign for each engaged or holding shift element.
 
     The name of a gear is a link that chooses the gear for all sections.
     """
@@ -116,7 +117,7 @@ def _gears(material: Material, grid: Grid) -> Iterator[Markup]:
 
 
 def gears_grid(material: Material, grid: Grid) -> Grid:
-    """Return the gears of a summary with signs for shift elements, and with marks."""
+    """Return the gears of a summary with signs for shift elements, and marks for scripts."""
     results = material.results
     signs = [
         Column(element.name, is_sign=True, is_name=True) for element in results.case.shift_elements
@@ -133,7 +134,7 @@ def gears_grid(material: Material, grid: Grid) -> Grid:
 
 
 def _without_last_step(grid: Grid) -> Grid:
-    """Return the table of gears with an empty step for each gear without a next gear."""
+    """Return the table of gears with an empty step ratio for gears without a next gear."""
     step = [column.heading for column in grid.columns].index("step")
     blank = Cell("", math.nan, kind=float)
     rows = [
@@ -157,7 +158,7 @@ def _of_gears(material: Material, kind: str) -> Iterator[Markup]:
 
 
 def _differ(drawn: Sequence[Drawn]) -> bool:
-    """Check whether gears have pictures, or different reasons for having no picture."""
+    """Check whether gears have pictures, or different reasons for missing pictures."""
     return any(picture.sheets for picture in drawn) or len({picture.why for picture in drawn}) > 1
 
 
@@ -165,7 +166,8 @@ def _flows(material: Material) -> Iterator[Markup]:
     """Yield the power flow of each gear as a picture and as numbers."""
     drawn = material.pictures.of_gears.get("flow", ())
     has_stick = _differ(material.pictures.of_gears.get("stick", ()))
-    section = "flow" if has_stick else "gear"  # links to a gear lead to its first section
+    # Links that choose a gear lead to the first section about gears.
+    section = "flow" if has_stick else "gear"
     whole = material.pictures.flows
     if whole is not None:
         most = flow_sheets(len(material.parts))
@@ -204,7 +206,7 @@ def _equations(material: Material) -> Iterator[Markup]:
 
 
 def _largest(summary: Sequence[Grid]) -> Iterator[Markup]:
-    """Yield the largest speeds and torques; print only the tables in units, if any."""
+    """Yield the largest speeds and torques; in print, only the tables in units if there are any."""
     largest = [grid for grid in summary if grid.key.removesuffix(WITH_LOAD) in LARGEST]
     loaded = [grid for grid in largest if grid.key.endswith(WITH_LOAD)]
     if loaded:
@@ -213,7 +215,7 @@ def _largest(summary: Sequence[Grid]) -> Iterator[Markup]:
 
 
 def _vehicle(material: Material, summary: Sequence[Grid]) -> Iterator[Markup]:
-    """Yield the tables of the vehicle in each gear, traction and engine speeds."""
+    """Yield the tables of the vehicle in each gear, its traction, and its engine speeds."""
     yield from tables(grid for grid in summary if grid.key in VEHICLE)
     drawn = material.pictures.of_all
     for kind in (kind for kind in OF_A_VEHICLE if kind in drawn):
@@ -221,7 +223,7 @@ def _vehicle(material: Material, summary: Sequence[Grid]) -> Iterator[Markup]:
 
 
 def _tables(material: Material, summary: Sequence[Grid]) -> Iterator[Markup]:
-    """Yield further tables of the summary, then results without a place in other sections."""
+    """Yield the remaining tables of the summary, and results that no other section shows."""
     asked = material.asked
     results = map(asked.cut, of_results(material.results, blanks=True))
     by_gear, *others = (grid.with_digits(material.digits) for grid in results)
@@ -256,7 +258,7 @@ INPUT_AND_OUTPUT = 2
 
 
 def _well(by_gear: Grid) -> list[str]:
-    """List the columns that show a correct value in all gears."""
+    """List the headings of columns whose values are good in all gears."""
     columns = zip(by_gear.columns, zip(*by_gear.cells, strict=True), strict=True)
     return [
         column.heading

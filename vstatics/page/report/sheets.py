@@ -1,4 +1,4 @@
-"""Limits of the number of printed pictures, so that the page of a case fits on ten sheets."""
+"""Limits of printed pictures, so that the page of a case fits on ten sheets of paper."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ from vstatics.pictures.drawing.style import PAGE_HEIGHT
 from vstatics.pictures.paged.drawn import HALF, PAGE, Drawn
 
 MOST_SHEETS = 10
-"""Largest number of printed sheets of a case."""
+"""Largest number of printed sheets of paper for a case."""
 STICK_ROOM = 1.7
-"""Room for the small stick diagrams of all gears. [sheets]"""
+"""Room on paper for the small stick diagrams of all gears. [sheets]"""
 FLOW_SHEETS = 5
-"""Number of printed sheets of power flow, for a page without sections of annexes."""
+"""Number of printed sheets of power flow, if the page has no sections of annexes."""
 LESS_BESIDE = 2
-"""Number of sheets by which each section of an annex reduces the sheets of power flow."""
+"""Number of sheets of power flow that each section of an annex replaces."""
 CAPTION = 22.0
-"""Height of a caption with margins. [pt]"""
+"""Height of a caption with its margins. [pt]"""
 _SIZE = re.compile(r'viewbox="0 0 ([\d.]+) ([\d.]+)"', re.IGNORECASE)
 
 
@@ -34,7 +34,7 @@ def size_of(sheet: Markup) -> tuple[float, float]:
 
 
 def with_room(pictures: Sequence[Drawn]) -> int:
-    """Return how many small pictures fit on the sheets for stick diagrams, two in a row.
+    """Return the number of small pictures, two in a row, that fit on the sheets for them.
 
     >>> low, high = (Drawn("stick", [Markup(f'<svg viewBox="0 0 200 {h}">')]) for h in (60, 340))
     >>> with_room([low] * 20), with_room([high] * 20)
@@ -45,7 +45,8 @@ def with_room(pictures: Sequence[Drawn]) -> int:
     for number, picture in enumerate(pictures):
         sizes = [size_of(sheet) for sheet in picture.sheets] or [(0.0, 0.0)]
         wide, high = map(max, zip(*sizes, strict=True))
-        high *= min(1.0, PAGE.width / max(wide, 1.0))  # wider pictures are scaled down
+        # Pictures wider than the page are scaled down.
+        high *= min(1.0, PAGE.width / max(wide, 1.0))
         is_small = wide <= HALF.width
         if is_small and is_open:
             rows[-1] = max(rows[-1], high + CAPTION)
@@ -59,7 +60,7 @@ def with_room(pictures: Sequence[Drawn]) -> int:
 
 
 def flow_sheets(others: int) -> int:
-    """Return the number of printed sheets of power flow in a page with sections of annexes."""
+    """Return the number of printed sheets of power flow on a page with sections of annexes."""
     return FLOW_SHEETS - LESS_BESIDE * others
 
 

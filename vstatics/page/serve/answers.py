@@ -1,4 +1,4 @@
-"""HTTP responses: a head with fields for the security of the browser, and a body."""
+"""HTTP responses: a head with security fields for the browser, and a body."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ class HttpAnswer(NamedTuple):
 
     @property
     def data(self) -> bytes:
-        """Bytes of the whole response."""
+        """Whole response as bytes."""
         fields = {**self.fields, "Content-Length": f"{len(self.body)}"}
         return head(self.status, self.kind, fields) + self.body
 
@@ -50,12 +50,12 @@ def head(status: int, kind: str, fields: Mapping[str, str]) -> bytes:
 
 
 def html(text: str) -> HttpAnswer:
-    """Return a page or a part of a page as a response."""
+    """Return a response with a page or a part of a page."""
     return HttpAnswer(200, HTML, text.encode(errors="backslashreplace"))
 
 
 def as_json(data: dict[str, Any], status: int = 200) -> HttpAnswer:
-    """Return data for the script of the page as a response."""
+    """Return a response with data for the script of the page."""
     text = json.dumps(data, ensure_ascii=False, allow_nan=False)
     return HttpAnswer(status, JSON, text.encode(errors="backslashreplace"))
 

@@ -1,4 +1,4 @@
-"""Placeholders for pictures and slow sections, which are drawn when they come into sight."""
+"""Placeholders for pictures and slow sections, which are drawn when they become visible."""
 
 from __future__ import annotations
 
@@ -19,17 +19,19 @@ from vstatics.pictures.paged.parts import Part, PartRequest
 from vstatics.pictures.runs import PicturedRun
 
 OF_GEARS = ("stick", "flow", "lever", "modes")
-"""Kinds of pictures that show a single gear."""
+"""Kinds of pictures of a single gear."""
 OF_ALL_GEARS = ("campbell",)
-"""Kinds of pictures in sections of annexes that show all gears."""
+"""Kinds of pictures in sections of annexes that show all gears together."""
 OF_RUN = ("shift", "plan", "stick")
 SOON, LATER = tuple(report_parts()), ("equations",)
-"""Sections requested right after loading, and sections requested when in sight."""
+"""Keys of sections that are requested right after loading, and of sections that are requested when
+visible.
+"""
 QUICK = [key for key in SECTIONS if key not in (*SOON, *LATER)]
 
 
 def awaited(name: str, *, soon: bool = False) -> Markup:
-    """Return a placeholder, which the script replaces when in sight, or at once.
+    """Return a placeholder that the script replaces when it is visible, or with `soon` at once.
 
     >>> print(awaited("flow:2"))
     <div class="awaited" data-awaited="flow:2"></div>
@@ -51,7 +53,7 @@ def _drawn(name: str, *, soon: bool = False) -> Drawn:
 
 
 def awaited_sections(material: Material, *, runs: bool) -> Iterator[Part]:
-    """Yield the sections in order, with placeholders of slow sections."""
+    """Yield the sections in order, with placeholders instead of slow sections."""
     quick = {part.name: part for part in sections(material)}
     case = material.results.case
     has_section = {key: module_of_part(key).has_part(case, runs=runs) for key in report_parts()}
@@ -66,7 +68,7 @@ def awaited_sections(material: Material, *, runs: bool) -> Iterator[Part]:
 def awaited_part(
     name: str, material: Material, run: Callable[[], PicturedRun | None]
 ) -> Markup | None:
-    """Draw the part for a placeholder; None if no part has the name.
+    """Draw the part that replaces a placeholder; None if no part has the name.
 
     Parameters
     ----------
@@ -75,7 +77,8 @@ def awaited_part(
     material : Material
         Contents of the page.
     run : callable
-        Returns the run of a scenario or raises a `CaseError`; returns None for a case.
+        Function that returns the simulated run of a scenario, or None for a case; it can raise a
+        `CaseError`.
     """
     try:
         return _section(name, material, run) or _picture(name, material.results, run)
@@ -84,7 +87,7 @@ def awaited_part(
 
 
 def _section(name: str, material: Material, run: Callable[[], PicturedRun | None]) -> Markup | None:
-    """Return a section with placeholders of pictures."""
+    """Return a section with placeholders instead of pictures."""
     shown: Iterable[Markup] = ()
     if name in report_parts():
         motion = run() if name == "run" else None
@@ -106,7 +109,7 @@ def _awaited_picture(
 
 
 def _picture(name: str, results: Results, run: Callable[[], PicturedRun | None]) -> Markup | None:
-    """Return a picture, or the reason why no picture is drawn."""
+    """Return a picture, or the reason why it cannot be drawn."""
     kind, _, of = name.partition(":")
     drawn = None
     if kind == "run-picture" and of in OF_RUN and (motion := run()):

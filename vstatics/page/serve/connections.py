@@ -1,4 +1,4 @@
-"""Limits on the number and duration of connections; the slowest is ended in favour of a new one."""
+"""Limits on the number and duration of connections: a new one can end the slowest."""
 
 from __future__ import annotations
 
@@ -8,23 +8,25 @@ from collections.abc import Iterator
 from typing import Literal
 
 MOST_CONNECTED = 200
-"""Largest number of connections, below the limit of open files of a process."""
+"""Largest number of connections, below the number of files that a process can open."""
 MOST_LISTENING = 32
-"""Largest number of pages that listen for events; a browser has at most six."""
+"""Largest number of pages that listen for events; one browser has at most six."""
 WRITE_SECONDS = 10.0
-"""Time a browser can take to receive a response. [s]"""
+"""Largest time a browser can take to receive a response. [s]"""
 LINGERING_SECONDS, LINGERING_BYTES = 2.0, 16_000_000
-"""Limits for discarding the unread body of a refused request, so that the response arrives."""
+"""Largest time [s] and size [bytes] of discarding the unread body of a refused request, so that the
+response arrives.
+"""
 
 Phase = Literal["slow", "busy", "listening"]
-"""Phase of a connection: data sent or received, answer calculated, or waiting for events."""
+"""Phase of a connection: transfer of data, calculation of the answer, or waiting for events."""
 
 
 class Connections:
-    """Open connections with their phases, in the order of the last change of phase."""
+    """Open connections with the phases, ordered by the time of the last change of phase."""
 
     def __init__(self) -> None:
-        """Begin without connections."""
+        """Begin with no connections."""
         self._phases: dict[asyncio.Task[None], Phase] = {}
 
     def __len__(self) -> int:
@@ -33,7 +35,7 @@ class Connections:
 
     @contextlib.contextmanager
     def joined(self) -> Iterator[bool]:
-        """Register the current connection within the context; yield whether room was left."""
+        """Register the current connection within the context, and yield whether there is room."""
         task = asyncio.current_task()
         assert task is not None  # noqa: S101 - the server calls this within a task
         has_room = len(self) < MOST_CONNECTED or self._end_first("slow")
@@ -47,7 +49,7 @@ class Connections:
             self._phases.pop(task, None)
 
     def now(self, phase: Phase) -> None:
-        """Set the phase of the current connection, which becomes the last in order."""
+        """Set the phase of the current connection, which becomes the last in the order."""
         task = asyncio.current_task()
         if self._phases.pop(task, None) is None or task is None:  # type: ignore[arg-type] # None is not a key
             return
@@ -56,7 +58,7 @@ class Connections:
         self._phases[task] = phase
 
     def _end_first(self, phase: Phase) -> bool:
-        """End the connection that has been in the given phase for the longest time, if any."""
+        """End the connection that has been in a phase for the longest time, if there is any."""
         for task, task_phase in self._phases.items():
             if task_phase == phase:
                 del self._phases[task]
@@ -73,7 +75,7 @@ class Connections:
 
 
 async def send(writer: asyncio.StreamWriter, data: bytes) -> None:
-    """Send all data.
+    """Send data to a browser, and wait until it has received them.
 
     Raises
     ------
@@ -86,7 +88,7 @@ async def send(writer: asyncio.StreamWriter, data: bytes) -> None:
 
 
 async def linger(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
-    """Discard data that still arrive for a while, so that the response is not lost."""
+    """Discard incoming data for a while, so that the browser reads the response."""
     with contextlib.suppress(OSError, TimeoutError, RuntimeError):
         writer.write_eof()
         async with asyncio.timeout(LINGERING_SECONDS):

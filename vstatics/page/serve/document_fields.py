@@ -1,4 +1,4 @@
-"""Numbers in the documents of a case, with their paths as in a sweep and places in the text."""
+"""Numbers in the documents of a case, with paths as in a sweep and places in the text."""
 
 from __future__ import annotations
 
@@ -24,47 +24,47 @@ from vstatics.sweep.variants.path_numbers import case_path
 from vstatics.sweep.variants.targets import target
 
 _NO_NUMBERS = ("name", "description", "source", "case", "engaged", "gear", "to", "columns", "file")
-"""Keys of a scenario whose values are names, which can look like numbers."""
+"""Keys of a scenario whose values are names or references, even if they look like numbers."""
 
 _TURNING = {UNIT_OF[measure] for measure in STRAIGHT}
-"""Units of quantities that can also belong to links that move straight."""
+"""Units of rotation that would be wrong for links that move straight."""
 _ABSCISSAS = {"time": "s", "speed": "rad/s", "angle": "rad"}
-"""Units of the abscissa of a torque given by points, by the key `over`."""
+"""Unit of the abscissa of a torque that is given by points, by the value of the key `over`."""
 
 Texts = Mapping[str, bytes]
 """Contents of files by name."""
 
 
 class DocumentNumber(NamedTuple):
-    """A number in a document that can be changed."""
+    """Number in a document that can be changed on the page."""
 
     field: PageField
     file: str
     keys: Keys
     start: int
-    """Offset of the number in the text of the file."""
+    """Offset of the number in the text of the file, from 0."""
 
 
 class CaseDocuments(NamedTuple):
-    """Texts of a case, or of a scenario and a case; a deck has no numbers to change.
+    """Documents of a case, or of a scenario and the case; a deck has no numbers to change.
 
     Parameters
     ----------
     texts : mapping of str to bytes
-        Contents of the files by name; a scenario precedes its case.
+        Contents of the files by name; a scenario comes before its case.
     """
 
     texts: Texts
     numbers: Mapping[str, DocumentNumber]
-    """Numbers by path."""
+    """Numbers that can be changed, by path."""
 
     @property
     def fields(self) -> list[PageField]:
-        """Fields of all numbers, in the order of the documents."""
+        """Fields of all numbers that can be changed, in the order of the documents."""
         return [number.field for number in self.numbers.values()]
 
     def with_changes(self, changes: Mapping[str, float]) -> dict[str, bytes]:
-        """Return the new texts of all files in which numbers change.
+        """Return the new contents of all files in which numbers change, by name.
 
         Raises
         ------
@@ -85,14 +85,14 @@ class CaseDocuments(NamedTuple):
 
 
 def documents_of(texts: Texts, case: Transmission) -> CaseDocuments:
-    r"""Return the documents of a case with all numbers that a field can change.
+    r"""Return the documents of a case with all numbers that can be changed on the page.
 
     Parameters
     ----------
     texts : mapping of str to bytes
-        Contents of the files by name; a scenario precedes its case.
+        Contents of the files by name; a scenario comes before its case.
     case : Transmission
-        The case that was read from these texts.
+        Case that was read from these texts.
 
     Examples
     --------
@@ -108,13 +108,14 @@ def documents_of(texts: Texts, case: Transmission) -> CaseDocuments:
     candidates = [number for file in scenario for number in _of_scenario(file, texts[file], case)]
     candidates += _of_case(of_case, texts[of_case], case)
     numbers: dict[str, DocumentNumber] = {}
-    for number in candidates:  # if both have the path, the scenario has priority, as in a sweep
+    # If scenario and case have a number at the path, the scenario has priority, as in a sweep.
+    for number in candidates:
         numbers.setdefault(number.field.path, number)
     return CaseDocuments(texts, _with_same(numbers))
 
 
 def _with_same(numbers: Mapping[str, DocumentNumber]) -> dict[str, DocumentNumber]:
-    """Add to each number the paths of further numbers at the same place in the text."""
+    """Add to each number the paths of numbers that are aliases of the same text."""
     places: dict[tuple[str, int], list[str]] = {}
     for path, number in numbers.items():
         places.setdefault((number.file, number.start), []).append(path)
@@ -128,7 +129,7 @@ def _with_same(numbers: Mapping[str, DocumentNumber]) -> dict[str, DocumentNumbe
 
 
 def spots_of(file: str, data: bytes) -> dict[Keys, NumberSpot]:
-    """Find the numbers in the text of a case or scenario; a deck or workbook gives none."""
+    """Find the numbers in the text of a case or scenario; a deck or workbook has none."""
     try:
         document = case_document(data, file, None)
     except ReadError:
@@ -138,7 +139,7 @@ def spots_of(file: str, data: bytes) -> dict[Keys, NumberSpot]:
 
 
 def _of_scenario(file: str, data: bytes, case: Transmission) -> Iterator[DocumentNumber]:
-    """Yield the numbers of a scenario, with paths as in a sweep."""
+    """Yield the numbers of a scenario that can be changed, with paths as in a sweep."""
     text = decode(data, file)
     root = yaml_tree(text)
     spots = number_spots(text.source.text, root)
@@ -149,7 +150,7 @@ def _of_scenario(file: str, data: bytes, case: Transmission) -> Iterator[Documen
 
 
 def _over(root: Node, keys: Keys) -> str:
-    """Return the unit of the abscissa of a point, which depends on the key `over`."""
+    """Return the unit of the first number of a point, which the key `over` determines."""
     *owner_keys, points, _, place = ("", "", *keys)
     if points != "points" or place != "1":
         return ""
@@ -160,13 +161,13 @@ def _over(root: Node, keys: Keys) -> str:
 
 
 def _unit(unit: str, keys: Keys, case: Transmission) -> str:
-    """Return the unit, or "" if links can move straight or controls are pressures."""
+    """Return a unit; "" if it is uncertain because of links that move straight or pressures."""
     pressed = keys[0] == "controls" and any(element.friction for element in case.shift_elements)
     return "" if (unit in _TURNING and case.masses) or pressed else unit
 
 
 def _of_case(file: str, data: bytes, case: Transmission) -> Iterator[DocumentNumber]:
-    """Yield the numbers of a case that a sweep can vary."""
+    """Yield the numbers of a case that can be changed, which are those that a sweep can vary."""
     shape = with_elements(CASE) if drawing_of(case) else CASE
     for keys, spot in spots_of(file, data).items():
         path = dotted(by_name(keys))

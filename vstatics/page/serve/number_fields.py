@@ -1,7 +1,7 @@
 """Fields and sliders for the numbers of a case on its page.
 
-Field and slider have the attribute ``data-path``, the path by which a sweep varies the number, so
-that a script can handle their event ``input``.
+Field and slider have the attribute ``data-path``, the path of the number as in a sweep, so that a
+script can handle their ``input`` events.
 """
 
 from __future__ import annotations
@@ -24,40 +24,40 @@ from vstatics.sweep.variants.targets import OF_MECHANISM
 
 _EFFICIENCY = re.compile(r"efficiency$|(^|\.)mesh_efficiency\.\w+$")
 _BY_LINK = ("speeds", "torques")
-"""Keys of numbers for each link; their paths end with the name of the link."""
+"""Keys of numbers that each link can have; the last word of their paths is the name of a link."""
 _PARTS = ("load", "mesh_efficiency")
-"""Keys of a case that can be the first word of a path, where others have the name of a part."""
+"""Keys of a case that can begin a path; other paths begin with the name of a component."""
 _REACH = 2.0
-"""Largest number of a slider, divided by the given number."""
+"""Upper end of a slider, relative to the given number. [-]"""
 _UNITS = {"load.speed": "rpm", "load.torque": "N*m"}
 """Units of numbers that a case does not store in SI units, by the end of the path."""
 _UNSAID = {"static": 1.0, "drag": 0.0, "open_drag": 0.0}
-"""Default values; a number equal to the default gets no field."""
+"""Default values by key; a number equal to its default has no field."""
 
 
 SCRIPT, STYLE = (
     Markup((files(__package__) / f"number_fields.{kind}").read_text(encoding="utf-8"))
     for kind in ("js", "css")
 )
-"""Script and style sheet of the fields."""
+"""Script and style sheet of the fields and sliders."""
 
 
 class PageField(NamedTuple):
-    """A number that can be changed on the page."""
+    """Number that can be changed on the page, by a field and a slider."""
 
     path: str
-    """Path of the number as in a sweep: ``P1.teeth.sun``."""
+    """Path of the number as in a sweep, such as ``P1.teeth.sun``."""
     value: float
     unit: str = ""
     """Unit of the value; empty for a number without a unit."""
     whole: bool = False
-    """Whether the number is a count, such as teeth."""
+    """Whether the number is an integer, such as a tooth number."""
     same: tuple[str, ...] = ()
-    """Paths of other numbers that change with this number, as aliases in the YAML text."""
+    """Paths of other numbers that change with this number, because they are aliases in YAML."""
 
     @property
     def owner(self) -> str:
-        """Path of the part to which the number belongs: the path without the words of the quantity.
+        """Path of the component or gear with the number: the path without the quantity.
 
         >>> PageField("P1.teeth.sun", 30).owner, PageField("gears.low.speeds.MG1", 0).owner
         ('P1', 'gears.low')
@@ -66,7 +66,7 @@ class PageField(NamedTuple):
 
     @property
     def limits(self) -> tuple[float, float]:
-        """Ends of the slider: tooth numbers stay positive, ratios can change sign.
+        """Ends of the slider; tooth numbers stay positive, ratios can change their sign.
 
         >>> PageField("P1.teeth.sun", 30, whole=True).limits, PageField("D1.ratio", -2.5).limits
         ((1.0, 60.0), (-5.0, 5.0))
@@ -80,7 +80,7 @@ class PageField(NamedTuple):
 
     @property
     def step(self) -> float:
-        """Step of the arrow keys up and down: a power of 10, about a hundredth of the range.
+        """Step of the field's arrow keys: a power of 10, about a hundredth of the range.
 
         >>> PageField("P1.teeth.sun", 30, whole=True).step, PageField("D1.ratio", -2.5).step
         (1.0, 0.1)
@@ -92,10 +92,10 @@ class PageField(NamedTuple):
 
 
 def case_fields(case: Transmission) -> Iterator[PageField]:
-    """Yield the numbers given in a case: teeth, ratios, efficiencies, loads, speeds.
+    """Yield fields for the numbers given in a case: teeth, ratios, efficiencies, loads, speeds.
 
-    Numbers that follow from a drawing, drag of zero, and the first point of an efficiency with a
-    characteristic are left out.
+    Numbers that follow from gear sets with teeth, zero drag, and the first point of an efficiency
+    curve have no field.
 
     Examples
     --------
@@ -109,7 +109,7 @@ def case_fields(case: Transmission) -> Iterator[PageField]:
     derived |= {f"{mechanism.name}.efficiency" for mechanism in case.mechanisms if mechanism.points}
     for path in known_paths(case):
         number = case_path(path, case)
-        assert number is not None  # noqa: S101 - a path of `known_paths`
+        assert number is not None  # noqa: S101 - `known_paths` yields only paths of numbers
         if path.startswith("gears.*") or path in derived:
             continue
         try:
@@ -125,7 +125,7 @@ def case_fields(case: Transmission) -> Iterator[PageField]:
 
 
 def _derived(case: Transmission) -> Iterator[str]:
-    """Yield the paths of numbers of mechanisms that are derived from the gear sets of a drawing."""
+    """Yield the paths of numbers of mechanisms that follow from gear sets with teeth."""
     drawing = drawing_of(case)
     given = (
         {mechanism.name for mechanism in drawing.mechanisms}
@@ -138,7 +138,7 @@ def _derived(case: Transmission) -> Iterator[str]:
 
 
 def _relative(case: Transmission) -> Mapping[str, float]:
-    """Return given speeds and torques of gears relative to the input, by path."""
+    """Return the given speeds and torques of gears that are relative to the input, by path."""
     return {
         f"gears.{gear.name}.{kind}.{case.link_name(link)}": value
         for gear in case.gears
@@ -149,14 +149,14 @@ def _relative(case: Transmission) -> Mapping[str, float]:
 
 
 def shown_fields(fields: Iterable[PageField], *, fixed: bool = False) -> Iterator[Markup]:
-    """Yield fields with sliders, grouped by owner.
+    """Yield fields with sliders, grouped by the component or gear with the number.
 
     Parameters
     ----------
     fields : iterable of PageField
-        Fields; fields of the same owner follow each other.
+        Fields, those of one component or gear in succession.
     fixed : bool
-        Whether to disable the fields, as for a deck.
+        Whether to disable the fields, as for a deck, which cannot be changed.
 
     Examples
     --------
@@ -171,13 +171,13 @@ def shown_fields(fields: Iterable[PageField], *, fixed: bool = False) -> Iterato
 
 
 def _owner(path: str) -> str:
-    """Return the owner of a number: a name, or a translated part of the case."""
+    """Return the words for the owner of a number: a name, or a translated key of the case."""
     (kind, *gear), _ = owner_and_number(path)
     return dotted([_word(kind), *gear]) if gear or kind in _PARTS else kind
 
 
 def _name(words: Sequence[str]) -> str:
-    """Return the name of a number without the owner; names of links are not translated.
+    """Return the words for a number without its owner; names of links are not translated.
 
     >>> _name(["teeth", "small_sun"]), _name(["speeds", "ratio"])
     ('teeth small_sun', 'speeds ratio')
@@ -187,7 +187,7 @@ def _name(words: Sequence[str]) -> str:
 
 
 def _word(key: str) -> str:
-    """Return a key of a case, translated unless the page is in English."""
+    """Return a key of a case as a word in the language of the page."""
     return key if spoken() == "en" else tr(key.replace("_", " "))
 
 
@@ -199,7 +199,8 @@ def _row(field: PageField, *, fixed: bool) -> Markup:
     unit = f", {tr(field.unit)}" if field.unit else ""
     label = f"{field.path if spoken() == 'en' else f'{_owner(field.path)} {name}'}{unit}"
     typed = {"class_": "field", "autocomplete": "off", "data_step": digits_of(field.step)}
-    if field.limits[0] >= 0:  # some telephones have no minus sign on this keyboard
+    # Some telephones show a keyboard without a minus sign for this input mode.
+    if field.limits[0] >= 0:
         typed["inputmode"] = "decimal"
     moved = {"class_": "slider", "step": "1" if field.whole else "any", "min": low, "max": high}
     return tag(

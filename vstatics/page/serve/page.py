@@ -1,4 +1,4 @@
-"""HTML of the served page of a case, as a whole with its panel, or section by section."""
+"""HTML of the served page of a case: the whole page with the panel, or single sections."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ from vstatics.page.serve.number_fields import PageField, case_fields, shown_fiel
 from vstatics.pictures.paged.parts import SCREEN, Part
 
 CHANGE = "Change"
-"""Heading of the section of fields."""
+"""Heading of the section with fields and sliders."""
 
 
 def _resource(name: str) -> Markup:
@@ -46,7 +46,7 @@ _STYLE = joined(toolbar.STYLE, number_fields.STYLE, _resource("serve.css"))
 
 _OF_RUNS = [module(part.scripts) for part in report_parts().values() if part.scripts]
 _RUN_SCRIPTS = [script for run_module in _OF_RUNS for script in run_module.SCRIPTS]
-"""Scripts of a page with a run."""
+"""Scripts of a page that shows a simulated run."""
 
 
 def _hashed(script: Markup) -> str:
@@ -55,12 +55,12 @@ def _hashed(script: Markup) -> str:
 
 
 SCRIPTS = (SCRIPT, toolbar.SCRIPT, *_RUN_SCRIPTS, *_OWN_SCRIPTS)
-"""All scripts that a page can have."""
+"""All scripts that a served page can have."""
 
 
 @cache
 def policy_in(language: Language) -> str:
-    """Return the content security policy, which allows only `SCRIPTS` and the server."""
+    """Return the content security policy, which permits only `SCRIPTS` and this server."""
     with speaking(language):
         scripts = " ".join(map(_hashed, SCRIPTS))
     return (
@@ -73,7 +73,7 @@ def policy_in(language: Language) -> str:
 def material_of(
     results: Results, problems: Iterable[Problem], digits: int | None, naming: Naming
 ) -> Material:
-    """Calculate the contents of the page except pictures and slow sections."""
+    """Calculate the contents of the page, except pictures and slow sections."""
     return gather(
         results,
         problems,
@@ -87,23 +87,24 @@ def material_of(
 
 
 def parts_of(material: Material, fields: Sequence[PageField], *, runs: bool) -> list[Part]:
-    """Return the sections of the page; without fields of documents, the fields are disabled."""
+    """Return the sections of the page; without fields from documents, fields are disabled."""
     fixed = not fields
     shown = fields or [*case_fields(material.results.case)]
     changed = Part(CHANGE, [tag("div", *shown_fields(shown, fixed=fixed), class_="fields")])
     first, *others = awaited_sections(material, runs=runs)
     tools = toolbar.tools_of(material.results.case, digits=material.digits)
-    first = first._replace(shown=[*first.shown, tools])  # a new section replaces both
+    # Fields and tools are in one section, so that an update replaces both.
+    first = first._replace(shown=[*first.shown, tools])
     return [*([changed] if shown else []), first, *others]
 
 
 def sections_of(material: Material, parts: Iterable[Part]) -> dict[str, str]:
-    """Return the sections as HTML by id."""
+    """Return the sections as HTML, by id."""
     return {id_of(part.name): section_alone(part, material.document) for part in parts}
 
 
 def told(problems: Iterable[Problem]) -> str:
-    """Return errors in the format of a compiler, with source line and caret.
+    """Return errors as text in the format of a compiler, with source line and caret.
 
     >>> from vstatics.core.errors import Place
     >>> print(told([Problem("E107", "no", (), Place("a.yaml", 2, 3, "a b"))]))
@@ -127,7 +128,7 @@ def page_of(
     Parameters
     ----------
     state : mapping
-        Initial state for its script, see `states.Shown`.
+        Initial state for the script of the page; see `ShownStates.told_of`.
     """
     title = _title(material, runs=runs)
     state = {**state, "head": head_of(material, runs=runs)}
@@ -140,13 +141,13 @@ def _title(material: Material, *, runs: bool) -> str:
 
 
 def head_of(material: Material, *, runs: bool) -> str:
-    """Return a digest that changes when the page must be reloaded as a whole."""
+    """Return a hash that changes if the page must be reloaded, not just its sections."""
     parts = [_title(material, runs=runs), *about(material), choice(material)]
     return hashlib.sha256("\n".join(parts).encode(errors="backslashreplace")).hexdigest()[:16]
 
 
 def page_of_errors(file: str, state: Mapping[str, Any]) -> str:
-    """Return the page of a case that has never been valid."""
+    """Return the page of a case that has never been valid, with the errors."""
     return _framed(file, [], [], {}, Markup(), state)
 
 
@@ -173,7 +174,7 @@ def _framed(  # noqa: PLR0913, PLR0917 - as `framed`
 
 
 def _panel(state: Mapping[str, Any]) -> Markup:
-    """Return the panel of buttons, errors and conflicts; parts without content are hidden."""
+    """Return the panel of buttons, errors and conflicts; empty parts are hidden."""
     errors = state["errors"]
     buttons = {"save": tr("Save"), "revert": tr("Revert"), "undo": tr("Undo")}
     choices = {"keep-mine": tr("Keep my numbers"), "take-file": tr("Take the file")}

@@ -1,4 +1,4 @@
-"""Requests of a browser, read within limits; requests from other pages are refused."""
+"""Requests of a browser, read within limits; requests from foreign pages are refused."""
 
 from __future__ import annotations
 
@@ -12,19 +12,19 @@ from urllib.parse import parse_qsl
 
 HOST = "127.0.0.1"
 MOST_HEAD = 16_384
-"""Largest size of a request line and its fields. [bytes]"""
+"""Largest size of the request line and header fields together. [bytes]"""
 MOST_BODY = 1_000_000
 MOST_CHANGES = 10_000
 READ_SECONDS = 10.0
-"""Time a browser can take to send a request. [s]"""
+"""Largest time a browser can take to send a request. [s]"""
 _LINE = re.compile(r"([A-Za-z]{1,16}) (/[\x21-\x7e]*) HTTP/1\.[01]")
 _FIELD = re.compile(r"([!#$%&'*+.^_`|~0-9A-Za-z-]+):[ \t]*([\x20-\x7e\x80-\xff\t]*?)[ \t]*")
 METHODS = {"": "GET", "events": "GET", "shown": "GET", "part": "GET", "try": "POST", "save": "POST"}
-"""HTTP method of each route below the token."""
+"""HTTP method of each route, the part of the path after the token."""
 
 
 class RefusedError(Exception):
-    """A refused request, with the HTTP status and the reason."""
+    """Refusal of a request, with the HTTP status and the reason."""
 
     def __init__(self, status: int, why: str, fields: dict[str, str] | None = None) -> None:
         super().__init__(why)
@@ -34,14 +34,14 @@ class RefusedError(Exception):
 
 
 class Request(NamedTuple):
-    """A request of the page."""
+    """Request of the page to the server."""
 
     method: str
     route: str
-    """A key of `METHODS`."""
+    """Route of the request, a key of `METHODS`."""
     query: dict[str, str]
     fields: list[tuple[str, str]]
-    """Header fields with names in lower case."""
+    """Header fields, with names in lower case."""
 
     def all_of(self, name: str) -> list[str]:
         """Return all values of a header field."""
@@ -49,7 +49,7 @@ class Request(NamedTuple):
 
 
 async def read_request(reader: asyncio.StreamReader, port: int, token: str) -> Request:
-    """Read the head of a request and check the sender.
+    """Read the head of a request, and check its sender.
 
     Raises
     ------
@@ -99,12 +99,12 @@ def checked(head: bytes, port: int, token: str) -> Request:
 
 
 def _check_sender(request: Request, host: str) -> None:
-    """Check that a request is meant for the server and does not come from a foreign page."""
+    """Check that a request is meant for this server, and does not come from a foreign page."""
     if request.all_of("host") != [host]:
         raise RefusedError(403, f"expected the host {host}, once")
     if any(origin != f"http://{host}" for origin in request.all_of("origin")):
         raise RefusedError(403, "comes from another page")
-    # A browser sends this field with every POST; a script that knows the address need not.
+    # Browsers send this field with every POST; another program that knows the token may omit it.
     sites = request.all_of("sec-fetch-site")
     if request.method == "POST" and any(origin != "same-origin" for origin in sites):
         raise RefusedError(403, "comes from another page")
@@ -137,7 +137,7 @@ async def read_changes(request: Request, reader: asyncio.StreamReader) -> dict[s
 
 
 def changes_of(body: bytes) -> dict[str, float]:
-    """Return the changed numbers in the body of a request, by path.
+    """Return the changed numbers from the body of a request, by path.
 
     Raises
     ------

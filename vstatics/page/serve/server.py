@@ -1,4 +1,4 @@
-"""HTTP server of a page, which sends its sections and pictures, sends events, and saves files."""
+"""HTTP server of a page: it sends sections, pictures and events, and saves files."""
 
 from __future__ import annotations
 
@@ -26,9 +26,9 @@ from vstatics.page.serve.studio import StudioProcess
 LOOK_SECONDS = 0.02
 """Time between two checks of the files for changes. [s]"""
 BEAT_SECONDS = 10.0
-"""Time between two comments that keep the stream of events to a page open. [s]"""
+"""Time between two comments that keep the event stream to a page open. [s]"""
 END_TRIES, END_SECONDS = 20, 0.1
-"""Number of attempts to end the process of the studio, and the time for each attempt [s]."""
+"""Number of attempts to end the process that draws pictures, and time for each attempt [s]."""
 
 T = TypeVar("T")
 
@@ -39,15 +39,15 @@ class PageServer:
     Parameters
     ----------
     make : callable
-        Returns the states of the case.
+        Function that returns the states of the case.
     studio : StudioProcess
-        Draws pictures and slow sections.
+        Process that draws pictures and slow sections.
     token : str
         Secret part of the address; requests without this token are refused.
     """
 
     def __init__(self, make: Callable[[], ShownStates], studio: StudioProcess, token: str) -> None:
-        """Prepare the server without calculating."""
+        """Prepare the server, but calculate nothing yet."""
         self._make = make
         self._studio = studio
         self._token = token
@@ -56,7 +56,8 @@ class PageServer:
         self._connections = Connections()
         self._news = asyncio.Event()
         self._numbers = ThreadPoolExecutor(1, "numbers")
-        """Thread of all calls that change states, so that they run one after another."""
+        """Single thread for all calls that change states, so that they do not run at the same time.
+        """
         self._pictures = ThreadPoolExecutor(1, "pictures")
 
     async def serve(self, port: int, ready: Callable[[str], None], stop: asyncio.Event) -> None:
@@ -65,9 +66,9 @@ class PageServer:
         Parameters
         ----------
         port : int
-            Port to listen on; 0 for any free port.
+            Port to listen on; 0 selects a free port.
         ready : callable
-            Called with the address when it can be opened.
+            Function that is called with the address when a browser can open it.
         stop : Event
 
         Raises
@@ -96,7 +97,7 @@ class PageServer:
                 pool.shutdown(wait=False)
 
     async def _end_pictures(self) -> None:
-        """End the process of the studio, except in the middle of its start."""
+        """End the process that draws pictures, but never during its start."""
         closed = self._in(self._pictures, self._studio.close)
         for _ in range(END_TRIES):
             self._studio.stop()
@@ -104,36 +105,36 @@ class PageServer:
                 return
 
     def _in(self, pool: ThreadPoolExecutor, work: Callable[[], T]) -> asyncio.Future[T]:
-        context = copy_context()  # the context holds the language
+        context = copy_context()  # the context contains the language of the page
         return asyncio.get_running_loop().run_in_executor(pool, context.run, work)
 
     async def _watch(self) -> None:
-        """Check the files for changes, and inform the listening pages."""
+        """Check the files for changes repeatedly, and inform the listening pages."""
         while True:
             await asyncio.sleep(LOOK_SECONDS)
             if self._states.is_old() and await self._in(self._numbers, self._look_again):
                 self._wake_listeners()
                 self._in(
                     self._numbers, self._file_state
-                )  # cached for the pages that request it next
+                )  # the answer is cached for the pages that will request it next
 
     def _look_again(self) -> bool:
         return self._states.look_again()
 
     def _wake_listeners(self) -> None:
-        """Wake the listening pages."""
+        """Wake the tasks of the listening pages, so that they send the new state."""
         self._news.set()
         self._news = asyncio.Event()
 
     async def _connected(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
-        """Handle one connection."""
+        """Handle a connection from its request to its response."""
         writer.transport.set_write_buffer_limits(0)
         try:
             with self._connections.joined() as has_room:
                 if has_room:
                     await self._respond(reader, writer)
         except (OSError, EOFError, TimeoutError, asyncio.CancelledError):
-            pass  # the browser has closed the connection or is too slow
+            pass  # the browser has closed the connection, or is too slow
         except Exception as error:  # noqa: BLE001 - other connections continue
             writer.write(refusal(RefusedError(500, f"an error of vstatics: {error!r}")).data)
         finally:
@@ -194,7 +195,7 @@ class PageServer:
             raise RefusedError(422, str(error)) from None
 
     async def _awaited(self, request: Request, reader: asyncio.StreamReader) -> HttpAnswer:
-        """Return a picture or section of a state, unless the browser has stopped waiting."""
+        """Return a picture or section of a state, unless the browser no longer waits for it."""
         number, name = request.query.get("number", ""), request.query.get("name", "")
         shown = self._states.kept(number)
         if shown is None or shown.material is None:
@@ -214,7 +215,7 @@ class PageServer:
         return html(text)
 
     async def _listened(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
-        """Send the state of the files now and after each change."""
+        """Send the present state of the files, and every later state, as events."""
         self._connections.now("listening")
         await send(writer, answers.head(200, answers.EVENTS, {}) + b"retry: 500\n\n")
         listening = asyncio.ensure_future(self._send_states(writer))
@@ -227,7 +228,7 @@ class PageServer:
             await asyncio.gather(listening, gone, return_exceptions=True)
 
     async def _send_states(self, writer: asyncio.StreamWriter) -> None:
-        """Send states until the page stops listening."""
+        """Send states as events until the page stops listening."""
         sent = 0
         while True:
             news, shown = self._news, self._states.shown

@@ -1,4 +1,4 @@
-"""States of a page: states of the saved files, and states with changed numbers under trial."""
+"""States of a page: states of the saved files, and states with changed numbers not yet saved."""
 
 from __future__ import annotations
 
@@ -27,69 +27,69 @@ from vstatics.pictures.paged.parts import Part
 from vstatics.pictures.runs import PicturedRun
 
 WRITE_SECONDS = 0.1
-"""Time after which an invalid file, which may be half-written, is read again. [s]"""
+"""Time after which an invalid file is read again, because it may be half-written. [s]"""
 SETTLE_SECONDS = 0.005
 """Waiting time before the last comparison of files, for editors that react to a new file. [s]"""
 MOST_KEPT = 32
-"""Number of tried states whose pictures can still be drawn."""
+"""Number of states with unsaved changes whose pictures can still be drawn."""
 
 
 class Calculated(NamedTuple):
-    """Result of the calculation of a case."""
+    """Result of the calculation of a case from its documents."""
 
     results: Results | None
     problems: Sequence[Problem]
-    """Problems with places."""
+    """Problems, with the places in the documents."""
     naming: Naming
     texts: Texts
-    """Contents of the readable files by name; a scenario precedes the case."""
+    """Contents of the readable files by name; a scenario comes before its case."""
     files: Sequence[str] = ()
-    """Names of all files that were read or are missing."""
+    """Names of all files on which the case depends, including missing files."""
     run: Callable[[], PicturedRun | None] = lambda: None
-    """Function that returns the run of a scenario, or raises a `CaseError`."""
+    """Function that returns the simulated run of a scenario; it can raise a `CaseError`."""
     is_run: bool = False
 
 
 Calculate = Callable[[Texts], Calculated]
-"""Function that calculates the case; the argument replaces the contents of some files."""
+"""Function that calculates the case; its argument replaces the contents of some files."""
 
 
 class Shown(NamedTuple):
-    """A state of the page."""
+    """State of the page: the calculated case with its number and contents."""
 
     number: int
-    """Number of the state, increasing."""
+    """Number of the state; later states have larger numbers."""
     calculated: Calculated
     material: Material | None
-    """Contents of the page; None without results."""
+    """Contents of the page; None if the case has no results."""
     errors: str
 
     @property
     def state(self) -> str:
-        """State of the page for the attribute of the body."""
+        """Words for the state of the page, for the attribute of the HTML element `body`."""
         return "error" if self.errors else "good"
 
 
 class ChangedMeanwhileError(Exception):
-    """A request is based on files that have changed since."""
+    """Refusal of a request, because its files have changed meanwhile."""
 
 
 class RefusedChangeError(Exception):
-    """A change that cannot be made, with the reason."""
+    """Refusal of a change that cannot be made, with the reason."""
 
 
 class ShownStates:
-    """States of the page of one case."""
+    """All current states of the page of a case."""
 
     shown: Shown
-    """State that shows the files as they are now."""
+    """State of the files at present."""
     good: Shown | None = None
-    """Last state of the files that had results."""
+    """Last state of the files with results; None if there was none."""
     _documents = CaseDocuments({}, {})
     """Documents of the last state with results."""
 
     def __init__(self, calculate: Calculate, file: str, digits: int | None = None) -> None:
-        """Calculate the case from the files."""
+        """Calculate the case from its files."""
         self.file = file
         self._calculate = calculate
         self._digits = digits
@@ -102,10 +102,10 @@ class ShownStates:
             pass
 
     def look_again(self) -> bool:
-        """Calculate the case again if a file has changed; return whether one has.
+        """Calculate the case again if a file has changed; return True if so.
 
-        Files are checked before they are read, so a change in between is noticed at the next check.
-        An invalid file is checked twice, because it can be half-written.
+        Metadata of files are read before their contents, so that a change in between is noticed at
+        the next check. An invalid file is checked twice, because it can be half-written.
         """
         signature = signature_of(self._files)
         if signature == self._signature:
@@ -126,18 +126,18 @@ class ShownStates:
 
     @property
     def digest(self) -> str:
-        """Digest of the documents as last read."""
+        """Hash of the documents as last read."""
         return digest_of(self.shown.calculated.texts)
 
     def kept(self, number: str) -> Shown | None:
-        """Return a state of the files, or a recently tried state, by its number as text."""
+        """Return a state of the files or with unsaved changes, by its number as text."""
         of_files = (
             state for state in (self.shown, self.good) if state and str(state.number) == number
         )
         return next(of_files, self._kept.get(number))
 
     def tried(self, changes: Mapping[str, float]) -> Shown:
-        """Return the state of the page with changed numbers.
+        """Calculate the state of the page with changed numbers, without saving them.
 
         Raises
         ------
@@ -154,7 +154,7 @@ class ShownStates:
         changes : mapping of str to float
             New values by path.
         digest : str, optional
-            Digest of the documents on which the changes are based.
+            Hash of the documents on which the changes are based.
 
         Raises
         ------
@@ -178,8 +178,8 @@ class ShownStates:
     def _write(self, texts: Texts) -> None:
         """Write new contents into all files, or into none.
 
-        The files are compared again when the new files are ready, so that a save by an editor in
-        that moment is not lost.
+        The files are compared once more when the new files are ready, so that a simultaneous save
+        by an editor is not lost.
 
         Raises
         ------
@@ -193,7 +193,7 @@ class ShownStates:
                     stack.enter_context(replacing(file, expected=old))(data)
                 time.sleep(SETTLE_SECONDS)
         except ChangedFileError:
-            self._signature = {}  # forces a new calculation
+            self._signature = {}  # an empty signature forces a new calculation
             raise ChangedMeanwhileError from None
         except OSError as error:
             raise RefusedChangeError(str(unwritable(file, error))) from None
@@ -209,7 +209,7 @@ class ShownStates:
             raise RefusedChangeError(str(error)) from None
 
     def _shown(self, texts: Texts) -> Shown:
-        """Calculate a state from the files, with the given texts instead of some of them."""
+        """Calculate a state from the files, with the given texts in place of some contents."""
         calculated = self._calculate(texts)
         material = None
         if calculated.results is not None:
@@ -242,7 +242,7 @@ class ShownStates:
         return page_of(good.material, self._parts(good), runs=runs, state=state)
 
     def _parts(self, shown: Shown) -> list[Part]:
-        assert shown.material is not None  # noqa: S101 - called for states with results
+        assert shown.material is not None  # noqa: S101 - only called for states with results
         return parts_of(shown.material, self._fields, runs=shown.calculated.is_run)
 
     @property
@@ -250,7 +250,7 @@ class ShownStates:
         return self._documents.fields
 
     def answer(self, shown: Shown) -> dict[str, Any]:
-        """Return a state for the script of the page; sections only with results."""
+        """Return a state as data for the script of the page, with sections if it has results."""
         number, answer = self._answered
         if (
             number == shown.number and shown is self.shown
@@ -268,7 +268,7 @@ class ShownStates:
         return answer
 
     def told_of(self, shown: Shown) -> dict[str, Any]:
-        """Return the number, digest, condition and errors of a state."""
+        """Return the number, hash, condition and errors of a state, as data for the script."""
         return {
             "number": shown.number,
             "revision": shown.number,

@@ -1,4 +1,4 @@
-"""Drawing of pictures and slow sections in a separate process, so that numbers do not wait."""
+"""Drawing of pictures and slow sections in another process, so that numbers are not delayed."""
 
 from __future__ import annotations
 
@@ -23,24 +23,24 @@ if TYPE_CHECKING:
 
 
 GENTLE = 15
-"""Niceness of the process that draws pictures."""
+"""Niceness (low priority) of the process that draws pictures."""
 
 
 class Studio:
-    """Draws parts of a page from the texts of documents, and caches the last case.
+    """Drawing of parts of a page from texts of documents, with a cache of the last case.
 
     Parameters
     ----------
     calculate : callable
-        Function as for `vstatics.page.serve.states.ShownStates`; it is sent to another process.
+        Function that calculates a case, as in `states`; it is sent to another process.
     digits : int, optional
-        Digits after the point.
+        Number of decimals.
     language : str
         Language of the page.
     """
 
     def __init__(self, calculate: Calculate, digits: int | None, language: Language = "en") -> None:
-        """Begin without a case."""
+        """Store the settings; no case is calculated yet."""
         self._calculate = calculate
         self._digits = digits
         self._language = language
@@ -48,7 +48,7 @@ class Studio:
         self._case: tuple[Calculated, Material] | None = None
 
     def part(self, texts: Texts, name: str) -> str | None:
-        """Return a part by name as HTML; None if no part has the name."""
+        """Return the part of the page with a name as HTML; None if no part has the name."""
         with speaking(self._language):
             return self._part(texts, name)
 
@@ -69,25 +69,25 @@ class Studio:
 
 
 class StudioProcess:
-    """A studio in another process, which starts with the first request.
+    """Studio in a separate process, which is started by the first request.
 
-    All methods except `stop` are called from one thread.
+    All methods except `stop` must be called from one thread.
     """
 
     def __init__(self, studio: Studio) -> None:
-        """Prepare the process without a start."""
+        """Store the studio; the process is not started yet."""
         self._processes = Processes(studio, str, 1, Rules(tries=1))
 
     def part(self, texts: Texts, name: str) -> str | None:
-        """Return a part as `Studio.part` does; None if drawing fails."""
+        """Return the part of the page with a name as HTML; None if it cannot be drawn."""
         try:
             [(_, part_html)] = self._processes.each(_part_of, [(dict(texts), name)])
-        except CaseError:  # the process died or raised an error
+        except CaseError:  # the process ended or raised an error
             return None
         return part_html
 
     def stop(self) -> None:
-        """Terminate a started process in the middle of work."""
+        """Terminate the process, even while it draws."""
         for process in multiprocessing.active_children():
             process.terminate()
 
@@ -103,6 +103,6 @@ def _part_of(studio: Studio, item: tuple[Texts, str]) -> str | None:
 
 @cache
 def _give_way() -> None:
-    """Lower the priority of the process once, in favour of the calculation of new states."""
+    """Lower the priority of the process once, so that new states are calculated sooner."""
     if hasattr(os, "nice"):
         os.nice(GENTLE)

@@ -1,4 +1,4 @@
-"""Detection of changed files, by their metadata and by their contents."""
+"""Detection of changed files by their metadata and contents."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from vstatics.page.serve.document_fields import Texts
 
 
 def digest_of(texts: Texts) -> str:
-    """Return a digest of the names and contents of documents."""
+    """Return a hash of the names and contents of documents."""
     digest = hashlib.sha256()
     for file, data in texts.items():
         for part in (os.fsencode(file), data):
@@ -20,7 +20,7 @@ def digest_of(texts: Texts) -> str:
 
 
 def signature_of(files: Sequence[str]) -> dict[str, tuple[int, ...]]:
-    """Return metadata of each file that change when it is written; empty for a missing file."""
+    """Return the metadata of each file that change when it is written; empty if it is missing."""
     signature: dict[str, tuple[int, ...]] = {}
     for file in files:
         signature[file] = ()

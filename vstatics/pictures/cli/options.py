@@ -20,7 +20,7 @@ _PLAIN = (
     *("merge", "wheels", "orders", "at", "speed", "torque"),
     *("levels", "duty", "classes", "limits", "best_gear"),
 )
-"""Options of some kinds of pictures whose values are the arguments of the same names."""
+"""Names of options that only some kinds of pictures have, equal to the names of the arguments."""
 
 
 class AskedPicture(NamedTuple):
@@ -51,7 +51,7 @@ class AskedPicture(NamedTuple):
 
     @property
     def of_kinds(self) -> dict[str, object]:
-        """Values, by name, of the options that only some kinds of pictures have."""
+        """Values of options that only some kinds of pictures have, by the name of the option."""
         return {
             **{name: getattr(self, name) for name in _PLAIN},
             "order": self.order != "free",
@@ -62,17 +62,17 @@ class AskedPicture(NamedTuple):
 
     @property
     def columns(self) -> tuple[str, tuple[str, ...], str, str] | None:
-        """Columns of a written sweep that the user names; None if no column is named."""
+        """Columns of a sweep file that the user names for the axes; None if no column is named."""
         named = (self.x, self.y, self.z, self.by)
         return named if any(named) else None
 
     @property
     def files(self) -> PictureFiles:
-        """Files of the picture in addition to the case."""
+        """Files that the picture needs in addition to the case."""
         return PictureFiles(self.duty, self.classes or PictureFiles().classes, self.torque)
 
     def style(self, lang: Language, height: float) -> Style:
-        """Return the style of the picture on pages of a height [pt]."""
+        """Return the style of the picture for pages of a given height [pt]."""
         return Style(
             lang,
             self.dark,
@@ -86,7 +86,7 @@ class AskedPicture(NamedTuple):
 
 
 def _levels(text: str) -> int | list[float]:
-    """Parse a number of levels, or a list of levels.
+    """Parse the number of contour levels, or a list of levels.
 
     Raises
     ------
@@ -98,7 +98,7 @@ def _levels(text: str) -> int | list[float]:
 
 
 def _of_kinds(name: str, *options: Option) -> Iterator[Option]:
-    """Yield options if a kind of picture has the option of this name."""
+    """Yield options if any installed kind of picture has the option."""
     if any(name in kind.options for kind in picture_kinds().values()):
         yield from options
 
@@ -277,4 +277,4 @@ options = gathered(
         ),
     ),
 )
-"""Decorator for all options; a command gets the arguments `asked` and `output`."""
+"""Decorator with all options of the command, which receives the arguments `asked` and `output`."""

@@ -40,7 +40,7 @@ _FLAGS = {
     "classes": "spectrum",
     "best_gear": "best-gear",
 }
-"""Names of options on the command line, by the option in the record of a kind."""
+"""Spelling of an option on the command line, by name in the record of a kind of picture."""
 
 
 def _with_kinds(command: Callable[..., int]) -> Callable[..., int]:
@@ -142,7 +142,7 @@ def plot_command(
 
 
 def _misplaced(kind: str, given: Mapping[str, object]) -> list[tuple[bool, str]]:
-    """List the rules that refuse options which a kind of picture does not have."""
+    """List pairs of True and a message for each option that the kind of picture does not have."""
     return [(True, f"--{_FLAGS.get(name, name)}: {why}") for name, why in misplaced(kind, given)]
 
 
@@ -171,7 +171,7 @@ def _chosen(case: Transmission, gears: Sequence[str]) -> list[int]:
 def _asked_case(
     outcome: CalculatedCase, results: Results, asked: AskedPicture, style: Style
 ) -> tuple[PairedCase, Style]:
-    """Return the case to draw, with its run if the kind shows runs, and the style.
+    """Return the case to draw, with its run if the kind of picture shows one, and the style.
 
     Raises
     ------
@@ -192,12 +192,12 @@ def _asked_case(
 
 
 def _excited(outcome: CalculatedCase, results: Results, style: Style) -> Style:
-    """Return a style with the speeds of a scenario.
+    """Return a style whose excitation includes the input speeds of a scenario, if given.
 
     Raises
     ------
     BadParameter
-        If the link does not exist.
+        If the link named by ``--at`` does not exist.
     """
     excited = style.excited
     if excited.at:
@@ -243,7 +243,7 @@ def _shown(
     try:
         drawn = pages(results, asked.kind, form, style, chosen, motion=motion)
     except CaseError as error:
-        if error.problems[0].id == _MISSING_PACKAGE:  # not a fault of the case
+        if error.problems[0].id == _MISSING_PACKAGE:  # a missing package is not a fault of the case
             raise ReadError(error.problems) from None
         problems = (
             each if each.path or each.place else each.in_file(outcome.file)

@@ -13,18 +13,18 @@ from vstatics.core.numerics.arrays import Floats
 from vstatics.pictures.drawing.style import SIZE, Style
 
 Point = tuple[float, float]
-"""Point of a picture. [pt]"""
+"""Horizontal and vertical coordinate of a point of a picture. [pt]"""
 Look = dict[str, Any]
 """Properties of a line, area or text as keyword arguments of matplotlib."""
 
 
 class MarkGroup(NamedTuple):
-    """Group of related parts in SVG: ``<g class="link" data-name="sun">``."""
+    """Group of related lines, areas and texts in SVG: ``<g class="link" data-name="sun">``."""
 
     kind: str
-    """Class of the group."""
+    """CSS class of the SVG group."""
     data: tuple[tuple[str, str], ...] = ()
-    """Attributes ``data-...``."""
+    """Attributes ``data-...`` of the SVG group, as pairs of name and value."""
 
     @property
     def attributes(self) -> dict[str, str]:
@@ -42,27 +42,27 @@ def as_attributes(data: Mapping[str, str]) -> dict[str, str]:
 
 
 class PartMark(NamedTuple):
-    """Additional data of a line, area or text for SVG."""
+    """SVG data of a line, area or text: tooltip, class, attributes and enclosing groups."""
 
     title: str = ""
-    """Text that appears under the pointer, and is the alternative text."""
+    """Tooltip and alternative text."""
     kind: str = ""
-    """Class of the path or text."""
+    """CSS class of the SVG path or text."""
     data: Mapping[str, str] = {}
-    """Attributes ``data-...`` of the path or text if it has a class, otherwise of its group."""
+    """Attributes ``data-...`` of the SVG path or text if it has a class, otherwise of its group."""
     groups: tuple[MarkGroup, ...] = ()
-    """Groups, the outermost first; a group is at the place of its first part."""
+    """Enclosing SVG groups, the outermost first; a group is drawn where its first part is drawn."""
 
 
 class CanvasPlace(NamedTuple):
-    """Scale, and offset in points, from the coordinates of a part to the canvas."""
+    """Transformation from local coordinates to the canvas: a scale, and an offset in points."""
 
     part: float = 1.0
     left: float = 0.0
     low: float = 0.0
 
     def of(self, x: float, y: float) -> Point:
-        """Return the place of a point on the canvas.
+        """Return the coordinates on the canvas of a point in local coordinates.
 
         >>> CanvasPlace(0.5, 10.0, 20.0).of(2.0, 4.0)
         (11.0, 22.0)
@@ -70,7 +70,7 @@ class CanvasPlace(NamedTuple):
         return self.left + self.part * x, self.low + self.part * y
 
     def within(self, outer: CanvasPlace) -> CanvasPlace:
-        """Return the place of a part whose coordinates are placed in another place.
+        """Return this transformation followed by the transformation `outer`.
 
         >>> CanvasPlace(2.0, 1.0, 0.0).within(CanvasPlace(0.5, 10.0, 20.0))
         CanvasPlace(part=1.0, left=10.5, low=20.0)
@@ -83,15 +83,15 @@ class Outline(NamedTuple):
 
     points: Sequence[Point] | Floats
     steps: str
-    """Letter of SVG for each point: M, L, Q for two points, C for three points, z."""
+    """SVG path letter of each step: M, L, Q (two points), C (three points), z (no point)."""
 
     @classmethod
     def polygon(cls, corners: Sequence[Point]) -> Outline:
-        """Return a closed path through corners."""
+        """Return a closed path of straight lines through corners."""
         return cls([*corners, corners[0]], f"M{'L' * (len(corners) - 1)}z")
 
     def flattened(self, pieces: int) -> list[Point]:
-        """Return points along the path, with each curve in a number of straight pieces.
+        """Return points along the path, with each curve replaced by a number of straight lines.
 
         >>> Outline([(0.0, 0.0), (1.0, 2.0), (2.0, 0.0)], "MQQ").flattened(2)
         [(0.0, 0.0), (1.0, 1.0), (2.0, 0.0)]
@@ -108,20 +108,20 @@ class Outline(NamedTuple):
 
 
 def _on_curve(ends: Sequence[Point], part: float) -> Point:
-    """Return a point of a Bézier curve by repeated division of its sides (de Casteljau)."""
+    """Return the point at a parameter from 0 to 1 of a Bézier curve (algorithm of de Casteljau)."""
     while len(ends) > 1:
         ends = [(x + part * (x2 - x), y + part * (y2 - y)) for (x, y), (x2, y2) in pairwise(ends)]
     return ends[0]
 
 
 class CanvasLine(NamedTuple):
-    """Line through points, with gaps at NaN."""
+    """Line through points; a point with NaN coordinates is a gap."""
 
     xs: Sequence[float] | Floats
     ys: Sequence[float] | Floats
     look: Look
     order: float = 2.0
-    """Parts of higher order are drawn later, parts of equal order as they were added."""
+    """Drawing order: higher orders are drawn later, equal orders in the order of addition."""
     clip: tuple[Point, Point] | None = None
     """Corner and size of the rectangle within which the line is visible."""
 
@@ -143,12 +143,12 @@ class CanvasText(NamedTuple):
     size: float = SIZE
     is_bold: bool = False
     has_halo: bool = False
-    """True for paper around the letters."""
+    """True to draw a border in the colour of the paper around the letters."""
     order: float = 3.0
 
 
 class CanvasPart(NamedTuple):
-    """Line, area or text of a canvas."""
+    """Line, area or text of a canvas, with the transformation and SVG data."""
 
     shape: CanvasLine | CanvasArea | CanvasText
     place: CanvasPlace
@@ -156,7 +156,7 @@ class CanvasPart(NamedTuple):
 
 
 class Canvas(NamedTuple):
-    """Parts of a picture on a page."""
+    """Picture on a page: lines, areas and texts."""
 
     size: Point
     """Width and height. [pt]"""
@@ -167,12 +167,12 @@ class Canvas(NamedTuple):
 
     @property
     def texts(self) -> list[str]:
-        """Texts in the order in which they were added."""
+        """Texts of the picture in the order in which they were added."""
         return [part.shape.text for part in self.parts if isinstance(part.shape, CanvasText)]
 
     @property
     def ordered(self) -> list[CanvasPart]:
-        """Parts in the order in which they are drawn; texts follow lines of equal order."""
+        """Names of curves or vertical lines, written where the lines meet the edge of a panel."""
         return sorted(
             self.parts, key=lambda part: (part.shape.order, isinstance(part.shape, CanvasText))
         )

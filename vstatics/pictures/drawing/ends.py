@@ -1,4 +1,4 @@
-"""Names at the edge of a panel, where the lines or verticals that they name end."""
+"""Names of curves or vertical lines, written where these meet the edge of a panel."""
 
 from __future__ import annotations
 
@@ -21,22 +21,22 @@ from vstatics.pictures.drawing.pen import Pen
 from vstatics.pictures.drawing.style import LEADER_WIDTH, SIGN_WIDTH
 
 AFTER_END_SIGN = 4.0
-"""Distance from the line sample before a name to the name. [pt]"""
+"""Distance from the sample of a line style to the name after it. [pt]"""
 
 
 class LineEnd(NamedTuple):
-    """Line that ends at the edge of a panel, with the names of the links that it shows."""
+    """End of a curve at the edge of a panel, with the names of the links that the curve shows."""
 
     at: float
-    """Place of the line on the edge: 0 at the lower end, 1 at the upper end. [-]"""
+    """Position of the end along the edge: 0 at the lower end, 1 at the upper end. [-]"""
     names: Sequence[str]
-    """Names of the links, wrapped into lines."""
+    """Names of the links, each wrapped into lines."""
     looks: Sequence[Look] = ()
-    """Style of the line sample before each name; empty for texts without samples."""
+    """Line style of the sample before each name; empty for names without samples."""
 
     @property
     def high(self) -> float:
-        """Height of all names with a gap [pt]."""
+        """Height of all names with the gap to the next label [pt]."""
         return sum(map(height, self.names)) + LABEL_GAP
 
     @property
@@ -57,7 +57,7 @@ def height_of(ends: Sequence[LineEnd]) -> float:
 
 
 def beside(pen: Pen, side: Literal["left", "right"], ends: Sequence[LineEnd]) -> None:
-    """Write the names at an edge after line samples, with a leader for each line."""
+    """Write names of curves at a vertical edge, each with a line sample and a leader line."""
     wanted = [end.at * pen.size[1] for end in ends]
     places = spread(wanted, [end.high for end in ends], 0.0, pen.size[1])
     edge, way, ha = (0.0, -1.0, "right") if side == "left" else (pen.size[0], 1.0, "left")
@@ -90,7 +90,7 @@ def beside(pen: Pen, side: Literal["left", "right"], ends: Sequence[LineEnd]) ->
 def along(
     pen: Pen, edge: Literal["bottom", "top"], texts: Sequence[Label], *, upright: bool
 ) -> None:
-    """Write texts along the lower or upper edge, with lines to the places that they name.
+    """Write texts along the lower or upper edge, with leader lines to the points that they name.
 
     Parameters
     ----------

@@ -25,26 +25,28 @@ DPI = 200
 """Resolution of PNG. [1/inch]"""
 
 ALONE = threading.RLock()
-"""Lock that a thread holds while it changes the settings of matplotlib, which threads share."""
+"""Lock held while the settings of matplotlib are changed, because all threads share them."""
 
 
 @contextmanager
 def settings_of(style: Style) -> Iterator[None]:
-    """Apply the settings of a style in matplotlib temporarily, instead of user settings.
+    """Temporarily replace the user's settings of matplotlib by the settings of a style.
 
-    Other threads that draw must wait meanwhile, because all threads share the settings.
+    Other threads wait before they draw, because all threads share the settings.
     """
     import matplotlib as mpl
 
     with ALONE, mpl.rc_context(), warnings.catch_warnings():
-        warnings.filterwarnings("ignore", message="Glyph .* missing")  # a box is drawn instead
+        warnings.filterwarnings(
+            "ignore", message="Glyph .* missing"
+        )  # a missing letter is drawn as a box
         mpl.rcdefaults()
         mpl.rcParams.update(style.settings)
         yield
 
 
 def files_of(pages: Sequence[Canvas], form: Format, title: str) -> list[bytes]:
-    """Return pages as files, all in a single PDF; equal pages give equal bytes.
+    """Return a file for each page, or a single PDF; equal pages give equal bytes.
 
     Parameters
     ----------
@@ -61,7 +63,7 @@ def files_of(pages: Sequence[Canvas], form: Format, title: str) -> list[bytes]:
 
 
 def figures_of(pages: Sequence[Canvas]) -> list[Figure]:
-    """Return pages as figures of matplotlib, with the settings of their style."""
+    """Return a matplotlib figure for each page, drawn with the settings of its style."""
     from vstatics.pictures.drawing.figures import figure_of
 
     with settings_of(pages[0].style):

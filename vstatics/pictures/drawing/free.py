@@ -8,20 +8,20 @@ from vstatics.pictures.drawing.canvas import Point
 from vstatics.pictures.drawing.labels import Span
 
 Taken = list[tuple[Span, Span]]
-"""Horizontal and vertical extents of the texts that are already placed. [pt]"""
+"""Horizontal and vertical extents of texts that are already placed. [pt]"""
 
 
 def first_free(
     places: Iterable[Point], wide: float, high: float, size: Point, taken: Taken
 ) -> Point | None:
-    """Return the first free place for the middle of a text, and add the extent to `taken`.
+    """Return the first of the places where a centred text is free, and add its extent to `taken`.
 
     Parameters
     ----------
     wide, high : float
         Size of the text with margins. [pt]
     size : Point
-        Size of the panel, which contains the text.
+        Size of the panel, within which the text must be. [pt]
 
     Examples
     --------

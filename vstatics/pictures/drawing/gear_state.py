@@ -1,4 +1,4 @@
-"""State of a gear as shown in pictures."""
+"""State of a gear, with the values that pictures show."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ NOT_DETERMINED = Status("missing", "not determined", "")
 
 
 class PictureState(NamedTuple):
-    """State of a gear in which pictures show it."""
+    """State of a gear, with the values that pictures show."""
 
     input: int
     """Number of the input link."""
@@ -28,7 +28,7 @@ class PictureState(NamedTuple):
     outputs: Sequence[int]
     """Numbers of the output links; the link to which the ratio refers comes first."""
     gear: Gear
-    """Gear whose engaged elements include the freewheels that hold."""
+    """Gear whose engaged shift elements include the holding freewheels."""
     faults: Sequence[Status]
     """Reasons why the gear cannot be calculated."""
     ratio: float
@@ -36,26 +36,28 @@ class PictureState(NamedTuple):
     speeds: Sequence[float]
     """Relative speed of each link, the housing first; NaN if undetermined. [-]"""
     joined: Bodies
-    """Lowest link that engaged elements and shafts connect to each link, the housing first."""
+    """Lowest number of the links that rotate with each link in the gear; the housing comes first.
+    """
     is_still: Sequence[bool]
-    """True for each mechanism or gear set without relative motion, if the gear is calculable."""
+    """True for each mechanism or gear set without relative motion; all False without a solution."""
     roles: Sequence[Role]
-    """Role of each mechanism: idle, or locked up."""
+    """Role of each mechanism, such as idle or locked up."""
     loaded_springs: Sequence[bool]
     """True for springs with torque, or with unknown torque."""
     loaded_elements: Sequence[bool]
-    """True for shift elements with torque, or with unknown torque."""
+    """True for shift elements that carry torque, or whose torque is unknown."""
     loaded_links: Sequence[frozenset[int]]
-    """For each mechanism or gear set: the links on which it exerts a known or unknown torque."""
+    """Links on which each mechanism or gear set exerts a torque, or an unknown torque."""
     leaving: Mapping[tuple[int, str], float]
-    """Power that leaves the gear, as far as known, by link and role of the port. [-]
+    """Power that leaves the gear at each port without losses, by link and role; negative if it
+    enters. [-]
 
-    Roles are ``input``, ``output`` or ``given``.
+    The roles are ``input``, ``output``, and ``given`` for other links with a given torque.
     """
 
 
 def state_of(results: Results, number: int) -> PictureState:
-    """Return the state of a gear of a case, by number from 1.
+    """Return the state of the gear with a number, from 1.
 
     Examples
     --------
@@ -69,7 +71,7 @@ def state_of(results: Results, number: int) -> PictureState:
 
 
 def shown_of(state: GearState) -> PictureState:
-    """Return the state of a gear as shown in pictures."""
+    """Return the values of a calculated gear that pictures show."""
     case, gear = state.case, state.gear
     faults = [status for status in state.statuses if status.is_fault]
     if state.ideal.speeds.missing and not state.unloaded:
@@ -117,7 +119,7 @@ def _loaded_links(state: GearState) -> list[frozenset[int]]:
 
 
 def _leaving(state: GearState) -> dict[tuple[int, str], float]:
-    """Return the power that leaves by ports, without losses; at the output with the load."""
+    """Return the power that leaves at each port without losses; the first output has the load."""
     entry, outputs = state.case.gear_input(state.gear), _outputs(state)
     powers: dict[tuple[int, str], float] = {}
     *others, load = [power for power in state.powers(lossy=False) if power.kind == "port"]

@@ -1,4 +1,4 @@
-"""Heading of a picture: title, notes, and the key of the symbols in use."""
+"""Heading of a picture: title, note, and key of the symbols that occur."""
 
 from __future__ import annotations
 
@@ -11,46 +11,46 @@ from vstatics.pictures.drawing.pen import Pen, blank
 from vstatics.pictures.drawing.style import MARGIN, SIGN_WIDTH, SIZE, TITLE, Style
 
 AFTER_SIGN, BETWEEN_SIGNS = 5.0, 16.0
-"""Distances from a symbol to the text, and from the text to the next symbol. [pt]"""
+"""Distance from a symbol to its text, and from the text to the next symbol. [pt]"""
 BELOW_HEAD = 5.0
-"""Distance between title, notes and key. [pt]"""
+"""Vertical distance between title, note and key. [pt]"""
 SIGN_ROW_HEIGHT = LINE_HEIGHT * SIZE + 2.0
-"""Height of a row of symbols. [pt]"""
+"""Height of a row of the key. [pt]"""
 BELOW: Look = {"va": "top", "linespacing": LINE_HEIGHT}
-"""Style of texts whose upper edge is at a given height."""
+"""Alignment of texts whose upper edge is at a given height."""
 
 
 class NameInKey(str):
-    """Name of the case in a key, which is not translated."""
+    """Text of a key that is a name in the case, and so is not translated."""
 
     __slots__ = ()
 
 
 Meaning = tuple[object, str, Look]
-"""Entry of a key: whether the symbol occurs, the meaning in English, and the style.
+"""Entry of a key: true if the symbol occurs, its meaning in English, and its style.
 
-A style with ``facecolor`` is an area, otherwise a line.
+The symbol is an area if the style has a ``facecolor``, otherwise a line.
 """
 
 
 class KeySign(NamedTuple):
-    """Symbol of a key with its meaning, wrapped into lines."""
+    """Symbol of a key with the meaning, which is wrapped into lines."""
 
     text: str
     look: Look
 
     @property
     def wide(self) -> float:
-        """Width with the text [pt]."""
+        """Width of symbol and text [pt]."""
         return SIGN_WIDTH + AFTER_SIGN + width(self.text)
 
     @property
     def high(self) -> float:
-        """Height of the row [pt]."""
+        """Height of symbol and text [pt]."""
         return SIGN_ROW_HEIGHT + height(self.text) - height("")
 
     def draw(self, pen: Pen, x: float, top: float) -> None:
-        """Draw the symbol and its text from the left end `x` down from the height `top` [pt]."""
+        """Draw the symbol and the text, with the upper left corner at (`x`, `top`) [pt]."""
         y = top - SIGN_ROW_HEIGHT / 2
         if "facecolor" in self.look:
             pen.box((x, y - 4.0), (SIGN_WIDTH, 8.0), **self.look)
@@ -64,16 +64,16 @@ class KeySign(NamedTuple):
 
 
 class SheetHead(NamedTuple):
-    """Title, note and key in a given width."""
+    """Title, note and key of a picture, wrapped to a given width."""
 
     lines: Sequence[tuple[str, float, Look]]
     """Texts, each with its height including a gap [pt] and its style."""
     rows: Sequence[Sequence[KeySign]]
     high: float
-    """Total height with a gap below, 0 without texts. [pt]"""
+    """Total height with a gap below; 0 without title, note and key. [pt]"""
 
     def over(self, size: Point, margin: float, style: Style) -> Pen:
-        """Return a figure with the heading above a picture of a given size [pt]."""
+        """Return a pen for a picture of a given size [pt], below the heading on a new canvas."""
         top = size[1] + self.high
         pen = blank(size[0], top + margin, style)
         for text, high, look in self.lines:
@@ -91,7 +91,7 @@ class SheetHead(NamedTuple):
 def sheet_head(
     title: str, note: str, meanings: Iterable[Meaning], room: float, style: Style
 ) -> SheetHead:
-    """Return the heading of a picture in a width [pt], without a title on a page.
+    """Return the heading of a picture for a width [pt]; HTML pages show the title themselves.
 
     >>> look = {"color": "#000000"}
     >>> head = sheet_head("", "", [(1, "gear", look), (0, "", {})], 99.0, Style())
@@ -119,6 +119,6 @@ def sheet_head(
 
 
 def headed(title: str, note: str, meanings: Iterable[Meaning], size: Point, style: Style) -> Pen:
-    """Return a figure with title, note and key above panels of a given size [pt]."""
+    """Return a pen for panels of a given size [pt], below title, note and key on a new canvas."""
     head = sheet_head(title, note, meanings, size[0] - 2 * MARGIN, style)
     return head.over(size, MARGIN, style)

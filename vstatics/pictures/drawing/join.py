@@ -1,6 +1,6 @@
-"""Pictures of several cases on a sheet, each in a panel with a letter.
+"""Pictures of several cases on one sheet, each headed by a letter and the name of its case.
 
-Pictures are not drawn again; their parts move to a common canvas.
+Finished pictures are moved to a common canvas without being drawn again.
 """
 
 from __future__ import annotations
@@ -14,11 +14,11 @@ from vstatics.pictures.drawing.pen import Pen, blank
 from vstatics.pictures.drawing.style import MARGIN, TITLE, Style
 
 LETTER_HEIGHT = LINE_HEIGHT * TITLE + MARGIN
-"""Height of the line with the letter and the name of a case, with a margin above. [pt]"""
+"""Height of the line with the letter and the name of a case, including the margin above. [pt]"""
 
 
 class LetteredPicture(NamedTuple):
-    """Page of the picture of a case."""
+    """Picture of a case with the letter and the name of the case."""
 
     letter: str
     name: str
@@ -26,12 +26,12 @@ class LetteredPicture(NamedTuple):
 
     @property
     def own(self) -> Point:
-        """Size of the picture [pt]."""
+        """Size of the picture without its heading [pt]."""
         return self.canvas.size
 
     @property
     def head(self) -> str:
-        """Letter and name of the case, in lines as wide as the picture."""
+        """Letter and name of the case, wrapped to the width of the picture."""
         letter = f"{self.letter}  "
         return letter + wrapped(
             self.name, self.own[0] - 2 * MARGIN - title_width(letter), title_width
@@ -39,12 +39,12 @@ class LetteredPicture(NamedTuple):
 
     @property
     def over(self) -> float:
-        """Height of the heading with a margin above [pt]."""
+        """Height of the heading, including the margin above [pt]."""
         return height(self.head, TITLE) + MARGIN
 
     @property
     def size(self) -> Point:
-        """Size with the heading [pt]."""
+        """Size of the picture with the heading [pt]."""
         wide, high = self.own
         return wide, high + self.over
 
@@ -62,7 +62,7 @@ def joined(parts: Sequence[LetteredPicture], style: Style, *, side_by_side: bool
     """
     sizes = [part.own for part in parts]
     overs = [part.over for part in parts]
-    if side_by_side:  # aligned scales
+    if side_by_side:  # upper edges are aligned, so that scales are at equal heights
         overs = [max(overs)] * len(parts)
     highs = [over + size[1] for over, size in zip(overs, sizes, strict=True)]
     wides = [size[0] for size in sizes]
@@ -80,7 +80,7 @@ def joined(parts: Sequence[LetteredPicture], style: Style, *, side_by_side: bool
 
 
 def _move(canvas: Canvas, pen: Pen, corner: Point) -> None:
-    """Add the parts of a canvas to the canvas of a pen, with an offset of the corner."""
+    """Add the lines, areas and texts of a canvas to the canvas of a pen, moved by an offset."""
     offset = CanvasPlace(1.0, *corner)
     for shape, place, mark in canvas.parts:
         groups = (*pen.groups, *mark.groups)

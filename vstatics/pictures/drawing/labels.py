@@ -1,4 +1,4 @@
-"""Measurement and placement of labels: along an edge without overlap, or wrapped to a width."""
+"""Measurement of labels, wrapping to a width, and placement along an edge without overlap."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ from vstatics.pictures.drawing.metrics import line_width
 from vstatics.pictures.drawing.style import SIZE, TITLE
 
 LABEL_GAP = 3.0
-"""Distance between labels. [pt]"""
+"""Smallest distance between neighbouring labels. [pt]"""
 LEADER = 16.0
-"""Length of the line from an edge to a label. [pt]"""
+"""Length of the leader line from an edge to a label. [pt]"""
 Segment = tuple[Point, Point]
 """Straight line between two points."""
 LINE_HEIGHT = 1.25
-"""Height of a text line with the distance to the next line, relative to the letter size."""
+"""Distance between the baselines of consecutive lines of a text, relative to the letter size."""
 Span = tuple[float, float]
-"""Start and end."""
+"""Start and end of an interval."""
 
 
 def spread(
@@ -29,15 +29,15 @@ def spread(
     low: float = float("-inf"),
     high: float = float("inf"),
 ) -> list[float]:
-    """Return places along an edge, near the wanted places, without overlap of labels.
+    """Return positions of labels along an edge, near the wanted positions, without overlap.
 
-    The sum of squares of the shifts is minimal (isotonic regression by pooling adjacent
-    violators). Labels keep their order.
+    Labels keep their order. The sum of squares of their shifts is minimal (isotonic regression by
+    pooling adjacent violators).
 
     Parameters
     ----------
     wanted : sequence of float
-        Middle of each label, in any order.
+        Wanted position of the middle of each label, in any order.
     sizes : sequence of float
         Length of each label along the edge.
     low, high : float
@@ -51,12 +51,14 @@ def spread(
     [1.0, 5.0, 3.0]
     """
     order = sorted(range(len(wanted)), key=lambda place: wanted[place])
-    starts: list[float] = []  # lengths of the labels before, plus half of the label
+    # Offset of each middle from the first label's start if all labels touch.
+    starts: list[float] = []
     taken = 0.0
     for place in order:
         starts.append(taken + sizes[place] / 2)
         taken += sizes[place]
-    pools: list[tuple[float, int]] = []  # mean and number of touching labels
+    # Mean offset and number of labels in each group of touching labels.
+    pools: list[tuple[float, int]] = []
     for place, start in zip(order, starts, strict=True):
         mean, count = wanted[place] - start, 1
         while pools and pools[-1][0] > mean:
@@ -84,22 +86,22 @@ title_width = partial(width, size=TITLE, bold=True)
 
 
 def widest(texts: Iterable[str]) -> float:
-    """Return the width of the widest text [pt]."""
+    """Return the largest of the widths of texts [pt]."""
     return max((width(text) for text in texts), default=0.0)
 
 
 def height(text: str, size: float = SIZE) -> float:
-    """Return the height of a text with all lines [pt]."""
+    """Return the height of all lines of a text [pt]."""
     return LINE_HEIGHT * size * (1 + text.count("\n"))
 
 
 def across_size(text: str) -> float:
-    """Return the length of an edge for a text with gaps [pt]."""
+    """Return the length along an edge that a text needs across its lines, with gaps [pt]."""
     return width(text) + 2 * LABEL_GAP
 
 
 def wrapped(text: str, room: float, measure: Callable[[str], float] = width) -> str:
-    r"""Break a text into lines of a given width, between words.
+    r"""Break a text between words into lines no wider than `room`.
 
     >>> wrapped("carrier and second ring", 60.0), wrapped("carrier and second ring", 14, len)
     ('carrier and\nsecond ring', 'carrier and\nsecond ring')
@@ -115,7 +117,7 @@ def wrapped(text: str, room: float, measure: Callable[[str], float] = width) -> 
 
 
 class Label(NamedTuple):
-    """Text at a place on an edge."""
+    """Text that names a position on an edge."""
 
     at: float
     """Position along the edge, from the left or lower end. [pt]"""
@@ -124,7 +126,7 @@ class Label(NamedTuple):
 
 
 def ticks(low: float, high: float, most: int) -> list[float]:
-    """Return round numbers in a range, for a scale.
+    """Return round numbers in a range for a scale, about `most` or fewer.
 
     >>> ticks(-35.0, 2.0, 5)
     [-30.0, -20.0, -10.0, 0.0]
@@ -135,7 +137,8 @@ def ticks(low: float, high: float, most: int) -> list[float]:
     sizes = [(digit, power + more) for more in (1, 0, -1) for digit in (5, 2, 1)]
     enough = [size for size in sizes if size[0] * 10.0 ** size[1] >= (high - low) / most]
     values: list[float] = []
-    for digit, tens in sizes[len(enough) - 1 :]:  # the smallest sufficient step, then smaller steps
+    # smallest step with at most `most` intervals; smaller steps if fewer than two numbers result
+    for digit, tens in sizes[len(enough) - 1 :]:
         step, parts = digit * 10 ** max(tens, 0), 10 ** max(-tens, 0)
         numbers = range(math.floor(low * parts / step), math.ceil(high * parts / step) + 1)
         values = [number * step / parts for number in numbers]
@@ -146,7 +149,7 @@ def ticks(low: float, high: float, most: int) -> list[float]:
 
 
 def power_of_ten(exponent: int) -> str:
-    """Return the text of a power of ten.
+    """Return the text of a power of ten, with the exponent in superscript.
 
     >>> power_of_ten(-4)
     '10⁻⁴'

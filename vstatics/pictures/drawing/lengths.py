@@ -12,16 +12,17 @@ _POINTS = {
     "in": 72.0,
     "pt": 1.0,
 }
-"""Number of points in each unit of length."""
+"""Number of points in each unit of length. [pt]"""
 LEAST_WIDTH, MOST_WIDTH = 80.0, 1200.0
-"""Smallest width of a page, a column of a journal, and largest width, an A0 sheet. [mm]"""
+"""Smallest page width, a column of a journal, and largest page width, an A0 sheet. [mm]"""
 DECIMALS = 6
-"""Number of decimals of a length in comparisons, because of rounded conversions. [mm]"""
+"""Number of decimals of a length in comparisons, so that rounded conversions count as equal. [mm]
+"""
 _LENGTH = re.compile(r"(\d{1,9}(?:\.\d*)?|\.\d+) *([a-z]+)")
 
 
 def page_width(text: str) -> float:
-    """Return the width of a page [pt] from a text.
+    """Return the width of a page [pt] from a text such as "84 mm".
 
     Raises
     ------

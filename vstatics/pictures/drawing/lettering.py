@@ -1,4 +1,4 @@
-"""Places of the lines of a text by its alignment, as matplotlib places them."""
+"""Positions of the lines of a text for its alignment, equal to those of matplotlib."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from vstatics.pictures.drawing.canvas import CanvasPlace, CanvasText, Point
 from vstatics.pictures.drawing.metrics import ASCENT, DESCENT, LINE_GAP, line_extent
 
 _SIDES = {"left": 0.0, "center": 0.5, "right": 1.0}
-"""Part of the width that is left of the point of a text."""
+"""Share of a text's width that is left of its reference point, by horizontal alignment. [-]"""
 
 
 class TextLine(NamedTuple):
-    """Line of a text with its share of the line spacing, in points."""
+    """Text and size of a line [pt]."""
 
     text: str
     wide: float
@@ -24,9 +24,9 @@ class TextLine(NamedTuple):
 
 
 def placed_lines(letters: CanvasText, place: CanvasPlace) -> list[tuple[float, float, str]]:
-    """Return the left end of the baseline of each line on the canvas [pt], and the line.
+    """Return the position on the canvas [pt] of the left end of each line's baseline, and the line.
 
-    A text is aligned by the rectangle around its lines, after a rotation.
+    A rotated text is aligned by the upright rectangle around its rotated lines.
     """
     lines, places = [*_lines(letters)], []
     wide = max(line.wide for line in lines)
@@ -58,7 +58,7 @@ def _lines(letters: CanvasText) -> Iterator[TextLine]:
 
 
 def _offset(letters: CanvasText, lines: list[TextLine], wide: float) -> Point:
-    """Return the aligned point of the rectangle around a text, from its upper left corner."""
+    """Return the offset of the reference point from the upper left corner of the rotated text."""
     look, last = letters.look, lines[-1]
     deep = sum(line.above + line.below for line in lines)
     rectangle = (0.0, -deep), (0.0, 0.0), (wide, 0.0), (wide, -deep)

@@ -8,15 +8,16 @@ from vstatics.pictures.drawing.canvas import Look
 from vstatics.pictures.drawing.style import Style
 
 STRIPE = 5.0
-"""Length of a stripe of a striped line, relative to the width of the line."""
+"""Length of each colour of a striped line, relative to the width of the line. [-]"""
 TINTS = (0.5, 0.16, 0.34)
-"""Shares of the colour of losses, mixed with paper, in areas on which letters stay readable."""
+"""Shares of the colour of losses in areas, mixed with paper, so that letters on them are readable.
+"""
 PARTS = ("", "////", "....", "\\\\\\\\", "xx")
-"""Hatches of areas of a loss; with the tints, fifteen areas differ."""
+"""Hatches of the areas of losses; five hatches and three tints distinguish fifteen areas."""
 
 
 def link_looks(links: Sequence[int], style: Style) -> list[Look]:
-    """Return the line style of each link, numbered from 1; a line that links share has stripes.
+    """Return a line style for each link number, from 1; a curve common to several links is striped.
 
     >>> [look["color"] for look in link_looks([1], Style())]
     ['#0c4cff']
@@ -36,7 +37,7 @@ def link_looks(links: Sequence[int], style: Style) -> list[Look]:
 
 
 def striped_look(style: Style) -> Look:
-    """Return the style of the symbol for striped lines in a key."""
+    """Return the style of the symbol for striped lines in the key."""
     dashes = (0, (STRIPE / 2, STRIPE / 2))
     return {"color": style.ink, "gapcolor": style.faint, "linestyle": dashes, "width": 2.8}
 
@@ -47,7 +48,7 @@ def link_look(link: int, style: Style) -> Look:
 
 
 def thing_look(number: int, style: Style) -> Look:
-    """Return the line style of a shift element or other object, by number from 0.
+    """Return the line style of the shift element or other object with an index.
 
     >>> thing_look(1, Style())["color"] == Style().colour(1), thing_look(1, Style())["linestyle"]
     (True, 'solid')
@@ -56,7 +57,7 @@ def thing_look(number: int, style: Style) -> Look:
 
 
 def loss_look(place: int, style: Style) -> Look:
-    """Return the area style of a part of the loss, by number from 0: a tint with a hatch."""
+    """Return the area style of a loss by index: a tint of the colour of losses, and a hatch."""
     return {
         "facecolor": mixed(style.lost, style.paper, TINTS[place % len(TINTS)]),
         "hatch": PARTS[place // len(TINTS) % len(PARTS)],
@@ -66,7 +67,7 @@ def loss_look(place: int, style: Style) -> Look:
 
 
 def mixed(colour: str, other: str, part: float) -> str:
-    """Mix two colours, with a given share of the first.
+    """Mix two colours, with a given share of the first colour.
 
     >>> mixed("#ff0000", "#ffffff", 0.5)
     '#ff8080'

@@ -1,4 +1,4 @@
-"""Sizes of letters, from the outlines of the font that comes with matplotlib."""
+"""Size of texts, from the outlines of the font that comes with matplotlib."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from vstatics.pictures.drawing.style import FONT
 POINTS_PER_INCH = 72.0
 """Points per inch."""
 _SUBPIXELS = 64.0
-"""Fractions of a pixel in which FreeType measures."""
+"""Units of measurement per pixel in the library FreeType."""
 _MEASURED_SIZE = 100.0
-"""Size of letters at which heights are measured, for fine steps. [pt]"""
+"""Letter size at which the library measures heights, large so that rounding is small. [pt]"""
 ASCENT, DESCENT, LINE_GAP = 1556 / 2048, 492 / 2048, 410 / 2048
-"""Heights of the font from its table OS/2, relative to the size of letters."""
+"""Heights in table OS/2 of the font: ascent, descent, line gap, relative to the letter size. [-]"""
 
 
 class TextExtent(NamedTuple):
@@ -33,12 +33,14 @@ class TextExtent(NamedTuple):
 
 
 def _measured(line: str, size: float, *, bold: bool) -> TextExtent:
-    """Return the size of a line of text without hinting."""
+    """Return the size of a line of text, without rounding to pixels (hinting)."""
     name = f"{FONT.replace(' ', '')}{'-Bold' * bold}.ttf"
     font = get_font(Path(mpl.get_data_path(), "fonts", "ttf", name))
     font.set_size(size, POINTS_PER_INCH)
     with warnings.catch_warnings():
-        warnings.filterwarnings("ignore", message="Glyph .* missing")  # a box is drawn instead
+        warnings.filterwarnings(
+            "ignore", message="Glyph .* missing"
+        )  # a missing letter is measured as a box
         font.set_text(line, 0.0, flags=LoadFlags.NO_HINTING)
     wide, high = font.get_width_height()
     return TextExtent(wide / _SUBPIXELS, high / _SUBPIXELS, font.get_descent() / _SUBPIXELS)

@@ -29,12 +29,12 @@ from vstatics.pictures.drawing.style import FRAME_WIDTH, LARGE_NUMBER, SIZE, TIC
 from vstatics.pictures.drawing.tolerances import SAME_TICK
 
 LINE_WIDTH = 1.3
-"""Default width of lines. [pt]"""
+"""Default width of a line. [pt]"""
 MOST_DECIMALS = 8
-"""Largest number of decimals of the numbers of a scale."""
+"""Largest number of decimals of a number on a scale."""
 NO_DATA: Mapping[str, str] = MappingProxyType({})
 GAP = (math.nan, math.nan)
-"""Point that separates two pieces of a line."""
+"""Point that separates two pieces of an interrupted line."""
 Side = Literal["left", "right", "bottom", "top"]
 _UPRIGHT: Look = {"rotation": 90, "ha": "center", "va": "center", "linespacing": LINE_HEIGHT}
 
@@ -51,55 +51,55 @@ class AxisScale(NamedTuple):
     is_log: bool = False
 
     def part(self, value: float) -> float:
-        """Return the place of a value on the edge, from 0 at the low end to 1."""
+        """Return the position of a value on the edge: 0 at the low end, 1 at the high end."""
         if self.is_log:
             return math.log(value / self.low) / math.log(self.high / self.low)
         return (value - self.low) / (self.high - self.low)
 
 
 WHOLE = AxisScale(0.0, 1.0)
-"""Scale for places that are given from 0 to 1 along an edge."""
+"""Scale of an edge on which positions are given directly, from 0 to 1."""
 
 
 class Pen(NamedTuple):
-    """Drawing tool in a rectangle of a canvas; places are relative to the lower left corner."""
+    """Drawing tool for a rectangle of a canvas, with coordinates from its lower left corner."""
 
     canvas: Canvas
     style: Style
     place: CanvasPlace = CanvasPlace()
-    """Place of the coordinates of the pen on the canvas."""
+    """Transformation from the coordinates of the pen to the canvas."""
     corner: Point = (0.0, 0.0)
     """Lower left corner of the rectangle."""
     size: Point = (0.0, 0.0)
     x: AxisScale = WHOLE
     y: AxisScale = WHOLE
     letters: float = 1.0
-    """Additional scale of letters."""
+    """Additional scale of letters. [-]"""
     groups: tuple[MarkGroup, ...] = ()
-    """Groups of the drawn parts in SVG, the outermost first."""
+    """SVG groups of everything that the pen draws, the outermost first."""
 
     @property
     def part(self) -> float:
-        """Factor by which lengths of the pen are multiplied on the canvas."""
+        """Scale from lengths of the pen to lengths on the canvas [-]."""
         return self.place.part
 
     def panel(self, corner: Point, size: Point, x: AxisScale = WHOLE, y: AxisScale = WHOLE) -> Pen:
-        """Return a pen for a rectangle with scales."""
+        """Return a pen for a rectangle within this rectangle, with scales along its edges."""
         return self._replace(corner=corner, size=size, x=x, y=y)
 
     def within(self, kind: str, **data: str) -> Pen:
-        """Return a pen that draws in a group of SVG: ``within("link", name="sun")``.
+        """Return a pen that draws into an SVG group: ``within("link", name="sun")``.
 
         An underscore in a name becomes a hyphen: ``largest_force`` gives ``data-largest-force``.
         """
         return self._replace(groups=(*self.groups, MarkGroup(kind, tuple(data.items()))))
 
     def tell(self, **data: str) -> None:
-        """Set attributes of the picture in SVG: ``tell(left_out="[]")`` gives ``data-left-out``."""
+        """Set SVG attributes of the picture: ``tell(left_out="[]")`` gives ``data-left-out``."""
         self.canvas.data.update(data)
 
     def fitted(self, low: Point, high: Point) -> Pen:
-        """Return a pen that fits the area between two corners into the rectangle.
+        """Return a pen that scales down the area between two corners to fit into the rectangle.
 
         The area is centred and never enlarged.
         """
@@ -115,11 +115,11 @@ class Pen(NamedTuple):
         return self._replace(corner=(0.0, 0.0), place=place.within(self.place))
 
     def across(self, x: float) -> float:
-        """Return the horizontal place of a value on the scale of abscissas [pt]."""
+        """Return the horizontal position of a value on the horizontal scale [pt]."""
         return self.x.part(x) * self.size[0]
 
     def up(self, y: float) -> float:
-        """Return the vertical place of a value on the scale of ordinates [pt]."""
+        """Return the vertical position of a value on the vertical scale [pt]."""
         return self.y.part(y) * self.size[1]
 
     def add(
@@ -129,12 +129,12 @@ class Pen(NamedTuple):
         kind: str = "",
         data: Mapping[str, str] = NO_DATA,
     ) -> None:
-        """Add a part in coordinates of the canvas, with title, class and data in SVG."""
+        """Add a shape in coordinates of the canvas; title, class and data are for SVG."""
         self.canvas.parts.append(
             CanvasPart(shape, self.place, PartMark(title, kind, data, self.groups))
         )
 
-    def text(  # noqa: PLR0913 - a text has these
+    def text(  # noqa: PLR0913 - properties of a text
         self,
         x: float,
         y: float,
@@ -147,7 +147,7 @@ class Pen(NamedTuple):
         zorder: float = 3.0,
         **look: Any,
     ) -> None:
-        """Write a text, with a halo of paper for a text `over` lines."""
+        """Write a text; `over` adds a border in the colour of the paper, for a text over lines."""
         if text:
             at = self.corner[0] + x, self.corner[1] + y
             size *= self.part * self.letters
@@ -164,9 +164,9 @@ class Pen(NamedTuple):
         zorder: float = 2.0,
         **look: Any,
     ) -> None:
-        """Draw a line through places, with gaps at NaN.
+        """Draw a line through points; a point with NaN coordinates is a gap.
 
-        In SVG, the line has a class and attributes ``data-...``.
+        `kind` is the SVG class of the line, and `data` its attributes ``data-...``.
         """
         left, low = self.corner
         xs, ys = zip(*((left + x, low + y) for x, y in places), strict=True)
@@ -174,7 +174,7 @@ class Pen(NamedTuple):
         self.add(CanvasLine(xs, ys, look, zorder), title, kind, data)
 
     def lines(self, pieces: Iterable[Sequence[Point]], **look: Any) -> None:
-        """Draw lines of equal style."""
+        """Draw lines of equal style, each through a sequence of points."""
         places = [place for piece in pieces for place in (*piece, GAP)]
         if places:
             self.line(*places, **look)
@@ -182,7 +182,7 @@ class Pen(NamedTuple):
     def area(
         self, *corners: Point, width: float = 0.0, title: str = "", kind: str = "", **look: Any
     ) -> None:
-        """Draw a polygon, with an outline of a given width, and a class in SVG."""
+        """Draw a polygon with an outline of a given width; `kind` is its SVG class."""
         left, low = self.corner
         outline = Outline.polygon([(left + x, low + y) for x, y in corners])
         self.fill(outline, width=width, title=title, kind=kind, **look)
@@ -197,15 +197,15 @@ class Pen(NamedTuple):
         zorder: float = 1.0,
         **look: Any,
     ) -> None:
-        """Draw an area in coordinates of the canvas, with an outline of a given width."""
+        """Fill an outline in coordinates of the canvas, and draw its border with a given width."""
         look["linewidth"] = width * self.part
         self.add(CanvasArea(outline, look, zorder), title, kind)
 
     def box(self, corner: Point, size: Point, **look: Any) -> None:
-        """Draw a rectangle from the lower left corner."""
+        """Draw a rectangle with a given lower left corner."""
         self.area(*corners(*corner, corner[0] + size[0], corner[1] + size[1]), **look)
 
-    def plot(  # noqa: PLR0913 - a line has these
+    def plot(  # noqa: PLR0913 - properties of a curve
         self,
         xs: Floats,
         ys: Floats,
@@ -216,7 +216,7 @@ class Pen(NamedTuple):
         zorder: float = 2.0,
         **look: Any,
     ) -> None:
-        """Draw a line through points of linear scales, clipped at the edge."""
+        """Draw a curve through values on linear scales, clipped at the edges of the rectangle."""
         across, up = [
             start + (values - scale.low) / (scale.high - scale.low) * length
             for values, scale, start, length in zip(
@@ -250,14 +250,14 @@ class Pen(NamedTuple):
         *,
         grid: bool = False,
     ) -> None:
-        """Draw the marks and numbers of a scale at an edge.
+        """Draw the tick marks and numbers of a scale at an edge.
 
         Parameters
         ----------
         at : sequence of float
-            Values of the marks.
+            Values of the tick marks.
         texts : sequence of str, optional
-            Texts instead of numbers; empty for a scale with numbers at another panel.
+            Texts instead of the numbers; empty for tick marks only.
         grid : bool
             True to draw grid lines to the opposite edge.
         """
@@ -304,13 +304,13 @@ def corners(left: float, low: float, right: float, high: float) -> list[Point]:
 
 
 def zigzag(x: float, y: float, half: float, high: float) -> list[Point]:
-    """Return the zigzag line of a spring on a horizontal line, with its middle at (x, y)."""
+    """Return a horizontal zigzag line, the symbol of a spring, with the middle at (x, y)."""
     turns = [(x + half * (step / 4 - 1), y + high * (1, -1)[step % 2]) for step in range(1, 8)]
     return [(x - half, y), *turns, (x + half, y)]
 
 
 def tick_texts(values: Sequence[float], alike: Sequence[float] = ()) -> list[str]:
-    """Return the numbers of a scale, all with the decimals that the most precise value needs.
+    """Return the numbers of a scale as texts, all with as many decimals as the longest needs.
 
     >>> tick_texts([-0.5, 0.0, 0.5, 1.0]), tick_texts([0.0, 2000.0]), tick_texts([1.0], [0.25])
     (['−0.5', '0.0', '0.5', '1.0'], ['0', '2000'], ['1.00'])

@@ -14,7 +14,7 @@ FONT = "DejaVu Sans"
 FAMILIES = "DejaVu Sans, Verdana, Bitstream Vera Sans, sans-serif"
 """Font families of SVG texts; the first three have letters of equal width."""
 HINTING: dict[Any, Any] = {"text.hinting": "none"}
-"""Setting of matplotlib without hinting, which would change the stems of capitals."""
+"""Setting of matplotlib that switches off hinting, which would change the stems of capitals."""
 SIZE = 8.0
 """Size of texts. [pt]"""
 TITLE = 10.0
@@ -22,33 +22,34 @@ TITLE = 10.0
 SMALL = SIZE - 1
 """Size of less important texts in diagrams. [pt]"""
 
-# Lengths common to several pictures, in points.
+# The following lengths, in points, are common to several pictures.
 MARGIN = 12.0
-"""Margin around panels and their texts."""
+"""Margin around panels and texts. [pt]"""
 WIDE_MARGIN = 14.0
-"""Margin around levers, schemes and power flows."""
+"""Margin around levers, schemes and power flows. [pt]"""
 TICK_LENGTH = 3.0
-"""Length of a mark of a scale."""
+"""Length of a tick mark of a scale. [pt]"""
 FRAME_WIDTH = 0.8
-"""Width of lines around a panel."""
+"""Width of lines around a panel. [pt]"""
 LEADER_WIDTH = 0.6
-"""Width of leader lines to names."""
+"""Width of leader lines to names. [pt]"""
 SIGN_WIDTH = 20.0
-"""Width of a symbol in a key, or before a name."""
+"""Length of a line sample in a key, or before a name. [pt]"""
 LONG_NAME = 110.0
-"""Width to which names of links and components next to panels are wrapped."""
+"""Width to which names of links and components next to panels are wrapped. [pt]"""
 SHORT_NAME = 84.0
-"""Width to which names within a picture are wrapped."""
+"""Width to which names within a picture are wrapped. [pt]"""
 SMALL_NUMBER = 7.0
-"""Size of numbers within a picture."""
+"""Size of numbers within a picture. [pt]"""
 
 POINTS_PER_MILLIMETRE = 72 / 25.4
 PAGE_WIDTH, PAGE_HEIGHT = 170 * POINTS_PER_MILLIMETRE, 240 * POINTS_PER_MILLIMETRE
 """Width and height of the text area of a page. [pt]"""
 
-# A search gave these colours. In normal vision, and without red or green cones (Machado et al.
-# 2009), any two colours differ by at least 0.12 in OKLab, and by 0.09 from ink, faint and engaged.
-# Each has a contrast of 3 to 1 with the paper (WCAG 2.2, 1.4.11).
+# The colours were found by a search. For normal vision, and for vision without red or green cones
+# (Machado et al. 2009), any two colours differ by at least 0.12 in OKLab, and by 0.09 from the
+# colours `ink`, `faint` and `engaged`. Each has a contrast of 3 to 1 with the paper (WCAG 2.2,
+# 1.4.11).
 _ON_PAPER = ("#0c4cff", "#d9780c", "#045965", "#7300af", "#a25500", "#8788ef", "#2a9693")
 _ON_BLACK = ("#5aa5ff", "#fca03c", "#cac3dd", "#e059a9", "#b47c2e", "#7d5cf2", "#f2f046")
 DASHES: tuple[str | tuple[float, tuple[float, ...]], ...] = (
@@ -58,7 +59,7 @@ DASHES: tuple[str | tuple[float, tuple[float, ...]], ...] = (
     (0, (8, 2, 2, 2)),
     (0, (4, 1, 1, 1, 1, 1)),
 )
-"""Dashes of the first seven lines, of the next seven lines, and so on."""
+"""Dash patterns: the first for the first seven lines, the second for the next seven, and so on."""
 LARGE_NUMBER = 1e6
 """Magnitude from which numbers are written with a power of ten."""
 
@@ -67,24 +68,26 @@ class Excitation(NamedTuple):
     """Excitation of a vibrating case for pictures, instead of the excitation in the case."""
 
     orders: tuple[float, ...] = ()
-    """Orders of the speed of a link; by default the orders of the engine. [-]"""
+    """Excitation orders, relative to the speed of the link `at`; by default the engine's orders.
+    [-]
+    """
     at: str = ""
-    """Name or number of the link; by default the input."""
+    """Name or number of the link whose speed defines the orders; by default the input."""
     speeds: tuple[float, ...] = ()
-    """Input speeds in addition to speeds of the case. [rpm]"""
+    """Input speeds to calculate in addition to the speeds of the case. [rpm]"""
     shown: tuple[float, float] | None = None
     """Range of speeds in the picture; by default chosen from the case. [rpm]"""
 
 
 class PictureFiles(NamedTuple):
-    """Files of a picture in addition to the case."""
+    """Files that a picture needs in addition to the case."""
 
     duty: str = ""
     """CSV file of a duty cycle."""
     classes: str | int | Sequence[float] = 10
-    """Number of classes of torque, or their upper bounds [N*m]; a text can have a unit."""
+    """Number of torque classes, or their upper bounds [N*m]; a text can contain a unit."""
     torque: str = ""
-    """CSV file of the orders of an exciting torque."""
+    """CSV file with the orders of an exciting torque."""
 
 
 class Style(NamedTuple):
@@ -95,13 +98,13 @@ class Style(NamedTuple):
     language : {"en", "ru"}
         Language of axes and titles; names of the case are not translated.
     dark : bool
-        True for light on dark, for a screen.
+        True for light lines on a dark background, for a screen.
     titled : bool
-        True for a title; a page has a separate title.
+        True to draw the title; HTML pages show it as text instead.
     wheels : bool
         True for stick diagrams with names and tooth numbers of gears.
     merged : bool
-        True to merge two sets with two common links into a lever.
+        True to merge two gear sets with two common links into one lever.
     ordered : bool
         True to keep the gear sets of stick diagrams in the order of the case.
     width, height : float
@@ -109,7 +112,8 @@ class Style(NamedTuple):
     excited : Excitation
         Excitation for pictures of vibration.
     data : object
-        Data of further files, from the function `PictureKind.reads` of the kind.
+        Contents of further files, as read by the function `PictureKind.reads` of the kind of
+        picture.
     """
 
     language: Language = "en"
@@ -135,7 +139,7 @@ class Style(NamedTuple):
 
     @property
     def paper(self) -> str:
-        """Colour of the background; white is readable on any screen."""
+        """Colour of the background; in the light style white, which is readable on any screen."""
         return "#14171c" if self.dark else "#ffffff"
 
     @property
@@ -145,14 +149,14 @@ class Style(NamedTuple):
 
     @property
     def faint(self) -> str:
-        """Colour of background lines, and of lines without torque; never of texts."""
+        """Colour of background lines and of lines without torque; too pale for texts."""
         return "#5a616b" if self.dark else "#b0b0b0"
 
     @property
     def soft(self) -> str:
-        """Colour of less important texts, with contrast 4.5 to 1 (WCAG 2.2, 1.4.3).
+        """Colour of less important texts; its contrast is 4.5 to 1 (WCAG 2.2, 1.4.3).
 
-        The colours `engaged`, `lost` and `circulating` have this contrast, too.
+        The colours `engaged`, `lost` and `circulating` also have this contrast.
         """
         return "#a0a8b2" if self.dark else "#6b6b6b"
 
@@ -173,20 +177,20 @@ class Style(NamedTuple):
 
     @property
     def power(self) -> str:
-        """Colour of bands of power."""
+        """Colour of the bands of a power flow."""
         return "#3c6a94" if self.dark else "#8fbbe0"
 
     @property
     def colours(self) -> tuple[str, ...]:
-        """Colours that distinguish lines and areas."""
+        """Colours that distinguish curves and areas."""
         return _ON_BLACK if self.dark else _ON_PAPER
 
     def colour(self, number: int) -> str:
-        """Return the colour of a line or area by number from 0; colours repeat."""
+        """Return the colour of the curve or area with an index; colours repeat."""
         return self.colours[number % len(self.colours)]
 
     def dash(self, number: int) -> str | tuple[float, tuple[float, ...]]:
-        """Return the dashes that distinguish lines of equal colour.
+        """Return the dash pattern of a line by index, which distinguishes lines of equal colour.
 
         >>> Style().dash(6), Style().dash(7)
         ('solid', (0, (6, 2)))
@@ -195,14 +199,14 @@ class Style(NamedTuple):
 
     @property
     def settings(self) -> dict[Any, Any]:
-        """Settings of matplotlib."""
+        """Settings of matplotlib for the style."""
         return {
             "text.color": self.ink,
             "font.family": FONT,
             "font.size": SIZE,
             "figure.facecolor": self.paper,
             "savefig.facecolor": self.paper,
-            "text.parse_math": False,  # names of links can contain any letters
+            "text.parse_math": False,  # the sign $ in a name is not mathematics
             "svg.hashsalt": "vstatics",
             "svg.fonttype": "none",
             **HINTING,
@@ -213,7 +217,7 @@ class Style(NamedTuple):
 
 
 def number(value: float) -> str:
-    """Format a number for a picture, with few digits; a dash for an undefined value.
+    """Format a number for a picture with few digits; an undefined value gives a dash.
 
     >>> [number(value) for value in (2.6428571, -251.0, 1e7, -0.00001, float("nan"))]
     ['2.643', '−251.0', '1e+07', '0.000', '–']
@@ -222,7 +226,8 @@ def number(value: float) -> str:
     """
     if not math.isfinite(value):
         return "–"
-    size = abs(float(f"{value:.4g}"))  # so that rounding noise does not determine the digits
+    # Rounded first, so that rounding noise does not determine the number of digits.
+    size = abs(float(f"{value:.4g}"))
     if size >= LARGE_NUMBER:
         return typeset(f"{value:.4g}")
     decimals = 3 - sum(size >= bound for bound in (10, 100, 1000))

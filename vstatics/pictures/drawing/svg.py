@@ -1,4 +1,4 @@
-"""SVG of a canvas: texts stay texts, and parts have classes and titles.
+"""Conversion of a canvas to SVG, with texts as letters, classes for CSS, and tooltips.
 
 >>> from vstatics.pictures.drawing.pen import blank
 >>> from vstatics.pictures.drawing.style import Style
@@ -38,9 +38,9 @@ SVG = "http://www.w3.org/2000/svg"
 HALO = 2.0
 """Width of the border in the colour of paper around letters that are written over lines. [pt]"""
 LONG_LINE = 128
-"""Number of points from which a line is drawn without points that nobody can see."""
+"""Number of points above which a line is drawn without invisible detail."""
 HATCH_TILE = 72.0
-"""Width and height of the tile of a hatch. [pt]"""
+"""Width and height of the tile that repeats in a hatched area. [pt]"""
 MARKER_EDGE = 1.0
 """Default width of the outline of a marker. [pt]"""
 _DIAGONAL = math.sqrt(2)
@@ -55,11 +55,11 @@ _MARKERS: Mapping[str, Sequence[Point]] = {
     "v": [(0, 1), (1, -1), (-1, -1)],
     "D": [(0, _DIAGONAL), (_DIAGONAL, 0), (0, -_DIAGONAL), (-_DIAGONAL, 0)],
 }
-"""Corners of a marker relative to half its size."""
+"""Corners of each marker relative to half its size, by the marker code of matplotlib. [-]"""
 
 
 def _number(value: float) -> str:
-    """Return a length with two decimals; the sixth decimal is noise and does not decide."""
+    """Return a length with two decimals, equal for values that differ by rounding noise."""
     return f"{round(value, 6):.2f}".rstrip("0").rstrip(".")
 
 
@@ -71,7 +71,7 @@ def written_as_svg(canvas: Canvas, title: str, number: int = 1) -> bytes:
     title : str
         Title and alternative text of the picture.
     number : int, optional
-        Number of the page; further pages have a mark.
+        Number of the page, from 1; pages after the first have a mark.
     """
     wide, high = map(_number, canvas.size)
     root = ET.Element(
@@ -98,18 +98,18 @@ def written_as_svg(canvas: Canvas, title: str, number: int = 1) -> bytes:
 
 
 class SvgWriter(NamedTuple):
-    """Parts of a canvas as elements of SVG."""
+    """Writer that converts the lines, areas and texts of a canvas to SVG elements."""
 
     canvas: Canvas
     root: ET.Element
     groups: dict[tuple[MarkGroup, ...], ET.Element]
     hatches: dict[tuple[Any, ...], str]
-    """Ids of hatches by pattern and colours."""
+    """Ids of the SVG patterns of hatched areas, by hatch and colours."""
     clips: dict[tuple[str, ...], str]
-    """Ids of rectangles that clip lines."""
+    """Ids of the SVG rectangles that clip lines, by position and size."""
 
     def write(self) -> None:
-        """Add the elements of all parts, then the hatches and clips that they use."""
+        """Add the SVG elements of the canvas, then the hatches and clip rectangles in use."""
         for part in self.canvas.ordered:
             self._add(part)
         hatches = [_pattern(name, *key) for key, name in self.hatches.items()]
@@ -137,7 +137,7 @@ class SvgWriter(NamedTuple):
                 parent.append(element)
 
     def _group(self, groups: tuple[MarkGroup, ...]) -> ET.Element:
-        """Return the element of a group, which begins at its first part."""
+        """Return the SVG element of the innermost group, created at the first use."""
         if not groups:
             return self.root
         if groups not in self.groups:
@@ -204,14 +204,14 @@ def _add_title(element: ET.Element, text: str) -> None:
 
 
 def _insert(element: ET.Element, attributes: dict[str, str]) -> None:
-    """Insert attributes after the place of an element."""
+    """Insert attributes after the position attributes of an SVG element."""
     places: list[str] = [key for key in ("d", "x", "y") if key in element.attrib]
     first = {key: element.attrib.pop(key) for key in places}
     element.attrib = {**first, **attributes, **element.attrib}
 
 
 def _joins(line: ET.Element, other: ET.Element) -> bool:
-    """Append a line to a line of equal style; return False for different styles."""
+    """Append a line to a line of equal style and return True; otherwise return False."""
     if line.tag != "path" or other.tag != "path" or other.get("fill") != "none":
         return False
     looks = [{**path.attrib, "d": ""} for path in (line, other)]
@@ -266,7 +266,7 @@ def _outline_data(outline: Outline, place: CanvasPlace, high: float) -> str:
 
 
 def _stroke_look(colour: str, width: float, dashes: Any, cap: str) -> dict[str, str]:
-    """Return colour, width, dashes and ends of a line; dashes are relative to the width."""
+    """Return the SVG attributes of a line; the lengths of dashes are relative to the width."""
     attributes = {}
     if dashes != "solid":
         offset, lengths = dashes
@@ -291,7 +291,7 @@ def _line_look(look: Look) -> dict[str, str]:
 
 
 def _marker(x: float, y: float, look: Look, clip: dict[str, str]) -> ET.Element:
-    """Return a circle, square, triangle or rhombus with the centre at a point."""
+    """Return the SVG element of a circle, square, triangle or rhombus centred at a point."""
     colour: str = look.get("color", "none")
     edge: str = look.get("markeredgecolor", colour)
     half = look["markersize"] / 2
@@ -312,7 +312,7 @@ def _marker(x: float, y: float, look: Look, clip: dict[str, str]) -> ET.Element:
 
 
 def _lines(letters: CanvasText, place: CanvasPlace, canvas: Canvas) -> Iterator[ET.Element]:
-    """Yield the lines of a text."""
+    """Yield an SVG element for each line of a text."""
     attributes = {}
     if letters.is_bold:
         attributes["font-weight"] = "700"
@@ -345,7 +345,7 @@ def _clip(name: str, key: tuple[str, ...]) -> ET.Element:
 
 
 def _pattern(name: str, hatch: str, face: str, edge: str) -> ET.Element:
-    """Return the tile of a hatch."""
+    """Return the SVG pattern of a hatch."""
     from matplotlib.hatch import get_path
     from matplotlib.path import Path
 

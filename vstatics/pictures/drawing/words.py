@@ -1,4 +1,4 @@
-"""Words of pictures that do not come from the case."""
+"""Words that pictures use in addition to the names in the case."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ ELEMENTS = (
     *("planetary", "double_planet", "stepped", "ravigneaux", "planet_group", "bevel"),
     *("bevel_pair", "gear_pair", "internal_pair", "chain", "belt", "shaft", "spring"),
 )
-"""Members and kinds of gear sets; further names come from a case."""
+"""Names of members and kinds of gear sets, which pictures translate."""
 
 TURN_TOGETHER = "striped: links turn together"
-"""Meaning of the stripes of a line."""
+"""Explanation of striped lines in the key."""
 
 
 def word(name: str, style: Style) -> str:
-    """Return a member or kind as written in a picture; names of a case are unchanged.
+    """Return the picture's word for a member or kind; names from the case are unchanged.
 
     >>> word("small_sun", Style("en")), word("small_sun", Style("ru"))
     ('small sun', 'малая солнечная шестерня')
@@ -36,11 +36,11 @@ SUNS = {
     "small_sun": "small sun: {teeth}",
     "large_sun": "large sun: {teeth}",
 }
-"""Texts at sun gears, whose translated names are long."""
+"""Texts at sun gears with the tooth number; entries exist because translated names are long."""
 
 
 def wheel(name: str, teeth: float, style: Style) -> str:
-    """Return the name of a toothed gear with the tooth number, in few letters.
+    """Return the name of a toothed gear with the tooth number, abbreviated if long.
 
     >>> wheel("sun", 48, Style("ru")), wheel("ring", 96, Style("en"))
     ('солн. шест.: 48', 'ring: 96')
@@ -51,7 +51,7 @@ def wheel(name: str, teeth: float, style: Style) -> str:
 
 
 def quantity(name: str, value: float, style: Style) -> str:
-    """Return the name of a quantity with the value.
+    """Return the name of a quantity followed by its value.
 
     >>> quantity("speed", 0.5, Style("ru"))
     'скорость 0.500'

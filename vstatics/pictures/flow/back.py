@@ -13,32 +13,32 @@ from vstatics.pictures.flow.places import Box, Line, Note
 from vstatics.pictures.flow.texts import FlowTexts
 
 UNDER = 3.0
-"""Distance between a band and the text below. [pt]"""
+"""Distance between a band and the text below it. [pt]"""
 GROWTH = 1.3
-"""Factor by which a row grows until the nodes have room between crossing bands."""
+"""Factor by which a returning band is lengthened until its nodes fit between crossing bands. [-]"""
 
 
 class BackRow(NamedTuple):
-    """Returning band with text."""
+    """Row of a returning band, with the nodes and text."""
 
     number: int
-    """Index of the band."""
+    """Index of the band in the graph."""
     band: Band
     width: float
     """Width of the band. [pt]"""
     cell: FlowCell | None
-    """Nodes on the way back."""
+    """Nodes along the returning band, if any."""
     text: str
-    """Text below the band, only once for each loop."""
+    """Text below the band, written once for each loop."""
 
     @property
     def needed(self) -> float:
-        """Width that the nodes on the way back need between the ends of the band, or 0 [pt]."""
+        """Length that the nodes need along the returning band; 0 without nodes [pt]."""
         return self.cell.wide + SPACE if self.cell else 0.0
 
 
 def back_rows(graph: Graph, scale: float, texts: FlowTexts) -> list[BackRow]:
-    """Return the rows from top to bottom; the shortest way back is at the top."""
+    """Return the rows of returning bands from top to bottom; the shortest band is at the top."""
 
     def reach(number: int) -> int:
         source, target = graph.ends(graph.bands[number])
@@ -60,7 +60,7 @@ def back_rows(graph: Graph, scale: float, texts: FlowTexts) -> list[BackRow]:
 
 
 def free(rows: Sequence[BackRow], place: int, spaced: Across) -> Iterator[Span]:
-    """Yield the parts of a row that no lower band crosses, from left to right [pt]."""
+    """Yield the intervals of a row that no band of a lower row crosses, from left to right [pt]."""
     taken = sorted(
         (x - row.width / 2 - BAND_CLEARANCE, x + row.width / 2 + BAND_CLEARANCE)
         for row in rows[place + 1 :]
@@ -74,7 +74,7 @@ def free(rows: Sequence[BackRow], place: int, spaced: Across) -> Iterator[Span]:
 
 
 def nearest(wanted: float, wide: float, places: Iterator[Span]) -> float | None:
-    """Return the place nearest to the wanted place that has room for a width."""
+    """Return the position nearest to the wanted one in an interval that is at least `wide` long."""
     half = wide / 2
     candidates = [
         min(max(wanted, low + half), high - half) for low, high in places if high - low >= wide
@@ -93,7 +93,7 @@ def _middle_of_cell(rows: Sequence[BackRow], place: int, spaced: Across) -> floa
 
 
 def crowded(rows: Sequence[BackRow], spaced: Across) -> list[int]:
-    """Return the indices of bands without room for the nodes."""
+    """Return the indices of returning bands without enough room for their nodes."""
     return [
         row.number
         for place, row in enumerate(rows)
@@ -107,7 +107,7 @@ def placed_rows(
     ends: Mapping[int, tuple[Point, Point]],
     low: float,
 ) -> Iterator[tuple[Line, list[Box], list[Note]]]:
-    """Yield each band below a depth, with nodes and text.
+    """Yield each returning band with the nodes and text, placed below the depth `low` [pt].
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Gear without branches as a line of text: the nodes in series, with the loss of each."""
+"""Line of text for a gear without branches: its nodes in series, each with its loss."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ from vstatics.pictures.flow.titles import FlowTitles
 BETWEEN_NODES = ">"
 _MINUS = "\N{MINUS SIGN}"
 WORD_GAP = 4.0
-"""Distance between words of a line, since SVG loses blanks at the ends of texts. [pt]"""
+"""Distance between words, which are separate texts, because SVG drops blanks at their ends. [pt]"""
 
 
 def is_chain(flow: GearFlow, drawn: Graph) -> bool:
     """Return whether the power flow of a gear is a single straight row without remarks.
 
-    The row begins where power enters and ends where power leaves. Further components behind the
-    output, such as a dragging brake, form a branch.
+    The row begins where power enters and ends where power leaves. A component behind the output,
+    such as a dragging brake, is a branch.
     """
     side = flow.shown
     if side is None or flow.note or side.unknown or side.loops or side.locked_in:
@@ -46,7 +46,7 @@ def _in_line(drawn: Graph) -> list[Node]:
 
 
 class ChainWord(NamedTuple):
-    """Word in the line of a gear."""
+    """Word in the line of text of a gear."""
 
     text: str
     title: str = ""
@@ -54,12 +54,12 @@ class ChainWord(NamedTuple):
 
     @property
     def wide(self) -> float:
-        """Width with the gap after the word [pt]."""
+        """Width of the word with the gap after it [pt]."""
         return width(self.text) + WORD_GAP
 
 
 class ChainLine(NamedTuple):
-    """Words of a gear in lines of a given width."""
+    """Line of text of a gear, broken to a given width."""
 
     lines: Sequence[Sequence[ChainWord]]
 
@@ -69,7 +69,7 @@ class ChainLine(NamedTuple):
         return height("") * len(self.lines)
 
     def draw(self, pen: Pen, left: float, top: float) -> None:
-        """Draw the lines from an upper left corner [pt]."""
+        """Draw the lines with a given upper left corner [pt]."""
         for line in self.lines:
             x = left
             for word in line:
@@ -80,7 +80,7 @@ class ChainLine(NamedTuple):
 
 
 def chain_line(drawn: Graph, said: FlowTitles, room: float) -> ChainLine:
-    """Return the line of a gear in a width [pt]."""
+    """Return the line of text of a gear, broken to a width [pt]."""
     lines: list[list[ChainWord]] = [[]]
     taken = 0.0
     for group in _words(drawn, said):
@@ -94,7 +94,7 @@ def chain_line(drawn: Graph, said: FlowTitles, room: float) -> ChainLine:
 
 
 def _words(drawn: Graph, said: FlowTitles) -> list[list[ChainWord]]:
-    """Return groups of words that stay together: a node, the loss and the next symbol."""
+    """Return groups of words that are not broken apart: a node, its loss and the next symbol."""
     texts = said.texts
     nodes = _in_line(drawn)
     groups = [[ChainWord(texts.line(texts.side.entering))]]
@@ -111,7 +111,7 @@ def _words(drawn: Graph, said: FlowTitles) -> list[list[ChainWord]]:
 
 
 def _name(node: Node, drawn: Graph) -> str:
-    """Return the name of a node, with the name of a port that differs."""
+    """Return the name of a node, followed by the name of its port if that differs."""
     names = [port.node.name for port in drawn.ports.get(node, ())]
     more = [name for name in names if name not in (node.name, "input", "output")]
     return ": ".join([*more, node.name])

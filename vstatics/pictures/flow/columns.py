@@ -1,4 +1,4 @@
-"""Columns of runs of nodes, with their widths and distances."""
+"""Columns of a power flow: widths, gaps and horizontal positions of nodes and bands."""
 
 from __future__ import annotations
 
@@ -12,59 +12,59 @@ from vstatics.pictures.flow.graph import Graph, Run
 from vstatics.pictures.flow.texts import FlowTexts
 
 BODY = 12.0
-"""Width of a component. [pt]"""
+"""Width of the rectangle of a component. [pt]"""
 LINK_WIDTH = 3.0
-"""Width of a link. [pt]"""
+"""Width of the bar of a link. [pt]"""
 NODE_GAP = 6.0
-"""Distance between the nodes of a run. [pt]"""
+"""Distance between neighbouring nodes of a run. [pt]"""
 PORT_ARROW = 11.0
-"""Length of the arrow of a port. [pt]"""
+"""Length of the arrow at the input or output. [pt]"""
 SPACE = 16.0
-"""Distance between columns of texts, and between nodes of a column. [pt]"""
+"""Distance between the texts of neighbouring columns, and between cells of a column. [pt]"""
 BAND_CLEARANCE = 8.0
-"""Distance between a turning band and other parts. [pt]"""
+"""Distance between a band that turns back and other parts. [pt]"""
 LOSS_LENGTH = 8.0
-"""Length of a loss, in addition to half the width. [pt]"""
+"""Length of the band of a loss below its node, in addition to half its width. [pt]"""
 BEND = 2.4
-"""Smallest squared length of a smooth curve along the row, relative to width times rise. [-]"""
+"""Smallest squared horizontal length of a band's curve, relative to width times rise. [-]"""
 
 Key = tuple[int, int]
-"""Layer of a cell, and its `FlowCell.number`."""
+"""Layer (column from the left) and `FlowCell.number` of a cell."""
 
 
 def signs(run: Run, loss: float = 0.0) -> list[float]:
-    """Return the width of each node of a run, for a loss with a width [pt]."""
+    """Return the width of each node of a run [pt]; the band of a loss has the width `loss` [pt]."""
     return [LINK_WIDTH if node.kind == "link" else max(BODY, loss) for node in run]
 
 
 def length(run: Run, loss: float = 0.0) -> float:
-    """Return the length of a run [pt]."""
+    """Return the length of a run of nodes [pt]; the band of a loss has the width `loss` [pt]."""
     return sum(signs(run, loss)) + NODE_GAP * max(len(run) - 1, 0)
 
 
 class FlowCell(NamedTuple):
-    """Cell of a column: a run of nodes with texts, or a band that passes the column."""
+    """Cell of a column: a run of nodes with the texts, or a band that passes through the column."""
 
     number: int
-    """Index of the run, or complement of the index of a passing band."""
+    """Index of the run, or bitwise complement of the index of a passing band."""
     run: Run = ()
     text: str = ""
     lost: str = ""
     thick: float = 0.0
     """Thickness of the run or band. [pt]"""
     loss: float = 0.0
-    """Width of the band of the loss. [pt]"""
+    """Width of the band of the loss, which leaves downwards. [pt]"""
     ends: float = 0.0
-    """Width of the arrow of a port on either side. [pt]"""
+    """Length of a port's arrow, reserved on both sides. [pt]"""
 
     @property
     def above(self) -> float:
-        """Height of the text above [pt]."""
+        """Height of the text above the nodes [pt]."""
         return height(self.text) + 2 if self.text else 0.0
 
     @property
     def below(self) -> float:
-        """Height of the loss below [pt]."""
+        """Height of the loss and the text below the nodes [pt]."""
         return LOSS_LENGTH + self.loss / 2 + height(self.lost) + 1 if self.lost else 0.0
 
     @property
@@ -79,22 +79,22 @@ class FlowCell(NamedTuple):
 
     @property
     def wide(self) -> float:
-        """Width with texts and ports [pt]."""
+        """Width of the cell with texts and ports [pt]."""
         texts = (width(text) if text else 0.0 for text in (self.text, self.lost))
         return max(self.body + 2 * self.ends, *texts)
 
 
 class NodeColumns(NamedTuple):
-    """Cells of all columns, and the ways of bands through the cells."""
+    """Cells of all columns, and the sequence of cells along each band."""
 
     cells: list[list[FlowCell]]
-    """Cells by layer."""
+    """Cells of each layer, from the left."""
     ways: Mapping[int, list[Key]]
-    """Cells from source to target for each forward band between runs."""
+    """Cells from source to target along each forward band, by index of the band."""
 
 
 def columns(graph: Graph, scale: float, texts: FlowTexts) -> NodeColumns:
-    """Return runs by layer, and a cell for each band that passes a layer."""
+    """Return the cells of each layer: its runs, and the bands that pass through it."""
     cells: list[list[FlowCell]] = [[] for _ in range(1 + max(graph.layers, default=-1))]
     for number, (run, layer) in enumerate(zip(graph.runs, graph.layers, strict=True)):
         cells[layer].append(_cell(graph, number, run, scale, texts))
@@ -128,24 +128,24 @@ def _cell(graph: Graph, number: int, run: Run, scale: float, texts: FlowTexts) -
 
 
 class Across(NamedTuple):
-    """Horizontal positions [pt]."""
+    """Horizontal positions of columns and bands [pt]."""
 
     columns: Sequence[Span]
     """Left and right side of each column."""
     gaps: Sequence[Span]
-    """Ends of the curves of bands after each column."""
+    """Start and end of the curved part of bands after each column."""
     leaving: Mapping[int, float]
-    """Position of the first turn of each returning band."""
+    """Position where each returning band turns after its source, by index of the band."""
     arriving: Mapping[int, float]
-    """Position of the last turn of each returning band."""
+    """Position where each returning band turns before its target, by index of the band."""
 
     @property
     def width(self) -> float:
-        """Width with the turns on the right."""
+        """Total width, with the turns of returning bands on the right."""
         return max([self.columns[-1][1], *(x + BAND_CLEARANCE for x in self.leaving.values())])
 
     def middle(self, layer: int) -> float:
-        """Return the middle of a column."""
+        """Return the middle of the column of a layer."""
         return sum(self.columns[layer]) / 2
 
 
@@ -165,10 +165,11 @@ def across(
     graph : Graph
     cells : NodeColumns
     courses : mapping
-        Depths along each band: at its source, in each layer that it passes, at its target. [pt]
+        Depths along each forward band: at its source, in each layer that it passes, at its target.
+        [pt]
     needed : mapping
-        Width that each band needs on its way back, for which columns grow; the bands that turn
-        closest to their columns first. [pt]
+        Length that each returning band needs for its nodes; columns are widened for it. Bands that
+        turn closest to their columns come first. [pt]
     scale : float
     """
     bands = graph.bands

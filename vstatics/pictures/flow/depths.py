@@ -13,31 +13,31 @@ from vstatics.pictures.flow.graph import EndPort, Graph
 from vstatics.pictures.flow.order import Near, mean, neighbours, ordered
 
 RUN_SWEEPS = 12
-"""Number of passes in which all runs and passing bands are moved toward their neighbours."""
+"""Number of passes in which runs and passing bands are moved towards their neighbours."""
 
 _Columns = Sequence[Mapping[Key, FlowCell]]
 
 
 class Depths(NamedTuple):
-    """Depths from the top of the picture [pt]."""
+    """Depths below the top of the picture [pt]."""
 
     middles: Mapping[Key, float]
     """Depth of the middle of each cell, by layer and number."""
     starts: Mapping[int, float]
-    """Depth at which each band leaves its source; bands within a run are left out."""
+    """Depth at which each band between runs leaves its source, by index of the band."""
     ends: Mapping[int, float]
-    """Depth at which each band reaches its target; bands within a run are left out."""
+    """Depth at which each band between runs reaches its target, by index of the band."""
     ports: Mapping[EndPort, float]
-    """Depth of each port."""
+    """Depth of each input or output port."""
 
 
 def depths(graph: Graph, scale: float, cells: NodeColumns, back: Sequence[int]) -> Depths:
-    """Return depths at which few bands cross and neighbours are close to each other.
+    """Return depths of runs, bands and ports with few crossings and short bands.
 
     Parameters
     ----------
     back : sequence of int
-        Returning bands in the order of their rows.
+        Indices of returning bands in the order of their rows, from the top.
     """
     by_key = {(layer, cell.number): cell for layer, key in enumerate(cells.cells) for cell in key}
     columns = [{key: by_key[key] for key in order} for order in ordered(graph, cells)]
@@ -80,10 +80,10 @@ def depths(graph: Graph, scale: float, cells: NodeColumns, back: Sequence[int]) 
 def _stacked(
     graph: Graph, scale: float, cells: NodeColumns, columns: _Columns, back: Sequence[int]
 ) -> Depths:
-    """Return depths relative to the middle of each run.
+    """Return the depths of bands and ports relative to the middle of their run.
 
-    At a run, ports are at the top, followed by bands in the order of their targets. Returning bands
-    are lowest, the longer ones above the others.
+    From top to bottom, a run has its ports, its forward bands in the order of their targets, and
+    its returning bands, the longest first.
     """
     ranks = {key: rank for column in columns for rank, key in enumerate(column)}
     numbers = [n for n, band in enumerate(graph.bands) if not graph.is_within(band)]
@@ -109,13 +109,13 @@ def _stacked(
 
 
 def _rising(wanted: Sequence[float]) -> list[float]:
-    """Return depths of a column that keep its order and are close to the wanted depths."""
+    """Return increasing depths of the cells of a column, close to the wanted depths."""
     lower = reversed([*accumulate(reversed(wanted), min)])
     return [(high + low) / 2 for high, low in zip(accumulate(wanted, max), lower, strict=True)]
 
 
 def _straighten(columns: _Columns, places: dict[Key, float], shifts: tuple[Near, Near]) -> None:
-    """Make bands between cells in series horizontal, as far as columns have room."""
+    """Make bands between cells in series horizontal where the columns have room."""
     for series in _series(columns, shifts):
         level: dict[Key, float] = {}
         low, high, deeper = -math.inf, math.inf, 0.0
@@ -140,7 +140,7 @@ def _set_level(
 
 
 def _series(columns: _Columns, shifts: tuple[Near, Near]) -> Iterator[list[Key]]:
-    """Yield chains of cells that are each the only neighbour of the next, from left to right."""
+    """Yield chains of cells, from the left, each the only neighbour of the next cell."""
     before, after = (
         {key: {other_key for other_key, *_ in ends} for key, ends in side.items()}
         for side in shifts
@@ -163,7 +163,7 @@ def _series(columns: _Columns, shifts: tuple[Near, Near]) -> Iterator[list[Key]]
 
 
 def _room(column: Mapping[Key, FlowCell], key: Key, places: Mapping[Key, float]) -> Span:
-    """Return the range of depths that the neighbours in a column leave for a cell."""
+    """Return the depths that are free for a cell between its neighbours in the column."""
     order = list(column)
     rank, cell = order.index(key), column[key]
     above, below = order[max(rank - 1, 0) : rank], order[rank + 1 : rank + 2]

@@ -1,4 +1,4 @@
-"""Picture of the efficiency by gear, with the losses of mechanisms hanging down from 1."""
+"""Picture of the efficiency by gear, with the losses of mechanisms as bars from 1 downwards."""
 
 from __future__ import annotations
 
@@ -27,35 +27,36 @@ from vstatics.pictures.drawing.words import fault, gear_title, title
 AXES_HEIGHT = 200.0
 """Height of a panel. [pt]"""
 STEP, LEAST_STEP = 42.0, 30.0
-"""Usual distance of neighbouring gears, and smallest distance without overlapping numbers. [pt]"""
+"""Usual distance of neighbouring gears, and smallest distance at which numbers do not overlap. [pt]
+"""
 LEAST_AXIS_WIDTH = 200.0
 """Smallest width of a panel. [pt]"""
 BAR_WIDTH = 0.66
 """Width of a bar, relative to the distance of gears. [-]"""
 EFFICIENCY_SCALE_WIDTH, GEARS_NAME_HEIGHT = 58.0, 24.0
-"""Room for the scale, and for the common name of the gears. [pt]"""
+"""Width of the scale, and height of the axis name below the gears. [pt]"""
 LEAST_OF_HEAD = 330.0
-"""Smallest width of a figure without scale and margin, which leaves room for the title. [pt]"""
+"""Smallest width of a figure without scale and margin, sufficient for the title. [pt]"""
 PANEL_ROW_GAP = 12.0
-"""Distance between panels, vertically. [pt]"""
+"""Vertical distance between panels. [pt]"""
 
 
 class _Losses(NamedTuple):
-    """Efficiency of some gears, and the losses of mechanisms and by drag."""
+    """Efficiencies of gears, with the losses in mechanisms and by drag."""
 
     gears: list[str]
     efficiency: Floats
     """Efficiency of each gear. [-]"""
     names: list[str]
     shares: Floats
-    """Losses as shares of the input power, shape (names, gears). [-]"""
+    """Losses relative to the input power, shape (names, gears). [-]"""
     missing: dict[int, str]
-    """Reason for a missing efficiency, by the index of the gear."""
+    """Reason for an undefined efficiency, by the index of the gear."""
     style: Style
 
     @property
     def key(self) -> list[Meaning]:
-        """Entries of the key, which explain the areas of the losses."""
+        """Entries of the key for the losses that occur."""
         seen = [np.abs(row).max(initial=0.0) > NO_LOSS_SHARE for row in self.shares]
         return [
             (True, NameInKey(name), loss_look(row, self.style))
@@ -73,7 +74,7 @@ class _Losses(NamedTuple):
         )
 
     def foot(self, step: float) -> tuple[bool, float]:
-        """Return whether the names of gears must be vertical, and the height of the names [pt]."""
+        """Return True if the names of gears must be vertical, and the height of the names [pt]."""
         upright = any(map(step.__lt__, map(across_size, self.gears)))
         return upright, max(map(width if upright else height, self.gears))
 
@@ -86,7 +87,7 @@ def draw(
     Parameters
     ----------
     alike : sequence of Results
-        Results of further cases that share the scale.
+        Results of further cases whose pictures have the same scale.
 
     Raises
     ------
@@ -128,7 +129,7 @@ def _losses(results: Results, chosen: Sequence[int], style: Style) -> _Losses:
 
 
 def _pages(name: str, losses: _Losses, scale: AxisScale, style: Style) -> Iterator[Canvas]:
-    """Yield pages with panels from top to bottom, each as wide as the page at most."""
+    """Yield pages of panels from top to bottom, none wider than the page."""
     room = style.width - EFFICIENCY_SCALE_WIDTH - MARGIN
     count = len(losses.gears)
     panels = -(-count // max(int(room / LEAST_STEP), 1))
@@ -185,7 +186,8 @@ def loss_shares(results: Results, style: Style) -> tuple[list[str], Floats]:
     list of str
         Names of gear sets or mechanisms, then drag if present.
     ndarray, shape (rows, gears)
-        Shares of the input power, NaN without an efficiency; with the efficiency the sum is 1. [-]
+        Shares of the input power, NaN if the efficiency is undefined. Shares and efficiency have
+        the sum 1. [-]
 
     Examples
     --------
@@ -204,13 +206,13 @@ def loss_shares(results: Results, style: Style) -> tuple[list[str], Floats]:
         names += map("slip.{}".format, by_name["slip_losses"].rows)
         losses = np.vstack([losses, by_name["slip_losses"].values])
     total = losses.sum(axis=0)
-    # Shares are negative when coasting. By the power balance, their sum is 1 - efficiency.
+    # The power balance gives the sum 1 - efficiency. Shares are negative when coasting.
     entered = np.where(total == 0, 1.0, total)
     return names, losses / entered * (1.0 - results.efficiency) + 0.0
 
 
 def _bars(pen: Pen, losses: _Losses) -> None:
-    """Draw the losses of each gear from top to bottom, and the efficiency below."""
+    """Draw the bars of each gear: the losses from 1 downwards, and the efficiency below them."""
     style, wide = losses.style, BAR_WIDTH * pen.size[0] / (pen.x.high - pen.x.low)
     for place, (gear, value) in enumerate(zip(losses.gears, losses.efficiency, strict=True)):
         if not math.isfinite(value):

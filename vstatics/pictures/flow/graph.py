@@ -1,4 +1,4 @@
-"""Graph of a power flow: runs of nodes from left to right, bands, and returning bands."""
+"""Graph of a power flow: nodes joined by bands that run forward or return to the left."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from vstatics.core.flow.power_flow import PowerFlow
 from vstatics.core.numerics.tolerances import NO_POWER
 
 AT_LINKS = ("drag", "gear")
-"""Kinds of losses drawn at the link that they brake: its drag, and the loss of the whole gear."""
+"""Losses drawn at a link: the drag on the link, and a loss of the whole gear."""
 
 Run = tuple[Node, ...]
-"""Nodes in series with equal power, without losses or branches in between."""
+"""Nodes in series with equal power, without losses or branches between them."""
 
 
 class Band(NamedTuple):
@@ -27,56 +27,56 @@ class Band(NamedTuple):
     power: float
     """Power relative to the input power. [-]"""
     loop: int | None = None
-    """Index of the loop that contains the band, if any."""
+    """Index of the loop of recirculating power that contains the band, if any."""
     back: bool = False
-    """True if the band is drawn from right to left."""
+    """True for a returning band, which is drawn from right to left."""
     between: Run = ()
-    """Nodes along a returning band that transmit only the power of its loop."""
+    """Nodes along a returning band, which transmit only the recirculating power of its loop."""
 
     @property
     def pairs(self) -> tuple[tuple[Node, Node], ...]:
-        """Neighbouring nodes along the band."""
+        """Pairs of neighbouring nodes along the band."""
         return tuple(pairwise((self.source, *self.between, self.target)))
 
 
 class EndPort(NamedTuple):
-    """Port at which power enters or leaves at a link."""
+    """Port where power enters or leaves the gear, or the drawn row, at a link."""
 
     node: Node
     power: float
     """Power relative to the input power. [-]"""
     enters: bool
     cut: Band | None = None
-    """Band that continues in another row at this port; None for a port of the gear."""
+    """Band that continues in another row from this port; None for a port of the gear."""
 
 
 class Graph(NamedTuple):
     """Power flow of a gear as drawn: runs, bands, ports and losses."""
 
     runs: tuple[Run, ...]
-    """Runs, which together contain all nodes except nodes on ways back."""
+    """Runs, which contain all nodes except those along returning bands."""
     layers: tuple[int, ...]
-    """Layer of each run, from 0 on the left."""
+    """Layer of each run: its column, from 0 on the left."""
     place: Mapping[Node, int]
-    """Index of the run of each node."""
+    """Index of the run that contains each node."""
     bands: tuple[Band, ...]
     ports: Mapping[Node, tuple[EndPort, ...]]
-    """Ports of each node that is a link."""
+    """Ports of each link that has ports."""
     losses: Mapping[Node, float]
-    """Loss of each node, including the drag of a link. [-]"""
+    """Loss of each node relative to the input power, including the drag of a link. [-]"""
     numbered: frozenset[int]
-    """Indices of bands that need a number, because nodes and loops do not show their power."""
+    """Indices of bands whose power is written, because it does not follow from nodes and loops."""
 
     def ends(self, band: Band) -> tuple[int, int]:
-        """Return the indices of the runs at the ends of a band."""
+        """Return the indices of the runs at the source and target of a band."""
         return self.place[band.source], self.place[band.target]
 
     def is_within(self, band: Band) -> bool:
-        """Return whether a band is inside a run."""
+        """Return whether both ends of a band are in the same run."""
         return not band.back and self.place[band.source] == self.place[band.target]
 
     def through(self, node: Node) -> float:
-        """Return the power drawn through a node [-]."""
+        """Return the drawn power through a node, relative to the input power [-]."""
         ports_here = self.ports.get(node, ())
         entering = [band.power for band in self.bands if band.target == node]
         entering += [port.power for port in ports_here if port.enters]
@@ -88,11 +88,11 @@ class Graph(NamedTuple):
 
 
 def graph(side: PowerFlow) -> Graph:
-    """Return the graph of a gear.
+    """Return the graph of the power flow of a gear.
 
-    A port belongs to its link. A run is to the right of all runs from which it receives power, and
-    output ports are in the last layer. Parts of a loop run from left to right if possible; the
-    others return.
+    A run is to the right of all runs from which it receives power, and outputs are in the last
+    layer. Bands of a loop run from left to right unless they would close a cycle; then they return
+    to the left.
 
     Examples
     --------
@@ -115,7 +115,7 @@ def graph(side: PowerFlow) -> Graph:
     ]
     pairs = [(edge.source, edge.target) for edge in edges]
     bands = [Band(*edge) for edge in edges]
-    for number, piece in pieces:  # a piece that closes no cycle is drawn from left to right
+    for number, piece in pieces:  # a piece that does not close a cycle is drawn from left to right
         power = side.loops[number].power
         if piece[0] in _behind(piece[-1], pairs):
             ends = piece[0], piece[-1]
@@ -144,7 +144,7 @@ def _ports(edges: Iterable[Edge]) -> dict[Node, tuple[EndPort, ...]]:
 
 
 def _cut(loop: Loop, known: Iterable[Node]) -> Iterator[Sequence[Node]]:
-    """Yield the pieces of a loop between nodes that transmit power."""
+    """Yield the pieces into which the `known` nodes, which transmit further power, cut a loop."""
     others = set(known)
     places = [place for place, node in enumerate(loop.nodes) if node in others] or [0]
     twice = loop.nodes * 2
@@ -153,7 +153,7 @@ def _cut(loop: Loop, known: Iterable[Node]) -> Iterator[Sequence[Node]]:
 
 
 def _behind(start: Node, pairs: Sequence[tuple[Node, Node]]) -> set[Node]:
-    """Return all nodes that can be reached from a node, including the node."""
+    """Return a node and all nodes that can be reached from it."""
     reached, ahead = {start}, [start]
     while ahead:
         node = ahead.pop()
@@ -164,7 +164,7 @@ def _behind(start: Node, pairs: Sequence[tuple[Node, Node]]) -> set[Node]:
 
 
 def _runs(nodes: Iterable[Node], drawn: Graph) -> Iterator[Run]:
-    """Yield nodes in series, in the order of the first node of each run."""
+    """Yield the runs of nodes in series, in the order of their first nodes."""
     pairs = {(band.source, band.target) for band in drawn.bands}
     leaving, arriving = (Counter(pair[end] for pair in pairs) for end in (0, 1))
     least = NO_POWER * max((band.power for band in drawn.bands), default=0.0)
@@ -185,9 +185,10 @@ def _runs(nodes: Iterable[Node], drawn: Graph) -> Iterator[Run]:
 
 
 def _numbered(drawn: Graph) -> Iterator[int]:
-    """Yield the bands between two branching points.
+    """Yield the indices of bands from a node with several exits to a node with several entries.
 
-    The power next to a loop is known: the power of the node minus the power of the loop.
+    Bands next to a loop are left out: their power is the power of the node minus the power of the
+    loop.
     """
     forth = [(n, b) for n, b in enumerate(drawn.bands) if not drawn.is_within(b)]
     sources = [drawn.ends(band)[0] for _, band in forth]
@@ -204,7 +205,7 @@ def _numbered(drawn: Graph) -> Iterator[int]:
 
 
 def _layers(drawn: Graph) -> tuple[int, ...]:
-    """Return the layer of each run: its longest way from the left; numbered bands count double."""
+    """Return the layer of each run: its longest path from the left, numbered bands twice."""
     layers = [0] * len(drawn.runs)
     ways = [
         (*drawn.ends(band), 2 if number in drawn.numbered else 1)
@@ -227,7 +228,7 @@ def _layers(drawn: Graph) -> tuple[int, ...]:
 
 
 def _losses(side: PowerFlow) -> dict[Node, float]:
-    """Return losses above rounding noise; those of `AT_LINKS` leave at the link."""
+    """Return the losses above rounding noise, by node; losses of `AT_LINKS` belong to the link."""
     least = NO_POWER * max((edge.power for edge in side.edges), default=0.0)
     by_node = side.losses.items()
     losses = {n: loss for n, loss in by_node if loss > least and n.kind not in AT_LINKS}

@@ -1,4 +1,4 @@
-"""Layout of the nodes, bands and texts of a power flow."""
+"""Layout of a power flow: positions of nodes, bands and texts."""
 
 from __future__ import annotations
 
@@ -16,33 +16,33 @@ from vstatics.pictures.flow.places import Box, FlowLayout, Line, Note, Stub
 from vstatics.pictures.flow.texts import FlowTexts
 
 TRIES = 12
-"""Largest number of times that columns are moved apart to give returning bands room."""
+"""Largest number of attempts to widen columns until the nodes of returning bands fit."""
 STRAIGHT = 0.5
-"""Difference in depth between two columns below which a band is drawn horizontal. [pt]"""
+"""Difference in depth between two columns below which a band is horizontal. [pt]"""
 
 
 class _Placed(NamedTuple):
-    """Runs and passing bands with positions."""
+    """Positions of runs and passing bands."""
 
     graph: Graph
     scale: float
-    """Width of a band of power 1. [pt]"""
+    """Width of a band that transmits the input power. [pt]"""
     cells: NodeColumns
     deep: Depths
     courses: Mapping[int, Sequence[float]]
     """Depths along each forward band: at its source, in each column passed, at its target. [pt]"""
     spaced: Across
     boxes: Sequence[Box]
-    """Box of each run."""
+    """Rectangle of each run."""
 
     def ends(self, number: int) -> tuple[Point, Point]:
-        """Return the points where a band leaves the source and reaches the target."""
+        """Return the points where a band leaves its source and reaches its target."""
         source, target = (self.boxes[run] for run in self.graph.ends(self.graph.bands[number]))
         return (source.right, self.deep.starts[number]), (target.left, self.deep.ends[number])
 
 
 def layout(graph: Graph, scale: float, texts: FlowTexts) -> FlowLayout:
-    """Return the layout of a gear; a band of power 1 has the width `scale` [pt].
+    """Return the layout of a gear; a band that transmits the input power is `scale` [pt] wide.
 
     Examples
     --------
@@ -62,7 +62,7 @@ def layout(graph: Graph, scale: float, texts: FlowTexts) -> FlowLayout:
     lines = [*_forward(placed), *_within(placed)]
     boxes = list(placed.boxes)
     low = max([*(box.bottom + box.cell.below for box in boxes), *map(_deepest, lines)])
-    notes = [  # powers above bands that pass a column
+    notes = [  # powers above bands that pass through a column
         Note(
             placed.spaced.middle(layer),
             placed.deep.middles[layer, cell.number]
@@ -102,7 +102,7 @@ def _deepest(line: Line) -> float:
 
 
 def _placed(graph: Graph, scale: float, cells: NodeColumns, rows: Sequence[BackRow]) -> _Placed:
-    """Return runs and bands with positions; columns move apart until returning bands have room."""
+    """Return positions of runs and bands, with columns widened until returning bands have room."""
     deep = depths(graph, scale, cells, [row.number for row in rows])
     courses = {
         number: [deep.starts[number], *(deep.middles[key] for key in way[1:-1]), deep.ends[number]]
@@ -129,7 +129,7 @@ def _placed(graph: Graph, scale: float, cells: NodeColumns, rows: Sequence[BackR
 
 
 def _forward(placed: _Placed) -> Iterator[Line]:
-    """Yield each forward band between runs, horizontal except between columns."""
+    """Yield the line of each forward band, horizontal within columns and curved between them."""
     for number, course in placed.courses.items():
         start, end = placed.ends(number)
         points = [start]

@@ -1,4 +1,4 @@
-"""Order of runs and passing bands in the columns of a power flow."""
+"""Vertical order of runs and passing bands in the columns of a power flow."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ COLUMN_ROUNDS = 4
 """Number of times that all columns are sorted, from each of two initial orders."""
 
 Near = Mapping[Key, Sequence[tuple[Key, float, float]]]
-"""Neighbours of each cell, each with the exchanged power [-] and a relative depth [pt].
+"""Neighbours of each cell, each with the exchanged power [-] and a depth difference [pt].
 
-The band is horizontal if the cell is at this depth relative to the neighbour.
+The band between cell and neighbour is horizontal if the cell is lower by this difference.
 """
 
 
 def ordered(graph: Graph, cells: NodeColumns) -> list[list[Key]]:
-    """Return the columns in an order with few crossings, by exchange of neighbours."""
+    """Return the cells of each column in an order with few crossing bands."""
     near = neighbours(graph, cells, {}, {})
     columns = [
         [(layer, cell.number) for cell in column_cells]
@@ -45,7 +45,7 @@ def ordered(graph: Graph, cells: NodeColumns) -> list[list[Key]]:
 def neighbours(
     graph: Graph, cells: NodeColumns, starts: Mapping[int, float], ends: Mapping[int, float]
 ) -> tuple[Near, Near]:
-    """Return the cells before and after each cell along bands.
+    """Return the neighbours of each cell to the left, and to the right.
 
     Parameters
     ----------
@@ -66,9 +66,9 @@ def neighbours(
 
 
 def mean(near: Sequence[tuple[Key, float, float]], places: Mapping[Key, float], cell: Key) -> float:
-    """Return the place of a cell: the mean, weighted by power, at which its bands are horizontal.
+    """Return the mean, weighted by power, of the depths at which each band of a cell is horizontal.
 
-    A cell without neighbours keeps its place.
+    A cell without neighbours keeps its depth.
     """
     weight = sum(power for _, power, _ in near)
     level = sum((places[key] + shift) * power for key, power, shift in near)
@@ -76,7 +76,7 @@ def mean(near: Sequence[tuple[Key, float, float]], places: Mapping[Key, float], 
 
 
 def _settle(columns: list[list[Key]], near: tuple[Near, Near], turn: int) -> None:
-    """Sort every column by neighbours, alternately before and after."""
+    """Sort the cells of every column by their neighbours, alternately to the left and right."""
     side = near[turn % 2]
     for place in range(len(columns)) if turn % 2 == 0 else reversed(range(len(columns))):
         ranks = {key: float(rank) for column in columns for rank, key in enumerate(column)}
@@ -87,7 +87,7 @@ def _settle(columns: list[list[Key]], near: tuple[Near, Near], turn: int) -> Non
 def _exchanged(
     columns: list[list[Key]], after: Near, graph: Graph
 ) -> tuple[list[list[Key]], float]:
-    """Swap neighbours while crossings decrease; return columns and crossings."""
+    """Swap neighbouring cells while crossings decrease; return the columns and the crossings."""
     places = [
         (number, rank) for number, column_ in enumerate(columns) for rank in range(len(column_) - 1)
     ]
@@ -105,7 +105,7 @@ def _exchanged(
 
 
 def _crossings(columns: Sequence[Sequence[Key]], after: Near, graph: Graph) -> float:
-    """Return the sum of the power products of crossing bands; returning bands cross all below."""
+    """Return the sum of power products at crossings; returning bands cross all below."""
     ranks = {key: rank for column in columns for rank, key in enumerate(column)}
     total = 0.0
     for column in columns:

@@ -28,7 +28,7 @@ from vstatics.pictures.flow.texts import FlowTexts, heading
 from vstatics.pictures.flow.titles import titles
 
 BAND_WIDTH = 30.0
-"""Width of a band of power 1. [pt]"""
+"""Width of a band that transmits the input power. [pt]"""
 MOST_NODE_HEIGHT = 90.0
 """Largest height of a node. [pt]"""
 LEAST_FLOW_WIDTH = 330.0
@@ -36,11 +36,11 @@ LEAST_FLOW_WIDTH = 330.0
 TITLE_WIDTH = 450.0
 """Width up to which a title is not wrapped. [pt]"""
 NAME_WIDTHS = (SHORT_NAME, 60.0, 44.0)
-"""Widths to which names of nodes are wrapped, smaller if a gear is wider than the page. [pt]"""
+"""Widths to which names of nodes are wrapped; smaller widths for gears wider than the page. [pt]"""
 
 
 def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iterator[list[Canvas]]:
-    """Yield the power flow of all gears, or of a selection, in a common scale.
+    """Yield the pages with the power flow of each list of gears, in a common scale.
 
     Power runs from left to right, and bands are as wide as their power. Losses leave downwards, and
     recirculating power returns below. Losses are included if the gear has a flow with losses. Among
@@ -74,7 +74,7 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
 
 
 def placed(gear_flows: Sequence[GearFlow], style: Style) -> list[list[FlowLayout]]:
-    """Return the rows of each gear in a common scale; a gear without power flow has no rows."""
+    """Return the rows of each gear in a common scale; without a power flow, a gear has no rows."""
     graphs = [graph(flow.shown) if flow.shown is not None else None for flow in gear_flows]
     powers = [
         drawn.through(node) for drawn in graphs if drawn for run in drawn.runs for node in run
@@ -87,9 +87,9 @@ def placed(gear_flows: Sequence[GearFlow], style: Style) -> list[list[FlowLayout
 
 
 def _rows(flow: GearFlow, drawn: Graph, scale: float, style: Style) -> list[FlowLayout]:
-    """Return the layout of a gear in the width of the page, with wrapped names or several rows."""
+    """Return the rows of a gear in the width of the page, after narrower wrapping of names."""
     room, side = style.width - 2 * WIDE_MARGIN, flow.shown
-    assert side is not None  # noqa: S101 - who asks knows
+    assert side is not None  # noqa: S101 - gears without power were sorted out
     ways = [
         partial(layout, scale=scale, texts=FlowTexts(flow, side, style, short))
         for short in NAME_WIDTHS

@@ -13,7 +13,7 @@ from vstatics.pictures.flow.graph import Band, EndPort, Graph
 
 
 class Box(NamedTuple):
-    """Run of nodes with a position; the text is centred above, and the loss is below."""
+    """Rectangle of a run of nodes; the text is centred above it, and the loss is below."""
 
     cell: FlowCell
     middle: float
@@ -37,7 +37,7 @@ class Box(NamedTuple):
         return self.top + self.cell.thick
 
     def signs(self) -> Iterator[tuple[Node, float, float]]:
-        """Yield each node with the left and right side [pt]."""
+        """Yield each node with the positions of its left and right side [pt]."""
         x = self.left
         for node, wide in zip(self.cell.run, signs(self.cell.run, self.cell.loss), strict=True):
             yield node, x, x + wide
@@ -49,13 +49,13 @@ class Line(NamedTuple):
 
     band: Band
     width: float
-    """Width of the band: power times scale. [pt]"""
+    """Width of the band, proportional to its power. [pt]"""
     points: tuple[Point, ...]
-    """Corners of a returning band, or ends of horizontal parts, with curves in between."""
+    """Corners of a returning band, or the ends of the horizontal parts of a forward band."""
 
 
 class Stub(NamedTuple):
-    """Port, with the position where it touches the link."""
+    """Port of the power flow, with the point where it touches the link."""
 
     link: Node
     port: EndPort
@@ -66,7 +66,7 @@ class Stub(NamedTuple):
 
 
 class Note(NamedTuple):
-    """Text of a band or a loop, with the position of its centre."""
+    """Text of a band or loop, with the position of its centre."""
 
     x: float
     y: float
@@ -75,17 +75,17 @@ class Note(NamedTuple):
 
     @property
     def loop(self) -> bool:
-        """True for recirculating power."""
+        """True for the text of recirculating power."""
         return self.band.loop is not None
 
     @property
     def bottom(self) -> float:
-        """Bottom [pt]."""
+        """Lower edge of the text [pt]."""
         return self.y + height(self.text) / 2
 
 
 class FlowLayout(NamedTuple):
-    """Layout of a gear."""
+    """Layout of the power flow of a gear."""
 
     width: float
     """Width of the layout. [pt]"""

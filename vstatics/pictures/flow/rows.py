@@ -1,4 +1,4 @@
-"""Division of a gear that is wider than the page into rows, cut where few bands cross."""
+"""Division of a power flow wider than the page into rows, cut where few bands cross."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ from vstatics.pictures.flow.graph import EndPort, Graph
 from vstatics.pictures.flow.places import FlowLayout
 
 ELSEWHERE = Node("port", -1, "…")
-"""Node that stands for the other end of a band that continues in another row."""
+"""Node that represents the other end of a band that continues in another row."""
 COST_OF_CROSSING = 0.4
-"""Cost of each cut band after the first, relative to the cost of a row."""
+"""Cost of each cut band after the first, relative to the cost of a row. [-]"""
 COST_OF_RAGGED = 0.1
-"""Cost of very different widths of rows, relative to the cost of a row."""
+"""Cost of very different widths of rows, relative to the cost of a row. [-]"""
 NARROWER = 0.93
-"""Factor by which the expected room is reduced after a row became too wide."""
+"""Factor by which the target width of rows is reduced after a row became too wide. [-]"""
 TRIES_OF_ROWS = 6
-"""Largest number of reductions of the room."""
+"""Largest number of reductions of the target width."""
 
 
 class RowsCost(NamedTuple):
@@ -32,7 +32,7 @@ class RowsCost(NamedTuple):
 
 
 def rows(drawn: Graph, room: float, lay_out: Callable[[Graph], FlowLayout]) -> list[FlowLayout]:
-    """Return the rows of a graph, each no wider than the room if possible.
+    """Return the layout of each row of a graph, none wider than `room` [pt] if possible.
 
     Recirculating power is never cut.
     """
@@ -49,7 +49,7 @@ def rows(drawn: Graph, room: float, lay_out: Callable[[Graph], FlowLayout]) -> l
 
 
 def parts(drawn: Graph, ends: Sequence[int]) -> list[Graph]:
-    """Return the parts of a graph that is cut after the given layers, the last of which is the end.
+    """Return the parts of a graph cut after given layers; the last part ends with the last layer.
 
     >>> from vstatics import Gear, Mechanism, Transmission, solve
     >>> from vstatics.core.flow.power import flows
@@ -75,7 +75,7 @@ def parts(drawn: Graph, ends: Sequence[int]) -> list[Graph]:
 
 
 def _cuts(drawn: Graph) -> dict[int, int]:
-    """Return the number of bands cut after each layer, without layers where loops would be cut."""
+    """Return the number of bands cut after each layer, by layer, if no loop would be cut."""
     by_layer = {}
     for layer in range(max(drawn.layers)):
         behind = [place > layer for place in drawn.layers]
@@ -95,7 +95,7 @@ def _columns(whole: FlowLayout) -> list[Span]:
     sides: list[Span] = []
     for layer in range(1 + max(whole.graph.layers)):
         boxes = [box for box in run_boxes if whole.graph.layers[box.cell.number] == layer]
-        before = sides[-1][1] if sides else 0.0  # a layer can contain only passing bands
+        before = sides[-1][1] if sides else 0.0  # a layer without runs contains only passing bands
         left = min((box.middle - box.cell.wide / 2 for box in boxes), default=before)
         right = max((box.middle + box.cell.wide / 2 for box in boxes), default=before)
         sides.append((left, right))
@@ -103,13 +103,13 @@ def _columns(whole: FlowLayout) -> list[Span]:
 
 
 def _best(columns: Sequence[Span], cuts: Mapping[int, int], room: float) -> tuple[int, ...]:
-    """Return the last layer of each row, so that rows and cut bands are few and widths similar."""
+    """Return the last layer of each row, for few rows, few cut bands and similar widths."""
     last = len(columns) - 1
     best = {-1: RowsCost(0.0, ())}
     for end in (*sorted(cuts), last):
         for start, before in list(best.items()):
             wide = columns[end][1] - columns[start + 1][0] + 2 * (PORT_ARROW + SPACE) * (start >= 0)
-            over = max(wide / room - 1, 0.0)  # indivisible parts can be wider
+            over = max(wide / room - 1, 0.0)  # a row of a single indivisible part can be wider
             cost = before.cost + 1 + 1000 * over + COST_OF_RAGGED * (wide / room) ** 2
             cost += COST_OF_CROSSING * (cuts[end] - 1) if end != last else 0.0
             if start < end and (end not in best or cost < best[end].cost):
@@ -118,7 +118,7 @@ def _best(columns: Sequence[Span], cuts: Mapping[int, int], room: float) -> tupl
 
 
 def _part(drawn: Graph, nodes: set[Node], stubs: Sequence[tuple[Node, EndPort]]) -> Graph:
-    """Return the runs of nodes, with ports at cut bands."""
+    """Return the part of a graph with the given nodes, with ports where bands are cut."""
     places = [place for place, run in enumerate(drawn.runs) if run[0] in nodes]
     first = min(drawn.layers[place] for place in places)
     numbers = [n for n, band in enumerate(drawn.bands) if {band.source, band.target} <= nodes]

@@ -1,4 +1,4 @@
-"""Pages with the power flow of several gears, side by side if possible, chains as lines of text."""
+"""Pages with the power flow of several gears, side by side if possible."""
 
 from __future__ import annotations
 
@@ -24,21 +24,21 @@ from vstatics.pictures.flow.titles import FlowTitles
 FLOW_GEAR_GAP = 20.0
 """Distance between neighbouring gears. [pt]"""
 CHAIN_LINE_GAP = 6.0
-"""Distance between gears as lines of text. [pt]"""
+"""Distance between gears that are drawn as lines of text. [pt]"""
 LINE_START = 10.0
-"""Distance from the name of a gear to the line. [pt]"""
+"""Distance from the name of a gear to its line of text. [pt]"""
 LEAST_BLOCK_WIDTH = 190.0
-"""Smallest width of a gear next to other gears, for the line below its name. [pt]"""
+"""Smallest width of a gear next to other gears, sufficient for the line below its name. [pt]"""
 BELOW_TEXT = 8.0
-"""Distance between a text about the whole figure and the next part. [pt]"""
+"""Distance between a text about the whole figure and the drawing below. [pt]"""
 
 
 class FlowGear(NamedTuple):
-    """Drawing of a gear."""
+    """Gear with the layout of its power flow."""
 
     flow: GearFlow
     rows: Sequence[FlowLayout]
-    """Rows from top to bottom, empty without power."""
+    """Rows from top to bottom; empty for a gear without power flow."""
     titles: FlowTitles | None
 
     @property
@@ -48,25 +48,25 @@ class FlowGear(NamedTuple):
 
 
 class FlowBlock(NamedTuple):
-    """Gear with heading, or a row of a gear."""
+    """Block of a page: a gear with the heading, or a further row of the gear."""
 
     shown: Sequence[FlowGear]
-    """Gears with bands in this block, for the key."""
+    """Gears drawn in this block, which determine the entries of the key."""
     wide: float
-    """Width. [pt]"""
+    """Width of the block. [pt]"""
     high: float
     gap: float
     """Smallest distance to the next block. [pt]"""
     draw: Callable[[Pen, float, float], None]
-    """Function that draws the block from an upper left corner."""
+    """Function that draws the block at a given upper left corner."""
     is_rest: bool = False
-    """True for a further row of a gear."""
+    """True for a row of a gear after its first row."""
 
 
 def sheets(
     blocks: Sequence[FlowBlock], name: str, note: str, room: float, style: Style
 ) -> Iterator[Canvas]:
-    """Yield pages with title, note and key, in a width without margins [pt]."""
+    """Yield pages with title, note and key; `room` is the width without margins [pt]."""
 
     def head_of(shelves: Sequence[Sequence[FlowBlock]]) -> SheetHead:
         shown = [gear for shelf in shelves for block in shelf for gear in block.shown]
@@ -88,7 +88,7 @@ def sheets(
 
 
 def _key(shown: Sequence[FlowGear], style: Style) -> list[Meaning]:
-    """Return the meaning of the colours in the picture."""
+    """Return the entries of the key for the colours in the picture."""
     drawn = [(gear.titles, row) for gear in shown if gear.titles for row in gear.rows]
     pairs = [(said, line.band) for said, row in drawn for line in row.lines]
     loops = [said.is_doubtful(band) for said, band in pairs if band.loop is not None]
@@ -120,7 +120,7 @@ def _gap(shelf: Sequence[FlowBlock], following: Sequence[FlowBlock]) -> float:
 
 
 def _shelves(blocks: Iterable[FlowBlock], room: float) -> list[list[FlowBlock]]:
-    """Place gears side by side as far as the width permits."""
+    """Place blocks side by side on shelves as far as the width permits."""
     shelves: list[list[FlowBlock]] = []
     taken = room
     for block in blocks:
@@ -133,7 +133,7 @@ def _shelves(blocks: Iterable[FlowBlock], room: float) -> list[list[FlowBlock]]:
 
 
 def _pages(shelves: Iterable[list[FlowBlock]], room: float) -> Iterator[list[list[FlowBlock]]]:
-    """Yield shelves from top to bottom by page; the rows of a gear are on a page if possible."""
+    """Yield the shelves of each page; rows of a gear are on the same page if possible."""
     page: list[list[FlowBlock]] = []
     for shelf_group in _together(shelves):
         if page and _all_high([*page, *shelf_group]) > room:
@@ -148,7 +148,7 @@ def _pages(shelves: Iterable[list[FlowBlock]], room: float) -> Iterator[list[lis
 
 
 def _together(shelves: Iterable[list[FlowBlock]]) -> Iterator[list[list[FlowBlock]]]:
-    """Yield each shelf with the further rows of the gear."""
+    """Yield each shelf together with the shelves of further rows of the gear."""
     groups: list[list[list[FlowBlock]]] = []
     for shelf in shelves:
         if groups and shelf[0].is_rest:
@@ -163,7 +163,7 @@ def _all_high(page: Sequence[Sequence[FlowBlock]]) -> float:
 
 
 def gear_blocks(gears: Sequence[FlowGear], room: float, style: Style) -> Iterator[FlowBlock]:
-    """Yield several gears, each with a name."""
+    """Yield a block for each of several gears, headed by the name of the gear."""
     names = [gear_title(gear.flow.gear, style) for gear in gears]
     start = LINE_START + max(width(name, bold=True) for name in names)
     for gear, name in zip(gears, names, strict=True):
@@ -182,7 +182,7 @@ def gear_blocks(gears: Sequence[FlowGear], room: float, style: Style) -> Iterato
 
 
 def row_blocks(gear: FlowGear, wide: float) -> list[FlowBlock]:
-    """Return the rows of a gear."""
+    """Return a block for each row of a gear."""
     return [
         FlowBlock([gear], wide, row.height, FLOW_GEAR_GAP, partial(_draw_row, gear, row))
         for row in gear.rows
@@ -190,7 +190,7 @@ def row_blocks(gear: FlowGear, wide: float) -> list[FlowBlock]:
 
 
 def _draw_row(gear: FlowGear, row: FlowLayout, pen: Pen, left: float, top: float) -> None:
-    assert gear.titles is not None  # noqa: S101 - a row has power
+    assert gear.titles is not None  # noqa: S101 - a gear with rows has power
     FlowView(pen, left, top, gear.titles).draw(row)
 
 
@@ -207,7 +207,7 @@ def _head_block(name: str, text: str, wide: float) -> FlowBlock:
 
 
 def _over(head: FlowBlock, row: FlowBlock, gear: FlowGear) -> FlowBlock:
-    """Return a row below the name of the gear."""
+    """Return the first row of a gear below the heading with the name."""
     below = head.high + BELOW_TEXT * bool(row.high)
 
     def draw(pen: Pen, left: float, top: float) -> None:

@@ -21,27 +21,27 @@ LEAST_BAND_WIDTH = 0.6
 TURN_RADIUS = 6.0
 """Radius of the inner side of a turn. [pt]"""
 BAND_COVER = 0.75
-"""Opacity of a band of recirculating power over other parts. [-]"""
+"""Opacity of a band of recirculating power drawn over other parts. [-]"""
 CURVE_PIECES = 6
-"""Number of straight pieces of a curve of a thin band."""
+"""Number of straight lines that replace the curve of a thin band."""
 HATCH = "////"
 """Hatching of power that is divided by convention, and of possible artefacts of the model."""
 MILD_HATCH = "...."
-"""Hatching of power that the ratio divides, apart from a small part due to friction."""
+"""Hatching of power that is divided by the ratio except for a small part due to friction."""
 
 
 class FlowView(NamedTuple):
-    """Drawing of a gear, with its upper left corner at a point of a figure."""
+    """Drawing of a gear with a given upper left corner in a figure."""
 
     pen: Pen
     left: float
-    """Left edge. [pt]"""
+    """Left edge in the figure. [pt]"""
     top: float
-    """Upper edge. [pt]"""
+    """Upper edge in the figure. [pt]"""
     titles: FlowTitles
 
     def draw(self, layout: FlowLayout) -> None:
-        """Draw all parts of a gear."""
+        """Draw the bands, nodes, ports and texts of a layout."""
         style = self.pen.style
         for line in layout.lines:
             self._line(line)
@@ -76,12 +76,12 @@ class FlowView(NamedTuple):
             pen.fill(path, width=wide, title=said, joinstyle="round", **look)
         for (x, start), (_, end) in (points[1:3], points[3:5]) if band.back else ():
             y, size = (start + end) / 2, min(max(line.width / 4, 2.0), 5.0)
-            tip = math.copysign(size, end - start)  # direction of circulation
+            tip = math.copysign(size, end - start)  # the arrow shows the direction of circulation
             shape = (x - size, y - tip), (x + size, y - tip), (x, y + tip)
             pen.area(*shape, color=style.circulating)
 
     def _port(self, stub: Stub) -> None:
-        """Draw a port as the tail of an arrow before the link, or the head after the link."""
+        """Draw an input port as an arrow before its link, an output port as one after it."""
         x, y = self._at((stub.x, stub.y))
         half = max(stub.width, LEAST_BAND_WIDTH) / 2
         notch = min(half, PORT_ARROW - 4)
@@ -120,7 +120,7 @@ class FlowView(NamedTuple):
         self.pen.text(middle, tip - 1, box.cell.lost, ha="center", va="top", color=lost)
 
     def _signs(self, box: Box, graph: Graph) -> None:
-        """Draw the nodes of a run: bars for links, boxes for components, with names above."""
+        """Draw the nodes of a run, with names above: bars for links, rectangles for components."""
         cell, style, signs = box.cell, self.pen.style, list(box.signs())
         for (before, _, left), (after, right, _) in pairwise(signs) if cell.number < 0 else ():
             if not self.titles.divided.isdisjoint([(before, after), (after, before)]):
@@ -144,7 +144,7 @@ class FlowView(NamedTuple):
 
 
 def _curves(points: Sequence[Point]) -> Outline:
-    """Return a smooth path through points that is horizontal at each point."""
+    """Return a smooth curve through points, horizontal at each point."""
     places, steps = [points[0]], "M"
     for (left, start), (right, end) in pairwise(points):
         if start == end:
@@ -158,10 +158,10 @@ def _curves(points: Sequence[Point]) -> Outline:
 
 
 def _rounded(points: Sequence[Point], wide: float) -> Outline:
-    """Return a path from corner to corner, with rounded corners as far as possible."""
+    """Return a path through corners that are rounded as far as their distance permits."""
     places, steps = [points[0]], "M"
     last = len(points) - 1
-    room = [  # two corners share the distance between them
+    room = [  # two neighbouring corners share the distance between them
         math.dist(*pair) / (1 if place in (0, last - 1) else 2)
         for place, pair in enumerate(pairwise(points))
     ]
@@ -180,17 +180,17 @@ def _towards(place: Point, other: Point, way: float) -> Point:
 
 
 def loop_colour(style: Style) -> str:
-    """Return the colour of recirculating power on paper, as pale as the transparent bands."""
+    """Return the opaque colour that equals a transparent band of recirculating power."""
     return mixed(style.circulating, style.paper, BAND_COVER)
 
 
 def hatched_look(colour: str, style: Style) -> Look:
-    """Return the style of areas divided by convention, or of possible model artefacts."""
+    """Return the style of areas of power divided by convention, or of possible model artefacts."""
     return {"facecolor": colour, "edgecolor": style.paper, "hatch": HATCH}
 
 
 def _outline(path: Outline, wide: float) -> list[Point]:
-    """Return the outline of a band of width `wide` around its centre line, in straight pieces."""
+    """Return the outline of a band of a width [pt] along a centre line, as straight lines."""
     points = path.flattened(round(CURVE_PIECES + wide / 4))
     sides: tuple[list[Point], list[Point]] = [], []
     for place, (x, y) in enumerate(points):

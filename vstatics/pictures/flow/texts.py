@@ -17,25 +17,25 @@ from vstatics.pictures.flow.graph import EndPort, Run
 LOOP_TEXT_WIDTH = 300.0
 """Width to which the text of a loop is wrapped. [pt]"""
 UNBROKEN = "\u00a0"
-"""Blank at which a line cannot be broken."""
+"""Blank at which a line is not broken."""
 
 
 class FlowTexts(NamedTuple):
-    """Texts at the nodes, bands and loops of a gear, possibly with several lines."""
+    """Writer of the texts at nodes, bands and loops of a gear."""
 
     flow: GearFlow
     side: PowerFlow
     style: Style
     short: float = SHORT_NAME
-    """Width to which names of single nodes are wrapped. [pt]"""
+    """Width to which names of runs with a single node are wrapped. [pt]"""
 
     def power(self, value: float) -> str:
-        """Return the text of a power."""
+        """Return the text of a relative power, with percent or unit."""
         text = number(value) if value >= LEAST_SHOWN_POWER else "<0.001"
         return text if math.isnan(self.flow.kilowatts) else f"{text}\n{self._kilowatts(value)}"
 
     def line(self, value: float) -> str:
-        """Return a power as `power` does, in one line."""
+        """Return the text of a power without line breaks."""
         return self.power(value).replace("\n", ", ")
 
     def run(
@@ -47,7 +47,7 @@ class FlowTexts(NamedTuple):
         *,
         back: bool = False,
     ) -> str:
-        """Return the names of a run with the power, and with different powers of ports."""
+        """Return the names of a run's nodes with its power, and port powers that differ."""
         names = [_named(node, ports, self.style) for node in run]
         names = [
             name.replace(" ", UNBROKEN) if width(name) <= self.short else name for name in names
@@ -65,7 +65,7 @@ class FlowTexts(NamedTuple):
         return "\n".join(lines)
 
     def loop(self, number_of_loop: int) -> str:
-        """Return the text of a loop: recirculating power, and a remark on possible artefacts."""
+        """Return the text of a loop: its power, and a remark on possible artefacts."""
         loop, text = self.side.loops[number_of_loop], self.style.text
         said = f"{text('recirculating power')} {number(loop.power)}"
         if not math.isnan(self.flow.kilowatts):
@@ -94,13 +94,13 @@ class FlowTexts(NamedTuple):
 
 
 def port_name(node: Node, style: Style) -> str:
-    """Return the name of the input or output; further ports have the names of links."""
+    """Return the name of the input or output; other ports have the names of their links."""
     ports = {"input": style.text("input"), "output": style.text("output")}
     return ports.get(node.name, node.name)
 
 
 def _named(node: Node, ports: Sequence[EndPort], style: Style) -> str:
-    """Return the name of a node, with the name of a port if different."""
+    """Return the name of a node, followed by the name of its port if that differs."""
     port_nodes = [
         port.node for port in ports if port.node.number == node.number and node.kind == "link"
     ]
@@ -109,7 +109,7 @@ def _named(node: Node, ports: Sequence[EndPort], style: Style) -> str:
 
 
 def heading(flow: GearFlow, wide: float, style: Style) -> str:
-    """Return the remarks on a gear above the picture."""
+    """Return the remarks on a gear, which are written above the picture."""
     lines = [fault(flow.status, style)] if flow.note else []
     side = flow.shown
     if side is None:

@@ -1,4 +1,4 @@
-"""Texts that appear under the pointer at nodes and bands of a power flow."""
+"""Tooltips of the nodes and bands of a power flow."""
 
 from __future__ import annotations
 
@@ -14,22 +14,24 @@ from vstatics.pictures.flow.texts import FlowTexts, port_name
 
 
 class FlowTitles(NamedTuple):
-    """Power, torque and speed of all drawn parts of a gear, relative to the input."""
+    """Writer of the tooltips of a gear: power, torque and speed, relative to the input."""
 
     texts: FlowTexts
     speeds: Mapping[str, float]
-    """Speed by name of the link."""
+    """Speed of each link, by name, relative to the input. [-]"""
     torques: Mapping[tuple[Node, str], float]
-    """Torques of links on the members of mechanisms, with losses if available."""
+    """Torque of links on the members of mechanisms, with losses if known, relative to the input.
+    [-]
+    """
     divided: frozenset[tuple[Node, Node]]
-    """Pairs of nodes where power is divided by convention."""
+    """Pairs of neighbouring nodes between which power is divided by convention."""
 
     def is_divided(self, band: Band) -> bool:
-        """Return whether the power of a band is divided by convention all the way."""
+        """Return whether power is divided by convention everywhere along a band."""
         return self.divided.issuperset(band.pairs)
 
     def is_open(self, node: Node) -> bool:
-        """Return whether a node rotates as a block, so that its power is divided by convention."""
+        """Return whether a node rotates as a block, so that convention divides its power."""
         return node in self.texts.flow.by_convention
 
     def is_mild(self, node: Node) -> bool:
@@ -45,7 +47,7 @@ class FlowTitles(NamedTuple):
         return band.loop is not None and bool(self.texts.side.loops[band.loop].shared)
 
     def band(self, band: Band) -> str:
-        """Return the text of a band; a returning band has no common speed."""
+        """Return the tooltip of a band; a returning band has no common speed."""
         nodes = band.source, *band.between, band.target
         names = " → ".join(map(str, nodes))
         link = next(node for node in nodes if node.kind == "link")
@@ -60,14 +62,14 @@ class FlowTitles(NamedTuple):
         return f"{names}: {', '.join(said)}"
 
     def port(self, link: Node, port: EndPort) -> str:
-        """Return the text of a port, or of a cut band."""
+        """Return the tooltip of a port, or of a cut band."""
         if port.cut is not None:
             return self.band(port.cut)
         said = [self._power(port.power), *self._turning(port.power, link.name)]
         return f"{port_name(port.node, self.texts.style)}: {', '.join(said)}"
 
     def node(self, node: Node, power: float, lost: float) -> str:
-        """Return the text of a node with the power through the node, and with members."""
+        """Return the tooltip of a node: the power through it, its loss and its members."""
         said = [self._power(power)]
         if node.kind == "link":
             said += self._turning(power, node.name)
@@ -105,7 +107,7 @@ class FlowTitles(NamedTuple):
 
 
 def titles(texts: FlowTexts, state: GearState) -> FlowTitles:
-    """Return the titles of a gear."""
+    """Return the writer of the tooltips of a gear."""
     case, lossy = state.case, texts.side is texts.flow.lossy
     torques = {
         (Node("mechanism", number, device.name), member): plain(torque)

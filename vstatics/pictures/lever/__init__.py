@@ -1,8 +1,8 @@
-"""Lever diagrams: gear sets as levers, connected at common links, in each gear.
+"""Lever diagrams: each gear set is a lever, and levers are connected at common links.
 
-`points` computes the levers of a case, `gear` the state in a gear, and `order` the order of the
-levers. `routes` leads connections between levers, `places` positions everything in rows of a given
-width, and `joined` continues connections in the next row. `cell` draws a lever and `view` draws a
-lever in a gear, with `marks` and the `head` of the gear. `key` explains symbols, `picture` makes
-the figures.
+`points` calculates the levers of a case, `gear` their state in a gear, and `order` their order from
+left to right. `routes` finds the lines of connections between levers, `places` divides the levers
+into rows as wide as the page, and `joined` continues connections in the next row. `view` contains a
+lever in a gear, and `cell` draws it with `marks` below the `head` of the gear. `key` explains the
+symbols, and `picture` combines everything on pages.
 """

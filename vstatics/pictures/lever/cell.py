@@ -1,4 +1,4 @@
-"""Drawing of a lever in a gear, with torques at its points and speeds at its side; in points."""
+"""Drawing of a lever in a gear: torques at its points, speeds next to it; lengths in points."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ from vstatics.pictures.lever.view import LeverView
 
 
 def draw_lever(view: LeverView, name: str, top: float) -> None:
-    """Draw a lever with points, and the name below a height."""
+    """Draw a lever with its points, below its name at the height `top` [pt]."""
     cell = view.cell
     if name:
         said, where = _shape(view), (cell.left, top - 2)
@@ -58,7 +58,7 @@ def draw_lever(view: LeverView, name: str, top: float) -> None:
 def lever_names(
     page: LeverPage, gear: LeverGear, same: dict[int, str], style: Style, end: float
 ) -> list[str]:
-    """Return the texts above the levers in a gear, wrapped to end before the next lever."""
+    """Return the text above each lever of a gear, wrapped so that texts do not overlap."""
     ends = [
         after.left - BESIDE_LEVER if after and after.band == cell.band else end
         for cell, after in zip(page.cells, [*page.cells[1:], None], strict=True)
@@ -75,7 +75,7 @@ def lever_names(
 
 
 def _shape(view: LeverView) -> str:
-    """Return a text with the positions of the points of a lever."""
+    """Return the tooltip of a lever: the names and positions of its points."""
     lever, style = view.cell.lever, view.style
     places = (
         f"{link_name(view.sheet.page.case, node.link, style)} {number(node.position)}"
@@ -112,7 +112,7 @@ def _draw_line(view: LeverView) -> None:
 
 
 def _draw_point(view: LeverView, node: int, row: LeverRow) -> None:
-    """Draw the line of a link, bent to the point on the lever, with torque and speed."""
+    """Draw the line of a link, bent to its point on the lever, with torque and speed."""
     cell, sheet, gear = view.cell, view.sheet, view.gear
     link, y, at = cell.lever.nodes[node].link, row.y + view.bottom, row.at + view.bottom
     is_way = view.is_loaded or gear.is_way(link, view.place, view.place)
@@ -151,7 +151,7 @@ def _write(view: LeverView, node: int, row: LeverRow) -> None:
 
 
 def _draw_ground(view: LeverView, row: LeverRow, name: str) -> None:
-    """Draw the support of a point, with the names of brakes, or the symbol of a freewheel."""
+    """Draw the support of a held point, with the names of its brakes or a freewheel symbol."""
     style, x, y = view.style, view.cell.at + BESIDE_LEVER + 3, row.at + view.bottom
     if any_freewheel(view.sheet.page.case, name.split(", ")):
         freewheel(view.sheet, (x + 1, y))
@@ -171,12 +171,12 @@ def _carried(gear: LeverGear, names: str, style: Style) -> str:
 def draw_route(
     sheet: LeverSheet, gear: LeverGear, route: LeverRoute, feet: Mapping[int, float]
 ) -> None:
-    """Draw the line of a link, clutch or spring between levers, in the rows that the page has.
+    """Draw the line of a link, clutch or spring between levers, in the rows of levers on the page.
 
     Parameters
     ----------
     feet : mapping of int to float
-        Foot of each row of levers on the page.
+        Height of the foot of each row of levers on the page, by the index of the row. [pt]
     """
     style, tie = sheet.pen.style, route.tie
     if tie.name:
@@ -200,7 +200,7 @@ def draw_route(
 
 def _draw_sign(sheet: LeverSheet, gear: LeverGear, route: LeverRoute, bottom: float) -> None:
     style, tie, upright = sheet.pen.style, route.tie, route.is_upright
-    assert route.sign is not None  # noqa: S101 - of who calls
+    assert route.sign is not None  # noqa: S101 - only a route with a symbol gets here
     x, y = route.sign[1][0], route.sign[1][1] + bottom
     if tie.is_spring:
         coil(sheet, (x, y), upright=upright)

@@ -24,7 +24,7 @@ class LeverTie(NamedTuple):
     """Connection of two points: a link on two levers, a clutch, or a spring drawn as a shaft."""
 
     name: str
-    """Name of the clutch or spring; empty for a link."""
+    """Name of the clutch or spring; empty for a link common to both levers."""
     link: int
     """Number of the link of the first point."""
     ends: tuple[Spot, Spot]
@@ -33,32 +33,33 @@ class LeverTie(NamedTuple):
 
 
 class LeverGear(NamedTuple):
-    """State of a gear on the levers of a case."""
+    """State of a gear, shown on the levers of a case."""
 
     state: PictureState
     torques: Sequence[Sequence[float]]
-    """Torques on the nodes of each lever, without losses, relative to the input torque. [-]"""
+    """Torques on the points of each lever, without losses, relative to the input torque. [-]"""
     roles: Sequence[set[Role]]
-    """Roles of the components of each lever; a shaft is idle or has no role."""
+    """Roles (idle, locked up) of the components of each lever; a shaft is idle or has no role."""
     grounds: dict[Spot, str]
-    """Names of the brakes that hold a point, by the point; empty for a point on the housing."""
+    """Names of the brakes that hold a point; empty for a point on a link that is the housing."""
     ties: Sequence[LeverTie]
     carried: dict[str, float]
-    """Torque of each engaged element by name, without losses. [-]"""
+    """Torque of each engaged shift element, by name, without losses, relative to the input. [-]"""
     loads: dict[int, set[int]]
-    """Levers at which each link receives or gives torque."""
+    """Indices of the levers at which each link receives or gives torque, by the number of the link.
+    """
 
     def is_way(self, link: int, first: int, last: int) -> bool:
-        """Return whether a link transmits torque between two levers, or at a lever."""
+        """Return whether a link transmits torque from one lever to another, or at one lever."""
         places = self.loads.get(link, set())
         return any(place <= first for place in places) and any(place >= last for place in places)
 
     def is_loaded(self, lever: int) -> bool:
-        """Return whether a lever or shaft carries torque, or unknown torque."""
+        """Return whether a lever or shaft carries a torque, or an unknown torque."""
         return self.roles[lever] != {IDLE}
 
     def is_slack(self, names: str) -> bool:
-        """Return whether all shift elements in a list of names are engaged without torque."""
+        """Return whether all shift elements named in a text are engaged without torque."""
         torques = [self.carried.get(name, math.nan) for name in names.split(", ")]
         return all(abs(torque) < NO_LEVER_TORQUE for torque in torques)
 
@@ -67,7 +68,7 @@ class LeverGear(NamedTuple):
         return ONE_PIECE in self.roles[lever] and "" not in self.roles[lever]
 
     def stands(self, link: int) -> bool:
-        """Return whether a link is at rest, connected to the housing or with a speed of 0."""
+        """Return whether a link is at rest: connected to the housing, or with speed 0."""
         return self.state.joined[link] == HOUSING or abs(self.state.speeds[link]) < NO_LEVER_TORQUE
 
     def shown(self, lever: int, nodes: Lever) -> object:
@@ -78,7 +79,7 @@ class LeverGear(NamedTuple):
 
 
 def in_gear(results: Results, number: int, drawn: Sequence[Lever]) -> LeverGear:
-    """Return a gear on levers in order from left to right.
+    """Return the state of the gear with a number, from 1, on levers from left to right.
 
     Examples
     --------
@@ -115,7 +116,7 @@ def in_gear(results: Results, number: int, drawn: Sequence[Lever]) -> LeverGear:
 
 
 def _acts(gear: LeverGear, drawn: Sequence[Lever]) -> Iterator[Spot]:
-    """Yield the points of levers at which a link receives or gives torque."""
+    """Yield the points of levers at which their link receives or gives torque."""
     yield from (spot for spot, name in gear.grounds.items() if not gear.is_slack(name))
     for tie in gear.ties:
         if tie.name and (tie.is_spring or not gear.is_slack(tie.name)):
@@ -136,7 +137,7 @@ def _torque(
 
 
 def spots_of(drawn: Sequence[Lever]) -> dict[int, list[Spot]]:
-    """Return the points of each link, from left to right."""
+    """Return the points on levers of each link, from left to right."""
     spots = grouped(
         (node.link, (place, number))
         for place, lever in enumerate(drawn)
@@ -151,7 +152,7 @@ def spots_of(drawn: Sequence[Lever]) -> dict[int, list[Spot]]:
 def brakes_of(
     case: Transmission, gear: Gear, spots: dict[int, list[Spot]]
 ) -> dict[Spot, list[str]]:
-    """Return the names of the engaged brakes at the first point of each link."""
+    """Return the names of the engaged brakes of each held link, at the link's first point."""
     return grouped(
         (spot, element.name)
         for element in case.elements_at(gear.carrying)
@@ -163,9 +164,9 @@ def brakes_of(
 def _grounds(
     case: Transmission, state: PictureState, drawn: Sequence[Lever], spots: dict[int, list[Spot]]
 ) -> dict[Spot, str]:
-    """Return the supports of a gear, each with the names of its brakes.
+    """Return the held points of a gear, each with the names of the brakes that hold it.
 
-    A held link has a single support; the housing has a support at each of its points.
+    A held link is supported at one point only; the housing is supported at each of its points.
     """
     good = [spot for link in held_for_good(case) for spot in spots.get(link, ())[:1]]
     names: dict[Spot, list[str]] = {spot: [] for spot in [*spots.get(HOUSING, ()), *good]}
@@ -178,7 +179,7 @@ def _grounds(
 
 
 def joins(drawn: Sequence[Lever]) -> Iterator[LeverTie]:
-    """Yield the connections of links on several levers, each to the next lever."""
+    """Yield the connections of each link that is on several levers, each to the next lever."""
     for link, some in spots_of(drawn).items():
         places = dict(reversed(some)) if link != HOUSING else {}
         for both in pairwise(sorted(places.items())):
@@ -188,7 +189,7 @@ def joins(drawn: Sequence[Lever]) -> Iterator[LeverTie]:
 def ties_of(
     case: Transmission, elements: Iterable[ShiftElement], spots: dict[int, list[Spot]]
 ) -> Iterator[LeverTie]:
-    """Yield clutches, and springs between shown links, in pairs of neighbours."""
+    """Yield the connections by clutches, and by springs between neighbouring links."""
     for element in elements:
         yield from _tie(element.name, *element.links, spots)
     for spring in case.springs:
@@ -198,7 +199,7 @@ def ties_of(
 
 
 def _tie(name: str, first: int, second: int, spots: dict[int, list[Spot]]) -> Iterator[LeverTie]:
-    """Yield the connection of two links at the nearest points."""
+    """Yield the connection of two links at their nearest points, if both are on levers."""
     pairs = [(a, b) for a in spots.get(first, ()) for b in spots.get(second, ()) if a != b]
     if HOUSING not in (first, second) and pairs:
         a, b = min(pairs, key=lambda pair: abs(pair[0][0] - pair[1][0]))

@@ -16,39 +16,39 @@ from vstatics.pictures.lever.gear import LeverGear
 RATIO_SIZE = 15.0
 """Size of the letters of a ratio. [pt]"""
 BETWEEN = 12.0
-"""Distance between the name of a gear, the ratio and the engaged elements. [pt]"""
+"""Distance between the name of a gear, its ratio and its engaged shift elements. [pt]"""
 
 
 class GearHead(NamedTuple):
-    """Name, ratio and engaged elements of a gear; lengths in points."""
+    """Name, ratio and engaged shift elements of a gear; lengths in points."""
 
     name: str
     ratio: str
-    """Ratio, or the reason why no ratio exists."""
+    """Ratio as text, or the reason why it is undefined."""
     elements: str
-    """Engaged elements and given speeds, wrapped into lines."""
+    """Engaged shift elements and given speeds, wrapped into lines."""
     start: float
-    """Distance of the text of the elements from the left end. [pt]"""
+    """Distance from the left end to the text of the shift elements. [pt]"""
 
     @property
     def high(self) -> float:
-        """Height with the gap below."""
+        """Height of the heading with the gap below it."""
         return 1.15 * RATIO_SIZE + 4 + max(height(self.elements) - height(""), 0.0)
 
     def draw(self, pen: Pen, x: float, top: float) -> None:
-        """Draw the heading from the upper left corner."""
+        """Draw the heading with the upper left corner at (`x`, `top`)."""
         y = top - 0.9 * RATIO_SIZE
         pen.text(x, y, self.name, size=TITLE, bold=True)
         at = x + (width(self.name, TITLE, bold=True) + BETWEEN if self.name else 0.0)
         pen.text(at, y, self.ratio, size=RATIO_SIZE, bold=True)
-        up = y + 0.75 * SIZE  # height of capitals
+        up = y + 0.75 * SIZE  # 0.75 is the height of capitals relative to the letter size
         pen.text(x + self.start, up, self.elements, color=pen.style.engaged, va="top")
 
 
 def gear_head(
     case: Transmission, gear: LeverGear, room: float, style: Style, *, is_alone: bool
 ) -> GearHead:
-    """Return the heading of a gear in a width [pt], without a name for a single gear."""
+    """Return the heading of a gear in a width [pt]; a gear that is alone is named in the title."""
     state = gear.state
     ratios = [f"i = {number(state.ratio)}"] if math.isfinite(state.ratio) else []
     ratio = "; ".join(ratios + [fault(message, style) for message in state.faults[:1]])

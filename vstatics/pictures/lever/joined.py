@@ -1,4 +1,4 @@
-"""Lines of connections through the rows of levers of a picture; lengths in points."""
+"""Lines of connections through all rows of levers of a picture; lengths in points."""
 
 from __future__ import annotations
 
@@ -13,21 +13,21 @@ from vstatics.pictures.lever.places import LeverPage
 from vstatics.pictures.lever.routes import LeverStep, steps
 
 LEAD_IN = 9.0
-"""Length of a line that continues from the previous row."""
+"""Length of the piece of line that comes from the previous row."""
 BandPoint = tuple[int, Point]
-"""Index of a row of levers, and a point relative to the foot of the row."""
+"""Index of a row of levers, and a point relative to the left end of the row's foot."""
 
 
 class LeverRoute(NamedTuple):
-    """Line of a connection through the picture."""
+    """Line of a connection through the rows of a picture."""
 
     tie: LeverTie
     pieces: Sequence[Sequence[BandPoint]]
-    """Points of the line in each row of levers."""
+    """Points of the line, as a separate piece in each row of levers."""
     sign: BandPoint | None = None
-    """Position of the symbol, if any."""
+    """Position of the symbol of a clutch or spring, if any."""
     is_upright: bool = False
-    """True for a symbol on an upright line."""
+    """True if the symbol is on a vertical part of the line."""
 
     @property
     def points(self) -> list[BandPoint]:
@@ -36,7 +36,7 @@ class LeverRoute(NamedTuple):
 
 
 def routes(page: LeverPage, ties: Iterable[LeverTie]) -> list[LeverRoute]:
-    """Return lines that connect points, horizontal except for an upright part between levers."""
+    """Return the lines of connections, horizontal except for a vertical part between levers."""
     boxes = [lever.ratio is not None for lever in page.levers]
     all_steps = steps([cell.rows for cell in page.cells], boxes, ties)
     return [

@@ -1,4 +1,4 @@
-"""Key of lever diagrams with the symbols that occur; lengths in points."""
+"""Key of lever diagrams for the symbols that occur; lengths in points."""
 
 from __future__ import annotations
 
@@ -28,21 +28,21 @@ from vstatics.pictures.lever.places import LeverPage, any_freewheel
 KEY_ROW_HEIGHT = 13.0
 """Height of a row of the key."""
 KEY_SIGN_WIDTH = 24.0
-"""Width of the symbol before a text."""
+"""Width of the symbol before its explanation."""
 
 
 class LeverKey(NamedTuple):
-    """Key of a figure."""
+    """Key of a page."""
 
     entries: Sequence[tuple[str, str]]
-    """Kind and meaning of each symbol."""
+    """Kind and explanation of each symbol."""
     wide: float
-    """Width of the figure."""
+    """Width of the page."""
     arrow: float
-    """Length of the sample arrow of a torque."""
+    """Length of the arrow that shows the scale of torques."""
 
     def _places(self) -> Iterator[Point]:
-        """Yield the start of each entry, from the left of the first row downwards."""
+        """Yield the position of each entry, in rows from the upper left."""
         x, row = WIDE_MARGIN, 0
         for kind, text in self.entries:
             size = self._room(kind) + width(text) + WIDE_MARGIN
@@ -60,7 +60,7 @@ class LeverKey(NamedTuple):
         return KEY_ROW_HEIGHT - min(y for _, y in self._places())
 
     def put(self, sheet: LeverSheet) -> None:
-        """Draw the key at the lower edge of the figure."""
+        """Draw the key at the lower edge of the page."""
         top = WIDE_MARGIN + self.height - KEY_ROW_HEIGHT / 2
         for (kind, text), (x, down) in zip(self.entries, self._places(), strict=True):
             self._sample(sheet, kind, (x, top + down))
@@ -92,7 +92,7 @@ class LeverKey(NamedTuple):
 def key_of(
     page: LeverPage, gears: Sequence[LeverGear], style: Style, wide: float, per_torque: float
 ) -> LeverKey:
-    """Return the key of gears; an arrow for a round torque shows the scale of torques."""
+    """Return the key of a page; an arrow for a round torque shows the scale of torques."""
     length, unit = _unit(certain(per_torque))
     text = style.text
     meanings = {
@@ -117,7 +117,7 @@ def key_of(
 
 
 def _unit(per_torque: float) -> tuple[float, str]:
-    """Return the length of the arrow of a round torque, 10 to 25 pt, and the torque as text.
+    """Return the length of an arrow for a round torque, 10 to 25 pt, and the torque as text.
 
     >>> _unit(20.0), _unit(3.0)
     ((10.0, '0.5'), (15.0, '5'))
@@ -150,7 +150,7 @@ def _signs(page: LeverPage, gear: LeverGear) -> Iterator[str]:
 
 
 def _held_by(case: Transmission, names: str) -> Iterator[str]:
-    """Yield the symbols of a held point, by the names of the brakes."""
+    """Yield the kind of each symbol at a held point, for the names of its brakes."""
     if not names:
         yield "housing"
     for name in filter(None, names.split(", ")):

@@ -1,4 +1,4 @@
-"""Symbols of lever diagrams, collected by style; lengths in points."""
+"""Symbols of lever diagrams, collected by style to draw many at once; lengths in points."""
 
 from __future__ import annotations
 
@@ -24,27 +24,27 @@ MARKS: dict[str, Sequence[Point]] = {
     "port": [(-3.2, -2.4), (0, 3.2), (3.2, -2.4)],
     "": [(-1.7, 0), (0, 1.7), (1.7, 0), (0, -1.7)],
 }
-"""Corners of the mark of each kind of point, relative to the point."""
+"""Corners of the mark of a point, relative to the point, by the kind of point."""
 MARK_SIZE = 6.0
-"""Distance of two points below which their marks overlap."""
+"""Distance between two points below which their marks would overlap."""
 
 
 class LeverSheet(NamedTuple):
-    """Canvas of levers; lines and areas of equal style are drawn together."""
+    """Canvas of a lever diagram, which collects lines and areas of equal style."""
 
     pen: Pen
     page: LeverPage
     speeds: Span
-    """Smallest and largest speed. [-]"""
+    """Smallest and largest speed, common to all levers. [-]"""
     per_torque: float
-    """Length of an arrow per torque."""
+    """Length of the arrow for the input torque."""
     lines: dict[tuple[str, float, Any], list[Sequence[Point]]]
-    """Lines that are drawn together, by colour, width and dashes."""
+    """Collected lines, by colour, width and dashes."""
     areas: dict[str, list[Outline]]
-    """Polygons that are drawn together, by colour."""
+    """Collected areas, by colour."""
 
     def line(self, *places: Point, colour: str, width: float = 1.0, dash: Any = "solid") -> None:
-        """Add a line through points, without intermediate points of horizontal parts."""
+        """Add a line through points; needless points on horizontal parts are left out."""
         corners_ = list(places[:1])
         for (x, y), (_, after) in pairwise(places[1:]):
             if not corners_[-1][1] == y == after:
@@ -56,7 +56,7 @@ class LeverSheet(NamedTuple):
         self.areas.setdefault(colour, []).append(Outline.polygon(corners))
 
     def point(self, place: Point, kind: str, colour: str, *, is_over: bool = False) -> None:
-        """Add a mark of a kind in `MARKS`, optionally with an outline over other marks."""
+        """Add the mark of a kind of point, optionally with an outline above other marks."""
         x, y = place
         edges = [(x + right, y + up) for right, up in MARKS[kind]]
         if is_over:
@@ -66,7 +66,7 @@ class LeverSheet(NamedTuple):
             self.area(*edges, colour=colour)
 
     def put(self) -> None:
-        """Draw everything, with an artist for each style, and broad lines over thin lines."""
+        """Draw everything that was collected, broad lines above thin lines."""
         for (colour, width, dash), some in self.lines.items():
             over = 2 + width / 10
             self.pen.lines(some, width=width, color=colour, linestyle=dash, zorder=over)
@@ -77,7 +77,7 @@ class LeverSheet(NamedTuple):
 
 
 def mark_of(link: int, state: PictureState, *, stands: bool) -> str:
-    """Return the key of `MARKS` for the point of a link, including links joined to the ports.
+    """Return the kind of the point of a link, a key of `MARKS`.
 
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
     >>> from vstatics.pictures.drawing.gear_state import state_of
@@ -90,7 +90,7 @@ def mark_of(link: int, state: PictureState, *, stands: bool) -> str:
     if stands or body == HOUSING:
         return "stands"
     if link == state.output:
-        return "out"  # also in direct drive
+        return "out"  # in direct drive, input and output are connected: the output is marked
     if body == state.joined[state.input]:
         return "in"
     if body == state.joined[state.output]:
@@ -99,7 +99,7 @@ def mark_of(link: int, state: PictureState, *, stands: bool) -> str:
 
 
 def arrow(sheet: LeverSheet, tip: Point, length: float) -> None:
-    """Draw an arrow that ends at a point, or starts there if the length is negative."""
+    """Draw a horizontal arrow that ends at `tip`, or begins there if the length is negative."""
     (x, y), size, colour = tip, abs(length), sheet.pen.style.ink
     head = min(ARROW_HEAD, max(size, 3.0))
     start, end, way = (x - size, x, 1) if length > 0 else (x, x - size, -1)
@@ -109,7 +109,7 @@ def arrow(sheet: LeverSheet, tip: Point, length: float) -> None:
 
 
 def ground(sheet: LeverSheet, place: Point, colour: str) -> None:
-    """Draw a support on the right of a point: a bar with hatches."""
+    """Draw a support to the right of a point: a bar with hatches."""
     x, y = place
     sheet.line((x, y - 5), (x, y + 5), colour=colour, width=1.4)
     for up in (-5, -1.5, 2):
@@ -117,21 +117,21 @@ def ground(sheet: LeverSheet, place: Point, colour: str) -> None:
 
 
 def plates(sheet: LeverSheet, place: Point, *, upright: bool = False) -> None:
-    """Draw a clutch on a horizontal or upright line: two opposite plates."""
+    """Draw the symbol of a clutch, two opposite plates, on a horizontal or vertical line."""
     for off in (-1.5, 1.5):
         ends = [_turned(place, (off, across), upright=upright) for across in (-5, 5)]
         sheet.line(*ends, colour=sheet.pen.style.engaged, width=1.6)
 
 
 def coil(sheet: LeverSheet, place: Point, *, upright: bool = False) -> None:
-    """Draw a spring as a shaft."""
+    """Draw the symbol of a spring, on a horizontal or vertical line."""
     turns = [(-6 + 2 * step, (0, 3.5, -3.5)[step and 1 + step % 2]) for step in range(6)]
     places = [_turned(place, turn, upright=upright) for turn in (*turns, (6, 0))]
     sheet.line(*places, colour=sheet.pen.style.ink)
 
 
 def freewheel(sheet: LeverSheet, place: Point, *, upright: bool = False) -> None:
-    """Draw a holding freewheel: a wedge against a bar."""
+    """Draw the symbol of a holding freewheel: a wedge against a bar."""
     wedge = [_turned(place, off, upright=upright) for off in ((-3.5, 4), (-3.5, -4), (3, 0))]
     sheet.area(*wedge, colour=sheet.pen.style.engaged)
     bar = [_turned(place, (3.5, across), upright=upright) for across in (-5, 5)]
@@ -139,13 +139,13 @@ def freewheel(sheet: LeverSheet, place: Point, *, upright: bool = False) -> None
 
 
 def cut(sheet: LeverSheet, place: Point, colour: str) -> None:
-    """Mark the point where a line continues in the next or previous row of levers."""
+    """Mark the point where a line continues in another row of levers."""
     x, y = place
     sheet.line((x - 2, y + 3), (x + 1, y), (x - 2, y - 3), colour=colour, width=1.2)
 
 
 def _turned(place: Point, off: Point, *, upright: bool) -> Point:
-    """Return the point at a distance `off` along and across a line from a place."""
+    """Return a point at an offset along and across a horizontal or vertical line."""
     (x, y), (along, across) = place, off
     return (x + across, y - along) if upright else (x + along, y + across)
 

@@ -1,4 +1,4 @@
-"""Order and orientation of levers for short connections."""
+"""Order and orientation of levers that keep their connections short."""
 
 from __future__ import annotations
 
@@ -11,21 +11,21 @@ from vstatics.pictures.lever.gear import LeverTie, joins, spots_of, ties_of
 from vstatics.pictures.lever.points import Lever
 
 LEVER_SEARCH_ROUNDS = 20
-"""Largest number of rounds of a search; more rounds change little."""
+"""Largest number of changes by a search; more changes improve little."""
 MOVES = 60
-"""Limit of the distance of moves: this number divided by the number of levers, plus 2."""
+"""Number that, divided by the number of levers, limits how far a lever is moved, plus 2."""
 CROSSING_COST = 2.0
-"""Cost of two lines that cross in all gears, in heights of a lever."""
+"""Cost of two lines that cross in all gears, in heights of a lever. [-]"""
 Order = tuple[int, ...]
-"""Permutation of the levers, or orientation of each lever."""
+"""Indices of the levers from left to right, or the orientation of each lever."""
 Move = Callable[[Order], Order]
 """Change of an order."""
 
 
 def ordered(case: Transmission, drawn: Sequence[Lever]) -> list[Lever]:
-    """Return levers from left to right: input left, output right, connected levers close together.
+    """Return levers from left to right: input left, output right, connected levers near each other.
 
-    Levers keep the order of the case where a change has no advantage.
+    Levers stay in the order of the case unless a change shortens connections.
     """
     spots, gear = spots_of(drawn), case.gears[0]
     links = [{place for place, _ in some} for link, some in spots.items() if link != HOUSING]
@@ -48,14 +48,14 @@ def ordered(case: Transmission, drawn: Sequence[Lever]) -> list[Lever]:
         return spans + 0.6 * near + 0.3 * (at[first] > at[last]) + 0.1 * (at[first] - at[last])
 
     start = tuple(range(len(drawn)))
-    reach = MOVES // len(start) + 2  # many levers: short moves only
+    reach = MOVES // len(start) + 2  # with many levers, only short moves are tried
     pairs = [(low, high) for low, high in combinations(start, 2) if high - low <= reach]
     moves = [move for pair in pairs for move in _moves(*pair)]
     return [drawn[place] for place in _best(start, moves, cost)]
 
 
 def _moves(low: int, high: int) -> list[Move]:
-    """Return the moves between two places: swap, shift left or right, reverse."""
+    """Return the changes of an order between two places: swap, shift left or right, reverse."""
     return [
         lambda o: (*o[:low], o[high], *o[low + 1 : high], o[low], *o[high + 1 :]),
         lambda o: (*o[:low], *o[low + 1 : high + 1], o[low], *o[high + 1 :]),
@@ -65,7 +65,7 @@ def _moves(low: int, high: int) -> list[Move]:
 
 
 def _best(start: Order, moves: Sequence[Move], cost: Callable[[Order], float]) -> Order:
-    """Return the order reached by the best single moves (steepest descent)."""
+    """Return the order after repeatedly applying the change that reduces the cost most."""
     reached, least = start, cost(start)
     for _ in range(LEVER_SEARCH_ROUNDS):
         costs = {tried: cost(tried) for tried in {move(reached): None for move in moves}}
@@ -77,15 +77,15 @@ def _best(start: Order, moves: Sequence[Move], cost: Callable[[Order], float]) -
 
 
 def every(case: Transmission, drawn: Sequence[Lever]) -> list[LeverTie]:
-    """Return all connections that any gear can have: clutches and springs."""
+    """Return all connections that gears can have by clutches and springs."""
     return list(ties_of(case, case.shift_elements, spots_of(drawn)))
 
 
 def heights(case: Transmission, drawn: Sequence[Lever]) -> list[list[float]]:
-    """Return the height of each node of each lever, from 0 to 1; some levers are turned over.
+    """Return the height of each point of each lever, from 0 to 1; some levers are turned over.
 
-    Turning is useful if it removes crossings, then if it shortens lines. Shafts are at the mean
-    height of their connections.
+    A lever is turned over to remove crossings or, with equal crossings, to shorten lines. Shafts
+    are at the mean height of their connections.
     """
     both = [(upward, [1 - tie for tie in upward]) for upward in map(_heights, drawn)]
     ties = [
@@ -124,7 +124,7 @@ def heights(case: Transmission, drawn: Sequence[Lever]) -> list[list[float]]:
 
 
 def crossings_of(heights: Sequence[Sequence[float]], ties: Sequence[LeverTie]) -> int:
-    """Return the number of crossing lines between levers with given heights.
+    """Return the number of crossings of lines between levers whose points have given heights.
 
     >>> ties = [LeverTie("", 1, ((0, 0), (1, 1))), LeverTie("", 2, ((0, 1), (1, 0)))]
     >>> crossings_of([[0.0, 1.0], [0.0, 1.0]], ties), crossings_of([[0.0, 1.0], [1.0, 0.0]], ties)
@@ -144,7 +144,7 @@ def crossings_of(heights: Sequence[Sequence[float]], ties: Sequence[LeverTie]) -
 
 
 def _cross(first: tuple[float, float, bool], second: tuple[float, float, bool]) -> bool:
-    """Return whether two lines in a gap cross; a line has a height at either end of the gap."""
+    """Return whether two lines cross in a gap, given their heights at both ends."""
     (start, end, is_back), (start2, end2, is_back2) = first, second
     if is_back and is_back2:
         (low, high), (low2, high2) = sorted((start, end)), sorted((start2, end2))
@@ -162,7 +162,8 @@ def _turn(place: int) -> Move:
 
 def _heights(lever: Lever) -> list[float]:
     low, high = lever.ends
-    if lever.ratio is not None:  # drawn as a symbol without true distances
+    # A gear pair is drawn as a box, on which distances have no meaning.
+    if lever.ratio is not None:
         turning = [node for node in lever.nodes if node.link != HOUSING]
         return [0.25 if node is turning[0] else 0.75 for node in lever.nodes]
     if low == high:

@@ -1,7 +1,7 @@
-"""Lever diagrams: gear sets as levers side by side, joined at common links, gear by gear.
+"""Pages of lever diagrams: in each gear, levers side by side, joined at common links.
 
-Following Benford and Leising (1981): points at true distances, lines between levers for common
-links, supports for brakes, ties for clutches, torques as forces.
+The diagrams follow Benford and Leising (1981): points at true distances, lines between levers for
+common links, supports for brakes, ties for clutches, and torques as forces.
 """
 
 from __future__ import annotations
@@ -27,48 +27,48 @@ from vstatics.pictures.lever.places import ARROW, LeverPage, page_of
 from vstatics.pictures.lever.view import LeverView
 
 LEVER_NAME_HEIGHT = 12.0
-"""Height of the names of levers in a single line. [pt]"""
+"""Height of the names of levers in one line. [pt]"""
 BELOW_LEVERS = 6.0
 """Space below a row of levers. [pt]"""
 NARROWEST_FIGURE = 320.0
-"""Smallest width of a figure, for the title. [pt]"""
+"""Smallest width of a page, sufficient for the title. [pt]"""
 
 
 class LeverBlock(NamedTuple):
-    """Row of levers in a gear; lengths in points."""
+    """Row of levers in a gear, with the heading; lengths in points."""
 
     head: GearHead | None
-    """Heading, for the first row of a gear."""
+    """Heading of the gear, only for its first row."""
     gear: LeverGear
     routes: Sequence[LeverRoute]
     band: int
     """Index of the row of levers."""
     low: float
     high: float
-    """Heights of the lowest and highest point of the row, from the foot of the levers."""
+    """Heights of the lowest and highest point of the row, above the foot of the levers."""
     same: dict[int, str]
-    """Name of an earlier gear in which a lever looks equal, by the index of the lever."""
+    """Name of an earlier gear with an equal picture of a lever, by the index of the lever."""
     names: dict[int, str]
-    """Text above each lever, wrapped into lines, by the index of the lever."""
+    """Text above a lever, wrapped into lines, by the index of the lever."""
 
     @property
     def over(self) -> float:
-        """Height of the names of levers, and of texts above."""
+        """Height of the texts above the levers."""
         return LEVER_NAME_HEIGHT + max(map(height, self.names.values())) - height("")
 
     @property
     def above(self) -> float:
-        """Height of the heading."""
+        """Height of the heading with the gap below it."""
         return self.head.high if self.head else 0.0
 
     @property
     def size(self) -> float:
-        """Total height."""
+        """Total height of the row."""
         return self.above + self.over + self.high - self.low + BELOW_LEVERS
 
 
 def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iterator[list[Canvas]]:
-    """Yield the levers of a case in all gears, or in selected gears, in a fixed layout.
+    """Yield the pages of levers for each list of gears; levers have fixed positions.
 
     Raises
     ------
@@ -84,13 +84,13 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
 
 
 class LeverPaper(NamedTuple):
-    """Common properties of the pages of a picture; lengths in points."""
+    """Properties that the pages of a picture share; lengths in points."""
 
     page: LeverPage
     style: Style
     wide: float
     head: str
-    """Title, in lines."""
+    """Title, wrapped into lines."""
     speeds: Span
     per_torque: float
 
@@ -101,7 +101,7 @@ class LeverPaper(NamedTuple):
         return WIDE_MARGIN + title_high
 
     def key(self, gears: Sequence[LeverGear]) -> LeverKey:
-        """Return the key of gears."""
+        """Return the key for the symbols in gears."""
         return key_of(self.page, gears, self.style, self.wide, self.per_torque)
 
     def figure(self, blocks: Sequence[LeverBlock]) -> Canvas:
@@ -121,10 +121,10 @@ class LeverPaper(NamedTuple):
 
 
 def _pages(page: LeverPage, gears: Sequence[LeverGear], style: Style) -> list[Canvas]:
-    """Return the pages of all gears, with the rows of a gear on a common page if possible."""
+    """Return the pages of all gears; the rows of a gear are on the same page if possible."""
     wide = style.width if len(gears) > 1 else page.width + WIDE_MARGIN
     wide = min(max(wide, NARROWEST_FIGURE), style.width)
-    wide = max(wide, page.width + WIDE_MARGIN)  # a single lever can be wider than a narrow page
+    wide = max(wide, page.width + WIDE_MARGIN)  # a single lever can be wider than the page
     subject = style.text("levers")
     if len(gears) == 1:
         subject += f", {gear_title(gears[0].state.gear.name, style)}"
@@ -148,7 +148,7 @@ def _pages(page: LeverPage, gears: Sequence[LeverGear], style: Style) -> list[Ca
 
 
 def _scales(page: LeverPage, gears: Sequence[LeverGear]) -> tuple[Span, float]:
-    """Return the range of speeds, and the arrow length per torque, common to all levers."""
+    """Return the range of speeds and the arrow length of the input torque for all levers."""
     links = {node.link for lever in page.levers for node in lever.nodes}
     speeds = [gear.state.speeds[link] for gear in gears for link in links]
     reached = [speed for speed in speeds if math.isfinite(speed)] + [0.0, 1.0]
@@ -160,7 +160,7 @@ def _scales(page: LeverPage, gears: Sequence[LeverGear]) -> tuple[Span, float]:
 def _blocks(
     page: LeverPage, gears: Sequence[LeverGear], wide: float, style: Style
 ) -> Iterator[list[LeverBlock]]:
-    """Yield the rows of levers of each gear, with references to equal levers in earlier gears."""
+    """Yield the rows of levers of each gear; equal levers refer to the earlier gear."""
     seen: dict[object, str] = {}
     for gear in gears:
         name = gear.state.gear.name

@@ -1,4 +1,4 @@
-"""Positions of levers and texts in a picture, in rows of a given width; lengths in points."""
+"""Positions of levers and texts, in rows no wider than the page; lengths in points."""
 
 from __future__ import annotations
 
@@ -17,48 +17,50 @@ from vstatics.pictures.lever.points import Lever, held_for_good, levers, shafts
 from vstatics.pictures.lever.routes import UNDER, LeverRow, gaps_of
 
 ARROW = 26.0
-"""Length of the arrow of the largest torque."""
+"""Length of the arrow for the largest torque."""
 SPEEDS = 32.0
-"""Width of the area of speeds of a lever."""
+"""Width of the area next to a lever in which speeds are drawn."""
 NUMBER_WIDTH = 30.0
-"""Room for a number."""
+"""Width reserved for a number."""
 BESIDE_LEVER = 6.0
-"""Distance between a lever and the rows of points."""
+"""Distance between a lever and the horizontal lines of its points."""
 LEAST, MOST = 62.0, 84.0
 """Smallest and largest height of levers with three points."""
 MOST_FOR_POINT = 22.0
-"""Largest height for each point, of levers with many points."""
+"""Largest height per point of levers with many points."""
 GROUND_WIDTH, FREEWHEEL_WIDTH = 14.0, 9.0
-"""Widths of the symbols of a support, and of a freewheel before the support."""
+"""Widths of the symbol of a support, and of a freewheel before the support."""
 BRAKE_NAME_WIDTH = 40.0
-"""Room for the name of a brake; longer names extend over the speeds."""
+"""Width reserved for the name of a brake; longer names extend over the speeds."""
 
 
 class LeverCell(NamedTuple):
-    """Lever with its texts and lines, and its horizontal extent on the page."""
+    """Lever with the texts and lines of its points, and its horizontal position."""
 
     lever: Lever
     rows: dict[int, LeverRow]
-    """Lines of the points by the index of the node, without the housing of a gear pair."""
+    """Horizontal line of each point, by the index of the point; none for the housing of a gear
+    pair.
+    """
     left: float
     at: float
     """Horizontal position of the lever."""
     right: float
     """Right end of the cell."""
     gap: float
-    """Width of the connections on the right."""
+    """Width of the gap to the right, for connections."""
     band: int = 0
     """Index of the row of levers."""
 
     @property
     def speeds(self) -> Span:
-        """Left and right end of the area of speeds; equal for a shaft, which has no such area."""
+        """Left and right end of the area of speeds; equal for a shaft, which has none."""
         end = self.right - NUMBER_WIDTH - BESIDE_LEVER
         return (end - SPEEDS, end) if self.lever.devices else (end, end)
 
 
 class LeverPage(NamedTuple):
-    """Positions of the levers of a case, which are equal in the pictures of all gears."""
+    """Positions of the levers of a case, the same in all gears."""
 
     case: Transmission
     cells: Sequence[LeverCell]
@@ -77,17 +79,17 @@ class LeverPage(NamedTuple):
 
     @property
     def width(self) -> float:
-        """Width with the connections after the last lever of each row."""
+        """Width of the widest row, with the connections after its last lever."""
         return max(cell.right + cell.gap for cell in self.cells)
 
     def extent(self, band: int) -> Span:
-        """Return the lowest and highest point of a row of levers."""
+        """Return the heights of the lowest and highest point of a row of levers."""
         spans = [row.span for n in self.bands[band] for row in self.cells[n].rows.values()]
         return min(low for low, _ in spans), max(high for _, high in spans)
 
 
 def page_of(case: Transmission, style: Style) -> LeverPage | None:
-    """Return the positions of the levers of a case, or `None` without levers."""
+    """Return the positions of the levers of a case; None if it has no levers."""
     drawn = levers(case, merged=style.merged)
     if not drawn:
         return None
@@ -119,10 +121,10 @@ def _placed(cells: Sequence[LeverCell], cuts: Sequence[int], room: float) -> Ite
 
 
 def broken(sizes: Sequence[tuple[float, float]], cuts: Sequence[int], room: float) -> list[range]:
-    """Divide levers with given lengths and gaps into the smallest number of rows.
+    """Divide levers, given as (length, gap), into as few rows of a width as possible.
 
-    Among such divisions, the fewest lines are cut (`cuts` pass each gap), and the longest row is as
-    short as possible.
+    Among divisions with that number of rows, first the number of cut lines is smallest, then the
+    longest row is shortest. `cuts` is the number of lines in the gap after each lever.
 
     >>> broken([(40.0, 5.0)] * 4, [1] * 4, 140.0), broken([(40.0, 5.0)] * 4, [1, 1, 0, 1], 140.0)
     ([range(0, 2), range(2, 4)], [range(0, 3), range(3, 4)])
@@ -141,7 +143,7 @@ def broken(sizes: Sequence[tuple[float, float]], cuts: Sequence[int], room: floa
 
 
 def _held(case: Transmission, drawn: Sequence[Lever]) -> list[float]:
-    """Return the widths of the support symbols at each lever, with the names of brakes."""
+    """Return the width at each lever for support symbols and the names of their brakes."""
     spots = spots_of(drawn)
     widths = [0.0] * len(drawn)
     good = (spots[link][0] for link in held_for_good(case) if link in spots)
@@ -161,7 +163,7 @@ def any_freewheel(case: Transmission, names: Sequence[str]) -> bool:
 
 
 def _height(lever: Lever, shares: Sequence[float]) -> float:
-    """Return the height of a lever, enough for texts between the points up to a limit."""
+    """Return the height of a lever, sufficient for the texts between its points up to a limit."""
     if len(lever.nodes) < 2:
         return LEAST
     least = min(abs(end - start) for start, end in pairwise(sorted(shares)))
@@ -185,7 +187,7 @@ def _rows(
 
 
 def node_text(case: Transmission, lever: Lever, number: int, style: Style) -> str:
-    """Return the name of the link of a node, and also the member unless the name contains it."""
+    """Return the name of the link at a point, preceded by the member if needed."""
     node = lever.nodes[number]
     name = link_name(case, node.link, style)
     is_told = node.member.replace("_", " ").lower() in name.lower()

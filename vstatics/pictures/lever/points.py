@@ -1,8 +1,9 @@
-"""Levers of a case, with a point for each link of a gear set at a true distance (lever analogy).
+"""Levers of a case: each link of a gear set is a point at a true distance (lever analogy).
 
-In a set of planets, all speeds relative to the carrier are proportional. On a lever with the
-carrier at 0 and each gear at its relative speed, the speeds of all links are on a straight line,
-and the torques balance like forces (Benford and Leising 1981).
+In a planetary gear set, the speeds of all gears relative to the carrier are proportional to each
+other. If the carrier is placed at 0, and each gear at a distance proportional to its relative
+speed, the speeds are on a straight line, and torques balance like forces (Benford and Leising
+1981).
 """
 
 from __future__ import annotations
@@ -21,58 +22,59 @@ from vstatics.core.model.transmission import HOUSING, Transmission
 from vstatics.pictures.drawing.labels import Span
 
 Source = tuple[int, str, float]
-"""Term of the torque on a point: index of the component, its member, and the factor."""
+"""Share of a component in the torque on a point: index of the component, its member, factor."""
 
 
 class LeverNode(NamedTuple):
     """Point of a lever."""
 
     member: str
-    """Member of the gear set, or empty."""
+    """Member of the gear set, such as ``sun``; empty if there is none."""
     link: int
-    """Link; 0 is the housing."""
+    """Number of the link; 0 is the housing."""
     position: float
-    """Position along the lever: carrier or third link at 0, second link at 1. [-]"""
+    """Position along the lever, relative: the carrier or third link at 0, the second link at 1. [-]
+    """
     sources: tuple[Source, ...] = ()
-    """Terms of the torque on the point."""
+    """Shares of components in the torque on the point."""
 
 
 class Lever(NamedTuple):
-    """Lever of a mechanism, of meshing planets with their central gears, or of a single shaft."""
+    """Lever of a mechanism, or of a set of planets with the central gears; or a single shaft."""
 
     name: str
     nodes: tuple[LeverNode, ...]
-    """Points in the order of positions."""
+    """Points from the lowest to the highest position."""
     devices: tuple[int, ...] = ()
     """Indices of the components that the lever shows; empty for a shaft."""
     ratio: float | None = None
-    """Ratio of a gear pair in the housing, which is drawn as a box. [-]
+    """Ratio of a gear pair whose carrier is the housing, drawn as a box; None for other levers. [-]
 
-    NaN for a variator or converter.
+    The value is NaN for a variator or converter.
     """
     shaft: tuple[int, ...] = ()
-    """Links that springs connect to a shaft."""
+    """Numbers of links that springs connect, drawn as a single shaft; empty for a lever."""
 
     @property
     def ends(self) -> Span:
-        """Positions of the first and the last node [-]."""
+        """Positions of the first and the last point [-]."""
         return self.nodes[0].position, self.nodes[-1].position
 
     def is_shown(self, node: int) -> bool:
-        """Return whether a node is drawn, unlike the housing of a gear pair."""
+        """Return whether a point is drawn; the housing of a gear pair is not."""
         return self.ratio is None or self.nodes[node].link != HOUSING
 
 
 def levers(case: Transmission, *, merged: bool = False) -> list[Lever]:
     """Return the levers of a case, in the order of gear sets and mechanisms.
 
-    Meshing planets form a lever with all their central gears, so a Ravigneaux set is a lever with
-    four links. A permanently held link has no lever.
+    Meshing planets and all their central gears form one lever, so a Ravigneaux set is a lever with
+    four points. A mechanism that only holds a link at rest has no lever.
 
     Parameters
     ----------
     merged : bool
-        True to merge two sets with two common links into a lever.
+        True to merge two gear sets with two common links into one lever.
 
     Examples
     --------
@@ -86,7 +88,7 @@ def levers(case: Transmission, *, merged: bool = False) -> list[Lever]:
 
 
 def held_for_good(case: Transmission) -> set[int]:
-    """Return the links that a mechanism connects to the housing alone."""
+    """Return the links that a mechanism permanently connects to the housing."""
     return {link for links in map(_turning, _all(case)) for link in links if len(links) == 1}
 
 
@@ -128,7 +130,7 @@ def _of_part(device: int, part: DrawnPart) -> Iterator[Lever]:
 
 
 def _sorted(name: str, nodes: list[LeverNode], device: int, members: Sequence[str]) -> Lever:
-    """Return a lever with sorted nodes; a node without a member balances all other torques."""
+    """Return a lever with sorted points; a point without member balances the torques."""
     others = tuple((device, member, -1.0) for member in members if member)
     with_sources = [
         node._replace(sources=((device, member, 1.0),) if member else others)
@@ -138,7 +140,7 @@ def _sorted(name: str, nodes: list[LeverNode], device: int, members: Sequence[st
 
 
 def _merged(drawn: list[Lever]) -> list[Lever]:
-    """Merge pairs of levers with two common links repeatedly."""
+    """Merge levers with two common links, pair by pair, until no pair is left."""
     for first, second in combinations([lever for lever in drawn if lever.ratio is None], 2):
         common = {node.link for node in first.nodes} & {node.link for node in second.nodes}
         if len(common) == 2 and (joined := _joined(first, second, sorted(common))):
@@ -150,7 +152,7 @@ def _merged(drawn: list[Lever]) -> list[Lever]:
 
 
 def _joined(first: Lever, second: Lever, common: Sequence[int]) -> Lever | None:
-    """Return two levers as a lever, with the points of the second aligned at common links."""
+    """Return two levers merged into one lever, scaled so that their common links coincide."""
     ours, theirs = (
         [node.position for link in common for node in lever.nodes if node.link == link]
         for lever in (first, second)
@@ -171,7 +173,7 @@ def _joined(first: Lever, second: Lever, common: Sequence[int]) -> Lever | None:
 
 
 def shafts(case: Transmission, drawn: Sequence[Lever]) -> list[Lever]:
-    """Return shafts for links that are on no lever, but are loaded or connect components.
+    """Return shafts for links that are not on a lever, but are loaded or connect components.
 
     Links connected by springs form a shaft, named after the first loaded link.
     """
@@ -194,7 +196,7 @@ def shafts(case: Transmission, drawn: Sequence[Lever]) -> list[Lever]:
 
 
 def _touched(case: Transmission) -> dict[int, int]:
-    """Return the links with inputs, outputs, given values or shift elements, in order."""
+    """Return the links with inputs, outputs, given values or shift elements, as an ordered set."""
     order: dict[int, int] = {}
     for gear in case.gears:
         order[case.gear_input(gear)] = 0

@@ -1,4 +1,4 @@
-"""Routes of the connections between levers, with separate upright parts; lengths in points."""
+"""Routes of the connections in the gaps between levers; lengths in points."""
 
 from __future__ import annotations
 
@@ -13,32 +13,32 @@ from vstatics.pictures.lever.gear import LeverTie, joins, spots_of, ties_of
 from vstatics.pictures.lever.points import Lever
 
 UNDER = 1.25 * SIZE + 3.0
-"""Room for a number below the line of a row."""
+"""Height reserved for a number below the horizontal line of a point."""
 LANE = 6.0
-"""Distance between lines that pass levers."""
+"""Distance between lines that pass above or below levers."""
 UPRIGHT_PITCH = 8.0
-"""Distance between upright lines."""
+"""Distance between vertical parts of lines."""
 LEAST_GAP = 14.0
 """Smallest distance between levers."""
 SHORT_STEP = 20.0
-"""Height of a line below which the symbol of a clutch is on the horizontal part."""
+"""Rise of a line below which the symbol of a clutch is on its horizontal part."""
 BESIDE_SIGN = 8.0
-"""Distance from the middle of an upright symbol to the name."""
+"""Distance from the middle of a symbol on a vertical line to the name."""
 MOST_ORDERED = 6
-"""Largest number of upright lines in a gap for which all orders are tried."""
+"""Largest number of vertical parts in a gap for which all orders are tried."""
 OVERLAP_COST = 10
-"""Cost of lines that overlap with lines of another link or cover a clutch, in crossings."""
+"""Cost of a line that overlaps with a line of another link or covers a clutch, in crossings. [-]"""
 
 
 class LeverRow(NamedTuple):
-    """Horizontal line of a point, with its texts."""
+    """Horizontal line of a point of a lever, with the texts."""
 
     name: str
     """Name of the link, wrapped into lines."""
     at: float
     """Height of the point on the lever."""
     y: float
-    """Height of the line, shifted away from neighbours."""
+    """Height of the horizontal line, moved away from neighbouring lines."""
 
     @property
     def span(self) -> Span:
@@ -47,51 +47,53 @@ class LeverRow(NamedTuple):
 
 
 PointRows = Mapping[int, LeverRow]
-"""Lines of a lever by the index of the node, without the housing of a gear pair."""
+"""Horizontal lines of a lever's points, by index of the point; none for a gear pair's housing."""
 
 
 def middle_of(rows: PointRows) -> float:
-    """Return the height of the middle of a lever."""
+    """Return the middle between the lowest and highest point of a lever."""
     heights = [row.at for row in rows.values()]
     return (min(heights) + max(heights)) / 2
 
 
 class LeverStep(NamedTuple):
-    """Part of a connection in the gap after a lever."""
+    """Part of a connection in the gap to the right of a lever."""
 
     tie: LeverTie
     gap: int
-    """Index of the lever to the left of the gap."""
+    """Index of the lever that is left of the gap."""
     start: float
     """Height at the left end."""
     end: float
     """Height at the right end."""
     is_signed: bool
-    """True for a clutch or spring in the gap."""
+    """True if the symbol of a clutch or spring is in this gap."""
     is_back: bool
     """True if the connection returns to the same lever."""
     x: float = 0.0
-    """Position of the upright part, from the start of the gap."""
+    """Position of the vertical part, from the start of the gap."""
     sign: float = 0.0
-    """Height of the symbol."""
+    """Height of the symbol of the clutch or spring."""
     slant: float = 0.0
-    """Horizontal length of a slanted rise, where two lines exchange their heights."""
+    """Horizontal length of a slanted rise, used where two lines exchange their heights."""
     is_late: bool = False
-    """True for a horizontal symbol after the rise, if lines branch off before."""
+    """True for a symbol on the horizontal part after the rise, because other lines branch off
+    before it.
+    """
 
     @property
     def span(self) -> Span:
-        """Vertical range of the upright part."""
+        """Vertical range of the vertical part."""
         return min(self.start, self.end), max(self.start, self.end)
 
     @property
     def is_upright(self) -> bool:
-        """True for a symbol on an upright line."""
+        """True if a symbol would be on the vertical part, because the rise is long."""
         return abs(self.end - self.start) >= SHORT_STEP
 
     @property
     def wide(self) -> float:
-        """Width needed in the gap, 0 for a straight line."""
+        """Width that the part needs in the gap; 0 for a straight line."""
         if not self.is_signed:
             return UPRIGHT_PITCH * (self.start != self.end)
         named = width(self.tie.name)
@@ -99,28 +101,28 @@ class LeverStep(NamedTuple):
 
     @property
     def sign_at(self) -> float:
-        """Position of the symbol, from the start of the gap."""
+        """Position of the symbol of the clutch or spring, from the start of the gap."""
         if self.is_upright:
             return self.x
         return self.x + self.wide / 2 if self.is_late else self.x - self.wide / 2 + 3
 
     @property
     def levels(self) -> list[tuple[float, bool]]:
-        """Heights of the horizontal parts, and True for parts left of the upright part."""
+        """Height of each horizontal part, with True for a part left of the vertical part."""
         return [(self.start, True), (self.end, self.is_back)]
 
 
 def steps(
     rows: Sequence[PointRows], boxes: Sequence[bool], ties: Iterable[LeverTie]
 ) -> list[LeverStep]:
-    """Return the steps of connections in all gaps, each upright at a separate place.
+    """Return the parts of connections in all gaps; their vertical parts do not overlap.
 
     Parameters
     ----------
     rows : sequence of mapping
-        Rows of each lever.
+        Horizontal lines of the points of each lever.
     boxes : sequence of bool
-        True for gear pairs, which are boxes with a ratio.
+        True for each lever that is a gear pair, drawn as a box with its ratio.
     """
     used: list[tuple[int, float]] = []
     ordered = sorted(ties, key=lambda tie: (bool(tie.name), tie.ends[1][0] - tie.ends[0][0]))
@@ -156,7 +158,7 @@ def _lane(
     wanted: float,
     used: list[tuple[int, float]],
 ) -> float:
-    """Return the free height nearest to a wanted height, past some levers."""
+    """Return the free height nearest to a wanted height, for a line past some levers."""
     spans = [row.span for place in between for row in rows[place].values()]
     taken = [(low - 1, high + 2) for low, high in spans]
     middles = [middle_of(rows[place]) for place in between if boxes[place]]
@@ -170,7 +172,7 @@ def _lane(
 
 
 def _apart(here: Sequence[LeverStep]) -> list[LeverStep]:
-    """Return the steps of a gap with separate positions and few crossings."""
+    """Return the parts in a gap with separate vertical parts, in an order with few crossings."""
     here = [step._replace(is_late=_is_late(step, here)) for step in here]
     turning = [number for number, step in enumerate(here) if step.wide]
     orders = permutations(turning) if len(turning) <= MOST_ORDERED else [tuple(turning)]
@@ -191,13 +193,13 @@ def _apart(here: Sequence[LeverStep]) -> list[LeverStep]:
 
 
 def _change_places(first: LeverStep, second: LeverStep) -> bool:
-    """Return whether two lines exchange heights, so that upright parts would overlap."""
+    """Return whether two lines exchange their heights, so that vertical parts would overlap."""
     both = first.is_signed or second.is_signed or first.is_back or second.is_back
     return not both and max(abs(first.end - second.start), abs(second.end - first.start)) < 1
 
 
 def _is_late(step: LeverStep, here: Sequence[LeverStep]) -> bool:
-    """Return whether further lines begin at the start of a step, but do not end at the end."""
+    """Return whether other lines share the start of a part, but none shares its end."""
     others = [other for other in here if other is not step]
     begins = any(abs(other.start - step.start) < 1 for other in others)
     return (
@@ -208,7 +210,7 @@ def _is_late(step: LeverStep, here: Sequence[LeverStep]) -> bool:
 
 
 def _hides(signed: LeverStep, other: LeverStep, *, is_after: bool) -> bool:
-    """Return whether a line of `other`, a step next to `signed`, runs through its symbol."""
+    """Return whether `other`, a neighbouring part, runs through the symbol of `signed`."""
     height = signed.end if signed.is_late else signed.start
     levels = (abs(y - height) < 1 for y, is_left in other.levels if is_left == is_after)
     return signed.is_signed and not signed.is_upright and any(levels)
@@ -230,7 +232,7 @@ def _crossings(ordered: Sequence[LeverStep]) -> int:
 
 
 def _sign(step: LeverStep, here: Sequence[LeverStep]) -> float:
-    """Return the height of a symbol so that no line runs through the name."""
+    """Return the height of a symbol at which lines avoid its name."""
     if not step.is_upright:
         return step.end if step.is_late else step.start
     low, high = step.span
@@ -253,7 +255,7 @@ def _sign(step: LeverStep, here: Sequence[LeverStep]) -> float:
 
 
 def gaps_of(case: Transmission, drawn: Sequence[Lever], rows: Sequence[PointRows]) -> list[float]:
-    """Return the room after each lever for all connections in any gear."""
+    """Return the width of the gap after each lever, sufficient for the connections of any gear."""
     spots, boxes = spots_of(drawn), [lever.ratio is not None for lever in drawn]
     gaps = [LEAST_GAP] * (len(drawn) - 1) + [0.0]
     for gear in [*case.gears, Gear(case.freewheels)]:

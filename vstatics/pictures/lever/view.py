@@ -1,4 +1,4 @@
-"""A lever in a gear, with its position in a figure, for the functions that draw it."""
+"""Lever in a gear with its position on a page, for the functions that draw it."""
 
 from __future__ import annotations
 
@@ -11,20 +11,20 @@ from vstatics.pictures.lever.places import LeverCell
 
 
 class LeverView(NamedTuple):
-    """Lever in a gear, with the position in a figure."""
+    """Lever in a gear, with the position on a page."""
 
     sheet: LeverSheet
     gear: LeverGear
     place: int
-    """Index of the lever, from the left."""
+    """Index of the lever from the left."""
     bottom: float
-    """Height from which the heights of `LeverRow` are measured, above the figure's foot. [pt]"""
+    """Height of the foot of the levers, from which heights of `LeverRow` are measured. [pt]"""
     same: str | None
-    """Earlier gear in which the lever looks equal, so that numbers are not repeated; else None."""
+    """Name of an earlier gear with an equal lever, whose numbers are not repeated; else None."""
 
     @property
     def cell(self) -> LeverCell:
-        """Lever with its lines, texts and horizontal position, equal in all gears."""
+        """Lever with the lines of its points and its horizontal position, the same in all gears."""
         return self.sheet.page.cells[self.place]
 
     @property
@@ -34,20 +34,20 @@ class LeverView(NamedTuple):
 
     @property
     def is_loaded(self) -> bool:
-        """True if the lever carries torque in the gear."""
+        """True if the lever carries torque, or an unknown torque, in the gear."""
         return self.gear.is_loaded(self.place)
 
     @property
     def ink(self) -> str:
-        """Colour of texts, fainter for a lever without torque."""
+        """Colour of texts, paler for a lever without torque."""
         return self.style.ink if self.is_loaded else self.style.soft
 
     def torque(self, node: int) -> float:
-        """Return the torque on a point of the lever [-]; 0 if the lever is a mere shaft."""
+        """Return the torque on a point relative to the input torque [-]; 0 for a shaft."""
         return self.gear.torques[self.place][node] if self.cell.lever.devices else 0.0
 
     def speed(self, node: int) -> float:
-        """Return the speed of a point of the lever [-]."""
+        """Return the speed of a point relative to the input speed [-]."""
         return self.gear.state.speeds[self.cell.lever.nodes[node].link]
 
     def across(self, speed: float) -> float:

@@ -1,6 +1,6 @@
-"""Pictures within HTML pages, and the parts of pages that annexes provide.
+"""Pictures within HTML pages, and sections of pages that annexes provide.
 
 `inline` embeds an SVG in a page. `drawn` draws a picture of a case for a page, or gives the reason
-why the picture cannot be drawn. `marks` marks numbers for scripts. `parts` has sections, figures,
-and the protocols by which an annex provides a section.
+why the picture cannot be drawn. `marks` marks numbers so that a script can change them. `parts`
+contains sections, figures, and the protocol of a section that an annex provides.
 """

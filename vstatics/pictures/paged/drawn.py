@@ -1,4 +1,4 @@
-"""Pictures of a case for an HTML page, or the reasons why pictures are not drawn."""
+"""Pictures of a case for an HTML page, or the reasons why they cannot be drawn."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from vstatics.pictures.paged.inline import inline
 from vstatics.pictures.runs import PicturedRun
 
 PRINTED_WIDTH = 182.0
-"""Width between the margins of A4, as in the style sheet of the page. [mm]"""
+"""Width between the margins of an A4 page, equal to that in the page's style sheet. [mm]"""
 COLUMN_GAP = 4.0
 """Gap between two pictures side by side. [mm]"""
 PAGE = Style(titled=False, width=PRINTED_WIDTH * POINTS_PER_MILLIMETRE, height=PAGE_HEIGHT)
@@ -28,21 +28,21 @@ class Drawn(NamedTuple):
 
     kind: str
     sheets: Sequence[Markup]
-    """Sheets of a picture, several for a long picture."""
+    """SVG elements of the picture, several if it is split into sheets."""
     why: str = ""
 
 
 class Draw(Protocol):
-    """Function that draws a picture for a page, or leaves a placeholder."""
+    """Function that draws a picture for a page, now or later."""
 
     def __call__(
         self, kind: str, gears: Sequence[int] = (), motion: PicturedRun | None = None
     ) -> Drawn:
-        """Return a picture of a kind, of gears by number from 1, or of a run."""
+        """Return a picture of a kind, for gears by number from 1, or with a simulated run."""
 
 
 def bare_stick(draw: Draw, motion: PicturedRun) -> Drawn:
-    """Return the stick diagram of a run without a gear, or the structure if none can be drawn."""
+    """Return the stick diagram of a run without a gear; the structure if it cannot be drawn."""
     stick = draw("stick", motion=motion)
     return stick if stick.sheets else draw("structure", motion=motion)
 
@@ -56,7 +56,7 @@ def of_each(results: Results, kind: str, gears: Sequence[int], style: Style = PA
     """Draw a picture of each gear, or give the reason why a picture is missing."""
     try:
         svgs_of_gears = of_each_gear(results, kind, in_spoken(style), gears)
-    except CaseError:  # other gears may succeed
+    except CaseError:  # pictures of other gears may succeed
         return [picture_of(results, kind, [number], style=style) for number in gears]
     end = tr(", small") * (style is HALF)
     labels = (f"{_label(results, kind, [number])}{end}" for number in gears)
@@ -67,12 +67,12 @@ def of_each(results: Results, kind: str, gears: Sequence[int], style: Style = PA
 
 
 def in_spoken(style: Style) -> Style:
-    """Return a style in the language of the page."""
+    """Return a style whose texts are in the language of the page."""
     return style._replace(language=spoken())
 
 
 def _own(kind: str, gears: Sequence[int], style: Style) -> str:
-    """Return the prefix of the ids of a picture, unique on a page."""
+    """Return a prefix for the ids of a picture, which differs between the pictures of a page."""
     return ".".join(["small"] * (style is HALF) + [kind, *map(str, gears)])
 
 
@@ -95,7 +95,7 @@ def picture_of(
     motion: PicturedRun | None = None,
     style: Style = PAGE,
 ) -> Drawn:
-    """Draw a picture of a case, of gears by number from 1, or of a run."""
+    """Draw a picture of a case, for gears by number from 1, or with a simulated run."""
     try:
         svgs = pages(results, kind, "svg", in_spoken(style), gears, motion=motion)
     except CaseError as error:
@@ -107,5 +107,5 @@ def picture_of(
 
 
 def _inlined(svgs: Sequence[bytes], prefix: str, label: str) -> list[Markup]:
-    """Embed the sheets of a picture; sheets after the first have a number in the prefix."""
+    """Embed the sheets of a picture; further sheets have a number in the prefix."""
     return [inline(svg, f"{prefix}-{n}" if n else prefix, label) for n, svg in enumerate(svgs)]

@@ -1,6 +1,6 @@
-"""SVG pictures embedded in HTML, with unique ids and colours that follow the screen.
+"""SVG pictures embedded in HTML, with unique ids and colours for light and dark screens.
 
-Attributes of appearance that elements share become rules of one style sheet per page.
+Frequent attributes of appearance are replaced by rules of one style sheet per page.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ _PAIRS = {name: (getattr(_LIGHT, name), getattr(_DARK, name)) for name in _NAMES
     f"colour{number}": pair
     for number, pair in enumerate(zip(_LIGHT.colours, _DARK.colours, strict=True))
 }
-"""Colours of pictures on paper and on a dark screen, by the name of the CSS variable."""
+"""Colours of pictures on paper and on a dark screen, by the name of their CSS variable."""
 _COLOUR_NAMES = {light: name for name, (light, _) in _PAIRS.items()}
 _REFERENCE = re.compile(r"url\(#([^)]+)\)")
 _COLOUR = re.compile("#[0-9a-f]{6}")
@@ -34,15 +34,15 @@ _INK = "var(--ink)"
 
 
 def palette(*, dark: bool) -> str:
-    """Return the declarations of the colour variables for a style sheet."""
+    """Return the CSS declarations of the colour variables, for a light or a dark screen."""
     return " ".join(f"--{name}: {pair[dark]};" for name, pair in _PAIRS.items())
 
 
 def inline(svg: bytes, prefix: str, label: str) -> Markup:
     """Embed an SVG in HTML.
 
-    Ids get a prefix, because all pictures have equal ids. Colours become variables of the page. The
-    elements stay accessible by their titles.
+    Ids get a prefix, because different pictures use equal ids. Colours become CSS variables of the
+    page. Titles remain as tooltips and for screen readers.
 
     Examples
     --------
@@ -50,8 +50,9 @@ def inline(svg: bytes, prefix: str, label: str) -> Markup:
     >>> inline(svg, "plan", "plan").partition(">")[2]
     '<g id="plan-a" fill="var(--ink)"/></svg>'
     """
-    root = ET.fromstring(svg)  # noqa: S314 - written by this program
-    if len(root) and root[0].tag.endswith("}title"):  # the caption of the page replaces the title
+    root = ET.fromstring(svg)  # noqa: S314 - this program wrote the SVG
+    # The heading on the page replaces the title in the picture.
+    if len(root) and root[0].tag.endswith("}title"):
         del root[0]
     _fold(root)
     for element in root.iter():
@@ -66,7 +67,8 @@ def inline(svg: bytes, prefix: str, label: str) -> Markup:
         if moved:
             del element.attrib["transform"]
             element.attrib = {"x": moved[1], "y": moved[2], **element.attrib}
-        if element.tag == "text" and element.get("fill") == _INK:  # as the whole picture
+        # Ink is the default colour of texts in the picture.
+        if element.tag == "text" and element.get("fill") == _INK:
             del element.attrib["fill"]
     style = f"--width: {root.attrib.get('width', '100%')}"
     for key in ("width", "height", "font-family"):
@@ -76,7 +78,7 @@ def inline(svg: bytes, prefix: str, label: str) -> Markup:
 
 
 def _fold(parent: ET.Element) -> None:
-    """Move the title of a group with a single shape into the shape."""
+    """Move the title of an SVG group with a single shape into the shape."""
     for place, child in enumerate(parent):
         _fold(child)
         kinds = [_local(part.tag) for part in child]
@@ -104,7 +106,7 @@ def _rewritten(key: str, value: str, prefix: str) -> str:
 
 
 def short_path(path: str) -> str:
-    """Return a path in relative steps, rounded to tenths of a point.
+    """Return an SVG path with coordinates relative to the previous point, rounded to 0.1 pt.
 
     Parameters
     ----------
@@ -143,7 +145,7 @@ def short_path(path: str) -> str:
 
 
 def _joined(numbers: Sequence[int]) -> str:
-    """Return numbers in tenths as text; a minus sign or a leading point needs no blank before."""
+    """Return numbers in tenths as text, with blanks only before numbers without minus or point."""
     said = [_tenths(number) for number in numbers]
     text = said[0]
     for before, number in pairwise(said):
@@ -164,7 +166,7 @@ def _variable(match: re.Match[str]) -> str:
 
 
 def colour_name(colour: str) -> str:
-    """Return the name of the variable of a colour.
+    """Return the name of the CSS variable of a colour.
 
     >>> colour_name(Style().colour(3)), colour_name(Style().ink)
     ('colour3', 'ink')
@@ -179,7 +181,7 @@ _LOOK = re.compile(f'(?: {_KEY}="[^"<>]*")+(?=[ />])')
 
 
 def shared(page: Markup) -> tuple[Markup, Markup]:
-    """Move attributes of appearance that elements share to rules of a style sheet.
+    """Replace frequent attributes of appearance by classes; return the page and the style sheet.
 
     Examples
     --------
@@ -207,7 +209,7 @@ def shared(page: Markup) -> tuple[Markup, Markup]:
         return f'{shortened[:first]} class="{" ".join(classes)}"{_CLASS.sub("", shortened[first:])}'
 
     rules = []
-    for number, look in enumerate(often):  # ``fill="none"`` is ``fill:none``
+    for number, look in enumerate(often):  # ``fill="none"`` becomes ``fill:none``
         declarations = re.findall(r'([-a-z]+)="([^"]*)"', look)
         rules.append(f".l{number}{{{';'.join(f'{key}:{value}' for key, value in declarations)}}}")
     return Markup(_TAG.sub(short, page)), Markup("\n".join(rules))

@@ -1,4 +1,4 @@
-"""Marks on numbers of a page, by which a script finds the numbers to change.
+"""Marks on the numbers of a page, by which a script finds them to update them.
 
 ``data-result`` is the key of the quantity in JSON, ``data-row`` the name of the row of a table,
 ``data-gear`` the gear, and ``data-number`` the number with all digits, empty for a missing number.
@@ -13,7 +13,7 @@ from vstatics.core.tables.grid import Cell
 
 
 def with_mark(cell: Cell, result: str, **place: str) -> Cell:
-    """Return a cell with marks for the quantity, the place and all digits of a number.
+    """Return a cell of a table with marks: quantity, place, and all digits of its number.
 
     >>> with_mark(Cell("1.5", 1.5), "ratio", gear="R").marks
     {'result': 'ratio', 'gear': 'R', 'number': '1.5'}
@@ -23,7 +23,7 @@ def with_mark(cell: Cell, result: str, **place: str) -> Cell:
 
 
 def digits_of(value: float) -> str:
-    """Return a number with all digits; an empty text if the number does not exist.
+    """Return a number with all digits; an empty text for NaN.
 
     >>> digits_of(0.1), digits_of(3.0), digits_of(float("nan"))
     ('0.1', '3', '')

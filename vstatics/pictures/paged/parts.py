@@ -1,4 +1,4 @@
-"""Parts of a page: sections, figures, parts about a gear, and sections of annexes."""
+"""Building blocks of a page: sections, figures, parts about a gear, and sections of annexes."""
 
 from __future__ import annotations
 
@@ -25,16 +25,16 @@ class Part(NamedTuple):
 
 
 class PartRequest(NamedTuple):
-    """Request for a section that an annex provides: results, drawing function, and extent."""
+    """Request for the section of an annex: results, drawing function, and what to show."""
 
     results: Results
     draw: Draw
     gears: Sequence[int] = ()
-    """Numbers of the gears shown; empty for all."""
+    """Numbers of the gears to show; empty for all."""
     motion: PicturedRun | None = None
-    """Run of the case."""
+    """Simulated run of the case, if any."""
     in_full: bool = True
-    """Whether print shows everything."""
+    """True if everything is printed on paper; False to print only the essential parts."""
     has_pictures: bool = True
     """Whether pictures can be drawn."""
     has_marks: bool = False
@@ -46,18 +46,18 @@ class PartRequest(NamedTuple):
 
 
 class PagePart(Protocol):
-    """Section that an annex provides."""
+    """Section of a page that an annex provides."""
 
     @property
     def without(self) -> str:
-        """Reason why the section is left out; otherwise empty."""
+        """Reason why the section is left out; empty if it is shown."""
 
     @property
     def drawn(self) -> Collection[str]:
-        """Kinds of pictures of the whole case that other sections omit."""
+        """Kinds of pictures that this section shows, so that other sections omit them."""
 
     def shown(self, digits: int | None) -> Iterator[Markup]:
-        """Yield the contents; numbers have `digits` digits after the point, unless it is None."""
+        """Yield the contents; numbers have `digits` decimals, or the usual number if None."""
 
 
 def figure(name: str, picture: Markup, *, captioned: bool = True, scrolls: bool = True) -> Markup:
@@ -66,9 +66,9 @@ def figure(name: str, picture: Markup, *, captioned: bool = True, scrolls: bool 
     Parameters
     ----------
     captioned : bool
-        Whether to add the caption; False if a heading has the name.
+        Whether to add the caption; False if a heading already names the picture.
     scrolls : bool
-        Whether wide pictures scroll; False on paper.
+        Whether a wide picture can be scrolled sideways; False on paper.
     """
     caption = [tag("figcaption", name)] * captioned
     return tag("figure", *caption, scrolled(picture, name) if scrolls else picture)
@@ -90,7 +90,7 @@ def figures(
 
 
 def gear_link(gear: str, text: str = "") -> Markup:
-    """Return a link that chooses a gear.
+    """Return a link by which the reader of a page chooses a gear.
 
     >>> gear_link("R")
     '<a href="#gear=R" data-choose="R">R</a>'
@@ -99,7 +99,7 @@ def gear_link(gear: str, text: str = "") -> Markup:
 
 
 def of_gear(section: str, gear: str, shown: Sequence[Markup], *, is_printed: bool = True) -> Markup:
-    """Return the part of a section about a gear, with the gear as heading.
+    """Return the part of a section about a gear, with the name of the gear as heading.
 
     Parameters
     ----------
@@ -119,11 +119,11 @@ def on_screen(shown: Iterable[Markup]) -> Markup:
 
 
 def address(section: str, gear: str) -> str:
-    """Return the address of the part about a gear, without blanks."""
+    """Return the id of the part of a section about a gear, without blanks."""
     return f"{section}={quote(gear, safe='')}"
 
 
 def line_of(facts: Iterable[tuple[str, str]]) -> Markup:
-    """Return facts side by side in a line, each value below its name."""
+    """Return facts side by side, each with its value below its name."""
     shown = (tag("div", tag("dt", name), tag("dd", text)) for name, text in facts)
     return tag("dl", *shown, class_="overview")

@@ -1,5 +1,6 @@
-"""The generalised kinematic plan: speeds of all links over the output speed.
+"""Generalised kinematic plans: diagrams of the speeds of all links versus the output speed.
 
-`conditions` has the constraints of a gear, `rays` calculates plans, `panel` draws a plan, `course`
-the run of a case in a plan, `key` explains the signs, and `picture` arranges plans on pages.
+`conditions` contains the constraints of a gear, `rays` calculates plans, `panel` draws a plan,
+`course` draws a simulated run in a plan, `key` explains the symbols, and `picture` arranges plans
+on pages. `wanted` builds a case from given ratios only.
 """

@@ -14,23 +14,23 @@ from vstatics.core.statics.speeds import solve_speeds
 from vstatics.pictures.drawing.gear_state import PictureState
 
 MOST_STATES = 300
-"""Largest number of sets of constraints that are tried for a gear."""
+"""Largest number of subsets of constraints that are tried for a gear."""
 
 
 class Condition(NamedTuple):
-    """Constraint on the speed of a link: equal to the speed of a second link, or given."""
+    """Constraint on the speed of a link: equal to the speed of a second link, or a given speed."""
 
     link: int
     other: int
     speed: float | SpeedOf = 0.0
-    """Speed of the link, if the second link is the housing. [-]"""
+    """Speed of the link relative to the input, if the second link is the housing. [-]"""
 
 
 Conditions = frozenset[Condition]
 
 
 def conditions(case: Transmission, gear: Gear) -> Conditions:
-    """Return the constraints of a gear, with one constraint for several equivalent elements."""
+    """Return the constraints of a gear; equivalent shift elements give one constraint."""
     engaged = case.elements_at(gear.joining)
     given = (Condition(link, HOUSING, speed) for link, speed in gear.speeds.items())
     return frozenset([*map(_condition, engaged), *given])
@@ -41,9 +41,9 @@ def _condition(element: ShiftElement) -> Condition:
 
 
 def carrying(case: Transmission, gear: PictureState) -> Conditions:
-    """Return the constraints of a gear without engaged elements that carry no torque.
+    """Return the constraints of a gear, except those of shift elements without torque.
 
-    An example is the preselected dog clutch of a dual-clutch transmission.
+    The preselected dog clutch of a dual-clutch transmission is engaged without torque.
 
     Examples
     --------
@@ -67,7 +67,7 @@ def elements_of(case: Transmission, gear: Gear, some: Conditions) -> tuple[int, 
 
 
 class FreeOutputs:
-    """Cached checks whether constraints leave the output speed free."""
+    """Cached checks whether constraints leave the output speed undetermined."""
 
     def __init__(self, case: Transmission) -> None:
         """Begin with an empty cache for a case."""
@@ -75,7 +75,7 @@ class FreeOutputs:
         self._known: dict[tuple[int, int, Conditions], bool] = {}
 
     def is_free(self, first: int, last: int, chosen: Conditions) -> bool:
-        """Check whether the output speed is free while the input speed is given."""
+        """Check whether constraints leave the output speed open for a given input speed."""
         key = first, last, chosen
         if key not in self._known:
             speeds = speeds_under(self._case, first, last, sorted(chosen))
@@ -83,10 +83,10 @@ class FreeOutputs:
         return self._known[key]
 
     def largest(self, gear: PictureState, given: Conditions) -> Iterator[tuple[Condition, ...]]:
-        """Yield the largest subsets of the constraints of a gear that leave the output free.
+        """Yield the largest subsets of a gear's constraints that leave the output undetermined.
 
-        From a minimal subset that determines the output at least one constraint must be removed,
-        so only these removals are followed.
+        Every such subset lacks at least one constraint of each minimal set that determines the
+        output, so the search removes only constraints of such a minimal set.
 
         Raises
         ------
@@ -126,7 +126,7 @@ def speeds_under(
     state: Sequence[Condition],
     output: float | None = None,
 ) -> list[float]:
-    """Return relative speeds of all links, NaN if free; the output speed can be given."""
+    """Return relative speeds of all links under constraints, NaN if undetermined."""
     ratios = [mechanism.ratio for mechanism in case.mechanisms]
     speeds = {condition.link: condition.speed for condition in state if condition.other == HOUSING}
     pairs = [{condition.link, condition.other} for condition in state if condition.other != HOUSING]

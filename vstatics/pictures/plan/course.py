@@ -1,4 +1,4 @@
-"""Run of a case in a kinematic plan, and its position on the abscissa over time."""
+"""Simulated run of a case in the coordinates of a plan, and the ratio over time."""
 
 from __future__ import annotations
 
@@ -23,35 +23,37 @@ from vstatics.pictures.runs import PicturedEvent, PicturedRun, event_text, named
 COURSE_HEIGHT = 60.0
 """Height of the time axis below a plan, without the names of events. [pt]"""
 MOST_PLAN_EVENTS = 14
-"""Largest number of events whose names are drawn."""
+"""Largest number of events whose names are written."""
 MOST_COURSE_POINTS = 4000
-"""Largest number of drawn instants."""
+"""Largest number of instants of a run that are drawn."""
 ON_PLAN = 5e-3
-"""Largest violation of a plan's constraints that counts as 0, relative to the largest speed. [-]"""
+"""Speed difference, relative to the largest speed, up to which a constraint counts as satisfied.
+[-]
+"""
 EVENT_NAME_WIDTH = 150.0
 """Width to which names of events are wrapped. [pt]"""
 
 
 class PlanCourse(NamedTuple):
-    """A run in the coordinates of a plan."""
+    """Simulated run in the coordinates of a plan."""
 
     time: Floats
-    """Instants. [s]"""
+    """Time of each instant. [s]"""
     output: Floats
     """Output speed divided by input speed, the abscissa; NaN if the input is at rest. [-]"""
     paths: Floats
     """Speed of the links of each ray divided by input speed, shape (instants, rays). [-]"""
     on_plan: NDArray[np.bool_]
-    """Whether all constraints of the plan hold, at each instant."""
+    """Whether all constraints of the plan are satisfied, at each instant."""
 
     @property
     def visits(self) -> bool:
-        """Whether the run stays on the plan for an interval."""
+        """Whether the run satisfies the plan's constraints for an interval of time."""
         both = self.on_plan[:-1] & self.on_plan[1:] & (np.diff(self.time) > 0)
         return bool(both.any())
 
     def masked(self, values: Floats, *, on_plan: bool) -> Floats:
-        """Return the values on or off the plan, NaN elsewhere; both parts meet at transitions."""
+        """Return the values on or off the plan, NaN elsewhere; both curves meet at transitions."""
         mask = self.on_plan if on_plan else ~self.on_plan
         if not on_plan:
             mask = mask | np.r_[mask[1:], False] | np.r_[False, mask[:-1]]
@@ -59,7 +61,7 @@ class PlanCourse(NamedTuple):
 
 
 def course(case: Transmission, plan: KinematicPlan, motion: PicturedRun) -> PlanCourse:
-    """Convert a run to the coordinates of a plan."""
+    """Convert a simulated run to the coordinates of a plan."""
     instants = np.unique(np.linspace(0, len(motion.time) - 1, MOST_COURSE_POINTS).astype(int))
     columns = {name: place for place, name in enumerate(motion.links)}
     links = range(1, case.own_links + 1)
@@ -83,7 +85,7 @@ def course(case: Transmission, plan: KinematicPlan, motion: PicturedRun) -> Plan
 
 
 def _rigid(case: Transmission, plan: KinematicPlan) -> Iterator[Condition]:
-    """Yield the constraints of a plan, except those of elastic shift elements."""
+    """Yield the constraints of a plan except those of elastic shift elements, which twist."""
     for condition in plan.state:
         elements = [
             element
@@ -95,19 +97,19 @@ def _rigid(case: Transmission, plan: KinematicPlan) -> Iterator[Condition]:
 
 
 def right_of(motion: PicturedRun, style: Style) -> float:
-    """Return the width that the names of events need to the right of a plan [pt]."""
+    """Return the width to the right of a plan that the names of events need [pt]."""
     named = named_events(motion.events, MOST_PLAN_EVENTS)
     return LEADER + widest(_name(event, style) for event in named) + LEADER / 2
 
 
 def high_of(motion: PicturedRun, style: Style) -> float:
-    """Return the height that the time axis and the names of events need below a plan [pt]."""
+    """Return the height below a plan that the time axis and the names of events need [pt]."""
     named = named_events(motion.events, MOST_PLAN_EVENTS)
     return max(COURSE_HEIGHT, sum(height(_name(event, style)) + LABEL_GAP for event in named))
 
 
 def draw_paths(pen: Pen, plan: KinematicPlan, run: PlanCourse) -> None:
-    """Draw the run along each ray, and the paths that leave and reach the plan."""
+    """Draw the run along each ray of a plan, and its paths before and after it is on the plan."""
     for place, ray in enumerate(plan.rays):
         is_port = plan.input in ray.links or plan.output in ray.links
         look = link_look(ray.links[0], pen.style)
@@ -118,7 +120,7 @@ def draw_paths(pen: Pen, plan: KinematicPlan, run: PlanCourse) -> None:
 
 
 def draw_time(pen: Pen, plan: KinematicPlan, run: PlanCourse, motion: PicturedRun) -> None:
-    """Draw the abscissa of the run over time, which runs downwards, below the plan."""
+    """Draw output speed divided by input speed over time, which runs downwards below the plan."""
     (wide, high), style = pen.size, pen.style
     gears = [pen.across(mark.output) for mark in plan.marks]
     pen.lines([((x, 0.0), (x, high)) for x in gears], **gear_look(style))
@@ -146,6 +148,6 @@ def _name(event: PicturedEvent, style: Style) -> str:
 def visited(
     case: Transmission, plans: Sequence[KinematicPlan], motion: PicturedRun
 ) -> list[tuple[KinematicPlan, PlanCourse]]:
-    """Return the plans that the run visits, each with the course of the run."""
+    """Return the plans on which the run stays for an interval, each with the converted run."""
     every = [(plan, course(case, plan, motion)) for plan in plans]
     return [(plan, run) for plan, run in every if run.visits]

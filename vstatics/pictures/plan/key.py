@@ -1,4 +1,4 @@
-"""Styles of the signs of a kinematic plan, and the legend that explains them."""
+"""Styles of the symbols of a kinematic plan, and the legend that explains them."""
 
 from __future__ import annotations
 
@@ -17,25 +17,25 @@ from vstatics.pictures.drawing.words import TURN_TOGETHER
 from vstatics.pictures.plan.rays import KinematicPlan
 
 PORT_RAY_WIDTH, RAY_WIDTH = 2.6, 1.4
-"""Line widths of the rays of input and output, and of other links. [pt]"""
+"""Line widths of the rays of input and output, and of the rays of other links. [pt]"""
 PATH: Look = {"linestyle": (0, (1, 1.5)), "width": 0.9}
-"""Line style of a run off a plan."""
+"""Style of the path of a run where the plan's constraints are not satisfied."""
 BROAD: Look = {"width": 6.0, "alpha": 0.3}
-"""Line style of a run on a plan."""
+"""Style of the path of a run where the plan's constraints are satisfied."""
 
 
 def gear_look(style: Style) -> Look:
-    """Return the line style of the vertical of a gear."""
+    """Return the style of the vertical line of a gear."""
     return {"color": style.faint, "width": 0.9, "linestyle": (0, (4, 3)), "zorder": 0.6}
 
 
 def dot_look(style: Style) -> Look:
-    """Return the style of the dot at the shift element of a gear."""
+    """Return the style of the dot on a gear's line at the speed that its shift element imposes."""
     return {"marker": "o", "color": style.ink, "markersize": 4.5, "zorder": 4, "width": 1.5}
 
 
 def unit_look(style: Style) -> Look:
-    """Return the style of the point where all rays meet."""
+    """Return the style of the point (1, 1), where all rays meet."""
     size = {"markersize": 9, "markerfacecolor": "none", "markeredgecolor": style.ink}
     return dot_look(style) | {"zorder": 3, **size}
 
@@ -43,7 +43,7 @@ def unit_look(style: Style) -> Look:
 def plan_note(
     case: Transmission, shown: Sequence[KinematicPlan], left_out: Sequence[str], style: Style
 ) -> str:
-    """Return the note on the input, the output, and the gears that are on none of the plans."""
+    """Return the note on input and output, and on the gears that are not on any plan."""
     off = f"{style.text('not on a plan')}: {', '.join(left_out)}"
     notes = [off] * bool(left_out)
     for english, links in (
@@ -74,9 +74,9 @@ def plan_signs(
     Parameters
     ----------
     ranges : sequence of AxisScale
-        Abscissa of each plan.
+        Horizontal scale of each plan.
     runs : sequence of ndarray
-        Instants at which a run is on the plan, for each plan.
+        For each plan, whether the run satisfies its constraints at each instant.
     """
     ink = {"color": style.ink}
     element = "engaged shift element: holds a link or joins two"

@@ -1,4 +1,4 @@
-"""Drawing of a kinematic plan: rays with names, gears, scales."""
+"""Drawing of a kinematic plan: rays with names, lines of gears, and scales."""
 
 from __future__ import annotations
 
@@ -28,27 +28,27 @@ from vstatics.pictures.plan.key import PORT_RAY_WIDTH, RAY_WIDTH, dot_look, gear
 from vstatics.pictures.plan.rays import KinematicPlan, Mark
 
 TO_TEXTS = 0.65 * LEADER
-"""Distance between the axes and the texts around. [pt]"""
+"""Distance between the axes and the texts around them. [pt]"""
 LEAST_PLAN_HEIGHT = 108.0
-"""Smallest height of the axes. [pt]"""
+"""Smallest height of the axes of a plan. [pt]"""
 UPRIGHT_NAME = 78.0
-"""Width to which vertical labels of gears are wrapped. [pt]"""
+"""Width to which the vertical label of a gear is wrapped. [pt]"""
 NARROW_ABSCISSA = 0.4
-"""Smallest share of the range of gears in an abscissa that is extended to 0."""
+"""Smallest share of the range of gears in a horizontal scale that is extended to 0. [-]"""
 
 
 class DrawnPlan(NamedTuple):
-    """A plan with scales, labels and dimensions."""
+    """Plan with the scales, labels and dimensions."""
 
     plan: KinematicPlan
     run: PlanCourse | None
     x: AxisScale
     y: AxisScale
     names: Sequence[Sequence[str]]
-    """Wrapped names of the links of each ray."""
+    """Names of the links of each ray, wrapped into lines."""
     head: str
     note: str
-    """Line of text below the head."""
+    """Line of text between the heading and the axes."""
     top: GearRow
     foot: GearRow
 
@@ -60,19 +60,19 @@ class DrawnPlan(NamedTuple):
 
     @property
     def below(self) -> float:
-        """Height of the numbers below the axes, with leaders [pt]."""
+        """Height of the numbers and leader lines below the axes [pt]."""
         return TO_TEXTS + self.foot.height
 
     def left(self, style: Style) -> float:
-        """Return the width of the names of rays [pt]."""
+        """Return the width of the names of rays, left of the axes [pt]."""
         return width_of(self.ends(style))
 
     def high(self, style: Style) -> float:
-        """Return the least height of the axes at which names do not overlap [pt]."""
+        """Return the smallest height of the axes at which the names of rays do not overlap [pt]."""
         return max(LEAST_PLAN_HEIGHT, height_of(self.ends(style)))
 
     def ends(self, style: Style) -> list[LineEnd]:
-        """Return the names of rays at the left end."""
+        """Return the names of rays, at the ends of the rays on the left."""
         return [
             LineEnd(
                 self.y.part(ray.at(self.x.low)),
@@ -83,12 +83,12 @@ class DrawnPlan(NamedTuple):
         ]
 
     def ticks(self) -> list[float]:
-        """Return the ticks of the ordinate."""
+        """Return the numbers of the vertical scale [-]."""
         return ticks(self.y.low, self.y.high, 6)
 
 
 class GearRow(NamedTuple):
-    """Row of labels above or below a plan, each near the vertical line of a gear."""
+    """Row of labels above or below a plan, each near the vertical line of the gear."""
 
     labels: list[Label]
     upright: bool
@@ -99,7 +99,7 @@ class GearRow(NamedTuple):
 def drawn_plan(
     case: Transmission, plan: KinematicPlan, run: PlanCourse | None, wide: float, style: Style
 ) -> DrawnPlan:
-    """Lay out a plan with axes of a width [pt], and a run, if any."""
+    """Lay out a plan, and a simulated run if given, with axes of a width [pt]."""
     x = _abscissa(plan, has_run=run is not None)
     ordinates = [ray.at(end) for ray in plan.rays for end in (x.low, x.high)] + [0.0, 1.0]
     room = 0.05 * (max(ordinates) - min(ordinates))
@@ -112,7 +112,7 @@ def drawn_plan(
 
 
 def _abscissa(plan: KinematicPlan, *, has_run: bool) -> AxisScale:
-    """Return the range of the gears, extended to 0 unless the range would become too wide."""
+    """Return the range of the gears, extended to 0 unless the gears would be too close together."""
     outputs = [mark.output for mark in plan.marks]
     low, high = min(outputs), max(outputs)
     whole = min(low, 0.0), max(high, 0.0)
@@ -123,12 +123,12 @@ def _abscissa(plan: KinematicPlan, *, has_run: bool) -> AxisScale:
 
 
 def mark_name(case: Transmission, mark: Mark) -> str:
-    """Return the names of the gears at a mark."""
+    """Return the names of the gears at a point of the horizontal scale."""
     return ", ".join(case.gears[number - 1].name for number in mark.gears)
 
 
 def _heads(case: Transmission, plan: KinematicPlan, style: Style) -> tuple[str, str]:
-    """Return texts above a plan: elements and speeds common to all gears, and links at rest."""
+    """Return texts above a plan: common shift elements and speeds, and links at rest."""
     parts = []
     if plan.engaged:
         parts.append(f"{style.text('engaged')}: {', '.join(plan.engaged)}")
@@ -141,7 +141,7 @@ def _heads(case: Transmission, plan: KinematicPlan, style: Style) -> tuple[str, 
 def _rows(
     case: Transmission, plan: KinematicPlan, x: AxisScale, wide: float, style: Style
 ) -> tuple[GearRow, GearRow]:
-    """Return the row above a plan, gears with shift elements, and the row below, values of 1/i."""
+    """Return the row of gears with shift elements above a plan, and the row of 1/i below it."""
     at = [x.part(mark.output) * wide for mark in plan.marks]
     texts = [
         (
@@ -165,7 +165,7 @@ def _rows(
 
 
 def _near(across: list[Label], turned: list[Label], wide: float) -> GearRow:
-    """Return horizontal labels if each has room near its vertical line, else vertical labels."""
+    """Return horizontal labels if each has room near its vertical line, else vertical ones."""
     sizes = [across_size(label.text) for label in across]
     wanted = [label.at for label in across]
     places = spread(wanted, sizes, 0.0, wide)
@@ -175,12 +175,12 @@ def _near(across: list[Label], turned: list[Label], wide: float) -> GearRow:
 
 
 def draw_plan(pen: Pen, case: Transmission, drawn: DrawnPlan, above: float, left: float) -> None:
-    """Draw a plan with all labels except those of the ordinate.
+    """Draw a plan with all labels except the numbers of the vertical scale.
 
     Parameters
     ----------
     above, left : float
-        Distance from the axes to the heads, equal for all plans in a row. [pt]
+        Height of the labels above the axes and width of the names on the left, equal in a row. [pt]
     """
     pen.frame()
     _draw_rays(pen, case, drawn.plan)
@@ -197,7 +197,7 @@ def draw_plan(pen: Pen, case: Transmission, drawn: DrawnPlan, above: float, left
 
 
 def _draw_rays(pen: Pen, case: Transmission, plan: KinematicPlan) -> None:
-    """Draw the ray of each link and the axes at zero speed."""
+    """Draw the ray of each link, and the lines of zero speed."""
     (wide, high), ends = pen.size, (pen.x.low, pen.x.high)
     axes = [((0.0, pen.up(0.0)), (wide, pen.up(0.0)))]
     if ends[0] < 0 < ends[1]:
@@ -228,7 +228,7 @@ def _draw_gears(pen: Pen, case: Transmission, plan: KinematicPlan) -> None:
 def _stops(
     case: Transmission, plan: KinematicPlan, mark: Mark, style: Style
 ) -> Iterator[tuple[str, float]]:
-    """Yield each shift element of a gear, and the speed at which its dot is drawn."""
+    """Yield each shift element of a gear, and the speed that it imposes, where its dot is drawn."""
     speeds = {link: ray.at(mark.output) for ray in plan.rays for link in ray.links}
     for element in case.elements_at(mark.elements):
         names = [case.link_name(link) for link in element.links if link != HOUSING]

@@ -1,4 +1,4 @@
-"""Pages of generalised kinematic plans; see `rays` for the theory."""
+"""Pages of generalised kinematic plans, whose theory is in `rays`."""
 
 from __future__ import annotations
 
@@ -31,24 +31,24 @@ from vstatics.pictures.plan.rays import KinematicPlan, off_plans, plans
 from vstatics.pictures.runs import PicturedRun
 
 MOST_PLAN_WIDTH, LEAST_PLAN_WIDTH = 300.0, 92.0
-"""Largest width of the axes of a plan, and least width of two plans side by side. [pt]"""
+"""Largest width of the axes of a plan, and smallest width of two plans side by side. [pt]"""
 ABSCISSA_NAME_HEIGHT = 18.0
-"""Height of the name of the abscissa, below the scale. [pt]"""
+"""Height of the name of the horizontal axis, below its numbers. [pt]"""
 ORDINATE_NAME_WIDTH = 18.0
-"""Width of the name of the ordinate, right of the scale. [pt]"""
+"""Width of the name of the vertical axis, right of its numbers. [pt]"""
 AFTER_SCALE = 8.0
-"""Distance from a scale to the name, or to the next plan. [pt]"""
+"""Distance from the numbers of a scale to the name, or to the next plan. [pt]"""
 PLAN_GAP = 7.0
 """Distance between plans. [pt]"""
 
 
 class PlanSheet(NamedTuple):
-    """Common layout of all pages of a picture; lengths in points."""
+    """Layout common to all pages of a picture; lengths in points."""
 
     case: Transmission
     motion: PicturedRun | None
     left_out: Sequence[str]
-    """Names of the gears that are on none of the plans."""
+    """Names of the gears that are not on any plan."""
     style: Style
     columns: int
     left: float
@@ -56,9 +56,9 @@ class PlanSheet(NamedTuple):
     wide: float
     """Width of the axes."""
     scale: float
-    """Width of the numbers of the ordinate."""
+    """Width of the numbers of the vertical scale."""
     right: float
-    """Width right of the axes: numbers of the ordinate, or names of events."""
+    """Width right of the axes: numbers of the vertical scale, or names of events."""
 
     @property
     def size(self) -> float:
@@ -68,7 +68,7 @@ class PlanSheet(NamedTuple):
         return 2 * MARGIN + cells + gaps
 
     def head(self, shown: Sequence[DrawnPlan]) -> SheetHead:
-        """Return the head of a page."""
+        """Return the heading of a page with some plans."""
         style = self.style
         subject = style.text("generalised kinematic plan")
         if self.motion is not None:
@@ -88,21 +88,21 @@ class PlanRow(NamedTuple):
     high: float
     """Height of the axes."""
     below: float
-    """Height of the numbers, with the name of the abscissa and the run below."""
+    """Height below the axes: numbers, name of the horizontal axis, and the simulated run."""
 
     @property
     def size(self) -> float:
-        """Height of the row."""
+        """Total height of the row."""
         return self.above + self.high + self.below
 
 
 def draw(
     results: Results, style: Style, gears: Sequence[int] = (), motion: PicturedRun | None = None
 ) -> list[Canvas]:
-    """Draw all plans of a case, or the plans of chosen gears, on pages.
+    """Draw all plans of a case, or only plans that contain chosen gears, on pages.
 
-    With a run, only plans that the run visits are drawn, with the course of the run. If no plan
-    exists, the page gives the reason.
+    If a simulated run is given, only plans whose constraints it satisfies for an interval are
+    drawn.
 
     Raises
     ------
@@ -122,7 +122,7 @@ def draw(
 def _chosen(
     case: Transmission, every: Sequence[KinematicPlan], gears: Sequence[int]
 ) -> list[KinematicPlan]:
-    """Return all plans, or the plans of chosen gears."""
+    """Return the plans that contain chosen gears, or all plans if no gear is chosen."""
     chosen = [plan for plan in every if not gears or {*gears} & {*plan.gears}]
     if gears and every and not chosen:
         names = ", ".join(case.gears[gear - 1].name for gear in gears)
@@ -140,7 +140,7 @@ def _sheet(
     motion: PicturedRun | None,
     style: Style,
 ) -> PlanSheet:
-    """Lay out a page: two plans side by side if wide enough, a single plan with a run."""
+    """Lay out a page: two plans side by side if wide enough, otherwise or with a run only one."""
     drawn = [drawn_plan(case, plan, run, MOST_PLAN_WIDTH, style) for plan, run in runs]
     left = max((plan_drawn.left(style) for plan_drawn in drawn), default=0.0)
     scale = (
@@ -158,7 +158,7 @@ def _sheet(
 
 
 def _numbers(drawn: Sequence[DrawnPlan], plan_drawn: DrawnPlan) -> list[str]:
-    """Return the numbers of the ordinate, with equal decimals on all plans."""
+    """Return the numbers of a plan's vertical scale, with equally many decimals on all plans."""
     return tick_texts(
         plan_drawn.ticks(), sorted({tick for other in drawn for tick in other.ticks()})
     )
@@ -213,7 +213,7 @@ def _page(sheet: PlanSheet, rows: Sequence[PlanRow]) -> Canvas:
 def _name_scales(
     pen: Pen, drawn: DrawnPlan, sheet: PlanSheet, *, is_lowest: bool, is_last: bool
 ) -> None:
-    """Name the abscissa below the lowest plan, and the ordinate at the last plan."""
+    """Write the axis names: horizontal below the lowest plan, vertical at the last plan."""
     text = sheet.style.text
     if is_lowest or drawn.run is not None:
         output = text("1/i = output speed / input speed")

@@ -1,8 +1,9 @@
-"""The generalised kinematic plan: speeds of all links over the output speed.
+"""Generalised kinematic plans: the speeds of all links versus the output speed.
 
-The input speed is 1, and engaged elements fix all degrees of freedom except one. Every link speed
-is then a linear function of the output speed: a ray. A gear is a point on the abscissa, at ``1/i``,
-where its shift element brings a link to rest or connects two links.
+The input speed is 1, and the constraints of the plan fix all degrees of freedom except one. The
+speed of each link is then a linear function of the output speed: a ray. A gear of ratio i is the
+point ``1/i`` of the horizontal axis, where the gear's shift element brings a link to rest or
+connects two links.
 
 Source: Voloshko, Galimyanov, Salakhov, Mavleev, Kinematic and force analysis of the
 universal multi-flow differential mechanism (in Russian), figure 5.
@@ -32,43 +33,45 @@ from vstatics.pictures.plan.conditions import (
 
 
 class Ray(NamedTuple):
-    """Links whose speed is ``start + slope*x`` at the output speed x [-]."""
+    """Links of relative speed ``start + slope*x`` at the relative output speed x [-]."""
 
     links: tuple[int, ...]
     start: float
     slope: float
 
     def at(self, output: float) -> float:
-        """Return the speed at an output speed [-]."""
+        """Return the speed at an output speed, both relative to the input speed [-]."""
         return self.start + self.slope * output
 
 
 class Mark(NamedTuple):
-    """Gears at a point of the abscissa that differ only in elements without torque."""
+    """Point of the horizontal axis with the gears, which differ only in elements without torque."""
 
     gears: tuple[int, ...]
     """Numbers of the gears, from 1."""
     output: float
-    """Output speed 1/i. [-]"""
+    """Output speed relative to the input speed, 1/i. [-]"""
     elements: tuple[int, ...]
-    """Numbers of the shift elements with torque, without the elements common to the plan."""
+    """Numbers of the gears' torque-carrying shift elements that are not common to the plan."""
 
 
 class KinematicPlan(NamedTuple):
-    """A plan: common constraints, rays and gears."""
+    """Generalised kinematic plan: constraints common to its gears, rays of links, and gears."""
 
     input: int
     output: int
     state: tuple[Condition, ...]
     """Constraints that hold in all gears of the plan."""
     engaged: tuple[str, ...]
-    """Names of the shift elements engaged in all gears; equivalent elements share an entry."""
+    """Names of the shift elements engaged in all gears; equivalent ones are one text, such as
+    "A/B".
+    """
     given: tuple[str, ...]
-    """Given speeds as text."""
+    """Given link speeds of the plan, as text."""
     rays: tuple[Ray, ...]
     marks: tuple[Mark, ...]
     standing: tuple[int, ...]
-    """Links at rest in all gears of the plan, which have no ray."""
+    """Numbers of links at rest in all gears of the plan, which have no ray."""
 
     @property
     def gears(self) -> tuple[int, ...]:
@@ -84,15 +87,15 @@ class KinematicPlan(NamedTuple):
 def plans(results: Results) -> list[KinematicPlan]:
     """Calculate the generalised kinematic plans of a case.
 
-    A train of two degrees of freedom has a single plan. With more degrees of freedom, there is a
-    plan for each state of further elements that at least two gears share. Engaged elements without
-    torque are ignored, such as the preselected dog clutch of a dual-clutch transmission. A case
-    in which no two gears of different ratios differ by a single element has no plan.
+    A train of two degrees of freedom has a single plan. A train with more degrees of freedom has a
+    plan for each set of constraints that gears of different ratios share, if each gear needs just
+    one more shift element. Shift elements without torque, such as the preselected dog clutch of a
+    dual-clutch transmission, are ignored. A case without two such gears has no plan.
 
     Raises
     ------
     CaseError
-        If no gear has a degree of freedom that a single element fixes.
+        If no gear has a degree of freedom that a single shift element fixes.
 
     Examples
     --------
@@ -137,13 +140,13 @@ def plans(results: Results) -> list[KinematicPlan]:
 
 
 def off_plans(case: Transmission, drawn: Sequence[KinematicPlan]) -> list[str]:
-    """Return the names of the gears that are on none of the plans."""
+    """Return the names of the gears that are not on any plan."""
     on_plans = {number for plan in drawn for number in plan.gears}
     return [gear.name for number, gear in enumerate(case.gears, 1) if number not in on_plans]
 
 
 def _with_free_ratios(case: Transmission) -> Transmission:
-    """Replace mechanisms with a given speed ratio in some gear by open shift elements."""
+    """Replace mechanisms whose speed ratio some gear prescribes by open shift elements."""
     given = {number for gear in case.gears for number in gear.speed_ratios}
     if not given:
         return case
@@ -165,9 +168,9 @@ def _marks(
     state: Sequence[Condition],
     free: FreeOutputs,
 ) -> tuple[Mark, ...]:
-    """Return the marks of gears in a state that need each of their further loaded elements.
+    """Return the gears with common constraints that need each of their other loaded shift elements.
 
-    The result is empty if all marks have the same ratio.
+    The result is empty if all these gears have the same ratio.
     """
     marks: list[Mark] = []
     common = frozenset(state)
@@ -219,7 +222,7 @@ def _rays(
 def _names(
     case: Transmission, state: Sequence[Condition], marks: Sequence[Mark]
 ) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Return the elements of a state in the gears of the marks, and the given speeds."""
+    """Return the names of shift elements that impose the constraints, and the given speeds."""
     gears = [case.gears[number - 1] for mark in marks for number in mark.gears]
     elements: list[tuple[list[int], str]] = []
     given = []

@@ -1,7 +1,7 @@
-"""A case built from wanted ratios, for a kinematic plan before gear sets are chosen.
+"""Case built from wanted ratios only, for a kinematic plan before gear sets are chosen.
 
-The link at rest in the gear of ratio u has the ray ``(u x - 1)/(u - 1)`` over the output speed x:
-the link is the carrier of a mechanism of basic ratio u between input and output.
+The link that is at rest in the gear of ratio u is the carrier of a mechanism with basic ratio u
+between input and output. Its speed is ``(u x - 1)/(u - 1)`` at the output speed x.
 """
 
 from __future__ import annotations
@@ -12,11 +12,11 @@ from vstatics.core.model.transmission import HOUSING, Gear, Mechanism, ShiftElem
 from vstatics.pictures.drawing.style import Style
 
 LARGEST_RATIO = 1e6
-"""Largest accepted ratio or inverse of a ratio; beyond, a typing error is assumed."""
+"""Largest accepted ratio, or inverse of a ratio; larger values are probably typing errors. [-]"""
 
 
 def case_of_ratios(ratios: Sequence[float], style: Style | None = None) -> Transmission:
-    """Build a case with a link and a brake per ratio, and a clutch for the ratio 1.
+    """Build a case with a link and a brake for each ratio, and a clutch for the ratio 1.
 
     Parameters
     ----------

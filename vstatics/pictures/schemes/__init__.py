@@ -1,7 +1,8 @@
-"""Diagrams of the structure of a case: stick diagram of gear sets, or boxes for any case.
+"""Diagrams of the structure of a case: a stick diagram, or boxes for components of any kind.
 
-`scheme` contains the diagram, with its `titles`; `gear_glyphs`, `sets` and `shift_element_symbols`
-(also of springs and the housing) are the drawings of parts, `planetary` identifies planetary sets.
-`stick` is the stick diagram: `coaxial` for one axis, `axes` for several, `bare` for sets without
-teeth. `structure` shows each component as one of the `boxes`, arranged and drawn by `coaxial`.
+`scheme` contains the links and components to draw, and `titles` their tooltips. `gear_glyphs`,
+`sets` and `shift_element_symbols` (also of springs and the housing) draw components, and
+`planetary` identifies planetary gear sets. `stick` draws the stick diagram: `coaxial` for one axis,
+`axes` for several, `bare` for gear sets without teeth. `structure` shows each component as one of
+the `boxes`, which `coaxial` arranges.
 """

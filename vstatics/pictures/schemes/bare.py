@@ -22,7 +22,7 @@ from vstatics.pictures.schemes.titles import Titles
 
 
 class BareStick(NamedTuple):
-    """Stick diagram whose parts have positions but are not drawn yet."""
+    """Stick diagram with positions, before it is drawn."""
 
     layout: CoaxialLayout
     style: Style
@@ -34,11 +34,11 @@ class BareStick(NamedTuple):
         return high[0] - low[0], high[1] - low[1]
 
     def drawn(self, title: str = "") -> Pen:
-        """Return a figure with the diagram alone."""
+        """Return a pen for a new canvas with only this diagram."""
         return painted(CoaxialSheet(self.layout), self.style, SchemeState(), Titles(), title)
 
     def draw(self, within: Pen) -> None:
-        """Draw the diagram at a place of a larger figure."""
+        """Draw the diagram in the rectangle of a pen."""
         pen, scheme = within.fitted(*extent(self.layout)), self.layout.coaxial.scheme
         draw_half_section(SchemeInk(pen, scheme, SchemeState(), Titles()), self.layout)
 
@@ -49,7 +49,7 @@ def bare_stick(case: Transmission, style: Style, *, is_small: bool = False) -> B
     Parameters
     ----------
     is_small : bool
-        True for a small diagram among others: shift elements are called A, B, C in the order of the
+        True for a small diagram in a list: shift elements are named A, B, C in the order of the
         case, and only input and output links are named.
 
     Examples

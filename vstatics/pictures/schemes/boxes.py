@@ -1,7 +1,7 @@
 """Components as boxes, each with its name, its kind or ratio, and its members.
 
-A box with two links is on the line between them. Any other box is in the row of planets: one link
-leaves at its sides, like a carrier, the others leave below and above.
+A box with two links is on the line between them. Any other box is drawn like a gear set: a link
+leaves at its sides, like a carrier, and the others leave below and above.
 """
 
 from __future__ import annotations
@@ -27,13 +27,13 @@ from vstatics.pictures.schemes.sets import HalfSection, WheelColumn, section_of
 BOX_NAME_LETTERS = 18
 """Number of letters after which the name of a box is broken at a blank."""
 LINE = 1.3 * SIZE
-"""Height of a line of text. [pt of letters]"""
+"""Height of a line of text. [pt, scaled with letters]"""
 PAD = 5.0
-"""Distance from the text to the edge of a box. [pt of letters]"""
+"""Distance from the text to the edge of a box. [pt, scaled with letters]"""
 LEAST_BOX = 40.0
-"""Width of a box with short texts. [pt of letters]"""
+"""Smallest width of a box. [pt, scaled with letters]"""
 SLOT_GAP = 9.0
-"""Distance between the names of two members at the same edge. [pt of letters]"""
+"""Distance between the names of two members at one edge. [pt, scaled with letters]"""
 ARM = 10.0
 """Length of the line of a link at the side of a box. [pt]"""
 GROUND = 14.0
@@ -41,26 +41,26 @@ GROUND = 14.0
 
 
 class BoxText(NamedTuple):
-    """Texts of a box."""
+    """Texts of the box of a component."""
 
     lines: str
-    """Name, and kind or ratio."""
+    """Lines with the name, and the kind or ratio."""
     members: Mapping[str, str]
-    """Names of members, or coefficients."""
+    """Names of members, or the coefficients of a spring, by the member."""
 
     @property
     def name(self) -> str:
-        """Name, in one or more lines, without kind or ratio."""
+        """Name of the component, in one or more lines, without kind or ratio."""
         return self.lines.rpartition("\n")[0]
 
     @property
     def note(self) -> str:
-        """Kind or ratio."""
+        """Kind or ratio of the component."""
         return self.lines.rpartition("\n")[2]
 
     @property
     def size(self) -> tuple[float, float]:
-        """Width and height of name and note [pt of letters]."""
+        """Width and height of name and kind or ratio [pt, scaled with letters]."""
         return max(width(self.name, bold=True), width(self.note)), LINE * (
             1 + self.lines.count("\n")
         )
@@ -71,7 +71,7 @@ class BoxText(NamedTuple):
         return ", ".join(self.members[name] for name in names)
 
     def on_line(self, device: Device, *, is_level: bool) -> tuple[float, float]:
-        """Return width and height of a box on a line between its two links [pt of letters]."""
+        """Return the size of a box on a line between two links [pt, scaled with letters]."""
         ends = [width(self.at(link, device)) for link in device.links]
         wide, high = self.size
         ends_wide = sum(ends) + SLOT_GAP if is_level else max(ends)
@@ -80,16 +80,17 @@ class BoxText(NamedTuple):
 
 @dataclass(frozen=True)
 class BoxSection(HalfSection):
-    """Box in the row of planets.
+    """Box drawn like a gear set, in the row of the planets of gear sets.
 
-    The first members are below, further members above; a link leaves at the sides.
+    The link of one member leaves at the sides, like a carrier; the first half of the others leave
+    below, the rest above.
     """
 
     text: BoxText = field(kw_only=True)
 
     @property
     def side(self) -> str:
-        """Name of the member at the sides."""
+        """Name of the member whose link leaves at the sides."""
         return self.text.members[next(iter(self.group.planets))]
 
     @property
@@ -111,33 +112,33 @@ class BoxSection(HalfSection):
 
     @property
     def width(self) -> float:
-        """Distance between the ends of the lines at the sides [pt]."""
+        """Distance between the outer ends of the lines at both sides [pt]."""
         middle = max(self.text.size[0], width(self.side))
         inner = max(middle, self._slot * len(self.columns), LEAST_BOX) + 2 * PAD
         return self.letters * inner + 2 * ARM
 
     @property
     def faces(self) -> Span:
-        """Left and right edge [pt]."""
+        """Positions of the left and right edge of the box [pt]."""
         return ARM, self.width - ARM
 
     @property
     def pin_end(self) -> float:
-        """Right edge [pt]."""
+        """Position of the right edge of the box [pt]."""
         return self.faces[1]
 
     def x(self, column: int) -> float:
-        """Return the place of the members below and above [pt]."""
+        """Return the position of the members in a column, below and above the box [pt]."""
         place = column - (len(self.columns) - 1) / 2
         return self.width / 2 + self.letters * self._slot * place
 
-    def radius(self, rim: str) -> float:  # noqa: ARG002 - the edges are level
+    def radius(self, rim: str) -> float:  # noqa: ARG002 - the edges of a box are level
         """Return half the height of the box, less the distance of meshing gears [pt]."""
         return self.half - MESH
 
 
 def boxes_of(scheme: Scheme, style: Style) -> tuple[dict[int, HalfSection], dict[int, BoxText]]:
-    """Return the boxes in the row of planets, and boxes on lines, by place in a scheme.
+    """Return boxes drawn like gear sets, and texts of boxes on lines, by index in the scheme.
 
     Examples
     --------
@@ -171,7 +172,7 @@ def _text(device: Device, style: Style) -> BoxText:
 
 
 def _section(device: Device, text: BoxText) -> BoxSection:
-    """Return a box whose carrier, or else its last link, is at its sides."""
+    """Return the box of a component; its carrier, or else its last link, leaves at the sides."""
     rotating = [member for member, link in device.members.items() if link != HOUSING]
     side = "carrier" if "carrier" in rotating else rotating[-1]
     columns = [
@@ -184,7 +185,7 @@ def _section(device: Device, text: BoxText) -> BoxSection:
 
 
 def _wheels(device: Device, side: str) -> list[tuple[CentralWheel | None, CentralWheel | None]]:
-    """Return the members below and above: suns and rings, or halves of all members but `side`."""
+    """Return the members below and above each column: suns and rings, or all except `side`."""
     element = device.element
     if element is not None and isinstance(element.shape, Planetary) and side == "carrier":
         return [(column.sun, column.ring) for column in section_of(group_of(element)).columns]

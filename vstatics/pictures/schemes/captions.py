@@ -1,4 +1,4 @@
-"""Captions of a picture of a scheme: its title, texts of its parts, and the state in a gear."""
+"""Captions of a picture of a scheme: title, tooltips of components, and the gear shown."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class SchemeTold(NamedTuple):
     state: SchemeState
     titles: Titles
     name: str
-    """Title of the picture."""
+    """Title of the picture, with the name of the case."""
 
 
 def told_of(
@@ -31,7 +31,7 @@ def told_of(
     *,
     subject: str,
 ) -> SchemeTold:
-    """Return the captions of a picture with at most a single gear, by number from 1.
+    """Return the captions of a picture without a gear, or of a gear by number from 1.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Elements of the drawing of a gear set: gears, teeth, hatching, and taps of links."""
+"""Building blocks of the drawing of a gear set: gears, teeth, hatching, ends of links."""
 
 from __future__ import annotations
 
@@ -12,19 +12,19 @@ from vstatics.pictures.drawing.pen import LINE_WIDTH
 TOOTH, SLEEVE = 0.9, 2.6
 """Line widths of teeth, and of sleeves between the gears of a planet. [pt]"""
 FACE = 9.0
-"""Half the face width of a gear. [pt]"""
+"""Half the drawn face width of a gear. [pt]"""
 MESH = 3.0
 """Distance between the tooth lines of meshing gears. [pt]"""
 
 
 DEVICE_NAME_LETTERS = 14
-"""Number of letters after which the name of a component is broken at a blank."""
+"""Number of letters above which the name of a component is broken at a blank."""
 HATCH_STEP, HATCH_WIDTH = 5.0, 0.5
-"""Distance and width of hatching lines. [pt]"""
+"""Distance and width of the lines of a hatching. [pt]"""
 
 
 def lines_of(name: str, letters: int = DEVICE_NAME_LETTERS) -> str:
-    """Break a name into as many lines as needed.
+    """Break a name at blanks into lines of a number of letters, if possible.
 
     >>> lines_of("low and reverse brake").split(chr(10))
     ['low and', 'reverse brake']
@@ -33,14 +33,14 @@ def lines_of(name: str, letters: int = DEVICE_NAME_LETTERS) -> str:
 
 
 def ground(at: Point, side: int) -> list[Segment]:
-    """Return the symbol of the housing at a point: a line with strokes toward a side."""
+    """Return the symbol of the housing at a point: a line with strokes above or below it."""
     x, y = at
     strokes = [((x + by, y), (x + by + 4.5, y + 5 * side)) for by in (-9.0, -3.0, 3.0)]
     return [((x - 10, y), (x + 10, y)), *strokes]
 
 
 def hatching(low: Point, high: Point) -> Iterator[Segment]:
-    """Yield slanted lines within a rectangle."""
+    """Yield the slanted lines of a hatching within a rectangle."""
     (left, bottom), (right, top) = low, high
     start = left - (top - bottom)
     while start < right:
@@ -54,22 +54,22 @@ ABOVE, BELOW = 1, -1
 
 
 class Tap(NamedTuple):
-    """Point where a link meets a gear set."""
+    """Point where the line of a link meets a gear set."""
 
     wire: int
     """Number of the link; 0 for a fixed member."""
     side: int
-    """Direction in which the link leaves, `ABOVE` or `BELOW`."""
+    """Direction in which the line of the link leaves: `ABOVE` or `BELOW`."""
     x: float
     """Distance from the left end of the gear set. [pt]"""
     label: str = ""
     """Name of the member of the gear set."""
     depth: float = 0.0
-    """Distance from the middle of the row to the start of the line. [pt]"""
+    """Distance from the middle of the row of planets to the start of the link's line. [pt]"""
 
 
 class Stroke(NamedTuple):
-    """Line of a glyph."""
+    """Line of the drawing of a gear set."""
 
     points: tuple[Point, ...]
     width: float = LINE_WIDTH
@@ -77,17 +77,17 @@ class Stroke(NamedTuple):
 
 
 class Glyph(NamedTuple):
-    """Way to draw a gear set; x from the left end, y from the middle of the row [pt]."""
+    """Drawing of a gear set; x from the left end, y from the middle of the row of planets [pt]."""
 
     width: float
     strokes: Sequence[Stroke]
     taps: Sequence[Tap]
     texts: Sequence[tuple[Point, str, str]] = ()
-    """Left end, vertical alignment (``top`` or ``bottom``) and text of names and tooth numbers."""
+    """Names and tooth numbers: left end, vertical alignment (``top`` or ``bottom``), and text."""
 
     @property
     def wheels(self) -> tuple[Point, Point]:
-        """Corners of a rectangle around the gears."""
+        """Corners of a rectangle around all gears [pt]."""
         points = [
             point for stroke in self.strokes if stroke.width == TOOTH for point in stroke.points
         ]
@@ -96,16 +96,16 @@ class Glyph(NamedTuple):
 
     @property
     def half(self) -> float:
-        """Largest distance of any part above or below the middle [pt]."""
+        """Largest distance of any line above or below the middle of the row [pt]."""
         heights = [abs(y) for stroke in self.strokes for _, y in stroke.points]
         return max(heights, default=0.0)
 
 
 def member_tap(member: str, link: int, side: int, x: float, y: float) -> Tap:
-    """Return the tap of a member that leaves the gear set at a point toward a side."""
+    """Return the point where a member's link leaves a gear set, above or below."""
     return Tap(link, side, x, member, side * y)
 
 
 def teeth(x: float, y: float, half: float = FACE) -> Stroke:
-    """Return a horizontal line of teeth."""
+    """Return a horizontal line of teeth, with the middle at a point."""
     return Stroke(((x - half, y), (x + half, y)), TOOTH)

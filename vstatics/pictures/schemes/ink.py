@@ -1,4 +1,4 @@
-"""Drawing tools of schemes: a pen, a scheme in a state, the colours of parts, arrows."""
+"""Drawing tools of schemes: pen, colours of components and links, arrows."""
 
 from __future__ import annotations
 
@@ -12,30 +12,30 @@ from vstatics.pictures.schemes.scheme import Scheme, SchemePort, SchemeState
 from vstatics.pictures.schemes.titles import Titles
 
 AXIS_DASHES = (0, (12, 3, 2, 3))
-"""Dashes of an axis of rotation."""
+"""Dash pattern of an axis of rotation."""
 FURTHER = (0, (1.5, 1.5))
-"""Dashes of a line that continues in a further row."""
+"""Dash pattern of a line that continues in another row."""
 ARROW = 26.0
 """Length of an arrow at the end of a link. [pt]"""
 HEAD, HALF_HEAD = 9.0, 3.5
 """Length and half width of an arrow head. [pt]"""
 ENTERS = 4.0
-"""Distance from the end of a link to the head of an arrow toward the link. [pt]"""
+"""Distance from the end of a link to the head of an arrow that enters it. [pt]"""
 
 
 @dataclass(frozen=True)
 class SchemeInk:
-    """Scheme in a state, with the pen that draws it."""
+    """Pen with the scheme that it draws, and the state of a gear."""
 
     pen: Pen
     scheme: Scheme
     state: SchemeState
     titles: Titles
     axis: int = field(default=1, kw_only=True)
-    """Number of the axis of rotation of the links, from 1."""
+    """Number of the axis about which the links rotate, from 1."""
 
     def color(self, index: int) -> str:
-        """Return the colour of a component."""
+        """Return the colour of the symbol of a component."""
         style = self.pen.style
         if index in self.state.engaged:
             return style.engaged
@@ -46,7 +46,7 @@ class SchemeInk:
         return self.pen.style.soft if index in self.state.idle else self.color(index)
 
     def rod_color(self, index: int) -> str:
-        """Return the colour of the line to a shift element, a spring or a support."""
+        """Return the colour of the line from a link to a shift element, a spring or a support."""
         loaded = self.state.loaded
         return self.color(index) if loaded is None or loaded[index] else self.pen.style.faint
 
@@ -55,21 +55,21 @@ class SchemeInk:
         return self.pen.style.soft if link in self.state.idle_links else self.pen.style.ink
 
     def end_color(self, ports: Sequence[SchemePort]) -> str:
-        """Return the colour of the line to a port, pale without torque in a gear."""
+        """Return the colour of the line to ports, pale if they have no torque in the gear."""
         state, style = self.state, self.pen.style
         is_used = state.loaded is None or any(port not in state.idle_ports for port in ports)
         return style.ink if is_used else style.faint
 
     def said(self, index: int) -> str:
-        """Return the text that appears under the pointer at a component."""
+        """Return the tooltip of a component."""
         return self.titles.devices.get(index, "")
 
     def of_link(self, name: str, axis: int = 0) -> Pen:
-        """Return a pen in the group of a link or the housing, on the current or a given axis."""
+        """Return a pen for the SVG group of a link or the housing, on this axis or a given axis."""
         return self.pen.within("link", name=name, axis=str(axis or self.axis))
 
     def of_device(self, index: int) -> Self:
-        """Return a copy that draws in the group of a component."""
+        """Return a copy that draws into the SVG group of a component."""
         device = self.scheme.devices[index]
         kind = "element" if device.is_shift_element else "mechanism"
         return replace(self, pen=self.pen.within(kind, name=device.name))
@@ -77,7 +77,8 @@ class SchemeInk:
     def ways(self, ports: Sequence[SchemePort]) -> set[bool]:
         """Return the directions of power at ports: True if it leaves, False if it enters.
 
-        Without a solution, input and output have their usual direction, and other ports have both.
+        Without a solution, input and output have their usual direction, and other ports both
+        directions.
         """
         known = {self.state.leaving[port] for port in ports if port in self.state.leaving}
         meant = {port.role == "output" for port in ports if port.role != "given"}
@@ -91,7 +92,7 @@ def centred(pen: Pen, at: Point, text: str, **look: Any) -> None:
 
 
 def draw_arrow(pen: Pen, at: Point, way: Point, ways: Collection[bool], color: str) -> Point:
-    """Draw a line from the end of a link, with heads where power leaves or enters.
+    """Draw a line from the end of a link, with an arrow head for each direction of power.
 
     Returns the outer end of the line.
     """

@@ -1,4 +1,4 @@
-"""Planetary gear sets of a scheme, including mechanisms that can be such sets."""
+"""Planetary gear sets of a scheme, including mechanisms that can be planetary gear sets."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from vstatics.pictures.schemes.titles import teeth_of
 
 
 def sections_of(scheme: Scheme, case: Transmission, style: Style) -> dict[int, HalfSection]:
-    """Return the half-sections of planetary sets and of suitable mechanisms, by index."""
+    """Return half-sections of planetary gear sets and of suitable mechanisms, by index."""
     sections = {}
     for index, device in enumerate(scheme.devices):
         element = device.element
@@ -37,15 +37,15 @@ def sections_of(scheme: Scheme, case: Transmission, style: Style) -> dict[int, H
 
 
 def can_be_set(device: Device) -> bool:
-    """Return whether a component can be a planetary set with a rotating carrier."""
+    """Return whether a component can be a planetary gear set with a rotating carrier."""
     return device.kind == "mechanism" and "third" in device.members
 
 
 def as_sets(devices: Sequence[Device], mechanisms: Sequence[Mechanism]) -> list[Device]:
-    """Return the components with mechanisms as sets of sun, ring and carrier.
+    """Return the components, with mechanisms replaced by sets of sun, ring and carrier.
 
-    A negative ratio gives a simple set, a positive ratio a set with meshed planets. If its absolute
-    value is below 1, the first link is the ring.
+    A negative basic ratio gives a simple set, a positive ratio a set with meshing planets. If its
+    magnitude is below 1, the first link is the ring.
 
     >>> devices = [Device("D1", "mechanism", {"first": 1, "second": 2, "third": 3}, (0,))]
     >>> as_sets(devices, [Mechanism(1, 2, 3, -2.5)])[0].members
@@ -61,7 +61,7 @@ def as_sets(devices: Sequence[Device], mechanisms: Sequence[Mechanism]) -> list[
 
 
 def bare_group(mechanism: Mechanism) -> PlanetGroup:
-    """Return the gears and planets of a set, with placeholder tooth numbers.
+    """Return the gears and planets for a mechanism drawn as a set, with arbitrary tooth numbers.
 
     >>> [wheel.link for wheel in bare_group(Mechanism(1, 2, 3, -0.4)).wheels]
     [2, 1]

@@ -1,4 +1,4 @@
-"""Links, components and ports of a case for a diagram, and the state in a gear."""
+"""Scheme: links, components and ports of a case for a diagram, and the state in a gear."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from vstatics.core.tables.numbers import typeset
 from vstatics.pictures.drawing.gear_state import PictureState
 
 MOST_DEVICES = 200
-"""Largest number of components; an arrangement of this many takes about ten seconds."""
+"""Largest number of components in a diagram; arranging this many takes about ten seconds."""
 
 
 class Device(NamedTuple):
@@ -27,19 +27,19 @@ class Device(NamedTuple):
 
     name: str
     kind: str
-    """Kind: ``mechanism``, ``spring``, or a kind of gear set or shift element."""
+    """Kind: ``mechanism``, ``spring``, or the kind of a gear set or shift element."""
     members: dict[str, int]
     """Link of each member; 0 is the housing."""
     numbers: tuple[int, ...]
-    """Indices of the mechanisms of the component, or index of the shift element or spring."""
+    """Indices of the component's mechanisms, or the index of the shift element or spring."""
     element: Element | None = None
-    """Gear set with teeth, if given."""
+    """Gear set with teeth, if the case gives one."""
     ratio: float = math.nan
-    """Basic ratio of a mechanism. [-]"""
+    """Basic ratio of a mechanism; NaN if not given. [-]"""
     labels: Mapping[str, str] = MappingProxyType({})
-    """Texts of the members whose text differs from the name."""
+    """Texts of members whose text differs from their name, by the member."""
     has_gap: bool = False
-    """True for an elastic component with play: such a spring, or an elastic dog clutch."""
+    """True for an elastic component with play, such as a spring or an elastic dog clutch."""
 
     @property
     def is_shift_element(self) -> bool:
@@ -48,35 +48,35 @@ class Device(NamedTuple):
 
     @property
     def is_coupling(self) -> bool:
-        """True for a component on a line between two links, or between a link and the housing."""
+        """True for a component drawn on a line between two links, or to the housing."""
         is_shaft = self.kind == "spring" and "second" in self.members
         return is_shaft or self.is_shift_element or self.kind == "held"
 
     @property
     def sign(self) -> str:
-        """Kind that determines the symbol; ``play`` for a component with play."""
+        """Kind that determines the symbol: ``play`` for a component with play, else `kind`."""
         return "play" if self.has_gap else self.kind
 
     @property
     def links(self) -> set[int]:
-        """Connected links without the housing."""
+        """Numbers of the connected links, without the housing."""
         return set(self.members.values()) - {HOUSING}
 
     @property
     def is_on_housing(self) -> bool:
-        """True for a component between a link and the housing: a brake, a support, a spring."""
+        """True for a component between a link and the housing: a brake, a support, or a spring."""
         return self.is_coupling and len(self.links) == 1
 
 
 class SchemePort(NamedTuple):
-    """Link by which power enters or leaves."""
+    """Port: link at which power enters or leaves the picture."""
 
     link: int
     role: str
     """Role of the port in a gear or in the picture.
 
-    ``input``, ``output``, or ``given`` for a link with given speed or torque; ``before`` or
-    ``behind`` for a link that continues in an earlier or later row of the picture.
+    The role is ``input``, ``output``, or ``given`` (link with given speed or torque), or else
+    ``before`` or ``behind`` (link that continues in an earlier or later row of the picture).
     """
 
     @property
@@ -86,26 +86,27 @@ class SchemePort(NamedTuple):
 
     @property
     def is_further(self) -> bool:
-        """True if the link continues in a further row."""
+        """True if the link continues in another row of the picture."""
         return self.role in ("before", "behind")
 
 
 @dataclass(frozen=True)
 class SchemeState:
-    """Parts that are marked or pale in the picture of a gear; empty without a gear."""
+    """State of the components of a scheme in a gear; empty without a gear."""
 
     engaged: AbstractSet[int] = frozenset()
     """Indices of the engaged components in `Scheme.devices`."""
     idle: AbstractSet[int] = frozenset()
-    """Indices of the components that are released or carry no torque."""
+    """Indices of components that are released or carry no torque, drawn pale."""
     pieces: AbstractSet[int] = frozenset()
-    """Indices of the components that carry torque but rotate as a block."""
+    """Indices of components that carry torque but rotate as a block."""
     loaded: Sequence[AbstractSet[int]] | None = None
-    """For each component, the links on which it exerts a torque; None without a gear."""
+    """Links on which each component exerts a torque; None without a gear."""
     idle_links: AbstractSet[int] = frozenset()
     idle_ports: AbstractSet[SchemePort] = frozenset()
     leaving: Mapping[SchemePort, bool] = field(default_factory=dict)
-    """True if power leaves by a port, False for power that enters, as far as known."""
+    """True for ports where power leaves, False where it enters; ports of unknown power are missing.
+    """
     slipping: AbstractSet[int] = frozenset()
     """Indices of the engaged components that slip under torque."""
 
@@ -116,7 +117,7 @@ class SchemeState:
 
 @dataclass(frozen=True)
 class Scheme:
-    """Case as drawn, without planets."""
+    """Scheme: links, components and ports of a case for a diagram; planets are not links."""
 
     links: Sequence[str]
     devices: Sequence[Device]
@@ -128,9 +129,9 @@ class Scheme:
 
     @property
     def ends(self) -> tuple[list[int], list[int]]:
-        """Links that begin at the left end of a picture, and links that end at the right end.
+        """Links that begin at the left end of the picture, and links that end at its right end.
 
-        A link with fewer than two components also goes to an end, where its name has room.
+        A link with fewer than two components also extends to an end, where its name has room.
         """
         left = [port.link for port in self.ports if port.is_left]
         right = [port.link for port in self.ports if not port.is_left]
@@ -175,7 +176,7 @@ def scheme_of(case: Transmission) -> Scheme:
 
 
 def ratio_text(ratio: float) -> str:
-    """Return a basic ratio as written in pictures.
+    """Return a basic ratio as a text for pictures.
 
     >>> ratio_text(-2.4610)
     'u = −2.461'
@@ -200,7 +201,7 @@ def _mechanisms(case: Transmission) -> list[Device]:
 
 
 def _shape_of(mechanism: Mechanism) -> tuple[str, dict[str, int]]:
-    """Return the kind and the members of a mechanism that is given by its ratio, not by teeth."""
+    """Return the kind and members with which to draw a mechanism that is given without teeth."""
     if mechanism.second == mechanism.third == HOUSING:
         return "held", {"link": mechanism.first}
     links = mechanism.links if mechanism.third else mechanism.links[:2]
@@ -222,7 +223,7 @@ def _shift_elements(elements: Sequence[ShiftElement]) -> list[Device]:
 
 
 def _spring(number: int, spring: Spring, case: Transmission) -> Device:
-    """Return a shaft between two ends, or any other spring as a box with coefficients."""
+    """Return a spring as a shaft between two ends, or else as a box with coefficients."""
     shaft = ends(spring.twist)
     if shaft is not None:
         members = dict(zip(("first", "second"), shaft, strict=True))
@@ -244,7 +245,7 @@ def _ports(first: int, outputs: Sequence[int], gear: Gear) -> list[SchemePort]:
 
 
 def scheme_state(scheme: Scheme, state: PictureState) -> SchemeState:
-    """Return the engaged, idle and locked-up components in a gear, and the loaded links."""
+    """Return the engaged, idle and locked-up components of a scheme in a gear, and loaded links."""
     engaged: set[int] = set()
     idle: set[int] = set()
     pieces: set[int] = set()

@@ -1,7 +1,7 @@
-"""Planetary gear sets of any kind as drawn: planets above suns, rings above planets.
+"""Drawing of planetary gear sets of any kind: planets above suns, rings above planets.
 
-Gears in one plane form a column. Meshing planets are on different levels: planets in mesh with the
-sun are below, planets in mesh with the ring above.
+Gears in one plane form a column. Meshing planets are on different levels: those that mesh with the
+sun below, those that mesh with the ring above.
 """
 
 from __future__ import annotations
@@ -30,9 +30,9 @@ from vstatics.pictures.schemes.gear_glyphs import (
 )
 
 RADIUS, SMALL_RADIUS = 14.0, 9.0
-"""Radii of the larger and the smaller gear of a planet. [pt]"""
+"""Drawn radii of the larger and the smaller gear of a planet. [pt]"""
 LEVEL = 2 * RADIUS + MESH
-"""Distance between levels of planets. [pt]"""
+"""Vertical distance between levels of planets. [pt]"""
 PLANE_DISTANCE = 34.0
 """Distance between planes of gears. [pt]"""
 CARRIER_ARM = 16.0
@@ -40,19 +40,19 @@ CARRIER_ARM = 16.0
 NO_NAMES: Mapping[str, str] = MappingProxyType({})
 LEFT, RIGHT = 0, 1
 MOST_COLUMNS = 6
-"""Number of columns up to which all orders are tried."""
+"""Largest number of columns for which all orders are tried."""
 
 
 @dataclass
 class WheelColumn:
-    """Plane of gears: planet gears by level, a sun below, a ring above."""
+    """Gears in one plane: planet gears by level, with a sun below and a ring above."""
 
     rims: dict[int, str]
     sun: CentralWheel | None = None
     ring: CentralWheel | None = None
 
     def bars(self, level: int) -> bool:
-        """Return whether gears of the plane block an axle on a level."""
+        """Return whether a gear of this plane blocks a planet's axle on a level."""
         if level < min(self.rims):
             return self.sun is not None
         return level <= max(self.rims) or self.ring is not None
@@ -60,31 +60,31 @@ class WheelColumn:
 
 @dataclass(frozen=True)
 class HalfSection:
-    """Half-section above the axis of a group of planets, with their suns and rings."""
+    """Half-section, above the axis, of a group of planets with the suns and rings."""
 
     group: PlanetGroup
     levels: Mapping[str, int]
-    """Level of each planet."""
+    """Level of each planet, from 0 at the sun."""
     columns: Sequence[WheelColumn] = field(default_factory=list)
     names: Mapping[str, str] = field(default_factory=dict)
-    """Texts next to gears."""
+    """Text next to each gear, by the name of the gear."""
     letters: float = 1.0
-    """Ratio of the size of letters to lengths."""
+    """Ratio of the size of letters to lengths. [-]"""
 
     def x(self, column: int) -> float:
-        """Return the position of the plane of a column [pt]."""
+        """Return the position of the plane of a column, from the left end [pt]."""
         return (
             CARRIER_ARM + FACE + sum(max(PLANE_DISTANCE, self.name_width(n)) for n in range(column))
         )
 
     @property
     def width(self) -> float:
-        """Distance between the ends of the arms [pt]."""
+        """Distance between the carrier arms at both ends [pt]."""
         last = len(self.columns) - 1
         return self.x(last) + max(CARRIER_ARM + FACE, self.name_width(last))
 
     def name_width(self, column: int) -> float:
-        """Return the width of the names of a column, from the plane [pt]."""
+        """Return the width that the names of a column need to the right of its plane [pt]."""
         plane = self.columns[column]
         wheels = [wheel.member for wheel in (plane.sun, plane.ring) if wheel is not None]
         texts = [
@@ -99,35 +99,35 @@ class HalfSection:
 
     @property
     def faces(self) -> Span:
-        """Ends of the gears with names, without arms [pt]."""
+        """Left and right end of the gears with the names, without carrier arms [pt]."""
         last = len(self.columns) - 1
         return self.x(0) - FACE, self.x(last) + max(FACE, self.name_width(last) - 3)
 
     @property
     def pin_end(self) -> float:
-        """End of the pin of an unconnected carrier [pt]."""
+        """Right end of the planet pin if the carrier is unconnected [pt]."""
         return self.x(len(self.columns) - 1) + FACE
 
     def y(self, level: int) -> float:
-        """Return the height of an axle on a level [pt]."""
+        """Return the height of the axles of planets on a level [pt]."""
         top = max(self.levels.values())
         return LEVEL * (level - top / 2)
 
     def planes(self, planet: str) -> list[int]:
-        """Return the columns with a gear of a planet."""
+        """Return the indices of the columns with a gear of a planet."""
         rims = self.group.planets[planet]
         return [n for n, col in enumerate(self.columns) if set(col.rims.values()) & set(rims)]
 
     def reach(self, rim: str) -> Span:
-        """Return the positions of the first and the last plane of a planet gear [pt]."""
+        """Return the positions of the first and the last plane with a planet gear [pt]."""
         planes = [n for n, column in enumerate(self.columns) if rim in column.rims.values()]
         return self.x(planes[0]), self.x(planes[-1])
 
     def radius(self, rim: str) -> float:
         """Return the drawn radius of a planet gear [pt].
 
-        The smaller gears of a planet look smaller unless further planets mesh with them. A name
-        needs the height of a large gear above its pin.
+        A smaller gear of a stepped planet is drawn smaller unless another planet meshes with it. A
+        gear with a name is drawn large, because the name needs the height above the pin.
         """
         if rim in self.names:
             return RADIUS
@@ -137,7 +137,7 @@ class HalfSection:
         return SMALL_RADIUS if rim not in meshed and self.group.teeth(rim) < largest else RADIUS
 
     def barred(self, planet: str, side: int) -> int:
-        """Return the number of planes that block an axle toward a side."""
+        """Return the number of planes that block a planet's axle on its left or right side."""
         planes, level = self.planes(planet), self.levels[planet]
         first = planes[0] if side == RIGHT else 0
         last = len(self.columns) if side == RIGHT else planes[-1]
@@ -146,7 +146,7 @@ class HalfSection:
 
 
 def section_of(group: PlanetGroup) -> HalfSection:
-    """Return the section of a group with the order of planes that blocks axles least."""
+    """Return the half-section of a group, with its planes in the order that blocks axles least."""
     levels = _levels(group)
     columns = _columns(group, levels)
     orders = permutations(columns) if len(columns) <= MOST_COLUMNS else [columns]
@@ -162,7 +162,7 @@ def _disorder(section: HalfSection) -> float:
 
 
 def _levels(group: PlanetGroup) -> dict[str, int]:
-    """Return the level of each planet: its number of meshes from the planet at the sun."""
+    """Return the level of each planet: its number of meshes away from the planet at the sun."""
     wheels = {planet: {True: 0, False: 0} for planet in group.planets}
     for wheel in group.wheels:
         wheels[group.planet_of[wheel.rim]][wheel.internal] += 1
@@ -214,16 +214,17 @@ def _columns(group: PlanetGroup, levels: Mapping[str, int]) -> list[WheelColumn]
 def axles(
     section: HalfSection, *, is_left: bool, is_right: bool
 ) -> tuple[list[Segment], list[Segment]]:
-    """Return the axles of planets, and the vertical arms that join axles at requested sides.
+    """Return the axles of planets, and the vertical carrier arms that join them at wanted sides.
 
-    An axle that is blocked on a side leaves to the other side.
+    An axle that gears block on one side leaves on the other side.
     """
     wanted = [side for side, there in ((LEFT, is_left), (RIGHT, is_right)) if there]
     if not wanted and len(section.levels) > 1:
-        wanted = [RIGHT]  # an unconnected carrier
+        wanted = [RIGHT]  # the carrier is unconnected: draw an arm on the right
     chosen = {planet: _arm_ends(section, planet, wanted) for planet in section.levels}
     used = {side for sides in chosen.values() for side in sides}
-    if wanted and not any(sides >= used for sides in chosen.values()):  # no axle joins both arms
+    # No axle extends to both arms.
+    if wanted and not any(sides >= used for sides in chosen.values()):
         planet = min(chosen, key=lambda name: sum(section.barred(name, side) for side in used))
         chosen[planet] = used
     pins: list[Segment] = []
@@ -241,7 +242,7 @@ def axles(
 
 
 def _arm_ends(section: HalfSection, planet: str, wanted: Sequence[int]) -> set[int]:
-    """Return the requested sides to which an axle leaves, or the least blocked side."""
+    """Return the wanted sides on which an axle is free, or the least blocked side."""
     sides = {side for side in wanted if not section.barred(planet, side)}
     if wanted and not sides:
         sides = {min((LEFT, RIGHT), key=lambda side: section.barred(planet, side))}
@@ -249,12 +250,12 @@ def _arm_ends(section: HalfSection, planet: str, wanted: Sequence[int]) -> set[i
 
 
 def set_glyphs(group: PlanetGroup, names: Mapping[str, str] = NO_NAMES) -> list[Glyph]:
-    """Return all ways to draw a group: as given or mirrored, with the carrier on either side.
+    """Return all drawings of a planet group: as given or mirrored, carrier left or right.
 
     Parameters
     ----------
     names : mapping of str to str, optional
-        Texts next to gears.
+        Texts next to gears, by the name of the gear.
     """
     section = replace(section_of(group), names=names)
     turned = replace(section, columns=list(section.columns)[::-1])
@@ -282,9 +283,9 @@ def _glyphs(section: HalfSection) -> Iterator[Glyph]:
 
 
 def _arm_sides(section: HalfSection) -> list[tuple[int, ...]]:
-    """Return alternatives, each with the side to which the axle of each planet leaves.
+    """Return alternative sides on which the axles of the planets leave, one side per planet.
 
-    All axles leave to the same side, unless gears block axles on both sides.
+    All axles leave on the same side unless gears block them on both sides.
     """
     planets = list(section.group.planets)
     clear = [
@@ -299,7 +300,7 @@ def _arm_sides(section: HalfSection) -> list[tuple[int, ...]]:
 def _arms(
     section: HalfSection, arms: Mapping[str, int]
 ) -> tuple[list[Stroke], list[tuple[float, float, float]]]:
-    """Return axles and connecting bars, with position, lower and upper end of each bar."""
+    """Return axles and carrier arms; each arm has a position, a lower and an upper end [pt]."""
     strokes: list[Stroke] = []
     ends: list[tuple[float, float, float]] = []
     for side, x in ((LEFT, 0.0), (RIGHT, section.width)):
@@ -317,7 +318,7 @@ def _arms(
 
 
 def planet_strokes(section: HalfSection) -> list[Stroke]:
-    """Return planet gears with webs, and a sleeve between the gears of a planet."""
+    """Return the lines of planet gears with webs, and sleeves between the gears of a planet."""
     strokes: list[Stroke] = []
     for planet, rims in section.group.planets.items():
         y = section.y(section.levels[planet])
@@ -346,7 +347,7 @@ def wheel_taps(section: HalfSection) -> Iterator[Tap]:
 
 
 def wheel_texts(section: HalfSection, wheels: Sequence[Tap]) -> Iterator[tuple[Point, str, str]]:
-    """Yield names of central gears next to the meshes, and of planet gears next to the planes."""
+    """Yield names of suns and rings next to their meshes, and of planet gears."""
     for tap in wheels:
         if tap.label in section.names:
             at = tap.x + 3, tap.side * (tap.depth + 2.0)

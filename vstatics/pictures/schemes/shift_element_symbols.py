@@ -1,4 +1,4 @@
-"""Symbols of shift elements, springs and the housing, and the key of a diagram."""
+"""Symbols of shift elements, springs and the housing, and the key that explains them."""
 
 from __future__ import annotations
 
@@ -14,38 +14,37 @@ from vstatics.pictures.schemes.gear_glyphs import ground
 from vstatics.pictures.schemes.scheme import SchemeState
 
 HALF_SIGN = {"freewheel": 6.0, "dog_clutch": 4.0, "spring": 9.0, "play": 9.0}
-"""Half the length of symbols along the line, if different from plates. [pt]"""
+"""Half the length along the line of symbols other than plates, by kind. [pt]"""
 PACK = 6.5
-"""Half the length of a pack of plates. [pt]"""
+"""Half the length of the symbol of a plate pack. [pt]"""
 HALF_BOX_SIGN = 8.0
-"""Half the length of a box without a symbol. [pt]"""
+"""Half the length of a box, for a component without a symbol. [pt]"""
 PLATES, BETWEEN = (-7.0, 0.0, 7.0), (-3.5, 3.5)
-"""Positions of the plates of both sides across the line. [pt]"""
+"""Positions across the line of the plates of the first side, and of the second side. [pt]"""
 GAP_IN_LINE = 5.0
 """Gap between a spring with play and the end of its symbol. [pt]"""
 PLATE_CLEARANCE = 2.5
-"""Distance from a plate to the opposite drum. [pt]"""
+"""Distance from a plate to the opposite plate carrier. [pt]"""
 Place = Callable[[float, float], Point]
-"""Function that returns the point of the picture for positions along and across a line."""
+"""Conversion of distances along and across a line to a point of the picture."""
 
 
 class Coupled(NamedTuple):
-    """Shift element, spring, support or box on a horizontal or vertical line."""
+    """Symbol of a component on a line: shift element, spring, support or box."""
 
     kind: str
     start: Point
-    """End of the line at the first link."""
+    """End of the line at the first link. [pt]"""
     end: Point
     color: str
     is_closed: bool = False
     rod: str = ""
-    """Colour of the line to the symbol; empty if it is the colour of the symbol."""
+    """Colour of the line to the symbol; empty for the colour of the symbol."""
     housing: int = 0
-    """Direction of the strokes of the housing at `end`, 1 for up or -1 for down; 0 without a
-    housing."""
+    """Direction of the strokes of the housing at `end`: 1 up, -1 down, 0 without a housing."""
     title: str = ""
     is_backward: bool = False
-    """True for a freewheel with the housing as the first link."""
+    """True for a freewheel whose first link is the housing."""
 
 
 def half_of(kind: str) -> float:
@@ -55,7 +54,7 @@ def half_of(kind: str) -> float:
 
 
 def draw_coupled(pen: Pen, coupled: Coupled) -> None:
-    """Draw a symbol on a line; plates at the housing are drawn at the wall.
+    """Draw a symbol on its line; the plates of a brake are drawn at the housing.
 
     >>> from vstatics.pictures.drawing.pen import blank
     >>> from vstatics.pictures.drawing.style import Style
@@ -105,7 +104,7 @@ def _closed(pen: Pen, at: Place, half: float, edge: float, coupled: Coupled) -> 
 
 
 def _plates(pen: Pen, at: Place, half: float, coupled: Coupled) -> list[Sequence[Point]]:
-    """Return interleaved plates; engaged plates are drawn as a block."""
+    """Return the lines of interleaved plates; engaged plates are drawn as a block instead."""
     edge = PLATES[-1] + 1.5
     if coupled.is_closed:
         _closed(pen, at, half, edge, coupled)
@@ -125,7 +124,7 @@ def _spring(_pen: Pen, at: Place, half: float, _coupled: Coupled) -> list[Sequen
 
 
 def _play(pen: Pen, at: Place, half: float, coupled: Coupled) -> list[Sequence[Point]]:
-    """Return a spring with a gap behind it, which an engaged dog clutch fills."""
+    """Return the lines of a spring followed by a gap; fill the gap of an engaged dog clutch."""
     near, far = half - GAP_IN_LINE, half - 1.0
     if coupled.is_closed:
         _sign(pen, [at(near, 6), at(far, 6), at(far, -6), at(near, -6)], coupled, coupled.color)
@@ -138,7 +137,7 @@ def _play(pen: Pen, at: Place, half: float, coupled: Coupled) -> list[Sequence[P
 
 
 def _freewheel(pen: Pen, at: Place, half: float, coupled: Coupled) -> list[Sequence[Point]]:
-    """Return a triangle that points in the blocked direction of the first link."""
+    """Return the lines of a triangle that points in the blocked direction of the first link."""
     fill = coupled.color if coupled.is_closed else pen.style.paper
     tip = -half if coupled.is_backward else half
     _sign(pen, [at(-tip, 6), at(-tip, -6), at(tip, 0)], coupled, fill)
@@ -158,7 +157,7 @@ def _dogs(pen: Pen, at: Place, half: float, coupled: Coupled) -> list[Sequence[P
 
 
 def _box(pen: Pen, at: Place, half: float, coupled: Coupled) -> list[Sequence[Point]]:
-    """Draw a box for a component without a symbol, such as a reduction or a converter."""
+    """Draw a box for a component without a symbol, such as a converter; return no lines."""
     across = HALF_BOX_SIGN
     corners = [at(-half, across), at(half, across), at(half, -across), at(-half, -across)]
     _sign(pen, corners, coupled, pen.style.paper)
@@ -170,7 +169,7 @@ def _support(_pen: Pen, at: Place, half: float, _coupled: Coupled) -> list[Seque
 
 
 def meanings(state: SchemeState, style: Style) -> list[Meaning]:
-    """Return the symbols in the picture of a gear, and the meaning of each.
+    """Return the key of the picture of a gear: each style with the meaning.
 
     >>> [said for occurs, said, *_ in meanings(SchemeState(engaged=frozenset({1})), Style())
     ...  if occurs]

@@ -1,7 +1,7 @@
-"""Stick diagram: the half of a transmission above its axis, in which gears are lines of teeth.
+"""Stick diagrams: the half of a transmission above its axis, with gears as lines of teeth.
 
-Components on one axis form a half-section; several axes are rows. If only mechanisms are given,
-they are drawn as planetary sets.
+Components on one axis form a half-section; several axes are drawn as rows. If the case has no gear
+sets, mechanisms are drawn as planetary gear sets.
 """
 
 from __future__ import annotations
@@ -23,10 +23,10 @@ from vstatics.pictures.schemes.scheme import Scheme, scheme_of
 
 
 def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iterator[list[Canvas]]:
-    """Yield the stick diagrams of a case with gear sets, or mechanisms that can be planetary sets.
+    """Yield the pages of the stick diagram of a case, without a gear or for each list of gears.
 
-    In the picture of a gear, engaged elements and locked-up gear sets are marked, and parts without
-    torque are pale. All pictures have the same layout.
+    In the picture of a gear, engaged shift elements and locked-up gear sets are marked, and lines
+    without torque are pale. All pictures have the same layout.
 
     Raises
     ------

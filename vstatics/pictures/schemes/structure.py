@@ -1,6 +1,7 @@
 """Structure of a transmission: components are boxes, and shift elements connect their links.
 
-This is the form of figure 5b of the source. It serves every case, also without a stick diagram.
+The picture follows figure 5b of V. B. Algin, Visual-Statics. Every case can be drawn, also a case
+without a stick diagram.
 """
 
 from __future__ import annotations
@@ -16,12 +17,12 @@ from vstatics.pictures.schemes.scheme import scheme_of
 
 
 def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iterator[list[Canvas]]:
-    """Yield the figures of the structure, without a gear or with a single gear, in a fixed layout.
+    """Yield the pages of the structure, without a gear or in a single gear, in a fixed layout.
 
-    In the picture of a gear, engaged shift elements and locked-up components are marked, and parts
+    In the picture of a gear, engaged shift elements and locked-up components are marked, and lines
     without torque are pale.
 
-    Source: figure 5b.
+    Source: V. B. Algin, Visual-Statics, figure 5b.
 
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2)], [Gear([1])])
@@ -33,5 +34,5 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
     sections, texts = boxes_of(scheme, style)
     sheet = coaxial_sheet(scheme, sections, style, texts)
     if sheet is None:
-        raise TypeError(results.case)  # cannot occur: any component can be a box
+        raise TypeError(results.case)  # cannot occur, because any component can be drawn as a box
     yield from figures(results, scheme, sheet, style, shown, style.text("structure"))

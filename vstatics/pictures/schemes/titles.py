@@ -1,4 +1,4 @@
-"""Texts that appear under the pointer at components and links of a scheme."""
+"""Tooltips of components and links of a scheme."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from vstatics.pictures.schemes.scheme import Device, Scheme, ratio_text
 
 
 class Titles(NamedTuple):
-    """Texts of components by index, and of links by number; missing texts are empty."""
+    """Tooltips of components by index, and of links by number; empty where missing."""
 
     devices: Mapping[int, str] = {}
     links: Mapping[int, str] = {}
@@ -25,7 +25,7 @@ class Titles(NamedTuple):
 def titles_of(
     results: Results, scheme: Scheme, style: Style, gear: int | None, state: PictureState | None
 ) -> Titles:
-    """Return kind, teeth and ratio of components, and in a gear the relative speeds and torques.
+    """Return the tooltips: kind, teeth, ratio and, in a gear, relative speeds and torques.
 
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
     >>> from vstatics.pictures.schemes.scheme import scheme_of
@@ -77,7 +77,7 @@ def teeth_of(element: Element) -> dict[str, float]:
 
 
 def _torques(results: Results, gear: int) -> Iterator[dict[str, float]]:
-    """Yield the torques of each component by member, in the order of a scheme."""
+    """Yield the torques of each component by member, in the order of the scheme [-]."""
     state = results.gear_at(gear - 1)
     for members in state.member_torques(lossy=False):
         yield {name: plain(torque) for name, torque in members.items()}

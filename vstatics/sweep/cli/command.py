@@ -36,7 +36,7 @@ from vstatics.sweep.options import OPTIONS, Option, SweepOptions, conflicts, say
 
 
 def declared(command: Command) -> Command:
-    """Add the options that sweep files and `vstatics.sweep()` have, too."""
+    """Add the options of a sweep that sweep files and `vstatics.sweep()` also have."""
     for name, option in reversed(list(OPTIONS.items())):
         if option.help:
             command = _click_option(name, option)(command)
@@ -69,7 +69,7 @@ def _once(_context: click.Context, option: click.Parameter, given: tuple[str, ..
 
 
 class Effort(NamedTuple):
-    """Options of the execution: estimate only, time limit of a run, failure without rows."""
+    """Options of the execution: failure without rows, estimate only, time limit of a run."""
 
     fail_empty: bool
     dry_run: bool
@@ -208,12 +208,12 @@ def sweep_command(
             status, messages = carry_out(run)
             problems = [*problems, *messages]
         return status or (FAILED if telling.fails(problems) else DONE)
-    except CaseError as error:  # printed like the problems of a file
+    except CaseError as error:  # printed in the same way as problems of a file
         raise ReadError(error.problems) from error
 
 
 def _unquoted(name: str, given: Any) -> tuple[str, Any]:
-    """Remove quotes around a whole option, which some shells leave.
+    """Remove quotes around a whole option value, which some shells leave.
 
     >>> _unquoted("vary", ("'P1.ratio=-2,-3'", "'a b'.ratio=-2")), _unquoted("best", 5)
     (('vary', ('P1.ratio=-2,-3', "'a b'.ratio=-2")), ('best', 5))
@@ -225,7 +225,7 @@ def _unquoted(name: str, given: Any) -> tuple[str, Any]:
 
 
 def _checked(options: SweepOptions, spelled: Callable[[str], str], sharing: Sharing) -> Format:
-    """Return the format of the output, and refuse wrong combinations of options."""
+    """Return the format of the output file, and refuse contradictory options."""
     to_stream = is_stream(options.output)
     against = [
         (True, message if message.endswith("?") else f"{message}.")

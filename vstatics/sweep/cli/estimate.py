@@ -19,18 +19,18 @@ from vstatics.sweep.results.best import BEST
 from vstatics.sweep.tasks import data_of
 
 TRIED = 1.0
-"""Time limit of the trial run from which the time of a run is estimated. [s]"""
+"""Time limit of a trial run, by which the time of all runs is estimated. [s]"""
 SPOTS, ROWS = 16, 16
-"""Number of places in a sweep, and of rows at each place, that give the mean size of a row."""
+"""Number of places in a sweep, and of rows at each place, for the mean size of a row."""
 LONGEST_NUMBER = 32
-"""Largest size of a number with separators [bytes]."""
+"""Largest size of a number in the output, with separators [bytes]."""
 
 
 def check_room(plan: SweepPlan, form: Format, output: str, pieces: FinishedPieces) -> None:
     """Refuse an output without enough disk space, before anything is written.
 
-    The number of rows is unknown with a condition or an objective. The compression of Parquet is
-    unknown, but its pieces are first stored uncompressed.
+    With a condition or an objective, the number of rows is unknown. For Parquet, only the size of
+    the uncompressed pieces is known.
 
     Raises
     ------
@@ -68,7 +68,7 @@ def _row_bytes(plan: SweepPlan, form: Format) -> float:
 
 
 def _packed_bytes(plan: SweepPlan, rows: Chunk) -> int:
-    """Return the length of some rows in Parquet, whose compression resembles the whole file."""
+    """Return the size in bytes of some rows as Parquet, compressed as the whole file would be."""
     file = io.BytesIO()
     write_parquet(file, plan.output_headings, [rows], by_gear=plan.by_gear)
     return file.tell()
@@ -90,7 +90,8 @@ def estimate(plan: SweepPlan, form: Format, jobs: int) -> str:
         plan = replace(plan, subject=subject.limited(TRIED))
     start, stop = blocks.middle(plan)
     first = 100 if isinstance(plan.subject, Transmission) else 1
-    blocks.calculate(plan, start, min(start + first, stop))  # the first calculation takes longer
+    # The first calculation takes longer than later ones, so it is not measured.
+    blocks.calculate(plan, start, min(start + first, stop))
     began = time.perf_counter()
     rows = blocks.calculate(plan, start, stop)
     data = data_of(form, rows)

@@ -1,4 +1,4 @@
-"""Pictures of written sweeps."""
+"""Pictures of sweep files on the command line."""
 
 from __future__ import annotations
 
@@ -32,12 +32,12 @@ if TYPE_CHECKING:
 def plot_written_sweep(
     sweeps: Sequence[str], to: Destination, style: Style, asked: AskedPicture
 ) -> int:
-    """Draw a written sweep, and return the exit status.
+    """Draw a picture of a sweep file, and return the exit status.
 
     Raises
     ------
     UsageError
-        If there are several files, or a column does not suit the kind.
+        If there are several files, or a column does not suit the kind of picture.
     ReadError
         If the file is not a sweep, has nothing to draw, or the picture cannot be written.
     """

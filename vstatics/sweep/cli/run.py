@@ -1,4 +1,4 @@
-"""Execution of a sweep, to a file or a stream, with a report at the end."""
+"""Execution of a sweep with output to a file or stream, and a report at the end."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ UNSOLVED = [
 
 
 class SweepRun(NamedTuple):
-    """Sweep with the options of execution and output."""
+    """Plan of a sweep with the options of execution and output."""
 
     plan: SweepPlan
     form: Format
@@ -42,7 +42,7 @@ class SweepRun(NamedTuple):
     raw: bool
     telling: Telling
     fail_empty: bool = False
-    """True if a sweep without rows fails."""
+    """True if a sweep without rows is a failure."""
 
     @property
     def quiet(self) -> bool:
@@ -59,13 +59,13 @@ class Ended(NamedTuple):
     """Outcome of a sweep."""
 
     status: int
-    """Exit status of the command before the check of warnings."""
+    """Exit status of the command, not yet considering warnings."""
     messages: Sequence[Problem] = ()
-    """Messages about the runs."""
+    """Messages of simulated runs."""
 
 
 def carry_out(run: SweepRun) -> Ended:
-    """Carry out a sweep."""
+    """Execute a sweep, write its output, and report the outcome."""
     try:
         if run.output is None or is_stream(run.output):
             return to_stream(run)
@@ -76,7 +76,7 @@ def carry_out(run: SweepRun) -> Ended:
 
 
 def to_file(run: SweepRun, output: str) -> Ended:
-    """Write the output file, completely or not at all."""
+    """Calculate a sweep and write the output file, completely or not at all."""
     from vstatics.core.cli.shared.progress import progress
 
     plan, sharing, quiet = run.plan, run.sharing, run.quiet
@@ -103,7 +103,7 @@ def to_file(run: SweepRun, output: str) -> Ended:
 
 
 def to_stream(run: SweepRun) -> Ended:
-    """Write rows to stdout or another stream during the calculation."""
+    """Calculate a sweep and write rows to a stream, such as stdout, during the calculation."""
     from vstatics.core.cli.shared.progress import progress
 
     plan, sharing = run.plan, run.sharing
@@ -173,8 +173,9 @@ def _summary(run: SweepRun, report: SweepReport, seconds: float, finished_before
 
 
 def tell_noticed(run: SweepRun, noticed: Sequence[Noticed]) -> Sequence[Problem]:
-    """Print and return the messages of runs, each once for all variants."""
-    plan, telling = run.plan, run.telling._replace(notes=True)  # as in `simulate`
+    """Print and return the messages of simulated runs, each once for all variants."""
+    # Notes are shown, as by `vstatics simulate`.
+    plan, telling = run.plan, run.telling._replace(notes=True)
     if isinstance(plan.subject, Transmission):
         return ()
     file, count = plan.subject.file, plan.variants.count
@@ -196,7 +197,7 @@ def _counted(plan: SweepPlan) -> str:
 
 
 def _tell_removed(where: WhereCondition, report: SweepReport) -> None:
-    """Print how many variants each part of the condition removed."""
+    """Print the number of variants that each part of the condition removed."""
     remaining = report.variants
     for part, removed in zip(where.parts, report.removed, strict=True):
         files.say(f"`{part.text}` removed {removed} of {remaining}")
@@ -204,7 +205,7 @@ def _tell_removed(where: WhereCondition, report: SweepReport) -> None:
 
 
 def tell_reason(plan: SweepPlan) -> None:
-    """Print the reason if the first variant has no numbers."""
+    """Print the reason if the first variant has no results."""
     if isinstance(plan.subject, Transmission):
         files.show(blocks.reason(plan))
     else:

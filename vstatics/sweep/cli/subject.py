@@ -1,4 +1,4 @@
-"""Subject of a sweep as read from files: a case, or a scenario and its case."""
+"""Subject of a sweep, read from files: a case, or a scenario with the case."""
 
 from __future__ import annotations
 
@@ -26,15 +26,15 @@ from vstatics.sweep.variants.table_file import headings
 _LOAD = re.compile(r"(?<![\w.])load\.(speed|torque)\b")
 _STAND_INS = {"speed": "1000 rpm", "torque": "100 N*m"}
 ReadSubject = tuple[Subject, list[Problem]]
-"""Case or scenario, and warnings about the case."""
+"""Case or scenario of a sweep, and the warnings about its case."""
 
 
 def read_subject(
     options: SweepOptions, input_format: readers.Format | None, telling: Telling
 ) -> ReadSubject:
-    """Read the case or the scenario of a sweep, and print the warnings.
+    """Read the case or scenario of a sweep, and print its warnings.
 
-    A case can lack a load that varies.
+    A case need not contain a load whose speed or torque varies.
 
     Raises
     ------
@@ -68,7 +68,7 @@ def read_subject(
 def _with_load(
     case: Document, input_format: readers.Format | None, options: SweepOptions
 ) -> Reading | None:
-    """Read a case without a load with a placeholder for the varied load."""
+    """Read a case without a load by inserting a placeholder for a varied load."""
     varied = [text.text for text in options.vary]
     with suppress(OSError, ReadError):
         if options.variants is not None:
@@ -86,7 +86,7 @@ def _with_load(
 
 
 def spare(subject: Subject, output: str | None) -> None:
-    """Refuse an output that would overwrite the case of a scenario.
+    """Refuse an output file that would overwrite the case of a scenario.
 
     Raises
     ------
@@ -97,7 +97,7 @@ def spare(subject: Subject, output: str | None) -> None:
 
 
 def check_options(subject: Subject, *, coast: bool | None, idle: str | None) -> None:
-    """Refuse options about gears for a scenario, which defines the operation.
+    """Refuse `coast` and `idle` for a scenario, whose simulation determines the operation.
 
     Raises
     ------

@@ -1,7 +1,7 @@
-"""Formats of the output of a sweep, which is calculated in pieces and written to a file.
+"""Formats of the output file of a sweep, which is calculated in pieces.
 
-`text` writes CSV and JSON lines, `npz` columns of numbers. `tables` writes formats that need all
-rows together: Parquet, and Markdown, LaTeX and workbooks for few rows.
+`text` writes CSV and JSON lines, and `npz` an archive with an array for each column. `tables`
+writes formats that need all rows together: Parquet, and for few rows Markdown, LaTeX and workbooks.
 """
 
 from __future__ import annotations
@@ -12,6 +12,6 @@ Format = Literal["csv", "jsonl", "npz", "parquet", "markdown", "latex", "xlsx"]
 
 FORMATS: tuple[Format, ...] = get_args(Format)
 TEXTS: tuple[Format, ...] = ("csv", "jsonl")
-"""Formats whose pieces are stored as text; pieces of other formats are columns of numbers."""
+"""Formats whose pieces are stored as text; the pieces of other formats are stored as columns."""
 MOST_ROWS: dict[Format, int] = {"markdown": 10_000, "latex": 10_000, "xlsx": 100_000}
-"""Greatest number of rows in formats for readers, which are written in memory."""
+"""Largest number of rows in formats that are composed in memory."""

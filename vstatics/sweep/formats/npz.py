@@ -1,8 +1,8 @@
 """NPZ: an uncompressed ZIP archive with a NumPy array for each column.
 
-The data of the pieces are copied unchanged into the archive. For this the archive is laid out here
-instead of by `zipfile`: the sizes of all members are known in advance, and the check sum of a
-member follows from the check sums of its segments. All sizes have 64 bits (ZIP64).
+The data of pieces are copied unchanged into the archive, which `zipfile` cannot do. The size of
+each member is known in advance, and its check sum follows from the check sums of its segments, one
+from each piece. All sizes have 64 bits (ZIP64).
 
 Reference: PKWARE, APPNOTE.TXT, .ZIP File Format Specification, 6.3; NumPy, `numpy.lib.format`.
 """
@@ -27,11 +27,12 @@ _CENTRAL_SIZES = struct.Struct("<2H3Q")
 _END_64 = struct.Struct("<4sQ2H2L4Q")
 _END_64_PLACE = struct.Struct("<4sLQL")
 _END = struct.Struct("<4s4H2LH")
-_ZIP_VERSION = 45  # ZIP64
+_ZIP_VERSION = 45  # version 4.5 of the format introduced ZIP64
 _UTF_8 = 0x800
 _DAY_ONE = 0, 0x21  # midnight, 1 January 1980, so that equal data give equal archives
 _ZIP64 = 0xFFFFFFFF
-_POLYNOMIAL = 0xEDB88320  # generator of CRC-32; the highest bit is the coefficient of x**0
+# Generator polynomial of CRC-32; the highest bit is the coefficient of x**0.
+_POLYNOMIAL = 0xEDB88320
 
 
 class ColumnType(NamedTuple):
@@ -42,7 +43,7 @@ class ColumnType(NamedTuple):
 
 
 class ArchiveLayout(NamedTuple):
-    """Layout of an archive: headers with their offsets, and parts of pieces to be copied."""
+    """Layout of an archive: headers with their offsets, and the segments of pieces to be copied."""
 
     texts: list[tuple[int, bytes]]
     copies: list[Copy]
@@ -54,23 +55,23 @@ def layout(
     accounts: Sequence[Account],
     codes: Mapping[str, Sequence[str]],
 ) -> ArchiveLayout:
-    """Lay out the archive.
+    """Return the layout of an archive for the pieces of a sweep.
 
     Parameters
     ----------
     columns : sequence of ColumnType
-        Columns, in the order of the segments of the pieces.
+        Columns, in the order of the segments within each piece.
     accounts : sequence of Account
         Sizes and check sums of all pieces, in order.
     codes : mapping of str to sequence of str
-        Further members: meanings of the integers in coded columns.
+        Further members of the archive: the meanings of integers in the columns `status` and `gear`.
     """
     rows = sum(account.rows for account in accounts)
     texts: list[tuple[int, bytes]] = []
     copies: list[Copy] = []
     central: list[bytes] = []
     place = 0
-    starts = [0] * len(accounts)  # offset of the column in each piece
+    starts = [0] * len(accounts)  # offset of the next column in each piece
     members = [
         (column.name, _array_head(column.dtype, rows), [a.segments[index] for a in accounts])
         for index, column in enumerate(columns)
@@ -105,7 +106,7 @@ def _array_head(dtype: np.dtype[Any], rows: int) -> bytes:
 
 
 def _heads(name: str, crc: int, size: int, place: int) -> tuple[bytes, bytes]:
-    """Return both headers of a member: before its data, and in the central directory."""
+    """Return both headers of a member: the header before its data, and the central directory's."""
     text = name.encode()
     sizes = _LOCAL_SIZES.pack(1, 16, size, size)
     common = _ZIP_VERSION, _UTF_8, 0, *_DAY_ONE, crc, _ZIP64, _ZIP64, len(text)
@@ -126,10 +127,11 @@ def _end(entries: Sequence[bytes], place: int) -> bytes:
 
 
 def combined_crc(first: int, second: int, length: int) -> int:
-    """Combine the CRC-32 of two consecutive stretches of data, the second of `length` bytes.
+    """Return the CRC-32 of two consecutive pieces of data from the CRC-32 of each.
 
-    Python lacks the function `crc32_combine` of zlib: the first check sum is multiplied by
-    ``x**(8*length)``, which appends `length` zero bytes, and the second check sum is added.
+    The second piece has `length` bytes. As in zlib's `crc32_combine`, which Python lacks, the first
+    check sum is multiplied by ``x**(8*length)``, which appends `length` zero bytes, and the second
+    is added.
 
     >>> import zlib
     >>> combined_crc(zlib.crc32(b"kinematic "), zlib.crc32(b"scheme"), 6) == zlib.crc32(
@@ -147,7 +149,7 @@ def combined_crc(first: int, second: int, length: int) -> int:
 
 @cache
 def _zeros(power: int) -> int:
-    """Return the polynomial that appends 2**power zero bytes, ``x**(8 * 2**power)``."""
+    """Return the polynomial ``x**(8 * 2**power)``, which appends 2**power zero bytes."""
     return _times(_zeros(power - 1), _zeros(power - 1)) if power else 1 << 23
 
 

@@ -1,6 +1,6 @@
 """Formats written from all rows of a sweep together: Parquet, and tables for readers.
 
-Parquet has numbers with all digits, the status as a dictionary, and null for missing numbers.
+In Parquet, numbers have all digits, the status is a dictionary, and missing numbers are null.
 Markdown, LaTeX and workbooks are for few rows.
 """
 
@@ -45,7 +45,7 @@ def write_parquet(
 
 
 def _batch(chunk: Chunk, schema: Any) -> Any:
-    pa = import_module("pyarrow")  # costs start-up time, and may be missing
+    pa = import_module("pyarrow")  # slow to import, and optional
     coded = pa.DictionaryArray.from_arrays
     codes = {"status": coded(chunk.status.astype("i1"), list(STATUS))}
     if chunk.gears:

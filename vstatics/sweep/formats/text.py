@@ -1,7 +1,7 @@
 r"""Rows of a sweep as CSV and JSON lines, with twelve significant digits.
 
-For speed, a block of rows is formatted by a single `%` with the repeated format of a row. The
-format already contains the status, missing numbers and numbers that are equal in all rows.
+For speed, a block of rows is formatted by a single `%`, whose format is the format of a row,
+repeated. It already contains the status, missing numbers, and numbers that are equal in all rows.
 """
 
 from __future__ import annotations
@@ -18,19 +18,19 @@ from vstatics.sweep.formats import Format
 from vstatics.sweep.results.columns import output_headings
 
 ROWS_AT_ONCE = 512
-"""Number of rows that are formatted together; in few rows, more columns are constant."""
+"""Number of rows that are formatted together; the fewer rows, the more columns are constant."""
 NUMBER = "%.12g"
 
 
 def head(form: Format, headings: Sequence[str], *, raw: bool = False) -> bytes:
-    r"""Return the line of headings of a CSV file, empty for JSON lines.
+    r"""Return the line of headings of a CSV file; empty for JSON lines.
 
     Parameters
     ----------
     form : {"csv", "jsonl"}
     headings : sequence of str
     raw : bool
-        Whether headings that begin like a formula are left unguarded.
+        Whether to omit the apostrophe that keeps spreadsheets from reading a heading as a formula.
 
     >>> head("csv", ["variant", "D1.ratio", "status", "-ratio[1]", "speeds[C1,1]"])
     b'variant,D1.ratio,status,\'-ratio[1],"speeds[C1,1]"\n'
@@ -51,7 +51,7 @@ def rows(form: Format, chunk: Chunk) -> bytes:
     Returns
     -------
     bytes
-        A line for each row, in UTF-8.
+        One line for each row, in UTF-8.
     """
     row = _Row(form, chunk.names, chunk.headings, chunk.gears)
     parts = []
@@ -70,11 +70,11 @@ def rows(form: Format, chunk: Chunk) -> bytes:
 
 
 WordCodes = tuple[int, int]
-"""Codes of a status and of a gear."""
+"""Index of the status in `STATUS`, and index of the gear."""
 
 
 def _formatted(row: _Row, numbers: Floats, words: list[WordCodes]) -> str:
-    """Return rows as text; the number of a constant column is formatted only once."""
+    """Return rows as text; the number in a constant column is formatted only once."""
     alike = (numbers == numbers[0]).all(axis=0)
     row.begin(numbers[0], alike.tolist())
     varied = numbers[:, ~alike]
@@ -88,14 +88,14 @@ def _formatted(row: _Row, numbers: Floats, words: list[WordCodes]) -> str:
 
 
 def _quoted(form: Format, name: str) -> str:
-    """Return the name of a gear as a cell in a %-format."""
+    """Return the name of a gear as a cell, with `%` doubled for use in a %-format."""
     if form == "csv":
         return csv.lines([[name]]).rstrip("\n").replace("%", "%%")
     return json.dumps(name, ensure_ascii=False).replace("%", "%%")
 
 
 class _Row:
-    """Format of a row, with the constants of rows that are formatted together."""
+    """Format of a row, including the columns that are constant in a block of rows."""
 
     def __init__(
         self, form: Format, names: Sequence[str], headings: Sequence[str], gears: Sequence[str]
@@ -110,13 +110,13 @@ class _Row:
             texts = [json.dumps(key, ensure_ascii=False).replace("%", "%%") for key in keys]
             self.keys = [f"{', ' if number else '{'}{key}: " for number, key in enumerate(texts)]
             self.end, self.null, self.quote = "}\n", "null", '"'
-        self.place = 1 + len(names)  # index of the status
+        self.place = 1 + len(names)  # index of the column `status`
         self.cells: list[str] = []
         self.varied: list[int] = []
         self.patterns: dict[tuple[WordCodes, bytes], str] = {}
 
     def begin(self, first: Floats, alike: Sequence[bool]) -> None:
-        """Begin a block of rows; columns marked `alike` are equal to the first row."""
+        """Begin a block of rows; columns marked in `alike` are equal to those of the first row."""
         self.cells = ["%d", *[NUMBER] * (len(first) - 1)]
         self.varied = [column for column, same in enumerate(alike) if not same]
         for column, same in enumerate(alike):
@@ -126,7 +126,7 @@ class _Row:
         self.patterns.clear()
 
     def pattern(self, words: WordCodes, exists: bytes = b"") -> str:
-        """Return the %-format of a row; `exists` marks the varied numbers that the row has."""
+        """Return the %-format of a row; `exists` marks the numbers that are not missing."""
         status, gear = words
         pattern = self.patterns.get((words, exists))
         if pattern is None:

@@ -1,7 +1,7 @@
-"""Pictures of written sweeps: maps over two varied numbers, curves over a single one, histograms.
+"""Pictures of sweeps: maps over two varied numbers, curves over one, and histograms.
 
-Each of `map`, `curves` and `histogram` draws columns of a sweep as figures; `columns` selects the
-columns that the user does not name, and `plotting` is the interface for Python.
+`map`, `curves` and `histogram` each draw columns of a sweep. `columns` selects columns that the
+user does not name, and `plotting` is the Python interface.
 
 >>> from vstatics.pictures.drawing.style import Style
 >>> from vstatics.core.tables.written_results import WrittenSweep
@@ -38,7 +38,7 @@ COLUMNS: Mapping[str, Sequence[str]] = {
 def render_sweep(
     sweep: WrittenSweep, kind: str, form: Format, style: Style, selected: DrawnColumns
 ) -> list[bytes]:
-    """Draw a sweep, and return the pages as files.
+    """Draw a picture of a sweep, and return its pages as files.
 
     Parameters
     ----------
@@ -48,7 +48,7 @@ def render_sweep(
         Format of the files.
     style : Style
     selected : DrawnColumns
-        Names of columns that the user gives; other columns are chosen.
+        Columns that the user names; the other columns are selected from the sweep.
 
     Raises
     ------
@@ -64,7 +64,7 @@ def render_sweep(
 def sweep_pages(
     sweep: WrittenSweep, kind: str, style: Style, selected: DrawnColumns
 ) -> list[Canvas]:
-    """Draw the pages of a sweep; see `render_sweep`."""
+    """Draw the pages of a picture of a sweep; parameters as in `render_sweep`."""
     require("plot", "a picture")
     from vstatics.pictures import module_of
 

@@ -1,4 +1,4 @@
-"""Regions of a map in which each gear has the largest value of all gears."""
+"""Regions of a map in which one gear has a larger value than all other gears."""
 
 from __future__ import annotations
 
@@ -12,26 +12,27 @@ from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.pictures.drawing.tolerances import SAME_CURVE
 
 FINE_GRID = 240
-"""Least number of intervals of the grid on which regions are calculated, in each direction."""
+"""Smallest number of grid intervals in each direction for the calculation of regions."""
 
 
 class GearRegion(NamedTuple):
-    """Region of a gear on a grid."""
+    """Region of a map in which a gear is the best, on a grid."""
 
     gear: str
     lead: Floats
-    """Value of the gear less the largest value of another gear, of shape (y, x); above 0 in the
-    region, NaN where no gear has a value."""
+    """Value of the gear minus the largest value of the other gears, shape (y, x). It is positive
+    within the region, and NaN where no gear has a value.
+    """
 
 
 def gear_regions(gears: Sequence[str], values: Floats) -> list[GearRegion]:
-    """Return the regions of the gears that are best at any point; of equal gears the first is best.
+    """Return the regions of the gears that are best somewhere; of equal gears, the first is best.
 
     Parameters
     ----------
     gears : sequence of str
     values : ndarray
-        Value of each gear on a grid, of shape (gears, y, x), NaN without a value.
+        Value of each gear on a grid, shape (gears, y, x); NaN where undefined.
 
     Examples
     --------
@@ -54,7 +55,7 @@ def gear_regions(gears: Sequence[str], values: Floats) -> list[GearRegion]:
 
 
 def refined(x: Floats, y: Floats, values: Floats) -> tuple[Floats, Floats, Floats]:
-    """Return a finer grid with bilinear values, so that regions have no gaps where three meet.
+    """Return a finer grid with bilinear interpolation, so that regions meet without gaps.
 
     >>> xs, ys, zs = refined(np.array([0.0, 1.0]), np.array([0.0, 2.0]), np.ones((3, 2, 2)))
     >>> xs.shape, ys.shape, zs.shape
@@ -75,7 +76,7 @@ def refined(x: Floats, y: Floats, values: Floats) -> tuple[Floats, Floats, Float
 
 
 def deepest(inside: Booleans) -> tuple[int, int]:
-    """Return the row and column of a point of a region that is far from the edge of the region.
+    """Return the row and column of a point of a region that is far from the edge.
 
     >>> deepest(np.pad(np.ones((3, 5), bool), 2))
     (3, 4)

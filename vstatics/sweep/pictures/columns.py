@@ -1,4 +1,4 @@
-"""Selection of the drawn columns of a sweep: named columns, or columns that vary."""
+"""Selection of the columns of a sweep to draw: named columns, or columns that vary."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from vstatics.sweep.pictures.map_options import MapOptions
 
 
 class DrawnColumns(NamedTuple):
-    """Columns that the user names; for an empty name, the sweep determines the column."""
+    """Columns that the user names; an empty name leaves the choice to the picture."""
 
     x: str = ""
     y: Sequence[str] = ()
@@ -26,7 +26,7 @@ class DrawnColumns(NamedTuple):
 
 
 def drawn_columns(x: str, y: Sequence[str], z: str, by: str) -> DrawnColumns:
-    """Return the columns that a user names, in which deck names of tables are allowed.
+    """Return the columns that a user names; deck names of tables are replaced.
 
     >>> drawn_columns("load.torque", ["ETA[low]"], "", "").y
     ('efficiency[low]',)
@@ -51,19 +51,19 @@ def with_units(sweep: WrittenSweep, selected: DrawnColumns) -> DrawnColumns:
 
 
 class DrawnRows(NamedTuple):
-    """Rows of the sweep that a panel or a line shows."""
+    """Rows of a sweep that one panel or curve shows."""
 
     name: str
-    """Name of the gear, or value of the column `by`; empty if the part has all rows."""
+    """Name of the gear, or value of the column `by`; empty if the panel shows all rows."""
     rows: Sequence[int]
 
 
 LARGEST = 1e300
-"""Greatest drawn number; sums and differences of larger numbers would overflow."""
+"""Largest number that can be drawn; sums and differences of larger numbers could overflow."""
 
 
 def numbers(sweep: WrittenSweep, name: str) -> Floats:
-    """Return the numbers of a column, NaN for rows without a number.
+    """Return the numbers of a column; NaN for rows without a number.
 
     Raises
     ------
@@ -120,7 +120,7 @@ def _follows(sweep: WrittenSweep, name: str, before: Sequence[str]) -> bool:
 def axis(
     sweep: WrittenSweep, named: str, excluded: Sequence[str], option: str, axes: int = 1
 ) -> str:
-    """Return the column of an axis: the named column, or the only column left that varies.
+    """Return the column of an axis: the named column, or else the only remaining varied column.
 
     Raises
     ------
@@ -143,12 +143,12 @@ def results_of(sweep: WrittenSweep, excluded: Sequence[str]) -> list[str]:
 
 
 def parts(sweep: WrittenSweep, selected: DrawnColumns, axes: Sequence[str]) -> list[DrawnRows]:
-    """Return the rows of each part, checked for unique coordinates; see `rows_by`.
+    """Return the rows of each panel or curve; each must have unique coordinates.
 
     Raises
     ------
     CaseError
-        If several rows of a part have equal values in the columns of the axes.
+        If several rows of a panel or curve have equal values in the columns of the axes.
     """
     row_groups = list(rows_by(sweep, selected))
     places = [sweep.columns[name] for name in axes]
@@ -186,7 +186,7 @@ def rows_by(sweep: WrittenSweep, selected: DrawnColumns) -> Iterator[DrawnRows]:
 
 
 def pages(highs: Sequence[float], room: float) -> list[list[int]]:
-    """Distribute rows of panels with some heights to pages with the height `room`.
+    """Distribute rows of panels, given by their heights, to pages of height `room`.
 
     >>> pages([2.0, 2.0, 2.0], 5.0)
     [[0, 1], [2]]

@@ -1,4 +1,4 @@
-"""Grids of maps, and the levels of their contours."""
+"""Grids of maps, and levels of their contours."""
 
 from __future__ import annotations
 
@@ -14,21 +14,23 @@ from vstatics.pictures.drawing.labels import ticks
 MAP_LEVELS = 9
 """Approximate number of contours."""
 MOST_LEVELS = 16
-"""Number of contours at equal steps, if `MAP_LEVELS` contours leave a crowded band."""
+"""Number of levels at equal steps, used if `MAP_LEVELS` levels leave a band with too many values.
+"""
 CROWDED_BAND = 0.35
-"""Fraction of all values in one band above which levels follow quantiles, not equal steps."""
+"""Share of all values in one band above which levels follow quantiles instead of equal steps. [-]
+"""
 LEAST_BAND = 0.02
-"""Smallest width of a band, as a fraction of the range of values."""
+"""Smallest width of a band, relative to the range of values. [-]"""
 FEW_LEVELS = 5
 """Number of levels near quantiles below which levels have equal steps without the longer tail."""
 LEAST_FILLED = 0.5
-"""Smallest fraction of filled places at which points count as a rectangular grid."""
+"""Smallest share of filled grid points at which points count as a rectangular grid. [-]"""
 GRID_OF_POINTS = 121
-"""Number of interpolated values in each direction, for points that do not form a grid."""
+"""Number of interpolated points in each direction, for points that do not form a grid."""
 
 
 def grid_of(x: Floats, y: Floats, z: Floats) -> tuple[Floats, Floats, Floats]:
-    """Return points as the axes of a grid and the values on it, interpolated if necessary.
+    """Return the axes of a grid through points, and the values on it, interpolated if needed.
 
     Raises
     ------
@@ -56,7 +58,7 @@ def grid_of(x: Floats, y: Floats, z: Floats) -> tuple[Floats, Floats, Floats]:
 
 
 def even_levels(low: float, high: float, count: int) -> list[float]:
-    """Return the multiples of a round step between two numbers, as near to `count` as possible.
+    """Return about `count` multiples of a round step between two numbers.
 
     >>> even_levels(0.0, 3.0, 10), len(even_levels(0.0, 3.0, 15))
     ([0.2, 0.4, 0.6, 0.8, 1.0, 1.2, 1.4, 1.6, 1.8, 2.0, 2.2, 2.4, 2.6, 2.8], 14)
@@ -73,10 +75,11 @@ def even_levels(low: float, high: float, count: int) -> list[float]:
 
 
 def contour_levels(values: Floats) -> list[float]:
-    """Return round levels: equal steps, or levels near quantiles if a step has most values.
+    """Return round contour levels: at equal steps, or near quantiles of the values.
 
-    If these levels are few, a tenth of the values at one end is left out, and steps are equal. This
-    shows efficiencies from 0.9 to 0.97 even if an efficiency of 0.5 occurs in a corner.
+    Quantiles are used if most values would be in one band. If the levels near quantiles are few, a
+    tenth of the values at one end is left out, and steps are equal. So efficiencies from 0.9 to
+    0.97 stay visible even if an efficiency of 0.5 occurs in a corner.
 
     >>> contour_levels(np.linspace(0.0, 10.0, 101))
     [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]

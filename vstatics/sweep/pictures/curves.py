@@ -1,4 +1,4 @@
-"""Curves of a sweep over a varied number, for each gear or value of another column."""
+"""Curves of a sweep versus a varied number, for each gear or value of another column."""
 
 from __future__ import annotations
 
@@ -29,33 +29,33 @@ from vstatics.sweep.pictures.columns import (
 )
 
 CURVES_HEIGHT = 130.0
-"""Least height of a panel. [pt]"""
+"""Smallest height of a panel. [pt]"""
 CURVES_SCALE_WIDTH, CURVES_SCALE_HEIGHT = 58.0, 40.0
 """Width and height of the scales of a panel. [pt]"""
 PANEL_GAP = 14.0
-"""Gap between panels. [pt]"""
+"""Vertical distance between panels. [pt]"""
 CURVE_NAME_WIDTH = 110.0
-"""Width of the wrapped names of curves. [pt]"""
+"""Width to which names of curves are wrapped. [pt]"""
 CURVES_ROOM = 0.05
-"""Space above and below the curves, as a fraction of the range of values."""
+"""Space above and below the curves, relative to the range of values. [-]"""
 MOST_CURVES = 12
-"""Greatest number of curves in a panel; more are reduced to an even selection."""
+"""Largest number of curves in a panel; of more curves, an even selection is drawn."""
 MOST_PANELS = 6
-"""Largest number of drawn columns, unless the user names columns."""
+"""Largest number of panels, unless the user names columns."""
 
 
 class Curve(NamedTuple):
-    """Curve with NaN for points without operation."""
+    """Curve of a panel; NaN where there is no value."""
 
     names: tuple[str, ...]
-    """Names of all coinciding curves."""
+    """Names of the curve, several if curves coincide."""
     x: Floats
     y: Floats
     look: Look
 
     @property
     def name(self) -> str:
-        """Names of the curve as text; of four or more names, the first and the last.
+        """Names of the curve as one text; of four or more names, only the first and the last.
 
         >>> Curve(tuple("abcd"), np.zeros(1), np.zeros(1), {}).name
         'a … d'
@@ -65,7 +65,7 @@ class Curve(NamedTuple):
 
 
 def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Canvas]:
-    """Draw a panel for each column of the sweep, stacked on pages.
+    """Draw a panel of curves for each column of a sweep, stacked on pages.
 
     Raises
     ------
@@ -109,7 +109,7 @@ def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Canv
 
 
 def _column_of_curves(sweep: WrittenSweep, selected: DrawnColumns) -> str:
-    """Return the default column whose values each have a curve: the other varied number."""
+    """Return the column whose values distinguish curves: by default the other varied number."""
     if sweep.gears:
         return ""
     left = running(sweep, [selected.x])
@@ -119,7 +119,7 @@ def _column_of_curves(sweep: WrittenSweep, selected: DrawnColumns) -> str:
 def _curves(
     column: Floats, across: Floats, shown: Sequence[DrawnRows], style: Style
 ) -> list[Curve]:
-    """Return the curves of a panel; coinciding curves are merged with all names."""
+    """Return the curves of a panel; coinciding curves become one curve with all names."""
     curves: list[Curve] = []
     for part in shown:
         rows = np.array(part.rows)[np.argsort(across[part.rows], kind="stable")]
@@ -141,7 +141,7 @@ def _coincide(curve: Curve, x: Floats, y: Floats) -> bool:
 
 
 def _scale(values: Floats) -> AxisScale:
-    """Return the scale of values with space at both ends, also for equal values."""
+    """Return the scale for values, with space at both ends, also if all values are equal."""
     known = values[np.isfinite(values)]
     if not known.size:
         return AxisScale(0.0, 1.0)
@@ -151,7 +151,7 @@ def _scale(values: Floats) -> AxisScale:
 
 
 def _line_ends(curves: Sequence[Curve]) -> list[LineEnd]:
-    """Return the labels at the right ends of curves."""
+    """Return the names of curves at their right ends."""
     scale = _scale(np.concatenate([curve.y for curve in curves]))
     labels = []
     for curve in curves:
@@ -163,7 +163,7 @@ def _line_ends(curves: Sequence[Curve]) -> list[LineEnd]:
 
 
 def _draw(pen: Pen, curves: Sequence[Curve], name: str, below: str) -> None:
-    """Draw a panel; only the lowest panel has `below`, the name of the horizontal axis."""
+    """Draw a panel; `below` is the name of the horizontal axis, or empty."""
     pen = pen._replace(y=_scale(np.concatenate([curve.y for curve in curves])))
     (wide, high), style = pen.size, pen.style
     across = ticks(pen.x.low, pen.x.high, max(int(wide / 50), 2))
@@ -187,13 +187,13 @@ def _draw(pen: Pen, curves: Sequence[Curve], name: str, below: str) -> None:
 
 
 def _stepped(curve: Curve) -> tuple[Floats, Floats]:
-    """Return a curve with steps midway between the points, as a gear 2.4 does not exist."""
+    """Return a stepped curve, for a horizontal axis that only has whole numbers."""
     middles = np.repeat((curve.x[1:] + curve.x[:-1]) / 2, 2)
     return np.concatenate([curve.x[:1], middles, curve.x[-1:]]), np.repeat(curve.y, 2)
 
 
 def _isolated(values: Floats) -> Booleans:
-    """Find points without a neighbour, which a line would not show."""
+    """Return a mask of points without a neighbour, which a line would not show."""
     exists = np.isfinite(values)
     before, after = np.append([False], exists[:-1]), np.append(exists[1:], [False])
     isolated: Booleans = exists & ~before & ~after

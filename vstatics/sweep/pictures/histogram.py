@@ -24,13 +24,13 @@ from vstatics.sweep.pictures.columns import DrawnColumns, numbers, pages, result
 from vstatics.sweep.results.statistics import PARTS, Statistics, statistics
 
 HISTOGRAM_SIZE = (132.0, 84.0)
-"""Least width of a panel with a scale, and height without the scale. [pt]"""
+"""Smallest width of a panel with its scale, and height without its scale. [pt]"""
 HISTOGRAM_GAP = 10.0
-"""Gap between adjacent panels. [pt]"""
+"""Distance between neighbouring panels. [pt]"""
 MOST_HISTOGRAM_BARS = 30
-"""Greatest number of bars in a panel."""
+"""Largest number of bars in a panel."""
 MOST_HISTOGRAMS = 24
-"""Largest number of drawn columns, unless the user names columns."""
+"""Largest number of panels, unless the user names columns."""
 
 
 class Histogram(NamedTuple):
@@ -39,12 +39,12 @@ class Histogram(NamedTuple):
     name: str
     statistics: Statistics
     edges: Floats
-    """Edges of the bars, of shape (bars + 1,)."""
+    """Edges of the bars, shape (bars + 1,)."""
     counts: Sequence[int]
 
 
 def histogram(name: str, values: Floats) -> Histogram:
-    """Count numbers in bars of equal width, chosen by NumPy, up to `MOST_HISTOGRAM_BARS`.
+    """Count the values of a column in bars of equal width; NumPy chooses the number of bars.
 
     >>> bars = histogram("x", np.array([0.0, 1.0, 1.0, 2.0, 2.0, 2.0]))
     >>> bars.edges.tolist(), bars.counts
@@ -57,7 +57,7 @@ def histogram(name: str, values: Floats) -> Histogram:
 
 
 def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Canvas]:
-    """Draw a panel for each column.
+    """Draw a histogram for each column of a sweep.
 
     Raises
     ------
@@ -97,7 +97,7 @@ def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Canv
 
 
 def _histograms(sweep: WrittenSweep, selected: DrawnColumns) -> Iterator[Histogram]:
-    """Yield histograms of results, then of varied numbers; constant columns only if named."""
+    """Yield histograms of results, then of varied numbers; a constant column only if named."""
     names = list(selected.y) or [*results_of(sweep, [selected.by]), *sweep.varied]
     for name in names:
         column = numbers(sweep, name)
@@ -121,7 +121,7 @@ def _head(item: Histogram, wide: float) -> str:
 
 
 def _high(row: Sequence[Histogram], wide: float) -> float:
-    """Return the height of a row of panels [pt] with names and scales."""
+    """Return the height of a row of panels with names and scales [pt]."""
     names = max(height(_head(item, wide)) for item in row)
     return names + HISTOGRAM_SIZE[1] + 3 * LINE_HEIGHT * SIZE
 

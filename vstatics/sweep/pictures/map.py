@@ -1,4 +1,4 @@
-"""Map of a sweep: contours of a column over two varied numbers, or the best gear at each point."""
+"""Map of a sweep: contours of a column versus two varied numbers, or regions of the best gear."""
 
 from __future__ import annotations
 
@@ -36,11 +36,11 @@ from vstatics.sweep.pictures.map_sheet import (
 from vstatics.sweep.pictures.overlays import Overlay, overlay_of
 
 Names = tuple[str, str, str]
-"""Columns of the axes and of the values."""
+"""Names of the columns of the horizontal axis, the vertical axis and the values."""
 
 
 def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Canvas]:
-    """Draw a map for each gear or value of a column, all with equal levels; or of the best gears.
+    """Draw a map of each gear or value of a column, all with equal levels, or of the best gear.
 
     Raises
     ------
@@ -109,7 +109,7 @@ def _contours(sweep: WrittenSweep, style: Style, selected: DrawnColumns, names: 
 
 
 def _levels(values: Floats, wanted: int | Sequence[float] | None) -> Sequence[float]:
-    """Return the wanted levels, or levels that suit the values."""
+    """Return the wanted contour levels, or levels chosen for the values."""
     if not values.size or isinstance(wanted, Sequence):
         return wanted if isinstance(wanted, Sequence) else ()
     if wanted is None:
@@ -155,7 +155,7 @@ def _best_gears(
 
 
 def _gear_of(sweep: WrittenSweep, surface: Surface, points: Overlay, z: str) -> str:
-    """Return the gear whose values a surface shows, from its rows or its column; "" for several."""
+    """Return the gear whose values a map shows, from its rows or column name; "" for several."""
     if surface.name in sweep.gears:
         return surface.name
     gears = [(gear, f"{name}]") for gear in points.gears for name in (gear, in_quotes(gear))]

@@ -1,4 +1,4 @@
-"""Options that only maps have: levels, best gears, operating points and full-load curves."""
+"""Options that only maps have: contour levels, best gear, operating points, full-load curves."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from typing import NamedTuple
 from vstatics.core.extras import higher
 
 MOST_MAP_LEVELS = 100
-"""Largest number of contours that a user can request."""
+"""Largest number of contour levels that a user can request."""
 
 
 class OperatingPoint(NamedTuple):
-    """Operating point of a duty cycle."""
+    """Operating point of a duty cycle, to be drawn on a map."""
 
     gear: str
     speed: float
@@ -34,22 +34,23 @@ def operating_points(data: bytes, file: str) -> list[OperatingPoint]:
 
 
 FullLoad = Sequence[tuple[float, float]]
-"""Points of a full-load curve: speed [rad/s], torque [N*m]."""
+"""Points of a full-load curve, each with speed [rad/s] and torque [N*m]."""
 
 
 class MapOptions(NamedTuple):
     """Options that only maps have."""
 
     levels: int | Sequence[float] | None = None
-    """Approximate number of levels, or levels in ascending order; chosen by default."""
+    """Approximate number of contour levels, or the levels in ascending order; None to choose them.
+    """
     best_gear: bool = False
-    """True for regions of the gear with the largest value."""
+    """True to draw the regions of the gear with the largest value."""
     points: Sequence[OperatingPoint] = ()
     limits: Sequence[FullLoad] = ()
 
 
 def checked_levels(levels: int | Sequence[float] | None) -> int | Sequence[float] | None:
-    """Return a number of levels, or levels in ascending order.
+    """Check a number of contour levels, or contour levels, and return them.
 
     Raises
     ------

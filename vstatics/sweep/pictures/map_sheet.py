@@ -1,4 +1,4 @@
-"""Sheets of maps: panels with common scales, painted in bands or regions, and a colour bar."""
+"""Sheets of maps: panels with common scales, filled with bands or regions, and a colour bar."""
 
 from __future__ import annotations
 
@@ -30,30 +30,30 @@ from vstatics.sweep.pictures.best_gear import GearRegion, deepest
 from vstatics.sweep.pictures.overlays import Overlay, full_load_look, point_look
 
 MAP_SIZE = (300.0, 230.0)
-"""Greatest width and height of a panel. [pt]"""
+"""Largest width and height of a panel. [pt]"""
 MAPS_SIDE_BY_SIDE = 2
 MAP_SCALE_WIDTH, MAP_SCALE_HEIGHT = 58.0, 44.0
 """Width and height of the scales of a panel. [pt]"""
 MAP_HEAD_HEIGHT = 22.0
-"""Height of the name of the gear above a panel, in a single line. [pt]"""
+"""Height of the line with the name of the gear above a panel. [pt]"""
 BAR_WIDTH, BAR_NAME_WIDTH = 10.0, 22.0
-"""Width of the colour bar, and of its upright name. [pt]"""
+"""Width of the colour bar, and of its vertical name. [pt]"""
 PLACES_TRIED = 48
-"""Number of places on a line that are tried for its label."""
+"""Number of positions along a contour that are tried for its label."""
 Box = tuple[float, float, float, float]
 """Left, lower, right and upper end of a label. [pt]"""
 
 
 class Surface(NamedTuple):
-    """Values of a column on a grid, NaN for points without operation."""
+    """Values of a column on a grid; NaN where there is no value."""
 
     name: str
     x: Floats
     y: Floats
     z: Floats
-    """Values of shape (y, x)."""
+    """Values, shape (y, x)."""
     instead: str
-    """Text that replaces a surface without any number."""
+    """Text to write instead of a map that has no number at all."""
 
 
 class MapSheet(NamedTuple):
@@ -62,7 +62,7 @@ class MapSheet(NamedTuple):
     title: str
     surfaces: Sequence[Surface]
     paint: Callable[[Pen, Surface], None]
-    """Function that draws the values of a surface into a panel with scales."""
+    """Function that draws the values of a surface into a panel."""
     meanings: Sequence[Meaning]
     levels: Sequence[float] = ()
     """Levels of the colour bar; empty without a bar."""
@@ -77,12 +77,12 @@ class MapSheet(NamedTuple):
 
     @property
     def bar_texts(self) -> Sequence[str]:
-        """Numbers at the colour bar."""
+        """Texts of the numbers at the colour bar."""
         return tick_texts(self.levels)
 
     @property
     def bar_room(self) -> float:
-        """Width of the colour bar with its texts, 0 without a bar [pt]."""
+        """Width of the colour bar with the texts [pt]; 0 without a colour bar."""
         texts = self.bar_texts
         return (BAR_WIDTH + 5 + widest(texts) + BAR_NAME_WIDTH + MARGIN) * bool(texts)
 
@@ -90,13 +90,13 @@ class MapSheet(NamedTuple):
 def map_pages(
     sheet: MapSheet, names: tuple[str, str], overlays: Sequence[Overlay], note: str, style: Style
 ) -> list[Canvas]:
-    """Draw the panels on pages, with common scales.
+    """Draw the panels of a map on pages, with common scales.
 
     Parameters
     ----------
     sheet : MapSheet
     names : tuple of str
-        Names of the axes.
+        Names of the horizontal and the vertical axis.
     overlays : sequence of Overlay
         Operating points and full-load curves of each panel.
     note : str
@@ -150,7 +150,7 @@ def _scale_of(axes: Sequence[Floats]) -> AxisScale:
 
 
 def shade(place: int, last: int, style: Style) -> str:
-    """Return the colour of a band or region, from light for 0 to dark for the last place."""
+    """Return the colour of a band or region, from light for index 0 to dark for the last index."""
     return mixed(style.power, style.paper, 0.1 + 0.9 * place / max(last, 1))
 
 
@@ -166,7 +166,7 @@ def _draw_panel(pen: Pen, sheet: MapSheet, surface: Surface, names: tuple[str, s
 
 
 def _ends(pen: Pen, surface: Surface) -> Iterator[Segment]:
-    """Yield the border of the part of a panel with values, without the edges of the panel."""
+    """Yield the border of the area with values, except where it is the edge of the panel."""
     contours = _contours_of(surface.z, *_places_of(pen, surface))
     for points, offsets in zip(*contours.filled(-math.inf, math.inf), strict=True):
         for start, end in pairwise(offsets):
@@ -179,7 +179,7 @@ def _ends(pen: Pen, surface: Surface) -> Iterator[Segment]:
 
 
 def _places_of(pen: Pen, surface: Surface) -> tuple[Floats, Floats]:
-    """Return the places of the axes of a grid in a panel [pt]."""
+    """Return the positions in a panel of the columns and rows of a grid [pt]."""
     (wide, high), x, y = pen.size, pen.x, pen.y
     across: Floats = (surface.x - x.low) / (x.high - x.low) * wide
     up: Floats = (surface.y - y.low) / (y.high - y.low) * high
@@ -222,13 +222,13 @@ def paint_regions(
         half = bold_width(region.gear) / 2
         x = min(max(at[0], half + 2), pen.size[0] - half - 2)
         y = min(max(at[1], SIZE / 2 + 2), pen.size[1] - SIZE / 2 - 2)
-        if half < x:  # otherwise only the key has room for the name
+        if half < x:  # otherwise there is no room for the name, which is only in the key
             look: Look = {"ha": "center", "va": "center_baseline"}
             group.text(x, y, region.gear, bold=True, over=True, **look)
 
 
 def limit_look(style: Style) -> Look:
-    """Return the style of the line where operation ends."""
+    """Return the style of the border of the area with values."""
     return {"color": style.lost, "width": 1.8}
 
 
@@ -249,7 +249,7 @@ def _label(
     text: str,
     taken: list[Box],
 ) -> None:
-    """Label a level on its longest line, near the middle, where the text covers no other label.
+    """Label a contour on its longest line, near the middle, clear of other labels.
 
     A label at the edge of the panel is moved inward.
     """
@@ -270,7 +270,7 @@ def _label(
 
 
 def _places(lines: Sequence[Floats]) -> Iterator[Point]:
-    """Yield possible points of labels along lines, first the middle of the longest line."""
+    """Yield positions of a label to try along lines, first the middle of the longest line."""
     for piece in sorted(lines, key=lambda line: -_along(line)[-1]):
         along = _along(piece)
         places = np.linspace(0.0, along[-1], PLACES_TRIED + 1)
@@ -279,7 +279,7 @@ def _places(lines: Sequence[Floats]) -> Iterator[Point]:
 
 
 def _along(piece: Floats) -> Floats:
-    """Return the distance [pt] of each point from the start, along the line."""
+    """Return the distance along a line from the start to each point [pt]."""
     steps: Floats = np.hypot(*np.diff(piece, axis=0).T)
     return np.concatenate([[0.0], np.cumsum(steps)])
 
@@ -296,7 +296,7 @@ def _scales(pen: Pen, names: tuple[str, str]) -> None:
 
 
 def _draw_bar(pen: Pen, sheet: MapSheet) -> None:
-    """Draw the colour bar, with bands of equal height and numbers where there is room."""
+    """Draw the colour bar with bands of equal height, and numbers where there is room."""
     levels, texts = sheet.levels, sheet.bar_texts
     if not levels:
         return

@@ -17,9 +17,9 @@ from vstatics.pictures.drawing.style import Style
 from vstatics.sweep.pictures.map_options import MapOptions
 
 MOST_MARKS = 2000
-"""Largest number of drawn operating points; of more, points closer than `MARK_RASTER` merge."""
+"""Number of operating points above which points closer than `MARK_RASTER` are merged."""
 MARK_RASTER = 2.0
-"""Distance below which many operating points merge. [pt]"""
+"""Distance below which operating points are merged, if there are many. [pt]"""
 _LOAD = re.compile(r"load\.(speed|torque) \[(.+)\]")
 
 
@@ -29,14 +29,14 @@ class Overlay(NamedTuple):
     gears: Sequence[str] = ()
     """Gear of each operating point."""
     points: Floats = np.empty((0, 2))
-    """Operating points, of shape (points, 2)."""
+    """Operating points, shape (points, 2)."""
     limits: Sequence[Floats] = ()
-    """Full-load curves, each of shape (points, 2)."""
+    """Full-load curves, each with shape (points, 2)."""
 
     def within(self, low: tuple[float, float], high: tuple[float, float], gear: str) -> Overlay:
-        """Return the overlay with the points of a gear between two corners.
+        """Return the overlay with the operating points of a gear within a rectangle.
 
-        An empty name means all gears.
+        An empty name selects the points of all gears.
         """
         inside = ((self.points >= low) & (self.points <= high)).all(axis=1)
         shown = inside & np.array([gear in ("", other) for other in self.gears], bool)
@@ -44,7 +44,7 @@ class Overlay(NamedTuple):
         return self._replace(gears=gears, points=self.points[shown])
 
     def draw(self, pen: Pen) -> None:
-        """Draw the curves, and a mark for each operating point, in a panel with scales."""
+        """Draw the full-load curves and a mark for each operating point into a panel."""
         for curve in self.limits:
             title = pen.style.text("full load")
             pen.plot(*curve.T, title=title, kind="limit", **full_load_look(pen.style))

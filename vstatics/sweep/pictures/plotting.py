@@ -34,7 +34,7 @@ class SweepPicture:
     def __init__(
         self, sweep: WrittenSweep, kind: str, style: Style, selected: DrawnColumns
     ) -> None:
-        """Store the sweep and the settings; drawing is deferred until display or saving."""
+        """Store the sweep and the settings; the picture is drawn when it is shown or saved."""
         self._sweep, self._kind, self._style, self._selected = sweep, kind, style, selected
 
     def __repr__(self) -> str:
@@ -47,18 +47,18 @@ class SweepPicture:
 
     @property
     def figure(self) -> Figure:
-        """Figure of matplotlib, for further changes."""
+        """Picture as a matplotlib figure, which can be changed."""
         from vstatics.pictures.drawing.files import figures_of
 
         return figures_of(sweep_pages(self._sweep, self._kind, self._style, self._selected))[0]
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the picture to a file, in a format of `Picture.save`.
+        """Write the picture to a file: SVG, PNG or PDF by the suffix.
 
         Raises
         ------
         ValueError
-            If no format has the suffix.
+            If the suffix is not known.
         """
         form, style = format_of_picture(path), self._style._replace(height=PAGE_HEIGHT)
         drawn = render_sweep(self._sweep, self._kind, form, style, self._selected)
@@ -89,7 +89,7 @@ def plot_sweep(  # noqa: PLR0913 - as on the command line
     ----------
     sweep : WrittenSweep
     kind : {"curves", "map", "histogram"}
-        Curves over a varied number, contours over two, or frequencies of numbers.
+        Curves versus a varied number, contours versus two, or how often values occur.
     x : str, optional
         Column of the horizontal axis.
     y : str or sequence of str, optional
@@ -97,7 +97,7 @@ def plot_sweep(  # noqa: PLR0913 - as on the command line
     z : str, optional
         Column of the contours.
     by : str, optional
-        Column whose values each have a curve or a panel.
+        Column that distinguishes curves or panels: each of its values has its own.
     levels : int or sequence of float, optional
         Approximate number of levels of a map, or the levels in ascending order.
     duty : path-like, optional
@@ -107,11 +107,11 @@ def plot_sweep(  # noqa: PLR0913 - as on the command line
         Case whose vehicle has the full-load curve to draw on a map over ``load.speed`` and
         ``load.torque``.
     best_gear : bool, optional
-        True for a map of the gear with the largest efficiency, of a sweep by gear.
+        True for a map of the gear with the largest efficiency; the sweep needs a row for each gear.
     width : float, optional
         Width of the page, 80 to 1200. [mm]
     dark : bool, optional
-        Whether the picture is light on a dark background.
+        Whether to draw light lines on a dark background.
     lang : {"en", "ru"}, optional
         Language of axes and titles.
 
@@ -159,16 +159,16 @@ def plot_sweep(  # noqa: PLR0913 - as on the command line
 
 
 def _check(sweep: WrittenSweep, kind: str, selected: DrawnColumns) -> None:
-    """Refuse columns that do not exist, or that the kind does not use.
+    """Check that the named columns exist, and that the kind of picture uses them.
 
     Raises
     ------
     CaseError
         If a column does not exist.
     ValueError
-        If the kind does not use a column.
+        If the kind of picture does not use a column.
     """
-    for option in COLUMNS["map"]:  # all columns
+    for option in COLUMNS["map"]:  # a map uses all column options
         given = getattr(selected, option)
         if given and option not in COLUMNS[kind]:
             takes = spoken([f"`{name}`" for name in COLUMNS[kind]])

@@ -1,7 +1,7 @@
-"""Results of variants: columns, conditions, the best variants, statistics.
+"""Results of variants: columns, conditions, selection of the best, statistics.
 
-`expressions` reads the expression of a column. `names` finds the meanings of its names (`meanings`)
-for a case; other documents supply their own finder (`documents`). `columns` reads a list of
-expressions. `selection` decides which variants are written, `best` sorts them, and `statistics`
+`expressions` reads an expression of results. `names` finds the meaning (`meanings`) of each name in
+it for a case; scenarios have their own finder (`documents`). `columns` reads the list of columns.
+`selection` reads conditions and objectives, `best` finds the best variants, and `statistics`
 summarises many variants.
 """

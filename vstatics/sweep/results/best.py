@@ -1,6 +1,6 @@
-"""Best rows of a sweep: of a piece, then among the best of all pieces.
+"""Best rows of a sweep, selected first within each piece, then among all pieces.
 
-The best of all variants are among the best of their pieces, so each piece keeps few rows.
+The best rows of the sweep are among the best rows of their pieces, so each piece stores few rows.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.results import selection
 
 BEST = 20
-"""Default number of best rows by a single objective."""
+"""Default number of best rows for a single objective."""
 
 
 def within(plan: SweepPlan, chunk: Chunk) -> Chunk:
@@ -27,14 +27,14 @@ def within(plan: SweepPlan, chunk: Chunk) -> Chunk:
 
 
 def among(plan: SweepPlan, chunks: Callable[[], Iterable[Chunk]]) -> Iterator[Chunk]:
-    """Yield the best rows of several chunks, sorted by a single objective, else by variant.
+    """Yield the best rows of several chunks, sorted by the objective or, with several, by variant.
 
     Parameters
     ----------
     plan : SweepPlan
     chunks : callable
-        Function that yields all chunks in order, each with its best rows. With several
-        objectives it is called twice, so that only objectives have to be in memory.
+        Function that yields all chunks in order, each with its best rows. With several objectives
+        it is called twice, so that only the objectives are in memory.
     """
     if len(plan.objectives) == 1:
         best_rows: Chunk | None = None

@@ -1,4 +1,4 @@
-"""Parser of --out: columns with headings."""
+"""Parser of --out, a list of expressions: each gives one or more columns with headings."""
 
 from __future__ import annotations
 
@@ -47,11 +47,11 @@ _BLANK = re.compile(r"\s")
 
 
 class ColumnGroup(NamedTuple):
-    """Expression, and the elements of its value that become columns."""
+    """Expression, and the elements of its value that are columns."""
 
     expression: Expression
     cells: tuple[tuple[int, int], ...]
-    """Indices of the gear and the row of each element; 0 for a missing axis."""
+    """Indices of the gear and the row of each element; 0 if the value has no such axis."""
 
 
 @dataclass(frozen=True)
@@ -72,7 +72,7 @@ class OutputColumns:
     """Expressions of named columns, by the name."""
 
     def __call__(self, tables: Tables, values: Floats) -> Floats:
-        """Calculate all columns.
+        """Calculate all columns for an array of variants.
 
         Parameters
         ----------
@@ -84,7 +84,7 @@ class OutputColumns:
         Returns
         -------
         ndarray, shape (variants, columns)
-            Each column is contiguous. NaN for undefined values. [-]
+            Values, NaN where undefined; each column is contiguous. [-]
         """
         columns = np.empty((len(self.headings), len(values))).T
         column = 0
@@ -97,11 +97,11 @@ class OutputColumns:
 
 
 _NAMED = re.compile(rf"\s*({NAME.pattern})\s*=(?!=)")
-"""Name and equals sign before an expression."""
+"""Name and equals sign before the expression of a named column."""
 
 
 def read_columns(text: str, subject: Subject, targets: Sequence[Varied] | Terms) -> OutputColumns:
-    """Read a list of expressions, separated by commas outside brackets.
+    """Read a list of column expressions, separated by commas outside brackets.
 
     Each expression gives a column for each gear and row of its value: all gears of the first row,
     then all gears of the second row. A repeated column is written once. Varied numbers are left
@@ -159,7 +159,7 @@ def read_columns(text: str, subject: Subject, targets: Sequence[Varied] | Terms)
             expression, names, terms.targets, name_match[1] if name_match else ""
         ):
             if heading in varied and not isinstance(expression.node, VariedNumber):
-                heading = f"({heading})"  # noqa: PLW2901 - differs from the varied number
+                heading = f"({heading})"  # noqa: PLW2901 - unlike the varied number
             if heading not in known:
                 known.add(heading)
                 headings.append(heading)
@@ -171,7 +171,7 @@ def read_columns(text: str, subject: Subject, targets: Sequence[Varied] | Terms)
 
 
 def _check_name(name: str, names: NameFinder, at: int, known: Collection[str]) -> None:
-    """Check that a column can have a name.
+    """Check that a name is available for a column.
 
     Raises
     ------
@@ -191,12 +191,12 @@ def _check_name(name: str, names: NameFinder, at: int, known: Collection[str]) -
 def output_headings(
     names: Sequence[str], headings: Sequence[str], *, by_gear: bool = False
 ) -> list[str]:
-    """Return the headings of the output: varied numbers, status, columns."""
+    """Return the headings of the output: variant, varied numbers, status, gear, columns."""
     return ["variant", *names, "status", *[GEAR] * by_gear, *headings]
 
 
 def items(text: str) -> Iterator[tuple[int, int]]:
-    """Yield the ends of the parts between commas outside brackets and quotes."""
+    """Yield start and end of each part between commas outside brackets and quotes."""
     start, depth, quote = 0, 0, ""
     for at, letter in enumerate(text):
         if quote:
@@ -216,7 +216,7 @@ def items(text: str) -> Iterator[tuple[int, int]]:
 def _headings(
     expression: Expression, names: NameFinder, targets: Sequence[Varied], given_name: str
 ) -> Iterator[tuple[tuple[int, int], str]]:
-    """Yield gear, row and heading of each column, with the name given to the expression."""
+    """Yield the gear and row of each column of an expression, and the heading."""
     node, text = expression.node, given_name or plain_names(_BLANK.sub(" ", expression.text))
     if isinstance(node, VariedNumber) and not given_name:
         yield (0, 0), targets[node.column].name
@@ -228,7 +228,8 @@ def _headings(
         (node,) = node.operands
     call = given_name or (isinstance(node, Applied) and node.name in (*FUNCTIONS, LAST))
     before = text if call else f"({text})"
-    if isinstance(node, Selection):  # a heading names the chosen row and gear, too
+    # The heading of a selection also contains the chosen row and gear.
+    if isinstance(node, Selection):
         before = given_name or expression.table or node.table
         if not given_name and node.table not in (SPREAD, OK, *PART_NUMBERS.values()):
             gears, rows = names.gears, names.written_rows(node.table)

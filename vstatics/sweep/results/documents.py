@@ -17,33 +17,33 @@ from vstatics.sweep.variants.targets import Varied
 
 
 class RunOutcome(NamedTuple):
-    """Outcome of the run of a variant."""
+    """Outcome of the simulated run of a variant."""
 
     status: int
-    """Index into `chunk.STATUS`."""
+    """Status of the variant, an index into `chunk.STATUS`."""
     tables: Tables
     unknown: bool
-    """True if the tables have no numbers."""
+    """True if the run has no results."""
     messages: Sequence[Message] = ()
 
 
 class SweptDocument(VariedDocument):
-    """A document whose variants are runs, such as a scenario."""
+    """Document whose variants are simulated runs, such as a scenario."""
 
     public_name: ClassVar[str] = "VariedScenario"
-    """Name of the class in messages about arguments."""
+    """Public name of the class, for messages about arguments."""
     default_columns: ClassVar[str]
-    """Columns of a sweep without --out."""
+    """Columns of a sweep if --out is not given."""
 
     @property
     @abstractmethod
     def file(self) -> str:
-        """Name of the file of the document."""
+        """Name of the file that contains the document."""
 
     @property
     @abstractmethod
     def case_file(self) -> str:
-        """Name of the file of the case."""
+        """Name of the file that contains the document's case."""
 
     @abstractmethod
     def limited(self, seconds: float) -> Self:
@@ -51,29 +51,29 @@ class SweptDocument(VariedDocument):
 
     @abstractmethod
     def names(self, source: Excerpt, targets: Sequence[Varied]) -> NameFinder:
-        """Return the finder of the names in an expression."""
+        """Return the finder of the meanings of names in an expression."""
 
     @abstractmethod
     def unit_of(self, table: str) -> str:
-        """Return the unit of a table, or "" for several or unknown units."""
+        """Return the unit of a table's values; "" if it has several units, or an unknown unit."""
 
     @abstractmethod
     def asked(self, selections: Iterable[Selection]) -> list[tuple[str, str]]:
-        """Return the tables and rows that expressions need in addition to the usual ones."""
+        """Return the tables and rows that expressions need beyond those that every run provides."""
 
     @abstractmethod
     def outcome(
         self, targets: Sequence[Varied], values: Floats, asked: Sequence[tuple[str, str]]
     ) -> RunOutcome:
-        """Calculate a variant."""
+        """Simulate a variant, and return its outcome."""
 
     @abstractmethod
     def reason(self, targets: Sequence[Varied], values: Sequence[float]) -> list[Problem]:
-        """Return the problems of a variant without numbers."""
+        """Return the reasons why a variant has no results."""
 
     @abstractmethod
     def seconds(self, tried: float) -> float:
-        """Return the estimated time of a run after a trial of limited time; 0 if it completed."""
+        """Return the estimated time of a run [s] from a trial of `tried` [s]; 0 if it ended."""
 
 
 Subject: TypeAlias = Transmission | SweptDocument

@@ -6,10 +6,10 @@
 >>> ratio(solve(case), np.zeros(0))
 array(2.5)
 
-A text becomes a tree (`readers.expressions`), names become tables and numbers of the case
-(`names`), and the values are calculated on arrays (`evaluation`). All names are resolved when the
-text is read, so that mistakes are reported before the calculation, and an expression can be sent
-to other processes. `columns` reads the list of --out.
+The text is parsed to a tree (`readers.expressions`), its names are replaced by tables and numbers
+of the case (`names`), and values are calculated on arrays (`evaluation`). All names are resolved
+when the text is read, so that mistakes are reported before the calculation, and expressions can be
+sent to other processes.
 """
 
 from __future__ import annotations
@@ -35,12 +35,12 @@ from vstatics.sweep.variants.targets import Varied
 
 Node: TypeAlias = Name | Constant | Applied
 CONSTANTS = {"pi": math.pi}
-"""Named constants."""
+"""Named constants of expressions."""
 
 
 @dataclass(frozen=True)
 class Expression:
-    """Expression of the results of a variant.
+    """Expression that is calculated from the results of variants.
 
     Parameters
     ----------
@@ -49,13 +49,13 @@ class Expression:
     node : Constant, Applied, Selection or VariedNumber
         Tree of the calculation.
     gears : tuple of str, optional
-        Names along the axis of gears, if the value has this axis.
+        Names of the gears, if the value has an axis of gears.
     rows : tuple of str, optional
-        Names along the axis of rows, if the value has this axis.
+        Names of the rows, if the value has an axis of rows, such as links.
     row : str
-        Noun for a row, such as ``link``, if the value has this axis.
+        Noun for a row, such as ``link``, if the value has an axis of rows.
     table : str
-        Name of the table, if the expression is part of a table.
+        Name of the table, if the expression is just a table or a part of a table.
     """
 
     text: str
@@ -78,7 +78,7 @@ class Expression:
         Returns
         -------
         ndarray, shape (variants, [gears,] [rows])
-            NaN for undefined values; 1 and 0 for true and false. Can be a view. [-]
+            Value, NaN where undefined; 1 and 0 mean true and false. The array can be a view. [-]
         """
         whole_axis = slice(None)
         gears, rows = (0 if axis is None else whole_axis for axis in (self.gears, self.rows))
@@ -92,7 +92,7 @@ class Expression:
 
     @property
     def selections(self) -> Iterator[Selection]:
-        """All parts of tables in the expression."""
+        """Tables, or parts of tables, that the expression uses."""
         nodes: list[Node] = [self.node]
         while nodes:
             node = nodes.pop()
@@ -103,19 +103,19 @@ class Expression:
 
     @property
     def per(self) -> str:
-        """Words for the axes of the value; empty for a single value."""
+        """Nouns for the axes of the value, such as "link and gear"; empty for a single value."""
         return " and ".join([self.row] * bool(self.row) + ["gear"] * bool(self.gears))
 
 
 class Terms(NamedTuple):
-    """Further names in an expression, in addition to tables and numbers of the subject."""
+    """Names that an expression can use in addition to the names of the subject."""
 
     targets: Sequence[Varied] = ()
     """Varied numbers, in the order of the values."""
     named: Mapping[str, ResolvedPart] = MappingProxyType({})
-    """Named columns."""
+    """Expressions of named columns, by the name."""
     by_gear: bool = False
-    """True if each output row is of a gear; tables then have no axis of gears."""
+    """True if each output row represents a gear; tables then have no axis of gears."""
 
 
 def read_expression(
@@ -124,18 +124,19 @@ def read_expression(
     targets: Sequence[Varied] | Terms,
     option: str = "",
 ) -> Expression:
-    """Read an expression.
+    """Read an expression of the results of variants.
 
     Parameters
     ----------
     text : str or Excerpt
-        Whole text, or a part of a text.
+        Text, or a part of a longer text.
     subject : Transmission or VariedScenario
-        Subject whose names the text uses.
+        Case or scenario whose names the text uses.
     targets : sequence of Varied, or Terms
-        Varied numbers, in the order of the values; other numbers are constants of the subject.
+        Varied numbers, in the order of their values; all other numbers of the subject are
+        constants.
     option : str
-        Option of a whole text, for messages: ``--where``.
+        Name of the option for messages, such as ``--where``, if `text` is a str.
 
     Raises
     ------
@@ -161,18 +162,18 @@ def read_expression(
 
 
 def terms_of(targets: Sequence[Varied] | Terms) -> Terms:
-    """Return terms that contain varied numbers only, unless terms are given."""
+    """Return given terms, or terms with the given varied numbers only."""
     return targets if isinstance(targets, Terms) else Terms(targets)
 
 
 def resolved_expression(
     source: Excerpt, subject: Subject, terms: Terms
 ) -> tuple[Expression, ResolvedPart]:
-    """Return an expression and the resolved part; see `read_expression`."""
+    """Return an expression, and the tree with resolved names; see `read_expression`."""
     names = names_of(source, subject, terms)
     tree = parse(source, names.language)
     part = _resolve(tree, names, terms.named)
-    if part.per_gear and not names.gears:  # of values along time, only the end remains
+    if part.per_gear and not names.gears:  # of a value over time, only the last instant is used
         part = part._replace(node=Applied(LAST, (part.node,), 0, 1), per_gear=False)
     node, per_gear, table = part
     picked = isinstance(tree, TableName) and tree.name not in terms.named
@@ -188,7 +189,7 @@ def resolved_expression(
 
 
 def names_of(source: Excerpt, subject: Subject, targets: Sequence[Varied] | Terms) -> NameFinder:
-    """Return the finder of the names in a text."""
+    """Return the finder of the meanings of names in a text."""
     terms = terms_of(targets)
     if isinstance(subject, Transmission):
         from vstatics.sweep.results.names import SweepNames
@@ -198,16 +199,16 @@ def names_of(source: Excerpt, subject: Subject, targets: Sequence[Varied] | Term
 
 
 class ResolvedPart(NamedTuple):
-    """Part with resolved names, and the axes of the values."""
+    """Part of an expression with resolved names, and the axes of its value."""
 
     node: Node
     per_gear: bool = False
     table: str = ""
-    """Name of the table whose rows are the rows of the values; empty without rows."""
+    """Name of the table whose rows the value has; empty if the value has no axis of rows."""
 
 
 def _resolve(tree: Tree, names: NameFinder, named: Mapping[str, ResolvedPart]) -> ResolvedPart:
-    """Resolve the names in a tree, and check that operands fit together."""
+    """Replace the names in a tree by their meanings, and check that the axes of operands agree."""
     if not isinstance(tree, Applied):
         return _named(tree, names, named)
     name, operands = tree.name, [_resolve(operand, names, named) for operand in tree.operands]

@@ -1,4 +1,4 @@
-"""Linked numbers: formulas of numbers that vary or that the case has, for each variant."""
+"""Linked numbers: numbers that a formula calculates for each variant from other numbers."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ OPTION = "--with"
 
 
 class LinkedVariants:
-    """Variants with further numbers, each calculated from the numbers before.
+    """Variants with linked numbers, each calculated from the numbers before it.
 
     Parameters
     ----------
     base : Variants
-        Variants with the numbers that vary on their own.
+        Variants with the numbers that vary independently.
     targets : sequence of Varied
         Linked numbers, in the order of their columns.
     formulas : sequence of Expression
@@ -44,7 +44,7 @@ class LinkedVariants:
         self.count = base.count
 
     def block(self, start: int, stop: int) -> Floats:
-        """Return the values of a block of variants; see `Variants`."""
+        """Return the values of a block of variants, with linked numbers; see `Variants`."""
         block = empty_block(self, start, stop)
         first = len(self.base.targets)
         block[:, :first] = self.base.block(start, stop)
@@ -55,7 +55,7 @@ class LinkedVariants:
 
 
 def table_of(variants: Variants) -> VariantTable | None:
-    """Return the table of the user that variants are read from, also with linked numbers."""
+    """Return the table given by the user from which variants are read, if any."""
     base = variants.base if isinstance(variants, LinkedVariants) else variants
     return base if isinstance(base, VariantTable) else None
 
@@ -71,7 +71,7 @@ def _value(formula: Expression, block: Floats) -> Floats:
 
 
 class LinkText(NamedTuple):
-    """Linked number and its formula, as read."""
+    """Linked number and its formula, with their text."""
 
     target: Varied
     formula: Excerpt
@@ -82,21 +82,23 @@ class LinkText(NamedTuple):
 def linked_variants(
     subject: Subject, base: Variants, places: Sequence[Place | None], texts: Sequence[Text]
 ) -> tuple[Variants, Sequence[Place | None]]:
-    """Return variants with linked numbers, and the place of the text of each number.
+    """Return variants with linked numbers, and the place of the text that names each number.
 
     Parameters
     ----------
     subject : Transmission or VariedScenario
     base : Variants
     places : sequence of Place or None
-        Place of the text of each number of the variants.
+        Place of the text that names each varied number of `base`.
     texts : sequence of Text
-        Links in their order, such as `P1.teeth.planet=(P1.teeth.ring - P1.teeth.sun)/2`.
+        Formulas of linked numbers, in their order, such as
+        `P1.teeth.planet=(P1.teeth.ring - P1.teeth.sun)/2`.
 
     Raises
     ------
     ReadError
-        If a text is invalid, a number varies already, or a link depends on itself or a later link.
+        If a text is invalid, a number already varies, or a formula uses its own or a later linked
+        number.
     """
     if not texts:
         return base, places
@@ -128,7 +130,7 @@ def _read(text: Text, subject: Subject) -> LinkText:
 
 
 def _check_values(formula: Expression, link: LinkText) -> None:
-    """Refuse a formula of results, which follow from the number.
+    """Refuse a formula that uses results, because results depend on the linked number.
 
     Raises
     ------
@@ -144,7 +146,7 @@ def _check_values(formula: Expression, link: LinkText) -> None:
 
 
 def _check_order(links: Sequence[LinkText], formulas: Sequence[Expression], first: int) -> None:
-    """Refuse links that depend on themselves or on later links.
+    """Refuse formulas that use the same or a later linked number.
 
     Raises
     ------
@@ -169,7 +171,7 @@ def _check_order(links: Sequence[LinkText], formulas: Sequence[Expression], firs
 
 
 def used_numbers(formula: Expression) -> set[int]:
-    """Return the columns of the varied numbers in a formula."""
+    """Return the indices of the varied numbers that a formula uses."""
     nodes: list[Node] = [formula.node]
     used = set()
     while nodes:
@@ -182,7 +184,7 @@ def used_numbers(formula: Expression) -> set[int]:
 
 
 def path_back(start: int, needs: Sequence[set[int]]) -> list[int]:
-    """Return the shortest path from a link over its needs back to the link; empty without a circle.
+    """Return the shortest circle of dependences through a linked number; empty without a circle.
 
     >>> path_back(0, [{1}, {0}]), path_back(0, [{1}, {1}])
     ([0, 1, 0], [])

@@ -14,36 +14,38 @@ from vstatics.core.readers.expressions.operands import Constant, DottedName, Tab
 from vstatics.sweep.variants.targets import OF_MECHANISM
 
 OMEGA = "omega"
-"""Table of natural frequencies, which the annex of torsional vibration calculates. [rad/s]"""
+"""Name of the table of natural frequencies, which the annex of torsional vibration calculates.
+[rad/s]
+"""
 STEP, SPREAD = "step", "spread"
 OF_RATIOS = (STEP, SPREAD)
-"""Tables derived from the ratios of all gears, which exist only in sweeps."""
+"""Names of tables that are derived from the ratios of all gears, only in sweeps."""
 
 
 OK = "ok"
-"""Table that is 1 if the status of a row is ok, which exists only in sweeps."""
+"""Name of the table that is 1 for rows with the status ok, else 0; only in sweeps."""
 
 
 PART_NUMBERS: dict[str, str] = {quantity: f"{quantity} of parts" for quantity in OF_MECHANISM}
-"""Name of the table with the values of all mechanisms in a variant, by the quantity."""
+"""Names of the tables with a number of all mechanisms in each variant, by the quantity."""
 OF_A_VARIANT = (SPREAD, *PART_NUMBERS.values())
-"""Tables with a single value for all gears."""
+"""Tables whose values do not depend on the gear."""
 
 
 class Selection(NamedTuple):
-    """Table of the results, or a part of a table."""
+    """Table of results, or a part of a table."""
 
     table: str
     gear: int | None
-    """Index of the gear, or `None` for all gears."""
+    """Index of the gear; None for all gears."""
     row: int | None
-    """Index of the row, or `None` for all rows or a table without rows."""
+    """Index of the row; None for all rows, or for a table without rows."""
     rows: int
     """Number of rows; 0 for a table with a single value per gear."""
 
 
 class VariedNumber(NamedTuple):
-    """Number that the sweep varies."""
+    """Number that the sweep varies, given by its index among the varied numbers."""
 
     column: int
 
@@ -58,20 +60,20 @@ class NameFinder(Protocol):
 
     @property
     def language(self) -> Language:
-        """Language of the expression."""
+        """Language of the expression: its functions and operators."""
 
     @property
     def gears(self) -> Sequence[str]:
-        """Names of the gears along the axis of gears; empty without this axis."""
+        """Names of the gears if values have an axis of gears; otherwise empty."""
 
     def number(self, name: DottedName) -> VariedNumber | Applied | Constant | Selection:
-        """Return the meaning of a number of the subject."""
+        """Return the meaning of the name of a number in the case or scenario."""
 
     def table(self, read: TableName) -> Selection | VariedNumber | Constant:
-        """Return the meaning of a table, or of a part of a table."""
+        """Return the meaning of the name of a table, with the subscripts."""
 
     def rows(self, table: str) -> Sequence[str]:
-        """Return the names of the rows of a table, if any."""
+        """Return the names of the rows of a table; empty for a table without rows."""
 
     def written_rows(self, table: str) -> Sequence[str]:
         """Return the names of all rows that a table can have in a variant."""
@@ -80,24 +82,24 @@ class NameFinder(Protocol):
         """Return the noun for a row of a table."""
 
     def key(self, index: int, rows: Sequence[str]) -> str:
-        """Return a row or a gear as written between brackets."""
+        """Return the name of a row or gear with an index, as written between brackets."""
 
 
 class Tables(Protocol):
     """Object that has tables by name: `Results`, or the results of a block of variants."""
 
     def existing(self, name: str) -> Floats:
-        """Return a table of shape (..., gears[, rows]), with NaN for undefined values."""
+        """Return the table with a name, shape (..., gears[, rows]), with NaN where undefined."""
 
 
 class GearRows(NamedTuple):
-    """Tables with a row for each gear of a variant; all gears of the first variant come first."""
+    """Tables in which each gear of a variant has a row; gears of a variant are neighbours."""
 
     tables: Tables
     gears: int
 
     def existing(self, name: str) -> Floats:
-        """Return a table of shape (variants * gears, 1[, rows])."""
+        """Return the table with a name, shape (variants * gears, 1[, rows])."""
         table: Any = self.tables.existing(name)
         if name in OF_A_VARIANT:
             table = np.repeat(table, self.gears, axis=1)
@@ -107,14 +109,14 @@ class GearRows(NamedTuple):
 
 
 class WithStatus(NamedTuple):
-    """Tables, and in addition the table `ok`, which marks the rows with the status ok."""
+    """Tables with the additional table `ok`, which marks rows with the status ok."""
 
     tables: Tables
     good: Booleans
     """Mask of the rows with the status ok, shape (rows,)."""
 
     def existing(self, name: str) -> Floats:
-        """Return a table; the table of the status has a single value per row."""
+        """Return the table with a name; `ok` has one value per row."""
         if name == OK:
             good: Floats = self.good[:, np.newaxis].astype(float)
             return good
@@ -122,9 +124,9 @@ class WithStatus(NamedTuple):
 
 
 def value_of(name: Name, tables: Tables, varied: Floats) -> Floats:
-    """Return the values of a name, shape (..., gears or 1, rows or 1).
+    """Return the values of a table or varied number, shape (..., gears or 1, rows or 1).
 
-    Floats are views of the results with any strides; booleans are copied to floats.
+    Floats are returned as views of the results; booleans are converted to floats.
     """
     if isinstance(name, VariedNumber):
         return varied[..., name.column, None, None]

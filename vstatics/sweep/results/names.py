@@ -1,4 +1,4 @@
-"""Meanings of names in an expression of a sweep: tables, rows, gears, numbers of the case."""
+"""Meanings of names in an expression for a case: tables, rows, gears, numbers."""
 
 from __future__ import annotations
 
@@ -50,12 +50,12 @@ LANGUAGE = Language(
 
 
 def _changes_mechanisms(varied: Varied) -> bool:
-    """Return whether a varied path can change the numbers of a mechanism."""
+    """Return whether a varied number can change the numbers of a mechanism."""
     return isinstance(varied, CasePath) and bool(varied.part or varied.quantity in OF_MECHANISM)
 
 
 class SweepNames:
-    """Finder of the meanings of names, for a case and the varied numbers.
+    """Finder of the meanings of names in an expression, for a case and the varied numbers.
 
     Examples
     --------
@@ -83,13 +83,13 @@ class SweepNames:
         self.varied = targets
         self.by_gear = by_gear
         self.gears = [] if by_gear else [gear.name for gear in case.gears]
-        """Names of the gears; empty if each row is of a gear."""
+        """Names of the gears; empty if each output row represents a gear."""
 
     def number(self, name: DottedName) -> VariedNumber | Applied | Constant | Selection:
-        """Return a number of the case, varied or constant.
+        """Return a number of the case: a varied number, a constant, or a part of a table.
 
-        A compliance follows from a varied stiffness. A number of a mechanism can follow from varied
-        numbers, such as the teeth of its gear set.
+        If a stiffness varies, its compliance is calculated. If varied numbers, such as tooth
+        numbers, can change the number of a mechanism, it is part of a table.
         """
         number_in_case = number_of_case(name.written, self.case, self.source.place(name.at))
         for column, varied in enumerate(self.varied):
@@ -116,14 +116,14 @@ class SweepNames:
 
     @property
     def _units(self) -> set[str]:
-        """Units in which tables are available because the case or a varied number gives a load."""
+        """Units of tables that exist because the case or a varied number gives speed or torque."""
         loads = {varied.quantity for varied in self.varied if isinstance(varied, CasePath)}
         by_load = {"rpm": {"load.speed"}, "Nm": {"load.torque"}}
         known = known_units(self.case) | {unit for unit, of in by_load.items() if of & loads}
         return known | {"kW"} if {"rpm", "Nm"} <= known else known
 
     def table(self, read: TableName) -> Selection:
-        """Return a table, or a part of a table."""
+        """Return a table, or the part of a table that subscripts select."""
         if read.name == OMEGA:
             return self._frequency(read)
         if read.name in OF_RATIOS:
@@ -155,7 +155,7 @@ class SweepNames:
         return Selection(known.name, gear, row, len(rows))
 
     def _gear(self, subscripts: list[Subscript]) -> int | None:
-        """Return the gear of the next subscript, or the gear of the row."""
+        """Return the index of the gear that the next subscript selects; None for all gears."""
         if self.by_gear:
             return 0
         return self._index(subscripts.pop(0), self.gears, "one") if subscripts else None
@@ -167,13 +167,13 @@ class SweepNames:
             raise self.source.error(message, subscripts[0].at)
 
     def rows(self, table: str) -> Sequence[str]:
-        """Return the names of the rows of a table in the case, if any."""
+        """Return the names of the rows of a table in the case; empty for a table without rows."""
         if table in (*OF_RATIOS, OK, *PART_NUMBERS.values()):
             return []
         return self._modes if table == OMEGA else table_rows(table, self.case)
 
     def written_rows(self, table: str) -> Sequence[str]:
-        """Return the names of all possible rows, including modes of other variants."""
+        """Return the names of all possible rows, including modes that only some variants have."""
         if table == OMEGA:
             return [str(number) for number in range(1, len(self.case.link_names) + 1)]
         return self.rows(table)
@@ -189,7 +189,7 @@ class SweepNames:
         return names
 
     def _frequency(self, read: TableName) -> Selection:
-        """Return natural frequencies; a mode missing in the case can exist in a variant."""
+        """Return natural frequencies; a mode that the case lacks can exist in a variant."""
         if not self._modes:
             message = "the case has no natural mode in any gear, so `omega` does not exist: give "
             message += "inertias, and springs or a stiffness between them"
@@ -208,7 +208,7 @@ class SweepNames:
         return Selection(OMEGA, gear, mode, len(self._modes))
 
     def _index(self, subscript: Subscript, names: Sequence[str], kind: Rows) -> int | None:
-        """Return the index that a subscript means, by name or else by number; `None` for all."""
+        """Return the index that a subscript selects, by name or else by number; None for all."""
         written = subscript.written
         if written == ":":
             return None

@@ -1,7 +1,7 @@
-"""Selection of variants: by a condition, or the best by one or several objectives.
+"""Selection of variants: those that satisfy a condition, or the best by objectives.
 
-The best by several objectives are the variants that no other variant dominates: see `fronts`.
-A variant without a value of an objective (NaN) is never among the best.
+With several objectives, the best variants are those that no other variant dominates: see `fronts`.
+A variant with an undefined objective (NaN) is never among the best.
 """
 
 from __future__ import annotations
@@ -31,23 +31,23 @@ class Objective(NamedTuple):
 
 
 class WhereCondition(NamedTuple):
-    """Condition on variants: a conjunction of parts."""
+    """Condition on variants: expressions that must all be true."""
 
     text: str
     parts: tuple[Expression, ...]
-    """Expressions between `and`, with values 1 for true and 0 for false."""
+    """Expressions that the text joins by `and`, with values 1 for true and 0 for false."""
 
     def passed(
         self, tables: Tables, values: Floats, unknown: Booleans
     ) -> tuple[Booleans, tuple[int, ...]]:
-        """Return a mask of variants that pass, and how many variants each part removes in turn.
+        """Return a mask of variants that pass, and the number that each part removes in turn.
 
         Parameters
         ----------
         tables, values
             Arguments of an `Expression`.
         unknown : ndarray, shape (variants,)
-            Mask of variants that never pass.
+            Mask of variants without results, which never pass.
         """
         passing, removed = np.ones(len(values), np.bool_), []
         for part in self.parts:
@@ -58,7 +58,7 @@ class WhereCondition(NamedTuple):
 
 
 def read_where(text: str, subject: Subject, targets: Sequence[Varied] | Terms) -> WhereCondition:
-    """Read a condition.
+    """Read a condition on variants.
 
     Raises
     ------
@@ -88,7 +88,7 @@ _JOINING_WORDS = re.compile(r"""\"[^\"]*\"|'[^']*'|[(\[]|[)\]]|\b(?:and|or)\b"""
 
 
 def _between_ands(text: str) -> list[tuple[int, int]]:
-    """Return the ends of the parts between each `and` outside brackets; with `or`, of the whole.
+    """Return start and end of the parts joined by `and` outside brackets; one part with `or`.
 
     >>> _between_ands("a > 1 and max(b and c) < 2"), _between_ands("a and b or c")
     ([(0, 6), (9, 26)], [(0, 12)])
@@ -107,7 +107,7 @@ def _between_ands(text: str) -> list[tuple[int, int]]:
 def read_objective(
     text: str, subject: Subject, targets: Sequence[Varied] | Terms, option: str
 ) -> Objective:
-    """Read a quantity to minimise (`option` ``--min``) or maximise (``--max``).
+    """Read an objective: a quantity to minimise (`option` ``--min``) or maximise (``--max``).
 
     Raises
     ------
@@ -134,10 +134,10 @@ def _single_value(
 
 
 def best(values: Floats, count: int) -> Integers:
-    """Return the rows of the smallest values, the smallest first.
+    """Return the indices of the rows with the smallest values, the smallest first.
 
-    Rows of equal values keep their order. For many chunks in order of their variants, append each
-    chunk to the best rows so far and call this function again.
+    Rows with equal values keep their order. For many chunks, append each chunk in turn to the best
+    rows found before, and call this function again.
 
     Parameters
     ----------
@@ -162,11 +162,11 @@ def best(values: Floats, count: int) -> Integers:
 
 
 def limited(objectives: Floats, count: int) -> Integers:
-    """Return at most `count` rows of a front, spread over the front.
+    """Return at most `count` rows of a Pareto front, spread over the front.
 
-    The best row by each objective is chosen first, as far as `count` allows; then repeatedly the
-    row farthest from the chosen rows, with each objective scaled by its range on the front. Of
-    equal rows the first is taken.
+    The best row by each objective is chosen first, as far as `count` permits. Then the row farthest
+    from the chosen rows is added repeatedly, where each objective is scaled by its range. Of equal
+    rows, the first is taken.
 
     Parameters
     ----------
@@ -191,7 +191,7 @@ def limited(objectives: Floats, count: int) -> Integers:
     chosen: list[int] = []
     for number in range(count):
         row = int(np.argmax(away))
-        if number < points.shape[1]:  # the best by this objective, unless already chosen
+        if number < points.shape[1]:  # first the best row by each objective, unless already chosen
             least = np.flatnonzero(points[:, number] == points[:, number].min())
             row = int(least[np.argmax(away[least])]) if away[least].max() >= 0 else row
         chosen.append(row)

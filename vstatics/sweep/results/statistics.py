@@ -1,4 +1,4 @@
-"""Statistics of many variants: means, deviations and quantiles of columns."""
+"""Statistics of many variants: mean, standard deviation and quantiles of columns."""
 
 from __future__ import annotations
 
@@ -12,28 +12,28 @@ from vstatics.core.numerics.tolerances import ROUNDED_DEVIATION
 from vstatics.core.tables.answer import json_keys
 
 PARTS = (0.05, 0.5, 0.95)
-"""Fractions of the variants whose values are below each quantile. [-]"""
+"""Fractions of the variants with values below each quantile. [-]"""
 
 _LARGE = 2.0**500
-"""Magnitude above which numbers are scaled by a power of 2, without rounding, before squaring."""
+"""Magnitude above which numbers are divided by a power of 2 before squaring, to avoid overflow."""
 
 
 @json_keys("variants", "mean", "deviation", "least", quantiles="by_part", largest="largest")
 class Statistics(NamedTuple):
-    """Statistics of a column over the variants with a value; NaN for too few variants."""
+    """Statistics of a column over variants with a value; NaN if there are too few."""
 
     variants: int
     mean: float
     deviation: float
-    """Standard deviation of a sample, with n - 1 in the denominator."""
+    """Standard deviation, with n - 1 in the denominator."""
     least: float
     quantiles: tuple[float, ...]
-    """Quantiles at `PARTS`."""
+    """Quantiles at the fractions `PARTS`."""
     largest: float
 
     @property
     def by_part(self) -> dict[str, float]:
-        """Quantiles by part in per cent."""
+        """Quantiles, by the fraction in per cent."""
         return {
             f"{part:.0%}": quantile for part, quantile in zip(PARTS, self.quantiles, strict=True)
         }
@@ -48,7 +48,7 @@ def statistics(numbers: Floats) -> Statistics:
     >>> summary.variants, summary.mean, summary.deviation, summary.quantiles[1]
     (3, 2.0, 1.0, 2.0)
 
-    Rounding noise in the last digits gives no deviation:
+    Rounding noise in the last digits gives the standard deviation 0:
 
     >>> statistics(np.array([2500.000000000005, 2500.0])).deviation
     0.0
@@ -58,9 +58,9 @@ def statistics(numbers: Floats) -> Statistics:
         nothing = float("nan")
         return Statistics(0, nothing, nothing, nothing, (nothing,) * len(PARTS), nothing)
     least, largest, most = float(known.min()), float(known.max()), float(np.abs(known).max())
-    is_large = _LARGE < most < math.inf  # otherwise sums and squares would overflow
+    is_large = _LARGE < most < math.inf  # otherwise sums and squares could overflow
     scale = math.ldexp(0.5, math.frexp(most)[1]) if is_large else 1.0
-    with np.errstate(invalid="ignore"):  # for infinite numbers
+    with np.errstate(invalid="ignore"):  # infinite numbers give NaN without a warning
         known = known / scale
         deviation = float(np.std(known, ddof=1)) * scale if len(known) > 1 else float("nan")
         mean = float(known.mean()) * scale

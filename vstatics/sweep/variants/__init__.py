@@ -1,7 +1,8 @@
 """Numbered variants of a case or of a scenario.
 
-The `subject` is a case or a document, such as a scenario. `targets` identifies the varied number of
-a case, `path_numbers` a number by its path, `scenario_numbers` a number of a scenario; `variation`
-parses the values of a number, `samples` draws points between bounds, `table` and `table_file` read
-a file of variants. `numbered` gives any block of variants at any time.
+The `subject` of a sweep is a case, or a document such as a scenario. `targets` finds a number of a
+case by component and quantity, `path_numbers` a number by its path, and `scenario_numbers` a number
+of a scenario. `variation` parses the values of a number, `samples` draws values between bounds, and
+`table` and `table_file` read a file of variants. `numbered` returns any block of variants at any
+time.
 """

@@ -1,4 +1,4 @@
-"""Numbered variants, which can be calculated in any order and always have the same values."""
+"""Numbered variants, which can be requested in any order and always have the same values."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from vstatics.sweep.variants.variation import MOST, DrawnNumbers, Span, Variatio
 
 
 class Variants(Protocol):
-    """Variants of a case, counted from 0, with the values of the varied numbers."""
+    """Variants of a case, numbered from 0, with the values of the varied numbers."""
 
     @property
     def targets(self) -> tuple[Varied, ...]:
@@ -31,23 +31,23 @@ class Variants(Protocol):
     def block(self, start: int, stop: int) -> Floats:
         """Return the values of the variants from `start` up to, but excluding, `stop`.
 
-        Shape (stop - start, len(targets)), each column contiguous. Blocks can be requested in
-        any order; the values of a variant never change.
+        The shape is (stop - start, len(targets)), and each column is contiguous. Blocks can be
+        requested in any order; the values of a variant never change.
         """
 
 
 class VariantGrid:
-    """Grid of all combinations of values; the last variation runs fastest.
+    """Grid of all combinations of values; the values of the last variation change fastest.
 
     Parameters
     ----------
     variations : iterable of Variation
-        Variations with lists or steps as values, not with spans.
+        Varied numbers with lists or steps of values, not with ranges.
 
     Raises
     ------
     ReadError
-        If a number is varied twice, or a variation has a span instead of values.
+        If a number is varied twice, or has a range instead of values.
     CaseError
         If there are 2**63 variants or more.
 
@@ -83,18 +83,17 @@ class VariantGrid:
 
 
 class Zip:
-    """Variants of parallel lists: the first values together, then the second, and so on.
+    """Variants of parallel lists: first the first values of all numbers, then the second values.
 
     Parameters
     ----------
     variations : iterable of Variation
-        Variations with lists or steps of the same length.
+        Varied numbers with lists or steps of equal length.
 
     Raises
     ------
     ReadError
-        If a number is varied twice, a variation has a span instead of values, or the numbers of
-        values differ.
+        If a number is varied twice, has a range instead of values, or the numbers of values differ.
     """
 
     def __init__(self, variations: Iterable[Variation]) -> None:
@@ -124,10 +123,10 @@ class Zip:
 
 
 class VariantTable:
-    """Variants from a table of the user, a row each.
+    """Variants from a table given by the user, a variant in each row.
 
-    A table in a spool has a temporary file: `close` it after use. Pickled copies are then small,
-    and read this file.
+    The rows of a `Spool` are in a temporary file, so that pickled copies are small; call `close`
+    after use.
 
     Parameters
     ----------
@@ -136,7 +135,8 @@ class VariantTable:
     rows : ndarray, shape (variants, targets), or Spool
         Rows in memory, or in a temporary file.
     digest : str, optional
-        Hash of the rows, by which plans distinguish tables; calculated from an array by default.
+        Hash of the rows, by which plans distinguish tables; by default it is calculated from an
+        array.
 
     Examples
     --------
@@ -167,13 +167,13 @@ class VariantTable:
         return block
 
     def close(self) -> None:
-        """Remove the temporary file, if created by the present process."""
+        """Remove the temporary file, if this process created it."""
         if isinstance(self._rows, Spool):
             self._rows.close()
 
 
 class VariantPart:
-    """Some variants of a table with their values, for a machine without the table.
+    """Range of variants of a table with the values, for a computer without the table.
 
     >>> from vstatics.sweep.variants.targets import Target
     >>> table = VariantTable([Target("D1.ratio", 0, "ratio")], np.array([[-2.0], [-3.0], [-4.0]]))
@@ -188,7 +188,7 @@ class VariantPart:
         self.values = whole.block(start, stop)
 
     def block(self, start: int, stop: int) -> Floats:
-        """Return the values of a block within the part; see `Variants`."""
+        """Return the values of a block within this range of variants; see `Variants`."""
         end = self.start + len(self.values)
         if not self.start <= start <= stop <= end:
             raise IndexError(f"variants {start} to {stop} of a part from {self.start} to {end}")
@@ -196,7 +196,7 @@ class VariantPart:
 
 
 def empty_block(variants: Variants, start: int, stop: int) -> Floats:
-    """Return an array for a block of variants, each column contiguous.
+    """Return an uninitialised array for a block of variants, each column contiguous.
 
     Raises
     ------
@@ -234,7 +234,7 @@ def checked_targets(variations: Iterable[Variation]) -> tuple[Varied, ...]:
 
 
 def _listed(variations: list[Variation]) -> tuple[tuple[Varied, ...], tuple[Floats | Steps, ...]]:
-    """Return the varied numbers and the values; refuse spans and distributions."""
+    """Return the varied numbers and the values; refuse ranges and distributions."""
     targets = checked_targets(variations)
     listed: list[Floats | Steps] = []
     problems: list[Problem] = []

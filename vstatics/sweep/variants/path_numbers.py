@@ -1,7 +1,7 @@
-"""Numbers of a case by their paths: `load.torque`, `gears.split.speeds.MG1`, with units.
+"""Numbers of a case, given by a path such as `load.torque` or `gears.split.speeds.MG1`.
 
-All numbers that `vstatics.solve` varies can vary in a sweep. The values are given in the unit
-written after each, and are converted to SI for the calculation.
+All numbers that `vstatics.solve` accepts as varied can vary in a sweep. Values are given with a
+unit, and converted to SI units for the calculation.
 """
 
 from __future__ import annotations
@@ -29,49 +29,49 @@ EXAMPLES = {"si_speed": "2000 rpm", "si_torque": "50 N*m", "power": "2 kW"}
 _RELATIVE = ("speeds", "slip", "torques", "drag", "open_drag")
 """Quantities of a gear that are relative to the load, unless they have a unit."""
 _FIXED = ("vehicle", "cylinders", "fatigue", "bearings", "dump")
-"""Keys of a case whose numbers do not affect any table of a gear."""
+"""Keys of a case whose numbers do not affect any table of a gear, so need not vary."""
 
 
 class CasePath(NamedTuple):
-    """Varied number of a case that is given by its path: of a gear, a load or a part."""
+    """Varied number of a case that is given by its path: a number of a gear, load or component."""
 
     path: str
     of: tuple[CaseNumber, ...] = ()
-    """Numbers that `vstatics.solve` varies."""
+    """Numbers that `vstatics.solve` varies for this path; empty for a number of a component."""
     part: PartNumber | None = None
-    """Number of a part, whose values each require a new case."""
+    """Number of a component, whose every value needs a new case; None for other numbers."""
     unit: str = ""
-    """Unit of the values; empty for numbers without a unit, which are in SI units."""
+    """Unit of the values; empty for bare numbers, which are relative or in SI units."""
 
     @property
     def name(self) -> str:
-        """Name as written: `load.speed [rpm]`."""
+        """Name as written by the user, such as `load.speed [rpm]`."""
         return f"{self.path} [{self.unit}]" if self.unit else self.path
 
     @property
     def quantity(self) -> str:
-        """Quantity of the `CaseNumber`; empty for a number of a part."""
+        """Quantity of the varied `CaseNumber`; empty for a number of a component."""
         return self.of[0].quantity if self.of else ""
 
     @property
     def numbers(self) -> frozenset[Hashable]:
-        """Keys of the varied numbers; a number of a mechanism has the same key as in `Target`."""
+        """Keys that identify the number; for a mechanism equal to the key in `Target`."""
         if self.quantity in OF_MECHANISM:
             return frozenset((number.owner, number.quantity) for number in self.of)
         return frozenset(self.of or [self.part])
 
     @property
     def measure(self) -> Measure | Literal["power"] | None:
-        """Kind of quantity of the values, or `None` without unit."""
+        """Kind of quantity, such as torque, of the values; None for numbers without a unit."""
         return self.part.measure if self.part else measure_of(self.quantity)
 
     def in_unit(self, unit: str) -> CasePath:
-        """Return the path with values in a unit.
+        """Return the same number with values in a unit.
 
         Raises
         ------
         ValueError
-            If the unit does not fit the quantity, or is missing.
+            If the unit does not suit the quantity, or is missing.
         """
         unit = unit or self.unit
         if self.measure is None:
@@ -87,14 +87,14 @@ class CasePath(NamedTuple):
 
     @property
     def example(self) -> str:
-        """Value with a usual unit, of a number that has units."""
-        assert self.measure is not None  # noqa: S101 - asked where a unit is missing
+        """Value with a usual unit, as an example in messages."""
+        assert self.measure is not None  # noqa: S101 - only called for numbers that have units
         if self.measure == "power" or self.measure in EXAMPLES:
             return EXAMPLES[self.measure]
         return f"1 {UNIT_OF[self.measure]}"
 
     def in_si(self, values: Floats) -> Floats:
-        """Return values in SI."""
+        """Return values in SI units."""
         if not self.unit or self.measure is None:
             return values
         return values * _size(self.unit, self.measure)
@@ -112,7 +112,7 @@ def _size(unit: str, measure: Measure | Literal["power"]) -> float:
 
 
 def case_path(text: str, case: Transmission) -> CasePath | None:
-    """Return the number with a path, optionally with `[rpm]`, or `None` for other texts.
+    """Return the number at a path, optionally with a unit as in `[rpm]`; None for other texts.
 
     Examples
     --------
@@ -123,7 +123,7 @@ def case_path(text: str, case: Transmission) -> CasePath | None:
     """
     numbers, parts = numbers_of(case), part_numbers(case)
     path, unit = text, None
-    if text not in numbers and text not in parts:  # names may have quotes
+    if text not in numbers and text not in parts:  # names in the path can be quoted
         path, unit = with_unit(text)
         path = plain(path.strip())
     of, part = numbers.get(path, ()), parts.get(path)
@@ -136,7 +136,7 @@ def known_paths(case: Transmission) -> list[str]:
 
 
 def no_path(text: str, case: Transmission) -> str:
-    """Return the message about a path without a number, or "" if the text can be a name.
+    """Return a message about a path that does not lead to a number; "" if it can be a name.
 
     >>> from vstatics import Gear, Mechanism
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear()])
@@ -170,7 +170,7 @@ def no_path(text: str, case: Transmission) -> str:
 
 
 def own_number_at(path: CasePath, case: Transmission) -> float:
-    """Return the number at a path in the case: in rpm, N*m and kW, of parts in SI.
+    """Return the number at a path in a case, in rpm, N*m or kW; of a component in SI units.
 
     Raises
     ------

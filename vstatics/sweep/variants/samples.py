@@ -1,4 +1,4 @@
-"""Samples from ranges of numbers by Sobol's sequence, Latin hypercubes or pseudo-random numbers."""
+"""Samples of numbers by Sobol's sequence, Latin hypercubes or pseudo-random numbers."""
 
 from __future__ import annotations
 
@@ -29,23 +29,23 @@ _latin_lock = Lock()
 
 
 class Sample:
-    """Numbered variants drawn from ranges, distributions or lists of values.
+    """Variants that are drawn from ranges, distributions or lists of values.
 
-    Equal seeds give equal variants, whatever the blocks. A larger sample by `sobol` or `random`
-    begins with the smaller sample; a sample by `lhs` does not.
+    Equal seeds give equal variants, in whichever blocks they are requested. With `sobol` or
+    `random`, a larger sample begins with the smaller sample; with `lhs`, it does not.
 
     Parameters
     ----------
     variations : iterable of Variation
-        At least one.
+        Varied numbers and their values; at least one number.
     count : int
         Number of variants.
     method : {"sobol", "lhs", "random"}
-        `sobol`: Sobol's sequence as scipy scrambles it, up to 2**30 variants; most even
-        with a power of 2. `lhs`: scipy's Latin hypercube, which every process calculates as a
-        whole, in about 25 bytes for each number, and stores in 8. `random`: PCG64.
+        `sobol`: Sobol's sequence, scrambled as in scipy, up to 2**30 variants, most even if their
+        number is a power of 2. `lhs`: scipy's Latin hypercube; every process calculates all of it
+        with about 25 bytes per value, and stores 8. `random`: generator PCG64.
     seed : int
-        From 0.
+        Seed of the generator, 0 or more.
 
     Raises
     ------
@@ -112,7 +112,7 @@ def _complaints(sample: Sample) -> Iterator[str]:
 
 
 def _picked(values: Values, unit: Floats) -> Floats:
-    """Map numbers from 0 up to 1 to a range, a distribution or the values of a list."""
+    """Map numbers from the interval [0, 1) to a range, a distribution or a list of values."""
     if isinstance(values, DrawnNumbers):
         return values.quantiles(unit)
     if isinstance(values, Span):
@@ -124,7 +124,7 @@ def _picked(values: Values, unit: Floats) -> Floats:
 
 
 def _random(block: Floats, sample: Sample, start: int) -> None:
-    """Draw a pseudo-random number for each number of a variant."""
+    """Fill a block with pseudo-random numbers, beginning at the variant `start`."""
     bits = np.random.PCG64(sample.seed)
     bits.advance(start * len(sample.targets))
     block[:] = np.random.Generator(bits).random(block.shape)
@@ -148,10 +148,10 @@ def _latin_hypercube(dimensions: int, count: int, seed: int) -> Floats:
 
 
 def _sobol(block: Floats, sample: Sample, start: int) -> None:
-    """Calculate points of Sobol's sequence by number, without the points before.
+    """Fill a block with points of Sobol's sequence, without calculating earlier points.
 
-    Point n is point 0 combined (exclusive or) with the words of the bits that are set in
-    n: the Gray code of n, in which the sequence runs, is linear in these bits.
+    Point n is the exclusive or of point 0 and a word for each bit that is set in n, because the
+    Gray code of n, which orders the sequence, is linear in these bits.
     """
     stop = start + len(block)
     first, words = _sobol_words(len(sample.targets), sample.seed, (stop - 1).bit_length())
@@ -170,7 +170,7 @@ def _sobol(block: Floats, sample: Sample, start: int) -> None:
 
 
 def _combined(words: Words) -> Words:
-    """Return for each number the exclusive or of the words of all set bits."""
+    """Return, for each integer as index, the exclusive or of the words of its set bits."""
     table = np.zeros(1 << len(words), dtype=np.uint32)
     for bit, word in enumerate(words):
         table[1 << bit : 2 << bit] = table[: 1 << bit] ^ word
@@ -179,9 +179,9 @@ def _combined(words: Words) -> Words:
 
 @lru_cache(maxsize=32)
 def _sobol_words(dimensions: int, seed: int, bits: int) -> tuple[Words, Words]:
-    """Return point 0, (dimensions,), and the words of the bits, (bits, dimensions).
+    """Return point 0, shape (dimensions,), and the word of each bit, shape (bits, dimensions).
 
-    The words follow from the points 1, 2, 4, ... of scipy's sequence as whole numbers.
+    The words follow from the points 1, 2, 4, ... of scipy's sequence, scaled to integers.
     """
     from scipy.stats import qmc
 

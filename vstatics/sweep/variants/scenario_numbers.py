@@ -1,4 +1,4 @@
-"""Numbers of a scenario and of its case, by their paths in the two documents."""
+"""Numbers of a scenario and its case, given by a path in one of the two documents."""
 
 from __future__ import annotations
 
@@ -38,51 +38,52 @@ _SPELLED: dict[str, dict[type[Node], str]] = {
     "shift_elements": {Listing: "links"},
     "gears": {Listing: "engaged"},
 }
-"""Keys of the mappings that nodes of some kinds abbreviate, by the key that has the node."""
+"""Key that a short form omits, by the outer key and the kind of node: `T: [[0, 1]]` means points.
+"""
 _ALL_GIVEN = ("numbers", "set")
-"""Keys of mappings that are complete: a name that they lack cannot occur in any formula."""
+"""Keys of mappings that list all names that formulas can use; another name is a mistake."""
 
 
 class NumberPath(NamedTuple):
-    """Path to a number of a scenario or of its case."""
+    """Path to a number in a scenario or its case."""
 
     keys: Keys
     of_case: bool
-    """True if the number is in the case."""
+    """True if the number is in the case, False if it is in the scenario."""
     unit: str = ""
     """Unit of the values, as written in brackets; empty for numbers without a unit."""
 
     @property
     def name(self) -> str:
-        """Name as written: `shifts.1.overlap`, `start.speed [rpm]`."""
+        """Name as written by the user, such as `shifts.1.overlap` or `start.speed [rpm]`."""
         return f"{written(self.keys)} [{self.unit}]" if self.unit else written(self.keys)
 
     @property
     def numbers(self) -> frozenset[Hashable]:
-        """Key of the varied number: the document and its keys."""
+        """Key that identifies the number: the document and the path in it."""
         return frozenset([(self.of_case, self.keys)])
 
 
 class Trees(NamedTuple):
-    """Documents as trees of nodes; a deck has no tree."""
+    """Scenario and case as trees of nodes; a case in a deck has no tree."""
 
     scenario: Node
     case: Node | None
 
     def root(self, path: NumberPath) -> Node:
-        """Return the tree that contains a number."""
+        """Return the tree of the document that contains a number."""
         return (self.case or self.scenario) if path.of_case else self.scenario
 
 
 def number_path(text: str, trees: Trees, place: Place | None = None) -> NumberPath:
-    """Return the number named by a text such as `shifts.1.overlap`.
+    """Return the path to a number that is named by a text such as `shifts.1.overlap`.
 
     Parameters
     ----------
     text : str
-        Keys, and numbers of items from 1, separated by points; optionally `[rpm]`, the unit of
-        the values. The number is searched in the scenario, then in the case. `D1.ratio`,
-        `P1.teeth.sun` and `engine.inertia` are understood as in a sweep of a case.
+        Keys, and numbers of list items from 1, separated by points; optionally a unit, as in
+        `[rpm]`. The scenario is searched first, then the case. `D1.ratio`, `P1.teeth.sun` and
+        `engine.inertia` have the same meaning as in a sweep of a case.
     trees : Trees
     place : Place, optional
         Place of the text, for messages.
@@ -97,7 +98,8 @@ def number_path(text: str, trees: Trees, place: Place | None = None) -> NumberPa
         parts = split(typed)
         path = _path(parts, trees)
         root = _spelled_out(trees.root(path), path.keys)
-        before = [parts[0]] * (len(path.keys) - len(parts))  # for keys added in front
+        # Keys such as `mechanisms`, added in front, have the position of the first part.
+        before = [parts[0]] * (len(path.keys) - len(parts))
         typed_at = zip(path.keys, [*before, *parts], strict=True)
         node = find_node(root, [PathPart(key, part.at) for key, part in typed_at])
         if node is not None:
@@ -119,7 +121,7 @@ def _check_given(path: NumberPath, last: PathPart, root: Node) -> None:
 
 
 def _path(parts: Sequence[PathPart], trees: Trees) -> NumberPath:
-    """Return the document and the keys of a number."""
+    """Return the path in the scenario or case that keys, possibly abbreviated, lead to."""
     keys = tuple(part.name for part in parts)
     of_scenario, of_case = keys_of(trees.scenario), keys_of(trees.case) if trees.case else []
     if keys[0] in of_scenario:
@@ -138,7 +140,7 @@ def _path(parts: Sequence[PathPart], trees: Trees) -> NumberPath:
 
 
 def _leads(root: Node, keys: Keys) -> bool:
-    """Return whether all keys except the last exist; for inertias, the last must exist, too."""
+    """Return whether all keys except the last exist; for inertias, also the last must exist."""
     node: Node | None = root
     for key in keys if keys[0] in BODIES else keys[:-1]:
         node = node and child(node, key)
@@ -146,7 +148,7 @@ def _leads(root: Node, keys: Keys) -> bool:
 
 
 def _spelled_out(root: Node, keys: Keys) -> Node:
-    """Return the tree with a mapping instead of an abbreviation on the path."""
+    """Return the tree with a short form on the path replaced by the mapping that it abbreviates."""
     if len(keys) < 3 or keys[0] not in _SPELLED or not isinstance(root, Mapping):
         return root
     node = child(root, keys[0])
@@ -161,7 +163,7 @@ def _spelled_out(root: Node, keys: Keys) -> Node:
 
 
 def _at(node: Node) -> Mapping:
-    assert isinstance(node, Mapping)  # noqa: S101 - names lead into mappings
+    assert isinstance(node, Mapping)  # noqa: S101 - names only lead into mappings
     return node
 
 
@@ -171,14 +173,14 @@ def _with(node: Mapping, name: str, value: Node) -> Mapping:
 
 
 def written_number(path: NumberPath, trees: Trees) -> WrittenNumber | None:
-    """Return a number as written in the document, or `None` if the key is missing."""
+    """Return a number as written in its document; None if its key is missing."""
     root = _spelled_out(trees.root(path), path.keys)
     node = find_node(root, [PathPart(key, 0) for key in path.keys])
     return None if node is None else number_of(node)
 
 
 def with_numbers(trees: Trees, paths: Sequence[NumberPath], values: Sequence[float]) -> Trees:
-    """Return the documents with other numbers at some paths."""
+    """Return the documents with the numbers at some paths replaced."""
     scenario, case = trees
     for path, value in zip(paths, values, strict=True):
         text = number_text(value, path.unit)
@@ -190,7 +192,7 @@ def with_numbers(trees: Trees, paths: Sequence[NumberPath], values: Sequence[flo
 
 
 def sample_unit(scenario: Node, text: str) -> str:
-    """Return the first unit in the distribution of `samples` for a path, or ""."""
+    """Return the first unit in a number's distribution under `samples`; "" if missing."""
     of_path = child(scenario, "samples")
     nodes = [of_path and child(of_path, text)]
     while nodes:
@@ -207,7 +209,7 @@ def sample_unit(scenario: Node, text: str) -> str:
 
 
 def in_si(unit: str) -> str:
-    """Return the SI unit of the quantity measured in a unit, or the unit if unknown.
+    """Return the SI unit of the quantity that a unit measures; an unknown unit is returned.
 
     >>> in_si("kN*m"), in_si("rpm")
     ('N*m', 'rad/s')

@@ -1,6 +1,6 @@
-"""Subject of a sweep: a case, or a document with varied numbers, such as a scenario.
+"""Subject of a sweep: a case, or another document with numbers to vary, such as a scenario.
 
-The records of annexes declare the kinds of documents that can vary.
+The record of an annex declares such a kind of document.
 """
 
 from __future__ import annotations
@@ -18,23 +18,23 @@ from vstatics.sweep.variants.targets import OF_MECHANISM, Target, Varied, refusa
 
 
 class Document(NamedTuple):
-    """Content of a file, and the name of the file."""
+    """Content of a file, with the name of the file."""
 
     data: bytes
     file: str
 
 
 class VariedDocument(ABC):
-    """Document that names a case; numbers of the document and of the case can vary."""
+    """Document that refers to a case, such as a scenario; numbers of both can vary."""
 
     @property
     @abstractmethod
     def base_case(self) -> Transmission:
-        """Case as written in its file."""
+        """Case as read from the file, before any number varies."""
 
     @abstractmethod
     def target(self, text: str, place: Place | None = None) -> Varied:
-        """Return the number with a given name.
+        """Return the varied number with a given name.
 
         Raises
         ------
@@ -44,7 +44,7 @@ class VariedDocument(ABC):
 
     @abstractmethod
     def in_unit(self, varied: Varied, unit: str, place: Place | None) -> Varied:
-        """Return a number with values in a unit.
+        """Return a varied number with values in a unit.
 
         Raises
         ------
@@ -54,7 +54,7 @@ class VariedDocument(ABC):
 
     @abstractmethod
     def check_targets(self, targets: Sequence[Varied], places: Sequence[Place | None]) -> None:
-        """Check that numbers can vary together.
+        """Check that some numbers can vary together.
 
         Raises
         ------
@@ -63,7 +63,7 @@ class VariedDocument(ABC):
 
     @abstractmethod
     def check_runs(self, targets: Sequence[Varied], values: Sequence[float]) -> None:
-        """Check that variants can be calculated.
+        """Check, with the values of the first variant, that variants can be simulated.
 
         Raises
         ------
@@ -78,14 +78,14 @@ VariedSubject: TypeAlias = Transmission | VariedDocument
 
 
 def target_of(text: str, subject: VariedSubject, place: Place | None = None) -> Varied:
-    """Return the number of a subject with a given name; see `targets.target`."""
+    """Return the number of a case or document with a given name; see `targets.target`."""
     if isinstance(subject, Transmission):
         return number_of_case(text, subject, place)
     return subject.target(text, place)
 
 
 def number_of_case(text: str, case: Transmission, place: Place | None = None) -> Target | CasePath:
-    """Return a number of a case, given as `D1.ratio` or by path.
+    """Return a number of a case, given as `D1.ratio` or by a path.
 
     Raises
     ------
@@ -115,6 +115,6 @@ def number_of_case(text: str, case: Transmission, place: Place | None = None) ->
 
 
 def varied_beside_teeth(name: str, place: Place | None) -> ReadError:
-    """Return the error of a ratio that varies together with its teeth."""
+    """Return the error about a ratio that varies together with the teeth that determine it."""
     message = f"{name} is varied together with teeth that determine it, expected one of the two"
     return ReadError("E706", message, place=place)

@@ -1,4 +1,4 @@
-"""Table of variants in CSV, read as `VariantTable`."""
+"""Table of variants in CSV, read to a `VariantTable`."""
 
 from __future__ import annotations
 
@@ -35,14 +35,14 @@ from vstatics.sweep.variants.targets import Varied, refusal, shown
 from vstatics.sweep.variants.variation import read_value
 
 _OF_PANDAS = "__index_level_0__"
-"""Name of the column in Parquet in which pandas numbers rows."""
+"""Name of the column in which pandas stores row numbers in Parquet."""
 _NO_OTHERS = (
     "; leave out columns that are not numbers of the case: only `variant`, a first column "
     "without a name, and the columns of a sweep from `status` on are skipped"
 )
 
 LONGEST_HEADING = 500
-"""Longest heading accepted, in characters; names of numbers are shorter."""
+"""Largest number of letters accepted in a heading; names of numbers are shorter."""
 _PIECE = 4 * 2**20
 _LONGEST = 16 * 2**20
 _IN_MEMORY = 2**17
@@ -50,26 +50,27 @@ _BOM = b"\xef\xbb\xbf"
 
 
 class _Columns(NamedTuple):
-    """Columns of a table, as declared in the header."""
+    """Columns of a table of variants, as declared by its headings."""
 
     file: str
     line: int
-    """Line of the header."""
+    """Number of the line with the headings."""
     separator: str
     decimals: Decimals
     names: list[str]
     targets: list[Varied]
     chosen: list[int]
-    """Index of the column of each varied number."""
+    """Index in the table of the column of each varied number."""
 
 
 def read_table(opened: IO[bytes], file: str, subject: VariedSubject) -> VariantTable:
     """Read a table of variants in CSV, with names such as `D1.ratio` in the first line.
 
-    Columns can have any order. A column `variant`, or a first column without a name, is ignored,
-    and in a table written by a sweep all columns from `status` on. The separator is a comma or a
-    semicolon; between semicolons, a comma is a decimal comma (see `Decimals`). An apostrophe that
-    prevents a spreadsheet from calculating a cell is ignored. The encoding is UTF-8.
+    Columns can have any order. A column `variant`, or a first column without a name, is ignored. In
+    a table written by a sweep, all columns from `status` on are ignored. The separator is a comma
+    or a semicolon; if it is a semicolon, a comma within a number is a decimal comma (see
+    `Decimals`). An apostrophe in front, which prevents a spreadsheet from calculating a cell, is
+    ignored. The encoding is UTF-8.
 
     Parameters
     ----------
@@ -143,7 +144,7 @@ def _pieces(opened: IO[bytes], file: str) -> Iterator[bytes]:
 
 
 def _first_line(piece: bytes, file: str) -> tuple[bytes, int, bytes]:
-    """Return the first line with cells, the line number, and the remaining lines."""
+    """Return the first line that is not empty, its number, and the bytes after it."""
     start, number = 0, 1
     while True:
         end = piece.find(b"\n", start)
@@ -171,10 +172,10 @@ def _header(head: bytes, file: str, number: int, subject: VariedSubject) -> _Col
 def targets_of(
     cells: Sequence[tuple[str, Place]], subject: VariedSubject
 ) -> tuple[list[Varied], list[int]]:
-    """Return the numbers that headings name, and the indices of the columns.
+    """Return the varied numbers that headings name, and the indices of their columns.
 
-    Row numbers of a spreadsheet or pandas are ignored, and in a table written by a sweep all
-    columns from `status` on.
+    Row numbers of a spreadsheet or of pandas are ignored. In a table written by a sweep, all
+    columns from `status` on are ignored.
 
     Raises
     ------
@@ -245,13 +246,14 @@ def _rows(first: bytes, pieces: Iterator[bytes], columns: _Columns) -> Iterator[
 
 
 def _fast(piece: bytes, columns: _Columns) -> Floats | None:
-    """Return the numbers of a regular piece, or `None` for an unusual piece."""
+    """Return the numbers of a piece of the table; None if it needs the slower reader."""
     if columns.separator != ",":
         if b"." in piece or (columns.separator == "\t" and b"," in piece):
-            return None  # every cell must be examined
+            # Points or commas can be separators of thousands: the slower reader decides.
+            return None
         columns.decimals.are_commas |= b"," in piece
         piece = piece.replace(b",", b".")
-    is_own = STATUS in columns.names  # words follow the numbers
+    is_own = STATUS in columns.names  # columns after the numbers contain words
     try:
         rows = np.loadtxt(
             io.BytesIO(piece),
@@ -270,7 +272,7 @@ def _fast(piece: bytes, columns: _Columns) -> Floats | None:
 
 
 def _careful(piece: bytes, line: int, columns: _Columns) -> Floats:
-    """Parse a piece line by line, and report all problems."""
+    """Read a piece of the table line by line, and report all problems."""
     rows: list[list[float]] = []
     problems: list[Problem] = []
     for number, data in enumerate(piece.split(b"\n"), line):
@@ -311,7 +313,7 @@ def _row(text: str, place: Place, columns: _Columns) -> list[float]:
 
 
 def finite(text: str) -> float:
-    """Return the finite number of a cell, or raise a ValueError."""
+    """Return a cell as a finite number; raise ValueError for any other text."""
     number = read_value(text)
     if not math.isfinite(number):
         raise ValueError("expected a finite number")
@@ -332,7 +334,7 @@ def _text(data: bytes, file: str, line: int) -> str:
 
 
 def _cells(line: str, separator: str) -> list[tuple[str, int]]:
-    """Return the cells of a line without blanks and quotes, each with a column from 1."""
+    """Return the cells of a line, without blanks and quotes, each with the column from 1."""
     cell = re.compile(rf'\s*(?:"((?:[^"]|"")*)"\s*|([^{separator}]*))({separator}|\Z)')
     cells = []
     position = 0

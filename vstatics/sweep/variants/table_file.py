@@ -1,4 +1,4 @@
-"""File of variants, in any format that a sweep writes, read as `VariantTable`."""
+"""File of variants in any format that a sweep writes, read to a `VariantTable`."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ from vstatics.sweep.variants.table import finite, read_table, targets_of
 from vstatics.sweep.variants.targets import shown
 
 _OTHERS = (b"PK", b"PAR1", b'{"')
-"""First bytes of files other than CSV: workbooks and NPZ, Parquet, JSON lines."""
+"""First bytes of formats other than CSV: workbook and NPZ, Parquet, JSON lines."""
 _LONGEST = 2**16
 
 
 def load_table(path: str, subject: VariedSubject) -> VariantTable:
     """Read a table of variants from a file: CSV, Parquet, a workbook, NPZ or JSON lines.
 
-    See `table.read_table` for the columns.
+    Columns are treated as in `table.read_table`.
 
     Raises
     ------
@@ -56,7 +56,7 @@ def load_table(path: str, subject: VariedSubject) -> VariantTable:
 
 
 def headings(path: str) -> str:
-    """Return the headings of a file of variants as a single text.
+    """Return the headings of a file of variants as a text, separated by commas.
 
     Raises
     ------
@@ -71,7 +71,7 @@ def headings(path: str) -> str:
 
 
 def _opened(path: str) -> io.BufferedReader:
-    """Open the file of an option; a file named by a sweep file must be a regular file."""
+    """Open the file of an option; a file named in a sweep file must be a regular file."""
     return io.BufferedReader(opened(path, regular=isinstance(path, PlacedFile)))  # type: ignore[arg-type]
 
 
@@ -80,10 +80,10 @@ def _rest_of(stream: io.BufferedReader, path: str) -> bytes:
 
 
 def _numbers(name: str, column: Sequence[Any] | Floats, place: Place) -> Floats:
-    """Return a column as numbers; texts are calculated as in CSV."""
+    """Return a column as numbers; texts are read as in CSV."""
     is_numeric = isinstance(column, np.ndarray) and column.dtype.kind in "iuf"
     if is_numeric or {*map(type, column)} <= {int, float}:
-        with suppress(OverflowError):  # a whole number that is too large is refused below
+        with suppress(OverflowError):  # an integer that is too large is refused below
             numbers = np.array(column, dtype=np.float64)
             if np.isfinite(numbers).all():
                 return numbers

@@ -1,4 +1,4 @@
-"""Varied numbers of a case, such as "D1.ratio" or "shaft.stiffness", and their present values."""
+"""Varied numbers of a case, such as "D1.ratio" or "shaft.stiffness", and the given values."""
 
 from __future__ import annotations
 
@@ -23,7 +23,8 @@ OfMechanism = Literal["ratio", "efficiency"]
 OfDevice = Literal["stiffness", "compliance", "damping"]
 Quantity = OfMechanism | OfDevice | Literal["inertia"]
 Owner = Literal["mechanisms", "devices", "links"]
-"""Kind of part that has a number: devices are shift elements, mechanisms and springs."""
+"""List that contains the owner of a number; `devices` are shift elements, mechanisms and springs.
+"""
 
 OF_MECHANISM: tuple[OfMechanism, ...] = get_args(OfMechanism)
 OF_DEVICE: tuple[OfDevice, ...] = get_args(OfDevice)
@@ -35,7 +36,7 @@ OWNERS: Mapping[Quantity, Owner] = {
 ALIASES: Mapping[str, Quantity] = {
     LISTS["mechanisms", quantity]: quantity for quantity in OF_MECHANISM
 }
-"""Quantities of mechanisms by their names in a deck, IAB and ETAI."""
+"""Quantities of mechanisms, by name in a deck (IAB and ETAI)."""
 NAMES: Mapping[str, Quantity] = {**{quantity: quantity for quantity in OWNERS}, **ALIASES}
 
 
@@ -44,25 +45,26 @@ class Varied(Protocol):
 
     @property
     def name(self) -> str:
-        """Name as written by the user."""
+        """Name of the number as written by the user."""
 
     @property
     def numbers(self) -> frozenset[Hashable]:
-        """Keys of the numbers that vary; varied numbers with a common key exclude one another."""
+        """Keys that identify the number; varied numbers must not share a key."""
 
 
 class Target(NamedTuple):
-    """Varied number of a case."""
+    """Varied number of a case, given by component or link and quantity."""
 
     name: str
-    """Name of the number with the name of the part in the case: `D1.ratio`."""
+    """Name of the number, with the name of its component in the case, such as `D1.ratio`."""
     owner: int
-    """Index, from 0, of the mechanism, the link, or the device in `Transmission.devices`."""
+    """Index, from 0, of the mechanism, of the link, or of the component in `Transmission.devices`.
+    """
     quantity: Quantity
 
     @property
     def numbers(self) -> frozenset[Hashable]:
-        """Key that identifies the number; a compliance has the key of the stiffness."""
+        """Key that identifies the number; a compliance has the key of its stiffness."""
         quantity = "stiffness" if self.quantity == "compliance" else self.quantity
         return frozenset([(self.owner, quantity)])
 
@@ -73,10 +75,11 @@ def target(text: str, case: Transmission, place: Place | None = None) -> Target:
     Parameters
     ----------
     text : str
-        The name of a mechanism, or `#` and its number, then `.ratio` or `.efficiency`, in a
-        deck `.IAB` or `.ETAI`; an elastic component, then `.stiffness`, `.compliance` or
-        `.damping`; a link, then `.inertia`. The name can be in quotes; a bare number is tried as
-        a name first. A gear set stands for its only mechanism.
+        Name of a mechanism, or `#` and its number, followed by `.ratio` or `.efficiency` (deck
+        names: `.IAB`, `.ETAI`); an elastic component, followed by `.stiffness`, `.compliance` or
+        `.damping`; or a link, followed by `.inertia`. The name can be in quotes; a bare number is
+        tried as a name first. A gear set with a single mechanism can be named instead of the
+        mechanism.
     case : Transmission
     place : Place, optional
         Place of the text, for messages.
@@ -123,7 +126,7 @@ def target(text: str, case: Transmission, place: Place | None = None) -> Target:
 
 
 def _usable(owner: Owner, case: Transmission) -> Sequence[str]:
-    """Return the names of the parts whose numbers can vary; of devices, only elastic ones."""
+    """Return the names of components or links whose numbers can vary; springs etc. if elastic."""
     names = _names(owner, case)
     pairs = zip(case.devices, devices_of(case), strict=True)
     elastic = [name for name, device in pairs if stiffness_of(device) is not None]
@@ -139,7 +142,7 @@ def _names(owner: Owner, case: Transmission) -> Sequence[str]:
 
 
 def _indices(name: str, owner: Owner, case: Transmission) -> list[int]:
-    """Return the indices of the parts with a name, or else with a number."""
+    """Return the indices of the components or links with a name or, failing that, a number."""
     rows = _called(name, owner, case)
     if not rows and len(name) > 2 and name[0] == name[-1] and name[0] in "\"'":
         rows = _called(name[1:-1], owner, case)
@@ -205,7 +208,7 @@ def _not_one(name: str, quantity: Quantity, case: Transmission) -> str:
 
 
 def refusal(message: str, place: Place | None, offset: int = 0) -> ReadError:
-    """Return an error at the place that is `offset` letters after a place."""
+    """Return an error whose place is `offset` letters after a given place."""
     return ReadError("E717", message, place=behind(place, offset))
 
 
@@ -215,7 +218,7 @@ def behind(place: Place | None, offset: int) -> Place | None:
 
 
 def shown(text: str) -> str:
-    """Return a text in quotes, shortened, or "nothing" for an empty text.
+    """Return a text in quotes, shortened if long; "nothing" for an empty text.
 
     >>> shown(" .9x "), shown("")
     ('`.9x`', 'nothing')
@@ -228,24 +231,25 @@ Device = ShiftElement | Mechanism | Spring
 
 
 def devices_of(case: Transmission) -> list[Device]:
-    """Return all devices, in the order of `Transmission.devices`."""
+    """Return shift elements, mechanisms and springs, in the order of `Transmission.devices`."""
     return [*case.shift_elements, *case.mechanisms, *case.springs]
 
 
 def stiffness_of(device: Device) -> float | None:
-    """Return the stiffness of a device [N*m/rad], or `None` if rigid or not constant."""
+    """Return the stiffness of a component [N*m/rad]; None if it is rigid or nonlinear."""
     if isinstance(device, Spring):
         return None if device.points or device.strut else device.rate
     return device.stiffness
 
 
 def own_number(case: Transmission, index: int, quantity: str) -> float:
-    """Return the value of a varied number in the unvaried case.
+    """Return the value that the case gives for a varied number.
 
     Parameters
     ----------
     index : int
-        Index, from 0, of the mechanism, device or link, according to the quantity.
+        Index, from 0, of the mechanism, component (`Transmission.devices`) or link with this
+        quantity.
     quantity : str
 
     Examples
@@ -273,14 +277,14 @@ def own_number(case: Transmission, index: int, quantity: str) -> float:
 def impossible(
     quantity: str, numbers: Floats, between: tuple[float, float] = (-math.inf, math.inf)
 ) -> Booleans:
-    """Return a mask of numbers that are impossible in any case, by the checks of a case.
+    """Return a mask of numbers that the checks of a case would refuse.
 
     Parameters
     ----------
     quantity : str
     numbers : ndarray, shape (variants,)
     between : (float, float)
-        Range of ratios; see `Transmission.ratio_range`.
+        Range of impossible ratios; see `Transmission.ratio_range`.
 
     Examples
     --------

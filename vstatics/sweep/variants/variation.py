@@ -21,7 +21,7 @@ from vstatics.sweep.variants.targets import NAMES, Target, Varied, behind, refus
 
 OPTION = "--vary"
 MOST = 2**63 - 1
-"""Largest number of values, or of variants."""
+"""Largest number of values, and of variants."""
 FORMS = "START:STOP:COUNT, START:STOP:step=STEP or a list such as 0.95,0.97"
 
 _ASSIGNED = re.compile(rf"(.*?\.(?:{'|'.join(NAMES)})\s*)=")
@@ -29,12 +29,12 @@ _UNQUOTED = re.compile(r"(?:\"[^\"]*\"|'[^']*'|[^\"'=])*")
 _STEP = re.compile(r"\s*step\s*=\s*")
 _COUNT = re.compile(r"[0-9]{1,19}")
 _DOTS = ".."
-"""Sign of a range in other programs, for a hint; it does not occur in a number."""
+"""Range operator of other programs, recognised for a hint; it never occurs in a number."""
 _NO_NUMBER = ("nan", "inf", "infinity")
 
 
 class Span(NamedTuple):
-    """All numbers between two bounds, which only a sample can use."""
+    """Range of numbers between two bounds, from which only samples can be drawn."""
 
     low: float
     high: float
@@ -45,11 +45,11 @@ class DrawnNumbers(Protocol):
     """Distribution of a number, from which only samples can be drawn."""
 
     def quantiles(self, parts: Floats) -> Floats:
-        """Return the values below which given fractions of all numbers are."""
+        """Return the values below which given fractions of the distribution are."""
 
 
 Values: TypeAlias = Floats | Steps | Span | DrawnNumbers
-"""List of values, steps with `len` and indexing, or a range to sample."""
+"""List of values, equal steps (with `len` and indexing), or a range or distribution to sample."""
 
 
 class Variation(NamedTuple):
@@ -74,13 +74,13 @@ def read_variation(text: str, subject: VariedSubject, place: Place | None = None
         `-0.9:-0.7` (any number between, for samples).
     subject : Transmission or VariedScenario
     place : Place, optional
-        Place of the text; the first column of `--vary` by default.
+        Place of the text, for messages; by default the option `--vary`.
 
     Raises
     ------
     ReadError
-        If the text is invalid, with the place of the error. Impossible values of ratios or
-        efficiencies are accepted here, and marked in the result.
+        If the text is invalid, with the place of the error. Impossible ratios or efficiencies are
+        accepted here; their variants get the status ``invalid``.
 
     Examples
     --------
@@ -116,7 +116,7 @@ def read_variation(text: str, subject: VariedSubject, place: Place | None = None
 def _read_name(
     text: str, subject: VariedSubject, place: Place, expected: str
 ) -> tuple[Varied, int]:
-    """Return the number before `=`, and the position of `=`."""
+    """Return the number named before `=`, and the position of `=` in the text."""
     end = _assigned(text, subject)
     if end < 0:
         name = target_of(text, subject, place).name
@@ -126,7 +126,7 @@ def _read_name(
 
 
 def read_linked(text: str, subject: VariedSubject, place: Place) -> tuple[Varied, int]:
-    """Parse the name of a linked number; return the number and the position of `=`.
+    """Parse the name of a linked number, and return the number and the position of `=`.
 
     Raises
     ------
@@ -150,7 +150,7 @@ def read_linked(text: str, subject: VariedSubject, place: Place) -> tuple[Varied
 
 
 def _in_brackets(path: CasePath, place: Place) -> CasePath:
-    """Return a number with values in the unit of its name."""
+    """Return a number whose values have the unit given in brackets."""
     try:
         return path.in_unit("")
     except ValueError as error:
@@ -162,7 +162,7 @@ def _in_brackets(path: CasePath, place: Place) -> CasePath:
 
 
 def _assigned(text: str, subject: VariedSubject) -> int:
-    """Return the position of `=` after a name, or -1."""
+    """Return the position of the `=` after a name; -1 if it is missing."""
     if isinstance(subject, Transmission):
         assigned = _ASSIGNED.match(text)
         return assigned.end(1) if assigned else text.find("=")
@@ -171,7 +171,7 @@ def _assigned(text: str, subject: VariedSubject) -> int:
 
 
 def read_value(text: str) -> float:
-    """Parse a number, a fraction, or nan and inf, which make a variant invalid.
+    """Parse a number or a fraction; nan and inf are accepted, and make a variant invalid.
 
     Raises
     ------
@@ -249,7 +249,7 @@ def _steps(start: float, stop: float, text: str, place: Place | None) -> Steps:
 
 
 def _cells(text: str, separator: str) -> Iterator[tuple[int, str]]:
-    """Yield the parts of a text without surrounding blanks, with offsets."""
+    """Yield the parts of a text between separators, without blanks, with the offsets."""
     offset = 0
     for part in text.split(separator):
         blanks = len(part) - len(part.lstrip()) if part.strip() else 0

@@ -1,4 +1,4 @@
-"""Request for gearboxes, its limits, and the record of a found gearbox."""
+"""Request for gearboxes with the limits, and the record of a found gearbox."""
 
 from __future__ import annotations
 
@@ -13,44 +13,44 @@ if TYPE_CHECKING:
     from vstatics.synthesis.structures.scheme import SetScheme
 
 HELD = -1
-"""Number that replaces the second link of a brake: the housing."""
+"""Number in place of the second link of a brake, which is the housing."""
 EFFICIENCY = 0.98
 """Default basic efficiency of each gear set (carrier held). [-]"""
 
 
 class KeptParts(NamedTuple):
-    """Parts of an existing gearbox that found gearboxes retain."""
+    """Parts of an existing gearbox that the found gearboxes must retain."""
 
     scheme: SetScheme
     meshed: tuple[bool, ...]
-    """True for each set with meshed planets, shape (sets,)."""
+    """True for each gear set with meshing planets (double-pinion set), shape (sets,)."""
     held: int | None
-    """Permanently held link of the scheme, if any."""
+    """Number of the link of the scheme that is permanently held, if any."""
     input: int
     output: int
     elements: tuple[tuple[int, int], ...]
-    """Shift elements, as in `FoundBox`."""
+    """Shift elements of the existing gearbox, as in `FoundBox`."""
     free: int
-    """Largest number of these shift elements that a found gearbox can lack."""
+    """Largest number of these shift elements that may be missing in a found gearbox."""
 
 
 class WantedSequence(NamedTuple):
-    """Forward gears that are not given by ratios but by number, spread and steps."""
+    """Forward gears that are given by their number, ratio spread and step ratios, not by ratios."""
 
     least: int
-    """Smallest number of gears."""
+    """Smallest number of gears in the sequence."""
     most: int
-    """Largest number of gears."""
+    """Largest number of gears in the sequence."""
     spread: tuple[float, float]
-    """Range of the first ratio divided by the last. [-]"""
+    """Range of the ratio spread: first ratio divided by last ratio. [-]"""
     steps: tuple[float, float]
-    """Range of each ratio divided by the next. [-]"""
+    """Range of the step ratios: each ratio divided by the next ratio. [-]"""
     falling: bool = False
-    """True if no step can be larger than the step between the next lower gears."""
+    """True if step ratios must not increase from gear to gear."""
 
 
 class BoxSearch(NamedTuple):
-    """Request for gearboxes: numbers of parts, wanted ratios and tolerances.
+    """Request for gearboxes: numbers of gear sets and shift elements, wanted ratios, tolerances.
 
     Examples
     --------
@@ -68,35 +68,38 @@ class BoxSearch(NamedTuple):
     targets: tuple[float, ...]
     """Wanted ratios of the gears, all different. [-]"""
     bounds: tuple[float, float] = (1.4, 5.0)
-    """Smallest and largest ring teeth/sun teeth of each gear set. [-]"""
+    """Smallest and largest ring teeth divided by sun teeth, for each gear set. [-]"""
     meshed: int = 0
-    """Number of sets with meshed planets."""
+    """Number of gear sets with meshing planets (double-pinion sets)."""
     own_input: bool = False
-    """True if the input is a separate shaft, connected by clutches only."""
+    """True if the input is a separate shaft, connected to gear sets by clutches only."""
     own_output: bool = False
-    """True if the output is a separate shaft, connected by clutches only."""
+    """True if the output is a separate shaft, connected to gear sets by clutches only."""
     shafts: int = 0
-    """Number of further shafts without a gear-set member, each connected to at least three
-    elements."""
+    """Number of further shafts without a gear-set member, each with at least three shift elements.
+    """
     fixed: int = 0
-    """Number of permanently held members, which form an additional link of the scheme."""
+    """Number of permanently held gear-set members, which together are a link of the scheme."""
     tolerance: float = 0.01
-    """Largest ``|ln(i/target)|`` of the gears of a found gearbox. [-]"""
+    """Largest deviation ``|ln(i/target)|`` of the ratio i of each gear. [-]"""
     tolerances: tuple[float, ...] = ()
-    """Largest ``|ln(i/target)|`` of each gear; empty for `tolerance` everywhere. [-]"""
+    """Largest deviation ``|ln(i/target)|`` of each gear; empty if `tolerance` is valid for all. [-]
+    """
     brake_counts: tuple[int, ...] | None = None
-    """Allowed numbers of brakes; any number if not given."""
+    """Permitted numbers of brakes; any number if None."""
     singly: bool = False
-    """True to search only gearboxes in which neighbouring gears can differ by a single exchange."""
+    """True to find only gearboxes in which neighbouring gears differ by exchange of a single
+    element.
+    """
 
     sequence: WantedSequence | None = None
-    """Forward gears in addition to the targets, given by number, spread and steps."""
+    """Forward gears in addition to the targets, given by number, ratio spread and step ratios."""
     kept: KeptParts | None = None
-    """Parts retained from an existing gearbox."""
+    """Parts to retain from an existing gearbox, if any."""
 
     @property
     def widths(self) -> tuple[float, ...]:
-        """Largest ``|ln(i/target)|`` of each gear [-].
+        """Largest deviation ``|ln(i/target)|`` of each gear [-].
 
         >>> BoxSearch(2, 4, 2, (2.84, 1.57)).widths
         (0.01, 0.01)
@@ -105,7 +108,7 @@ class BoxSearch(NamedTuple):
 
     @property
     def links(self) -> int:
-        """Number of links of the scheme, including the held link."""
+        """Number of links of the scheme, including a permanently held link."""
         return self.moving - self.own_input - self.own_output - self.shafts + bool(self.fixed)
 
     @property
@@ -115,22 +118,22 @@ class BoxSearch(NamedTuple):
 
     @property
     def input(self) -> int | None:
-        """Number of a separate input shaft, which follows the links of the scheme."""
+        """Number of the separate input shaft, after the links of the scheme; None without it."""
         return self.links if self.own_input else None
 
     @property
     def output(self) -> int | None:
-        """Number of a separate output shaft, after a separate input shaft."""
+        """Number of the separate output shaft, after the input shaft; None without it."""
         return self.links + self.own_input if self.own_output else None
 
     @property
     def may_be_in_parts(self) -> bool:
-        """True if shift elements alone can connect some sets, as in Lepelletier's gearbox."""
+        """True if gear sets without common links are possible, as in Lepelletier's gearbox."""
         return bool(self.fixed) and not self.shafts
 
 
 class FoundBox(NamedTuple):
-    """Scheme with ports and shift elements, with the best-fitting ratios.
+    """Found gearbox: scheme, input, output, shift elements, and the best-fitting ratios.
 
     Examples
     --------
@@ -143,30 +146,31 @@ class FoundBox(NamedTuple):
 
     scheme: SetScheme
     held: int | None
-    """Permanently held link of the scheme, if any."""
+    """Number of the permanently held link of the scheme, if any."""
     input: int
-    """Input link. Separate shafts follow the links of the scheme: input, output, further shafts."""
+    """Number of the input link; separate shafts have the numbers after the links of the scheme."""
     output: int
-    """Output link."""
+    """Number of the output link."""
     elements: tuple[tuple[int, int], ...]
-    """Two links of each clutch, or a link and `HELD` for a brake; brakes first."""
+    """Two links of each clutch, or a link and `HELD` for a brake; brakes come first."""
     ratios: tuple[float, ...]
-    """Basic ratio of each set, sun to ring with the carrier held; positive with meshed planets.
-    [-]"""
+    """Basic ratio of each gear set, sun to ring, carrier held; positive with meshing planets. [-]
+    """
     gears: tuple[tuple[int, ...], ...]
-    """Engaged elements in each target's gear, as indices into `elements`."""
+    """Engaged shift elements of each gear, in the order of the targets, as indices into `elements`.
+    """
     error: float
-    """Largest ``|ln(i/target)|``. [-]"""
+    """Largest deviation ``|ln(i/target)|`` of all gears. [-]"""
 
     @property
     def links(self) -> int:
-        """Number of links, including shafts connected by shift elements only."""
+        """Number of links, including shafts that only shift elements connect."""
         ends = chain(*self.elements)
         return max(self.scheme.links, self.input + 1, self.output + 1, *(link + 1 for link in ends))
 
     @property
     def brakes(self) -> list[tuple[int, int]]:
-        """Shift elements that hold a link."""
+        """Shift elements that hold a link, with `HELD` as second link."""
         return [element for element in self.elements if element[1] == HELD]
 
     @property
@@ -176,23 +180,25 @@ class FoundBox(NamedTuple):
 
 
 LARGEST_BOX_RATIO = 1000.0
-"""Upper limit of gear ratios, of reciprocal ratios, and of ring teeth/sun teeth. [-]"""
+"""Largest gear ratio, largest inverse of a gear ratio, and largest ring teeth/sun teeth. [-]"""
 ANY_QUOTIENT = (1.0, LARGEST_BOX_RATIO**2)
-"""Widest range of the ratio of a gear divided by the ratio of a later gear. [-]"""
+"""Range of the ratio of a gear divided by the ratio of a later gear that is no restriction. [-]"""
 MOST_BOX_SETS = 5
-"""Largest number of gear sets; more sets have more schemes than can be examined."""
+"""Largest number of gear sets; more sets have too many schemes to examine."""
 SHAFT_ELEMENTS = 3
-"""Smallest number of shift elements at a further shaft; two would act as a single clutch."""
+"""Smallest number of shift elements at a shaft without gear-set members; with two, it would be one
+clutch.
+"""
 MOST_LINKS = 10
-"""Largest number of moving links, whose possible brakes and clutches are bits of an integer."""
+"""Largest number of moving links, because all possible shift elements are bits of an integer."""
 MOST_ELEMENTS = 12
 """Largest number of shift elements."""
 MOST_SEQUENCE = 24
-"""Largest number of forward gears without given ratios."""
+"""Largest number of forward gears that are not given by ratios."""
 MOST_TARGETS = 62
-"""Largest number of targets, which are bits of an integer with a spare bit for a sequence."""
+"""Largest number of targets, which are bits of an integer; a further bit is for a sequence."""
 COARSEST = 0.5
-"""Largest tolerance. [-]"""
+"""Largest permitted tolerance. [-]"""
 
 
 def check_box_search(search: BoxSearch) -> None:
@@ -201,7 +207,7 @@ def check_box_search(search: BoxSearch) -> None:
     Raises
     ------
     CaseError
-        If a value is out of bounds or numbers are inconsistent; the path of each problem is the
+        If a value is out of bounds, or values are inconsistent. The path of each problem is the
         name of an option.
 
     Examples
@@ -219,10 +225,10 @@ def check_box_search(search: BoxSearch) -> None:
 
 
 def engaged_range(search: BoxSearch) -> range:
-    """Return the possible numbers of engaged elements for a number of gear sets.
+    """Return the possible numbers of shift elements engaged in each gear.
 
-    A connected scheme has a limited number of links. With a held link a scheme can consist of parts
-    that only clutches connect, as in Lepelletier's gearbox.
+    The number of links of a connected scheme is limited. With a held link, a scheme can consist of
+    parts that only clutches connect, as in Lepelletier's gearbox, and so have more links.
 
     Examples
     --------
@@ -237,7 +243,7 @@ def engaged_range(search: BoxSearch) -> range:
 
 
 def elements_there(search: BoxSearch) -> tuple[int, int]:
-    """Return the numbers of available brakes and clutches.
+    """Return the numbers of possible brakes and of possible clutches.
 
     Examples
     --------
@@ -248,7 +254,7 @@ def elements_there(search: BoxSearch) -> tuple[int, int]:
 
 
 def fewest_elements(shafts: int) -> int:
-    """Return the fewest shift elements that give each shaft three; a clutch can serve two shafts.
+    """Return the smallest number of shift elements with which each of some shafts has three.
 
     >>> [fewest_elements(shafts) for shafts in range(5)]
     [0, 3, 5, 6, 6]
@@ -362,7 +368,7 @@ def _of_counts(search: BoxSearch) -> Iterator[Problem]:
 
 
 def _with(search: BoxSearch) -> str:
-    """Describe the settings, except the number of sets, that limit the number engaged."""
+    """Describe the settings that limit the engaged elements, except the number of gear sets."""
     ports = (("input", search.own_input), ("output", search.own_output))
     given = [f"an {name} shaft of its own" for name, is_own in ports if is_own]
     if search.shafts:

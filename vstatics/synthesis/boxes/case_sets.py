@@ -1,4 +1,4 @@
-"""Planet groups on a common carrier, converted to planetary sets for the gearbox search."""
+"""Conversion of planet groups on a common carrier to planetary gear sets, for the search."""
 
 from __future__ import annotations
 
@@ -9,15 +9,15 @@ from vstatics.core.explain.bodies import OwnLinks
 from vstatics.core.model.parts import Mechanism
 
 GROUP = "planet_group"
-"""Kind of a gear set whose toothed gears can be paired freely."""
+"""Kind of a gear set of a case that consists of planets with any central gears."""
 
 
 def case_mechanisms(lowered: OwnLinks) -> list[Mechanism]:
-    """Return the mechanisms of a case, with planet groups paired by the most suitable gear.
+    """Return the mechanisms of a case, with planet groups split into pairs of central gears.
 
-    In a group with three toothed gears, two pairs determine the speeds, and any gear can be in both
-    pairs. The chosen gear gives ratios farthest from 1: two ring gears and a sun gear become two
-    pairs with the sun.
+    In a group with three central gears, two pairs determine the speeds, and any of the gears can be
+    in both pairs. The gear whose ratios are farthest from 1 is chosen: two ring gears and a sun
+    gear give two pairs with the sun.
 
     Examples
     --------
@@ -40,7 +40,7 @@ def case_mechanisms(lowered: OwnLinks) -> list[Mechanism]:
 
 
 def _by_best_wheel(pairs: Sequence[Mechanism]) -> Sequence[Mechanism]:
-    """Pair all gears with the most suitable gear; do not change pairs on several carriers."""
+    """Pair all central gears of a group with the best gear; leave pairs on several carriers."""
     speeds = {pairs[0].first: 1.0}  # relative to the carrier
     for _ in pairs:
         for pair in pairs:

@@ -1,4 +1,4 @@
-"""Comparison of found gearboxes: filter, order, families and Pareto list."""
+"""Choice among found gearboxes: filter, order, families and the Pareto list."""
 
 from __future__ import annotations
 
@@ -21,21 +21,23 @@ from vstatics.synthesis.boxes.grouping import core_of, families, numbered, paret
 from vstatics.synthesis.boxes.least_form import identity
 
 NO_RATIO = 1e9
-"""Ratio that stands for a missing gear, larger than any ratio. [-]"""
+"""Placeholder for the ratio of a missing gear, larger than any ratio. [-]"""
 ORDER = ("error", "loss", "torque", "clutches", "planet_speed")
 """Figures that order gearboxes by default."""
 
 
 class RankedBox(NamedTuple):
-    """Found gearbox with the numbers of its family and core, and a mark of the Pareto list."""
+    """Found gearbox with the numbers of its family and core; True if it is in the Pareto list."""
 
     found: MeasuredBox
     family: int
-    """Number of the family, from 1; gearboxes of a family have equal ratios in all gears."""
+    """Number of the family, from 1; all gearboxes of a family have equal ratios in all gears."""
     core: int
-    """Number of the core, from 1; gearboxes of a family and core differ by clutches alone."""
+    """Number of the core, from 1; gearboxes of the same family and core differ only in clutches."""
     pareto: bool
-    """True if no gearbox is better in one figure of the Pareto list and no worse in the others."""
+    """True if no other gearbox is better in one figure of the Pareto list and not worse in the
+    others.
+    """
 
 
 def ranked(
@@ -44,21 +46,21 @@ def ranked(
     wanted: BoxFilter,
     by: BoxOrder = USUAL,
 ) -> tuple[RankedBox, ...]:
-    """Return the wanted gearboxes in order, each once.
+    """Return the wanted gearboxes in order, without repetitions.
 
-    Gearboxes are ordered by the requested figures, then by error (errors within the tolerance count
-    as equal), mean loss, largest torque, number of clutches, planet speed and code. Families and
-    cores are numbered in this order.
+    Gearboxes are ordered by the requested figures, then by error (equal within the tolerance), mean
+    loss, largest torque, number of clutches, planet speed and code. Families and cores are numbered
+    in this order.
 
     Parameters
     ----------
     search : BoxSearch
     boxes : iterable of MeasuredBox
-        In any order.
+        Found gearboxes with figures, in any order.
     wanted : BoxFilter
         Conditions on the gearboxes.
     by : BoxOrder
-        Requested figures; by default the usual order.
+        Figures to order by; by default the usual order.
 
     Raises
     ------
@@ -81,7 +83,7 @@ def ranked(
     """
     by.check()
     possible = (box for box in boxes if box.figures.error < math.inf)
-    # Of boxes that are equal up to renaming, the box with the least error remains.
+    # Of gearboxes that are equal up to renaming, the one with the smallest error remains.
     by_identity: dict[tuple[Any, ...], MeasuredBox] = {}
     for box in filter(wanted.lets, possible):
         key = identity(box.box)
@@ -119,13 +121,13 @@ def family_count(boxes: Iterable[RankedBox]) -> int:
 
 
 def _worth(box: MeasuredBox) -> tuple[Any, ...]:
-    """Return a sort key of several fits of a gearbox, independent of the order of the search."""
+    """Return a sort key of the fits of a gearbox, which does not depend on their order."""
     error, loss = (round(figure, FIGURE_DECIMALS) for figure in box.figures[:2])
     return error, loss, box.box.ratios
 
 
 class BoxFilter(NamedTuple):
-    """Conditions on a gearbox.
+    """Conditions on a gearbox, which a filter checks.
 
     Examples
     --------
@@ -134,16 +136,16 @@ class BoxFilter(NamedTuple):
     """
 
     single: bool = False
-    """True if neighbouring gears must differ by a single shift."""
+    """True if neighbouring gears must differ by exchange of a single shift element."""
     planar: bool = False
     brakes: tuple[int, ...] = ()
-    """Allowed numbers of brakes; empty for any."""
+    """Permitted numbers of brakes; empty for any number."""
     clutches: tuple[int, ...] = ()
     limits: Mapping[str, float] = MappingProxyType({})
-    """Largest value of each figure, with names of `LIMITED`."""
+    """Upper limits of figures, by the names in `LIMITED`."""
 
     def narrowed(self, search: BoxSearch) -> BoxSearch:
-        """Return a search that excludes unwanted gearboxes as early as possible.
+        """Return a search that already excludes unwanted gearboxes, as far as it can.
 
         >>> BoxFilter(clutches=(1,)).narrowed(BoxSearch(1, 3, 1, (3.0, 1.0))).brake_counts
         (2,)
@@ -158,7 +160,7 @@ class BoxFilter(NamedTuple):
         return search._replace(brake_counts=brake_counts, singly=self.single)
 
     def before(self, box: FoundBox) -> bool:
-        """Return whether a gearbox can be wanted, before figures are calculated.
+        """Return False if a gearbox is unwanted, as far as known before its figures are calculated.
 
         >>> from vstatics.synthesis.boxes.box import HELD
         >>> from vstatics.synthesis.structures.scheme import SetScheme
@@ -191,21 +193,22 @@ ALL = BoxFilter()
 
 
 class BoxList(NamedTuple):
-    """Results of a search."""
+    """Result of a search: the wanted gearboxes in order."""
 
     searched: int
     """Number of examined gearboxes."""
     boxes: tuple[RankedBox, ...]
     """Wanted gearboxes in order."""
     given_up: int
-    """Number of element sets that could be gearboxes but were not examined completely."""
+    """Number of sets of shift elements that were not examined completely, but could give gearboxes.
+    """
 
     def __repr__(self) -> str:
-        """Return the counts of found and searched gearboxes instead of all values."""
+        """Return the numbers of found and examined gearboxes."""
         return f"<BoxList: {len(self.boxes)} found, {self.searched} searched>"
 
     def _repr_html_(self) -> str:
-        """Return the counts, the Pareto list and the families, for a notebook."""
+        """Return the numbers of gearboxes, the Pareto list and the families, for a notebook."""
         return shown(higher("box_grids")(*self))
 
 
@@ -217,20 +220,20 @@ def find_boxes(
     by: BoxOrder = USUAL,
     weights: Mapping[str, float] = ALIKE,
 ) -> BoxList:
-    """Find all gearboxes whose gears have wanted ratios, in this process.
+    """Find all gearboxes whose gears have wanted ratios, in the present process.
 
     Parameters
     ----------
     search : BoxSearch
-        Numbers of parts, wanted ratios and tolerances.
+        Request: numbers of gear sets and shift elements, wanted ratios and tolerances.
     efficiency : float
         Basic efficiency of each gear set (carrier held), above 0 and up to 1. [-]
     wanted : BoxFilter
-        Conditions on the gearboxes; by default all are listed.
+        Conditions on the listed gearboxes; by default all gearboxes are listed.
     by : BoxOrder
         Figures that order the gearboxes.
     weights : mapping of str to float
-        Weights of forward gears in the mean drag, by default 1. [-]
+        Weights of forward gears in the mean drag, by the name of the gear; by default 1. [-]
 
     Returns
     -------
@@ -244,14 +247,16 @@ def find_boxes(
 
     Examples
     --------
-    A gear set with its ring held has the ratio 1 + p, and direct drive when it is locked up:
+    A gear set with the ring held has the ratio 1 + p (p = ring teeth/sun teeth); locked up, it is a
+    direct drive:
 
     >>> found = find_boxes(BoxSearch(1, 2, 1, (3.0, 1.0)))
     >>> found.searched, [list(one.found.elements) for one in found.boxes]
     (36, [['T-L2', 'F-L0-L1'], ['T-L2', 'F-L0-L2'], ['T-L2', 'F-L1-L2']])
     """
     require("boxes", "the search for gearboxes")
-    from vstatics.synthesis.boxes.batches.found import found_in  # the import compiles
+    # This import starts the compilation.
+    from vstatics.synthesis.boxes.batches.found import found_in
 
     low, high = search.bounds
     search = search._replace(

@@ -1,4 +1,4 @@
-"""Choice of engaged elements for a found gearbox, where several sets give the ratio of a gear."""
+"""Choice of the engaged shift elements where several sets of elements give the ratio of a gear."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from vstatics.synthesis.boxes.box import HELD, FoundBox
 from vstatics.synthesis.tolerances import SAME_BOX_RATIO, SECOND_MOTION, STILL_SPEED
 
 Engaged = tuple[int, ...]
-"""Numbers of engaged elements from 0, ascending."""
+"""Indices of the engaged shift elements of a gear, ascending."""
 
 
 def equal_sets(box: FoundBox) -> tuple[tuple[Engaged, ...], ...]:
-    """Return the sets of elements that give the ratio of each gear, all of equal size.
+    """Return, for each gear, all sets of engaged shift elements that give its ratio.
 
     Parameters
     ----------
@@ -25,7 +25,7 @@ def equal_sets(box: FoundBox) -> tuple[tuple[Engaged, ...], ...]:
     Returns
     -------
     tuple, shape (gears,)
-        Tuples of sets in ascending order, including the set of the gearbox.
+        Sets of each gear in ascending order, all of equal size, including the gearbox's own set.
 
     Examples
     --------
@@ -49,7 +49,7 @@ def equal_sets(box: FoundBox) -> tuple[tuple[Engaged, ...], ...]:
 
 
 def set_ratios(box: FoundBox, sets: Sequence[Engaged]) -> Floats:
-    """Calculate the ratio of the gearbox with each set of elements engaged, all of equal size.
+    """Calculate the ratio of a gearbox with each set of shift elements engaged.
 
     Parameters
     ----------
@@ -59,7 +59,7 @@ def set_ratios(box: FoundBox, sets: Sequence[Engaged]) -> Floats:
     Returns
     -------
     ndarray, shape (sets,)
-        Gear ratios, NaN where the ratio does not exist or another link can rotate freely. [-]
+        Ratios; NaN if the ratio is undefined, or links can rotate independently of the input. [-]
     """
     links = box.links
     held = [] if box.held is None else [box.held]
@@ -73,7 +73,8 @@ def set_ratios(box: FoundBox, sets: Sequence[Engaged]) -> Floats:
         row[first] = 1.0
         if second != HELD:
             row[second] = -1.0
-    basis = np.linalg.svd(rows)[2][len(rows) :]  # motions with no element engaged, in rows
+    # Each row is a possible motion with no shift element engaged.
+    basis = np.linalg.svd(rows)[2][len(rows) :]
     engaged = (elements @ basis.T)[np.array(sets, np.intp)]
     if engaged.shape[1] != len(basis) - 1:
         return np.full(len(sets), np.nan)
@@ -81,13 +82,13 @@ def set_ratios(box: FoundBox, sets: Sequence[Engaged]) -> Floats:
     speeds = turned[:, -1] @ basis
     inputs, outputs = speeds[:, box.input], speeds[:, box.output]
     turns = np.minimum(np.abs(inputs), np.abs(outputs)) > STILL_SPEED * np.abs(speeds).max(axis=1)
-    is_one = sizes[:, -1] > SECOND_MOTION  # valid as the rows of elements are no longer than 2
+    is_one = sizes[:, -1] > SECOND_MOTION  # valid because rows of `elements` are not longer than 2
     with np.errstate(all="ignore"):
         return np.asarray(np.where(turns & is_one, inputs / outputs, np.nan))
 
 
 def all_of(numbers: Engaged) -> int:
-    """Return element numbers as bits.
+    """Return indices as bits of an integer.
 
     >>> bin(all_of((0, 3)))
     '0b1001'
@@ -96,7 +97,7 @@ def all_of(numbers: Engaged) -> int:
 
 
 Way = tuple[tuple[float, ...], tuple[Engaged, ...]]
-"""Cost of the gears so far, and the set of each gear."""
+"""Cost of a number of gears, and the engaged shift elements of each."""
 
 
 def chosen_sets(
@@ -105,27 +106,28 @@ def chosen_sets(
     cost: Callable[[Engaged], tuple[float, float]],
     used_in: Callable[[Engaged], int] = all_of,
 ) -> tuple[Engaged, ...]:
-    """Choose a set for each gear so that few elements change between neighbours.
+    """Choose the engaged shift elements of each gear so that shifts exchange few of them.
 
-    Dynamic programming minimises, in this order, the number of shifts that release several
-    elements, the number of released elements, and the sum of the costs. Each element is used in
+    Dynamic programming minimises first the number of shifts that release several shift elements,
+    then the number of released elements, then the sum of the costs. Every element is engaged in
     some gear, if possible.
 
     Parameters
     ----------
     ranges : sequence, shape (ranges, gears)
-        Candidate sets of each gear; gears of a range are neighbours in turn.
+        Candidate sets of engaged elements of each gear; consecutive gears of a range are
+        neighbours.
     elements : int
-        Number of elements.
+        Number of shift elements.
     cost : callable
-        Costs of a set, the more important first.
+        Function that returns two costs of a set, the more important one first.
     used_in : callable
-        Elements of a set that count as used, as bits; by default all.
+        Function that returns, as bits, the elements of a set that count as used; by default all.
 
     Returns
     -------
     tuple
-        Sets of the gears of all ranges in turn.
+        Chosen sets of the gears of all ranges, in turn.
 
     Examples
     --------
@@ -133,7 +135,7 @@ def chosen_sets(
     >>> chosen_sets([gears], 4, lambda one: (0.0, 0.0))
     ((0, 1), (1, 2), (2, 3))
     """
-    # The keys are the last set and all elements engaged until then, as bits.
+    # Each key consists of the last gear's set, and of all elements used until then, as bits.
     ways: dict[tuple[Engaged, int], Way] = {((), 0): ((0.0, 0.0, 0.0, 0.0), ())}
     for sets in (sets for gears in ranges for sets in ((), *gears)):
         after: dict[tuple[Engaged, int], Way] = {}
@@ -143,7 +145,7 @@ def chosen_sets(
                 added = (float(released > 1), float(released), *cost(engaged))
                 total = tuple(a + b for a, b in zip(before, added, strict=True))
                 _keep(after, (engaged, used | used_in(engaged)), (total, (*way, engaged)))
-            if not sets:  # a new range begins, so no element is released
+            if not sets:  # a new range begins, so that nothing is released
                 _keep(after, ((), used), (before, way))
         ways = after
     everything = all_of(tuple(range(elements)))
@@ -157,7 +159,7 @@ def _keep(ways: dict[tuple[Engaged, int], Way], key: tuple[Engaged, int], way: W
 
 
 def is_single(gears: Sequence[Collection[object]]) -> bool:
-    """Return whether neighbouring gears differ by a single shift.
+    """Return whether neighbouring gears differ by exchange of a single shift element.
 
     >>> is_single([(0, 1), (1, 2), (2, 3)]), is_single([(0, 1), (2, 3)])
     (True, False)

@@ -1,4 +1,4 @@
-"""Grouping of found gearboxes: places of figures, families, cores, the Pareto list."""
+"""Grouping of found gearboxes: ranks of figures, families, cores and the Pareto list."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from vstatics.synthesis.tolerances import EQUAL_FIGURES, SAME_FITTED_RATIO
 
 
 def core_of(box: FoundBox) -> tuple[Any, ...]:
-    """Return the common properties of a core in the form of `least_box`: all but the clutches.
+    """Return what all gearboxes of a core share, in the form of `least_box`: all but the clutches.
 
-    If gearboxes of a core also have equal ratios, they differ only in the lock-up of gear sets.
+    Gearboxes of a core that also have equal ratios differ only in how gear sets are locked up.
 
     >>> from vstatics.synthesis.structures.scheme import SetScheme
     >>> box = FoundBox(SetScheme.of_code("0-1-2"), None, 0, 1, ((2, -1), (0, 1)), (-2.0,),
@@ -28,7 +28,7 @@ def core_of(box: FoundBox) -> tuple[Any, ...]:
 
 
 def numbered(keys: Iterable[Hashable]) -> list[int]:
-    """Number the different keys from 1 in order of appearance.
+    """Return a number for each key, the same for equal keys, from 1 in order of appearance.
 
     >>> numbered("abac")
     [1, 2, 1, 3]
@@ -38,12 +38,12 @@ def numbered(keys: Iterable[Hashable]) -> list[int]:
 
 
 def places(values: Floats) -> Integers:
-    """Return the rank of each value among the different values; undefined values count as 0.
+    """Return the rank of each value among the different values; NaN has the rank 0.
 
     Parameters
     ----------
     values : ndarray, shape (boxes,)
-        A figure of each box.
+        A figure of each gearbox.
 
     Examples
     --------
@@ -59,7 +59,7 @@ def places(values: Floats) -> Integers:
 
 
 def families(ratios: Floats) -> list[int]:
-    """Number the families of equal rows of ratios in order of appearance.
+    """Return the family number of each gearbox, from 1; gearboxes with equal ratios are a family.
 
     Parameters
     ----------
@@ -74,7 +74,7 @@ def families(ratios: Floats) -> list[int]:
     groups = [np.arange(len(ratios))]
     sizes = np.log(np.abs(ratios))
     before = 0
-    while len(groups) > before:  # a removed box can have filled a gap between others
+    while len(groups) > before:  # if a gearbox leaves a group, a gap can open between the others
         before = len(groups)
         for gear in sizes.T:
             groups = [part for group in groups for part in _parted(group, gear)]
@@ -85,7 +85,7 @@ def families(ratios: Floats) -> list[int]:
 
 
 def _parted(group: Any, sizes: Floats) -> list[Any]:
-    """Split a group of gearboxes where the sizes of the ratio of a gear have a gap."""
+    """Split a group of gearboxes where the sorted ratios of a gear have a gap."""
     if len(group) == 1:
         return [group]
     ordered = group[np.argsort(sizes[group], kind="stable")]
@@ -94,9 +94,9 @@ def _parted(group: Any, sizes: Floats) -> list[Any]:
 
 
 def pareto(figures: Floats | Integers) -> Booleans:
-    """Return marks of rows that no other row dominates.
+    """Return a mask of the rows that no other row dominates.
 
-    A row dominates another row if it is better in one column and no worse in all others.
+    A row dominates another row if it is better in one column and not worse in all others.
 
     Parameters
     ----------
@@ -112,11 +112,11 @@ def pareto(figures: Floats | Integers) -> Booleans:
     >>> pareto(np.array([[1.0, 3.0], [2.0, 2.0], [2.0, 3.0], [2.0, 2.0], [3.0, 1.0]]))
     array([ True,  True, False,  True,  True])
     """
-    rows, which = np.unique(figures, axis=0, return_inverse=True)  # in ascending order
+    rows, which = np.unique(figures, axis=0, return_inverse=True)  # rows in ascending order
     is_best = np.zeros(len(rows), np.bool_)
     front = np.empty_like(rows)
     size = 0
-    for number, row in enumerate(rows):  # rows that dominate a row precede it
+    for number, row in enumerate(rows):  # only earlier rows can dominate a row
         if not (front[:size] <= row).all(axis=1).any():
             is_best[number] = True
             front[size] = row

@@ -1,4 +1,4 @@
-"""Canonical form of a gearbox, equal for gearboxes that differ by renaming sets and links."""
+"""Canonical form of a gearbox, equal for gearboxes that differ only in names of sets and links."""
 
 from __future__ import annotations
 
@@ -11,19 +11,19 @@ from vstatics.synthesis.structures.scheme import SetScheme
 
 
 class _Renaming(NamedTuple):
-    """Gear sets renamed so far, in their new order, and the new numbers of their links."""
+    """New order of some gear sets, and new numbers of the links of these sets."""
 
     order: tuple[int, ...]
     links: dict[int, int]
 
 
 def least_box(box: FoundBox) -> FoundBox:
-    """Return the gearbox with gear sets and links renumbered so that the code is least.
+    """Return a gearbox with gear sets and links renumbered so that its code is least.
 
-    Several renumberings can give this code, and shafts without a gear-set member can be numbered
-    in any order. Among all these, the result has the least input, then output, held link,
-    double-pinion sets and shift elements. Without double-pinion sets, code and ports therefore
-    agree with `schemes`.
+    Several renumberings can give the least code, and shafts without a gear-set member can be
+    numbered in any order. Of all these, the result has the least input, then output, held link,
+    double-pinion sets and shift elements. Without double-pinion sets, code, input and output
+    therefore agree with `schemes`.
 
     Parameters
     ----------
@@ -43,7 +43,7 @@ def least_box(box: FoundBox) -> FoundBox:
 
 
 def least_forms(box: FoundBox) -> list[FoundBox]:
-    """Return all renumbered gearboxes with the least `identity`; symmetry gives several.
+    """Return all renumbered gearboxes with the least `identity`, several if there is a symmetry.
 
     >>> box = FoundBox(SetScheme.of_code("0-1-2-0-1-3"), None, 0, 1, ((2, HELD), (3, HELD)),
     ...                (-2.0, -3.0), ((0,), (1,)), 0.0)
@@ -57,7 +57,7 @@ def least_forms(box: FoundBox) -> list[FoundBox]:
 
 
 def identity(box: FoundBox) -> tuple[Any, ...]:
-    """Return the key that equal gearboxes share in the form of `least_box`.
+    """Return a key that equal gearboxes in the form of `least_box` share.
 
     >>> box = FoundBox(SetScheme.of_code("0-1-2"), None, 0, 1, ((2, HELD),), (-2.0,), ((0,),), 0.0)
     >>> identity(box)
@@ -69,7 +69,7 @@ def identity(box: FoundBox) -> tuple[Any, ...]:
 
 
 def _least_codes(sets: Sequence[tuple[int, int, int]]) -> Iterator[_Renaming]:
-    """Yield all renumberings that give the least code, which is found set by set."""
+    """Yield all renumberings that give the least code; it is built up gear set by gear set."""
     least = [_Renaming((), {})]
     for _ in sets:
         codes = [
@@ -91,7 +91,7 @@ def _least_codes(sets: Sequence[tuple[int, int, int]]) -> Iterator[_Renaming]:
 
 
 def _shafts(box: FoundBox) -> Iterator[dict[int, int]]:
-    """Yield the possible new numbers of links outside gear sets; ports keep their numbers."""
+    """Yield the possible new numbers of shafts without gear-set members; ports are fixed."""
     shafts = range(box.scheme.links, box.links)
     ports = {link: link for link in shafts if link in (box.input, box.output)}
     others = [link for link in shafts if link not in ports]
@@ -100,7 +100,7 @@ def _shafts(box: FoundBox) -> Iterator[dict[int, int]]:
 
 
 def _numbers(links: dict[int, int], members: tuple[int, int, int]) -> tuple[int, ...]:
-    """Return the new numbers of the links of a set; unknown links are numbered in turn."""
+    """Return the new numbers of the links of a gear set; a new link gets the next number."""
     fresh = iter(range(len(links), len(links) + len(members)))
     return tuple(links[link] if link in links else next(fresh) for link in members)
 
@@ -108,9 +108,9 @@ def _numbers(links: dict[int, int], members: tuple[int, int, int]) -> tuple[int,
 def _renamed(box: FoundBox, renaming: _Renaming) -> FoundBox:
     order, links = renaming
     new = links | {HELD: HELD}
-    if box.held is not None:  # a clutch to a held link is a brake
+    if box.held is not None:  # a clutch to a held link acts as a brake
         new |= {box.held: HELD}
-    elements = []  # links of each element in order, the housing last
+    elements = []  # the links of each shift element in order, the housing last
     for first, second in box.elements:
         low, high = sorted((new[first], new[second]))
         elements.append((high, low) if low == HELD else (low, high))

@@ -1,4 +1,4 @@
-"""Records of found gearboxes in a document, for pictures, a page and summaries."""
+"""Records of found gearboxes as listed in a document, for pictures, pages and summaries."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from vstatics.synthesis.tolerances import SAME_BOX_RATIO
 
 
 class ListedGear(NamedTuple):
-    """Gear of a listed gearbox."""
+    """Gear of a gearbox listed in a document."""
 
     engaged: tuple[str, ...]
     ratio: float
@@ -40,7 +40,7 @@ class ListedGear(NamedTuple):
     *("family", "core", "known", "ravigneaux", "pareto", "case"),
 )
 class ListedBox(NamedTuple):
-    """Gearbox of a document, with a number in the order of the document from 1."""
+    """Gearbox listed in a document, with the number in the document, from 1."""
 
     error: float
     loss: float
@@ -61,24 +61,26 @@ class ListedBox(NamedTuple):
     pareto: bool
     code: SchemeCode
     elements: Mapping[str, tuple[str, ...]]
-    """Two links of each named shift element; a brake has a link and the housing."""
+    """Two links of each shift element, by name; the second link of a brake is the housing."""
     ratios: Mapping[str, float]
     gears: Mapping[str, ListedGear]
     case: Annotated[
         Mapping[str, Any], Words(description="The case, as written by `vstatics convert`.")
     ]
     known: str | None
-    """Name of the shipped case with an equal gearbox."""
+    """Name of the shipped case that equals the gearbox; None without."""
     ravigneaux: Mapping[str, tuple[str, ...]]
-    """Two gear sets that form each named Ravigneaux set."""
+    """Two gear sets that form each Ravigneaux set, by name."""
     number: int = 0
     input: Count = 0
-    """Number of the input link in the code; 0, because not needed, in a document that was read."""
+    """Number of the input link; 0 for a gearbox that was read from a document, where it is not
+    needed.
+    """
     output: Count = 0
     held: Sometimes[Count] = None
 
     def transmission(self) -> Transmission:
-        """Return the case of the gearbox.
+        """Return the case of the gearbox, as stored in the document.
 
         Raises
         ------
@@ -94,9 +96,9 @@ class ListedBox(NamedTuple):
             ) from None
 
     def contradictions(self) -> Iterator[str]:
-        """Yield differences between the data of the gearbox and the stored case.
+        """Yield contradictions between the data of the gearbox and its stored case.
 
-        Gear sets with other names in the case are not compared, but all gear ratios are.
+        All gear ratios are compared, but gear sets only if they have the same names.
 
         Raises
         ------
@@ -141,7 +143,7 @@ def _equal(ratio: float, other: float) -> bool:
 
 
 def listed_box(number: int, ranked: RankedBox) -> ListedBox:
-    """Return the record of a found gearbox."""
+    """Return the record of a found gearbox for a document."""
     measured_box, box = ranked.found, ranked.found.box
     return ListedBox(
         **measured_box.figures._asdict(),
@@ -166,24 +168,24 @@ def listed_box(number: int, ranked: RankedBox) -> ListedBox:
 
 
 Range = tuple[float, ...]
-"""Lower and upper end of a wanted range; empty if no range is requested. [-]"""
+"""Lower and upper end of a wanted range; empty if it is not restricted. [-]"""
 
 
 class WantedOfBoxes(NamedTuple):
-    """Gears requested by the search of a document."""
+    """Gears requested by the search that a document describes."""
 
     ratios: tuple[Range, ...]
-    """Range of the ratio of each gear, negative for reverse. [-]"""
+    """Range of the ratio of each gear; negative for reverse. [-]"""
     tolerance: float
     """Tolerance of ratios that are not given as ranges. [-]"""
     gears: tuple[int, ...]
-    """Fewest and most further forward gears, empty without a request."""
+    """Smallest and largest number of further forward gears; empty if none were requested."""
     spread: Range
-    """Range of the first ratio divided by the last. [-]"""
+    """Range of the ratio spread: first ratio divided by last ratio. [-]"""
     steps: Range
-    """Range of each ratio divided by the next. [-]"""
+    """Range of the step ratios: each ratio divided by the next ratio. [-]"""
     falling: bool
-    """True if no step can be larger than the step between the next lower gears."""
+    """True if step ratios must not increase from gear to gear."""
 
 
 def wanted_of(search: BoxSearch) -> WantedOfBoxes:
@@ -207,7 +209,7 @@ def wanted_of(search: BoxSearch) -> WantedOfBoxes:
 
 
 def _asked(ends: Range) -> Range:
-    """Return a range, or an empty range without any restriction."""
+    """Return a range, or an empty range if it is no restriction."""
     return () if tuple(ends) == ANY_QUOTIENT else ends
 
 
@@ -217,18 +219,19 @@ def _asked(ends: Range) -> Range:
     boxes="boxes",
 )
 class BoxListing(NamedTuple):
-    """Gearboxes found by a search."""
+    """Gearboxes listed in a document, with the counts of the search."""
 
     searched: Count
     boxes: tuple[ListedBox, ...]
     given_up: Count = 0
-    """Number of element sets that could be gearboxes but were not examined completely."""
+    """Number of sets of shift elements that were not examined completely, but could give gearboxes.
+    """
     wanted: Sometimes[WantedOfBoxes] = None
-    """Requested gears, if the document contains the request."""
+    """Requested gears; None if the document does not contain the request."""
 
     @property
     def complete(self) -> bool:
-        """True if no further gearboxes exist."""
+        """True if the search was complete, so that the request has no further gearboxes."""
         return not self.given_up
 
     @property
@@ -251,10 +254,10 @@ class BoxListing(NamedTuple):
 
 
 def drawn_boxes(listing: BoxListing, most: int) -> list[ListedBox]:
-    """Return the gearboxes that get a diagram, in the order of the document.
+    """Return at most `most` gearboxes to draw, in the order of the document.
 
-    Priority: gearboxes of the Pareto list from different families, the first gearbox of each other
-    family, further gearboxes of the Pareto list, all others.
+    Gearboxes are chosen in this order: gearboxes of the Pareto list from different families, the
+    first gearbox of each other family, further gearboxes of the Pareto list, all others.
     """
     seen: set[int] = set()
     ranks: list[tuple[int, int, ListedBox]] = []

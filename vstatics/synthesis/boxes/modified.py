@@ -1,4 +1,4 @@
-"""Search that retains the gear sets, the ports and most shift elements of an existing gearbox."""
+"""Search for variants of an existing gearbox with the same gear sets, input and output."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from vstatics.synthesis.structures.scheme import SetScheme
 
 
 def kept_search(case: Transmission, free: int, targets: Sequence[float]) -> BoxSearch:
-    """Return a search with the scheme, the kinds of gear sets and the ports of a case.
+    """Return a search that retains the scheme, kinds of gear sets, input and output of a case.
 
     Parameters
     ----------
     case : Transmission
-        Gearbox of planetary sets, clutches and brakes. Freewheels are ignored.
+        Gearbox of planetary gear sets, clutches and brakes. Freewheels are ignored.
     free : int
-        Largest number of its shift elements that a found gearbox can lack.
+        Largest number of its shift elements that may be missing in a found gearbox.
     targets : sequence of float
         Wanted ratios of the gears. [-]
 
@@ -86,7 +86,7 @@ def kept_search(case: Transmission, free: int, targets: Sequence[float]) -> BoxS
 
 
 def _planetary_sets(case: Transmission) -> list[Mechanism]:
-    """Return the planetary gear sets; shafts, which are mechanisms of ratio 1, are left out.
+    """Return the planetary gear sets of a case, without shafts (mechanisms of ratio 1).
 
     Raises
     ------
@@ -111,7 +111,7 @@ def _planetary_sets(case: Transmission) -> list[Mechanism]:
 
 
 def _joined_links(case: Transmission) -> list[int]:
-    """Return for each link the lowest of the links that shafts, of ratio 1, connect with it."""
+    """Return for each link the lowest link that shafts (mechanisms of ratio 1) connect to it."""
     body = [*range(case.links + 1)]
     for mechanism in case.mechanisms:
         if mechanism.ratio == 1:
@@ -131,6 +131,6 @@ def _members(mechanism: Mechanism, body: Sequence[int]) -> tuple[int, int, int]:
 
 
 def _ends(first: int, second: int, held: int | None) -> tuple[int, int]:
-    """Return the links of a shift element in the order of `FoundBox`."""
+    """Return the two links of a shift element in the order that `FoundBox` uses."""
     low, high = sorted(HELD if link == held else link for link in (first, second))
     return (high, low) if low == HELD else (low, high)

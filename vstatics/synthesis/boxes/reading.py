@@ -1,4 +1,4 @@
-"""Documents of found gearboxes, read from JSON, with problems located at the gearbox."""
+"""Reader of JSON documents of found gearboxes, which locates problems at the gearbox."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from vstatics.synthesis.boxes.listing import BoxListing, ListedBox, WantedOfBoxe
 
 ASKED = "a document of found boxes, as `vstatics synth box -f json` writes it"
 MOST_SIZE = 1e300
-"""Largest absolute value of a number in a document."""
+"""Largest absolute value of a number accepted in a document."""
 MOST_WRONG = 20
-"""Largest number of reported problems of a document."""
+"""Largest number of problems reported for a document."""
 
 
 def is_document(data: bytes) -> bool:
-    """Return whether a text is a document of found gearboxes, and not a case.
+    """Return whether a text is a document of found gearboxes rather than a case.
 
     >>> is_document(b'{"searched": 10, "found": 0, "families": 0, "boxes": []}')
     True
@@ -49,7 +49,7 @@ def read_document(data: bytes, file: str) -> tuple[BoxListing, dict[str, Any]]:
     Returns
     -------
     BoxListing, dict
-        Found gearboxes, and the document.
+        Found gearboxes, and the whole document.
 
     Raises
     ------
@@ -120,7 +120,7 @@ def _wanted(given: Any, problems: list[Problem]) -> WantedOfBoxes:
 
 
 def _box(given: Any, number: int, problems: list[Problem]) -> Iterator[ListedBox]:
-    """Yield a gearbox if the value is valid; record problems."""
+    """Yield a gearbox if the JSON value is valid; otherwise record its problems."""
     where = f"box {number}"
     if _fits(dict, given, where, problems):
         missing = [f"`{key}`" for key in _kinds(ListedBox) if key not in given]
@@ -133,7 +133,7 @@ def _box(given: Any, number: int, problems: list[Problem]) -> Iterator[ListedBox
 
 @cache
 def _kinds(record: Any) -> dict[str, Any]:
-    """Return the types of the keys of a record without a default."""
+    """Return the types of the keys that a record requires, by key."""
     kinds = get_type_hints(record)
     return {key: kinds[key] for key in record._fields if key not in record._field_defaults}
 
@@ -154,7 +154,7 @@ _EXPECTED: Mapping[Any, tuple[str, Callable[[Any], bool]]] = {
     ),
     dict: ("an object", lambda value: isinstance(value, dict)),
 }
-"""Description of each JSON type, and a test of a value."""
+"""Description of each JSON type for messages, and a test whether a value has the type."""
 
 
 def _is_list(kind: Any, given: Any) -> bool:
@@ -181,12 +181,12 @@ def _fits(kind: Any, given: Any, where: str, problems: list[Problem]) -> bool:
 
 
 def _read(kind: Any, given: Any, where: str, problems: list[Problem]) -> Any:
-    """Convert JSON to a type; record problems and return an empty value for invalid data."""
+    """Convert a JSON value to a type; record problems, and return an empty value if it is wrong."""
     return _within(kind, _outside(kind, given, where, problems), where, problems)
 
 
 def _outside(kind: Any, given: Any, where: str, problems: list[Problem]) -> Any:
-    """Convert JSON to a type, but leave the contents of an object unchanged."""
+    """Convert a JSON value to a type, except for the values within an object or list."""
     if kind in (str, Any):
         return given if kind is Any else str(given)
     if kind == str | None:
@@ -200,7 +200,7 @@ def _outside(kind: Any, given: Any, where: str, problems: list[Problem]) -> Any:
 
 
 def _within(kind: Any, value: Any, where: str, problems: list[Problem]) -> Any:
-    """Convert the contents of an object; a record is created after all keys are checked."""
+    """Convert the values within an object or list; create a record after checking all keys."""
     if hasattr(kind, "_fields"):
         kinds = _kinds(kind)
         parts = {

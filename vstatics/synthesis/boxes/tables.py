@@ -20,7 +20,8 @@ def box_grids(searched: int, boxes: Sequence[RankedBox], given_up: int) -> Itera
     boxes : sequence of RankedBox
         Found gearboxes in order.
     given_up : int
-        Number of element sets that could be gearboxes but were given up.
+        Number of sets of shift elements that were not examined completely, but could give
+        gearboxes.
     """
     best = sum(box.pareto for box in boxes)
     counts = {"searched": searched, "given up": given_up, "found": len(boxes)}
@@ -49,15 +50,16 @@ FIGURES = (
     *("family", "core", "loss [%]", "planet speed", "slip", "torque", "drag"),
     *("brakes", "clutches", "single", "planar"),
 )
-"""Headings of figures in the Pareto list."""
+"""Headings of the figures in the Pareto list."""
 MORE_FIGURES = ("error [%]", "skip shifts", "reversing", "one-way", "beyond", "known", "Ravigneaux")
 """Headings of further figures in the table of all gearboxes."""
 
 
 def all_boxes(boxes: Sequence[RankedBox]) -> Grid:
-    """Return a table with a row for each gearbox in order, with all figures and gears."""
+    """Return a table with all figures and gears, and a row for each gearbox in order."""
     names = [*dict.fromkeys(gear.name for box in boxes for gear in box.found.gears)]
-    columns = [*BoxGear._fields[2:0:-1], *GearFigures._fields]  # ratio, engaged, torques, ...
+    # The fields ratio, engaged, torques, and so on.
+    columns = [*BoxGear._fields[2:0:-1], *GearFigures._fields]
     rows = [
         (place, *_figures(box), *_more(box), *_scheme(box), *_of_gears(box, names))
         for place, box in enumerate(boxes, 1)
@@ -87,7 +89,7 @@ def _more(box: RankedBox) -> Values:
 
 
 def _of_gears(box: RankedBox, names: Sequence[str]) -> Iterator[Value]:
-    """Yield the cells of all gears, empty for gears that a gearbox lacks."""
+    """Yield the cells of all gears; empty cells for gears that a gearbox lacks."""
     gears = {gear.name: gear for gear in box.found.gears}
     for name in names:
         if name not in gears:
@@ -104,12 +106,12 @@ def _by_name(values: Mapping[str, float]) -> str:
 
 
 def _sets(boxes: Sequence[RankedBox]) -> Iterable[str]:
-    """Return the headings of the gear-set ratios."""
+    """Return the headings of the ratios of gear sets."""
     return boxes[0].found.ratios if boxes else ()
 
 
 def _of_scheme(boxes: Sequence[RankedBox]) -> list[str]:
-    """Return the headings of code, ports and elements, and of a held link if present."""
+    """Return the headings of the code, ports and shift elements, and of a held link if present."""
     has_held = bool(boxes) and boxes[0].found.box.held is not None
     return ["code", "input", "output", *["held"] * has_held, "shift elements"]
 

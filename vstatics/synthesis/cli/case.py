@@ -21,7 +21,9 @@ from vstatics.synthesis.gears.names import set_name
 from vstatics.synthesis.structures.scheme import SetScheme, link_name
 
 FIRST, STEP = -2.0, -0.1
-"""Default ratio of the first set, and difference to the next set, which avoids equal gears."""
+"""Default basic ratio of the first gear set, and difference to the next set, so that no gears are
+equal. [-]
+"""
 
 
 @command
@@ -106,14 +108,14 @@ def case_command(
     if not ratios:
         some = spoken(f"{ratio:g}" for ratio in given)
         files.show([Problem("N002", f"no ratios are given, so the gear sets have {some}")])
-    if form == "deck":  # a deck has no inertias, and these are placeholders
+    if form == "deck":  # a deck has no inertias, and the inertias are only placeholders
         case_of_code = case_of_code.replace(inertias={}, description="")
         files.say("a deck holds no inertias: those of input and output are left out")
     return DONE if write_case(case_of_code, target, form) else FAILED
 
 
 def _link(scheme: SetScheme, given: str) -> int:
-    """Return the link of a name, or of a number in the code."""
+    """Return the number of a link from its name or its number in the code."""
     names = [link_name(link) for link in range(scheme.links)]
     word = given.strip()
     for link, name in enumerate(names):
@@ -124,7 +126,7 @@ def _link(scheme: SetScheme, given: str) -> int:
 
 
 def _ratios(scheme: SetScheme, given: Sequence[str]) -> list[float]:
-    """Return the ratio of each set."""
+    """Return the basic ratio of each gear set [-]."""
     names = [set_name(number) for number in range(1, len(scheme.sets) + 1)]
     if not given:
         return [round(FIRST + STEP * number, 1) for number in range(len(names))]
@@ -162,7 +164,7 @@ def _expected(names: Sequence[str]) -> str:
 
 
 def _of_sets(problems: Sequence[Problem]) -> str:
-    """Return the messages about ratios, each with the name of the set."""
+    """Return the messages about ratios, each with the name of the gear set."""
     parts = []
     for problem in problems:
         numbers = [part for part in problem.path if isinstance(part, int)]

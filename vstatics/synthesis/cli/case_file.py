@@ -1,4 +1,4 @@
-"""Writing the result of a command of `vstatics synth` as a case file."""
+"""Output of a command of `vstatics synth` as a case file."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ written_case = under(
         "is replaced.",
     ),
 )
-"""Option to write a case; the command gets the argument `target`."""
+"""Option --write; the command receives its value as argument `target`."""
 
 
 def case_format(target: str, inputs: Iterable[str], output: str | None = None) -> str:
-    """Return the format of the case to write, and check the file before calculation.
+    """Return the format of the case to write, and check the file before the calculation.
 
     Raises
     ------
@@ -54,7 +54,7 @@ def case_format(target: str, inputs: Iterable[str], output: str | None = None) -
 
 
 def write_case(case: Transmission, target: str, form: str) -> bool:
-    """Write a case completely or not at all, and print the data that the format cannot hold.
+    """Write a case completely or not at all, and report the data that its format cannot hold.
 
     Returns
     -------
@@ -64,7 +64,8 @@ def write_case(case: Transmission, target: str, form: str) -> bool:
     Raises
     ------
     ReadError
-        If the remaining data would be a different case, or the file cannot be written.
+        If the case would be a different case without the missing data, or the file cannot be
+        written.
     """
     try:
         data, lost = case_data(case, form)

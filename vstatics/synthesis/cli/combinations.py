@@ -1,4 +1,4 @@
-"""`vstatics synth combinations`: list the gears that the shift elements of a case give."""
+"""`vstatics synth combinations`: list the gears that combinations of shift elements give."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def _sizes(texts: Sequence[str]) -> list[int]:
 
 
 class Trials(NamedTuple):
-    """Choice of combinations: numbers and names of elements, ports, order and limit."""
+    """Choice of combinations: numbers and names of shift elements, ports, order and limit."""
 
     engaged: list[int]
     elements: tuple[str, ...]
@@ -178,13 +178,13 @@ def combinations_command(
 
 
 def _chosen(names: Sequence[str], asked: Iterable[str]) -> list[str]:
-    """Return names of elements, which commas separate unless quoted or part of a name."""
+    """Return names of shift elements, separated by commas unless quoted or part of a name."""
     return [name for text in asked for name in ([text] if text in names else separated([text]))]
 
 
 @contextmanager
 def _hint(hint: str) -> Iterator[None]:
-    """Add the names of helpful options to problems of the case."""
+    """Add a hint about helpful options to problems of the case."""
     try:
         yield
     except CaseError as error:
@@ -204,7 +204,7 @@ def _told_freewheels(search: CombinationSearch, telling: Telling) -> None:
 
 
 def _write(search: CombinationSearch, target: str, form: str, request: OneCase) -> bool:
-    """Write a case with the gears; return whether the format holds all data."""
+    """Write a case with the found gears; return whether the format holds all data."""
     from vstatics.synthesis.gears.found_gears import found_gears
 
     try:

@@ -26,18 +26,18 @@ from vstatics.synthesis.gears.kinds import EngagedSet, combination_grids
 from vstatics.synthesis.gears.search import CombinationSearch, count_text
 
 Batch = Sequence[EngagedSet]
-"""Combinations that are calculated together."""
+"""Combinations of shift elements that are calculated together."""
 STREAMED = ("json", "jsonl")
 """Formats that are written during the search."""
 MOST_PRINTED_ROWS = 200_000
-"""Largest number of rows of a table."""
+"""Largest number of rows of a printed table."""
 FRAME = '{"combinations": [\n ', ",\n ", "\n]}\n"
 FRAME_OF_PORTS = '{"ports": [\n ', ",\n ", "\n]}\n"
-"""Text before, between and after the entries of JSON, for combinations and for pairs of ports."""
+"""Text before, between and after the entries of JSON: of combinations, or of pairs of ports."""
 
 
 def check_room(search: CombinationSearch, to: Destination, *, by_torque: bool) -> None:
-    """Refuse long tables, sorting of many rows in memory, and a file without disk space.
+    """Refuse too long tables, sorting of too many rows, and a file without enough disk space.
 
     Raises
     ------
@@ -54,27 +54,27 @@ def check_room(search: CombinationSearch, to: Destination, *, by_torque: bool) -
 
 
 def _length(search: CombinationSearch) -> float:
-    """Estimate the size of a combination in JSON, in bytes."""
+    """Estimate the size of a combination in JSON [bytes]."""
     lines = [line for batch in search.samples() for line in _lines([*batch.each()])]
     return sum(len(line.encode()) + 3 for line in lines) / len(lines)
 
 
 @json_keys("elements", "engaged", count="total", bytes="bytes", seconds="seconds")
 class CombinationEstimate(NamedTuple):
-    """Estimate before any combination is tried."""
+    """Estimated output of a search for combinations, before any combination is tried."""
 
     elements: Sequence[str]
-    """Names of the elements to choose from."""
+    """Names of the shift elements to choose from."""
     engaged: Sequence[Count]
     total: float
-    """Number of combinations; key `count` in JSON."""
+    """Number of combinations; its key in JSON is `count`."""
     bytes: float
-    """Approximate size in JSON."""
+    """Approximate size as JSON [bytes]."""
     seconds: float
 
 
 def estimate(search: CombinationSearch) -> CommandEstimate:
-    """Estimate the number, size and duration of the search."""
+    """Estimate the number of combinations, the size of the output and the time of the search."""
     names, engaged = [element.name for element in search.elements], search.sizes
     size = _length(search) * search.count
     rows = {
@@ -101,7 +101,7 @@ def show_estimate(search: CombinationSearch, case: str, to: Destination) -> None
 def show(
     search: CombinationSearch, case: str, to: Destination, telling: Telling, *, by_torque: bool
 ) -> None:
-    """Write all combinations; JSON during the search, unless sorted."""
+    """Write all combinations; JSON is written during the search unless it is sorted."""
     with progress(
         int(search.count), "combinations", beside_stdout=to.output is None, quiet=telling.quiet
     ) as advance:
@@ -125,7 +125,7 @@ def show_ports(
     *,
     by_torque: bool,
 ) -> None:
-    """Write the combinations of each pair of ports; a line for each pair as `jsonl`."""
+    """Write the combinations of each pair of ports; in `jsonl`, a line for each pair."""
     count = int(sum(search.count for search in searches))
     with progress(
         count, "combinations", beside_stdout=to.output is None, quiet=telling.quiet
@@ -168,7 +168,7 @@ def _port_grids(search: CombinationSearch, batches: Iterable[Batch]) -> Iterator
 
 
 def _batches(search: CombinationSearch, advance: Advance, *, by_torque: bool) -> Iterator[Batch]:
-    """Yield the combinations in batches, sorted combinations in a single batch."""
+    """Yield the combinations in batches; sorted combinations are a single batch."""
     if by_torque:
         unsorted = _batches(search, advance, by_torque=False)
         yield sorted(chain.from_iterable(unsorted), key=attrgetter("by_torque"))
@@ -179,7 +179,7 @@ def _batches(search: CombinationSearch, advance: Advance, *, by_torque: bool) ->
 
 
 def _json(batches: Iterable[Batch], *, as_lines: bool) -> Iterator[str]:
-    """Yield JSON in pieces: a document, or a line for each combination."""
+    """Yield JSON text in pieces: a document, or a line for each combination."""
     first, between, last = ("", "\n", "\n") if as_lines else FRAME
     before = first
     for batch in batches:

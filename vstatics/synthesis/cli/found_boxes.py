@@ -1,4 +1,4 @@
-"""Lists of found gearboxes instead of cases: picture, page and summaries."""
+"""Lists of found gearboxes as input of other commands: picture, page and comparison."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 
 def listing_in(file: str) -> tuple[BoxListing, dict[str, Any]] | None:
-    """Return the found boxes that a file lists, and the document; None for other files.
+    """Return the gearboxes that a file lists, and its document; None for other files.
 
     Files that can be read only once, such as standard input and pipes, are left to readers of
     cases.
@@ -34,13 +34,13 @@ def listing_in(file: str) -> tuple[BoxListing, dict[str, Any]] | None:
     Raises
     ------
     ReadError
-        If the file is a list of boxes with an error.
+        If the file is a list of gearboxes with an error.
     """
     if file == files.STDIN or not os.path.isfile(file):  # noqa: PTH113
         return None
     try:
         data, name = files.read_input(file, TABLE_BYTES)
-    except ReadError:  # the reader of cases reports the error
+    except ReadError:  # the reader of cases will report the error
         return None
     if not is_a("boxes", data, name):
         return None
@@ -50,14 +50,14 @@ def listing_in(file: str) -> tuple[BoxListing, dict[str, Any]] | None:
 
 
 def plot_boxes(cases: Sequence[str], to: Destination, style: Style, _: object = None) -> int:
-    """Draw found boxes, write the picture and return the exit status.
+    """Draw found gearboxes, write the picture, and return the exit status.
 
     Raises
     ------
     UsageError
         If several files are given.
     ReadError
-        If the file lists no boxes, or the picture cannot be written.
+        If the file does not list gearboxes, or the picture cannot be written.
     """
     from vstatics.synthesis.boxes.listing import drawn_boxes
     from vstatics.synthesis.boxes.reading import read_document
@@ -82,7 +82,7 @@ def report_boxes(
     digits: int | None,
     stamp: Mapping[str, str],
 ) -> int:
-    """Write the page of found boxes and return the exit status.
+    """Write the page of found gearboxes, and return the exit status.
 
     Raises
     ------
@@ -100,18 +100,18 @@ def report_boxes(
 
 
 MOST_COMPARED_BOXES = 6
-"""Number of boxes compared by default."""
+"""Number of gearboxes compared by default."""
 
 
 def calculated_boxes(
     file: str, asked: Sequence[int], settings: CaseOptions
 ) -> Iterator[CalculatedCase] | None:
-    """Yield the calculated cases of the boxes that a file lists; None for other files.
+    """Return the calculated cases of the gearboxes that a file lists; None for other files.
 
     Raises
     ------
     ReadError
-        If the file is a list of boxes with an error.
+        If the file is a list of gearboxes with an error.
     """
     listed = listing_in(file)
     return _calculated(listed[0], file, asked, settings) if listed else None
@@ -120,12 +120,12 @@ def calculated_boxes(
 def _calculated(
     listing: BoxListing, file: str, asked: Sequence[int], settings: CaseOptions
 ) -> Iterator[CalculatedCase]:
-    """Calculate the cases of chosen boxes, by default those with the most distinct figures.
+    """Calculate the cases of chosen gearboxes, by default a few that differ in their figures.
 
     Raises
     ------
     BadParameter
-        If no box has a chosen number.
+        If no gearbox has a chosen number.
     ReadError
         If the list is empty, or a case cannot be read.
     """
@@ -151,7 +151,7 @@ def _calculated(
 
 
 def _contradictions(boxes: Sequence[ListedBox], file: str) -> Iterator[Problem]:
-    """Yield a warning for each figure of a box that contradicts the case of the box."""
+    """Yield a warning for each figure of a gearbox that contradicts its case."""
     for box in boxes:
         for message in box.contradictions():
             yield of_file("W806", file, f"box {box.number}: {message}")
@@ -171,7 +171,7 @@ def _chosen_boxes(listing: BoxListing, asked: Sequence[int]) -> list[ListedBox]:
 
 
 def box_numbers(texts: Sequence[str]) -> tuple[int, ...]:
-    """Return numbers of boxes, separated by commas or given one by one.
+    """Return numbers of gearboxes, separated by commas or given one by one.
 
     Raises
     ------
@@ -199,4 +199,4 @@ box_option = under(
         "[default: Pareto list and families]",
     ),
 )
-"""Option of commands that take several found boxes."""
+"""Option to choose gearboxes, for commands that can take several."""

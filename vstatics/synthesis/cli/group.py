@@ -1,4 +1,4 @@
-"""`vstatics synth`: the group of commands that find gearboxes."""
+"""`vstatics synth`: group of the commands that find gearboxes."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from vstatics.synthesis.annex import ANNEX
 
 
 class SynthesisCommands(LazyGroup):
-    """Commands of `vstatics synth`."""
+    """Commands of `vstatics synth`, imported when they are used."""
 
     modules = ANNEX.groups["synth"]
 

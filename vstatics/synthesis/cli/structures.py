@@ -1,4 +1,4 @@
-"""`vstatics synth structures`: list all schemes of a number of planetary sets."""
+"""`vstatics synth structures`: list all schemes of a number of planetary gear sets."""
 
 from __future__ import annotations
 
@@ -30,10 +30,10 @@ from vstatics.synthesis.structures.json_lines import lines
 
 FORMATS = ("json", "jsonl")
 LONG = 60
-"""Duration above which an estimate is printed. [s]"""
+"""Estimated time above which the estimate is printed before the list. [s]"""
 WIDEST_NAME = len("10 links")
 QUICK_SETS = 3
-"""Number of gear sets up to which a list takes less time than its estimate."""
+"""Largest number of gear sets for which listing takes less time than estimating."""
 
 
 def _links(text: str) -> int:
@@ -142,7 +142,7 @@ def structures_command(
 
 @json_keys("sets", count="total", by_links="by_links")
 class StructureCount(NamedTuple):
-    """Number of schemes, in total and by number of links."""
+    """Number of schemes, in total and by their number of links."""
 
     sets: Count
     total: Count
@@ -164,7 +164,7 @@ def _counted(asked: StructureSearch, by_links: Mapping[int, int]) -> StructureCo
 
 
 def _expected_count(asked: StructureSearch, output: str | None, *, listed: bool) -> int:
-    """Estimate the number of schemes; print the estimate of a long list, and check the disk space.
+    """Estimate the number of schemes; print it for a long list, and check the disk space.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""`vstatics synth teeth`: find integer tooth numbers for wanted ratios of gears or sets."""
+"""`vstatics synth teeth`: find integer tooth numbers for wanted ratios."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def _whole(text: str) -> int:
 
 
 def _several(texts: Sequence[str]) -> list[str]:
-    """Return the nonempty values of an option without names."""
+    """Return the values of an option that is given several times, without empty values."""
     words = separated(texts)
     if not all(words):
         raise ValueError(f"read {quoted(','.join(texts))}")
@@ -43,7 +43,7 @@ def _modules(texts: Sequence[str]) -> tuple[float, ...]:
 
 
 def _counts(texts: Sequence[str]) -> tuple[int, ...]:
-    """Return numbers of planets from single numbers and ranges."""
+    """Return numbers of planets from texts with single numbers and ranges."""
     counts: list[int] = []
     for text in _several(texts):
         low, colon, high = text.partition(":")
@@ -216,7 +216,7 @@ _OPTIONS = (
 
 
 def _notes(result: FoundTeeth, file: str) -> Iterator[Problem]:
-    """Yield notes about the solutions."""
+    """Yield notes about the found tooth numbers."""
     yield from warnings_of("W802", result.doubts, file)
     if result.problem.unused:
         message = (

@@ -15,38 +15,38 @@ from vstatics.synthesis.structures.arrays import LEAST_MOBILITY
 from vstatics.synthesis.structures.scheme import SetScheme, link_name
 
 FEW_COMBINATIONS = 60
-"""Number of combinations up to which the input gets clutches to all links."""
+"""Largest number of combinations for which the input gets clutches to all other links."""
 MOST_OF_SCHEME = 100
-"""Largest number of gears of a case; the first combinations are used."""
+"""Largest number of gears of the case; the first combinations are used."""
 NEUTRAL = "N"
-"""Name of the only gear of a case without a ratio."""
+"""Name of the only gear of a case in which no combination gives a ratio."""
 INERTIA = 1.0
-"""Inertia of input and output, so that the case can be simulated. [kg*m^2]"""
+"""Placeholder for the inertia of input and output, so that the case can be simulated. [kg*m^2]"""
 
 
 @refusing()
 def scheme_case(
     scheme: SetScheme, input_link: int, output_link: int, ratios: Sequence[float]
 ) -> Transmission:
-    """Return a case with brakes, clutches and all gears of a scheme.
+    """Convert a scheme to a case with brakes, clutches and all gears that they give.
 
-    Every link except input and output has a brake, and a clutch connects input and output. If more
-    than one element is engaged, clutches also connect the input to all other links, unless there
-    are more than `FEW_COMBINATIONS` combinations then. The gears are the combinations with
+    Every link except input and output has a brake, and a clutch connects input and output. If a
+    gear engages several shift elements, clutches also connect the input to all other links, unless
+    this gives more than `FEW_COMBINATIONS` combinations. The gears are the combinations with
     different ratios, including direct drive, by descending ratio.
 
     Parameters
     ----------
     scheme : SetScheme
     input_link, output_link : int
-        Links of the scheme, from 0.
+        Numbers of links of the scheme, from 0.
     ratios : sequence of float
-        Basic ratio of each set, sun to ring with the carrier held. [-]
+        Basic ratio of each gear set, sun to ring, carrier held. [-]
 
     Returns
     -------
     Transmission
-        The case, with unit inertias of input and output.
+        Case, with inertias of 1 kg*m^2 at input and output.
 
     Raises
     ------
@@ -111,7 +111,7 @@ def _clutch(first: int, second: int) -> ShiftElement:
 
 
 def _gears(case: Transmission, engaged: int) -> list[Gear]:
-    """Return the gears with a number of engaged elements, each ratio once."""
+    """Return a gear for each different ratio that a number of engaged elements gives."""
     by_ratio: dict[str, tuple[float, tuple[int, ...]]] = {}
     for batch in CombinationSearch(case, [engaged]).batches():
         good = batch.where(batch.gears & ~batch.free)

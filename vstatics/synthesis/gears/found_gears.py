@@ -17,22 +17,23 @@ MOST_GEARS = 5000
 
 
 class FoundGears(NamedTuple):
-    """Case with the gears that were found."""
+    """Case with the found gears, and the gears that were left out."""
 
     case: Transmission
     slipping: Sequence[str]
-    """Names of omitted gears whose freewheels would not hold."""
+    """Names of gears that were left out because their freewheels would not hold."""
     free: int = 0
-    """Number of omitted gears that leave other links undetermined."""
+    """Number of gears that were left out because they leave other links undetermined."""
 
 
 def found_gears(search: CombinationSearch) -> FoundGears:
     """Return the case of a search with the gears of all combinations.
 
-    Forward gears come first, each direction from the largest ratio to the smallest. An existing
-    gear with the same input and output and without given speeds is unchanged. A new gear is named
-    after its elements, ``F1+T3``, and has the drag that all gears share. New gears that leave
-    other links undetermined are omitted, unless all gears do.
+    Forward gears come first; gears of each direction are ordered from the largest ratio to the
+    smallest. An existing gear with the same elements, input and output, and without given speeds,
+    is unchanged. A new gear is named after its shift elements, as in ``F1+T3``, and has the drag
+    that all gears share. New gears that leave other links undetermined are left out, unless all
+    gears do.
 
     Raises
     ------
@@ -100,9 +101,9 @@ def _gears(
     existing: Mapping[frozenset[str], Gear],
     engaged: Iterable[frozenset[str]],
 ) -> Iterator[Gear]:
-    """Yield a gear for each set of engaged elements: the existing gear, otherwise a new one.
+    """Yield a gear for each set of engaged shift elements: the existing gear, or a new gear.
 
-    Elements are numbered by their place in `elements`.
+    Shift elements are numbered by their position in `elements`.
     """
     number = {element.name: place for place, element in enumerate(elements, 1)}
     old = {place: element.name for place, element in enumerate(case.shift_elements, 1)}
@@ -128,7 +129,7 @@ def _gears(
 
 
 def _holding(case: Transmission, expected: Sequence[Sequence[float]]) -> FoundGears:
-    """Return the case without the gears whose freewheels do not hold as intended."""
+    """Return a case with the gears whose freewheels hold, and the names of the other gears."""
     solved = list(zip(case.gears, solve(case).ratio.tolist(), expected, strict=True))
     holds = [any(is_same(ratio, wanted) for wanted in expected) for _, ratio, expected in solved]
     slipping = [gear.name for (gear, *_), is_so in zip(solved, holds, strict=True) if not is_so]

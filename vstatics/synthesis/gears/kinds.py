@@ -1,11 +1,10 @@
-"""Effect of engaged shift elements on input and output: blocked, parking, neutral or a ratio.
+"""Effect of a combination of engaged shift elements: blocked, parking, neutral or a ratio.
 
-`engaged_kinds` evaluates many sets of elements at once, by elimination as in
-`numerics.elimination`. The size of a value, which is stored with it, shows when a difference is
-only rounding noise, so the rank needs no chosen tolerance.
-
-`kind_alone` evaluates one set and takes longer. It eliminates elements and mechanisms together, in
-the order that loses the fewest digits, and is used where `engaged_kinds` can lose too many.
+`engaged_kinds` evaluates many combinations at once, by elimination as in `numerics.elimination`. A
+magnitude that is stored with each value shows whether a difference is only rounding noise, so that
+the rank does not depend on a chosen tolerance. `kind_alone` evaluates a single combination more
+slowly. It eliminates shift elements and mechanisms together, in the order that loses the fewest
+digits, where `engaged_kinds` can lose too many.
 """
 
 from __future__ import annotations
@@ -34,50 +33,51 @@ Indices = NDArray[np.intp]
 
 
 class EngagedKind(IntEnum):
-    """Effect of a combination on the possible speeds of input and output."""
+    """Effect of a combination of shift elements on the possible speeds of input and output."""
 
     BLOCKED = 0
-    """Input that cannot turn."""
+    """The input cannot rotate."""
     PARKING = 1
-    """Output at rest while the input turns."""
+    """The output is at rest while the input can rotate."""
     NEUTRAL = 2
-    """Input and output that turn independently."""
+    """Input and output rotate independently."""
     GEAR = 3
-    """Fixed ratio."""
+    """The ratio is fixed."""
     DIRECT = 4
-    """Ratio 1 for any ratios of the mechanisms."""
+    """The ratio is 1 for any ratios of the mechanisms."""
 
     @property
     def word(self) -> str:
-        """Name in lower case, as printed."""
+        """Name of the effect in lower case, as printed."""
         return self.name.lower()
 
 
 class EngagedKinds(NamedTuple):
-    """Effect of each set of elements; arrays of shape (sets,)."""
+    """Effects of many combinations of shift elements; arrays of shape (sets,)."""
 
     kinds: NDArray[np.int8]
-    """Numbers of `EngagedKind`; direct drives count as `GEAR`."""
+    """Effects as numbers of `EngagedKind`; direct drives count as `GEAR`."""
     ratios: Floats
     """Input speed divided by output speed; NaN without a ratio. [-]"""
     free: Booleans
-    """True if links can turn while input and output are at rest."""
+    """True if links can rotate while input and output are at rest."""
     unity: Booleans
-    """True if input and output turn at equal speeds, or both are at rest."""
+    """True if input and output rotate at equal speeds, or both are at rest."""
     doubtful: Booleans
-    """True if too many digits were lost to trust the result."""
+    """True if too many digits were lost to rely on the result."""
 
 
-@np.errstate(all="ignore")  # overflows are marked as doubtful
+@np.errstate(all="ignore")  # combinations with an overflow are marked as doubtful
 def engaged_kinds(forms: SpeedForms, members: Indices) -> EngagedKinds:
-    """Determine the effect of sets of engaged elements.
+    """Determine the effects of many combinations of engaged shift elements.
 
     Parameters
     ----------
     forms : SpeedForms
-        Slips of all elements, then speeds of input and output, then their difference.
+        Slip speeds of all shift elements, speeds of input and output, and their difference, in
+        terms of the free speeds.
     members : ndarray, shape (sets, elements)
-        Elements that each set engages.
+        Indices of the shift elements that each combination engages.
 
     Examples
     --------
@@ -112,22 +112,22 @@ def engaged_kinds(forms: SpeedForms, members: Indices) -> EngagedKinds:
 
 
 class _SizedRows:
-    """Rows of many systems, shape (rows, unknowns, systems), eliminated in place."""
+    """Rows of many linear systems, shape (rows, unknowns, systems), eliminated in place."""
 
     def __init__(self, forms: SpeedForms, chosen: Indices) -> None:
-        """Select the rows `chosen`, shape (rows, systems), of each system."""
+        """Select the rows `chosen`, shape (rows, systems), for each system."""
         self.values = np.ascontiguousarray(np.moveaxis(forms.values[chosen], 2, 1))
         self.sizes = np.ascontiguousarray(np.moveaxis(forms.sizes[chosen], 2, 1))
         self.systems = np.arange(chosen.shape[1])
         self.doubtful = np.full(chosen.shape[1], forms.doubtful)
 
     def left(self, row: int) -> Booleans:
-        """Return the systems in which a row is not zero."""
+        """Return a mask of the systems in which a row is not zero."""
         turns: Booleans = self.values[row].any(axis=0)
         return turns
 
     def eliminate(self, row: int, others: slice) -> tuple[Booleans, Floats]:
-        """Subtract a row from further rows to clear the column of the largest entry.
+        """Subtract multiples of a row from further rows, to clear the column of its largest entry.
 
         Returns
         -------
@@ -147,7 +147,7 @@ class _SizedRows:
         factors = np.where(there, self.values[others][:, *place] / divisor, 0.0)
         of_factors = self.sizes[others][:, *place] + abs(factors) * its_size[place]
         of_factors = np.where(there, of_factors / abs(divisor), 0.0)
-        # The same rule as `less` of the entries of `numerics`, on arrays.
+        # The rule for rounding noise is `less` of the entries in `numerics`, here for arrays.
         values, sizes = self.values[others], self.sizes[others]
         products = factors[:, None] * mine
         sizes += of_factors[:, None] * abs(mine) + abs(factors[:, None]) * its_size
@@ -163,7 +163,7 @@ class _SizedRows:
 
 
 class KindAlone(NamedTuple):
-    """Effect of a set of elements; direct drives count as `GEAR`."""
+    """Effect of a single combination of shift elements; direct drives count as `GEAR`."""
 
     kind: EngagedKind
     ratio: float
@@ -172,7 +172,7 @@ class KindAlone(NamedTuple):
 
 
 def kind_alone(case: Transmission, engaged: Iterable[Pair]) -> KindAlone:
-    """Determine the effect of a set of elements, each given by two links.
+    """Determine the effect of a combination of shift elements, each given by two links.
 
     Examples
     --------
@@ -203,28 +203,28 @@ def kind_alone(case: Transmission, engaged: Iterable[Pair]) -> KindAlone:
     return KindAlone(EngagedKind.GEAR, 1 / speed, free)
 
 
-@np.errstate(all="ignore")  # after an overflow, torques are NaN
+@np.errstate(all="ignore")  # an overflow gives torques that are NaN
 def element_torques(forms: SpeedForms, members: Indices, ratios: Floats) -> Floats:
-    """Return the torque that the first link gives to each element, shape (sets, elements) [-].
+    """Return the torque of the first link on each shift element, shape (sets, elements) [-].
 
-    Torques are relative to the input torque. In each motion that the mechanisms allow, the input
-    power goes to the elements and the output: ``w_in = sum M_e (w_first - w_second) + M_out w_out``
-    for all free speeds. The rows of speeds that give the ratio of a gear therefore give its
-    torques.
+    Torques are relative to the input torque. In each motion that the mechanisms permit, the input
+    power is transmitted to the shift elements and the output:
+    ``w_in = sum M_e (w_first - w_second) + M_out w_out`` for all free speeds. Therefore the linear
+    equations that give the ratio of a gear also give its torques.
 
-    A torque is NaN if only the sum over several elements is determined, or if so many digits are
-    lost that the output torque misses the ratio. In a direct drive by a single element its torque
-    is ``1/slip``, with the slip while the output is at rest and no element is engaged (Voloshko,
-    Salakhov and others, eqs. 17 to 19).
+    A torque is NaN if only the sum over several elements is determined, or if the loss of digits
+    makes the output torque differ from the ratio. In a direct drive by a single shift element, its
+    torque is ``1/slip``, where slip is its speed while the output is at rest and it is released
+    (Voloshko, Salakhov and others, eqs. 17 to 19).
 
     Parameters
     ----------
     forms : SpeedForms
-        As for `engaged_kinds`.
+        Slip speeds and speeds, as for `engaged_kinds`.
     members : ndarray, shape (sets, elements)
-        Elements of sets with a ratio.
+        Indices of the shift elements of combinations with a ratio.
     ratios : ndarray, shape (sets,)
-        Ratio of each set. [-]
+        Ratio of each combination. [-]
 
     Examples
     --------
@@ -252,38 +252,40 @@ def element_torques(forms: SpeedForms, members: Indices, ratios: Floats) -> Floa
 
 
 class EngagedSet(NamedTuple):
-    """Combination of shift elements with the effect on input and output."""
+    """Combination of engaged shift elements, with the effect on input and output."""
 
     engaged: Sequence[str]
-    """Names of the elements, including freewheels that hold."""
+    """Names of the engaged shift elements, including holding freewheels."""
     kind: Annotated[str, tuple(kind.word for kind in EngagedKind)]
-    """Word of an `EngagedKind`."""
+    """Effect as a word of `EngagedKind`."""
     ratio: float
-    """Input speed divided by output speed; NaN except for `gear` and `direct`. [-]"""
+    """Input speed divided by output speed; NaN except for the effects `gear` and `direct`. [-]"""
     free: bool
     """True if a link other than input and output is undetermined."""
     torques: Sometimes[Mapping[str, float]] = None
-    """Lossless torque that the first link gives to each element, relative to the input torque, for
-    `gear` and `direct`; NaN where the torque split is indeterminate. [-]"""
+    """Torque of the first link on each shift element, without losses, relative to the input torque,
+    for `gear` and `direct`; NaN where the torque split is indeterminate. [-]
+    """
     slip: Sometimes[float] = None
-    """Slip of a single element of `direct` while the output is at rest and no element is engaged,
-    relative to the input speed; NaN if undetermined. [-]"""
+    """Slip speed of the only shift element of `direct` while it is released and the output is at
+    rest, relative to the input speed; NaN if undetermined. [-]
+    """
 
     @property
     def by_torque(self) -> tuple[int, float]:
-        """Sort key: direct drives, gears, then all else, each by the largest torque."""
+        """Sort key: direct drives, gears, then other effects, each by the largest torque."""
         largest = max(map(abs, (self.torques or {}).values()), default=math.inf)
         return -EngagedKind[self.kind.upper()], math.inf if math.isnan(largest) else largest
 
 
 class EngagedSetList(NamedTuple):
-    """List of all combinations."""
+    """List of all combinations of a case, for JSON."""
 
     combinations: Sequence[EngagedSet]
 
 
 class EngagedSetsOfPorts(NamedTuple):
-    """List of all combinations between two links."""
+    """List of all combinations with a given input and output link, for JSON."""
 
     input: str
     output: str
@@ -291,26 +293,28 @@ class EngagedSetsOfPorts(NamedTuple):
 
 
 class EngagedSetsOfAllPorts(NamedTuple):
-    """Lists of all combinations for several pairs of links."""
+    """Lists of all combinations for several pairs of input and output link, for JSON."""
 
     ports: Sequence[EngagedSetsOfPorts]
 
 
 class EngagedSets(NamedTuple):
-    """Combinations in order, as arrays."""
+    """Combinations of shift elements in order, as arrays."""
 
     elements: Sequence[ShiftElement]
-    """Elements to choose from."""
+    """Shift elements to choose from."""
     members: Indices
-    """Indices of the engaged elements, shape (sets, elements)."""
+    """Indices of the engaged shift elements, shape (sets, elements)."""
     kinds: Indices
-    """Numbers of `EngagedKind`, shape (sets,)."""
+    """Effects as numbers of `EngagedKind`, shape (sets,)."""
     ratios: Floats
-    """Input speed divided by output speed, NaN without a ratio, shape (sets,). [-]"""
+    """Input speed divided by output speed; NaN without a ratio, shape (sets,). [-]"""
     free: Booleans
-    """True if a further link is undetermined, shape (sets,)."""
+    """True if a link other than input and output is undetermined, shape (sets,)."""
     torques: Floats
-    """Torques of the elements, NaN without a ratio, shape (sets, elements). [-]"""
+    """Torques of the shift elements relative to the input; NaN without a ratio, (sets, elements).
+    [-]
+    """
 
     def each(self) -> Iterator[EngagedSet]:
         """Yield the combinations as records."""
@@ -325,17 +329,17 @@ class EngagedSets(NamedTuple):
             yield EngagedSet(engaged, words[kind], ratio, free, known, slip)
 
     def where(self, chosen: Booleans) -> EngagedSets:
-        """Return a selection of the combinations."""
+        """Return the combinations that a mask selects."""
         return EngagedSets._make((self.elements, *(column[chosen] for column in self[1:])))
 
     @property
     def gears(self) -> Booleans:
-        """True for combinations with a ratio, shape (sets,)."""
+        """Mask of the combinations with a ratio, shape (sets,)."""
         return self.kinds >= EngagedKind.GEAR
 
 
 def combination_grids(sets: Iterable[EngagedSet]) -> Iterator[Grid]:
-    """Yield a table with a row for each combination, and a table of the numbers of each kind.
+    """Yield a table with a row for each combination, and a table with the count of each effect.
 
     Examples
     --------
@@ -370,7 +374,7 @@ def combination_grids(sets: Iterable[EngagedSet]) -> Iterator[Grid]:
 
 
 def _torque_cell(torques: Sequence[float]) -> Cell:
-    """Return a cell with the torques of the engaged elements in their order.
+    """Return a table cell with the torques of the engaged shift elements, in their order.
 
     >>> _torque_cell([-2.5]).datum, _torque_cell([-2.5, 1 / 3]).text
     (-2.5, '-2.500, 0.333')

@@ -1,4 +1,4 @@
-"""Names of the gears and gear sets of a case that is found, from ratios and numbers."""
+"""Names of gears and gear sets of a found case: gears by their ratios, gear sets by numbers."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ def set_name(number: int) -> str:
 
 
 def in_order(ratios: Sequence[float]) -> list[int]:
-    """Return the indices of ratios in the order of gears.
+    """Return the indices of ratios in the order of gears: forward, then reverse.
 
     >>> in_order([1, -2.5, 3.2])
     [2, 0, 1]
@@ -35,7 +35,7 @@ def names_of_gears(ratios: Sequence[float]) -> tuple[str, ...]:
 
 
 def names_of_mean(ratios: Sequence[float]) -> list[str]:
-    """Return the names of the gears of a mean: forward gears, or all if no gear is forward.
+    """Return the names of the gears in a mean: forward gears or, without any, all gears.
 
     >>> names_of_mean([1, -2.5, 3.2]), names_of_mean([-2, -4])
     (['1', '2'], ['R1', 'R2'])
@@ -45,7 +45,7 @@ def names_of_mean(ratios: Sequence[float]) -> list[str]:
 
 
 def gear_names(forward: int, backward: int) -> list[str]:
-    """Return names of gears from the slowest, forward gears before reverse gears.
+    """Return names for numbers of forward and reverse gears, each from the slowest gear.
 
     >>> gear_names(2, 1), gear_names(1, 2)
     (['1', '2', 'R'], ['1', 'R1', 'R2'])

@@ -1,4 +1,4 @@
-"""Choice of other links as input and output of a case."""
+"""Choice of two links as input and output of a case."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.synthesis.gears.speed_forms import Pair
 
 ALL = "all"
-"""Request for all ordered pairs of different links."""
+"""Text that requests all ordered pairs of different links."""
 
 
 def port_pairs(case: Transmission, asked: Sequence[str]) -> list[Pair]:
-    """Return the requested pairs of input and output, each once.
+    """Return the requested pairs of input and output link, each once.
 
     Parameters
     ----------
@@ -55,7 +55,7 @@ def _pair(case: Transmission, text: str) -> Pair:
 
 
 def between(case: Transmission, pair: Pair) -> Transmission:
-    """Return the case with a new input and output, but without gears and loads.
+    """Return the case with another input and output, and without its gears and loads.
 
     >>> from vstatics import Mechanism
     >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear(speeds={2: 0})])

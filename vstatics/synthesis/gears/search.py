@@ -1,4 +1,4 @@
-"""Search through all combinations of shift elements, from the case or all that it can have."""
+"""Search through all combinations of shift elements: those of a case, or all possible ones."""
 
 from __future__ import annotations
 
@@ -30,22 +30,22 @@ from vstatics.synthesis.gears.speed_forms import FreeSpeeds, Pair, SpeedForms
 from vstatics.synthesis.tolerances import NEAR_DIRECT
 
 AUTO = "auto"
-"""Request for all elements that a scheme can have."""
+"""Text that requests all shift elements that a scheme can have."""
 
 
 def chosen_elements(case: Transmission, asked: Sequence[str] = ()) -> list[ShiftElement]:
-    """Return the shift elements that form combinations.
+    """Return the shift elements from which combinations are formed.
 
     Parameters
     ----------
     asked : sequence of str
-        Names or numbers of elements of the case, by default all, or ``auto`` alone for
+        Names or numbers of shift elements of the case, by default all; or ``auto`` alone for
         `all_elements`.
 
     Raises
     ------
     CaseError
-        If an element does not exist.
+        If a shift element does not exist.
 
     Examples
     --------
@@ -67,7 +67,7 @@ def chosen_elements(case: Transmission, asked: Sequence[str] = ()) -> list[Shift
 
 
 def _number(case: Transmission, asked: str) -> int:
-    """Return the index of an element with a name, or else a number."""
+    """Return the index of the shift element with a name or, failing that, a number."""
     names = [element.name for element in case.shift_elements]
     if asked in names:
         return names.index(asked)
@@ -81,11 +81,10 @@ def _number(case: Transmission, asked: str) -> int:
 
 
 def all_elements(case: Transmission) -> list[ShiftElement]:
-    """Return all clutches and brakes that the scheme of a case can have.
+    """Return all clutches and brakes that are possible between the links of a case.
 
-    There is a clutch between any two links, and a brake on any link except input and outputs, but
-    none on planets. Elements of the case, except freewheels, replace new elements between the same
-    links.
+    Any two links can have a clutch, and any link except input and outputs a brake; planets have
+    neither. Shift elements of the case, except freewheels, replace new ones between the same links.
     """
     ports = {case.input, case.output, *case.outputs}
     links = range(1, case.own_links + 1)
@@ -105,7 +104,7 @@ def all_elements(case: Transmission) -> list[ShiftElement]:
 
 
 def count_all_elements(case: Transmission) -> int:
-    """Return the number of elements of `all_elements`.
+    """Return the number of shift elements that `all_elements` returns.
 
     >>> from vstatics import Gear, Mechanism
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
@@ -117,7 +116,7 @@ def count_all_elements(case: Transmission) -> int:
 
 
 def _names(case: Transmission, pairs: Sequence[Pair], taken: set[str]) -> list[str]:
-    """Return names of elements by links, ``F-sun-ring``, ``T-ring``, or by numbers if necessary."""
+    """Return names made of links, as in ``F-sun-ring`` and ``T-ring``, or of numbers."""
     by_name = [_name([case.link_name(link) for link in pair if link]) for pair in pairs]
     if len(set(by_name)) == len(by_name) and not taken & set(by_name):
         return by_name
@@ -132,24 +131,24 @@ def _name(links: Sequence[str]) -> str:
 
 
 MOST_TRIED_COMBINATIONS = 1_000_000
-"""Default limit of the number of combinations, about ten seconds of work."""
+"""Default largest number of combinations, which take about ten seconds."""
 ROW_NUMBERS_AT_ONCE = 500_000
-"""Number of values in the rows of combinations that are calculated together."""
+"""Number of matrix entries of combinations that are calculated together."""
 MOST_ROW_NUMBERS = 20_000_000
-"""Largest number of values in the rows of all elements."""
+"""Largest number of matrix entries of all shift elements."""
 DRAWS = 3
-"""Number of random draws of the ratios of all mechanisms that identify direct drives."""
+"""Number of random draws of the mechanisms' ratios by which direct drives are recognised."""
 WORK = 30_000
 """Average number of elimination steps per combination above which a search is refused."""
 
 
 def refuse_converters(case: Transmission) -> None:
-    """Refuse a train with a converter, because its losses and equations depend on combinations.
+    """Refuse a case with a torque converter, whose equations depend on the combination.
 
     Raises
     ------
     CaseError
-        If the train has a converter.
+        If the case has a torque converter.
     """
     for number, part in enumerate(case.mechanisms, 1):
         if part.kind == "converter":
@@ -162,36 +161,36 @@ def refuse_converters(case: Transmission) -> None:
 
 
 class CombinationSearch:
-    """Search through all combinations of elements of a case, evaluated lazily.
+    """Search through all combinations of shift elements of a case, calculated on demand.
 
     Parameters
     ----------
     case : Transmission
     engaged : sequence of int
-        Numbers of engaged elements; by default as many as leave one degree of freedom.
+        Numbers of engaged shift elements; by default the number that leaves one degree of freedom.
     elements : sequence of str
-        Elements to choose from, by name or number, or ``auto``; by default all of the case.
+        Shift elements to choose from, by name or number, or ``auto``; by default all of the case.
 
     Raises
     ------
     CaseError
-        If an element does not exist, there are too few elements, or the case has a converter.
+        If a shift element does not exist, there are too few of them, or the case has a converter.
     """
 
     def __init__(
         self, case: Transmission, engaged: Sequence[int] = (), elements: Sequence[str] = ()
     ) -> None:
-        """Check the request."""
+        """Check the request, but calculate nothing yet."""
         refuse_converters(case)
         self.case = case
         self._asked = elements
         self.sizes = list(dict.fromkeys(engaged)) or [needed(case)]
         self.are_own = list(elements) != [AUTO]
-        """True if all elements belong to the case."""
+        """True if all shift elements belong to the case; False if possible ones are added."""
         self.choice = (
             len(chosen_elements(case, elements)) if self.are_own else count_all_elements(case)
         )
-        """Number of elements to choose from."""
+        """Number of shift elements to choose from."""
         for size in engaged:
             if not 0 <= size <= self.choice:
                 raise CaseError(
@@ -209,7 +208,7 @@ class CombinationSearch:
 
     @cached_property
     def count(self) -> float:
-        """Number of combinations, infinite above 1e200 or so."""
+        """Number of combinations; infinite above about 1e200."""
         return sum(map(self._count, self.sizes))
 
     def _count(self, size: int) -> float:
@@ -220,11 +219,11 @@ class CombinationSearch:
 
     @cached_property
     def elements(self) -> list[ShiftElement]:
-        """Elements to choose from."""
+        """Shift elements to choose from."""
         return chosen_elements(self.case, self._asked)
 
     def check(self, at_most: int | None = MOST_TRIED_COMBINATIONS) -> None:
-        """Refuse a search with more combinations than a limit, or too large for memory or time.
+        """Refuse a search with too many combinations, or one that needs too much memory or time.
 
         Raises
         ------
@@ -238,7 +237,7 @@ class CombinationSearch:
                 ("shift_elements",),
             )
         room = (self.choice + 3) * (self.case.links + 1)
-        free = needed(self.case) + 1  # about as many elimination steps per row
+        free = needed(self.case) + 1  # number of elimination steps for each row
         work = sum(size * (size + 3) * free * self._count(size) for size in self.sizes)
         if room > MOST_ROW_NUMBERS or work > WORK * (at_most or math.inf):
             lacking = "the memory" if room > MOST_ROW_NUMBERS else "an hour"
@@ -250,7 +249,7 @@ class CombinationSearch:
             )
 
     def batches(self) -> Iterator[EngagedSets]:
-        """Yield all combinations in the order of the elements, some thousands at a time."""
+        """Yield all combinations in the order of the shift elements, some thousands at a time."""
         for size in self.sizes:
             chosen = subsets(range(self.choice), size)
             while True:
@@ -262,7 +261,7 @@ class CombinationSearch:
                     break
 
     def samples(self) -> Iterator[EngagedSets]:
-        """Yield the first combinations of each size."""
+        """Yield the first combinations of each number of engaged elements."""
         for size in self.sizes:
             yield self._first(size, 100)
 
@@ -288,7 +287,7 @@ class CombinationSearch:
 
     @cached_property
     def _drawn_forms(self) -> list[SpeedForms]:
-        """Speed forms for random ratios of the mechanisms, with a fixed seed."""
+        """Speed forms for random ratios of the mechanisms; the seed is fixed."""
         draw = random.Random(1)  # noqa: S311
 
         def drawn() -> list[float]:
@@ -309,7 +308,7 @@ class CombinationSearch:
             kinds[index], ratios[index], free[index] = kind_alone(self.case, engaged)
         near = np.flatnonzero(abs(ratios - 1) < NEAR_DIRECT)
         for forms in self._drawn_forms if len(near) else ():
-            again = engaged_kinds(forms, members[near])  # doubtful results are not conclusive
+            again = engaged_kinds(forms, members[near])  # only results that are not doubtful decide
             near = near[(again.kinds == EngagedKind.GEAR) & again.unity | again.doubtful]
         kinds[near], ratios[near] = EngagedKind.DIRECT, 1.0
         torques = np.full(members.shape, np.nan)
@@ -319,7 +318,7 @@ class CombinationSearch:
 
 
 def _members(chosen: Iterator[tuple[int, ...]], size: int, most: int) -> Indices:
-    """Return the next combinations as rows of an array."""
+    """Return the next combinations as rows of an array, at most `most` of them."""
     if not size:
         return np.zeros((1, 0), dtype=np.intp)
     flat = chain.from_iterable(islice(chosen, most))
@@ -344,37 +343,34 @@ def combinations(
     elements: str | Sequence[str] = (),
     at_most: int = MOST_TRIED_COMBINATIONS,
 ) -> list[EngagedSet]:
-    """Return all combinations of shift elements of a case, with kinds and ratios.
+    """Return all combinations of engaged shift elements of a case, with kinds and ratios.
 
     The kind follows from the speeds of input and output that mechanisms, springs at mean speeds and
-    engaged elements allow:
-    ``blocked``: the input cannot turn;
-    ``parking``: the output is at rest while the input turns;
-    ``neutral``: input and output turn independently;
-    ``gear``: input and output have a fixed ratio;
-    ``direct``: the ratio is 1 for any ratios of the mechanisms.
+    engaged shift elements permit: ``blocked``: the input cannot turn; ``parking``: the output is at
+    rest while the input turns; ``neutral``: input and output turn independently; ``gear``: input
+    and output have a fixed ratio; ``direct``: the ratio is 1 for any ratios of the mechanisms.
 
     Parameters
     ----------
     case : Transmission
         Gearbox, possibly without gears.
     engaged : int or sequence of int
-        Numbers of engaged elements; by default as many as leave one degree of freedom.
+        Numbers of engaged shift elements; by default the number that leaves one degree of freedom.
     elements : str or sequence of str
-        Elements to choose from, by names or numbers; by default all of the case. ``"auto"`` stands
-        for all clutches and brakes that the scheme can have. Freewheels count as engaged.
+        Shift elements to choose from, by names or numbers; by default all of the case. ``"auto"``
+        selects all possible clutches and brakes. Freewheels count as engaged.
     at_most : int
         Largest number of combinations.
 
     Returns
     -------
     list of EngagedSet
-        Names of the engaged elements, the kind, and the ratio [-] if it exists.
+        Names of the engaged shift elements, the kind, and the ratio [-] if it exists.
 
     Raises
     ------
     CaseError
-        If an element does not exist, or there are more combinations.
+        If a shift element does not exist, or there are more than `at_most` combinations.
 
     Source
     ------

@@ -1,7 +1,8 @@
-"""Speeds of a case as linear forms in as few free speeds as its equations leave.
+"""Speeds of a case as linear functions of as few free speeds as its equations permit.
 
-Mechanisms, and springs at mean speeds, are the same in every combination of shift elements, so
-they are eliminated once. The remaining rows are short, one for each element and each port.
+The equations of mechanisms, and of springs at mean speeds, are the same for every combination of
+shift elements, so they are eliminated only once. What remains is one short row for each shift
+element, input and output.
 """
 
 from __future__ import annotations
@@ -20,32 +21,32 @@ from vstatics.core.statics.matrix import columns
 from vstatics.synthesis.tolerances import KEPT_PART
 
 Pair = tuple[int, int]
-"""Two links whose difference of speeds is wanted; 0 is the housing."""
+"""Two links whose speed difference is wanted; 0 is the housing."""
 NOTHING: Entry = (0.0, 0.0)
-"""Entry for zero."""
+"""Zero with its magnitude, as an entry of a row."""
 
 
 class SpeedForms(NamedTuple):
-    """Differences of speeds of pairs of links, as linear forms in the free speeds."""
+    """Speed differences of pairs of links, as linear functions of the free speeds."""
 
     values: Floats
-    """Coefficients of the forms, shape (pairs, free speeds). [-]"""
+    """Coefficients of the linear functions, shape (pairs, free speeds). [-]"""
     sizes: Floats
-    """Sum of the magnitudes from which each coefficient was calculated, shape as of `values`.
+    """Sum of the magnitudes from which each coefficient was calculated, shape of `values`. [-]
 
-    The sums bound the rounding errors, see `core.numerics.elimination`. [-]
+    The sums bound the rounding errors; see `core.numerics.elimination`.
     """
     doubtful: bool
-    """True if too many digits were lost to recognise zeros."""
+    """True if too many digits were lost to recognise zeros reliably."""
 
     @property
     def free(self) -> int:
-        """Degrees of freedom of the train without shift elements."""
+        """Number of free speeds: degrees of freedom of the train without shift elements."""
         return int(self.values.shape[-1])
 
 
 class _GivenSpeed(NamedTuple):
-    """Equation that gives the speed of a link by the speeds of further links."""
+    """Equation that gives the speed of a link as a function of other links' speeds."""
 
     number: int
     link: int
@@ -54,12 +55,12 @@ class _GivenSpeed(NamedTuple):
 
 
 class FreeSpeeds:
-    """Speeds that the mechanisms and springs of a case leave free, and dependent speeds.
+    """Elimination of the speeds that depend on others by mechanisms and springs of a case.
 
     Parameters
     ----------
     ratios : sequence of float, optional
-        Basic ratios that replace those of the case. [-]
+        Basic ratios that replace the ratios of the case. [-]
 
     Examples
     --------
@@ -72,7 +73,7 @@ class FreeSpeeds:
     """
 
     def __init__(self, case: Transmission, ratios: Sequence[float] | None = None) -> None:
-        """Eliminate the equations that hold in every combination."""
+        """Eliminate the equations that hold for every combination of shift elements."""
         basic = [mechanism.ratio for mechanism in case.mechanisms]
         self.doubtful = False
         self._numbered: list[_GivenSpeed] = []
@@ -88,12 +89,12 @@ class FreeSpeeds:
                 self._pivots[link] = pivot
         links = range(1, case.links + 1)
         self.free = [link for link in links if link not in self._pivots]
-        """Links with free speeds."""
+        """Links whose speeds are free."""
 
     def _reduced(self, row: Row) -> Row:
         """Eliminate the dependent speeds from a row, and remove zeros.
 
-        No row of `_pivots` contains the link of an earlier row, so in their order each is met once.
+        No row of `_pivots` contains the link of an earlier row, so each row is used at most once.
         """
         left = {link: entry for link, entry in row.items() if entry[0]}
         met = [self._pivots[link].number for link in left if link in self._pivots]
@@ -119,7 +120,7 @@ class FreeSpeeds:
         return less
 
     def forms(self, pairs: Sequence[Pair]) -> SpeedForms:
-        """Return differences of speeds as linear forms in the free speeds."""
+        """Return the speed differences of pairs of links as linear functions of the free speeds."""
         place = {link: index for index, link in enumerate(self.free)}
         values = np.zeros((len(pairs), len(place)))
         sizes = np.zeros_like(values)

@@ -1,5 +1,6 @@
 """Pictures of found gearboxes.
 
-`points` draws mean loss over the largest torque, `numbers` places the numbers next to the points,
-`stick` draws the diagram of a box, and `picture` arranges points and diagrams on pages.
+`points` draws a point for each gearbox in a diagram of mean loss versus largest torque, `numbers`
+places numbers next to the points, `stick` draws the stick diagram of a gearbox, and `picture`
+arranges points and diagrams on pages.
 """

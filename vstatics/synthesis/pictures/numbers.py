@@ -1,4 +1,4 @@
-"""Numbers next to points, placed so that numbers do not overlap and cover few points."""
+"""Placement of numbers next to points, so that they cover neither each other nor many points."""
 
 from __future__ import annotations
 
@@ -16,43 +16,43 @@ from vstatics.synthesis.boxes.listing import ListedBox
 SAME_POINT = 2.0
 """Distance within which points coincide. [pt]"""
 SPOT, LARGE_SPOT = 4.5, 6.5
-"""Size of the point of a box, and of a box of the Pareto list. [pt]"""
+"""Size of the point of a gearbox, and of a gearbox in the Pareto list. [pt]"""
 DISTANCES = (9.0, 13.0, 18.0, 27.0, 40.0, 60.0, 85.0)
-"""Distances of the middle of a number from the point. [pt]"""
+"""Distances to try between the middle of a number and its point. [pt]"""
 STRANGE_NUMBER_COST = 18.0
-"""Cost of a number that is nearer to the point of a different number. [pt]"""
+"""Cost of a number that is nearer to the point of another number. [pt of distance]"""
 HIDDEN_NUMBER_COST = 1000.0
-"""Cost of a number that covers a number or a point. [pt]"""
+"""Cost of a number that covers another number or a point. [pt of distance]"""
 NUMBER_DIRECTIONS = 16
 """Number of directions that are tried for a number."""
 
 
 class BoxPoint(NamedTuple):
-    """Boxes of a family at a common place."""
+    """Gearboxes of a family whose points coincide."""
 
     at: Point
-    """Place in points."""
+    """Position of the point. [pt]"""
     boxes: list[ListedBox]
 
 
 class _BoxNumber(NamedTuple):
-    """A number to be placed."""
+    """Number to be placed next to its point."""
 
     at: Point
-    """Point of the number."""
+    """Position of the number's point. [pt]"""
     size: Point
     points: list[Point]
-    """Points that the number could cover."""
+    """Positions of points that the number could cover. [pt]"""
     rivals: list[Point]
-    """Points of other numbers."""
+    """Positions of the points of other numbers. [pt]"""
 
     def is_strange(self, place: Point) -> bool:
-        """Check whether a number at a place would seem to belong to a different point."""
+        """Check whether a number at a position would seem to belong to another point."""
         distance = math.dist(place, self.at)
         return any(math.dist(place, other) < 1.2 * distance for other in self.rivals)
 
     def cost(self, place: Point, taken: Sequence[tuple[Point, Point]]) -> float:
-        """Return the cost of a place: covered numbers and points, and the distance."""
+        """Return the cost of a position: covered numbers and points, and the distance."""
         (x, y), (wide, high) = place, self.size
         others = sum(
             abs(x - left) < (wide + other) / 2 + LABEL_GAP and abs(y - low) < (high + up) / 2 + 1
@@ -67,12 +67,12 @@ class _BoxNumber(NamedTuple):
 
 
 def number_spots(pen: Pen, spots: Sequence[BoxPoint], numbers: set[int]) -> bool:
-    """Draw the numbers of boxes with a diagram, without overlaps where possible.
+    """Draw the numbers of gearboxes with a diagram, without overlaps where possible.
 
     Returns
     -------
     bool
-        Whether a place has further boxes.
+        Whether a point also represents gearboxes without a diagram.
     """
     taken: list[tuple[Point, Point]] = []
     points = [spot.at for spot in spots]
@@ -85,7 +85,7 @@ def number_spots(pen: Pen, spots: Sequence[BoxPoint], numbers: set[int]) -> bool
         place = min(_places(at, wide, pen), key=partial(box_number.cost, taken=taken))
         taken.append((place, box_number.size))
         if math.dist(place, at) > DISTANCES[1] + wide / 2 or box_number.is_strange(place):
-            x, y = (  # the place of the edge nearest to the point
+            x, y = (  # the point of the text's edge that is nearest to the gearbox's point
                 min(max(target, middle - long / 2 - 1), middle + long / 2 + 1)
                 for target, middle, long in zip(at, place, box_number.size, strict=True)
             )
@@ -96,12 +96,12 @@ def number_spots(pen: Pen, spots: Sequence[BoxPoint], numbers: set[int]) -> bool
 
 
 def rounded(at: Point) -> tuple[int, int]:
-    """Return a place as whole numbers, equal for points that coincide."""
+    """Return a position as integers, equal for points that coincide."""
     return round(at[0] / SAME_POINT), round(at[1] / SAME_POINT)
 
 
 def _texts(spots: Sequence[BoxPoint], numbers: set[int]) -> Iterator[tuple[Point, str]]:
-    """Yield the numbers of the diagrams of all families at each place."""
+    """Yield the text next to each point, with the numbers of its gearboxes that have a diagram."""
     together: dict[tuple[int, int], tuple[Point, list[int]]] = {}
     for spot in spots:
         numbers_there = together.setdefault(rounded(spot.at), (spot.at, []))[1]
@@ -113,7 +113,7 @@ def _texts(spots: Sequence[BoxPoint], numbers: set[int]) -> Iterator[tuple[Point
 
 
 def _few(numbers: Sequence[int], count: int) -> str:
-    """Return the numbers at a place, up to three, and the number of further boxes.
+    """Return up to three numbers at a point, and the count of further gearboxes.
 
     >>> _few([1, 4], 2), _few([1], 3), _few([1, 4, 5, 9, 12], 7)
     ('1, 4', '1 +2', '1, 4, 5 +4')
@@ -124,7 +124,7 @@ def _few(numbers: Sequence[int], count: int) -> str:
 
 
 def _places(at: Point, wide: float, pen: Pen) -> Iterator[Point]:
-    """Yield the possible places of a number, the nearest first."""
+    """Yield the positions to try for a number, the nearest first."""
     (x, y), (right, high) = at, pen.size
     for distance in DISTANCES:
         for step in range(NUMBER_DIRECTIONS):

@@ -1,4 +1,4 @@
-"""Pages of found gearboxes: mean loss over the largest torque, and stick diagrams."""
+"""Pages of found gearboxes: diagram of mean loss versus largest torque, and stick diagrams."""
 
 from __future__ import annotations
 
@@ -28,32 +28,32 @@ from vstatics.synthesis.pictures.points import (
 )
 
 POINTS_HEIGHT, POINTS_HEIGHT_ALONE = 170.0, 300.0
-"""Height of the axes with points: above stick diagrams, and without diagrams. [pt]"""
+"""Height of the diagram with points, above stick diagrams and without stick diagrams. [pt]"""
 BOXES_SCALE_HEIGHT = 34.0
-"""Height of the numbers and the name of the abscissa below the points. [pt]"""
+"""Height of the numbers and name of the horizontal axis below the points. [pt]"""
 CAPTION_LINE_HEIGHT = 11.0
 """Distance between lines of a caption. [pt]"""
 MOST_DRAWN_DIAGRAMS = 8
 """Largest number of stick diagrams in a picture."""
 DIAGRAMS_SIDE_BY_SIDE = 2
 DIAGRAM_GAP = 16.0
-"""Distance between diagrams. [pt]"""
+"""Distance between stick diagrams. [pt]"""
 LARGEST_DIAGRAM_SCALE = 0.62
-"""Largest scale factor of a diagram, drawn size to full size. [-]"""
+"""Largest scale of a stick diagram, drawn size to full size. [-]"""
 
 
 class BoxCell(NamedTuple):
-    """Stick diagram of a gearbox with heading and caption; lengths are in points."""
+    """Stick diagram of a gearbox with heading and caption; lengths in points."""
 
     heading: str
     caption: Sequence[str]
     stick: BareStick
     part: float
-    """Scale factor of the diagram, drawn size to full size. [-]"""
+    """Scale of the stick diagram, drawn size to full size. [-]"""
 
     @property
     def size(self) -> Point:
-        """Width and height of diagram, heading and caption."""
+        """Width and height with heading and caption."""
         wide, high = (self.part * length for length in self.stick.size)
         return wide, high + CAPTION_LINE_HEIGHT * (1 + len(self.caption)) + DIAGRAM_GAP
 
@@ -71,14 +71,14 @@ class BoxCell(NamedTuple):
 
 
 def render_boxes(listing: BoxListing, form: Format, style: Style) -> list[bytes]:
-    """Draw found boxes as the pages of a picture, in a file format.
+    """Draw found gearboxes, and return the pages of the picture in a file format.
 
     Raises
     ------
     CaseError
         If the list is empty, or matplotlib is not installed.
     ReadError
-        If the case of a drawn box is not valid.
+        If the case of a drawn gearbox is not valid.
     """
     require("plot", "a picture")
     drawn = draw_boxes(listing, style, drawn_boxes(listing, MOST_DRAWN_DIAGRAMS))
@@ -88,14 +88,14 @@ def render_boxes(listing: BoxListing, form: Format, style: Style) -> list[bytes]
 def render_points(
     listing: BoxListing, drawn: Sequence[ListedBox], language: Language = "en"
 ) -> bytes:
-    """Draw the points alone as SVG, for a page that has the diagrams."""
+    """Draw only the diagram with points as SVG, for an HTML page that shows the stick diagrams."""
     style = Style(language, titled=False)
     page = _page(listing, drawn, 0.0, POINTS_HEIGHT_ALONE, style).canvas
     return written_as_svg(page, "found boxes")
 
 
 def draw_boxes(listing: BoxListing, style: Style, drawn: Sequence[ListedBox]) -> list[Canvas]:
-    """Draw the points of all boxes above the diagrams of `drawn`, on several pages if necessary.
+    """Draw the points of all gearboxes above the stick diagrams of some, on several pages.
 
     Raises
     ------
@@ -141,7 +141,7 @@ def _cell(box: ListedBox, room: float, style: Style) -> BoxCell:
 def _page(
     listing: BoxListing, drawn: Sequence[ListedBox], below: float, high: float, style: Style
 ) -> Pen:
-    """Draw the points in axes of a height, on a page with room below [pt]."""
+    """Draw the points in axes of a height, on a page with room for diagrams below [pt]."""
     families = families_width(listing, drawn, style)
     wide = style.width - 2 * MARGIN - POINTS_SCALE_WIDTH - families
     low = MARGIN + below + BOXES_SCALE_HEIGHT + height(torque_name(wide, style)) - height("")

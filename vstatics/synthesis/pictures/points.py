@@ -1,4 +1,4 @@
-"""Found gearboxes as points: mean loss over the largest torque, by families."""
+"""Found gearboxes as points in a diagram of mean loss versus largest torque, by family."""
 
 from __future__ import annotations
 
@@ -24,27 +24,27 @@ from vstatics.synthesis.boxes.listing import BoxListing, ListedBox
 from vstatics.synthesis.pictures.numbers import LARGE_SPOT, SPOT, BoxPoint, number_spots, rounded
 
 MARKERS = "os^Dv"
-"""Markers of families, used in turn like the colours."""
+"""Markers of the points of families, used in turn like the colours."""
 AXIS_ROOM = 0.06
-"""Room outside the outermost points, relative to the length of the axis."""
+"""Distance of the outermost points from the ends of an axis, relative to its range. [-]"""
 LEAST_AXIS_ROOM = 0.05
-"""Least room outside the points, relative to the largest number."""
+"""Smallest distance of the points from the ends of an axis, relative to the largest value. [-]"""
 CROWD = 1000
-"""Number of points of equal look from which points are drawn smaller."""
+"""Number of points with equal colour and marker above which points are drawn smaller."""
 FEW_POINTS = 300
-"""Largest number of points that each get a title."""
+"""Largest number of points for which each point has a tooltip."""
 POINTS_SCALE_WIDTH = 40.0
 """Distance from the left end of the title to the axes. [pt]"""
 LOGARITHMIC_RATIO = 8.0
-"""Ratio of the largest to the smallest value above which a scale is logarithmic."""
+"""Ratio of the largest to the smallest value above which a scale is logarithmic. [-]"""
 BESIDE_POINTS, TO_FAMILY = 14.0, 8.0
-"""Distances from the axes to the markers of families, and to the names. [pt]"""
+"""Distance from the axes to the markers in the legend, and from these to the names. [pt]"""
 TICK_ROOM = 30.0
-"""Least distance between ticks of the abscissa. [pt]"""
+"""Smallest distance between numbers of the horizontal axis. [pt]"""
 OVER_AXES = 12.0
-"""Distance from the axes to the text above. [pt]"""
+"""Distance from the axes to the text above them. [pt]"""
 PointLook = tuple[str, str]
-"""Colour and marker."""
+"""Colour and marker of the points of a family."""
 
 
 def has_place(box: ListedBox) -> bool:
@@ -53,14 +53,14 @@ def has_place(box: ListedBox) -> bool:
 
 
 def draw_points(pen: Pen, listing: BoxListing, drawn: Sequence[ListedBox]) -> None:
-    """Draw gearboxes with a loss and a torque as points, and number the boxes with a diagram.
+    """Draw gearboxes as points, and write numbers next to gearboxes with a stick diagram.
 
     Parameters
     ----------
     pen : Pen
-        Pen for the rectangle of the axes: losses in % over torques.
+        Pen for the rectangle of the axes, with losses in % versus torques.
     drawn : sequence of ListedBox
-        Boxes with a diagram; their families are coloured, others are grey.
+        Gearboxes with a stick diagram; their families are coloured, all others are grey.
     """
     boxes, style = [box for box in listing.boxes if has_place(box)], pen.style
     x, y = box_scale([box.torque for box in boxes]), box_scale([100 * box.loss for box in boxes])
@@ -84,7 +84,7 @@ def draw_points(pen: Pen, listing: BoxListing, drawn: Sequence[ListedBox]) -> No
 
 
 def _looks(drawn: Sequence[ListedBox], style: Style) -> dict[int, PointLook]:
-    """Return the looks of the families of boxes with a diagram."""
+    """Return the colour and marker of each family that has a stick diagram."""
     return {
         family: (style.colour(place), MARKERS[place % len(MARKERS)])
         for place, family in enumerate(dict.fromkeys(box.family for box in drawn))
@@ -103,13 +103,13 @@ def _scales(pen: Pen) -> None:
 
 
 def torque_name(wide: float, style: Style) -> str:
-    """Return the name of the abscissa, wrapped to the width of the axes [pt]."""
+    """Return the name of the horizontal axis, wrapped to the width of the axes [pt]."""
     name = style.text("largest torque of an engaged shift element / input torque")
     return wrapped(name, wide + 2 * POINTS_SCALE_WIDTH)
 
 
 def _ticks(scale: AxisScale, most: int) -> list[float]:
-    """Return round numbers of a scale; 1, 2, 5, 10 and so on for a logarithmic scale."""
+    """Return round numbers of a scale; on a logarithmic scale 1, 2, 5, 10 and so on."""
     if not scale.is_log:
         return ticks(scale.low, scale.high, most)
     powers = range(math.floor(math.log10(scale.low)), math.ceil(math.log10(scale.high)) + 1)
@@ -118,7 +118,7 @@ def _ticks(scale: AxisScale, most: int) -> list[float]:
 
 
 def box_scale(values: Sequence[float]) -> AxisScale:
-    """Return a scale for numbers, logarithmic for a large ratio of values."""
+    """Return the scale for values; it is logarithmic if they differ by a large factor."""
     if values and 0 < LOGARITHMIC_RATIO * min(values) < max(values):
         low, high = (math.exp(end) for end in _ends([math.log(number) for number in values]))
         return AxisScale(low, high, is_log=True)
@@ -126,7 +126,7 @@ def box_scale(values: Sequence[float]) -> AxisScale:
 
 
 def _ends(values: Sequence[float]) -> Span:
-    """Return the ends of an axis, outside all values and apart if values are equal.
+    """Return the ends of an axis, outside all values; they differ also if all values are equal.
 
     >>> _ends([2.0, 2.0]), _ends([])
     ((1.9, 2.1), (0.0, 1.0))
@@ -181,7 +181,7 @@ class PointsWords(NamedTuple):
 
     @property
     def high(self) -> float:
-        """Height including the gap to the axes [pt]."""
+        """Height of the text with the gap to the axes [pt]."""
         title_high = height(self.title, TITLE) if self.title else 0.0
         return OVER_AXES + height(self.notes) + title_high
 
@@ -194,7 +194,7 @@ class PointsWords(NamedTuple):
 
 
 def points_words(listing: BoxListing, room: float, style: Style, *, has_more: bool) -> PointsWords:
-    """Return the text above the axes, wrapped to a width [pt]."""
+    """Return the text above the axes: counts of gearboxes, wrapped to a width [pt]."""
     box_count, families, searched = len(listing.boxes), len(listing.families), listing.searched
     counts = style.text(
         "{searched} looked at, {count} family with equal ratios|"
@@ -217,7 +217,7 @@ def points_words(listing: BoxListing, room: float, style: Style, *, has_more: bo
 
 
 def families_width(listing: BoxListing, drawn: Sequence[ListedBox], style: Style) -> float:
-    """Return the width of the names of families right of the axes [pt]."""
+    """Return the width of the legend to the right of the axes [pt]."""
     entries = _families(listing, _looks(drawn, style), style)
     return BESIDE_POINTS + TO_FAMILY + widest(text for _, _, text in entries)
 
@@ -225,9 +225,9 @@ def families_width(listing: BoxListing, drawn: Sequence[ListedBox], style: Style
 def _families(
     listing: BoxListing, looks: Mapping[int, PointLook], style: Style
 ) -> list[tuple[PointLook, str, str]]:
-    """Return the entries of the legend: look, colour of the edge, and text.
+    """Return the entries of the legend: colour and marker, colour of the edge, and text.
 
-    Families with a diagram come first, each in its colour, then the number of all other families,
+    Families with a stick diagram come first, each in its colour; then the number of other families,
     which are grey, and the mark of the Pareto list.
     """
     families = listing.families

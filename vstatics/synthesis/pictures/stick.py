@@ -1,4 +1,4 @@
-"""The stick diagram of a found gearbox as a file."""
+"""Stick diagram of a found gearbox as a file."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from vstatics.pictures.schemes.bare import bare_stick
 
 
 def stick_diagram(case: Transmission, title: str | None = None) -> bytes:
-    """Draw the stick diagram of a box as SVG; mechanisms are sun, ring and carrier.
+    """Draw the stick diagram of a found gearbox as SVG; mechanisms are drawn as planetary sets.
 
     Parameters
     ----------

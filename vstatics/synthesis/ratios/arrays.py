@@ -1,4 +1,4 @@
-"""Gear ratios and sensitivities from formulas, for arrays of mechanism ratios."""
+"""Gear ratios and their sensitivities, from formulas, for arrays of mechanism ratios."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from vstatics.synthesis.ratios.formula import GearFormula
 from vstatics.synthesis.ratios.multilinear import Polynomial, bits
 
 MOST_CORNERS = 2**16
-"""Largest number of corners of the bounds to evaluate, enough for 16 ratios."""
+"""Largest number of corners of the bounds that are evaluated, sufficient for 16 ratios."""
 PRODUCTS_AT_ONCE = 4_000_000
-"""Number of products that are calculated together."""
+"""Number of products of ratios that are calculated together."""
 
 
 class RatioArrays(NamedTuple):
-    """Formulas of gears as arrays.
+    """Formulas of gear ratios as arrays of coefficients of products of mechanism ratios.
 
     Examples
     --------
@@ -35,14 +35,14 @@ class RatioArrays(NamedTuple):
     """
 
     powers: Booleans
-    """True for each ratio in a product, shape (products, mechanisms)."""
+    """True for each mechanism ratio in a product, shape (products, mechanisms)."""
     above: Floats
-    """Coefficients of the numerators, shape (products, gears)."""
+    """Coefficients of the numerators, shape (products, gears). [-]"""
     below: Floats
-    """Coefficients of the denominators, shape (products, gears)."""
+    """Coefficients of the denominators, shape (products, gears). [-]"""
 
     def ratios(self, of_mechanisms: Floats) -> Floats:
-        """Return the ratios of the gears.
+        """Return the ratios of the gears, for arrays of mechanism ratios.
 
         Parameters
         ----------
@@ -52,7 +52,7 @@ class RatioArrays(NamedTuple):
         Returns
         -------
         ndarray, shape (variants, gears)
-            Gear ratios, not finite where the output is at rest. [-]
+            Gear ratios; not finite where the output is at rest. [-]
         """
         pieces = -(-len(of_mechanisms) * len(self.powers) // PRODUCTS_AT_ONCE)
         with np.errstate(all="ignore"):
@@ -63,7 +63,7 @@ class RatioArrays(NamedTuple):
         return np.concatenate(quotients)
 
     def sensitivities(self, of_mechanisms: Floats) -> Floats:
-        """Return the relative sensitivities ``(u/i) di/du`` of the gears.
+        """Return the relative sensitivities ``(u/i) di/du`` of gear ratios i to mechanism ratios u.
 
         Parameters
         ----------
@@ -117,11 +117,11 @@ def _factors(polynomials: Sequence[Polynomial], places: dict[int, int]) -> Float
 
 
 def reach(formula: GearFormula, low: Floats, high: Floats) -> tuple[float, float] | None:
-    """Return the smallest and the largest ratio of a gear within bounds of mechanism ratios.
+    """Return the smallest and largest ratio of a gear within bounds of the mechanism ratios.
 
-    Each polynomial is linear in each ratio, so its extremes are at corners of the bounds. If the
-    denominator does not change sign, the quotient is monotonic in each ratio, so its extremes are
-    at corners, too.
+    Numerator and denominator are linear in each mechanism ratio, so their extremes are at corners
+    of the bounds. If the denominator does not change its sign, the quotient is monotonic in each
+    ratio, so its extremes are also at corners.
 
     Parameters
     ----------
@@ -132,8 +132,8 @@ def reach(formula: GearFormula, low: Floats, high: Floats) -> tuple[float, float
     Returns
     -------
     tuple of float, optional
-        None if the output can be at rest, so that the ratio is unbounded, or there are too many
-        corners.
+        Both ends; None if the output can be at rest, so that the ratio is unbounded, or if there
+        are too many corners. [-]
 
     Examples
     --------
@@ -166,9 +166,9 @@ def factors(
     ----------
     polynomial : mapping
     varied : sequence of int
-        Indices of the ratios that remain variables.
+        Indices of the mechanism ratios that remain variable.
     given : sequence of float
-        Values of the other ratios, by index. [-]
+        Values of all mechanism ratios, from which the other ratios are taken. [-]
 
     Examples
     --------
@@ -189,24 +189,24 @@ def factors(
 def at_corners(factors: Floats, low: Floats, high: Floats) -> Floats:
     """Evaluate polynomials, linear in each ratio, at all corners of bounds.
 
-    The ratios are inserted one after the other: the half of the coefficients with the ratio is
-    multiplied by each bound and added to the half without it.
+    The ratios are inserted one after the other: the coefficients of products that contain the ratio
+    are multiplied by each bound, and added to the coefficients of the products without it.
 
     Parameters
     ----------
     factors : ndarray, shape (2**ratios,)
-        Coefficients; the bits of the index are the ratios in the product.
+        Coefficients; the bits of an index are the ratios in the product.
     low, high : ndarray, shape (..., ratios)
         Bounds of the ratios. [-]
 
     Returns
     -------
     ndarray, shape (..., 2**ratios)
-        Values at the corners; the bits of the index select the bounds.
+        Values at the corners; the bits of an index select the bounds.
 
     Examples
     --------
-    ``1 - u`` for u of -4 to -1.5:
+    ``1 - u`` for u from -4 to -1.5:
 
     >>> at_corners(np.array([1.0, -1.0]), np.array([-4.0]), np.array([-1.5]))
     array([5. , 2.5])

@@ -1,4 +1,4 @@
-"""Mechanism ratios for wanted gear ratios: least squares, and the case with the result."""
+"""Fit of mechanism ratios to wanted gear ratios by least squares, and the case with the result."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ from vstatics.synthesis.ratios.problem import (
 from vstatics.synthesis.ratios.search import found_ratios
 
 TOLERANCE = 0.005
-"""Largest ``|ln(i/target)|`` of a gear that counts as met, 0.5 %. [-]"""
+"""Default largest deviation ``|ln(i/target)|`` of a ratio that counts as met, 0.5 %. [-]"""
 
 _NONE: Mapping[str, float] = MappingProxyType({})
 _NO_BOUNDS: Mapping[str, tuple[float, float]] = MappingProxyType({})
@@ -40,31 +40,32 @@ class FitSolution(NamedTuple):
     """Ratios of mechanisms and the resulting gear ratios."""
 
     ratios: Mapping[str, float]
-    """Ratio by mechanism. [-]"""
+    """Ratio of each mechanism, by name. [-]"""
     gears: Mapping[str, float]
-    """Ratio of every gear of the case, NaN for a gear without a ratio. [-]"""
+    """Ratio of every gear of the case, by name; NaN for a gear without a ratio. [-]"""
     residual: float
-    """Largest ``|ln(i/target)|``. [-]"""
+    """Largest deviation ``|ln(i/target)|``. [-]"""
     unmet: Sequence[str]
-    """Gears with a deviation above the tolerance."""
+    """Names of gears with a deviation above the tolerance."""
 
 
 @json_keys(*FitSolution._fields, "solutions")
 class Fit(NamedTuple):
-    """Best solution and all solutions."""
+    """Result of a fit: the best solution, and all solutions."""
 
     ratios: Mapping[str, float]
     gears: Mapping[str, float]
     residual: float
     unmet: Sequence[str]
     solutions: Sequence[FitSolution]
-    """Minima of the sum of squares, the best first; only complete solutions if the best is
-    complete."""
+    """Minima of the sum of squares, the best first. If the best meets all ratios, only solutions
+    that meet all ratios are listed.
+    """
     problem: FitProblem
     free: Sequence[str]
-    """Mechanisms with ratios that the wanted ratios do not determine.
+    """Names of mechanisms whose ratios do not follow from the wanted ratios.
 
-    Undetermined ratios stay as near as possible to the ratios of the case.
+    These ratios are as near as possible to the ratios of the case.
     """
     warnings: Sequence[str]
     """Further remarks on the result."""
@@ -82,24 +83,25 @@ def fit(  # noqa: PLR0913 - all but the first two by name
 ) -> Fit:
     """Find ratios of mechanisms with which gears have wanted ratios.
 
-    The fit minimises the sum of ``weight ln(i/target)^2``. For a drawn gear set with shared
-    planets, the ratios are those between its central gears with the carrier held.
+    The fit minimises the sum of ``weight ln(i/target)^2``. A gear set with shared planets has the
+    ratios between its central gears, carrier held.
 
     Parameters
     ----------
     case : Transmission
-        Gearbox; its own ratios only give signs, and decide where there is a choice.
+        Gearbox; its present ratios only determine signs, and ratios that the targets leave open.
     ratios : mapping of str to float
         Wanted ratio by the name of a gear, never by its number. [-]
     bounds : mapping of str to (float, float)
-        Smallest and largest ratio by mechanism, or for `all`. By default a ratio keeps its sign and
-        has a size up to 14; between moving links it stays on the same side of 1. [-]
+        Smallest and largest ratio by the name of a mechanism, or for `all`. By default a ratio
+        keeps its sign, and has a magnitude up to 14, or twice the present magnitude if that is
+        more; between moving links it stays on the same side of 1. [-]
     weights : mapping of str to float
         Weight by the name of a gear, by default 1. [-]
     tolerance : float
         Largest ``|ln(i/target)|`` of a gear that counts as met. [-]
     advance : callable
-        Called with the number of further finished steps, from the first formula of a gear on.
+        Function that is called with the number of further finished steps.
 
     Returns
     -------
@@ -148,7 +150,7 @@ def _solution(problem: FitProblem, ratios: Floats) -> FitSolution:
 
 
 def deviation(ratio: float, target: float) -> float:
-    """Return the deviation ``|ln(i/target)|`` of a ratio [-], infinite for the wrong sign.
+    """Return the deviation ``|ln(i/target)|`` of a ratio [-]; infinite for the wrong sign.
 
     >>> round(deviation(4.04, 4.0), 6), deviation(-4.0, 4.0)
     (0.00995, inf)
@@ -158,7 +160,7 @@ def deviation(ratio: float, target: float) -> float:
 
 
 def _gears(problem: FitProblem, ratios: Floats) -> Iterator[float]:
-    """Yield the ratios of all gears of the case, by the solver if a formula is too long."""
+    """Yield the ratios of all gears of the case, from the solver if a formula is too long."""
     formulas = problem.formulas
     if any(formula.kind == "too long" for formula in formulas):
         yield from solve(problem.links.case, ratios=ratios).ratio.tolist()
@@ -171,7 +173,7 @@ def _gears(problem: FitProblem, ratios: Floats) -> Iterator[float]:
 
 
 def _kept(problem: FitProblem) -> Iterator[str]:
-    """Yield remarks on mechanisms that keep a ratio of -1, perhaps only meant as a start."""
+    """Yield remarks on mechanisms that keep the ratio -1, which may only be a placeholder."""
     links = problem.links
     for index, mechanism in enumerate(links.case.mechanisms):
         if links.is_fixed(index) and mechanism.ratio == -1 and problem.bounds.is_fixed(index):
@@ -194,14 +196,14 @@ def _freewheels(case: Transmission, problem: FitProblem, best: FitSolution) -> I
 def fitted_case(case: Transmission, ratios: Mapping[str, float]) -> Transmission:
     """Return the case with new ratios of the mechanisms.
 
-    A drawn gear set is defined by teeth, so it is replaced by its mechanisms, without planets as
-    links. The planet ratio is omitted where the mechanism ratio changes.
+    A gear set under `elements` is defined by teeth, so it is replaced by its mechanisms, without
+    planets as links. The planet ratio is left out where the mechanism ratio changes.
 
     Parameters
     ----------
     case : Transmission
     ratios : mapping of str to float
-        Ratio by mechanism, as in a `Fit`. [-]
+        Ratio of each mechanism, by name, as in a `Fit`. [-]
 
     Examples
     --------
@@ -221,7 +223,7 @@ def fitted_case(case: Transmission, ratios: Mapping[str, float]) -> Transmission
 
 
 def lost_by_fit(case: Transmission) -> list[str]:
-    """Return the data of a case that a fitted case lacks."""
+    """Return the data of a case that a case with fitted ratios lacks, in words."""
     drawing = drawing_of(case)
     if drawing is None:
         return []
@@ -230,16 +232,16 @@ def lost_by_fit(case: Transmission) -> list[str]:
 
 
 def left_out_by_fit(case: Transmission, ratios: Mapping[str, float]) -> list[str]:
-    """Return the data on planets that a fitted case cannot contain, in words.
+    """Return the data on planets that a case with fitted ratios cannot contain, in words.
 
-    A planet ratio follows from the mechanism ratio only in a plain set. Planet ratios that already
-    followed from it are not lost.
+    Only in a simple planetary gear set does the planet ratio follow from the mechanism ratio.
+    Planet ratios that follow from it already are not listed.
 
     Parameters
     ----------
     case : Transmission
     ratios : mapping of str to float
-        Ratio by mechanism, as in a `Fit`. [-]
+        Ratio of each mechanism, by name, as in a `Fit`. [-]
 
     Examples
     --------
@@ -261,7 +263,8 @@ def left_out_by_fit(case: Transmission, ratios: Mapping[str, float]) -> list[str
         elif (
             old.planet_ratio is not None
             and new.planet_ratio is None
-            and not is_same(old.planet_ratio, (old.ratio + 1) / 2)  # planet ratio of a plain set
+            # Planet ratio of a simple planetary gear set.
+            and not is_same(old.planet_ratio, (old.ratio + 1) / 2)
         ):
             plain.append(new.name)
     lost = []

@@ -1,4 +1,4 @@
-"""Gear ratios as quotients of two polynomials in the ratios of the mechanisms."""
+"""Gear ratios as quotients of two polynomials in the ratios of mechanisms."""
 
 from __future__ import annotations
 
@@ -30,10 +30,10 @@ ONE, ZERO = Fraction(1), Fraction(0)
 
 
 class GearFormula(NamedTuple):
-    """Formula ``w_input/w_output = above/below`` in mechanism ratios, whose indices are bits.
+    """Formula of the ratio of a gear, ``w_input/w_output = above/below``, in mechanism ratios.
 
-    Both polynomials are sums of products of some of the ratios. The factors are 1 and -1, except
-    with given speeds.
+    Both polynomials are sums of products of mechanism ratios, whose indices are bits of the keys.
+    Without given speeds, the coefficients are 1 and -1.
     """
 
     kind: FormulaKind
@@ -50,7 +50,7 @@ class GearFormula(NamedTuple):
 
     @property
     def constant(self) -> float:
-        """Ratio of a formula of kind `constant` [-]."""
+        """Value of a formula of kind `constant` [-]."""
         return float(self.above[0] / self.below[0])
 
 
@@ -60,11 +60,11 @@ def gear_formula(links: OwnLinks, gear: Gear, fixed: Mapping[int, float]) -> Gea
     Parameters
     ----------
     links : OwnLinks
-        Case without planets among its links.
+        Case whose links do not include planets.
     gear : Gear
-        Gear with holding freewheels among the engaged elements.
+        Gear whose engaged elements include the holding freewheels.
     fixed : mapping of int to float
-        Ratios of mechanisms by index that are inserted as numbers. [-]
+        Ratios of mechanisms that are inserted as numbers, by the index of the mechanism. [-]
 
     Raises
     ------
@@ -101,7 +101,7 @@ def gear_formula(links: OwnLinks, gear: Gear, fixed: Mapping[int, float]) -> Gea
         return _without(NEUTRAL.name)
     left = list(equations.needed[output])
     unknowns = independent(left).unknowns
-    # In this order few unknowns are open at a time: each row has the fewest new unknowns.
+    # In this order each row introduces few new unknowns, which keeps the expansion short.
     rows: list[LinearRow] = []
     met: set[int] = set()
     while left:
@@ -133,7 +133,7 @@ def _constant(speed: Fraction) -> GearFormula:
 
 
 def _known(case: Transmission, gear: Gear, bodies: Sequence[int]) -> dict[int, Fraction]:
-    """Return the given speeds of bodies, relative to the input speed.
+    """Return the given speeds of bodies (groups of connected links), relative to the input speed.
 
     Raises
     ------
@@ -192,7 +192,7 @@ def _row(
     bodies: Sequence[int],
     known: Mapping[int, Fraction],
 ) -> LinearRow:
-    """Convert an equation in links to bodies, with known speeds on the right side."""
+    """Convert an equation of links to one of bodies, with known speeds on the right side."""
     unknown: dict[int, Term] = {}
     right = (ZERO, ZERO)
     for link, (plain, more) in terms:

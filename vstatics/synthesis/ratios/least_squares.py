@@ -1,4 +1,4 @@
-"""Least squares within bounds by the Levenberg-Marquardt method, from many starts at once."""
+"""Least squares within bounds by the Levenberg-Marquardt method, from many starting points."""
 
 from __future__ import annotations
 
@@ -17,27 +17,27 @@ from vstatics.synthesis.tolerances import (
 )
 
 MOST_FIT_STEPS = 300
-"""Largest number of steps of a start."""
+"""Largest number of steps from a starting point."""
 LAST_STEPS = 10
-"""Number of steps without progress after which a start has converged."""
+"""Number of steps without progress after which a fit has converged."""
 LONGEST_STEP = 1.0
-"""Largest change of an unknown (a logarithm) in a step."""
+"""Largest change of an unknown (a logarithm) in a step. [-]"""
 
 Residuals = Callable[[Floats, Integers], tuple[Floats, Floats]]
-"""Function of unknowns, shape (some starts, unknowns), and of the indices of the starts.
+"""Function of unknowns, shape (n, unknowns), and of the indices of their n starting points.
 
-Returns residuals, shape (some starts, residuals), and derivatives with respect to the unknowns;
-NaN where undefined.
+It returns residuals, shape (n, residuals), and derivatives with respect to the unknowns; NaN where
+undefined.
 """
 
 
 class Minima(NamedTuple):
-    """End points of the starts."""
+    """End points of the fits from all starting points."""
 
     unknowns: Floats
     """Unknowns at the end points, shape (starts, unknowns)."""
     squares: Floats
-    """Sums of squares, infinite for invalid starts, shape (starts,)."""
+    """Sums of squares at the end points, infinite for invalid starts, shape (starts,)."""
     settled: Booleans
     """True if the end point is a minimum, shape (starts,)."""
 
@@ -46,23 +46,23 @@ class Minima(NamedTuple):
 def minimize(
     residuals: Residuals, starts: Floats, low: Floats, high: Floats, steps: int = MOST_FIT_STEPS
 ) -> Minima:
-    """Minimise the sum of squares from each start.
+    """Minimise the sum of squares from each of many starting points.
 
-    In a Levenberg-Marquardt step, an unknown at a bound does not move if the slope points outward;
+    In a Levenberg-Marquardt step, an unknown at a bound does not move if the slope points outwards;
     steps are clipped to the bounds.
 
     Parameters
     ----------
     residuals : callable
-        See `Residuals`.
+        Function of the type `Residuals`.
     starts, low, high : ndarray, shape (starts, unknowns)
         Starting points and bounds.
     steps : int
-        Largest number of steps of a start.
+        Largest number of steps from each starting point.
 
     Examples
     --------
-    ``x^2 = 4`` from both sides, and with 2 out of bounds:
+    ``x^2 = 4`` from both sides of 2, and with 2 out of bounds:
 
     >>> def square(x, starts):
     ...     return x**2 - 4, 2 * x[:, :, np.newaxis]

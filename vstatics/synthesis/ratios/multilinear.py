@@ -1,7 +1,7 @@
-"""Determinants of equations as multilinear polynomials, where each ratio appears in one row.
+"""Determinants as multilinear polynomials of mechanism ratios, each of which is in one row.
 
-A polynomial maps the set of ratios of a term, as bits of an integer, to the coefficient. Each ratio
-has at most the first power, since it belongs to one mechanism, which is one row.
+A polynomial maps the ratios in each product, as bits of an integer, to the coefficient. No ratio
+has a higher power than 1, because it belongs to one mechanism, which gives one row.
 """
 
 from __future__ import annotations
@@ -15,37 +15,38 @@ from typing import NamedTuple
 from vstatics.core.errors import CaseError
 
 Polynomial = Mapping[int, Fraction]
-"""Coefficient of each product of ratios; the bits of the key are the indices of the ratios."""
+"""Coefficient of each product of ratios; bits of the key are the indices of the ratios."""
 Term = tuple[Fraction, Fraction]
-"""Two coefficients: without and with the ratio of the row."""
+"""Two coefficients of an unknown in a row: without, and with, the row's ratio."""
 
 MOST_FORMULA_TERMS = 30_000
-"""Largest number of products to add; the formula of a gearbox has some dozens."""
+"""Largest number of products to add; the formula of a gearbox has a few dozen."""
 PRIME = 2**61 - 1
-"""Modulus of the test for zero, with a chance of error of 1e-17.
+"""Modulus of the test whether a polynomial is 0 for all ratios; the test fails with probability
+1e-17.
 
-The test is whether an expression is zero for all ratios.
+The polynomial is evaluated for pseudo-random ratios.
 """
 
 
 class LinearRow(NamedTuple):
-    """Equation ``sum of terms = right`` of a mechanism, or of a part without a ratio."""
+    """Equation ``sum of terms = right`` of a mechanism, or of another component without a ratio."""
 
     ratio: int
-    """Index of the mechanism whose ratio is in the equation, -1 without a ratio."""
+    """Index of the mechanism whose ratio is in the equation; -1 without a ratio."""
     terms: Mapping[int, Term]
-    """Coefficients by unknown."""
+    """Pair of coefficients of each unknown."""
     right: Term
 
 
 class SingularError(Exception):
-    """Contradiction between the rows."""
+    """Contradiction between equations."""
 
 
 def determinant(rows: Sequence[LinearRow], unknowns: Sequence[int]) -> Polynomial:
-    """Return the determinant of as many rows as unknowns; -1 stands for the right sides.
+    """Return the determinant of rows in the columns of some unknowns; -1 is the right side.
 
-    The expansion adds row after row to the sums for all sets of unknowns used until then.
+    The determinant is expanded row by row, with a sum for each set of used unknowns.
 
     Raises
     ------
@@ -99,16 +100,16 @@ def determinant(rows: Sequence[LinearRow], unknowns: Sequence[int]) -> Polynomia
 
 
 class Independent(NamedTuple):
-    """Independent rows, and unknowns for which the rows can be solved."""
+    """Independent rows, and the unknowns for which they can be solved."""
 
     rows: list[LinearRow]
     unknowns: list[int]
     needed: Mapping[int, list[LinearRow]]
-    """Rows that determine each unknown with a unique value."""
+    """Rows that determine each unknown that has a unique value."""
 
 
 def independent(rows: Sequence[LinearRow]) -> Independent:
-    """Select independent rows, for arbitrary ratios.
+    """Select rows that are independent for arbitrary ratios.
 
     Raises
     ------
@@ -123,7 +124,8 @@ def independent(rows: Sequence[LinearRow]) -> Independent:
     >>> len(found.rows), found.unknowns, found.needed
     (1, [0], {})
     """
-    reduced: dict[int, dict[int, int]] = {}  # rows by the unknown for which they are solved
+    # Each row is stored under the unknown for which it is solved.
+    reduced: dict[int, dict[int, int]] = {}
     selected: list[LinearRow] = []
     for row in rows:
         ratio = ratio_number(row.ratio)
@@ -155,11 +157,11 @@ def independent(rows: Sequence[LinearRow]) -> Independent:
 
 
 _RIGHT = -1
-"""Key of the right sides among unknowns."""
+"""Key of the right side among the unknowns of a row."""
 
 
 def _name(number: int) -> int:
-    """Return the key of a row, to trace the combinations of rows."""
+    """Return the key that represents a row, by which combinations of rows are traced."""
     return _RIGHT - 1 - number
 
 
@@ -168,7 +170,7 @@ def _residue(number: Fraction) -> int:
 
 
 def _take(row: dict[int, int], other: Mapping[int, int], unknown: int) -> None:
-    """Subtract a multiple of a normalised row to eliminate an unknown, in place."""
+    """Subtract a multiple of a normalised row in place, to eliminate an unknown."""
     factor = row.get(unknown, 0)
     if factor:
         for key, number in other.items():
@@ -181,14 +183,14 @@ def _take(row: dict[int, int], other: Mapping[int, int], unknown: int) -> None:
 
 @cache
 def ratio_number(index: int, trial: int = 0) -> int:
-    """Return a pseudo-random residue for the ratio of an index, equal in every run."""
-    return random.Random(f"{index} {trial}").randrange(2, PRIME)  # noqa: S311 - no secret
+    """Return a pseudo-random residue that represents a ratio, equal in every run."""
+    return random.Random(f"{index} {trial}").randrange(2, PRIME)  # noqa: S311 - not a secret
 
 
 def without_common(
     above: Polynomial, below: Polynomial, ratios: Sequence[int]
 ) -> tuple[Polynomial, Polynomial]:
-    """Remove the ratios that a quotient of polynomials does not depend on.
+    """Remove the ratios on which a quotient of polynomials does not depend.
 
     >>> above, below = {0: Fraction(2), 1: Fraction(-2)}, {0: Fraction(1), 1: Fraction(-1)}
     >>> without_common(above, below, [0])
@@ -209,14 +211,14 @@ def without_common(
 
 
 def split(polynomial: Polynomial, ratio: int) -> tuple[Polynomial, Polynomial]:
-    """Split a polynomial into the part without a ratio, and the factor of the ratio."""
+    """Split a polynomial into the part without a ratio, and the factor of that ratio."""
     bit = 1 << ratio
     plain = {ratios: factor for ratios, factor in polynomial.items() if not ratios & bit}
     return plain, {ratios ^ bit: factor for ratios, factor in polynomial.items() if ratios & bit}
 
 
 def value(polynomial: Polynomial, trial: int) -> int:
-    """Evaluate a polynomial modulo `PRIME`, with `ratio_number` for each ratio."""
+    """Evaluate a polynomial modulo `PRIME` with the pseudo-random ratios of a trial."""
     total = 0
     for ratios, coefficient in polynomial.items():
         product = _residue(coefficient)
@@ -227,7 +229,7 @@ def value(polynomial: Polynomial, trial: int) -> int:
 
 
 def bits(ratios: int) -> list[int]:
-    """Return the indices of the bits of a set of ratios.
+    """Return the indices of the set bits of an integer.
 
     >>> bits(0b1010)
     [1, 3]

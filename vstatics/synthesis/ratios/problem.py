@@ -1,4 +1,4 @@
-"""Request to fit mechanism ratios to wanted gear ratios, checked before any long calculation."""
+"""Request to fit mechanism ratios to wanted gear ratios, checked before the calculation."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ from vstatics.synthesis.ratios.formula import GearFormula, gear_formula
 from vstatics.synthesis.tolerances import PART_FOR_ZERO_BOUND
 
 LARGEST_SET_RATIO = 14.0
-"""Largest default ratio; a set with three planets that do not touch stays below 13.93. [-]"""
+"""Largest default ratio; a gear set with three planets that do not touch is below 13.93. [-]"""
 SMALLEST, LARGEST = 1e-9, 1e9
-"""Smallest and largest size of a bound, so that products of ratios are finite. [-]"""
+"""Smallest and largest magnitude of a bound, so that products of ratios are finite. [-]"""
 ALL = "all"
-"""Name that stands for all mechanisms that are not named."""
+"""Name for all mechanisms that are not named."""
 
 
 class Bounds(NamedTuple):
@@ -36,7 +36,7 @@ class Bounds(NamedTuple):
     high: Sequence[float]
 
     def is_fixed(self, index: int) -> bool:
-        """Return whether the bounds of a ratio are equal."""
+        """Return whether both bounds of a mechanism's ratio are equal."""
         return self.low[index] == self.high[index]
 
 
@@ -46,7 +46,7 @@ def bounds_of(links: OwnLinks, given: Mapping[str, tuple[float, float]]) -> Boun
     Parameters
     ----------
     links : OwnLinks
-        Case without planets among its links.
+        Case whose links do not include planets.
     given : mapping of str to (float, float)
         Bounds by the name of a mechanism; `all` stands for mechanisms that are not named. [-]
 
@@ -98,10 +98,10 @@ def bounds_of(links: OwnLinks, given: Mapping[str, tuple[float, float]]) -> Boun
 
 
 def usual(links: OwnLinks, index: int) -> tuple[float, float]:
-    """Return the default bounds of a mechanism.
+    """Return the default bounds of the ratio of a mechanism.
 
-    The ratio keeps its sign, and between moving links stays above or below 1. A ratio that does not
-    depend on teeth is fixed.
+    The ratio keeps its sign; between moving links it also stays above, or below, 1. A ratio that is
+    not determined by teeth, such as that of a shaft, is fixed.
     """
     mechanism = links.case.mechanisms[index]
     size = abs(mechanism.ratio)
@@ -116,13 +116,13 @@ def usual(links: OwnLinks, index: int) -> tuple[float, float]:
 
 
 def mechanism_index(links: OwnLinks, asked: str) -> int:
-    """Return the index of the mechanism with a name, or else with a number from 1.
+    """Return the index of the mechanism with a name or, failing that, with a number from 1.
 
     Raises
     ------
     ValueError
-        If the mechanism does not exist, or the name belongs to a gear set with several mechanisms,
-        which the message lists.
+        If the mechanism does not exist, or a gear set of this name has several mechanisms, which
+        the message lists.
     """
     names = [mechanism.name for mechanism in links.case.mechanisms]
     if asked in names:
@@ -156,52 +156,52 @@ def _wrong(low: float, high: float) -> Iterator[str]:
 
 
 Advance = Callable[[int], None]
-"""Function that is called with the number of further finished steps."""
+"""Function that receives the number of further finished steps, for a progress display."""
 
 
 def untold(_steps: int) -> None:
-    """Ignore the progress."""
+    """Ignore the progress of a calculation."""
 
 
 class FitProblem(NamedTuple):
-    """Wanted gear ratios, and the mechanism ratios to vary."""
+    """Checked request for a fit: wanted gear ratios, and mechanism ratios to vary."""
 
     links: OwnLinks
-    """Case without links for planets and without freewheels, see `on_engaged_links`."""
+    """Case without planets as links and without freewheels, from `on_engaged_links`."""
     formulas: Sequence[GearFormula]
     """Formula of each gear; a gear without a target can have a formula of the kind `too long`."""
     targets: Mapping[int, float]
-    """Wanted ratio by the index of a gear. [-]"""
+    """Wanted ratios, by the index of the gear. [-]"""
     weights: Mapping[int, float]
-    """Weight of the squared deviation by the index of a gear. [-]"""
+    """Weights of squared deviations, by the index of the gear. [-]"""
     bounds: Bounds
     tolerance: float
 
     @property
     def fitted(self) -> list[int]:
-        """Indices of wanted gears with a variable ratio."""
+        """Indices of gears with a wanted ratio that mechanism ratios can change."""
         return [index for index in self.targets if self.formulas[index].kind == "ratio"]
 
     @property
     def varied(self) -> list[int]:
-        """Indices of mechanisms that affect a wanted gear and are not fixed."""
+        """Indices of mechanisms that affect a wanted ratio, and are not fixed."""
         matter = {ratio for index in self.fitted for ratio in self.formulas[index].ratios}
         return [index for index in sorted(matter) if not self.bounds.is_fixed(index)]
 
     @property
     def unused(self) -> list[int]:
-        """Indices of mechanisms that affect no wanted gear and are not fixed."""
+        """Indices of mechanisms that affect no wanted ratio, and are not fixed."""
         varied, every = self.varied, range(len(self.links.case.mechanisms))
         return [index for index in every if index not in varied and not self.bounds.is_fixed(index)]
 
     @property
     def anchor(self) -> Floats:
-        """Ratios of the case, clipped to the bounds [-]."""
+        """Mechanism ratios of the case, clipped to the bounds [-]."""
         ratios = [mechanism.ratio for mechanism in self.links.case.mechanisms]
         return np.clip(ratios, self.bounds.low, self.bounds.high)
 
     def reach(self, index: int) -> tuple[float, float] | None:
-        """Return the smallest and the largest ratio of a gear within the bounds, if bounded [-]."""
+        """Return the smallest and largest ratio of a gear within the bounds, if bounded [-]."""
         formula = self.formulas[index]
         if formula.kind == "constant":
             return formula.constant, formula.constant
@@ -217,12 +217,12 @@ def fit_problem(  # noqa: PLR0913 - the arguments of `fit`
     *,
     advance: Advance = untold,
 ) -> FitProblem:
-    """Check the arguments of `fit` and return the problem.
+    """Check the arguments of `fit`, and return them as a problem to solve.
 
     Raises
     ------
     CaseError
-        If arguments are not valid, with all problems; each path begins with the argument.
+        If arguments are wrong, with all problems; each path begins with the argument.
     """
     for gear in case.gears:
         for index in case.sought_converters(gear):
@@ -262,7 +262,7 @@ def fit_problem(  # noqa: PLR0913 - the arguments of `fit`
 
 
 def on_engaged_links(case: Transmission) -> OwnLinks:
-    """Return a case without links for planets, in which no freewheel changes its state.
+    """Return a case without planets as links, in which freewheels do not change their state.
 
     A freewheel becomes a shift element that is engaged in the gears where the freewheel holds at
     the present ratios of the case.
@@ -276,7 +276,7 @@ def on_engaged_links(case: Transmission) -> OwnLinks:
 def _formula(
     links: OwnLinks, index: int, fixed: Mapping[int, float], targets: Mapping[int, float]
 ) -> GearFormula:
-    """Return the formula of a gear; a formula that is too long is an error only for a target.
+    """Return the formula of a gear; a too long formula is an error only for a wanted ratio.
 
     Raises
     ------
@@ -296,14 +296,14 @@ def _formula(
 def _by_gear(
     case: Transmission, argument: str, given: Mapping[str, float]
 ) -> tuple[dict[int, float], list[Problem]]:
-    """Return numbers by the index of the gear, and problems with unknown names."""
+    """Return numbers by the index of the gear, and problems with unknown names of gears."""
     numbers: dict[int, float] = {}
     problems = []
     names = [gear.name for gear in case.gears]
     for name, value in given.items():
         if name in names:
             numbers[names.index(name)] = float(value)
-        else:  # numbers of gears are not accepted, since `9=-3.3` could mean any gear
+        else:  # numbers of gears are refused, because `9=-3.3` could mean any gear
             hint = f"{nearest(name, names)}; gears are {listed(names, 12)}"
             problems.append(Problem("E825", f"no gear {quoted(name)}{hint}", (argument, name)))
     if problems and len(given) > len(case.gears):
@@ -359,7 +359,7 @@ def _impossible(problem: FitProblem, index: int) -> Iterator[Problem]:
 
 
 def ratio_fault(name: str, formula: GearFormula, wanted: float, varied: str) -> str:
-    """Return the reason why a gear cannot have a ratio for any values of the variables, or ""."""
+    """Return the reason why no mechanism ratios give a gear its wanted ratio; "" if possible."""
     status = {known_status.name: known_status for known_status in STATUSES}.get(formula.kind)
     if status is not None:
         return f"gear {name} has no ratio: {status.meaning}"
@@ -370,7 +370,7 @@ def ratio_fault(name: str, formula: GearFormula, wanted: float, varied: str) -> 
 
 
 def sign_fault(name: str, wanted: float, limits: tuple[float, float]) -> str:
-    """Return a message if all possible ratios have the opposite sign of the wanted ratio, else "".
+    """Return a message if all possible ratios have the wrong sign, else "".
 
     >>> sign_fault("gear 1", -2.0, (2.5, 5.0))
     'gear 1: read -2, but within the bounds its ratio is 2.5 to 5: expected a ratio above 0'
@@ -382,7 +382,7 @@ def sign_fault(name: str, wanted: float, limits: tuple[float, float]) -> str:
 
 
 def doubts(problem: FitProblem) -> Iterator[str]:
-    """Yield warnings: bounds of the other sign, and wanted ratios that cannot be met."""
+    """Yield warnings about bounds with the opposite sign, and ratios that cannot be met."""
     yield from _other_signs(problem)
     names = [gear.name for gear in problem.links.case.gears]
     alike: dict[tuple[frozenset[tuple[int, Fraction]], ...], int] = {}
@@ -423,7 +423,7 @@ def reach_text(low: float, high: float) -> str:
 
 
 def _is_constant(problem: FitProblem, index: int) -> bool:
-    """Return whether a gear has a constant ratio although all ratios except 1 can vary."""
+    """Return whether a gear has a constant ratio although all ratios except 1 may vary."""
     links = problem.links
     fixed = {n: 1.0 for n, mechanism in enumerate(links.case.mechanisms) if mechanism.ratio == 1}
     return gear_formula(links, links.case.gears[index], fixed).kind == "constant"

@@ -1,7 +1,7 @@
 """Search for mechanism ratios by least squares from many starting points (multistart).
 
 `fit_starts` samples the bounds and keeps points at which all gears have the wanted sign.
-`found_ratios` minimizes from each of them and returns the minima that differ, the best first.
+`found_ratios` minimises from each of these points, and returns the different minima, best first.
 """
 
 from __future__ import annotations
@@ -15,14 +15,15 @@ from vstatics.synthesis.ratios.space import FitPoints, FitSpace, fit_space
 from vstatics.synthesis.tolerances import AT_BOUND, DEPENDENT_RATIOS, MET_RATIOS, SAME_SOLUTION
 
 ANCHORED = (0.1, 0.01)
-"""Weights, in turn, of deviations from the ratios of the case, to settle undetermined ratios.
+"""Weights, in turn, that pull ratios towards the ratios of the case, to settle undetermined ones.
+[-]
 
-A last step without these deviations follows.
+A last minimisation without this pull follows.
 """
 
 
 def found_ratios(problem: FitProblem, advance: Advance = untold) -> tuple[list[Floats], list[int]]:
-    """Return the ratios of all mechanisms in all different minima.
+    """Return the ratios of all mechanisms at all different minima.
 
     Returns
     -------
@@ -43,7 +44,7 @@ def found_ratios(problem: FitProblem, advance: Advance = untold) -> tuple[list[F
     free = _free(space, points)
     for weight in (*ANCHORED, 0.0) if free else (0.0,):
         minima = space.minima(points, weight)
-        # Starts of different minima: the best first, of equal minima the nearest to the case.
+        # Order of the minima: the best first; of equally good ones, the nearest to the case first.
         signs, anchor = points.signs, space.case_point
         settled = minima.settled & np.isfinite(minima.squares)
         if not settled.any():
@@ -59,7 +60,8 @@ def found_ratios(problem: FitProblem, advance: Advance = untold) -> tuple[list[F
                 chosen.append(start)
         points = FitPoints(points.signs, minima.unknowns).at(chosen)
     ratios = space.full(points)
-    for bound in map(np.array, problem.bounds):  # exactly at a bound, apart from rounding
+    # A ratio at a bound should not differ from it by rounding.
+    for bound in map(np.array, problem.bounds):
         ratios = np.where(np.abs(ratios - bound) <= AT_BOUND * np.abs(bound), bound, ratios)
     return list(ratios), free
 
@@ -81,19 +83,19 @@ def _free(space: FitSpace, points: FitPoints) -> list[int]:
 
 MOST_STARTS, LEAST_STARTS = 128, 8
 START_NUMBERS = 12_800
-"""Number of values in the matrices of all starts; more ratios mean fewer starts."""
+"""Largest number of matrix entries of all starts; with more ratios there are fewer starts."""
 SAMPLES, ROUNDS = 2048, 4
-"""Number of points that are tried at a time, and number of trials."""
+"""Number of points that are tried together, and largest number of such trials."""
 
 
 def start_count(space: FitSpace) -> int:
-    """Return the number of starts of a search: 128, or fewer for more than ten ratios."""
+    """Return the number of starting points: 128, or fewer for more than ten ratios."""
     count = len(space.varied)
     return max(LEAST_STARTS, min(MOST_STARTS, START_NUMBERS // max(count**2, 1)))
 
 
 def fit_starts(space: FitSpace) -> FitPoints:
-    """Return the starts: the ratios of the case if valid, then random points, half of them good.
+    """Return starting points: the case if valid, then the best and further random points.
 
     Raises
     ------
@@ -101,7 +103,7 @@ def fit_starts(space: FitSpace) -> FitPoints:
         If no point is found at which all gears have the wanted sign.
     """
     count = start_count(space)
-    random = np.random.default_rng(14)  # a fixed seed, so that runs agree
+    random = np.random.default_rng(14)  # the seed is fixed, so that results are reproducible
     turning = np.zeros(len(space.targets))
     with np.errstate(all="ignore"):
         for number in range(ROUNDS):
@@ -131,13 +133,13 @@ def _turning(space: FitSpace, points: FitPoints) -> FitPoints:
 
 
 def turns(space: FitSpace, points: FitPoints) -> Booleans:
-    """Return whether gears have the wanted sign, shape (points, gears)."""
+    """Return whether each gear has the wanted sign at each point, shape (points, gears)."""
     quotients = space.quotients(points)
     return (quotients > 0) & np.isfinite(quotients)
 
 
 def _sampled(space: FitSpace, random: np.random.Generator, *, with_case: bool) -> FitPoints:
-    """Return random points within the bounds, the first optionally with the ratios of the case."""
+    """Return random points within the bounds; the first can be the ratios of the case."""
     low, high = (np.array(bound)[space.varied] for bound in space.problem.bounds)
     shape = (SAMPLES, len(space.varied))
     signs = np.where(random.random(shape) * (high - low) < np.maximum(high, 0), 1.0, -1.0)

@@ -1,6 +1,6 @@
-"""Variables of a search, and deviations of its gears, for arrays of points.
+"""Variables of a fit, and deviations of the gears, for arrays of points.
 
-A point has a sign and the logarithm of a size for each varied ratio.
+A point consists of the sign and the logarithm of the magnitude of each varied ratio.
 """
 
 from __future__ import annotations
@@ -18,11 +18,11 @@ from vstatics.synthesis.tolerances import NARROWEST_RATIO
 
 
 class FitPoints(NamedTuple):
-    """Points with signs and sizes, each of shape (points, varied ratios)."""
+    """Points with the signs and magnitudes of ratios, each of shape (points, varied ratios)."""
 
     signs: Floats
     sizes: Floats
-    """Logarithms of the sizes."""
+    """Logarithms of the magnitudes. [-]"""
 
     def at(self, chosen: Sequence[int] | Integers | Booleans) -> FitPoints:
         """Return a selection of the points."""
@@ -30,23 +30,23 @@ class FitPoints(NamedTuple):
 
 
 class FitSpace(NamedTuple):
-    """Varied ratios, and the gears to fit."""
+    """Mechanism ratios to vary, and gears to fit."""
 
     problem: FitProblem
     arrays: RatioArrays
-    """Formulas of the gears."""
+    """Formulas of the gears to fit."""
     varied: Sequence[int]
     """Indices of the varied mechanisms."""
     targets: Floats
-    """Wanted ratio of each gear. [-]"""
+    """Wanted ratio of each gear to fit. [-]"""
     roots: Floats
-    """Square roots of the weights, scaled so that the largest is 1."""
+    """Square roots of the weights, scaled so that the largest is 1. [-]"""
     advance: Advance
-    """Function that is called at every step of a search."""
+    """Function that is called after every step of a search."""
 
     @property
     def case_point(self) -> FitPoints:
-        """Ratios of the case, clipped to the bounds, as a single point."""
+        """Mechanism ratios of the case, clipped to the bounds, as a single point."""
         ratios = self.problem.anchor[np.newaxis, self.varied]
         return FitPoints(np.sign(ratios), np.log(np.abs(ratios)))
 
@@ -57,7 +57,7 @@ class FitSpace(NamedTuple):
         return ratios
 
     def within(self, signs: Floats) -> tuple[Floats, Floats]:
-        """Return the smallest and largest logarithms within the bounds for given signs."""
+        """Return the smallest and largest logarithms within the bounds, for given signs."""
         low, high = (np.array(bound)[self.varied] for bound in self.problem.bounds)
         least = np.where(signs > 0, np.maximum(low, 0), np.maximum(-high, 0))
         most = np.where(signs > 0, high, -low)
@@ -69,9 +69,10 @@ class FitSpace(NamedTuple):
         return self.arrays.ratios(self.full(points)) / self.targets
 
     def deviations(self, points: FitPoints) -> tuple[Floats, Floats]:
-        """Return weighted ``ln(i/target)`` and derivatives with respect to the logarithms.
+        """Return weighted deviations ``ln(i/target)``, and the derivatives.
 
-        Values are NaN where a gear has the wrong sign.
+        The derivatives are with respect to the logarithms of points. Values are NaN where a gear
+        has the wrong sign.
         """
         full = self.full(points)
         quotients = self.arrays.ratios(full) / self.targets
@@ -80,7 +81,7 @@ class FitSpace(NamedTuple):
         return values, slopes * self.roots[:, np.newaxis]
 
     def minima(self, starts: FitPoints, weight: float = 0.0, steps: int = MOST_FIT_STEPS) -> Minima:
-        """Return the minima reached from starts; `weight` draws them to the ratios of the case."""
+        """Return the minima from starting points; `weight` pulls them to the ratios of the case."""
         anchor = self.case_point.sizes
 
         def residuals(sizes: Floats, which: Integers) -> tuple[Floats, Floats]:
@@ -96,10 +97,10 @@ class FitSpace(NamedTuple):
         return minimize(residuals, starts.sizes, *self.within(starts.signs), steps)
 
     def turned(self, starts: FitPoints) -> FitPoints:
-        """Return points at which gears can have the wanted sign, from starts with wrong signs.
+        """Move starting points with wrong signs to points at which gears can have the wanted sign.
 
-        For ``i = Q/P`` the deviation ``(Q/target - P)/sqrt((Q/target)^2 + P^2)`` has no poles and
-        does not depend on the direction of the gear.
+        For a ratio ``i = Q/P``, the deviation ``(Q/target - P)/sqrt((Q/target)^2 + P^2)`` is
+        minimised, which has no poles and is defined for both directions of the gear.
         """
 
         def residuals(sizes: Floats, which: Integers) -> tuple[Floats, Floats]:
@@ -116,7 +117,7 @@ class FitSpace(NamedTuple):
 
 
 def fit_space(problem: FitProblem, advance: Advance = untold) -> FitSpace:
-    """Return the search space of a problem."""
+    """Return the variables and targets of a problem."""
     fitted = problem.fitted
     formulas = [problem.formulas[index] for index in fitted]
     mechanisms = len(problem.links.case.mechanisms)

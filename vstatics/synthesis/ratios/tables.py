@@ -1,4 +1,4 @@
-"""Tables of a fit: the problem before, and the result after."""
+"""Tables of a fit: the problem before the fit, and the result."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from vstatics.synthesis.ratios.space import FitPoints, fit_space
 from vstatics.synthesis.tolerances import TINY_RATIO
 
 DEVIATION_DECIMALS = 9
-"""Number of decimals of a deviation; further digits are rounding noise."""
+"""Number of decimals of a printed deviation; further digits are rounding noise."""
 
 
 def fit_grids(result: Fit) -> Iterator[Grid]:
@@ -41,7 +41,7 @@ def fit_grids(result: Fit) -> Iterator[Grid]:
 
 
 def number(value: float | None) -> Cell:
-    """Return a cell with a ratio of any size, as given by the user.
+    """Return a cell with a ratio of any magnitude.
 
     >>> number(-4.7).text, number(0.00125).text, number(1e-300).text, number(None).text
     ('-4.7000', '0.001250', '1e-300', '-')
@@ -65,7 +65,7 @@ def _gears(result: Fit) -> Grid:
 
 
 def _mechanisms(result: Fit) -> Grid:
-    """Return the table of the mechanism ratios with bounds."""
+    """Return the table of mechanism ratios with the bounds."""
     problem = result.problem
     rows: list[Values] = []
     for index, (name, ratio) in enumerate(result.ratios.items()):
@@ -96,7 +96,7 @@ def _solutions(result: Fit) -> Grid:
 
 
 def dry_document(problem: FitProblem) -> dict[str, Any]:
-    """Return the variables, the possible ratios of the gears and the longest time [s], for JSON."""
+    """Return the varied ratios, the possible gear ratios and the longest time [s], for JSON."""
     case, bounds = problem.links.case, problem.bounds
     varied = {
         case.mechanisms[index].name: {"from": bounds.low[index], "to": bounds.high[index]}
@@ -114,7 +114,7 @@ def dry_document(problem: FitProblem) -> dict[str, Any]:
 
 
 def longest(problem: FitProblem) -> float:
-    """Estimate the longest time of a fit from a few steps [s]."""
+    """Estimate the longest time of a fit from the time of a few steps [s]."""
     space = fit_space(problem)
     if not space.varied:
         return 0.0
@@ -126,11 +126,11 @@ def longest(problem: FitProblem) -> float:
 
 
 TIMED_STEPS = 2
-"""Number of steps for the estimate of the time."""
+"""Number of steps that are timed for this estimate."""
 
 
 def dry_grids(known: Mapping[str, Any]) -> Iterator[Grid]:
-    """Yield the tables of a dry run."""
+    """Yield the tables of a dry run, from the document of `dry_document`."""
     parts = {
         "Varied": ("varied", "mechanism", "from", "to"),
         "What the gears can have within the bounds": ("gears", "gear", "wanted", "from", "to"),

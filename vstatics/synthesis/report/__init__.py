@@ -1,5 +1,4 @@
-"""The page of found gearboxes.
+"""HTML page of found gearboxes.
 
-`boxes` writes the page of a list of gearboxes and families, `box_parts` the tables and the part of
-a single gearbox.
+`boxes` writes the page, and `box_parts` its tables and the part about a single gearbox.
 """

@@ -1,4 +1,4 @@
-"""Parts of the page of found gearboxes: tables, and the figures and gears of each box."""
+"""Parts of the page of found gearboxes: tables, and figures and gears of each gearbox."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ from vstatics.synthesis.boxes.listing import BoxListing, ListedBox, ListedGear, 
 
 
 def box_link(box: ListedBox) -> Markup:
-    """Return a link to the diagram of a box."""
+    """Return a link to the stick diagram of a gearbox."""
     return tag("a", tr("box {number}", number=box.number), href=f"#box-{box.number}")
 
 
 def all_grid(listing: BoxListing, most: int, drawn: Collection[int]) -> Grid:
-    """Return the table of boxes with figures, up to a number of boxes.
+    """Return the table of gearboxes with their figures, at most `most` of them.
 
-    The boxes of a core share the row of the first, which unfolds.
+    Gearboxes of a core, which differ only in clutches, share the first one's row, which unfolds.
 
     Parameters
     ----------
     drawn : collection of int
-        Numbers of boxes with a diagram, to which the table links.
+        Numbers of gearboxes with a stick diagram, to which the table links.
     """
     cores: dict[int, list[ListedBox]] = {}
     for box in listing.boxes[:most]:
@@ -56,7 +56,7 @@ def _named(box: ListedBox, drawn: Collection[int]) -> str:
 
 
 def _variants(boxes: Sequence[ListedBox], drawn: Collection[int]) -> Cell:
-    """Return boxes of a core, folded, with differences and the most important figures."""
+    """Return a cell that unfolds to the gearboxes of a core, with differences and main figures."""
     if not boxes:
         return Cell("")
     lines = [
@@ -78,7 +78,7 @@ def _important(box: ListedBox) -> Iterator[tuple[str, str]]:
 
 
 def family_grid(listing: BoxListing) -> Grid:
-    """Return the table of families with the ratios of the gears."""
+    """Return the table of families of gearboxes with the gear ratios."""
     names = list(dict.fromkeys(name for box in listing.boxes for name in box.gears))
     rows: list[Values] = []
     for family, boxes in list(listing.families.items())[:MOST_FAMILIES]:
@@ -92,7 +92,7 @@ def family_grid(listing: BoxListing) -> Grid:
 MOST_FAMILIES = 1000
 """Largest number of families in the table."""
 MOST_NAMED = 12
-"""Largest number of boxes of a family that are named."""
+"""Largest number of gearboxes of a family whose numbers are listed."""
 
 
 def _numbers(boxes: Sequence[ListedBox]) -> str:
@@ -101,13 +101,13 @@ def _numbers(boxes: Sequence[ListedBox]) -> str:
 
 
 def middle(ends: Range) -> float:
-    """Return the geometric mean of a wanted range [-]."""
+    """Return the geometric mean of the ends of a wanted range [-]."""
     low, high = ends
     return math.copysign(math.sqrt(low * high), low)
 
 
 def asked_ratio(ends: Range, tolerance: float) -> str:
-    """Return a wanted ratio as text: a range, or a number with the given tolerance."""
+    """Return a wanted ratio as text: a range, or a number if the range is the given tolerance."""
     return f"{middle(ends):g}" if _is_number(ends, tolerance) else asked_range(ends)
 
 
@@ -123,7 +123,7 @@ def _is_number(ends: Range, tolerance: float) -> bool:
 
 
 def gear_grid(box: ListedBox, wanted: WantedOfBoxes | None) -> Grid:
-    """Return the table of gears with engaged elements, ratio and target."""
+    """Return the table of gears with engaged shift elements, ratio and wanted ratio."""
     signs = (Column(name, is_sign=True, is_name=True) for name in box.elements)
     rows: list[Values] = [
         (
@@ -138,7 +138,7 @@ def gear_grid(box: ListedBox, wanted: WantedOfBoxes | None) -> Grid:
 
 
 def _target(gear: ListedGear, wanted: WantedOfBoxes | None) -> tuple[Value, Value]:
-    """Return the target of a gear and the deviation of the ratio, without deviation for a range.
+    """Return the wanted ratio of a gear, and the deviation unless the wanted ratio is a range.
 
     The cells are blank for a gear without a wanted ratio.
     """
@@ -151,10 +151,10 @@ def _target(gear: ListedGear, wanted: WantedOfBoxes | None) -> tuple[Value, Valu
 
 
 BLANK = Cell("", math.nan, kind=float)
-"""Cell for a missing number."""
+"""Empty cell in a column of numbers."""
 
 
-def _mark(holds: bool) -> Cell:  # noqa: FBT001 - what the cell says
+def _mark(holds: bool) -> Cell:  # noqa: FBT001 - content of the cell
     """Return a dot if a property holds, else a blank."""
     return sign(holds) if holds else sign(holds)._replace(text="")
 
@@ -162,7 +162,7 @@ def _mark(holds: bool) -> Cell:  # noqa: FBT001 - what the cell says
 def shown_box(
     box: ListedBox, svg: bytes | None, digits: int | None, wanted: WantedOfBoxes | None
 ) -> Iterator[Markup]:
-    """Yield the figures, diagram, gears and sets of a box, with further tables folded."""
+    """Yield figures, diagram, gears and gear sets of a gearbox, with further tables folded."""
     title = tr(
         "Box {number}, family {family}, core {core}",
         number=box.number,
@@ -182,7 +182,7 @@ def shown_box(
 
 
 def element_grid(box: ListedBox) -> Grid:
-    """Return the table of torques of engaged elements and slips of open elements, by gear."""
+    """Return the table of torques of engaged, and slips of open, shift elements by gear."""
     kinds = {"torque": "torques", "slip": "slips"}
     columns = [Column(name, over=over) for over in kinds for name in box.elements]
     rows: list[Values] = [
@@ -200,7 +200,7 @@ def element_grid(box: ListedBox) -> Grid:
 
 
 def set_grid(box: ListedBox) -> Grid:
-    """Return the table of speeds of carriers and planets, losses and drag, by gear."""
+    """Return the table of carrier and planet speeds, losses and drag by gear."""
     columns = [
         Column(set_name, over=over)
         for over in ("carrier", "planets", "loss [%]")
@@ -220,12 +220,12 @@ def set_grid(box: ListedBox) -> Grid:
 
 
 def _of(values: Mapping[str, float], name: str) -> Cell:
-    """Return a number by name; blank if missing."""
+    """Return a cell with the value of a name; an empty cell if it is missing."""
     return exact(values[name]) if name in values else BLANK
 
 
 def _facts(box: ListedBox) -> Iterator[tuple[str, str]]:
-    """Yield further facts about a box as a whole."""
+    """Yield further facts about a gearbox as a whole."""
     none = tr("none")
     yield tr("skip shifts"), str(box.skip_shifts)
     yield tr("torque of both signs"), ", ".join(box.reversing) or none

@@ -1,4 +1,4 @@
-"""The HTML page of found gearboxes, and the files next to written cases."""
+"""HTML page of found gearboxes, and the files next to gearboxes written as cases."""
 
 from __future__ import annotations
 
@@ -29,20 +29,21 @@ from vstatics.synthesis.report.box_parts import (
 )
 
 MOST_SHOWN_BOXES = 40
-"""Largest number of boxes with a diagram on the page."""
+"""Largest number of gearboxes with a stick diagram on the page."""
 MOST_LISTED = 1000
-"""Largest number of boxes in the table."""
+"""Largest number of gearboxes in the table."""
 
 
 def box_pages(listing: BoxListing) -> dict[str, bytes]:
-    """Return the page of found boxes and the picture, by file name.
+    """Return the page and the picture of found gearboxes, by file name.
 
-    The page requires `vstatics.page`, the picture the extra `plot`.
+    The page needs the annex `vstatics.page`, and the picture the extra `plot`; files that cannot be
+    written are missing.
 
     Parameters
     ----------
     listing : BoxListing
-        Found boxes, not empty.
+        Found gearboxes; at least one.
 
     Raises
     ------
@@ -65,14 +66,14 @@ def boxes_page(
     digits: int | None = None,
     stamp: Mapping[str, str] | None = None,
 ) -> str:
-    """Return the HTML page of found boxes, without pictures if matplotlib is missing.
+    """Return the HTML page of found gearboxes, without pictures if matplotlib is missing.
 
     Parameters
     ----------
     document : mapping, optional
-        Document of the listing; the page contains the document with the listed boxes.
+        Document of the listing, which the page contains as JSON with the listed gearboxes.
     digits : int, optional
-        Digits after the point; by default a number that suits each quantity.
+        Number of decimals; by default a number that suits each quantity.
     stamp : mapping of str to str, optional
         Entries of the stamp, such as author, project and date.
 
@@ -81,7 +82,7 @@ def boxes_page(
     CaseError
         If the list is empty.
     ReadError
-        If the case of a drawn box is not valid.
+        If the case of a drawn gearbox is not valid.
     """
     if not listing.boxes:
         raise CaseError("E009", "no box was found, so there is nothing to show")
@@ -118,7 +119,7 @@ def _about(listing: BoxListing) -> Iterator[Markup]:
 
 
 def _asked(wanted: WantedOfBoxes) -> Iterator[str]:
-    """Yield the wanted ratios and conditions of gears as text."""
+    """Yield the wanted ratios, and conditions on gears, as text."""
     ratios = [asked_ratio(ends, wanted.tolerance) for ends in wanted.ratios]
     if not wanted.gears:
         middles = [middle(ends) for ends in wanted.ratios]
@@ -138,7 +139,7 @@ def _asked(wanted: WantedOfBoxes) -> Iterator[str]:
 
 
 def _line(listing: BoxListing) -> Markup:
-    """Return the line of counts, with the boxes of least loss and of least torque."""
+    """Return the line of counts, with the gearboxes of smallest loss and of smallest torque."""
     facts: list[tuple[str, str]] = [
         (tr("looked at"), str(listing.searched)),
         (tr("choices of shift elements given up"), str(listing.given_up)),
@@ -147,7 +148,8 @@ def _line(listing: BoxListing) -> Markup:
     ]
     known = [box for box in listing.boxes if math.isfinite(box.loss)]
     if known:
-        least = min(known, key=lambda box: round(box.loss, 9))  # the first of equal boxes
+        # Of gearboxes with equal loss, the first counts.
+        least = min(known, key=lambda box: round(box.loss, 9))
         facts.append(
             (tr("least mean loss"), joined(f"{100 * least.loss:.3f} %, ", box_link(least)))
         )
@@ -173,7 +175,7 @@ def _overview(listing: BoxListing, without: str) -> Iterator[Markup]:
 
 
 def _diagrams(listing: BoxListing, without: str, digits: int | None) -> Iterator[Markup]:
-    """Yield the diagrams of the Pareto list and of the first box of each family."""
+    """Yield the diagrams of the Pareto list, and of the first gearbox of each family."""
     shown = drawn_boxes(listing, MOST_SHOWN_BOXES)
     omitted = len(listing.boxes) - len(shown)
     if omitted:

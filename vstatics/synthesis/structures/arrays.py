@@ -1,8 +1,9 @@
 """Many schemes as rows of an array, with addition of gear sets and a check of soundness.
 
-A row contains the links of sun, carrier and ring of each set in turn, numbered in the order of
-their first appearance (a restricted growth string). Its leading sets form such a row, too, so rows
-with an additional set grow from it. An unsound row only has unsound descendants.
+A row contains the links of sun, carrier and ring of each gear set in turn, numbered in the order of
+their first appearance (a restricted growth string). Its leading sets are also such a row, so that
+rows with one more set grow from it. A scheme is unsound if a group of sets always rotates as a
+block; all rows that grow from it are unsound, too.
 """
 
 from __future__ import annotations
@@ -15,17 +16,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 Bits = NDArray[np.uint64]
-"""Sets of links as bits."""
+"""Links as bits of an integer, in an array."""
 Codes = NDArray[np.uint8]
-"""Schemes by rows, shape (schemes, 3*sets)."""
+"""Schemes as rows of links, shape (schemes, 3*sets)."""
 MEMBERS = 3
 """Number of members of a gear set: sun, carrier and ring."""
 LEAST_MOBILITY = 2
-"""Smallest number of links minus number of sets of a group of sets that is not locked up."""
+"""Smallest difference of links minus gear sets of a group of sets that can move internally."""
 
 
 def first_codes() -> Codes:
-    """Return the only scheme with a single set.
+    """Return the only scheme with a single gear set.
 
     >>> first_codes()
     array([[0, 1, 2]], dtype=uint8)
@@ -44,14 +45,14 @@ def link_counts(codes: Codes) -> NDArray[np.intp]:
 
 @cache
 def next_sets(links: int, *, apart: bool) -> Codes:
-    """Return the possible links of a further set, in ascending order, shape (choices, 3).
+    """Return the possible links of a further gear set, in ascending order, shape (choices, 3).
 
     Parameters
     ----------
     links : int
         Number of links of the scheme.
     apart : bool
-        True to allow sets that share no link with the scheme.
+        True to include gear sets that share no link with the scheme.
 
     Examples
     --------
@@ -69,18 +70,18 @@ def next_sets(links: int, *, apart: bool) -> Codes:
 
 
 def grown(codes: Codes, *, apart: bool) -> tuple[NDArray[np.intp], Codes]:
-    """Return all schemes with a further set.
+    """Return all schemes that grow from schemes by a further gear set.
 
     Parameters
     ----------
     codes : array, shape (schemes, 3*sets)
     apart : bool
-        True to allow sets that share no link with the scheme.
+        True to include gear sets that share no link with the scheme.
 
     Returns
     -------
     parents : array, shape (grown,)
-        Row from which each scheme grew.
+        Row of `codes` from which each scheme grew.
     grown : array, shape (grown, 3*sets + 3)
         Schemes in the order of their parents, ascending from each parent.
 
@@ -104,7 +105,7 @@ def grown(codes: Codes, *, apart: bool) -> tuple[NDArray[np.intp], Codes]:
 
 
 def link_masks(codes: Codes) -> Bits:
-    """Return the links of each set as bits, shape (schemes, sets).
+    """Return the links of each gear set as bits, shape (schemes, sets).
 
     >>> link_masks(first_codes())
     array([[7]], dtype=uint64)
@@ -114,16 +115,16 @@ def link_masks(codes: Codes) -> Bits:
 
 
 def stays_sound(parents: Codes, which: NDArray[np.intp], children: Codes) -> NDArray[np.bool_]:
-    """Return whether the last set of each child locks no group of sets.
+    """Return whether schemes are still sound after addition of their last gear set.
 
-    A group rotates as a block if it has fewer than two links more than sets.
+    A group of gear sets always rotates as a block if it has fewer than two links more than sets.
 
     Parameters
     ----------
     parents : array, shape (parents, 3*sets)
-        Sound schemes.
+        Sound schemes from which the children grew.
     which : array, shape (children,)
-        Parent of each child.
+        Row in `parents` from which each child grew.
     children : array, shape (children, 3*sets + 3)
 
     Returns
@@ -150,7 +151,7 @@ def stays_sound(parents: Codes, which: NDArray[np.intp], children: Codes) -> NDA
 
 
 def are_connected(codes: Codes) -> NDArray[np.bool_]:
-    """Return whether common links connect all sets of a scheme, shape (schemes,).
+    """Return whether common links connect all gear sets of a scheme, shape (schemes,).
 
     >>> are_connected(np.array([[0, 1, 2, 3, 4, 5], [0, 1, 2, 3, 4, 0]], dtype=np.uint8))
     array([False,  True])
@@ -164,7 +165,7 @@ def are_connected(codes: Codes) -> NDArray[np.bool_]:
 
 
 def _bit_counts(bits: Bits) -> NDArray[np.uint8]:
-    """Count the bits of each number, for versions of NumPy without `bitwise_count`.
+    """Count the set bits of each integer, for versions of NumPy without `bitwise_count`.
 
     >>> _bit_counts(np.array([0, 7, 2**63 + 256], dtype=np.uint64))
     array([0, 3, 2], dtype=uint8)
@@ -177,7 +178,7 @@ bit_counts: Callable[[Bits], NDArray[np.uint8]] = getattr(np, "bitwise_count", _
 
 
 def orders(classes: str) -> tuple[tuple[int, ...], ...]:
-    """Return the orders of the members of a set that a class does not distinguish.
+    """Return the orders of members of a gear set that a class of schemes does not distinguish.
 
     >>> orders("sets"), orders("members"), len(orders("order"))
     (((0, 1, 2),), ((0, 1, 2), (2, 1, 0)), 6)

@@ -1,10 +1,10 @@
-"""Numbers of schemes by the number of links.
+"""Numbers of schemes by their number of links.
 
-Classes are counted while they are listed. Schemes with numbered sets need only small lists. The
-number of connected schemes is the number of all schemes minus the number of schemes in parts. A
-connected scheme is sound, or it is one body, or it is a sound scheme of some of its sets in which
-bodies formed by the other sets replace links. The number of sound schemes therefore follows from
-the sound schemes with two sets fewer.
+Classes of equal schemes are counted while they are listed. Schemes with numbered gear sets are
+counted by recursion. The number of connected schemes is the number of all schemes minus the number
+of schemes in parts. A connected scheme is sound, or rotates as one body, or is a sound scheme of
+some of its sets in which bodies of the other sets replace links. Therefore the number of sound
+schemes follows from the sound schemes with two sets less.
 """
 
 from __future__ import annotations
@@ -29,21 +29,21 @@ from vstatics.synthesis.structures.growth import (
 ByLinks = dict[int, int]
 """Numbers of schemes by number of links."""
 LinkSizes = tuple[int, ...]
-"""Number of members of each link of a scheme, ascending."""
+"""Number of gear-set members at each link of a scheme, ascending."""
 
 
 @refusing()
 def count(
     search: StructureSearch, advance: Callable[[int], None] = lambda _: None
 ) -> dict[int, int]:
-    """Count schemes by the number of links.
+    """Count the requested schemes by their number of links.
 
     Parameters
     ----------
     search : StructureSearch
         Requested schemes.
     advance : callable
-        Called from time to time with the number of further schemes.
+        Function that is called from time to time with the number of further schemes.
 
     Returns
     -------
@@ -78,7 +78,7 @@ def count(
 
 @cache
 def labelled(sets: int) -> ByLinks:
-    """Count all schemes with numbered sets, connected or not.
+    """Count all schemes with numbered gear sets, connected or not, by number of links.
 
     >>> labelled(2)
     {6: 1, 5: 9, 4: 18, 3: 6}
@@ -96,9 +96,9 @@ def labelled(sets: int) -> ByLinks:
 
 @cache
 def connected(sets: int) -> ByLinks:
-    """Count the connected schemes with numbered sets.
+    """Count the connected schemes with numbered gear sets, by number of links.
 
-    From all schemes, the schemes in which the first set is connected to fewer sets are subtracted.
+    Schemes in which the first set is connected to only some of the others are subtracted from all.
 
     >>> connected(2)
     {5: 9, 4: 18, 3: 6}
@@ -112,7 +112,7 @@ def connected(sets: int) -> ByLinks:
 
 
 def sound(sets: int) -> ByLinks:
-    """Count the schemes with numbered sets in which no group of sets is locked up.
+    """Count connected schemes with numbered gear sets and no locked-up group, by links.
 
     >>> sound(3)
     {7: 189, 6: 864, 5: 1080}
@@ -133,26 +133,26 @@ def _part(sets: int, *, is_body: bool) -> ByLinks:
 
 @cache
 def _mixed(sets: int) -> Counter[int]:
-    """Count connected schemes with a locked-up body that does not contain all sets."""
+    """Count connected schemes with a locked-up body of only some of the gear sets."""
     numbers: Counter[int] = Counter()
     for outside in range(1, sets - 1):
         for sizes, number in _link_sizes(outside).items():
             for links, ways in _with_bodies(sizes, sets - outside):
-                # without bodies, the outer sets alone do not contain the inner sets
+                # without bodies, the outer sets alone would not use all sets
                 numbers[links] += comb(sets, outside) * number * ways
     return numbers
 
 
 @cache
 def _with_bodies(sizes: LinkSizes, inside: int) -> tuple[tuple[int, int], ...]:
-    """Count the ways to replace links by bodies of a number of inner sets.
+    """Count the ways to replace links by locked-up bodies of a number of inner gear sets.
 
     Each member of a replaced link can be connected to any link of the body.
 
     Returns
     -------
     tuple
-        Pairs of a number of links, and the number of ways.
+        Pairs: a number of links, and the number of ways that give this number.
     """
     if not sizes:
         return () if inside else ((0, 1),)
@@ -168,7 +168,7 @@ def _with_bodies(sizes: LinkSizes, inside: int) -> tuple[tuple[int, int], ...]:
 
 @cache
 def _link_sizes(sets: int) -> dict[LinkSizes, int]:
-    """Count the sound schemes by the numbers of members of links."""
+    """Count the sound schemes by the numbers of gear-set members at their links."""
     totals: Counter[LinkSizes] = Counter()
     search = StructureSearch(sets)
     for batch in batches(counted_by(search)):

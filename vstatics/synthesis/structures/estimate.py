@@ -1,8 +1,8 @@
 """Estimate of the number of schemes, the size of their list and the time, from a sample.
 
-Schemes grow set by set. At each number of sets a sample of the schemes is drawn, whose descendants
-represent the descendants of all (Knuth 1975, Estimating the efficiency of backtrack programs). Few
-schemes are all taken, so that their number is exact.
+Schemes grow set by set. At each number of gear sets, a sample of the schemes is drawn, and the
+schemes that grow from it represent all (Knuth 1975, Estimating the efficiency of backtrack
+programs). If there are only few schemes, all are taken, so that the number is exact.
 """
 
 from __future__ import annotations
@@ -32,30 +32,31 @@ from vstatics.synthesis.structures.growth import (
 from vstatics.synthesis.structures.json_lines import lines
 
 GROWN_SCHEMES = 600_000
-"""Number of schemes grown in each step; it is divided by the number of orders of set members."""
+"""Number of schemes that grow in each step, divided by the number of equivalent orders of members.
+"""
 FEW_SETS = 4
-"""Number of sets above which fewer schemes grow in each step."""
+"""Number of gear sets above which fewer schemes grow in each step."""
 COUNTED_SETS = 6
-"""Number of sets up to which counting is as fast as an estimate."""
+"""Largest number of gear sets for which counting is as fast as an estimate."""
 WRITTEN = 2000
-"""Number of schemes in the sample for the length of lines."""
+"""Number of schemes in the sample for the mean length of output lines."""
 
 
 class Estimate(NamedTuple):
-    """Expected results of a search."""
+    """Estimated result of a search for schemes."""
 
     by_links: Mapping[int, float]
-    """Number of schemes by number of links."""
+    """Number of schemes, by their number of links."""
     exact: bool
     """True if the numbers are exact."""
     bytes: float
-    """Size of the output lines. [bytes]"""
+    """Size of the output [bytes]."""
     seconds: float
     """Time of the search. [s]"""
 
     @property
     def total(self) -> float:
-        """Number of all schemes."""
+        """Total number of schemes."""
         return sum(self.by_links.values())
 
 
@@ -83,7 +84,8 @@ def estimate(search: StructureSearch, *, listed: bool) -> Estimate:
         whole = search._replace(classes="none", ports=False)
         if not grown.exact and _are_soon_counted(whole):
             stand = _by_links(search, grown, labelled_weights(search, grown.batch))
-            known = count(whole)  # exact numbers of labelled schemes correct the sample
+            # The known numbers of schemes with numbered sets correct the sample.
+            known = count(whole)
             by_links = {
                 links: number * known[links] / stand[links] if stand[links] else number
                 for links, number in by_links.items()
@@ -97,12 +99,12 @@ def estimate(search: StructureSearch, *, listed: bool) -> Estimate:
 
 
 def _labelled(search: StructureSearch) -> Estimate:
-    """Estimate the number of schemes with numbered sets, and the time to count them."""
+    """Estimate the number of schemes with numbered gear sets, and the time to count them."""
     if _are_soon_counted(search):
         return Estimate(count(search), exact=True, bytes=0.0, seconds=0.0)
     sample = _sample(counted_by(search))
     by_links = _by_links(search, sample, weights(search, sample.batch))
-    # The count needs a list of the schemes with two sets less.
+    # The count needs a list of the schemes with two gear sets less.
     seconds = _sample(StructureSearch(search.sets - 2, "sets")).seconds
     return Estimate(by_links, sample.exact, 0.0, seconds)
 
@@ -114,7 +116,7 @@ def _are_soon_counted(search: StructureSearch) -> bool:
 def _by_links(
     search: StructureSearch, sample: _DrawnSchemes, numbers: NDArray[Any]
 ) -> dict[int, float]:
-    """Return the number of schemes that a sample represents, by number of links."""
+    """Return the number of schemes that a sample represents, by their number of links."""
     all_of_them = numbers * sample.weights
     links = sample.batch.links
     sums = {wanted: float(all_of_them[links == wanted].sum()) for wanted in search.wanted}
@@ -122,19 +124,19 @@ def _by_links(
 
 
 class _DrawnSchemes(NamedTuple):
-    """Sample of the schemes with all sets."""
+    """Sample of the schemes with the full number of gear sets."""
 
     batch: SchemeBatch
     weights: Floats
-    """Number of schemes that each scheme represents, shape (schemes,)."""
+    """Number of schemes that each scheme of the sample represents, shape (schemes,)."""
     exact: bool
     """True if the sample contains all schemes."""
     seconds: float
-    """Expected time to find all schemes. [s]"""
+    """Expected time to find all schemes, not only the sample. [s]"""
 
 
 def _sample(search: StructureSearch) -> _DrawnSchemes:
-    """Grow a sample of schemes set by set."""
+    """Return a sample of schemes, grown gear set by gear set."""
     [batch] = batches(search._replace(sets=1, links=()))
     sizes, exact, seconds = np.ones(1), True, 0.0
     for _ in range(search.sets - 1):
@@ -152,10 +154,10 @@ def _sample(search: StructureSearch) -> _DrawnSchemes:
 def _drawn(
     search: StructureSearch, batch: SchemeBatch, sizes: Floats
 ) -> tuple[NDArray[np.intp], Floats]:
-    """Return the rows of a sample, and the number that each row represents.
+    """Draw a sample of rows; return the rows, and the number of rows that each represents.
 
-    All rows are returned if they are few. Otherwise the sample is equally large for each number of
-    links, and evenly spaced by weight.
+    Few rows are all returned. Otherwise, the sample has equally many rows for each number of links,
+    evenly spaced by their weight.
     """
     orders = 1 if search.classes == "none" else len(arrays.orders(search.classes))
     tried = GROWN_SCHEMES // orders // max(search.sets - FEW_SETS, 1)
@@ -178,7 +180,7 @@ def _drawn(
 
 
 def _written(search: StructureSearch, batch: SchemeBatch) -> tuple[float, float]:
-    """Return the mean length of a line, and the time to write a line."""
+    """Return the mean length of an output line [bytes], and the time to write it [s]."""
     step = math.ceil(len(batch.codes) / WRITTEN)
     if not step:
         return 0.0, 0.0

@@ -1,8 +1,8 @@
 """Enumeration of all schemes with a number of planetary gear sets, set by set.
 
-The leading sets of a least code form a least code themselves, which is connected and sound if the
-whole is. Every class therefore grows exactly once, from a class with a set fewer. Schemes need not
-be compared with earlier results, and memory does not grow with their number.
+The leading gear sets of a least code are a least code themselves, connected and sound if the whole
+is. So every class of equal schemes grows exactly once, from a class with one set less. Schemes need
+not be compared with earlier results, and memory does not grow with their number.
 """
 
 from __future__ import annotations
@@ -22,12 +22,13 @@ from vstatics.synthesis.structures.arrays import MEMBERS, Codes
 from vstatics.synthesis.structures.least_codes import Symmetries, symmetries
 
 Classes = Literal["none", "sets", "members", "order"]
-"""Schemes that count as equal: none; with renamed sets; also with exchanged sun and ring; also with
-any order of members."""
+"""Which schemes count as equal: none; schemes equal after renaming of gear sets; also after
+exchange of sun and ring; also with any order of members.
+"""
 MOST_SETS = 10
 """Largest number of gear sets."""
 SCHEMES_AT_ONCE = 50_000
-"""Number of schemes that grow at once, because of memory."""
+"""Number of schemes that grow at once, to limit memory."""
 
 
 class StructureSearch(NamedTuple):
@@ -42,17 +43,17 @@ class StructureSearch(NamedTuple):
     sets: int
     classes: Classes = "none"
     unsound: bool = False
-    """True to include schemes with a locked-up group of sets."""
+    """True to include schemes in which a group of gear sets is always locked up."""
     ports: bool = False
     """True to list each choice of input and output of a scheme."""
     links: tuple[int, ...] = ()
-    """Wanted numbers of links; any when empty."""
+    """Wanted numbers of links; empty for any number."""
     matrix: bool = False
-    """True to include the matrix of each scheme."""
+    """True to include the incidence matrix of each scheme."""
 
     @property
     def link_range(self) -> range:
-        """Possible numbers of links of connected schemes with at least two degrees of freedom.
+        """Possible numbers of links of connected schemes with two or more degrees of freedom.
 
         >>> StructureSearch(4).link_range
         range(6, 10)
@@ -69,20 +70,21 @@ class SchemeBatch(NamedTuple):
     """Batch of schemes in ascending order of codes."""
 
     codes: Codes
-    """Codes of the schemes, shape (schemes, 3*sets)."""
+    """Codes of the schemes (links of sun, carrier and ring of each set), shape (schemes, 3*sets).
+    """
     links: NDArray[np.intp]
-    """Numbers of links, shape (schemes,)."""
+    """Number of links of each scheme, shape (schemes,)."""
     symmetries: Symmetries | None
-    """Renamings that leave each scheme unchanged; not known if every scheme counts separately."""
+    """Renamings that leave each scheme unchanged; None if no classes are formed."""
     parents: NDArray[np.intp]
-    """Row from which each scheme grew, shape (schemes,)."""
+    """Row of the earlier batch from which each scheme grew, shape (schemes,)."""
 
 
 class SchemePorts(NamedTuple):
-    """Inputs and outputs of schemes."""
+    """Choices of input and output of schemes."""
 
     which: NDArray[np.intp]
-    """Row of the scheme, ascending, shape (ports,)."""
+    """Row of the scheme of each choice, ascending, shape (ports,)."""
     input: NDArray[np.intp]
     output: NDArray[np.intp]
 
@@ -129,7 +131,7 @@ def batches(search: StructureSearch) -> Iterator[SchemeBatch]:
 
 
 def _grown(search: StructureSearch, batch: SchemeBatch) -> Iterator[SchemeBatch]:
-    """Yield the final descendants of a batch, depth first."""
+    """Yield the schemes with all gear sets that grow from a batch, depth first."""
     if batch.codes.shape[1] == MEMBERS * search.sets:
         if len(batch.codes):
             yield batch
@@ -146,7 +148,7 @@ def rows_at_once(search: StructureSearch, codes: Codes, most: int = SCHEMES_AT_O
 
 
 def next_batch(search: StructureSearch, codes: Codes) -> SchemeBatch:
-    """Return the schemes with an additional set that grow from codes."""
+    """Return the schemes with a further gear set that grow from codes."""
     apart = search.classes == "none"
     which, grown = arrays.grown(codes, apart=apart)
     to_come = search.sets - grown.shape[1] // MEMBERS
@@ -169,22 +171,23 @@ def next_batch(search: StructureSearch, codes: Codes) -> SchemeBatch:
 
 
 def counted_by(search: StructureSearch) -> StructureSearch:
-    """Return the search for the weighted classes by which schemes are counted."""
+    """Return the search for classes by which schemes are counted, with `weights`."""
     return search._replace(classes="sets") if search.classes == "none" else search
 
 
 def weights(search: StructureSearch, batch: SchemeBatch) -> Integers:
     """Return the number of requested schemes that each class represents, shape (schemes,).
 
-    Without classes, these are the orders of the sets, divided by the number of symmetries, times
-    the pairs of input and output if ports are requested. With classes, the weight is 1, or with
-    ports the number of pairs that no symmetry makes equal (Burnside's lemma).
+    If no classes are requested, the number is that of the orders of gear sets, divided by the
+    number of symmetries, and multiplied by the pairs of input and output if these are requested.
+    Otherwise it is 1 or, with input and output, the number of pairs that no symmetry makes equal
+    (Burnside's lemma).
 
     Parameters
     ----------
     search : StructureSearch
     batch : SchemeBatch
-        Batch of the search `counted_by`.
+        Batch of the search that `counted_by` returns.
     """
     assert batch.symmetries is not None  # noqa: S101 - classes have symmetries
     which, links = batch.symmetries.which, batch.symmetries.links
@@ -200,7 +203,7 @@ def weights(search: StructureSearch, batch: SchemeBatch) -> Integers:
 
 
 def labelled_weights(search: StructureSearch, batch: SchemeBatch) -> Floats:
-    """Return the number of schemes with numbered sets and named members in each class."""
+    """Return the number of schemes with numbered gear sets and named members in each class."""
     assert batch.symmetries is not None  # noqa: S101 - classes have symmetries
     counts = np.bincount(batch.symmetries.which, minlength=len(batch.codes))
     orders = len(arrays.orders(search.classes))
@@ -208,7 +211,7 @@ def labelled_weights(search: StructureSearch, batch: SchemeBatch) -> Floats:
 
 
 def ports(batch: SchemeBatch) -> SchemePorts:
-    """Return the inputs and outputs of each scheme, once for symmetric choices.
+    """Return the choices of input and output of each scheme; of symmetric choices, only one.
 
     Examples
     --------
@@ -223,7 +226,7 @@ def ports(batch: SchemeBatch) -> SchemePorts:
 
 
 def _ports_of(batch: SchemeBatch, links: int) -> SchemePorts:
-    """Return the inputs and outputs of the schemes with a number of links."""
+    """Return the choices of input and output of the schemes with a number of links."""
     first, second = np.nonzero(~np.eye(links, dtype=bool))
     of_links = batch.links == links
     rows = np.flatnonzero(of_links)
@@ -239,11 +242,11 @@ def _ports_of(batch: SchemeBatch, links: int) -> SchemePorts:
 
 
 SchemeCode = Annotated[str, Words(pattern="^[0-9]+(-[0-9]+)*$")]
-"""Links of sun, carrier and ring of each set, as text."""
+"""Links of sun, carrier and ring of each gear set, as text."""
 
 
 class FoundScheme(NamedTuple):
-    """Scheme, perhaps with a choice of input and output.
+    """Scheme, with a choice of input and output if requested.
 
     Examples
     --------
@@ -255,14 +258,14 @@ class FoundScheme(NamedTuple):
     links: Count
     """Number of links."""
     input: Count | None
-    """Link of the code that is the input, if chosen."""
+    """Number of the input link in the code; None if not requested."""
     output: Count | None
     matrix: Sometimes[Sequence[Sequence[int]]] = None
     """Incidence matrix with a row for each link and a column for each sun, carrier and ring."""
 
 
 def matrices(batch: SchemeBatch) -> Iterator[list[list[int]]]:
-    """Yield the matrix of each scheme, as in `FoundScheme`.
+    """Yield the incidence matrix of each scheme, as in `FoundScheme`.
 
     >>> [batch] = batches(StructureSearch(1))
     >>> [*matrices(batch)]
@@ -284,7 +287,7 @@ def schemes(search: StructureSearch) -> Iterator[FoundScheme]:
     Returns
     -------
     iterator of FoundScheme
-        Schemes, or choices of input and output.
+        Schemes; with ports, one for each choice of input and output.
 
     Raises
     ------

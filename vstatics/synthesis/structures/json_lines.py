@@ -1,7 +1,7 @@
 """Schemes as lines of JSON, many at a time.
 
-The lines are composed of shared texts. A JSON encoder would take ten times as long, and longer
-than the search for the schemes.
+The lines are composed of common pieces of text. A JSON encoder would take ten times as long, which
+is longer than the search for the schemes.
 """
 
 from __future__ import annotations
@@ -16,12 +16,12 @@ from vstatics.synthesis.structures.arrays import MEMBERS
 from vstatics.synthesis.structures.growth import SchemeBatch, StructureSearch, matrices, ports
 
 NO_PORTS = '{}"input": null, "output": null}}\n'
-"""End of a line without input and output."""
+"""End of the line of a scheme without input and output."""
 ZERO, TEN = np.uint8(ord("0")), np.uint8(10)
 
 
 def lines(search: StructureSearch, batch: SchemeBatch) -> bytes:
-    """Return a line for each scheme, or for each choice of input and output.
+    """Return a line of JSON for each scheme, or for each choice of input and output.
 
     Examples
     --------
@@ -52,7 +52,7 @@ def lines(search: StructureSearch, batch: SchemeBatch) -> bytes:
 
 
 def _without_ports(batch: SchemeBatch) -> bytes:
-    """Write all lines at once: each number has two places, and empty places are removed."""
+    """Write all lines at once: each number has two characters, and blanks are removed."""
     places = "\0\0"
     code = "-".join([places] * batch.codes.shape[1])
     line = f'{{"code": "{code}", "links": {places}, "input": null, "output": null}}\n'
@@ -67,7 +67,7 @@ def _without_ports(batch: SchemeBatch) -> bytes:
 
 
 def _with_ports(heads: Sequence[str], batch: SchemeBatch) -> str:
-    """Write a line for each choice of ports, with the text of the scheme as separator."""
+    """Write a line for each choice of input and output, from the text of the scheme."""
     choices = ports(batch)
     pairs = choices.input * int(batch.links.max()) + choices.output
     stops = np.cumsum(np.bincount(choices.which, minlength=len(heads))).tolist()

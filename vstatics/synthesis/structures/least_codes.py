@@ -1,8 +1,8 @@
-"""Test whether a code is the least of its class, and its symmetries.
+"""Test whether a code is the least of its class of equal schemes, and find its symmetries.
 
-The least code of a class is found set by set over all orders of the sets. An order is followed
-while its code agrees with the given code, and dropped when it is greater; when it is less, the
-given code is not the least. Few orders are examined in this way.
+All orders of the gear sets are tried, set by set. An order is followed while its code agrees with
+the given code, and dropped when it is greater; if it is less, the given code is not the least. In
+this way, only few orders are examined to the end.
 """
 
 from __future__ import annotations
@@ -15,44 +15,44 @@ from numpy.typing import NDArray
 from vstatics.synthesis.structures.arrays import MEMBERS, Codes
 
 UNSEEN = 255
-"""New number of a link without a number."""
+"""Placeholder for the new number of a link that has no new number yet."""
 MOST_RENAMINGS = 400_000
-"""Number of renamings that are followed at once, because of memory."""
+"""Number of renamings that are followed at once, to limit memory."""
 
 
 class Symmetries(NamedTuple):
-    """Least codes, and the renamings that leave least codes unchanged."""
+    """Marks of least codes, and the renamings that leave them unchanged."""
 
     least: NDArray[np.bool_]
-    """True for least codes, shape (schemes,)."""
+    """True for each least code, shape (schemes,)."""
     which: NDArray[np.intp]
-    """Row of the code of each renaming, ascending, shape (renamings,)."""
+    """Row of the code to which each renaming belongs, ascending, shape (renamings,)."""
     links: Codes
-    """New number of each link, shape (renamings, links)."""
+    """New number of each link in a renaming, shape (renamings, links)."""
 
 
 class _Renamings(NamedTuple):
-    """Partial orders of the sets of schemes whose codes agree so far."""
+    """Partial orders of the gear sets of schemes whose codes agree."""
 
     which: NDArray[np.intp]
-    """Scheme of each renaming, shape (renamings,)."""
+    """Row of the scheme of each renaming, shape (renamings,)."""
     used: NDArray[np.uint16]
-    """Sets with a place, as bits, shape (renamings,)."""
+    """Gear sets that already have a place in the order, as bits, shape (renamings,)."""
     links: Codes
-    """New number of each link, shape (renamings, links)."""
+    """New number of each link in a renaming, shape (renamings, links)."""
     next: NDArray[np.uint8]
-    """Next new number, shape (renamings,)."""
+    """Next new number of a link in each renaming, shape (renamings,)."""
 
 
 def symmetries(codes: Codes, orders: tuple[tuple[int, ...], ...]) -> Symmetries:
-    """Find the least codes and the symmetries of each.
+    """Find the least codes, and the symmetries of each.
 
     Parameters
     ----------
     codes : array, shape (schemes, 3*sets)
-        Restricted growth strings.
+        Codes of schemes (restricted growth strings).
     orders : tuple
-        Equivalent orders of the members of a set.
+        Equivalent orders of the members of a gear set.
 
     Examples
     --------
@@ -75,10 +75,10 @@ def symmetries(codes: Codes, orders: tuple[tuple[int, ...], ...]) -> Symmetries:
 
 
 class _RenamingSearch:
-    """Search for renamings that reduce or keep a code."""
+    """Search for renamings that reduce a code or leave it unchanged."""
 
     def __init__(self, codes: Codes, orders: tuple[tuple[int, ...], ...]) -> None:
-        """Start with every code as the least."""
+        """Begin with every code as a candidate for the least."""
         self.sets = codes.shape[1] // MEMBERS
         self.members = codes.reshape(len(codes), self.sets, MEMBERS)
         self.orders = orders
@@ -86,7 +86,7 @@ class _RenamingSearch:
         self.ends: list[_Renamings] = []
 
     def follow(self, renamings: _Renamings, place: int) -> None:
-        """Try every set at a place of the order; follow the renamings whose codes agree there."""
+        """Try every gear set at a place of the order, and follow renamings with equal codes."""
         if place == self.sets:
             self.ends.append(renamings)
             return
@@ -102,9 +102,9 @@ class _RenamingSearch:
     def _agreeing(
         self, before: _Renamings, place: int, number: int, order: tuple[int, ...]
     ) -> _Renamings:
-        """Extend renamings by a set at a place, as far as the codes agree with the given codes.
+        """Extend renamings by a gear set at a place, and return those that agree with the codes.
 
-        A code that becomes less than the given code shows that the given code is not the least.
+        If a code becomes less than the given code, the given code is not the least.
         """
         free = (before.used >> np.uint16(number)) & np.uint16(1) == 0
         rows = np.flatnonzero(free & self.least[before.which])

@@ -1,4 +1,4 @@
-"""Scheme of planetary gear sets: the common links of members, and the code."""
+"""Scheme of planetary gear sets: the common links of their members, and its code."""
 
 from __future__ import annotations
 
@@ -33,18 +33,18 @@ class SetScheme(NamedTuple):
 
     @classmethod
     def of_code(cls, code: str) -> SetScheme:
-        """Return the scheme of a code with links numbered in any order.
+        """Return the scheme of a code, whose links can be numbered in any order.
 
         Raises
         ------
         ValueError
-            If the text is not a code.
+            If the text is not the code of a scheme.
         """
         return cls(_sets(_numbers(code)))
 
     @property
     def code(self) -> str:
-        """Links of all sets, joined by hyphens."""
+        """Code: the links of all gear sets in turn, joined by hyphens."""
         return "-".join(str(link) for members in self.sets for link in members)
 
     @property
@@ -54,12 +54,12 @@ class SetScheme(NamedTuple):
 
     @property
     def mobility(self) -> int:
-        """Degrees of freedom: number of links minus number of sets."""
+        """Degrees of freedom without shift elements: number of links minus number of gear sets."""
         return self.links - len(self.sets)
 
     @property
     def is_connected(self) -> bool:
-        """True if common links connect all sets.
+        """True if common links connect all gear sets.
 
         >>> SetScheme.of_code("0-1-2-3-4-5").is_connected
         False
@@ -68,9 +68,9 @@ class SetScheme(NamedTuple):
 
     @property
     def locked_sets(self) -> tuple[int, ...]:
-        """Smallest group of sets that rotates as a block for all ratios, by numbers from 1.
+        """Smallest group of gear sets that always rotates as a block, by numbers from 1.
 
-        The group has fewer than two links more than sets. For a sound scheme it is empty.
+        Such a group has fewer than two links more than sets. A sound scheme has no such group.
 
         >>> of_code = SetScheme.of_code
         >>> of_code("0-1-2-2-0-1").locked_sets, of_code("0-1-2-2-0-3").locked_sets
@@ -85,7 +85,7 @@ class SetScheme(NamedTuple):
 
 
 def link_name(link: int) -> str:
-    """Return the name of a link in a case, where 0 is the housing.
+    """Return the name of a link in a case, where the number 0 would mean the housing.
 
     >>> link_name(0)
     'L0'
@@ -110,7 +110,7 @@ def _sets(numbers: Sequence[int]) -> tuple[tuple[int, int, int], ...]:
         raise ValueError(f"read {len(numbers)} links in the code, {expected}")
     if len(numbers) > MEMBERS * MOST_SETS:
         raise ValueError(f"read {len(numbers) // MEMBERS} sets, expected at most {MOST_SETS}")
-    # There are at most as many gaps as links, however large the greatest number is.
+    # The number of gaps is at most that of links, however large the greatest number is.
     missing = sorted(set(range(min(max(numbers), 2 * len(numbers)))) - set(numbers))
     if missing:
         some = listed([str(link) for link in missing], 3)

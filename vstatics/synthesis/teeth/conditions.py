@@ -1,4 +1,4 @@
-"""Conditions on tooth numbers as filters of candidates, with the formulas of `elements.teeth`."""
+"""Conditions on tooth numbers, as filters of candidates with the formulas of `elements.teeth`."""
 
 from __future__ import annotations
 
@@ -27,20 +27,22 @@ from vstatics.synthesis.teeth.layout import TeethLayout
 from vstatics.synthesis.teeth.limits import AxisEquation, TeethLimits
 
 FOOT = 2.5
-"""Outer diameter minus pitch diameter of a ring gear, for teeth and rim. [modules]"""
+"""Outer diameter minus pitch diameter of a ring gear, for its teeth and rim. [modules]"""
 
 
 @dataclass(frozen=True)
 class TeethCandidates:
-    """Candidates in rows: tooth number of each gear, number of planets, module of each component.
+    """Candidate tooth numbers of a gear set as rows, with numbers of planets and modules.
 
-    A component is a group of meshing gears. Its module is given as an index into `modules`.
+    A component is a group of meshing gears, with a common module, given as an index into `modules`.
     """
 
     layout: TeethLayout
     modules: Floats
     rows: Integers
-    """Candidates, shape (candidates, wheels + 1 + components)."""
+    """Tooth numbers of the gears, number of planets and modules, shape (candidates, wheels + 1 +
+    components).
+    """
 
     def teeth(self, wheel: int) -> Floats:
         """Return the tooth numbers of a gear, shape (candidates,)."""
@@ -52,7 +54,7 @@ class TeethCandidates:
         return self.rows[:, len(self.layout.wheels)]
 
     def module(self, component: int) -> Floats:
-        """Return the modules of a component, shape (candidates,)."""
+        """Return the modules of a component, shape (candidates,) [mm, or 1]."""
         return self.modules[self.rows[:, len(self.layout.wheels) + 1 + component]]
 
     def span(self, rim: int) -> Floats:
@@ -66,7 +68,7 @@ class TeethCandidates:
         return span if here == there else span * self.module(there) / self.module(here)
 
     def sides(self, pair: tuple[int, int]) -> tuple[Floats, Floats, Floats]:
-        """Return the radii of two axes of meshing planets, and the centre distance, in modules."""
+        """Return both meshing planets' distances from the axis, and from each other [modules]."""
         first, second = pair
         apart = (self.teeth(first) + self.teeth(second)) / 2
         return self.span(first) / 2, self.span(second) / 2, apart
@@ -76,16 +78,16 @@ Test = Callable[[TeethCandidates], Booleans]
 
 
 class TeethCondition(NamedTuple):
-    """Condition on candidates."""
+    """Condition on candidate tooth numbers."""
 
     label: str
     needs: frozenset[int]
-    """Columns of candidates that must be known to check the condition."""
+    """Indices of the columns of candidates that must be known to check the condition."""
     test: Test
 
 
 def teeth_conditions(layout: TeethLayout, limits: TeethLimits) -> Iterator[TeethCondition]:
-    """Yield all conditions on the tooth numbers of a gear set except the coaxiality conditions."""
+    """Yield all conditions on the tooth numbers of a gear set, except coincidence of the axes."""
     yield from _in_rings(layout)
     if limits.largest_diameter is not None:
         yield from _within(layout, limits.largest_diameter)
@@ -133,7 +135,7 @@ def _differ(rows: TeethCandidates) -> Booleans:
 
 
 def _within(layout: TeethLayout, largest: float) -> Iterator[TeethCondition]:
-    """Yield conditions that ring gears with rim, gear tips and planets stay within a diameter."""
+    """Yield conditions that rims of ring gears, tips of gears, and planets fit a diameter."""
     first, rims = len(layout.wheels) + 1, {rim for rims in layout.planets for rim in rims}
     for number in range(len(layout.wheels)):
         needs, is_rim = frozenset({number, first + layout.component[number]}), number in rims
@@ -146,7 +148,7 @@ def _within(layout: TeethLayout, largest: float) -> Iterator[TeethCondition]:
         yield TeethCondition("largest diameter", needs, test)
 
 
-def _is_within(number: int, largest: float, is_rim: bool, rows: TeethCandidates) -> Booleans:  # noqa: FBT001 - by place, for `partial`
+def _is_within(number: int, largest: float, is_rim: bool, rows: TeethCandidates) -> Booleans:  # noqa: FBT001 - by position
     across = rows.teeth(number) + (FOOT if rows.layout.internal[number] else TIPS)
     if is_rim:
         across += rows.span(number)
@@ -155,7 +157,8 @@ def _is_within(number: int, largest: float, is_rim: bool, rows: TeethCandidates)
 
 def _have_room(rim: int, clearance: float, rows: TeethCandidates) -> Booleans:
     room = neighbours_room(rows.span(rim), rows.teeth(rim), np.sin(np.pi / rows.counts))
-    return (room - clearance >= TIP_CLEARANCE) | (rows.counts < 2)  # a single planet is free
+    # A single planet has no neighbours.
+    return (room - clearance >= TIP_CLEARANCE) | (rows.counts < 2)
 
 
 def _pass(rim: int, wheel: int, clearance: float, rows: TeethCandidates) -> Booleans:
@@ -169,7 +172,7 @@ def _close(pair: tuple[int, int], rows: TeethCandidates) -> Booleans:
 
 
 def _have_room_across(pair: tuple[int, int], clearance: float, rows: TeethCandidates) -> Booleans:
-    """Check the distance of a planet to the second next planet, which is not in mesh."""
+    """Check that a planet does not touch the second next planet, with which it does not mesh."""
     first, second, apart = rows.sides(pair)
     turn = 2 * math.pi / rows.counts
     room = crossing_distance(first, second, apart, turn) - apart - TIPS
@@ -178,14 +181,14 @@ def _have_room_across(pair: tuple[int, int], clearance: float, rows: TeethCandid
 
 
 def _go_in(train: list[int], rows: TeethCandidates) -> Booleans:
-    """Check that all planets of a train can be assembled at equal angles."""
+    """Check that all planets of a meshing train can be assembled at equal angles."""
     layout = rows.layout
     column = {rim: place for place, planet in enumerate(train) for rim in layout.planets[planet]}
     lines = []
     for pair in (*layout.around, *layout.meshes):
         if pair[1] in column:
             line = np.zeros((len(train) + 1, len(rows.rows)), np.int64)
-            for wheel in pair:  # central gears share the last column
+            for wheel in pair:  # central gears have a common last column
                 line[column.get(wheel, -1)] += rows.rows[:, wheel] * (
                     -1 if layout.internal[wheel] else 1
                 )
@@ -197,7 +200,7 @@ def _go_in(train: list[int], rows: TeethCandidates) -> Booleans:
 def solved(
     equation: AxisEquation, column: int, candidates: TeethCandidates
 ) -> tuple[Floats, Floats]:
-    """Return the range of tooth numbers of a gear by an equation with all other gears known."""
+    """Return the range of tooth numbers of a gear that an equation permits, all others known."""
     known_sum = np.full(len(candidates.rows), -equation.value)
     for wheel, (factor, component) in equation.terms.items():
         if wheel != column:

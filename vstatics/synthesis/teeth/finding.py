@@ -1,8 +1,8 @@
 """Integer tooth numbers for wanted ratios of gears or gear sets, as in `vstatics synth teeth`.
 
-If a gear set has too many tooth numbers to list, only those with an error up to a limit are listed.
-The limit grows from the least error that any real ratios can have until enough solutions are found.
-All solutions below the limit are then known.
+If a gear set has too many possible tooth numbers to list, only tooth numbers whose error is below a
+limit are listed. The limit starts at the smallest error that any real ratios can have, and grows
+until enough solutions are found. Then all solutions below the limit are known.
 """
 
 from __future__ import annotations
@@ -43,9 +43,9 @@ from vstatics.synthesis.tolerances import (
 
 
 def reach(rows: Sequence[TeethRows], tables: Sequence[TeethTable | None]) -> tuple[Floats, Floats]:
-    """Return the smallest and largest ratios of all gear sets [-].
+    """Return the smallest and largest possible ratios of all gear sets [-].
 
-    The ranges of teeth bound the ratios of a gear set without a table.
+    Without a table, the ranges of the tooth numbers bound the ratios of a gear set.
     """
     ends = [
         ends_by_ranges(gear_set) if table is None else (table.low[0], table.high[0])
@@ -56,9 +56,9 @@ def reach(rows: Sequence[TeethRows], tables: Sequence[TeethTable | None]) -> tup
 
 
 def range_doubts(problem: TeethProblem, low: Floats, high: Floats) -> Iterator[str]:
-    """Yield messages on ranges of teeth that exclude a target, or all targets together.
+    """Yield messages on ranges of tooth numbers that exclude a target, or all targets together.
 
-    A ratio is at the end of its range if the least error needs this end.
+    The message names a ratio as limiting if the smallest error is at an end of its range.
 
     Examples
     --------
@@ -68,7 +68,8 @@ def range_doubts(problem: TeethProblem, low: Floats, high: Floats) -> Iterator[s
     >>> find_teeth(case, {"1": 20.0}).doubts
     ['gear 1 cannot have 20: within the bounds its ratio is 2.576 to 8.118']
 
-    With gear 2 met, gear 1 needs a ratio of -1.5 of P, beyond the default ranges:
+    If gear 2 has its wanted ratio, gear 1 needs a ratio -1.5 of P, which is outside the default
+    ranges:
 
     >>> sets = [Mechanism(1, 2, 3, -2.5, name="P"), Mechanism(3, 4, 5, -2.5, name="Q")]
     >>> gears = [Gear([1, 2], name="1"), Gear([2, 3], name="2")]
@@ -107,21 +108,21 @@ def range_doubts(problem: TeethProblem, low: Floats, high: Floats) -> Iterator[s
 
 
 def doubts_before(problem: TeethProblem) -> Iterator[str]:
-    """Yield messages as `range_doubts`, from the ranges alone before any search."""
+    """Yield the messages of `range_doubts` from the ranges alone, before any search."""
     rows = [TeethRows(layout, problem.limits) for layout in problem.layouts]
     yield from range_doubts(problem, *reach(rows, [None] * len(rows)))
 
 
 MOST_WINDOWS = 4096
-"""Largest number of parts into which the ranges of ratios are divided by halving."""
+"""Largest number of parts into which the ranges of ratios are halved."""
 LARGEST_ERROR_LIMIT = 20.0
-"""Largest finite limit of errors; the limit after it is infinite."""
+"""Largest finite limit of errors; the next limit is infinite. [-]"""
 HALVINGS = 30
-"""Number of bisection steps for the least possible error."""
+"""Number of bisection steps for the smallest possible error."""
 
 
 def ends_by_ranges(rows: TeethRows) -> tuple[Floats, Floats]:
-    """Return the smallest and largest ratios that the ranges of teeth alone allow [-]."""
+    """Return the smallest and largest ratios that the ranges of tooth numbers permit [-]."""
     bounds = []
     for ratio in rows.layout.ratios:
         sizes = [1.0, 1.0]
@@ -136,7 +137,7 @@ def ends_by_ranges(rows: TeethRows) -> tuple[Floats, Floats]:
 def narrowed(
     targets: Sequence[TeethTarget], low: Floats, high: Floats, most: float
 ) -> tuple[Floats, Floats] | None:
-    """Return the ranges of ratios that contain all errors up to `most`, or `None`.
+    """Return narrower ranges of ratios that contain all errors up to `most`; None if empty.
 
     Examples
     --------
@@ -181,7 +182,7 @@ def least_possible(targets: Sequence[TeethTarget], low: Floats, high: Floats) ->
 
 
 def growing_limits(least: float) -> Iterator[float]:
-    """Yield limits of errors to try in turn, from the least possible to infinity.
+    """Yield limits of errors to try in turn, from the smallest possible error to infinity.
 
     >>> [round(limit, 6) for limit in growing_limits(0.5)][:3]
     [0.50001, 0.50004, 0.50016]
@@ -198,23 +199,22 @@ MOST_LISTED_CANDIDATES = 8_000_000
 
 
 class NoTeethError(CaseError):
-    """Failure to find tooth numbers of a gear set that fulfil all conditions."""
+    """Error if no tooth numbers of a gear set satisfy all conditions."""
 
 
 class FoundTeeth(NamedTuple):
-    """Best tooth numbers, and the proof of optimality."""
+    """Best tooth numbers, and whether they are proven to be the best."""
 
     solutions: Sequence[TeethSolution]
-    """Different tooth numbers in the order of the error; of equal errors the smaller teeth
-    first."""
+    """Different tooth numbers by ascending error; with equal errors, small tooth numbers first."""
     problem: TeethProblem
     tables: Sequence[TeethTable]
     bound: float
-    """Lower bound of the error of all other tooth numbers. [-]"""
+    """Lower bound of the error of all tooth numbers that are not listed. [-]"""
     is_proven: bool
     """True if no other tooth numbers are better than the last solution."""
     doubts: Sequence[str]
-    """Messages on ratios that no tooth numbers reach."""
+    """Messages on wanted ratios that no tooth numbers can meet."""
 
 
 @refusing()
@@ -226,30 +226,31 @@ def find_teeth(
     error: TeethError = "ln",
     advance: Advance = untold,
 ) -> FoundTeeth:
-    """Find integer tooth numbers with ratios of gears or gear sets nearest to wanted ratios.
+    """Find integer tooth numbers for which ratios of gears or gear sets are nearest to targets.
 
     Parameters
     ----------
     case : Transmission
-        Gearbox; of its tooth numbers and ratios only the signs matter.
+        Gearbox; only the signs of its present ratios matter.
     ratios : mapping of str to float
         Wanted ratio by the name of a gear, or of a gear set or one of its mechanisms. [-]
     limits : TeethLimits, optional
         Ranges and further requirements.
     error : {"ln", "absolute"}
-        Measure of deviation, whose largest value is minimised.
+        Kind of error, whose largest value over all targets is minimised.
     advance : callable
-        Called with the number of further finished regions of the search.
+        Function that is called with the number of further finished regions of the search.
 
     Returns
     -------
     FoundTeeth
-        Solutions from the best on, and whether better solutions are excluded.
+        Solutions, the best first, and whether better solutions are excluded.
 
     Raises
     ------
     NoTeethError
-        If no tooth numbers fulfil the conditions; names the condition that excludes most.
+        If no tooth numbers satisfy the conditions; the message names the condition that excludes
+        most.
     CaseError
         If the problem cannot be solved; the path of each problem begins with the option.
 
@@ -289,12 +290,12 @@ def find_teeth(
 
 
 def _whole_table(rows: TeethRows) -> TeethTable | None:
-    """Return all tooth numbers of a gear set, or `None` if there are too many.
+    """Return the table of all tooth numbers of a gear set; None if there are too many.
 
     Raises
     ------
     NoTeethError
-        If no tooth numbers fulfil the conditions.
+        If no tooth numbers satisfy the conditions.
     """
     excluded: Counter[str] = Counter()
     table = teeth_table(rows.layout, rows.pieces({}, excluded, MOST_LISTED_CANDIDATES), rows.counts)
@@ -308,7 +309,7 @@ def _whole_table(rows: TeethRows) -> TeethTable | None:
 def none_fits(layout: TeethLayout, excluded: Counter[str]) -> Problem:
     """Return the problem that no tooth numbers fit; it names the condition that excludes most.
 
-    The axes coincide for few tooth numbers, so this condition is named only if no other condition
+    Axes coincide only for few tooth numbers, so this condition is named only if no other condition
     excludes any.
     """
     message = f"no teeth of {layout.name} fulfil all conditions"
@@ -329,9 +330,10 @@ def _by_limits(
     ends: tuple[Floats, Floats],
     advance: Advance,
 ) -> tuple[list[TeethTable], BestTeeth]:
-    """Return the best tooth numbers below growing limits of errors, for very many candidates.
+    """Return tables and the best tooth numbers, if there are too many candidates to list.
 
-    If too many are below a limit, as many as possible are examined.
+    Only candidates with an error below a limit are listed, and the limit grows. If too many are
+    below a limit, as many as possible are examined.
 
     Raises
     ------
@@ -377,7 +379,7 @@ def _in_windows(
     between: tuple[Floats, Floats],
     excluded: Counter[str],
 ) -> Iterator[TeethTable]:
-    """Yield the tables of all gear sets, limited to useful ratios where too large."""
+    """Yield the tables of all gear sets, limited to useful ratios if they would be too large."""
     sizes = iter(np.sort(np.abs(between), axis=0).T.tolist())
     for gear_set, table in zip(rows, tables, strict=True):
         useful = islice(sizes, len(gear_set.layout.ratios))

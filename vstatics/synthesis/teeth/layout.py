@@ -1,4 +1,4 @@
-"""Gear sets with unknown tooth numbers: gears, meshes, and ratios as functions of teeth."""
+"""Gear sets with unknown tooth numbers: gears, meshes, and ratios as products of tooth numbers."""
 
 from __future__ import annotations
 
@@ -18,38 +18,38 @@ from vstatics.core.explain.bodies import OwnLinks
 from vstatics.core.model.parts import HOUSING, Mechanism
 
 PAIRS = ("gear_pair", "internal_pair", "bevel_pair", "idler", "chain")
-"""Kinds of gear sets without planets whose tooth numbers are searched."""
+"""Kinds of gear sets without planets for which tooth numbers can be found."""
 
 
 class TeethRatio(NamedTuple):
-    """Ratio of a gear set: a sign and a product of powers of tooth numbers."""
+    """Ratio of a mechanism: a sign and a product of powers of tooth numbers."""
 
     mechanism: int
-    """Index of the mechanism in the case without planets among the links."""
+    """Index of the mechanism in the case whose links do not include planets."""
     name: str
     sign: int
     powers: Mapping[int, int]
-    """Exponent by the number of a toothed gear."""
+    """Exponent of each toothed gear, by its number in the layout."""
 
 
 @dataclass(frozen=True)
 class TeethLayout:
-    """Gear set with unknown tooth numbers; toothed gears are numbered from 0.
+    """Gear set with unknown tooth numbers; its toothed gears are numbered from 0.
 
     Parameters
     ----------
     element : Element
-        Gear set of the case, or a substitute for a mechanism; its tooth numbers do not matter.
+        Gear set of the case, or substitute for a mechanism without teeth; its teeth do not matter.
     wheels : tuple of str
-        Central gears, then planet gears; or the gears of a pair.
+        Names of the central gears, then of the planet gears; or of the gears of a pair.
     internal : tuple of bool
         True for ring gears.
     around : tuple of (int, int)
-        Central gears with the meshing planet gears.
+        Pairs of a central gear and a planet gear that meshes with it.
     planets : tuple of tuples of int
-        Planet gears of each planet.
+        Numbers of the planet gears of each planet.
     meshes : tuple of (int, int)
-        Planet gears that mesh with each other.
+        Pairs of planet gears that mesh with each other.
     ratios : tuple of TeethRatio
         Ratios of the mechanisms of the gear set.
     is_drawn : bool
@@ -72,7 +72,7 @@ class TeethLayout:
 
     @cached_property
     def own_teeth(self) -> dict[int, int]:
-        """Known tooth numbers in the case, by the number of the gear."""
+        """Tooth numbers that the case gives, by the number of the gear."""
         if not self.is_drawn or self.element.ratios:
             return {}
         given: list[Fraction | float | None]
@@ -86,7 +86,7 @@ class TeethLayout:
 
     @cached_property
     def component(self) -> tuple[int, ...]:
-        """Component of each gear, from 0; meshing gears form a component with a common module."""
+        """Component of each gear, from 0; meshing gears are a component with a common module."""
         if not self.planets:
             return (0,) * len(self.wheels)
         return tuple(_groups(len(self.wheels), (*self.around, *self.meshes)))
@@ -96,7 +96,7 @@ class TeethLayout:
         return [wheel for wheel, other in self.around if other == rim]
 
     def axis(self, rim: int) -> tuple[int, int] | None:
-        """Return a central gear and a meshing gear of the planet, which determine the axis."""
+        """Return a central gear and the meshing planet gear, which determine the axis."""
         planet = next(rims for rims in self.planets if rim in rims)
         for gear in (rim, *planet):
             for wheel in self.around_rim(gear):
@@ -105,11 +105,11 @@ class TeethLayout:
 
     @cached_property
     def passing(self) -> list[tuple[int, int]]:
-        """Pairs of a planet gear and a gear in a common plane that must not touch.
+        """Pairs of a planet gear and a central gear in one plane that must not touch.
 
-        A planet gear must be clear of a gear that meshes with its partner, unless it meshes with
-        such a gear itself, which is then in another plane. In a Ravigneaux set the long planet must
-        always be clear of the small sun.
+        A planet gear must be clear of the sun (or ring) of the planet gear that it meshes with,
+        unless it meshes with a sun (or ring) itself, which is then in another plane. In a
+        Ravigneaux set, the long planet must always be clear of the small sun.
         """
         named = [
             (self.wheels.index(rim), self.wheels.index(wheel))
@@ -125,7 +125,7 @@ class TeethLayout:
 
     @cached_property
     def trains(self) -> list[list[int]]:
-        """Groups of planets connected by meshes."""
+        """Groups of planets that are connected by meshes."""
         planet_of = {rim: number for number, rims in enumerate(self.planets) for rim in rims}
         pairs = [(planet_of[first], planet_of[second]) for first, second in self.meshes]
         trains: dict[int, list[int]] = {}
@@ -135,7 +135,7 @@ class TeethLayout:
 
 
 def _groups(count: int, pairs: Sequence[tuple[int, int]]) -> list[int]:
-    """Return the group of each of `count` items connected by pairs, numbered in order."""
+    """Return the group of each of `count` items that pairs connect, numbered in order."""
     group = list(range(count))
     for first, second in pairs:
         old, new = sorted((group[first], group[second]), reverse=True)
@@ -152,8 +152,9 @@ def named_ratios(layouts: Sequence[TeethLayout]) -> dict[str, TeethRatio]:
 def teeth_layouts(links: OwnLinks) -> list[TeethLayout]:
     """Return all gear sets of a case whose tooth numbers can be searched.
 
-    A mechanism without teeth is replaced by a gear set: with a third link (possibly the housing) by
-    a planetary set, with meshed planets for a positive ratio; otherwise by a gear pair.
+    A mechanism without teeth is replaced by a gear set: a mechanism with a third link (possibly the
+    housing) by a planetary gear set, with meshing planets if the ratio is positive; any other by a
+    gear pair.
 
     Examples
     --------
@@ -183,7 +184,7 @@ def teeth_layouts(links: OwnLinks) -> list[TeethLayout]:
 
 
 def _stand_in(mechanism: Mechanism) -> Element | None:
-    """Return a gear set that replaces a mechanism, with arbitrary teeth, except for a worm pair."""
+    """Return a gear set with arbitrary teeth that replaces a mechanism; None for a worm pair."""
     name, ratio = mechanism.name, mechanism.ratio
     if mechanism.back_efficiency is not None:
         return None
@@ -198,7 +199,7 @@ def _stand_in(mechanism: Mechanism) -> Element | None:
 
 
 def _wheels_of(mechanism: Mechanism) -> tuple[str, str]:
-    """Return the members of a planetary set at the first and second link of a mechanism."""
+    """Return the members at the first and second link when a mechanism is a planetary gear set."""
     return ("sun", "ring") if abs(mechanism.ratio) > 1 else ("ring", "sun")
 
 
@@ -225,7 +226,7 @@ def _of_planets(element: Element, part: DrawnPart, mechanisms: Sequence[int]) ->
 def _ratios(
     group: PlanetGroup, numbers: Mapping[str, int], part: DrawnPart, mechanisms: Sequence[int]
 ) -> Iterator[TeethRatio]:
-    """Yield the ratios of the mechanisms of a gear set by tooth numbers."""
+    """Yield the ratios of the mechanisms of a gear set as products of tooth numbers."""
     wheels = {wheel.member: wheel for wheel in group.wheels}
     for number, (mechanism, members) in zip(mechanisms, part.lowered, strict=True):
         first, second, _ = members

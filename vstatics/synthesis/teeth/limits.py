@@ -1,4 +1,4 @@
-"""Limits of the tooth numbers, and equations of the axes."""
+"""Limits of tooth numbers, and equations for coincident axes."""
 
 from __future__ import annotations
 
@@ -10,28 +10,28 @@ from vstatics.core.elements.teeth.conditions import UNCUT, UNCUT_SHIFTED
 from vstatics.synthesis.teeth.layout import TeethLayout
 
 Range = tuple[int, int]
-"""Smallest and largest tooth number."""
+"""Smallest and largest tooth number of a gear."""
 
 MOST_TEETH = 60
-"""Default largest tooth number of an external gear of a planetary set.
+"""Default largest tooth number of an external gear of a planetary gear set.
 
-A gear with more teeth in the case raises the limit.
+If the case gives more teeth for a gear, its limit is that number.
 """
 MOST_OF_PAIR = 100
-"""Default largest tooth number of a gear of a pair."""
+"""Default largest tooth number of a gear of a gear pair."""
 MOST_OF_RING = 121
 """Default largest tooth number of a ring gear."""
 CLEARANCE = 0.5
-"""Default distance between tips of neighbouring planets. [modules]"""
+"""Default smallest distance between the tips of neighbouring planets. [modules]"""
 COAXIAL = "coaxial"
-"""Label of the condition that axes coincide."""
+"""Name of the condition that axes coincide, in counts of exclusions."""
 PLANETS = (3, 4, 5)
-"""Default numbers of planets, if the case gives no number."""
+"""Default numbers of planets, if the case does not give a number."""
 
 
 @dataclass(frozen=True)
 class TeethLimits:
-    """Requirements on tooth numbers in addition to ratios.
+    """Requirements on tooth numbers in addition to wanted ratios.
 
     Parameters
     ----------
@@ -41,17 +41,18 @@ class TeethLimits:
     planets : tuple of int
         Allowed numbers of planets around an axis; by default the number of the gear set.
     clearance : float
-        Distance between tips of planets that do not mesh. [modules]
+        Smallest distance between the tips of planets that do not mesh. [modules]
     centre : mapping of str to float
-        Centre distance by gear pair. [modules]
+        Centre distance of each gear pair, by its name. [modules]
     modules : tuple of float
-        Available modules; meshing gears of a gear set have one module. By default all modules are
-        equal. [mm]
+        Available modules; meshing gears of a gear set have the same module. By default all modules
+        are equal. [mm]
     largest_diameter : float, optional
         Largest diameter of a gear set. [mm]
     shift : int
-        Number of teeth by which axes can differ, to be compensated by profile shift. With 0 the
-        axes coincide, and gears have 17 teeth or more unless a range or the case has fewer.
+        Largest difference of centre distances that profile shifts can compensate, as a number of
+        teeth. With 0 the axes must coincide, and gears have 17 teeth or more unless a range or the
+        case gives fewer.
 
     Examples
     --------
@@ -68,9 +69,9 @@ class TeethLimits:
     shift: int = 0
 
     def of_wheels(self, layout: TeethLayout) -> list[Range]:
-        """Return the range of each gear of a gear set by the most specific given range.
+        """Return the range of each gear of a gear set, from the most specific range that is given.
 
-        A default range includes the tooth number of the case.
+        A default range includes the tooth number that the case gives.
         """
         return [self._of_wheel(layout, number) for number in range(len(layout.wheels))]
 
@@ -87,7 +88,7 @@ class TeethLimits:
         return min(least, in_case), max(most, in_case)
 
     def counts(self, layout: TeethLayout) -> tuple[int, ...]:
-        """Return the allowed numbers of planets of a gear set, the preferred number first."""
+        """Return the permitted numbers of planets of a gear set, the preferred number first."""
         if not layout.planets:
             return (1,)
         given = layout.element.planets
@@ -96,14 +97,14 @@ class TeethLimits:
 
 
 class AxisEquation(NamedTuple):
-    """Equation of an axis, ``|sum of module factor teeth - value| <= tolerance``."""
+    """Equation for coincident axes, ``|sum of module factor teeth - value| <= tolerance``."""
 
     label: str
     terms: Mapping[int, tuple[float, int]]
-    """Factor of each gear, and the component whose module applies."""
+    """Factor of each gear in the sum, and the component whose module applies to it."""
     value: float
     tolerance: tuple[float, tuple[int, int]]
-    """Tolerance in modules, and the two components whose mean module applies."""
+    """Tolerance in modules, and the two components whose mean module applies to it."""
 
 
 def axis_equations(layout: TeethLayout, limits: TeethLimits) -> Iterator[AxisEquation]:

@@ -1,4 +1,4 @@
-"""Request of a search for tooth numbers, checked beforehand."""
+"""Request of a search for tooth numbers, checked before the search."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from vstatics.synthesis.teeth.limits import TeethLimits
 from vstatics.synthesis.teeth.targets import TeethError, TeethTarget
 
 MOST_RATIOS = 8
-"""Largest number n of tooth ratios in a gear ratio; regions have 2**n corners."""
+"""Largest number n of tooth ratios in the formula of a gear; regions have 2**n corners."""
 MOST_PLANETS = 12
 """Largest number of planets around an axis."""
 MOST_MODULES = 20
@@ -29,28 +29,28 @@ MOST_MODULES = 20
 
 
 class TeethProblem(NamedTuple):
-    """Checked request."""
+    """Checked request of a search for tooth numbers."""
 
     links: OwnLinks
-    """Case without planets among the links, with freewheels as at the given ratios."""
+    """Case without planets as links, in which freewheels do not change their state."""
     layouts: Sequence[TeethLayout]
     """Gear sets that affect a wanted ratio."""
     targets: Sequence[TeethTarget]
-    """Wanted ratios; columns are the ratios of the gear sets in turn."""
+    """Wanted ratios; the columns in their formulas are the ratios of the gear sets in turn."""
     limits: TeethLimits
     unused: Sequence[str]
-    """Gear sets with teeth that affect no wanted ratio."""
+    """Names of gear sets with teeth that do not affect any wanted ratio."""
 
 
 def teeth_problem(
     case: Transmission, ratios: Mapping[str, float], limits: TeethLimits, error: TeethError = "ln"
 ) -> TeethProblem:
-    """Check the arguments of `find_teeth` and return the problem.
+    """Check the arguments of `find_teeth`, and return them as a problem to solve.
 
     Raises
     ------
     CaseError
-        If arguments are not valid, with all problems; each path begins with the option.
+        If arguments are wrong, with all problems; each path begins with the option.
     """
     links = on_engaged_links(case)
     layouts = teeth_layouts(links)
@@ -89,7 +89,7 @@ def teeth_problem(
 
 
 def own_ratios(case: Transmission) -> dict[str, float]:
-    """Return the existing gear ratios of a case by name [-].
+    """Return the present gear ratios of a case, by the name of the gear [-].
 
     >>> from vstatics import Gear, Mechanism, ShiftElement
     >>> own_ratios(Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])]))
@@ -101,18 +101,18 @@ def own_ratios(case: Transmission) -> dict[str, float]:
 
 @dataclass(frozen=True)
 class _AskedByName:
-    """Case with access to ratios by name."""
+    """Case with its gear and gear-set ratios by name."""
 
     links: OwnLinks
     layouts: Sequence[TeethLayout]
 
     def formula(self, name: str, wanted: float) -> GearFormula:
-        """Return the formula of a gear, or of a ratio of a gear set.
+        """Return the formula of the ratio of a gear or gear set with a name.
 
         Raises
         ------
         CaseError
-            If the name is unknown, or the ratio is impossible.
+            If no gear or gear set has the name, or if the ratio is impossible.
         """
         path = ("ratios", name)
         gears = [gear.name for gear in self.links.case.gears]

@@ -1,7 +1,7 @@
-"""All tooth numbers of a gear set that fulfil the conditions, added gear by gear.
+"""All tooth numbers of a gear set that satisfy the conditions, listed gear by gear.
 
-The gears of a ratio come first, then gears that the equations of the axes almost determine. Each
-condition is checked as soon as all its columns are known.
+The gears of a ratio come first, then gears that the equations of coincident axes almost determine.
+Each condition is checked as soon as all numbers in it are known.
 """
 
 from __future__ import annotations
@@ -31,35 +31,35 @@ CANDIDATES_AT_ONCE = 300_000
 """Number of candidates that are examined together."""
 
 LARGEST_TEETH_LOGARITHM = 50.0
-"""Upper limit of ln(teeth), beyond any tooth number."""
+"""Upper limit of ln(teeth), above any tooth number."""
 MOST_TEETH_CANDIDATES = 100_000_000
 """Default largest number of candidates to examine, which takes half a minute."""
 LOOKED = "left"
-"""Key of the number of remaining candidates among the counts of exclusions."""
+"""Key of the number of remaining candidates in the counts of excluded candidates."""
 
 Windows = Mapping[int, tuple[float, float]]
-"""Smallest and largest useful size by the number of a ratio of the gear set. [-]"""
+"""Smallest and largest useful magnitude of each ratio of the gear set, by index. [-]"""
 
 
 class TooManyError(Exception):
-    """More candidates than the allowed effort."""
+    """Error if more candidates exist than may be examined."""
 
 
 @dataclass(frozen=True)
 class TeethRows:
-    """Tooth numbers of a gear set within limits."""
+    """Generator of the tooth numbers of a gear set within limits."""
 
     layout: TeethLayout
     limits: TeethLimits
 
     @cached_property
     def ranges(self) -> Integers:
-        """Smallest and largest tooth number of each gear, undercut allowed, shape (wheels, 2)."""
+        """Smallest and largest tooth number of each gear, undercut permitted, (wheels, 2)."""
         return np.array(self.limits.of_wheels(self.layout), dtype=np.int64)
 
     @cached_property
     def least(self) -> Integers:
-        """Smallest tooth number of each gear without undercut, not below the range."""
+        """Smallest tooth number of each gear within its range and without undercut."""
         layout = self.layout
         cut = layout.element.kind not in ("chain", "bevel_pair")
         least = np.where(np.array(layout.internal) | (not cut), 1, UNCUT_SHIFTED)
@@ -67,20 +67,20 @@ class TeethRows:
 
     @property
     def counts(self) -> tuple[int, ...]:
-        """Allowed numbers of planets, the preferred number first."""
+        """Permitted numbers of planets, the preferred number first."""
         return self.limits.counts(self.layout)
 
     @cached_property
     def modules(self) -> Floats:
-        """Available modules, or 1."""
+        """Available modules [mm]; 1 if no modules are given."""
         return np.array(sorted(set(self.limits.modules)) or [1.0])
 
     @cached_property
     def _sets_of_modules(self) -> Integers:
-        """Modules of all components, as indices into `modules`, (choices, components).
+        """Choices of modules for all components, as indices into `modules`, (choices, components).
 
-        With one component the smallest module is sufficient. Without a limit of the diameter, one
-        choice is sufficient for equal quotients of modules.
+        For a single component, the smallest module suffices. Without a largest diameter, one of
+        several choices with equal ratios of modules suffices.
         """
         components = max(self.layout.component) + 1
         if components == 1:
@@ -99,12 +99,12 @@ class TeethRows:
         excluded: Counter[str] | None = None,
         effort: int = MOST_TEETH_CANDIDATES,
     ) -> Iterator[Integers]:
-        """Yield all tooth numbers, in pieces.
+        """Yield all tooth numbers that satisfy the conditions, in pieces.
 
         Parameters
         ----------
         windows : mapping of int to (float, float)
-            Ranges of useful sizes of ratios.
+            Ranges of useful magnitudes of ratios. [-]
         excluded : Counter
             Receives the number of candidates that each condition excludes.
         effort : int
@@ -113,7 +113,7 @@ class TeethRows:
         Raises
         ------
         TooManyError
-            If there are more candidates.
+            If there are more than `effort` candidates.
 
         Yields
         ------
@@ -177,9 +177,9 @@ class TeethRows:
         windows: Windows,
         excluded: Counter[str],
     ) -> tuple[Integers, Integers]:
-        """Return the smallest and largest value of a column in each row.
+        """Return the smallest and largest possible value of a column, for each row.
 
-        Numbers of planets are given by their places in `counts`.
+        Numbers of planets are given as indices into `counts`.
         """
         if column == len(self.layout.wheels):
             zeros = np.zeros(len(rows), np.int64)
@@ -197,7 +197,7 @@ class TeethRows:
     def _bounds(
         self, column: int, known: set[int], rows: Integers, windows: Windows
     ) -> Iterator[tuple[str, tuple[Floats, Floats]]]:
-        """Yield the ranges that axis equations and ratios leave for a gear, with labels."""
+        """Yield the ranges that axis equations and ratios leave for a gear, with the names."""
         candidates = TeethCandidates(self.layout, self.modules, rows)
         for equation in self._equations:
             if column in equation.terms and equation.terms.keys() <= known | {column}:
@@ -234,9 +234,10 @@ class TeethRows:
 def growth_order(
     layout: TeethLayout, equations: Sequence[AxisEquation], widths: Sequence[int]
 ) -> list[int]:
-    """Return the order of columns: gears, and the number of planets after the first planet.
+    """Return the order in which columns are filled: gears, and the number of planets.
 
-    Gears of a ratio are neighbours, followed by gears that an equation almost determines.
+    Gears of a ratio are neighbours, followed by gears that an equation almost determines. The
+    number of planets follows the first planet gear.
 
     Parameters
     ----------

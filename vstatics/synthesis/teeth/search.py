@@ -1,9 +1,9 @@
-"""Best tooth numbers of several gear sets together: branch and bound over halves of tables.
+"""Search for the best tooth numbers of several gear sets together, by branch and bound.
 
-A region is a node of the table of each gear set: all tooth numbers with ratios in the node. Its
-corners give its least error. Regions that cannot be better than the best solutions are discarded.
-Others are halved until few choices are left, or all gear sets but one are chosen and the ratios of
-the last are solved for.
+The table of each gear set is a tree of halves. A region consists of a node from each tree, so it
+contains all tooth numbers with ratios in these nodes. Its corners give a lower bound of its errors.
+Regions that cannot be better than the best solutions are discarded. Other regions are halved until
+few choices are left, or until all gear sets but one are chosen, and the last is solved for.
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ from vstatics.synthesis.teeth.targets import TeethTarget, largest_errors, least_
 from vstatics.synthesis.tolerances import LARGEST_ERROR_WEIGHT, ROUNDED_ERROR
 
 MOST_TEETH_SOLUTIONS = 20
-"""Largest number of solutions."""
+"""Largest number of solutions that are kept."""
 TOGETHER, AT_FIRST = 1 << 14, 1 << 8
-"""Number of regions that are halved together, and a smaller number until solutions are found."""
+"""Number of regions that are halved together, and the smaller number until solutions are found."""
 FEW_CHOICES = 32
-"""Number of choices in a region up to which all are tried."""
+"""Largest number of choices in a region for which all are tried."""
 CHOICES_AT_ONCE = 200_000
 """Number of choices that are tried together."""
 MOST_REGIONS = 30_000_000
@@ -33,14 +33,15 @@ MOST_REGIONS = 30_000_000
 
 
 class BestTeeth(NamedTuple):
-    """Results of a search."""
+    """Result of a search for the best tooth numbers."""
 
     errors: Floats
     """Errors in ascending order, shape (found,)."""
     places: Integers
-    """Place in the table of each gear set, shape (found, gear sets)."""
+    """Place (group of rows with equal ratios) in each gear set's table, shape (found, gear sets).
+    """
     bound: float
-    """Lower bound of the errors of all other choices; infinite if no other choice exists."""
+    """Lower bound of the errors of all other choices; infinite if no other choice exists. [-]"""
 
 
 def best_teeth(
@@ -50,20 +51,20 @@ def best_teeth(
     most: float = math.inf,
     advance: Advance = untold,
 ) -> BestTeeth:
-    """Return the choices of tooth numbers with the least errors, as places in the tables.
+    """Return the choices of tooth numbers with the smallest errors, as places in the tables.
 
-    Choices are added until `MOST_TEETH_SOLUTIONS` solutions differ in tooth numbers.
+    The result has enough choices for `MOST_TEETH_SOLUTIONS` solutions with different tooth numbers.
 
     Parameters
     ----------
     tables : sequence of TeethTable
-        Table of each gear set; the columns of targets are their ratios in turn.
+        Table of each gear set; the columns in the formulas of targets are their ratios in turn.
     targets : sequence of TeethTarget
         Wanted ratios.
     most : float
-        Largest useful error.
+        Largest useful error. [-]
     advance : callable
-        Called with the number of further finished regions.
+        Function that is called with the number of further finished regions.
     """
     search = _Halving(tables, targets, most)
     start: Integers = np.zeros((1, len(tables)), np.int64)
@@ -89,7 +90,7 @@ def best_teeth(
 
 
 def different_teeth(tables: Sequence[TeethTable], places: Integers) -> Floats:
-    """Return the number of solutions with different tooth numbers at places, shape (places,)."""
+    """Return the number of solutions with different tooth numbers at places, (places,)."""
     pairs = zip(tables, places.T, strict=True)
     return np.asarray(
         np.prod([table.different[rows].astype(float) for table, rows in pairs], axis=0)
@@ -97,7 +98,7 @@ def different_teeth(tables: Sequence[TeethTable], places: Integers) -> Floats:
 
 
 class _Halving:
-    """Branch-and-bound search with the best solutions so far."""
+    """Branch-and-bound search with the best known solutions."""
 
     def __init__(
         self,
@@ -117,17 +118,17 @@ class _Halving:
         self.widest = [np.abs(size).max(axis=1, initial=0.0) for size in self.sizes]
 
     def ends(self, regions: Integers) -> tuple[Floats, Floats]:
-        """Return the smallest and largest ratios of regions, shape (regions, columns)."""
+        """Return the smallest and largest ratios in regions, shape (regions, columns) [-]."""
         pairs = list(zip(self.tables, regions.T, strict=True))
         low = np.concatenate([table.low[nodes] for table, nodes in pairs], axis=1)
         return low, np.concatenate([table.high[nodes] for table, nodes in pairs], axis=1)
 
     def least(self, regions: Integers) -> Floats:
-        """Return a lower bound of the error in regions, shape (regions,)."""
+        """Return a lower bound of the error in regions, shape (regions,) [-]."""
         return least_errors(self.targets, *self.ends(regions))
 
     def halved(self, regions: Integers) -> Iterator[tuple[Floats, Integers]]:
-        """Yield the remaining halves of regions, best first; in small regions, try every choice."""
+        """Yield the useful halves of regions, best first; in small regions, try every choice."""
         nodes = [table.nodes[node, :2] for table, node in zip(self.tables, regions.T, strict=True)]
         starts, ends = np.stack(nodes, axis=1).transpose(2, 0, 1)
         sizes = ends - starts
@@ -155,7 +156,7 @@ class _Halving:
             yield least[by_least], both[by_least]
 
     def _children(self, regions: Integers, sizes: Integers) -> Integers:
-        """Return both halves of regions, split at the gear set with the widest ratios."""
+        """Return both halves of each region, split in the gear set with the widest ratios."""
         widths = np.stack(
             [widest[nodes] for widest, nodes in zip(self.widest, regions.T, strict=True)], axis=1
         )
@@ -170,7 +171,7 @@ class _Halving:
         return np.concatenate(children)
 
     def _solve(self, number: int, regions: Integers, starts: Integers, sizes: Integers) -> None:
-        """Try the places of the only gear set not yet chosen that give errors below the limit."""
+        """Try the places of the only gear set not yet chosen whose errors are below the limit."""
         if not len(regions):
             return
         table, column = self.tables[number], self.columns[number]
@@ -193,7 +194,7 @@ class _Halving:
         self._try(starts, sizes)
 
     def _try(self, starts: Integers, sizes: Integers) -> None:
-        """Try all choices in regions, given by first place and number of places in each table."""
+        """Try all choices in regions, given by first place and number of places per table."""
         counts = sizes.prod(axis=1)
         for piece in portions(counts, CHOICES_AT_ONCE):
             of_region, number = counted(counts[piece])

@@ -23,7 +23,7 @@ from vstatics.synthesis.teeth.search import MOST_TEETH_SOLUTIONS, BestTeeth
 from vstatics.synthesis.teeth.table import TeethTable, of_rows
 
 ERROR_DECIMALS = 14
-"""Number of decimals of an error; further digits are rounding noise."""
+"""Number of decimals of an error in comparisons; further digits are rounding noise."""
 
 
 @json_keys("teeth", "planets", "gears", "error", "modules")
@@ -33,19 +33,19 @@ class TeethSolution(NamedTuple):
     teeth: Mapping[str, Mapping[str, int]]
     """Tooth number by gear set and gear."""
     planets: Mapping[str, int]
-    """Number of planets, or pairs of meshed planets, by gear set."""
+    """Number of planets, or of pairs of meshing planets, by gear set."""
     gears: Mapping[str, float]
-    """Ratio of every gear of the case, NaN without a ratio. [-]"""
+    """Ratio of every gear of the case, by name; NaN without a ratio. [-]"""
     error: float
     """Largest error of the targets, `|ln(i/target)|` or `|i - target|`. [-]"""
     modules: Annotated[Mapping[str, Mapping[str, float]], SOMETIMES]
-    """Module by gear set and gear, if modules are chosen. [mm]"""
+    """Module by gear set and gear, if several modules are available. [mm]"""
     ratios: Mapping[str, float]
-    """Ratios of the mechanisms of the case without planets among the links. [-]"""
+    """Ratios of the mechanisms of the case without planets as links, by name. [-]"""
 
 
 class TeethAnswer(NamedTuple):
-    """Output of `vstatics synth teeth`."""
+    """JSON output of `vstatics synth teeth`."""
 
     solutions: Sequence[TeethSolution]
 
@@ -53,7 +53,7 @@ class TeethAnswer(NamedTuple):
 def teeth_solutions(
     problem: TeethProblem, tables: Sequence[TeethTable], best: BestTeeth
 ) -> Iterator[TeethSolution]:
-    """Yield the best solutions, with all tooth numbers of each place, small teeth first."""
+    """Yield the best solutions, with all tooth numbers of equal ratios, small numbers first."""
     chosen: list[tuple[float, int, tuple[Integers, ...]]] = []
     for error, places in zip(best.errors.tolist(), best.places.tolist(), strict=True):
         alike = [_smallest(table, place) for table, place in zip(tables, places, strict=True)]
@@ -67,14 +67,14 @@ def teeth_solutions(
 
 
 def _smallest(table: TeethTable, place: int) -> list[Integers]:
-    """Return the rows of a place with the smallest tooth numbers."""
+    """Return the rows with the smallest tooth numbers among rows with equal ratios."""
     rows = table.rows[table.starts[place] : table.starts[place + 1]]
     order = np.argsort(rows[:, : len(table.layout.wheels)].sum(axis=1), kind="stable")
     return list(rows[order[:MOST_TEETH_SOLUTIONS]])
 
 
 def _by_size(alike: Sequence[Sequence[Integers]]) -> Iterator[tuple[Integers, ...]]:
-    """Yield choices of a row from each list, in order of the sum of positions."""
+    """Yield choices of one row from each list, by ascending sum of the positions."""
     total = sum(len(rows) - 1 for rows in alike)
     for depth in range(total + 1):
         for steps in _steps(depth, [len(rows) for rows in alike]):
@@ -82,7 +82,7 @@ def _by_size(alike: Sequence[Sequence[Integers]]) -> Iterator[tuple[Integers, ..
 
 
 def _steps(depth: int, lengths: Sequence[int]) -> Iterator[tuple[int, ...]]:
-    """Yield all positions in lists of given lengths with a given sum."""
+    """Yield all positions in lists of given lengths that have a given sum."""
     if not lengths:
         if not depth:
             yield ()
@@ -142,7 +142,7 @@ def asked_document(problem: TeethProblem) -> dict[str, Any]:
 def case_with_teeth(
     case: Transmission, problem: TeethProblem, solution: TeethSolution
 ) -> Transmission:
-    """Return the case with found tooth numbers; a mechanism becomes a gear set with teeth.
+    """Return the case with found tooth numbers; mechanisms are replaced by gear sets.
 
     Examples
     --------
@@ -169,7 +169,7 @@ def case_with_teeth(
         if layout is None or layout.is_drawn:
             left.append(mechanism)
         else:
-            gear_set = replace(  # replaces the mechanism, with its links and losses
+            gear_set = replace(  # the gear set replaces the mechanism, with its links and losses
                 _with_teeth(layout.element, layout, solution),
                 efficiency=mechanism.efficiency,
                 back_efficiency=mechanism.back_efficiency,
@@ -211,7 +211,7 @@ def _with_teeth(element: Element, layout: TeethLayout, solution: TeethSolution) 
         changed = replace(element, teeth={**numbers, **teeth}, planets=planets, ratios={})
         return (
             replace(changed, efficiency=None) if element.ratios else changed
-        )  # the efficiency belonged to the ratios
+        )  # the efficiency belonged to the former ratios
     rims = {planet: {rim: teeth[rim] for rim in gears} for planet, gears in element.rims.items()}
     wheels = [wheel._replace(teeth=teeth[wheel.member]) for wheel in element.wheels]
     return replace(element, rims=rims, wheels=tuple(wheels), planets=planets)

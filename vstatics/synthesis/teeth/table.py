@@ -1,4 +1,4 @@
-"""Ratios that the tooth numbers of a gear set can have, each once, in a tree of halves."""
+"""Ratios that the tooth numbers of a gear set can have, each once, sorted in a tree of halves."""
 
 from __future__ import annotations
 
@@ -12,33 +12,33 @@ from vstatics.synthesis.teeth.layout import TeethLayout
 from vstatics.synthesis.teeth.rows import TooManyError
 
 MOST_TEETH_ROWS = 1_000_000
-"""Number of rows of tooth numbers of a gear set that are kept in memory."""
+"""Largest number of rows of tooth numbers of a gear set that are kept in memory."""
 
 
 class TeethTable(NamedTuple):
     """Rows of tooth numbers of a gear set, grouped by ratios.
 
-    A place of the table contains all rows with equal ratios. Places are in such an order that both
-    halves of any node are contiguous.
+    A place of the table contains all rows with equal ratios. The places are ordered so that each
+    node of the tree, and both its halves, are contiguous.
     """
 
     layout: TeethLayout
     is_whole: bool
-    """True if the table contains all rows."""
+    """True if the table contains all possible rows."""
     total: int
-    """Number of choices of tooth numbers, numbers of planets and modules."""
+    """Total number of choices of tooth numbers, number of planets and modules."""
     rows: Integers
-    """Different tooth numbers, grouped by ratios, shape (rows, wheels + 1 + components)."""
+    """Different rows of tooth numbers, grouped by ratios, shape (rows, wheels + 1 + components)."""
     starts: Integers
-    """First row of each place, then the number of rows, shape (places + 1,)."""
+    """Index of the first row of each place, then the number of rows, shape (places + 1,)."""
     ratios: Floats
-    """Different ratios, shape (places, ratios of the gear set). [-]"""
+    """Different ratios of the gear set, shape (places, ratios). [-]"""
     nodes: Integers
-    """First place, end and both halves (-1 for a single place) of each node, shape (nodes, 4)."""
+    """First place, end, and both halves (-1 for a single place) of each node, shape (nodes, 4)."""
     low: Floats
-    """Smallest ratios in a node, shape (nodes, ratios). [-]"""
+    """Smallest ratios in each node, shape (nodes, ratios). [-]"""
     high: Floats
-    """Largest ratios in a node, shape (nodes, ratios). [-]"""
+    """Largest ratios in each node, shape (nodes, ratios). [-]"""
 
     @property
     def different(self) -> Integers:
@@ -55,9 +55,9 @@ def teeth_table(
     ----------
     layout : TeethLayout
     pieces : iterable of ndarray
-        Rows as found by `TeethRows`.
+        Rows of tooth numbers, as yielded by `TeethRows.pieces`.
     counts : sequence of int
-        Numbers of planets in order of preference; one row is kept for equal tooth numbers.
+        Numbers of planets in order of preference; of rows with equal tooth numbers, one is kept.
     """
     pieces_read: list[Integers] = []
     total = 0
@@ -74,7 +74,7 @@ def teeth_table(
     width = len(layout.wheels) + 2 + max(layout.component)
     rows = np.concatenate([np.zeros((0, width), np.int32), *pieces_read])
     wheels = len(layout.wheels)
-    # Of rows with equal tooth numbers, the row with the preferred number of planets remains.
+    # Of rows with equal tooth numbers, the row with the preferred number of planets is kept.
     rank = np.zeros(max(counts) + 1, np.int64)
     rank[list(counts)] = range(len(counts))
     keys = [rank[rows[:, wheels]], *rows[:, :wheels].T[::-1]]
@@ -102,7 +102,7 @@ def teeth_table(
 
 
 def of_rows(layout: TeethLayout, rows: Integers) -> Floats:
-    """Return the ratios of rows, rounded once so that equal ratios are equal numbers."""
+    """Return the ratios of rows, rounded so that equal ratios are equal numbers."""
     ratios = np.empty((len(rows), len(layout.ratios)))
     for number, ratio in enumerate(layout.ratios):
         above, below = np.ones(len(rows)), np.ones(len(rows))
@@ -116,7 +116,7 @@ def of_rows(layout: TeethLayout, rows: Integers) -> Floats:
 
 
 def _halves(ratios: Floats) -> tuple[Integers, Integers, Floats, Floats]:
-    """Return an order of the places, and nodes with bounds, halved along the widest range.
+    """Return an order of places, and nodes with the bounds, halved along the widest ratio.
 
     >>> order, nodes, low, high = _halves(np.array([[3.0], [1.0], [2.0]]))
     >>> order.tolist(), nodes.tolist()
@@ -147,14 +147,14 @@ def _halves(ratios: Floats) -> tuple[Integers, Integers, Floats, Floats]:
 
 
 def _reduced(function: np.ufunc, values: Floats, level: Integers) -> Floats:
-    """Return the minima or maxima between starts and ends, which do not overlap."""
+    """Return the minima or maxima of values between the starts and ends of nodes of a level."""
     bounds = level.ravel()
     inside = np.concatenate([values, values[-1:]])
     return function.reduceat(inside, bounds, axis=0)[::2]
 
 
 def _sorted_within(order: Integers, sizes: Floats, level: Integers, widest: Integers) -> Integers:
-    """Return the order with each node of a level sorted by the ratio of its widest range."""
+    """Return the order with each node of a level sorted by the ratio with the widest range."""
     sorted_order = order.copy()
     of_part, more = counted(level[:, 1] - level[:, 0])
     places = level[of_part, 0] + more

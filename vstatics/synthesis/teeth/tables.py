@@ -15,11 +15,11 @@ from vstatics.synthesis.teeth.problem import TeethProblem
 from vstatics.synthesis.teeth.solutions import TeethSolution
 
 TEETH_WIDTH = 30
-"""Characters of the column of teeth; the teeth of a larger gear set continue in the next row."""
+"""Number of letters in the column of teeth; further teeth continue in the next row."""
 
 
 def teeth_grids(result: FoundTeeth) -> Iterator[Grid]:
-    """Yield tables of the gears, the teeth, all solutions, and the number of candidates.
+    """Yield tables of gears, tooth numbers, all solutions, and the number of candidates.
 
     Examples
     --------
@@ -86,7 +86,7 @@ def _teeth(problem: TeethProblem, best: TeethSolution) -> Grid:
 
 
 def asked_grids(problem: TeethProblem) -> Iterator[Grid]:
-    """Yield a table of the ranges of all gears, and the kind of each gear set, before a search."""
+    """Yield a table of the ranges of all gears, and the kind of each gear set."""
     limits = problem.limits
     rows = []
     for layout in problem.layouts:

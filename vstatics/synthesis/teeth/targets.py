@@ -1,4 +1,4 @@
-"""Deviations of gear or gear-set ratios from targets, for tooth numbers and for whole regions."""
+"""Deviations of ratios of gears or gear sets from targets, for tooth numbers and for regions."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ from vstatics.synthesis.ratios.arrays import at_corners, factors
 from vstatics.synthesis.ratios.formula import GearFormula
 
 TeethError = Literal["ln", "absolute"]
-"""Measure of the error of a ratio: |ln(i/target)|, or |i - target|."""
+"""Kind of error of a ratio: |ln(i/target)|, or |i - target|."""
 
 
 @dataclass(frozen=True)
 class TeethTarget:
-    """Wanted ratio, with a formula in the ratios of gear sets.
+    """Wanted ratio of a gear or gear set, with the formula in the ratios of gear sets.
 
     Parameters
     ----------
@@ -31,9 +31,9 @@ class TeethTarget:
     formula : GearFormula
         Formula of the ratio.
     columns : dict of int to int
-        Column of the ratio in arrays, by the index of a mechanism in the formula.
+        Column of a mechanism's ratio in arrays of points, by the index of the mechanism.
     error : {"ln", "absolute"}
-        Measure of the error.
+        Kind of error.
 
     Examples
     --------
@@ -55,7 +55,7 @@ class TeethTarget:
 
     @cached_property
     def used(self) -> list[int]:
-        """Columns of the ratios in the formula."""
+        """Columns of the gear-set ratios in the formula."""
         return [self.columns[index] for index in self.formula.ratios]
 
     @cached_property
@@ -63,7 +63,7 @@ class TeethTarget:
         return [factors(polynomial, self.formula.ratios) for polynomial in self.formula[1:]]
 
     def ratios(self, points: Floats) -> Floats:
-        """Return the ratio at points, shape (points, columns) [-].
+        """Return the ratio at points of gear-set ratios with shape (points, columns) [-].
 
         The result is not finite where the output is at rest.
         """
@@ -75,11 +75,11 @@ class TeethTarget:
             return np.asarray(above / below)
 
     def errors(self, points: Floats) -> Floats:
-        """Return the errors at points, shape (points, columns) [-]."""
+        """Return the errors at points of gear-set ratios with shape (points, columns) [-]."""
         return self.apart(self.ratios(points))
 
     def apart(self, ratios: Floats) -> Floats:
-        """Return the errors of ratios [-]."""
+        """Return the errors of given ratios [-]."""
         with np.errstate(all="ignore"):
             if self.error == "absolute":
                 errors = np.abs(ratios - self.wanted)
@@ -89,7 +89,7 @@ class TeethTarget:
         return np.where(np.isfinite(ratios), errors, np.inf)
 
     def least(self, low: Floats, high: Floats) -> Floats:
-        """Return a lower bound of the error in regions with bounds (regions, columns) [-].
+        """Return a lower bound of the error in regions, whose bounds have shape (regions, columns).
 
         The extremes of the quotient are at corners, unless the output can be at rest in the region.
         """
@@ -99,12 +99,12 @@ class TeethTarget:
         return np.where(holds | stands, 0.0, nearest)
 
     def ends(self, low: Floats, high: Floats) -> tuple[float, float] | None:
-        """Return the smallest and largest ratio in a region, `None` if a pole is possible [-]."""
+        """Return the smallest and largest ratio in a region; None if it is unbounded [-]."""
         least, largest, stands = self._ends(low, high)
         return None if stands[0] else (float(least[0]), float(largest[0]))
 
     def _ends(self, low: Floats, high: Floats) -> tuple[Floats, Floats, Booleans]:
-        """Return the smallest and largest ratios in regions, and True where a pole is possible."""
+        """Return the smallest and largest ratios in regions, and True where unbounded."""
         used_bounds = low[:, self.used], high[:, self.used]
         above, below = (at_corners(part, *used_bounds) for part in self._factors)
         with np.errstate(all="ignore"):
@@ -113,12 +113,12 @@ class TeethTarget:
         return corners.min(axis=1), corners.max(axis=1), ~keeps_sign
 
     def within(self, points: Floats, column: int, most: float) -> tuple[Floats, Floats, Booleans]:
-        """Return the range of the ratio in a column with errors up to `most`, other columns fixed.
+        """Return the range of one gear-set ratio with errors up to `most`, all others fixed.
 
         Returns
         -------
         low, high : ndarray, shape (points,)
-            Ends of the range.
+            Ends of the range. [-]
         is_sure : ndarray, shape (points,)
             True if the range is finite and contains no pole.
         """
@@ -148,7 +148,7 @@ class TeethTarget:
 
 
 def largest_errors(targets: Sequence[TeethTarget], points: Floats) -> Floats:
-    """Return the largest error of all targets at points, shape (points, columns) [-]."""
+    """Return the largest error of all targets at points with shape (points, columns) [-]."""
     errors: Floats = np.max([target.errors(points) for target in targets], axis=0, initial=0.0)
     return errors
 

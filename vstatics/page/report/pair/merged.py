@@ -1,6 +1,7 @@
-"""Tables of two cases merged into one: each row of A above that of B, then the change.
+"""Tables of two cases merged into one: each row of A, then the row of B, then the change.
 
-Rows are paired by their names and columns by their headings, so gears are paired by name.
+Rows correspond if their names are equal, and columns if their headings are equal; so gears
+correspond by name.
 """
 
 from __future__ import annotations
@@ -18,23 +19,23 @@ from vstatics.core.texts import heading, tr
 from vstatics.pictures.paged.marks import digits_of
 
 DIFFERS, CHANGE = "differs", "change"
-"""CSS class of cells that differ between the cases, and label of the rows of changes."""
+"""CSS class of cells that differ between the cases, and label of rows with changes."""
 UNEQUAL = Cell("\N{NOT EQUAL TO}", says=DIFFERS)
-"""Cell for a change that is not a percentage: a text, or a change from zero."""
+"""Cell for a change that is not a percentage, such as of a text, or from zero."""
 MOST_WORDS = 3
-"""Largest number of leading columns of texts that identify a row together."""
+"""Largest number of leading text columns that together identify a row."""
 _Keys = Mapping[Hashable, list[Cell]]
 
 
 def merged(both: Sequence[Grid], labels: str) -> Grid:
-    """Merge the tables of two cases.
+    """Merge corresponding tables of two cases.
 
     Parameters
     ----------
     both : sequence of Grid
         Two tables with equal titles.
     labels : str
-        Letter of each case.
+        Letters of both cases, such as "AB".
 
     Examples
     --------
@@ -70,13 +71,13 @@ def merged(both: Sequence[Grid], labels: str) -> Grid:
 
 
 def _columns(grid: Grid) -> dict[Hashable, tuple[int, Column]]:
-    """Return each column with its index, by heading; repeated headings are numbered."""
+    """Return each column with the index, by heading; repeated headings have different keys."""
     keys = _numbered([column.heading for column in grid.columns])
     return {key: (place, grid.columns[place]) for place, key in enumerate(keys)}
 
 
 def _numbered(keys: Sequence[Hashable]) -> list[Hashable]:
-    """Pair each key with the number of earlier occurrences."""
+    """Return each key with the number of its earlier occurrences, so that all are different."""
     seen: Counter[Hashable] = Counter()
     numbered: list[Hashable] = []
     for key in keys:
@@ -86,7 +87,7 @@ def _numbered(keys: Sequence[Hashable]) -> list[Hashable]:
 
 
 def _words(both: Sequence[Grid]) -> int:
-    """Return the number of leading columns whose texts identify the rows of both tables."""
+    """Return the number of leading text columns that identify the rows of both tables."""
     for count in range(1, MOST_WORDS + 1):
         if any(column.is_number for grid in both for column in grid.columns[1:count]):
             break
@@ -106,7 +107,7 @@ def _spread(
     columns: Mapping[Hashable, tuple[int, Column]],
     places: Mapping[Hashable, object],
 ) -> list[Cell | None] | None:
-    """Return a row with a place for each column of either table, None for a missing column."""
+    """Return a row with a cell for each column of either table, None for a missing column."""
     if row is None:
         return None
     return [row[columns[key][0]] if key in columns else None for key in places]
@@ -115,7 +116,7 @@ def _spread(
 def _lines(
     pair: Sequence[list[Cell | None] | None], labels: str
 ) -> Iterator[tuple[int, list[Cell]]]:
-    """Yield the rows of both cases and the row of changes, each a level below the last."""
+    """Yield the rows of both cases and the row of changes, each one level deeper than the last."""
     old, new = pair
     same = [True] * len(old or new or ())
     if old and new:
@@ -145,7 +146,7 @@ def _line(row: Sequence[Cell | None], label: str, same: Sequence[bool]) -> list[
 
 
 def _of_case(cell: Cell, label: str) -> Cell:
-    """Mark a cell with the label of its case, and a number also with all its digits."""
+    """Mark a cell with the letter of its case and, if it is a number, with all its digits."""
     if cell.value is None:
         return cell._replace(marks={**cell.marks, "case": label}) if cell.marks else cell
     return cell._replace(marks={"number": digits_of(cell.value), **cell.marks, "case": label})
@@ -160,7 +161,7 @@ def _are_same(old: Cell | None, new: Cell | None) -> bool:
 
 
 def _change(first: Cell | None, second: Cell | None) -> Cell:
-    """Return a cell with the relative change of a number, or with a sign of inequality."""
+    """Return a cell with the relative change of a number, or with a not-equal sign."""
     old, new = (
         cell.value
         if cell is not None and cell.value is not None and cell.kind is float
@@ -174,7 +175,7 @@ def _change(first: Cell | None, second: Cell | None) -> Cell:
 def _head(
     key: Hashable, columns: Sequence[Mapping[Hashable, tuple[int, Column]]], labels: str
 ) -> Column:
-    """Return the merged column of a heading, with a note above if a case lacks the column."""
+    """Return the merged column of a heading, with a note if only one case has the column."""
     owners = [
         label
         for label, columns_of_case in zip(labels, columns, strict=True)
@@ -183,7 +184,7 @@ def _head(
     column = next(columns_of_case[key][1] for columns_of_case in columns if key in columns_of_case)
     if len(owners) == len(labels):
         return column
-    # Headings below another heading are names, which are not translated.
+    # Headings below a common heading are names, which are not translated.
     name = column.heading if column.over or column.is_name else heading(column.heading)
     over = f"{tr(column.over)} {tr('only in {case}', case=owners[0])}".strip()
     return column._replace(heading=name, over=over)

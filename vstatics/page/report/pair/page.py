@@ -1,4 +1,4 @@
-"""The page of two cases: changes of the input and of the results."""
+"""Page of two cases: changes of the input and of the results."""
 
 from __future__ import annotations
 
@@ -34,11 +34,11 @@ from vstatics.pictures.paged.parts import Part, figures
 from vstatics.pictures.pair import PairedCase, pair_pages
 
 ON_ONE_SCALE = ("steps", "efficiency")
-"""Kinds of pictures in which both cases share a scale."""
+"""Kinds of pictures in which both cases have a common scale."""
 OF_SHIFTS = ("transitions", "margins", "margins by gear", "needed capacity")
 LARGEST = ("planets", "shift elements", "planets with load", "shift elements with load")
 SIGN = "Changes are relative to the magnitude of A; they are negative where a number decreases."
-"""Text that explains the sign of a change, which is as in `compare`."""
+"""Text on the page that explains the sign of changes, which is the sign in `compare`."""
 
 
 def pair_page(both: Sequence[PagedCase], stamp: Mapping[str, str] | None = None) -> str:
@@ -143,7 +143,7 @@ def _results(both: Sequence[PagedCase]) -> Iterator[Grid]:
 
 
 def _overview(both: Sequence[PagedCase], verdict: CaseVerdict) -> Iterator[Markup]:
-    """Yield the verdict, the main figures, and the messages of each case."""
+    """Yield the verdict on the comparison, the main figures, and the messages of each case."""
     headline = verdict.headline.removeprefix(f"{verdict.name}: ")
     yield tag("p", f"{headline[:1].upper()}{headline[1:]}.", class_="verdict")
     yield table(merged_tables(both, [_figures(case.material) for case in both]), headed=False)
@@ -177,7 +177,7 @@ def _figures(material: Material) -> Grid:
 
 
 def _changes(both: Sequence[PagedCase], verdict: CaseVerdict) -> Iterator[Markup]:
-    """Yield the changes of the input data, with paths as in a sweep."""
+    """Yield the changes of the input data, named by paths as in a sweep."""
     if not verdict.case:
         yield tag("p", tr("The cases are the same, but perhaps for names and descriptions."))
         return
@@ -203,7 +203,7 @@ def _gears_of_one(both: Sequence[PagedCase]) -> Iterator[Markup]:
 
 
 def _pictures(both: Sequence[PagedCase]) -> Iterator[Markup]:
-    """Yield stick diagrams, side by side on a screen, and charts on a common scale."""
+    """Yield stick diagrams of both cases, side by side on a screen, and charts on one scale."""
     try:
         require("plot", "a picture")
     except CaseError as error:

@@ -1,4 +1,4 @@
-"""Contents of each case of a page of two cases, and merged tables of both cases."""
+"""Contents of each case on a page of two cases, and merged tables of both."""
 
 from __future__ import annotations
 
@@ -19,19 +19,19 @@ NO_PICTURES = Pictures()
 
 
 class PagedCase(NamedTuple):
-    """Case on a page that compares two cases."""
+    """Case on a page that compares two cases, with the contents."""
 
     label: str
     """Letter of the case, A or B."""
     file: str
-    """File name without folder."""
+    """Name of the file without its folder."""
     material: Material
     motion: PicturedRun | None = None
-    """Run of a scenario."""
+    """Simulated run of a scenario, if given."""
 
     @property
     def title(self) -> str:
-        """Title of the case, as on a page of this case alone."""
+        """Title of the case, as on a page of its own."""
         name = self.material.results.case.name
         return self.material.naming.title(name, runs=self.motion is not None)
 
@@ -45,7 +45,7 @@ def paged(  # noqa: PLR0913, PLR0917 - as `gather`
     naming: Naming = UNNAMED,
     motion: PicturedRun | None = None,
 ) -> PagedCase:
-    """Return a case with the contents of the page; parameters as in `gather`."""
+    """Return a case with the contents for the page; parameters as in `gather`."""
     quick = AskedPage([key for key in SECTIONS if key not in report_parts()])
     options: dict[str, Any] = {"asked": quick, "has_marks": True, "drawn": NO_PICTURES}
     material = gather(results, problems, digits, None, naming, **options)
@@ -53,7 +53,7 @@ def paged(  # noqa: PLR0913, PLR0917 - as `gather`
 
 
 def merged_tables(both: Sequence[PagedCase], grids: Sequence[Grid | None]) -> Grid:
-    """Merge the tables of both cases; either table can be missing."""
+    """Merge the tables of both cases, of which one can be missing."""
     present = next(grid for grid in grids if grid)
     empty = present._replace(columns=present.columns[:1], rows=[])
     return merged([grid or empty for grid in grids], "".join(case.label for case in both))

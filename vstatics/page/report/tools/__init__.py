@@ -1,6 +1,7 @@
-"""Tools of a page with marked numbers: choose units, filter rows by a link, save.
+"""Tools of a page with marked numbers: choice of units, filter by a link, saving of parts.
 
-`marks` adds the links of each row and the unit of each number; `toolbar` has the input fields and
-the data for their script. The script is in four files: `numbers.js` rounds numbers, `units.js`
-converts them, `links.js` filters rows, and `saves.js` saves pictures, tables and results.
+`marks` adds the links of each row and the unit of each number to tables; `toolbar` contains the
+input fields, and the data for their script. The script is in four files: `numbers.js` rounds
+numbers, `units.js` converts them, `links.js` filters rows, and `saves.js` saves pictures, tables
+and results.
 """

@@ -1,4 +1,4 @@
-"""Data and choices of the search for an arrangement of stations along the axes."""
+"""Input and choices of the search for an order of stations (components on the axes)."""
 
 from __future__ import annotations
 
@@ -14,24 +14,24 @@ from vstatics.pictures.schemes.axes.stations import Station
 from vstatics.pictures.schemes.scheme import SchemePort
 
 STATION_GAP = 6.0
-"""Distance between neighbouring stations of a row. [pt]"""
+"""Distance between neighbouring stations (components) of an axis. [pt]"""
 BELL = 9.0
-"""Distance from the middle of internal teeth to the web of the internal gear. [pt]"""
+"""Distance from the middle of internal teeth to the web that carries the internal gear. [pt]"""
 BESIDE_SET = 6.0
 """Distance from hollow shafts to a gear set. [pt]"""
 
 
 class StationOrder(NamedTuple):
-    """Order of the stations, and the other choices of the search."""
+    """Order of the stations along the axes, and the other choices of the search."""
 
     groups: tuple[tuple[int, ...], ...]
-    """Groups of stations that stay together, from left to right."""
+    """Groups of stations that stay together, from left to right, as indices of stations."""
     ways: tuple[int, ...]
-    """Variant of each station: how a gear set is drawn, or the order of packs in a drum."""
+    """Variant of each station: how a gear set is drawn, or the order of clutch packs in a drum."""
     drums: frozenset[int] = frozenset()
-    """Links that are drawn as drums around gear sets and symbols."""
+    """Numbers of links that are drawn as drums around gear sets and symbols."""
     rightward: frozenset[int] = frozenset()
-    """Links whose ports are at the right end of a row."""
+    """Numbers of links whose input or output is at the right end of an axis."""
 
     @property
     def order(self) -> list[int]:
@@ -41,25 +41,25 @@ class StationOrder(NamedTuple):
 
 @dataclass(frozen=True)
 class AxesBoard:
-    """Axes, stations and ports that the search arranges."""
+    """Axes, stations (components on the axes) and ports that the search arranges."""
 
     axes: ParallelAxes
     rows: AxisRows
     stations: Sequence[Station]
     ports: Sequence[SchemePort]
     gap: float = STATION_GAP
-    """Distance between neighbouring stations of a row. [pt]"""
+    """Distance between neighbouring stations of an axis. [pt]"""
 
     @cached_property
     def axis_of(self) -> Mapping[int, int]:
-        """Axis of each link."""
+        """Index of the axis of each link."""
         return {
             link: number for number, axis_links in enumerate(self.axes.axes) for link in axis_links
         }
 
     @cached_property
     def radii(self) -> Mapping[int, tuple[float, float, float]]:
-        """Radii of the gears of each gear pair, by the index of the station [pt]."""
+        """Radii of first gear, idler and second gear by the gear pair's station [pt]."""
         return {
             index: self.rows.radii(station.joint, (station.axes[0], station.axes[1]))
             for index, station in enumerate(self.stations)
@@ -68,7 +68,7 @@ class AxesBoard:
 
     @cached_property
     def apart(self) -> Mapping[tuple[int, int], bool]:
-        """True for each pair of stations without a common row."""
+        """True for each pair of stations that do not occupy a common axis."""
         rows = [frozenset(station_rows) for station_rows in self.occupied]
         count = range(len(rows))
         return {
@@ -82,7 +82,7 @@ class AxesBoard:
 
     @cached_property
     def occupied(self) -> Sequence[Sequence[int]]:
-        """Rows that each station occupies over the full height."""
+        """Indices of the axes that each station occupies over their full height."""
         return [self._occupied(index, station) for index, station in enumerate(self.stations)]
 
     @cached_property
@@ -99,7 +99,7 @@ class AxesBoard:
 
     @cached_property
     def idle(self) -> Mapping[int, int]:
-        """Shaft of each link that rotates freely on the shaft until a clutch engages."""
+        """Shaft on which each idle gear's link rotates freely until a clutch engages."""
         ends = {port.link for port in self.ports}
         shafts: dict[int, int] = {}
         for link in sorted(self.wheels - ends):
@@ -114,7 +114,7 @@ class AxesBoard:
             shifted = all(coupling.is_shifted for coupling in couplings)
             if couplings and shifted and len(set(partners)) == 1:
                 shaft = partners[0]
-                # Only a shaft with more stations than the link can carry the link.
+                # Of two coupled links, the one with more stations is the shaft.
                 counts = [sum(end in s.links for s in self.stations) for end in (shaft, link)]
                 if (counts[0], link) > (counts[1], shaft):
                     shafts[link] = shaft
@@ -122,24 +122,24 @@ class AxesBoard:
 
     @cached_property
     def rim(self) -> frozenset[int]:
-        """Axes with an output, except the axis of the input."""
+        """Indices of axes with an output or a differential, except the axis of the input."""
         ends = {port.link for port in self.ports if port.role == "output"} | self.cages
         return frozenset(self.axis_of[link] for link in ends) - {0}
 
     @cached_property
     def entry(self) -> frozenset[int]:
-        """Links that are inputs."""
+        """Numbers of links that are inputs."""
         return frozenset(port.link for port in self.ports if port.role == "input")
 
     @cached_property
     def wheels(self) -> frozenset[int]:
-        """Links that have a gear of a gear pair."""
+        """Numbers of links that carry a gear of a gear pair."""
         pairs = (station for station in self.stations if station.kind == "pair")
         return frozenset(link for pair in pairs for link in pair.links)
 
     @cached_property
     def may_be_drums(self) -> frozenset[int]:
-        """Links of rows with gear sets, and links without gears of gear pairs."""
+        """Links that can be drawn as drums: on axes with gear sets, or without gears."""
         rows = {axis for axis in range(len(self.axes.axes)) if self.set_halves[axis]}
         pairs = self.axis_of.items()
         sides = {
@@ -153,7 +153,7 @@ class AxesBoard:
 
     @cached_property
     def set_halves(self) -> Mapping[int, float]:
-        """Half the height of the gear sets of each axis, 0 without gear sets [pt]."""
+        """Half the height of the highest gear set of each axis, 0 without gear sets [pt]."""
         halves = dict.fromkeys(range(len(self.axes.axes)), 0.0)
         for station in self.stations:
             for glyph in station.glyphs:
@@ -162,7 +162,7 @@ class AxesBoard:
 
     @cached_property
     def bands(self) -> Mapping[int, float]:
-        """Height of the space between shafts and drums, for each axis [pt]."""
+        """Height of the space between the shafts and the drums of each axis [pt]."""
         return {axis: _band(self, axis) for axis in range(len(self.axes.axes))}
 
     def _occupied(self, index: int, station: Station) -> list[int]:
@@ -184,9 +184,10 @@ class AxesBoard:
         return occupied
 
     def bell(self, index: int, way: int) -> tuple[int, float]:
-        """Return the index of an internal gear in a pair, and the offset of the web.
+        """Return the index of the internal gear in a gear pair, and the offset of its web [pt].
 
-        The web passes the pinion inside. The offset is 0 without an internal gear. [pt]
+        The offset lets the web pass the pinion inside the internal gear; it is 0 without such a
+        gear.
         """
         station = self.stations[index]
         if station.joint is None or station.joint.kind != "internal_pair":
@@ -199,9 +200,9 @@ class AxesBoard:
 
     @cached_property
     def road_wheels(self) -> Mapping[int, int]:
-        """Index of the station of the differential for each link with a road wheel at its end.
+        """Index of the differential's station, for each link that ends in a road wheel.
 
-        A side of a differential is followed along springs to a link with an output, or to a link
+        A shaft of a differential is followed along springs to a link with an output, or to a link
         that a spring, such as a tyre, connects to the output.
         """
         differentials: dict[int, int] = {}
@@ -226,7 +227,7 @@ class AxesBoard:
         return at
 
     def ways(self, index: int) -> int:
-        """Return the number of variants of a station."""
+        """Return the number of ways to draw a station."""
         station = self.stations[index]
         if station.kind == "set":
             return len(station.glyphs)

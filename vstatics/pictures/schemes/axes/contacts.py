@@ -1,4 +1,4 @@
-"""Contacts: the points where lines of links meet stations on the axes."""
+"""Contacts: the points where the lines of links meet stations (components on the axes)."""
 
 from __future__ import annotations
 
@@ -11,32 +11,33 @@ from vstatics.pictures.schemes.axes.stations import CAGE, PACK_PITCH, WHEEL, Sta
 from vstatics.pictures.schemes.gear_glyphs import ABOVE, Glyph, Tap
 
 STUB = 12.0
-"""Distance from the last station of a row to the port of a link. [pt]"""
+"""Distance from the last station of an axis to the input or output of a link. [pt]"""
 ROAD_RADIUS, ROAD_WHEEL = 21.0, 13.0
 """Radius of a road wheel, and distance from its middle to a neighbouring gear. [pt]"""
 EDGE = 3.0
-"""Distance from a gear set to a passing line. [pt]"""
+"""Distance from a gear set to a line that passes it. [pt]"""
 
 
 class AxisContact(NamedTuple):
-    """Point where a link meets a station."""
+    """Point where the line of a link meets a station."""
 
     link: int
     x: float
     device: int
-    """Index of the component in `Scheme.devices`, -1 for a port."""
+    """Index of the component in `Scheme.devices`; -1 for an input or output."""
     kind: str
-    """``wheel``, ``sign``, ``set``, ``port``, ``bar`` on the line of the link, or ``road`` at a
-    road wheel."""
+    """Kind of contact: ``wheel`` (gear), ``sign`` (symbol), ``set`` (gear set), ``port`` (input or
+    output), ``bar`` (symbol on the line of the link), or ``road`` (road wheel).
+    """
     end: float = 0.0
-    """Radius of a gear, or distance from the middle of a gear set. [pt]"""
+    """Radius of the gear, or distance of the contact from the middle of the gear set. [pt]"""
     way_round: float = 0.0
-    """Distance from a contact past the edge of a gear set to the point on the set, for a link on
-    the far side. [pt]"""
+    """Detour from the contact past the edge of a gear set, for a link that meets its far side. [pt]
+    """
 
 
 def contacts(board: AxesBoard, chosen: StationOrder, xs: Sequence[float]) -> Iterator[AxisContact]:
-    """Yield the contacts of all stations; stations with a left and a right link are last."""
+    """Yield the contacts of all stations; stations between a left and a right link are last."""
     first: list[AxisContact] = []
     for index, station in enumerate(board.stations):
         first += _fixed(board, chosen, index, station, xs[index])
@@ -62,7 +63,7 @@ def contacts(board: AxesBoard, chosen: StationOrder, xs: Sequence[float]) -> Ite
 def _sides(
     links: Sequence[int], x: float, middle: Mapping[int, Sequence[float]]
 ) -> tuple[int, int]:
-    """Return the left and the right link of a station, by the positions of other contacts."""
+    """Return the left and right link of a station, from their other contacts."""
     first, second = links
     turn = []
     for link in (first, second):
@@ -72,7 +73,8 @@ def _sides(
         turn.append(
             ways + 1e-6 * sum(min(max(position, -500.0), 500.0) - x for position in positions) / 1e3
         )
-    if abs(turn[1]) > abs(turn[0]):  # the second link decides, the first takes the remaining side
+    # The link that is clearly on one side decides; the other link takes the opposite side.
+    if abs(turn[1]) > abs(turn[0]):
         return (first, second) if turn[1] > 0 else (second, first)
     return (second, first) if turn[0] > 0 else (first, second)
 
@@ -114,7 +116,7 @@ def _of_pair(
 
 
 def _of_ends(station: Station, way: int, x: float) -> Iterator[AxisContact]:
-    """Yield the contacts of shafts on both sides of a differential or a half-section."""
+    """Yield the contacts of the shafts on both sides of a differential or a half-section."""
     if station.layout is not None:
         devices = station.layout.coaxial.scheme.devices
         for link, at in zip(station.links, (x - station.half, x + station.half), strict=True):
@@ -128,7 +130,7 @@ def _of_ends(station: Station, way: int, x: float) -> Iterator[AxisContact]:
 
 
 def _of_drum(station: Station, way: int, x: float) -> Iterator[AxisContact]:
-    """Yield the contacts of the wall of a drum, and of the shafts under the packs."""
+    """Yield the contacts of the wall of a drum, and of the shafts under its clutch packs."""
     order = list(permutations(range(len(station.devices))))[way]
     for place, number in enumerate(order):
         yield AxisContact(station.links[0], x - station.half, station.devices[number], "sign")
@@ -139,7 +141,7 @@ def _of_drum(station: Station, way: int, x: float) -> Iterator[AxisContact]:
 def port_contacts(
     board: AxesBoard, chosen: StationOrder, contacts: Sequence[AxisContact]
 ) -> Iterator[AxisContact]:
-    """Yield contacts at the ends of rows, for ports and road wheels."""
+    """Yield the contacts at the ends of axes: inputs, outputs and road wheels."""
     ends = {port.link: port.link in chosen.rightward for port in board.ports}
     for link, differential in board.road_wheels.items():
         cage = board.stations[differential].devices[0]
@@ -163,7 +165,7 @@ def port_contacts(
 def _in_the_way(
     board: AxesBoard, contacts: Sequence[AxisContact], row: int, way: int
 ) -> Iterator[float]:
-    """Yield the positions of gears of neighbouring rows that reach a road wheel."""
+    """Yield the positions of gears of other axes that a road wheel would touch."""
     heights = board.rows.heights
     for contact in contacts:
         distance = abs(heights[board.axis_of[contact.link]] - heights[row])
@@ -172,7 +174,7 @@ def _in_the_way(
 
 
 def _of_set(tap: Tap, x: float, glyph: Glyph, device: int, drums: frozenset[int]) -> AxisContact:
-    """Return the contact of a member, past the edge of the gear set for a link on the far side."""
+    """Return the contact of a member of a gear set; a link on the far side passes its edge."""
     at, half = x - glyph.width / 2 + tap.x, glyph.width / 2 + EDGE
     end = tap.side * tap.depth
     if (tap.side == ABOVE) == (tap.wire in drums):

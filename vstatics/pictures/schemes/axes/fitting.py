@@ -1,4 +1,4 @@
-"""Layout of several axes within a width; lengths are reduced, but letters keep their size."""
+"""Layout of several axes in the width of a page: lengths shrink, letters keep their size."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ from vstatics.pictures.schemes.scheme import Scheme
 from vstatics.pictures.schemes.sets import HalfSection
 
 GAPS = (16.0, 12.0, 8.0, 6.0, 4.0, 3.0, 2.0)
-"""Distances between stations to try; the largest distance that fits the width is used. [pt]"""
+"""Distances between stations to try; the first that fits the width is used. [pt]"""
 PARTS = (1.0, 0.92, 0.85, 0.78, 0.72, 0.66, 0.6, 0.55, 0.5, 0.45, 0.4, 0.36, 0.32)
-"""Scales of lengths, but not of letters, to try; the largest scale that fits is used. [-]"""
+"""Scales of lengths, but not of letters, to try; the first that fits is used. [-]"""
 HEAD_ROOM = 60.0
-"""Height of the head of a page. [pt]"""
+"""Height reserved for the heading of a page. [pt]"""
 LETTERS = 12
 """Number of letters above which a name is broken at blanks."""
 
@@ -31,15 +31,16 @@ LETTERS = 12
 def placed(
     scheme: Scheme, axes: ParallelAxes, sections: Mapping[int, HalfSection], style: Style
 ) -> AxesPlaces:
-    """Return the positions of all parts within the width of a page.
+    """Return the positions of axes, stations and lines within the width of a page.
 
-    The height of a page is kept if possible.
+    The diagram also fits the height of a page if possible.
     """
     inner = list(row_sections(scheme, axes, sections, is_ordered=style.ordered))
     chosen = _chosen(scheme, axes, inner)
-    if chosen is None:  # a link would pass through a half-section
+    # A link would pass through a half-section: all components are drawn as separate stations.
+    if chosen is None:
         inner, chosen = [], _chosen(scheme, axes, [])
-    assert chosen is not None  # noqa: S101 - there is no half-section to pass
+    assert chosen is not None  # noqa: S101 - without half-sections, no link can pass through one
     small = [(False, part) for part in PARTS if not inner or part * CLOSEST >= 1]
     small += [(True, part) for part in PARTS * bool(inner)]
     for (is_small, part), letters in product(small, (LETTERS, FEW_LETTERS)):
@@ -60,7 +61,7 @@ def placed(
 
 
 def _chosen(scheme: Scheme, axes: ParallelAxes, inner: Sequence[RowSection]) -> StationOrder | None:
-    """Return the best order of the stations, None if a link would pass through a half-section."""
+    """Return the best order of the stations; None if a link would pass through a half-section."""
     stations = stations_of(
         scheme, axes, Style(), sections=[section.laid_out() for section in inner]
     )

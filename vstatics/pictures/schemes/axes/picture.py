@@ -1,4 +1,4 @@
-"""Stick diagram of a gearbox with several axes, without a gear or in gears."""
+"""Pages of the stick diagram of a gearbox with several axes, without a gear or in gears."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def figures(
     style: Style,
     shown: Iterable[Sequence[int]],
 ) -> Iterator[list[Canvas]]:
-    """Yield the figures without a gear, or of gears by number from 1, with equal positions.
+    """Yield the pages without a gear, or of gears by number from 1, with equal positions.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Positions of stations, contacts and links that follow from an order of the stations."""
+"""Positions of stations (components on the axes), contacts and links for an order."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from vstatics.pictures.schemes.axes.board import BESIDE_SET, AxesBoard, StationO
 from vstatics.pictures.schemes.axes.contacts import AxisContact, contacts, port_contacts
 
 LEVEL = 4.5
-"""Distance from a shaft to the hollow shaft around it. [pt]"""
+"""Distance from the line of a shaft to the line of the hollow shaft around it. [pt]"""
 SIGN_HEIGHT = 13.0
-"""Distance from the hollow shafts to the middle of a symbol. [pt]"""
+"""Distance from the outermost hollow shaft to the middle of a symbol. [pt]"""
 DRUM = 7.0
 """Distance between nested drums. [pt]"""
 PORT_PITCH = 14.0
-"""Distance between the ports of nested hollow shafts. [pt]"""
+"""Distance between the arrows of nested hollow shafts. [pt]"""
 HUB = 2.0
 """Length by which a shaft extends beyond a gear that rotates freely on it. [pt]"""
 SPAN_OVERLAP = 0.1
@@ -26,7 +26,7 @@ SPAN_OVERLAP = 0.1
 
 
 class LinkSpan(NamedTuple):
-    """Extent of a link along the axis, with the distance from the axis [pt]."""
+    """Extent of a link along its axis, with its distance from the axis [pt]."""
 
     left: float
     right: float
@@ -35,53 +35,53 @@ class LinkSpan(NamedTuple):
 
 
 class AxesPlaces(NamedTuple):
-    """Positions of all parts of a diagram."""
+    """Positions of axes, stations and links of a diagram."""
 
     board: AxesBoard
     chosen: StationOrder
     xs: Sequence[float]
-    """Position of the middle of each station. [pt]"""
+    """Horizontal position of the middle of each station. [pt]"""
     contacts: Sequence[AxisContact]
     spans: Mapping[int, LinkSpan]
     bases: Mapping[int, float]
-    """Height of the hollow shafts of each axis. [pt]"""
+    """Height of the outermost hollow shaft of each axis. [pt]"""
     letters: float = 1.0
-    """Ratio of the size of letters to lengths, above 1 in a reduced picture."""
+    """Ratio of the size of letters to lengths; above 1 in a reduced picture. [-]"""
 
     def wide(self, text: str, *, size: float = SIZE, bold: bool = False) -> float:
         """Return the width of a text [pt]."""
         return self.letters * width(text, size, bold=bold)
 
     def sign_height(self, axis: int) -> float:
-        """Return the height of the middle of symbols next to shafts [pt]."""
+        """Return the height above an axis of the middle of symbols next to shafts [pt]."""
         half = self.board.set_halves[axis]
         return self.bases[axis] + (half + BESIDE_SET if half else SIGN_HEIGHT)
 
     def port_height(self, link: int) -> float:
-        """Return the height of a port above the axis, separate for hollow shafts [pt]."""
+        """Return the height of the arrow of a link above its axis; nested shafts differ [pt]."""
         span = self.spans[link]
         if span.level <= 0:
             return span.height
         return self.bases[self.axis_of(link)] + PORT_PITCH * span.level - 2.0
 
     def road_end(self, link: int) -> float:
-        """Return the position of the road wheel of a link [pt]."""
+        """Return the horizontal position of the road wheel of a link [pt]."""
         kinds = ("port", "road")
         return next(
             contact.x for contact in self.contacts if contact.link == link and contact.kind in kinds
         )
 
     def axis_of(self, link: int) -> int:
-        """Return the axis of a link."""
+        """Return the index of the axis of a link."""
         return self.board.axis_of[link]
 
     def y(self, axis: int, height: float) -> float:
-        """Return the vertical position of a height above an axis, on the side of the links [pt]."""
+        """Return the vertical position of a height on the side of an axis with the links [pt]."""
         return self.board.rows.heights[axis] + self.board.rows.sides[axis] * height
 
 
 def places(board: AxesBoard, chosen: StationOrder) -> AxesPlaces:
-    """Return the positions of all parts for an order of the stations."""
+    """Return the positions of axes, stations and links for an order of the stations."""
     xs = _xs(board, chosen.order)
     meetings = list(contacts(board, chosen, xs))
     meetings += port_contacts(board, chosen, meetings)
@@ -108,9 +108,9 @@ def places(board: AxesBoard, chosen: StationOrder) -> AxesPlaces:
 
 
 def _levels(links: Iterable[int], ends: Mapping[int, tuple[float, float]]) -> dict[int, int]:
-    """Return the number of earlier shafts, or drums, that overlap with each link, one in another.
+    """Return the nesting level of each shaft or drum, 0 for the innermost.
 
-    Long shafts are within short shafts.
+    Of overlapping shafts, the longer one is inside.
     """
     levels: dict[int, int] = {}
     for link in links:
@@ -125,14 +125,14 @@ def _levels(links: Iterable[int], ends: Mapping[int, tuple[float, float]]) -> di
 
 
 def _xs(board: AxesBoard, order: Sequence[int]) -> list[float]:
-    """Return station positions, as far left as possible.
+    """Return the horizontal position of each station, as far left as possible.
 
-    Stations in front of all pairs of a row move right, next to the first pair.
+    Stations in front of the first gear pair of an axis then move right, next to that pair.
     """
     edges: dict[int, float] = {}
     shared: set[int] = set()
     xs, halves, gap = [0.0] * len(order), board.halves, board.gap
-    first: list[int] = []  # stations of one row, before those that several rows share
+    first: list[int] = []  # stations on one axis only, before any station that several axes share
     for index in order:
         rows, half = board.occupied[index], halves[index]
         start = 0.0

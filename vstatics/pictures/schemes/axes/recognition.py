@@ -1,4 +1,4 @@
-"""Assignment of links to axes, and the joints between axes."""
+"""Assignment of links to axes, and the joints (gear pairs, chains) between axes."""
 
 from __future__ import annotations
 
@@ -11,57 +11,57 @@ from vstatics.pictures.drawing.tolerances import SAME_RADIUS
 from vstatics.pictures.schemes.scheme import Device, Scheme
 
 MESHED = frozenset({"gear_pair", "internal_pair", "idler"})
-"""Kinds that connect parallel axes by teeth."""
+"""Kinds of components that connect parallel axes by teeth."""
 FAR = frozenset({"chain", "belt"})
-"""Kinds that connect parallel axes without meshing teeth."""
+"""Kinds of components that connect parallel axes without meshing teeth."""
 CROSSED = frozenset({"bevel_pair", "worm"})
-"""Kinds that connect crossing axes, drawn as parallel axes with slanted teeth."""
+"""Kinds of components that connect crossing axes; drawn as parallel axes with slanted teeth."""
 
 FREE_IDLER = 0.6
 """Size of an idler of unknown size, relative to the size of the first gear. [-]"""
 
 
 class AxisJoint(NamedTuple):
-    """Joint between two axes: a gear pair, a chain or a bevel pinion."""
+    """Joint between two axes: a gear pair, chain, belt, bevel pair or worm."""
 
     device: int
     """Index of the component in `Scheme.devices`."""
     kind: str
     first: int
-    """Link of the first gear."""
+    """Number of the link of the first gear."""
     second: int
-    """Link of the second gear."""
+    """Number of the link of the second gear."""
     sizes: tuple[float, float]
-    """Sizes of both gears in a common unit, such as teeth or diameters."""
+    """Sizes of both gears in a common unit, such as tooth numbers or diameters."""
     idler: float = 0.0
-    """Size of the idler in the common unit, 0 without an idler."""
+    """Size of the idler in the unit of `sizes`; 0 without an idler."""
     frame: int = 0
-    """Link that supports the gears, such as an axle casing, 0 for the housing."""
+    """Number of the link that supports the gears, such as an axle casing; 0 for the housing."""
 
     @property
     def links(self) -> tuple[int, int]:
-        """Links of both gears."""
+        """Numbers of the links of both gears."""
         return self.first, self.second
 
 
 class ParallelAxes(NamedTuple):
-    """Axes of a gearbox, the axis of the input first, and the joints between the axes."""
+    """Axes of a gearbox, beginning with the axis of the input, and the joints between them."""
 
     axes: Sequence[AbstractSet[int]]
-    """Links of each axis."""
+    """Numbers of the links of each axis."""
     joints: Sequence[AxisJoint]
 
     def of(self, link: int) -> int:
-        """Return the axis of a link, from 0."""
+        """Return the index of the axis of a link, from 0."""
         return next(number for number, axis in enumerate(self.axes) if link in axis)
 
 
 def parallel_axes(scheme: Scheme, case: Transmission) -> ParallelAxes | None:
     """Return the axes of a case, or None for a single axis.
 
-    A shift element, a shaft, a coaxial gear set or a spring of two links connects links of a
-    common axis. A gear pair, a chain or a bevel pinion connects two axes. A mechanism with the
-    housing as third link and a ratio below 0 is a gear pair.
+    Shift elements, shafts, coaxial gear sets and springs of two links connect links of one axis.
+    Gear pairs, chains and bevel pinions connect two axes. A mechanism with the housing as third
+    link and a ratio below 0 counts as a gear pair.
 
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission
     >>> from vstatics.pictures.schemes.scheme import scheme_of
@@ -92,7 +92,7 @@ def parallel_axes(scheme: Scheme, case: Transmission) -> ParallelAxes | None:
 
 
 def _from(start: int, joints: Sequence[AxisJoint], bodies: dict[int, int]) -> Iterator[int]:
-    """Yield the bodies in breadth-first order from a start."""
+    """Yield the groups of connected links in breadth-first order from a start."""
     reached = [start]
     for body in reached:
         yield body
@@ -103,7 +103,7 @@ def _from(start: int, joints: Sequence[AxisJoint], bodies: dict[int, int]) -> It
 
 
 def is_bare_differential(device: Device) -> bool:
-    """Return True for a mechanism that divides a torque in halves.
+    """Return True for a differential given as a mechanism, which halves a torque.
 
     >>> members = {"first": 1, "second": 2, "third": 3}
     >>> is_bare_differential(Device("axle", "mechanism", members, (0,), ratio=-1.0))
@@ -115,9 +115,9 @@ def is_bare_differential(device: Device) -> bool:
 def joint_of(
     index: int, device: Device, case: Transmission, cages: AbstractSet[int]
 ) -> tuple[AxisJoint | None, list[list[int]]]:
-    """Return the joint of a component, if any, and groups of links on a common axis.
+    """Return the joint of a component between two axes, if any, and groups of links on one axis.
 
-    A mechanism with a ratio above 1 that drives the case of a differential, from `cages`, is a
+    A mechanism with a ratio above 1 that drives the case of a differential (a link in `cages`) is a
     final drive with an idler, since both links turn in the same direction.
     """
     links = [link for link in device.members.values() if link]
@@ -141,9 +141,9 @@ def joint_of(
 def _of_spring(
     index: int, device: Device, case: Transmission
 ) -> tuple[AxisJoint | None, list[list[int]]]:
-    """Return the joint of a bevel drive that is given as a spring, and the links on one axis.
+    """Return the joint of a bevel drive that is given as a spring, and the links by axis.
 
-    The crown gear and the casing share an axis, the pinion has a separate axis.
+    The crown gear and the casing share an axis; the pinion has its own axis.
     """
     form = {link: part for link, part in case.springs[device.numbers[0]].form.items() if link}
     first, *smaller = sorted({abs(part) for part in form.values()}, reverse=True)

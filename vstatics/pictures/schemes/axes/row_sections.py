@@ -1,4 +1,4 @@
-"""Gear sets on one of several axes, drawn as a separate half-section."""
+"""Half-sections of several gear sets on one axis of a gearbox with several axes."""
 
 from __future__ import annotations
 
@@ -20,22 +20,22 @@ from vstatics.pictures.schemes.scheme import Scheme, SchemePort
 from vstatics.pictures.schemes.sets import HalfSection
 
 FEWEST_SETS = 2
-"""Smallest number of gear sets in a half-section."""
+"""Smallest number of gear sets in such a half-section."""
 
 
 class RowSection(NamedTuple):
-    """Gear sets and couplings between two links of a row, from left to right."""
+    """Half-section of the gear sets and shift elements between two links of an axis."""
 
     coaxial: CoaxialScheme
     frame: SectionFrame
     is_ordered: bool
     named_beside: frozenset[int]
-    """Links that are named next to arrows in the row."""
+    """Numbers of links whose names are next to arrows instead of inside the half-section."""
 
     def laid_out(
         self, letters: float = 1.0, line_letters: int = 12, *, is_small: bool = False
     ) -> CoaxialLayout:
-        """Return the layout for letters of a size relative to lengths, with long names broken.
+        """Return the layout for a ratio of letter size to lengths, with long names broken.
 
         A small layout has no names of links.
         """
@@ -63,7 +63,7 @@ def row_sections(
     Parameters
     ----------
     sections : mapping of int to HalfSection
-        Components that may be gear sets, by place in the scheme.
+        Half-sections of gear sets, and of mechanisms that can be gear sets, by index in the scheme.
     """
     drum = {*drum_of(scheme)}
     for number in range(len(axes.axes)):
@@ -89,9 +89,9 @@ def row_sections(
 def _between_ends(
     scheme: Scheme, axes: ParallelAxes, number: int, sections: Mapping[int, HalfSection]
 ) -> tuple[AbstractSet[int], Sequence[int]]:
-    """Return the components of an axis without chains at the ends, and the end links.
+    """Return the components of an axis between its end links, and the end links.
 
-    Links that receive power from the input are first.
+    Chains of shafts and dampers outside are left out. The end link nearer to the input is first.
     """
     joints = {joint.device for joint in axes.joints}
     inside = {
@@ -123,7 +123,7 @@ def _outermost(
     ends: Mapping[int, float],
     sections: Mapping[int, HalfSection],
 ) -> Iterator[tuple[int, int]]:
-    """Yield end links that only a coupling of two links connects, with the coupling."""
+    """Yield each end link with only one shift element or shaft on the axis, and its index."""
     for link in ends:
         connected = [index for index in inside if link in scheme.devices[index].links]
         if (

@@ -1,4 +1,4 @@
-"""Rows of the axes: order, distances and gear radii."""
+"""Axes as rows of a diagram: order, distances, and radii of the gears between them."""
 
 from __future__ import annotations
 
@@ -10,29 +10,29 @@ from vstatics.pictures.schemes.axes.recognition import FAR, AxisJoint, ParallelA
 from vstatics.pictures.schemes.axes.stations import Station
 
 DISTANCE = 66.0
-"""Smallest distance between rows without gear sets. [pt]"""
+"""Smallest distance between neighbouring axes without gear sets. [pt]"""
 CLEARANCE = 16.0
-"""Distance from stations on an axis to the next axis. [pt]"""
+"""Distance from the components on an axis to the next axis. [pt]"""
 LEAST_RADIUS = 8.0
 """Smallest radius of a gear. [pt]"""
 SIGNS = 40.0
-"""Height of symbols with names above an axis. [pt]"""
+"""Height above an axis of symbols with names. [pt]"""
 MOST_PERMUTED = 7
-"""Largest number of rows for which all orders are tried."""
+"""Largest number of axes for which all orders are tried."""
 
 
 class AxisRows(NamedTuple):
-    """Positions of the axes."""
+    """Order and heights of the axes."""
 
     order: Sequence[int]
-    """Axes from top to bottom, without axes of idlers between two rows."""
+    """Indices of the axes from top to bottom, without axes of idlers between two other axes."""
     heights: Mapping[int, float]
     """Height of each axis. [pt]"""
     sides: Mapping[int, int]
     """Side of each axis on which links are drawn: 1 above, -1 below."""
 
     def between(self, axes: Sequence[int]) -> list[int]:
-        """Return the axes from a first to a last axis, both included."""
+        """Return the axes from the first to the last of some axes, both included."""
         low, high = sorted(self.heights[axis] for axis in axes)
         inside = [axis for axis in self.order if low <= self.heights[axis] <= high]
         return [*inside, *(axis for axis in axes if axis not in inside)]
@@ -58,10 +58,10 @@ class AxisRows(NamedTuple):
 
 
 def axis_rows(axes: ParallelAxes, stations: Sequence[Station], letters: float = 1.0) -> AxisRows:
-    """Return rows in breadth-first order from the input axis, with few pairs that skip a row.
+    """Return the rows of axes, in an order in which few gear pairs skip a row.
 
-    The input is at the top, or in the middle of countershafts. Stations are drawn above an axis,
-    but below the lowest axis. Rows are farther apart for larger letters.
+    The input is at the top, or in the middle of countershafts. Components are drawn above their
+    axis, but below the lowest axis. Rows are farther apart for larger letters.
     """
     count = len(axes.axes)
     idlers = dict(_idlers(count, stations))
@@ -101,7 +101,7 @@ def _room(axis: int, stations: Sequence[Station]) -> float:
 
 
 def _idlers(count: int, stations: Sequence[Station]) -> list[tuple[int, tuple[int, int]]]:
-    """Return axes that only reverse a direction of rotation, each with the neighbouring axes."""
+    """Return axes that only reverse rotation (idlers), each with the two neighbouring axes."""
     idlers: list[tuple[int, tuple[int, int]]] = []
     for axis in range(1, count):
         stations_here = [station for station in stations if axis in station.axes]
@@ -116,6 +116,6 @@ def _idlers(count: int, stations: Sequence[Station]) -> list[tuple[int, tuple[in
 
 
 def _cost(order: Sequence[int], ends: Sequence[Sequence[int]]) -> tuple[int, list[int]]:
-    """Return the number of rows that pairs skip, and the order itself, which decides ties."""
+    """Return the number of skipped rows, and the order itself, which decides ties."""
     place = {axis: number for number, axis in enumerate(order)}
     return sum(abs(place[first] - place[second]) - 1 for first, second in ends), list(order)

@@ -1,4 +1,4 @@
-"""Search for the order of the stations.
+"""Search for the order of the stations (components on the axes) from left to right.
 
 Good orders have few crossings, short hollow shafts, the clutch first and the output last.
 """
@@ -18,20 +18,20 @@ from vstatics.pictures.schemes.axes.wires import EPSILON, crossings, link_lines,
 CROSSING, HOLLOW, DRUM = 150.0, 1.5, 1.3
 """Cost of a crossing [-], and costs per length of hollow shafts and of drums [1/pt]."""
 NEIGHBOURS = 90.0
-"""Reduction of the cost for two neighbouring clutches on a common hub."""
+"""Reduction of the cost for two neighbouring clutches on a common hub. [-]"""
 LAST = 0.4
-"""Cost per distance of a final drive from the right end. [1/pt]"""
+"""Cost per distance of a final drive from the right end of the diagram. [1/pt]"""
 LEFT_OF_INPUT = 80.0
-"""Cost of a station to the left of the input clutch."""
+"""Cost of each station to the left of the input clutch. [-]"""
 THROUGH = 300.0
-"""Cost of a shaft that passes through a differential without being connected to it."""
+"""Cost of a shaft that passes through a differential without being connected to it. [-]"""
 MOST_IMPROVEMENTS = 30
-"""Largest number of passes over all kinds of steps."""
+"""Largest number of passes over all kinds of changes."""
 Step = Callable[[StationOrder], Iterator[StationOrder]]
 
 
 def arranged(board: AxesBoard) -> AxesPlaces:
-    """Return the best positions, by single steps until no step is an improvement.
+    """Return the best positions that repeated single changes of an order reach.
 
     The search is not random, so a case always looks alike.
     """
@@ -40,12 +40,12 @@ def arranged(board: AxesBoard) -> AxesPlaces:
         improved = _improved(board, start)
         if best is None or improved[0] < best[0]:
             best = improved
-    assert best is not None  # noqa: S101 - there is a start
+    assert best is not None  # noqa: S101 - there is at least one initial order
     return best[1]
 
 
 def _improved(board: AxesBoard, start: StationOrder) -> tuple[float, AxesPlaces]:
-    """Return the cost and the positions at the end of a descent from a start."""
+    """Return the cost and the positions after improving an initial order by single changes."""
     placing = places(board, start)
     cost = cost_of(placing)
     for _ in range(MOST_IMPROVEMENTS):
@@ -76,9 +76,9 @@ def _steps(board: AxesBoard) -> Iterator[Step]:
 def _moved(
     board: AxesBoard, chosen: StationOrder, *, index: int, length: int
 ) -> Iterator[StationOrder]:
-    """Yield orders with `length` neighbouring groups, also reversed, at each possible place.
+    """Yield orders in which `length` neighbouring groups are moved, and also reversed.
 
-    Places that do not change the order within a row are skipped.
+    Moves that do not change the order on any axis are left out.
     """
     at = next(n for n, group in enumerate(chosen.groups) if index in group)
     if index != chosen.groups[at][0] or at + length > len(chosen.groups):
@@ -105,7 +105,7 @@ def _turned(board: AxesBoard, chosen: StationOrder, *, index: int) -> Iterator[S
 
 
 def _rerouted(board: AxesBoard, chosen: StationOrder) -> Iterator[StationOrder]:
-    """Yield orders with links as drums or as shafts, or ports at the far end of a row."""
+    """Yield choices with a link as drum or as shaft, or an input or output at the other end."""
     for link in board.axis_of:
         if link in board.may_be_drums:
             rerouted = chosen._replace(drums=chosen.drums ^ {link})
@@ -119,7 +119,7 @@ def _rerouted(board: AxesBoard, chosen: StationOrder) -> Iterator[StationOrder]:
 
 
 def cost_of(placing: AxesPlaces, limit: float = float("inf")) -> float:
-    """Return the cost of positions; a cost above the limit can be a lower bound."""
+    """Return the cost of positions; above the limit, a lower bound of the cost."""
     board = placing.board
     value = 2 * max(placing.xs)
     wheeled = board.wheels
@@ -144,7 +144,7 @@ def cost_of(placing: AxesPlaces, limit: float = float("inf")) -> float:
 
 
 def _misplaced(placing: AxesPlaces) -> float:
-    """Return the cost of a final drive or an input clutch away from the ends.
+    """Return the cost of final drives not at the right end, and of input clutches not at the left.
 
     Links that pass through half-sections and differentials also count.
     """
@@ -168,7 +168,7 @@ def _misplaced(placing: AxesPlaces) -> float:
 
 
 def passing(placing: AxesPlaces, section: Station, x: float) -> Iterator[int]:
-    """Yield the links that would pass through a half-section from side to side."""
+    """Yield the links on the axis of a half-section that overlap with it, so would pass through."""
     left, right = x - section.half + EPSILON, x + section.half - EPSILON
     for link, span in placing.spans.items():
         if placing.axis_of(link) == section.axes[0] and span.left < right and span.right > left:

@@ -1,4 +1,4 @@
-"""Initial orders of the stations for the search."""
+"""Initial orders of the stations (components on the axes) for the search."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ IN_CHAINS = frozenset({"coupling", "pair"})
 
 
 def starts(board: AxesBoard) -> Iterator[StationOrder]:
-    """Yield an order from shaft to shaft, and in small boxes also the order of the case."""
+    """Yield an order along the shafts and, for small boxes, the order of the case."""
     count = len(board.stations)
     ways = (0,) * count
     right = frozenset(port.link for port in board.ports if port.role != "input")
@@ -30,9 +30,9 @@ def starts(board: AxesBoard) -> Iterator[StationOrder]:
 
 
 def groups_of(board: AxesBoard, order: Sequence[int]) -> tuple[tuple[int, ...], ...]:
-    """Return the groups of stations in chains, such as dampers in line.
+    """Return the groups of stations that stay together: chains, such as dampers in series.
 
-    An idle gear is in a group with the clutch.
+    A gear that rotates freely on its shaft is in a group with its clutch.
     """
     neighbours: dict[int, list[int]] = {index: [] for index in order}
     group = {index: index for index in order}
@@ -62,11 +62,11 @@ def groups_of(board: AxesBoard, order: Sequence[int]) -> tuple[tuple[int, ...], 
 
 
 def _chain(index: int, neighbours: Mapping[int, Sequence[int]]) -> tuple[int, ...]:
-    """Return all stations of a chain, from an end."""
+    """Return all stations of a chain, beginning at one end."""
     before, at = -1, index
     while ahead := [
         neighbour for neighbour in neighbours[at] if neighbour != before
-    ]:  # to its end, then back
+    ]:  # walk to one end, then back through the whole chain
         before, at = at, ahead[0]
     chain = [at]
     while ahead := [neighbour for neighbour in neighbours[chain[-1]] if neighbour not in chain]:
@@ -75,7 +75,7 @@ def _chain(index: int, neighbours: Mapping[int, Sequence[int]]) -> tuple[int, ..
 
 
 def _by_hubs(board: AxesBoard, order: Sequence[int]) -> list[int]:
-    """Return an order with the gears of each shaft together, and clutches between idle gears."""
+    """Return an order with the gears of each shaft together, and clutches between their gears."""
     clutch: dict[int, int] = {}
     for index, station in enumerate(board.stations):
         for link in station.links if station.kind == "coupling" else ():

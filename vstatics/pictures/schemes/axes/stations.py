@@ -1,4 +1,4 @@
-"""Stations on the axes: gear pairs, gear sets, differentials, clutches, brakes, springs."""
+"""Stations: components that have a position along the axes, from gear pairs to springs."""
 
 from __future__ import annotations
 
@@ -22,41 +22,42 @@ from vstatics.pictures.schemes.sets import set_glyphs
 from vstatics.pictures.schemes.titles import teeth_of
 
 SIGN = 16.0
-"""Length of the symbol of a sleeve or a pack of plates, with its connecting lines. [pt]"""
+"""Length of the symbol of a sleeve or a plate pack, with the connecting lines. [pt]"""
 SPRING = 24.0
 """Length of the symbol of a spring, with its connecting lines. [pt]"""
 PACK_PITCH = 24.0
-"""Distance between packs of plates in a drum. [pt]"""
+"""Distance between the plate packs in a drum. [pt]"""
 WHEEL = 5.0
 """Half the width of a gear. [pt]"""
 PIN = 7.0
-"""Half the width of a box, for each of its links. [pt]"""
+"""Half the width of a box, per link of its component. [pt]"""
 CAGE = 15.0
 """Half the width of a differential. [pt]"""
 BEARING = 9.0
-"""Distance from a crown gear to the bearing of the casing. [pt]"""
+"""Distance from a crown gear to the bearing of its casing. [pt]"""
 
 
 class Station(NamedTuple):
-    """Part of a diagram at a position along the axes."""
+    """Component, or group of components, drawn at one position along the axes."""
 
     kind: str
-    """``pair``, ``coupling``, ``brake``, ``drum``, ``set``, ``differential``, ``box``, or
-    ``section`` of several sets."""
+    """Kind of station: ``pair`` (gears), ``coupling``, ``brake``, ``drum``, ``set``,
+    ``differential``, ``box``, or ``section`` (several gear sets).
+    """
     devices: Sequence[int]
-    """Indices of the components in `Scheme.devices`; a drum has several clutches."""
+    """Indices of its components in `Scheme.devices`; a drum has several clutches."""
     axes: Sequence[int]
-    """Axes of the station, two for a gear pair."""
+    """Indices of the axes of the station, two for a gear pair."""
     links: Sequence[int]
     """Connected links: of a pair, in the order of its gears; of a drum, the drum first; of a
     half-section, its left and right link."""
     half: float
-    """Half the width. [pt]"""
+    """Half the width of the station. [pt]"""
     names: Sequence[str] = ()
     """Names of the components, wrapped into lines."""
     joint: AxisJoint | None = None
     glyphs: Sequence[Glyph] = ()
-    """Variants of the drawing of a gear set."""
+    """Ways to draw a gear set, from which the search chooses; empty for other kinds."""
     is_shifted: bool = False
     """True if a clutch connects the links, False for a spring."""
     teeth: Sequence[str] = ()
@@ -74,7 +75,7 @@ class Station(NamedTuple):
 
     @property
     def has_two_sides(self) -> bool:
-        """True for a station between two links."""
+        """True for a station with a link on the left and a link on the right."""
         return self.kind in ("coupling", "box") and len(self.links) == 2
 
 
@@ -85,7 +86,7 @@ def stations_of(
     letters: int = 12,
     sections: Sequence[CoaxialLayout] = (),
 ) -> list[Station]:
-    """Return the stations of a box in the order of the components, with long names broken."""
+    """Return the stations of a gearbox in the order of its components, with long names broken."""
     joints = {joint.device: joint for joint in axes.joints}
     drum = drum_of(scheme)
     stations = [_section(layout, axes) for layout in sections]
@@ -115,7 +116,7 @@ def _section(layout: CoaxialLayout, axes: ParallelAxes) -> Station:
 
 
 def _stacked(stations: Sequence[Station]) -> Iterator[Station]:
-    """Yield the stations, with couplings between equal links stacked at a common position."""
+    """Yield the stations, with couplings between equal links stacked as one station."""
     taken: set[int] = set()
     for place, station in enumerate(stations):
         if place in taken:
@@ -163,12 +164,12 @@ def _pair_teeth(device: Device, style: Style) -> list[str]:
 
 
 def box_note(device: Device, style: Style) -> str:
-    """Return the text in a box of a component without known gears."""
+    """Return the text in the box of a component whose gears are not known."""
     return ratio_text(device.ratio) if device.kind == "mechanism" else word(device.kind, style)
 
 
 def set_ways(device: Device, style: Style) -> list[Glyph]:
-    """Return the variants of a planetary gear set with the carrier, empty without a gear set."""
+    """Return all ways to draw a planetary gear set with the carrier; empty for other kinds."""
     if device.element is not None:
         if not isinstance(device.element.shape, Planetary):
             return []
@@ -182,7 +183,7 @@ def set_ways(device: Device, style: Style) -> list[Glyph]:
 
 
 def drum_of(scheme: Scheme) -> list[int]:
-    """Return clutches whose packs share a drum on the input side, as in a dual clutch.
+    """Return the indices of clutches whose plate packs share a drum, as in a dual clutch.
 
     >>> from vstatics.pictures.schemes.scheme import SchemePort
     >>> clutches = [Device("K", "clutch", {"first": 1, "second": n}, (n,)) for n in (2, 3)]

@@ -1,4 +1,4 @@
-"""Lines of links: horizontal lines along the axes, upright lines to the stations."""
+"""Lines of links: horizontal lines along the axes, vertical lines to the components."""
 
 from __future__ import annotations
 
@@ -13,20 +13,20 @@ from vstatics.pictures.schemes.axes.places import AxesPlaces
 from vstatics.pictures.schemes.axes.stations import Station
 
 STACK = 27.0
-"""Distance between symbols that connect equal links. [pt]"""
+"""Vertical distance between symbols that connect equal links. [pt]"""
 TOO_NEAR = 2.5
-"""Distance below which two upright lines look like a single line. [pt]"""
+"""Distance below which two vertical lines look like a single line. [pt]"""
 EPSILON = 0.01
 """Distance below which lines count as touching. [pt]"""
 
 
 class LinkLines(NamedTuple):
-    """Lines of a link."""
+    """Lines of a link in the diagram."""
 
     level: Segment
-    """Line along the axis."""
+    """Horizontal line along the axis."""
     upright: list[tuple[int, list[Point]]]
-    """Components, each with the path from the line along the axis."""
+    """Indices of components, each with the path from the horizontal line to the component."""
 
 
 class WireCrossing(NamedTuple):
@@ -34,9 +34,9 @@ class WireCrossing(NamedTuple):
 
     at: Point
     upright: int
-    """Link of the upright line."""
+    """Number of the link of the vertical line."""
     level: int
-    """Link of the horizontal line."""
+    """Number of the link of the horizontal line."""
 
 
 def link_lines(placing: AxesPlaces) -> dict[int, LinkLines]:
@@ -53,7 +53,7 @@ def link_lines(placing: AxesPlaces) -> dict[int, LinkLines]:
 
 
 def path_of(placing: AxesPlaces, contact: AxisContact) -> list[Point]:
-    """Return the path from the line along an axis to a component; empty if it is on the line."""
+    """Return the path from a link's horizontal line to a component; empty if it is on the line."""
     axis, span = placing.axis_of(contact.link), placing.spans[contact.link]
     height, x = span.height, contact.x
     if contact.kind == "wheel":
@@ -78,7 +78,7 @@ def path_of(placing: AxesPlaces, contact: AxisContact) -> list[Point]:
 
 
 def branches(placing: AxesPlaces, link: int, lines: LinkLines) -> Iterator[tuple[int, Point]]:
-    """Yield the points where a link branches, with the component, except at gears on a shaft."""
+    """Yield the points where the line of a link branches to a component other than a gear."""
     (left, level), (right, _) = lines.level
     wheeled = {
         contact.device
@@ -105,7 +105,7 @@ def branches(placing: AxesPlaces, link: int, lines: LinkLines) -> Iterator[tuple
 def sign_height(placing: AxesPlaces, device: int) -> float:
     """Return the height of the middle of a symbol above the axis [pt].
 
-    The height is 0 for a symbol that connects two shafts end to end.
+    The height is 0 for a symbol between the ends of two shafts.
     """
     station = placing.board.station_of[device]
     (axis, *_) = station.axes
@@ -119,7 +119,7 @@ def sign_height(placing: AxesPlaces, device: int) -> float:
 
 
 def _brake_height(placing: AxesPlaces, station: Station, device: int) -> float:
-    """Return the height of the lower end of a brake [pt]; for a drum, it is above all drums."""
+    """Return the height of the lower end of a brake; on a drum, it is above all drums [pt]."""
     (axis,), (link,) = station.axes, station.links
     if placing.spans[link].level >= 0:
         return placing.sign_height(axis)
@@ -134,9 +134,9 @@ def _brake_height(placing: AxesPlaces, station: Station, device: int) -> float:
 
 
 def wheel_crossings(placing: AxesPlaces, lines: Mapping[int, LinkLines]) -> int:
-    """Return the number of crossings of the free halves of gears with links of other axes.
+    """Return the number of crossings of gears with links on other axes.
 
-    Internal gears are large enough to cross links.
+    Only internal gears are large enough for such crossings.
     """
     count = 0
     for number, station in enumerate(placing.board.stations):
@@ -174,7 +174,7 @@ def crossings(lines: Mapping[int, LinkLines]) -> list[WireCrossing]:
 
 
 def overlaps(lines: Mapping[int, LinkLines]) -> int:
-    """Return the number of overlapping upright lines of two links."""
+    """Return the number of overlaps of vertical lines of different links."""
     pieces = [
         (x, *sorted((first, last)), link)
         for link, wires in lines.items()

@@ -1,4 +1,4 @@
-"""Chains of shafts, dampers and reductions before and after a gearbox."""
+"""Chains of shafts, dampers and reductions before and after a gearbox, drawn as separate rows."""
 
 from __future__ import annotations
 
@@ -11,26 +11,26 @@ from vstatics.pictures.schemes.scheme import Scheme, SchemePort, SchemeState
 
 
 class CoaxialChain(NamedTuple):
-    """Chain of couplings with two links each, from left to right."""
+    """Components in series, each with two links, from left to right."""
 
     links: Sequence[int]
-    """Links of the chain, including both ends."""
+    """Numbers of the links of the chain, including both ends."""
     devices: Sequence[int]
     """Indices of the components in the scheme."""
     is_before: bool
-    """True at the input of the gearbox."""
+    """True for the chain at the input of the gearbox, False at the output."""
     ports: tuple[SchemePort, SchemePort]
-    """Ports at both ends, including continuations in further rows."""
+    """Ports at the left and right end; a port can be the continuation in another row."""
 
     def part(self, first: int, last: int) -> CoaxialChain:
-        """Return the components from `first` up to, but without, `last`."""
+        """Return the part of the chain from component `first` up to, but without, `last`."""
         links, devices = self.links[first : last + 1], self.devices[first:last]
         left = SchemePort(links[0], "before") if first else self.ports[0]
         right = SchemePort(links[-1], "behind") if last < len(self.devices) else self.ports[1]
         return CoaxialChain(links, devices, self.is_before, (left, right))
 
     def broken(self, wide: Callable[[CoaxialChain], float], room: float) -> Iterator[CoaxialChain]:
-        """Yield parts that are no wider than a room [pt], with at least a single component."""
+        """Yield parts that are no wider than `room` [pt], each with at least one component."""
         first = 0
         for last in range(1, len(self.devices) + 1):
             if last == len(self.devices) or wide(self.part(first, last + 1)) > room:
@@ -39,10 +39,10 @@ class CoaxialChain(NamedTuple):
 
 
 class ChainedScheme(NamedTuple):
-    """Scheme without the chains at input and output."""
+    """Scheme of the gearbox without the chains at its input and output."""
 
     scheme: Scheme
-    """Scheme with all components, with ports where chains continue."""
+    """Scheme with all components, and with ports where chains continue in other rows."""
     chains: Sequence[CoaxialChain]
 
     @property
@@ -57,7 +57,7 @@ def unchained(scheme: Scheme, others: Container[int]) -> ChainedScheme:
     Parameters
     ----------
     others : container of int
-        Components that belong to no chain: gear sets.
+        Indices of components that cannot be in a chain: gear sets.
 
     Examples
     --------
@@ -97,7 +97,7 @@ def unchained(scheme: Scheme, others: Container[int]) -> ChainedScheme:
 def _walk(
     scheme: Scheme, start: int, others: Container[int], taken: AbstractSet[int]
 ) -> tuple[list[int], list[int]]:
-    """Return links and components from a port, as long as a single component continues."""
+    """Return the links and components in series from a port to the first branch."""
     ends = {port.link for port in scheme.ports} - {start}
     links, devices = [start], list[int]()
     while links[-1] not in ends:
@@ -118,7 +118,7 @@ def _walk(
 
 
 def chained_state(state: SchemeState, chains: Sequence[CoaxialChain]) -> SchemeState:
-    """Return a state whose ports between rows are idle if the next component has no torque."""
+    """Return a state in which ports between rows are idle if the next component has no torque."""
     idle = set(state.idle_ports)
     for chain in chains:
         for port, nearest in zip(chain.ports, (chain.devices[0], chain.devices[-1]), strict=True):

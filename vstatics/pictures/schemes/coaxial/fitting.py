@@ -1,4 +1,4 @@
-"""Fitting of a half-section into a width: lengths shrink, letters keep their size."""
+"""Fitting of a half-section into a width: lengths shrink, but letters keep their size."""
 
 from __future__ import annotations
 
@@ -14,30 +14,32 @@ from vstatics.pictures.schemes.coaxial.section import CoaxialScheme
 from vstatics.pictures.schemes.gear_glyphs import DEVICE_NAME_LETTERS
 
 LEAST_HALF = 24.0
-"""Smallest half height of the row of planets. [pt]"""
+"""Smallest half height of gear sets after reduction. [pt]"""
 FEW_LETTERS = 5
-"""Number of letters above which a name is broken at blanks in a narrow picture."""
+"""Number of letters above which a name is broken at a blank in a narrow picture."""
 NAMED = (
     (DEVICE_NAME_LETTERS, False, False),
     (FEW_LETTERS, False, False),
     (FEW_LETTERS, True, False),
     (FEW_LETTERS, True, True),
 )
-"""Variants of a layout to try, from wide to narrow.
+"""Variants of names in a layout to try, from wide to narrow.
 
-A variant has the number of letters in a line, whether only the links at the ends have names, and
-whether gears have tooth numbers alone.
+Each variant contains the number of letters per line, True to name only the links at the ends of the
+axis, and True to label gears by tooth numbers without names.
 """
 MOST_SHRUNK_NAMED = 2.5
-"""Largest reduction of lengths for which links and gears are named; below, symbols vanish. [-]"""
+"""Largest ratio of letters to lengths at which links and gears are named; beyond it, symbols would
+be too small. [-]
+"""
 MOST_SHRUNK = 4.0
-"""Largest reduction of lengths; wider pictures exceed the width of the page. [-]"""
+"""Largest ratio of letters to lengths; wider pictures exceed the width of the page. [-]"""
 FITS, SLOW_FITS = 16, 5
-"""Largest number of reductions, and number of reductions after which the steps grow."""
+"""Largest number of reductions, and number of reductions after which their steps grow."""
 LEAST_STEP = 1.01
-"""Smallest factor of a reduction. [-]"""
+"""Smallest factor of a single reduction. [-]"""
 CLOSEST = 1.6
-"""Largest reduction of lengths if components can move to further rows. [-]"""
+"""Largest ratio of letters to lengths if components can move to other rows. [-]"""
 ROUNDED = 0.1
 """Excess up to which a width counts as fitting. [pt]"""
 
@@ -55,11 +57,11 @@ def laid_out(
     Parameters
     ----------
     wide : float
-        Width to fit into, by reduction of lengths but not of letters. [pt]
+        Width into which the layout should fit, by reducing lengths but not letters. [pt]
     is_small : bool
         True to name only the links at the ends of the axis.
     effort : SweepEffort, optional
-        Effort of the search for an arrangement; boxes use a smaller effort.
+        Effort of the search for an order of components; with boxes, a smaller effort is used.
     is_ordered : bool
         True to keep gear sets in the order of the case, if a layout is found soon.
     """
@@ -98,7 +100,7 @@ def _closed_up(bare: CoaxialLayout, wide: float) -> CoaxialLayout:
         for rim in column.rims.values()
     )
     most = MOST_SHRUNK_NAMED if has_rims else MOST_SHRUNK  # planet gears have texts
-    if bare.coaxial.has_boxes:  # the size of boxes depends on letters
+    if bare.coaxial.has_boxes:  # the size of boxes depends on the letters
         most = MOST_SHRUNK_NAMED
     for tried in range(FITS):
         layout = placed_by_letters(bare._replace(letters=letters))
@@ -112,23 +114,23 @@ def _closed_up(bare: CoaxialLayout, wide: float) -> CoaxialLayout:
 
 
 def is_within(layout: CoaxialLayout, wide: float) -> bool:
-    """Return whether a half-section fits into a width [pt]."""
+    """Return whether a half-section fits into a width [pt], at its present reduction."""
     return _length(layout) <= wide * layout.letters + ROUNDED
 
 
 def _length(layout: CoaxialLayout) -> float:
-    """Return the length of a half-section along its axis, with its ports [pt]."""
+    """Return the length of a half-section along its axis, including ports [pt]."""
     low, high = extent(layout)
     return high[0] - low[0]
 
 
 def fits(layout: CoaxialLayout, wide: float) -> bool:
-    """Return whether a half-section is readable in a width [pt], without too large a reduction."""
+    """Return whether a half-section fits into a width [pt] with a readable reduction."""
     return is_within(layout, wide) and layout.letters <= CLOSEST
 
 
 def placed_by_letters(bare: CoaxialLayout) -> CoaxialLayout:
-    """Return the layout with positions for the size of letters."""
+    """Return the layout with all positions calculated for its ratio of letters to lengths."""
     coaxial, frame = bare.coaxial, bare.places.frame
     scheme = coaxial.scheme
     links = [] if bare.is_small else scheme.links

@@ -1,4 +1,4 @@
-"""Half-section with positions: components, names, and the size of letters."""
+"""Half-section with positions of components and links, and the size of letters."""
 
 from __future__ import annotations
 
@@ -15,51 +15,51 @@ from vstatics.pictures.schemes.sets import HalfSection
 from vstatics.pictures.schemes.shift_element_symbols import half_of
 
 BOX_ROD = 7.0
-"""Length of the line between a box and a bar. [pt of letters]"""
+"""Length of the line between a box and the bar of a link. [pt, scaled with letters]"""
 
 
 class CoaxialLayout(NamedTuple):
-    """Half-section with positions."""
+    """Half-section with the positions of all components and links."""
 
     coaxial: CoaxialScheme
     places: SectionPlaces
     is_ordered: bool
-    """False if gear sets should be in the order of the case but are not."""
+    """False if gear sets should be in the order of the case but could not be."""
     is_small: bool = False
     """True to name only the links at the ends of the axis."""
     letters: float = 1.0
-    """Ratio of the size of letters to lengths, above 1 in a reduced drawing."""
+    """Ratio of the size of letters to lengths; above 1 in a reduced drawing. [-]"""
     line_letters: int = DEVICE_NAME_LETTERS
-    """Number of letters above which a name is broken at blanks."""
+    """Number of letters above which a name is broken at a blank."""
     has_teeth_alone: bool = False
-    """True for gears labelled by tooth numbers without names."""
+    """True to label gears by tooth numbers without names."""
     named_beside: frozenset[int] = frozenset()
-    """Links with names next to arrows instead of on bars."""
+    """Numbers of links whose names are next to arrows instead of on bars."""
 
     def width(self, text: str, *, bold: bool = False) -> float:
-        """Return the width of a text in units of lengths [pt]."""
+        """Return the width of a text in the unreduced lengths of the layout [pt]."""
         return self.letters * width(text, bold=bold)
 
     def height(self, text: str) -> float:
-        """Return the height of a text in units of lengths [pt]."""
+        """Return the height of a text in the unreduced lengths of the layout [pt]."""
         return self.letters * height(text)
 
     def device_name(self, index: int) -> str:
-        """Return the name of a component, broken into lines."""
+        """Return the name of a component, wrapped into lines."""
         return lines_of(self.coaxial.scheme.devices[index].name, self.line_letters)
 
     def link_name(self, link: int) -> str:
-        """Return the name of a link on a bar, broken into lines in a narrow picture."""
+        """Return the name of a link for its bar, wrapped into lines in a narrow picture."""
         is_narrow = self.line_letters < DEVICE_NAME_LETTERS
         return lines_of(self.name(link), self.line_letters) if is_narrow else self.name(link)
 
     @property
     def uprights(self) -> list[Upright]:
-        """Uprights of components, and of the ends of the axis, from left to right."""
+        """Uprights: components and the ends of the axis, from left to right."""
         return self.places.frame.uprights
 
     def section(self, up: Upright) -> HalfSection:
-        """Return the half-section of the gear set at an upright, mirrored if necessary."""
+        """Return the half-section of the gear set at an upright, mirrored if needed."""
         section = self.coaxial.sections[self.coaxial.sets[up.index]]
         columns = list(section.columns)
         turned = columns[::-1] if up.is_turned else columns
@@ -69,7 +69,7 @@ class CoaxialLayout(NamedTuple):
         return replace(section, columns=turned, letters=self.letters, names=names)
 
     def device(self, up: Upright) -> int:
-        """Return the place of a component in the scheme, -1 without a component."""
+        """Return the index in the scheme of the component at an upright; -1 without a component."""
         if up.kind == "set":
             return self.coaxial.sets[up.index]
         if up.kind == "pair":
@@ -81,13 +81,13 @@ class CoaxialLayout(NamedTuple):
         return "housing" if self.coaxial.is_housing(link) else self.coaxial.scheme.name(link)
 
     def half(self, up: Upright) -> float:
-        """Return half the length of the symbol of a coupling."""
+        """Return half the length of a shift element's or shaft's symbol [pt]."""
         return self.box_size(up)[1] / 2 or half_of(
             self.coaxial.scheme.devices[self.device(up)].sign
         )
 
     def box_size(self, up: Upright) -> Point:
-        """Return width and height of a box on a line [pt], 0 for a symbol."""
+        """Return width and height of a box on a line [pt]; 0 for a symbol."""
         index = self.device(up)
         if index not in self.coaxial.texts:
             return 0.0, 0.0
@@ -97,10 +97,10 @@ class CoaxialLayout(NamedTuple):
         return self.letters * wide, self.letters * high
 
     def middle(self, up: Upright) -> float:
-        """Return the height of the middle of the symbol of a coupling [pt]."""
+        """Return the height of the middle of a shift element's or shaft's symbol [pt]."""
         return sum(self.places.heights[bar] for bar in up.gap) / 2
 
     def sign_room(self, number: int) -> float:
-        """Return the distance between two bars that the symbol of a pair needs [pt]."""
+        """Return the distance between two links that the symbol between them needs [pt]."""
         _, high = self.box_size(Upright("pair", number, []))
         return high + 2 * BOX_ROD * self.letters if high else SIGN_PITCH

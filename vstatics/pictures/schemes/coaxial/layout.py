@@ -1,4 +1,4 @@
-"""Conversion of the steps of a search to bars of links and uprights of components."""
+"""Conversion of the steps of a search to bars (links) and uprights (components)."""
 
 from __future__ import annotations
 
@@ -14,34 +14,36 @@ from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
 
 @dataclass(eq=False)
 class Bar:
-    """Horizontal line of a link: a shaft or a drum."""
+    """Bar: horizontal line of a link, drawn for a shaft or a drum."""
 
     link: int
     is_above: bool
-    """True for a bar above the row of planets."""
+    """True for a bar above the row of planets, False below it."""
     first: int = 0
     last: int = 0
-    """Places of the first and the last upright of the bar, from left to right."""
+    """Indices of the first and the last upright that the bar reaches, from left to right."""
 
 
 @dataclass(eq=False)
 class Upright:
-    """Component at a place along the axis."""
+    """Upright: component at a position along the axis."""
 
     kind: str
-    """Kind: ``top``, ``pair``, ``wall``, ``set``, or ``start`` and ``end`` of the axis."""
+    """Kind: ``top`` (at the housing), ``pair`` (between two links), ``wall`` (vertical line of a
+    link), ``set`` (gear set), or ``start`` and ``end`` of the axis.
+    """
     index: int
     bars: Sequence[Bar]
-    """Lower and upper bar that it connects; a single bar for tops and ends, empty for sets."""
+    """Lower and upper bar that the upright connects; one bar for tops and ends; empty for sets."""
     gap: Sequence[Bar] = ()
-    """Neighbouring bars on both sides of the symbol of a pair."""
+    """Neighbouring bars below and above the symbol of a pair."""
     is_turned: bool = False
     wheels: Sequence[tuple[Bar | None, Bar | None]] = ()
-    """Bars of sun and ring in the planes of a set, from left to right."""
+    """Bars of sun and ring in each plane of a gear set, from left to right."""
     left: tuple[Bar | None, Bar | None] = (None, None)
-    """Bars of the left arm of a carrier, below and above."""
+    """Bars below and above that the left arm of the carrier meets."""
     right: tuple[Bar | None, Bar | None] = (None, None)
-    """Bars of the right arm of a carrier, below and above."""
+    """Bars below and above that the right arm of the carrier meets."""
 
     @property
     def all_bars(self) -> list[Bar]:
@@ -51,7 +53,7 @@ class Upright:
 
 
 class Neighbours(NamedTuple):
-    """Neighbouring bars on a side of the row, from the axis outward."""
+    """Two neighbouring bars on one side of the row of planets, from the axis outwards."""
 
     low: Bar
     high: Bar
@@ -59,15 +61,15 @@ class Neighbours(NamedTuple):
 
 @dataclass
 class SectionFrame:
-    """Bars and uprights of a half-section."""
+    """Bars (links) and uprights (components) of a half-section."""
 
     uprights: list[Upright] = field(default_factory=list)
     rows: list[tuple[list[Bar], list[Bar]]] = field(default_factory=list)
-    """Bars below and above the row of planets, at each place."""
+    """Bars below and above the row of planets at each upright, from the axis outwards."""
 
     @property
     def bars(self) -> list[Bar]:
-        """All bars in order of the left ends."""
+        """All bars, sorted by their left ends."""
         return list(dict.fromkeys(bar for up in self.uprights for bar in up.all_bars))
 
     def neighbours(self) -> Iterator[Neighbours]:
@@ -86,7 +88,7 @@ class SectionFrame:
 
 
 def framed(train: CoaxialTrain, steps: Sequence[SweepStep]) -> SectionFrame:
-    """Return the bars and uprights for the steps of a train.
+    """Return the bars and uprights for the steps that a search found.
 
     Examples
     --------
@@ -131,12 +133,12 @@ class _FrameMaker:
             self._stand(Upright(step.kind, step.number, bars, row[place : place + 2]))
 
     def finished(self) -> SectionFrame:
-        if not self.is_started:  # a train without components
+        if not self.is_started:  # a train without components has no steps
             self._start(SweepStep("wall", self.train.start, [((8 * self.train.start,), ())]))
         ends = [bar for bar in self.below + self.above if bar.link == self.train.end]
-        if not ends:  # the last step has ended the bar
+        if not ends:  # the last step has already ended the bar
             ends = [bar for bar in self.frame.bars if bar.link == self.train.end][-1:]
-        if self.train.end and not ends:  # an unconnected output
+        if self.train.end and not ends:  # the output is not connected
             ends = [Bar(self.train.end, is_above=False)]
             self.below.append(ends[0])
             self._note()
@@ -198,7 +200,7 @@ class _FrameMaker:
         )
 
     def _nearest(self, first_link: int, second_link: int, place: int) -> list[Bar]:
-        """Return the bars at a place and above it or, at -1, the nearest bars of two links."""
+        """Return the two bars at a place or, for place -1, the nearest bars of two links."""
         if place >= 0:
             return (self.below + self.above)[place : place + 2]
         bars = list(enumerate(self.below + self.above))
@@ -213,7 +215,7 @@ class _FrameMaker:
 
 
 def _without_dead_ends(frame: SectionFrame) -> SectionFrame:
-    """Remove walls to bars that meet no other upright, and set the ends of bars."""
+    """Remove walls to bars that meet no other upright, and set the ends of all bars."""
     while True:
         met = Counter(bar for up in frame.uprights for bar in {*up.all_bars})
         uprights = [
@@ -234,7 +236,7 @@ def _without_dead_ends(frame: SectionFrame) -> SectionFrame:
 
 
 def _aligned(old: Sequence[Bar], links: Sequence[int], *, is_above: bool) -> list[Bar]:
-    """Return bars of links, reusing as many old bars as keep the order (longest subsequence)."""
+    """Return bars of links; as many old bars as possible continue (longest common subsequence)."""
     most = [[0] * (len(links) + 1) for _ in range(len(old) + 1)]
     for a in range(len(old) - 1, -1, -1):
         for b in range(len(links) - 1, -1, -1):

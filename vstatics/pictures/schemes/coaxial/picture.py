@@ -1,4 +1,4 @@
-"""Picture of a half-section with head and rows; the title has remarks on crossings."""
+"""Pages of a half-section with heading and rows; the title mentions crossings."""
 
 from __future__ import annotations
 
@@ -39,14 +39,14 @@ class CoaxialSheet(NamedTuple):
     chains: Sequence[CoaxialChain] = ()
 
     def remarks(self, style: Style) -> list[str]:
-        """Return remarks for the title, such as crossings or gear sets not in the case's order."""
+        """Return remarks for the title, such as crossings or a different order of gear sets."""
         remarks = crossings_told(crossings_of(self.layout), style)
         if not self.layout.coaxial.train.end:
             remarks.append(style.text("output through the housing"))
         return remarks + order_told(self.layout, style)
 
     def rows(self, room: float) -> Iterator[CoaxialRow]:
-        """Yield the rows from above, for a width [pt]."""
+        """Yield the rows from top to bottom, for a width [pt]."""
         scheme, texts = self.layout.coaxial.scheme, self.layout.coaxial.texts
         before, behind = (
             [
@@ -63,16 +63,16 @@ class CoaxialSheet(NamedTuple):
 
 
 class CoaxialRow(NamedTuple):
-    """Row with a half-section or a chain."""
+    """Row of a picture: a half-section, or a chain of components in series."""
 
     ends: tuple[Point, Point]
-    """Lower left and upper right corner."""
+    """Lower left and upper right corner before scaling. [pt]"""
     chain: CoaxialChain | None = None
     least: float = 0.0
-    """Smallest scale of lengths, for readable letters of a half-section."""
+    """Smallest scale of lengths at which the letters of a half-section are readable. [-]"""
 
     def size(self, width: float) -> Point:
-        """Return the size on a page of a width, scaled down as far as possible."""
+        """Return the size of the row scaled to a width, but not below the smallest scale [pt]."""
         (left, low), (right, high) = self.ends
         part = min(1.0, max(width / (right - left), self.least))
         return part * (right - left), part * (high - low)
@@ -84,7 +84,7 @@ def coaxial_sheet(
     style: Style,
     texts: Mapping[int, BoxText] = NO_TEXTS,
 ) -> CoaxialSheet | None:
-    """Return a half-section, or `None` for a component without a symbol at three links.
+    """Return the half-section of a scheme, or None if a component at three links has no symbol.
 
     On a narrow page, chains before and after the gearbox have separate rows.
     """
@@ -99,7 +99,7 @@ def coaxial_sheet(
     return CoaxialSheet(laid_out(box, style.width, is_ordered=style.ordered), parts.chains)
 
 
-def figures(  # noqa: PLR0913, PLR0917 - what is drawn, and how
+def figures(  # noqa: PLR0913, PLR0917 - arguments of a picture
     results: Results,
     scheme: Scheme,
     sheet: CoaxialSheet,
@@ -108,14 +108,14 @@ def figures(  # noqa: PLR0913, PLR0917 - what is drawn, and how
     subject: str,
     note: str = "",
 ) -> Iterator[list[Canvas]]:
-    """Yield figures without a gear or with a gear number from 1, in a fixed layout."""
+    """Yield pages without a gear, or of a gear by number from 1, all with the same layout."""
     for gears in shown:
         caption = told_of(results, scheme, style, gears, subject=subject)
         yield [painted(sheet, style, *caption, note).canvas]
 
 
 def crossings_told(count: int, style: Style) -> list[str]:
-    """Return the remark on the number of crossings.
+    """Return the remark on the number of crossings, in a list that is empty for 0.
 
     >>> crossings_told(2, Style()), crossings_told(0, Style())
     (['2 crossings'], [])
@@ -124,7 +124,7 @@ def crossings_told(count: int, style: Style) -> list[str]:
 
 
 def order_told(layout: CoaxialLayout, style: Style) -> list[str]:
-    """Return the remark on gear sets that are not in the order of the case."""
+    """Return the remark if gear sets are not in the order of the case, in a list; else none."""
     if layout.is_ordered:
         return []
     return [style.text("sets in another order: no layout in that of the case was found")]
@@ -136,7 +136,7 @@ def _chain_width(scheme: Scheme, chain: CoaxialChain, *, texts: Mapping[int, Box
 
 
 def draw_half_section(ink: SchemeInk, layout: CoaxialLayout) -> None:
-    """Draw a half-section with the axis."""
+    """Draw a half-section with the axis, links and components."""
     if not layout.coaxial.has_boxes:
         (left, right), y = ends_of(layout), layout.places.axis
         look: Look = {"linestyle": AXIS_DASHES, "kind": "axis", "data": {"axis": "1"}}
@@ -153,7 +153,7 @@ def draw_parts(ink: SchemeInk, layout: CoaxialLayout) -> None:
     draw_devices(ink, layout)
 
 
-def painted(  # noqa: PLR0913, PLR0917 - what is drawn, and how
+def painted(  # noqa: PLR0913, PLR0917 - arguments of a picture
     sheet: CoaxialSheet,
     style: Style,
     state: SchemeState,
@@ -161,7 +161,7 @@ def painted(  # noqa: PLR0913, PLR0917 - what is drawn, and how
     name: str,
     note: str = "",
 ) -> Pen:
-    """Draw a half-section with head, with letters of fixed size and visible symbols."""
+    """Draw a half-section with the heading; letters have a fixed size."""
     named = ", ".join([name, *sheet.remarks(style)])
     rows = list(sheet.rows(style.width))
     sizes = [row.size(style.width) for row in rows]

@@ -1,4 +1,4 @@
-"""Positions of bars and uprights [pt], with y = 0 in the middle of the row of planets."""
+"""Positions of bars and uprights [pt]; y is 0 in the middle of the row of planets."""
 
 from __future__ import annotations
 
@@ -10,23 +10,23 @@ from typing import NamedTuple
 from vstatics.pictures.schemes.coaxial.layout import Bar, SectionFrame, Upright
 
 PITCH, SIGN_PITCH = 13.0, 27.0
-"""Distances of neighbouring bars without a symbol, and with a symbol in between. [pt]"""
+"""Distance of neighbouring bars without, and with, a symbol between them. [pt]"""
 NAMED_PITCH = 9.5
-"""Smallest distance of bars with names. [pt of letters]"""
+"""Smallest distance of bars with names. [pt, scaled with letters]"""
 ROW_CLEARANCE = 9.0
-"""Distance from the row of planets to the nearest bars. [pt]"""
+"""Distance from the edge of the row of planets to the nearest bars. [pt]"""
 WHEEL_NAME = 13.0
-"""Height for the name of a gear and half the name of a link on the bar above. [pt of letters]"""
+"""Height for the name of a gear and half of a link's name above it. [pt, scaled with letters]"""
 HOUSING_BAND = 24.0
 """Distance from the outermost drum to the housing. [pt]"""
 ROOM_GAP = 5.0
-"""Distance between neighbouring rooms. [pt]"""
+"""Distance between the rectangles reserved for neighbouring components. [pt]"""
 NAME_PAD = 5.0
-"""Margin of the name of a link on a bar. [pt]"""
+"""Margin around the name of a link on its bar. [pt]"""
 
 
 class SignRoom(NamedTuple):
-    """Rectangle that a part needs, relative to the upright [pt]."""
+    """Rectangle that a component or text needs, relative to its upright [pt]."""
 
     left: float
     right: float
@@ -38,30 +38,32 @@ class Needs(NamedTuple):
     """Sizes of symbols and letters that determine the positions of a half-section."""
 
     half: float
-    """Half the height of the row of planets."""
+    """Half the height of the row of planets. [pt]"""
     signs: Sequence[float]
-    """Distance of the bars of each pair that its symbol needs. [pt]"""
+    """Distance between the bars of each pair, in the order of the train, that its symbol needs.
+    [pt]
+    """
     names: Mapping[int, float]
-    """Widths of the names of links on bars. [pt]"""
+    """Width of the name of each link on its bar, by the number of the link. [pt]"""
     letters: float = 1.0
-    """Ratio of the size of letters to lengths."""
+    """Ratio of the size of letters to lengths. [-]"""
     has_wheel_names: bool = False
-    """True for names of gears between the row and the nearest bars."""
+    """True if names of gears are between the row of planets and the nearest bars."""
 
     @property
     def clearance(self) -> float:
-        """Distance from the row to the nearest bars [pt]."""
+        """Distance from the edge of the row of planets to the nearest bars [pt]."""
         return ROW_CLEARANCE + WHEEL_NAME * (self.letters - 1) * self.has_wheel_names
 
     @property
     def pitch(self) -> float:
-        """Distance of neighbouring bars without a symbol in between [pt]."""
+        """Distance of neighbouring bars without a symbol between them [pt]."""
         return max(PITCH, NAMED_PITCH * self.letters)
 
 
 @dataclass
 class SectionPlaces:
-    """Positions of all bars and uprights of a half-section."""
+    """Positions of the bars and uprights of a half-section."""
 
     frame: SectionFrame
     half: float
@@ -69,9 +71,9 @@ class SectionPlaces:
     axis: float = 0.0
     housing: float = 0.0
     at: list[float] = field(default_factory=list)
-    """Positions of uprights along the axis. [pt]"""
+    """Position of each upright along the axis. [pt]"""
     names: dict[int, tuple[float, float]] = field(default_factory=dict)
-    """Middle of the name of each link on a bar, by the link. [pt]"""
+    """Position of the middle of each link's name on its bar, by the number of the link. [pt]"""
 
 
 def heights_of(frame: SectionFrame, needs: Needs) -> SectionPlaces:
@@ -111,7 +113,7 @@ def heights_of(frame: SectionFrame, needs: Needs) -> SectionPlaces:
 
 
 def _pinned(frame: SectionFrame) -> Iterator[Bar]:
-    """Yield the bars between neighbouring sets, or next to a set, at the height of the pins."""
+    """Yield the bars at the height of carrier pins: between neighbouring sets, or next to a set."""
     for bar in frame.bars:
         uprights = frame.uprights[bar.first : bar.last + 1]
         met = [up for up in uprights if bar in up.all_bars]
@@ -150,14 +152,15 @@ def placed_along(
     offsets: Mapping[int, Mapping[Bar, Sequence[float]]],
     needs: Needs,
 ) -> None:
-    """Place uprights along the axis, as close as rooms and link names permit.
+    """Place uprights along the axis, as close as their rectangles and the link names permit.
 
     Parameters
     ----------
     rooms : sequence of sequence of SignRoom
-        Rooms of each upright.
+        Rectangles that each upright needs.
     offsets : mapping
-        Meeting points by upright and bar, relative to the upright.
+        Horizontal positions where an upright meets each bar, relative to the upright, by its index.
+        [pt]
     """
     apart: dict[tuple[int, int], float] = {}
     for _ in range(3 * len(needs.names) + 1):
@@ -192,7 +195,7 @@ def _named(
     needs: Needs,
     apart: dict[tuple[int, int], float],
 ) -> tuple[dict[int, tuple[float, float]], bool]:
-    """Return the positions of link names, and whether room had to be made."""
+    """Return positions of link names, and True if uprights had to move apart for them."""
     names: dict[int, tuple[float, float]] = {}
     for link, width in needs.names.items():
         gaps = []

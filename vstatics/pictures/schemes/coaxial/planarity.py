@@ -1,7 +1,7 @@
-"""Test whether a train has a half-section without crossings: planarity of a graph.
+"""Test whether a train can be drawn as a half-section without crossings (planarity of a graph).
 
-The graph includes the axis and the housing. A carrier with several sets or planes is split: each
-set has its own planets, around which sun, carrier, ring and carrier are arranged in this order.
+The graph includes the axis and the housing. A carrier of several gear sets or planes is split into
+a part for each set: around its planets, sun, carrier, ring and carrier follow in this order.
 """
 
 from __future__ import annotations
@@ -13,7 +13,9 @@ from math import prod
 from vstatics.pictures.schemes.coaxial.train import AXIS, HOUSING_VERTEX, CoaxialTrain, Planes
 
 MOST_GRAPHS = 512
-"""Largest number of ways to split carriers for which all are tried; else carriers stay whole."""
+"""Largest number of ways to split carriers for which all are tried; beyond it, carriers are not
+split.
+"""
 _Vertex = int | tuple[int, int]
 _Joined = tuple[_Vertex, _Vertex]
 _NumberedSet = tuple[int, Planes]
@@ -25,7 +27,7 @@ def has_half_section(train: CoaxialTrain, left_out: int = 0) -> bool:
     Parameters
     ----------
     left_out : int
-        Bits of edges that need not be drawn.
+        Edges that are ignored, as a sum of their bits.
 
     Examples
     --------
@@ -43,7 +45,7 @@ def has_half_section(train: CoaxialTrain, left_out: int = 0) -> bool:
     >>> has_half_section(CoaxialTrain([Planes(1, [(2, 3)])] * 20, [], [], 1, 2))
     True
     """
-    import networkx as nx  # an extra
+    import networkx as nx  # networkx is an optional package
 
     by_carrier: dict[int, list[_NumberedSet]] = {}
     for number, planes in enumerate(train.sets):
@@ -54,7 +56,7 @@ def has_half_section(train: CoaxialTrain, left_out: int = 0) -> bool:
         if len(sets) > 1 or len(sets[0][1].wheels) > 1
     }
     if any(len(sets) ** (len(sets) - 2) > MOST_GRAPHS for sets in apart.values()):
-        apart = {}  # n parts have n**(n - 2) trees (Cayley's formula)
+        apart = {}  # n parts can be joined by n**(n - 2) trees (Cayley's formula)
     ways = _ways(train, apart, left_out)
     if prod(map(len, ways)) > MOST_GRAPHS:
         ways = _ways(train, {}, left_out)
@@ -65,7 +67,7 @@ def has_half_section(train: CoaxialTrain, left_out: int = 0) -> bool:
 def _ways(
     train: CoaxialTrain, apart: Mapping[int, Sequence[_NumberedSet]], left_out: int
 ) -> list[list[list[_Joined]]]:
-    """Return the possible edges of each part that can be connected in several ways."""
+    """Return, for each edge or group of edges, the alternative ways to draw it."""
     ends = {link: list(chain(*map(_ends, sets))) for link, sets in apart.items()}
 
     def joined(
@@ -99,13 +101,13 @@ def _ways(
 
 
 def _ends(numbered: _NumberedSet) -> list[_Vertex]:
-    """Return the vertices at which a carrier can be connected: both ends of planets with planes."""
+    """Return the vertices of a gear set's carrier: one, or both ends if it has several planes."""
     number, planes = numbered
     return [(number, end) for end in range(min(2, len(planes.wheels)))]
 
 
 def _rim(number: int, gear_planes: Planes) -> list[_Joined]:
-    """Return the cycle of suns, carrier end, rings and second carrier end, joined to a hub."""
+    """Return the edges of a gear set: a cycle of suns, carrier, rings, carrier around a hub."""
     planes = range(len(gear_planes.wheels))
     if len(planes) == 1:
         return []
@@ -116,8 +118,8 @@ def _rim(number: int, gear_planes: Planes) -> list[_Joined]:
 
 
 def _trees(sets: Sequence[_NumberedSet]) -> Iterator[list[_Joined]]:
-    """Yield all trees that connect the parts of a carrier."""
-    import networkx as nx  # an extra
+    """Yield all trees of edges that connect the parts of a split carrier."""
+    import networkx as nx  # networkx is an optional package
 
     places = range(len(sets))
     for tree in combinations(combinations(places, 2), len(sets) - 1):

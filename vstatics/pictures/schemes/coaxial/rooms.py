@@ -1,4 +1,4 @@
-"""Room on paper for each part of a half-section, and the points where parts meet bars."""
+"""Rectangles that the parts of a half-section need, and points where uprights meet bars."""
 
 from __future__ import annotations
 
@@ -19,15 +19,15 @@ from vstatics.pictures.schemes.sets import HalfSection
 BRAKE_LENGTH = 20.0
 """Distance from the end of a link to the housing, for a brake. [pt]"""
 PORT_NAME = 5.0
-"""Distance from an arrow to the name of the link. [pt]"""
+"""Distance from an arrow to the name of its link. [pt]"""
 SET_NAME = 10.0
-"""Distance from the axis to the names of sets below. [pt]"""
+"""Distance from the axis down to the names of gear sets. [pt]"""
 LINK_NAME_GAP = 4.0
 """Distance from the end of a link to its name. [pt]"""
 
 
 def met_by(layout: CoaxialLayout, up: Upright) -> dict[Bar, list[float]]:
-    """Return the points where an upright meets bars, relative to the upright."""
+    """Return the positions where an upright meets each bar, relative to the upright [pt]."""
     if up.kind != "set":
         return {bar: [0.0] for bar in up.bars}
     section = layout.section(up)
@@ -37,7 +37,7 @@ def met_by(layout: CoaxialLayout, up: Upright) -> dict[Bar, list[float]]:
 
 
 def rooms_of(layout: CoaxialLayout, up: Upright) -> Iterator[SignRoom]:
-    """Yield the rectangles that an upright needs."""
+    """Yield the rectangles that the symbol and texts of an upright need."""
     places, scheme = layout.places, layout.coaxial.scheme
     for link, x, y in loose_names(layout, up):
         name = layout.name(link)
@@ -63,7 +63,8 @@ def rooms_of(layout: CoaxialLayout, up: Upright) -> Iterator[SignRoom]:
         yield SignRoom(-11, 10, places.housing - BRAKE_LENGTH, places.housing + 6)
         name = top_name(layout, up)
         if name:
-            half = layout.width(name, bold=True) / 2  # names of engaged shift elements are bold
+            # The name of an engaged shift element is bold, which is wider.
+            half = layout.width(name, bold=True) / 2
             yield SignRoom(
                 -half, half, places.housing + 7, places.housing + 7 + layout.height(name)
             )
@@ -72,7 +73,7 @@ def rooms_of(layout: CoaxialLayout, up: Upright) -> Iterator[SignRoom]:
 
 
 def loose_names(layout: CoaxialLayout, up: Upright) -> Iterator[tuple[int, float, float]]:
-    """Yield unconnected links, and the ends next to which the names are written."""
+    """Yield unconnected links, each with the point next to which its name is written."""
     if layout.is_small or up.kind not in {"set", "pair", "top"}:
         return
     heights, names = layout.places.heights, set(layout.named_beside)
@@ -88,10 +89,10 @@ def loose_names(layout: CoaxialLayout, up: Upright) -> Iterator[tuple[int, float
 
 
 def _set_ends(layout: CoaxialLayout, up: Upright) -> Iterator[tuple[int, float, float]]:
-    """Yield the ends of the unconnected members of a set."""
+    """Yield the unconnected members of a gear set, each with the end of its line."""
     section, carrier = layout.section(up), layout.coaxial.train.sets[up.index].carrier
     ends = [(carrier, section.width, 0.0)]
-    if len(section.levels) == 1:  # the name of a planet gear is above the end of the pin
+    if len(section.levels) == 1:  # the name of a planet gear is above the end of its pin
         is_below = any(rim in section.names for rim in section.columns[-1].rims.values())
         drop = layout.height(layout.name(carrier)) / 2 + 1
         ends = [(carrier, section.pin_end, -drop * is_below)]
@@ -111,7 +112,7 @@ def pair_name(device: Device, letters: int = DEVICE_NAME_LETTERS) -> str:
 
 
 def top_name(layout: CoaxialLayout, up: Upright) -> str:
-    """Return the name of a component at the housing, empty for a support."""
+    """Return the name of a component at the housing; empty for a support."""
     meaning, scheme = layout.coaxial.tops[up.index], layout.coaxial.scheme
     if meaning.port:
         return scheme.name(meaning.port.link)
@@ -143,12 +144,12 @@ def _of_set(layout: CoaxialLayout, up: Upright) -> Iterator[SignRoom]:
 
 
 def middle_of(section: HalfSection) -> float:
-    """Return the middle of the planes of a set, from the left end [pt]."""
+    """Return the middle between the outer planes of a gear set, from the left end [pt]."""
     return (section.x(0) + section.x(len(section.columns) - 1)) / 2
 
 
 def extent(layout: CoaxialLayout) -> tuple[Point, Point]:
-    """Return the lower left and the upper right corner, with room for all but the head."""
+    """Return the lower left and upper right corner of the drawing without heading [pt]."""
     places, train = layout.places, layout.coaxial.train
     before, behind = (
         (ARROW + PORT_NAME + 1 + layout.width(layout.name(link)) if link else 0.0) + WIDE_MARGIN
@@ -162,13 +163,13 @@ def extent(layout: CoaxialLayout) -> tuple[Point, Point]:
 
 
 def ends_of(layout: CoaxialLayout) -> tuple[float, float]:
-    """Return the left and right end of a half-section, without ports."""
+    """Return the positions of the left and right end of a half-section, without ports [pt]."""
     rooms = _placed_rooms(layout)
     return min(room.left for room in rooms), max(room.right for room in rooms)
 
 
 def _placed_rooms(layout: CoaxialLayout) -> list[SignRoom]:
-    """Return the rectangles that all parts need, relative to the origin of the picture."""
+    """Return the rectangles of all uprights, relative to the origin of the picture."""
     return [
         room._replace(left=at + room.left, right=at + room.right)
         for up, at in zip(layout.uprights, layout.places.at, strict=True)

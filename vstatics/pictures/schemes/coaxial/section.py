@@ -1,4 +1,4 @@
-"""Conversion of a scheme with a common axis to a train."""
+"""Conversion of a scheme with one axis to a train, the graph of its components."""
 
 from __future__ import annotations
 
@@ -19,40 +19,40 @@ NO_TEXTS: Mapping[int, BoxText] = MappingProxyType({})
 
 
 class TopMeaning(NamedTuple):
-    """Meaning of a connection of a link to the housing, or through the housing to a port."""
+    """Component of the scheme or port of the case that a `top` of the train represents."""
 
     device: int = -1
-    """Index of the component in the scheme, or -1."""
+    """Index of the component in the scheme; -1 for a port."""
     port: SchemePort | None = None
 
 
 @dataclass(frozen=True)
 class CoaxialScheme:
-    """Scheme and train; links of the train that the scheme lacks are fixed members of sets."""
+    """Scheme and its train; further links in the train are fixed members of gear sets."""
 
     scheme: Scheme
     train: CoaxialTrain
     sections: Mapping[int, HalfSection]
-    """Sets and boxes in the row of planets, by place in the scheme."""
+    """Half-sections of gear sets and boxes, by index in the scheme."""
     texts: Mapping[int, BoxText]
-    """Texts of the boxes on lines, by place in the scheme."""
+    """Texts of the boxes on lines, by index in the scheme."""
     sets: Sequence[int]
-    """Places of the sets in the scheme, in the order of the train."""
+    """Indices of the gear sets in the scheme, in the order of the train."""
     pairs: Sequence[int]
     tops: Sequence[TopMeaning]
 
     @property
     def devices(self) -> list[int]:
-        """Places of the drawn components in the scheme."""
+        """Indices of the drawn components in the scheme."""
         return [*self.sets, *self.pairs, *(top.device for top in self.tops if top.device >= 0)]
 
     @property
     def has_boxes(self) -> bool:
-        """True if a component is drawn as a box; such a half-section has no axis."""
+        """True if any component is drawn as a box; then no axis is drawn."""
         return bool(self.texts) or any(isinstance(s, BoxSection) for s in self.sections.values())
 
     def is_housing(self, link: int) -> bool:
-        """Return whether a link is a fixed member of a set."""
+        """Return whether a link of the train is a fixed member of a gear set."""
         return link > len(self.scheme.links)
 
 
@@ -62,14 +62,14 @@ def coaxial_scheme(
     left_out: Container[int] = (),
     texts: Mapping[int, BoxText] = NO_TEXTS,
 ) -> CoaxialScheme | None:
-    """Return a scheme as a train, or `None` for a component without a symbol at three links.
+    """Return a scheme with its train, or None if a component at three links has no symbol.
 
     Parameters
     ----------
     sections : mapping of int to HalfSection
-        Half-sections of gear sets, by place in the scheme.
+        Half-sections of gear sets, by index in the scheme.
     left_out : container of int
-        Components that are drawn elsewhere.
+        Indices of components that are drawn elsewhere.
     texts : mapping of int to BoxText, optional
         Texts of the boxes on lines.
     """
@@ -86,7 +86,7 @@ def coaxial_scheme(
     supports = count(len(scheme.links) + 1)
 
     def with_support(link: int) -> int:
-        """Number each fixed member on its own: it is drawn as a separate tube with a support."""
+        """Number a fixed member as a separate link, because it is drawn with its own support."""
         return next(supports) if link == HOUSING else link
 
     planes = [
@@ -116,7 +116,7 @@ def _ends(device: Device) -> tuple[int, int]:
 
 
 def _ports(scheme: Scheme) -> tuple[int, int, list[SchemePort]]:
-    """Return the links that enter and leave along the axis, and all other ports."""
+    """Return the links that enter and leave along the axis (0 if none), and all other ports."""
     start = next((port for port in scheme.ports if port.is_left), scheme.ports[0])
     outputs = (port for port in scheme.ports if not port.is_left and port.link != start.link)
     end = next(outputs, None)
@@ -126,7 +126,7 @@ def _ports(scheme: Scheme) -> tuple[int, int, list[SchemePort]]:
 
 
 def planes_of(section: HalfSection, numbered: Callable[[int], int]) -> Planes:
-    """Return the links of a set or a box by number."""
+    """Return the links of carrier, suns and rings of a gear set or box, renumbered."""
     carrier = numbered(section.group.carrier)
     wheels = [
         (

@@ -1,4 +1,4 @@
-"""Graph of components on an axis: gear sets, couplings of two links, couplings to the housing."""
+"""Train: graph of the components on one axis, and their connections to links and housing."""
 
 from __future__ import annotations
 
@@ -8,18 +8,18 @@ from functools import cached_property
 from typing import NamedTuple
 
 AXIS, HOUSING_VERTEX = -1, 0
-"""Vertices of the axis and of the housing; the vertices of links are their numbers from 1."""
+"""Vertices of the axis and of the housing; vertices of links are their numbers, from 1."""
 
 
 class Planes(NamedTuple):
-    """Links of a gear set: the carrier, and the sun and ring of each plane, 0 if missing."""
+    """Links of a gear set: the carrier, and sun and ring of each plane (0 if missing)."""
 
     carrier: int
     wheels: Sequence[tuple[int, int]]
 
 
 class TrainEdge(NamedTuple):
-    """Edge between two vertices; the bit identifies the edge among the drawn edges."""
+    """Edge between two vertices; its bit identifies it in sums of bits."""
 
     bit: int
     first: int
@@ -28,19 +28,19 @@ class TrainEdge(NamedTuple):
 
 @dataclass(frozen=True)
 class CoaxialTrain:
-    """Graph of links, housing and axis.
+    """Graph of links, housing and axis, with components as edges.
 
     Parameters
     ----------
     sets : sequence of Planes
     pairs : sequence of pairs of int
-        Clutches, shafts, springs.
+        Links of each clutch, shaft or spring.
     tops : sequence of int
-        Links to the housing or out through it: brakes, supports, gears of other axes.
+        Links connected to or through the housing: by brakes, supports, gears of other axes.
     start : int
-        Link along the axis from the left.
+        Link that enters along the axis from the left.
     end : int
-        Link along the axis to the right, 0 without such a link.
+        Link that leaves along the axis to the right; 0 if there is none.
 
     Examples
     --------
@@ -56,12 +56,12 @@ class CoaxialTrain:
     end: int
 
     def __hash__(self) -> int:
-        """Return a hash of the content: equal trains have the same layout."""
+        """Return a hash of the content, because equal trains have the same layout."""
         return hash(repr(self))
 
     @cached_property
     def wheel_bits(self) -> list[list[tuple[int, int]]]:
-        """Bits of sun and ring by set and plane, 0 where missing."""
+        """Bits of the edges of sun and ring, by gear set and plane; 0 where missing."""
         bits: list[list[tuple[int, int]]] = []
         number = 0
         for planes in self.sets:
@@ -77,18 +77,18 @@ class CoaxialTrain:
 
     @cached_property
     def carrier_bits(self) -> list[int]:
-        """Bit of the carrier of each set."""
+        """Bit of the carrier of each gear set."""
         return [1 << (self._first_bit + n) for n in range(len(self.sets))]
 
     @cached_property
     def pair_bits(self) -> list[int]:
-        """Bit of each pair."""
+        """Bit of each clutch, shaft or spring in `pairs`."""
         first = self._first_bit + len(self.sets)
         return [1 << (first + n) for n in range(len(self.pairs))]
 
     @cached_property
     def couplings(self) -> dict[tuple[int, int], list[tuple[int, int]]]:
-        """Pairs between two links, in both orders, with bits."""
+        """Indices and bits of the `pairs` between two links, by both orders of the links."""
         by_links: dict[tuple[int, int], list[tuple[int, int]]] = {}
         for index, ((first, second), bit) in enumerate(
             zip(self.pairs, self.pair_bits, strict=True)
@@ -99,24 +99,24 @@ class CoaxialTrain:
 
     @cached_property
     def top_bits(self) -> list[int]:
-        """Bit of each top."""
+        """Bit of each connection to the housing in `tops`."""
         first = self._first_bit + len(self.sets) + len(self.pairs)
         return [1 << (first + n) for n in range(len(self.tops))]
 
     @cached_property
     def end_bit(self) -> int:
-        """Bit of the end of the axis, which is drawn after everything else."""
+        """Bit of the output end of the axis, which is drawn after everything else."""
         return 1 << (self._first_bit + len(self.sets) + len(self.pairs) + len(self.tops))
 
     @cached_property
     def all_bits(self) -> int:
-        """Sum of all bits to draw, without the end of the axis."""
+        """Sum of the bits of all edges, without the output end of the axis."""
         wheels = [bit for of_set in self.wheel_bits for both in of_set for bit in both]
         return sum([*wheels, *self.carrier_bits, *self.pair_bits, *self.top_bits])
 
     @cached_property
     def masks(self) -> dict[int, int]:
-        """Bits of all connections of each link."""
+        """Sum of the bits of all connections of each link."""
         masks: dict[int, int] = {}
         for edge in self.edges:
             for link in (edge.first, edge.second):
@@ -127,7 +127,7 @@ class CoaxialTrain:
 
     @cached_property
     def edges(self) -> list[TrainEdge]:
-        """Edges of carriers to gears, of couplings, and of the end at the axis."""
+        """Edges from carriers to gears, between two links, and from the output link to the axis."""
         edges = [
             TrainEdge(bit, planes.carrier, wheel)
             for planes, bits in zip(self.sets, self.wheel_bits, strict=True)

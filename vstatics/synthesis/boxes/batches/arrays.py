@@ -1,4 +1,4 @@
-"""Requirements of a search as arrays, and work arrays for the gearboxes of a choice of ports."""
+"""Requirements of a search as arrays, and work arrays to search a choice of input and output."""
 
 from __future__ import annotations
 
@@ -26,20 +26,21 @@ def asked_arrays(search: BoxSearch) -> Asked:
     widths = np.array(search.widths)
     factors = np.exp(widths + TARGET_MARGIN)
     ends = np.sort([targets / factors, targets * factors], axis=0)
-    if search.sequence is not None:  # an additional target that all forward ratios reach
+    # An additional target stands for the sequence: every forward ratio reaches it.
+    if search.sequence is not None:
         ends = np.append(ends, [[1 / LARGEST_BOX_RATIO], [LARGEST_BOX_RATIO]], axis=1)
     return Asked(targets, ends[0], ends[1], widths, *search.bounds)
 
 
 def single_shifts(search: BoxSearch) -> Integers:
-    """Return the pairs of targets between which a single shift is required."""
+    """Return the pairs of targets (wanted ratios) that must differ by a single exchange."""
     in_turn = search.singly and search.sequence is None
     return neighbours(search.targets if in_turn else ())
 
 
 @lru_cache(maxsize=32)
 def room_of(search: BoxSearch, most: int, thread: int) -> Room | RoomOfSequences:  # noqa: ARG001
-    """Return work arrays for a choice of ports; separate for each thread of a worker."""
+    """Return the work arrays to search a choice of input and output, separate for each thread."""
     table = combinations_table(search.moving, search.engaged, search.elements)
     asked = asked_arrays(search)
     wanted = sequence_of(search.sequence, singly=search.singly)

@@ -1,8 +1,9 @@
-"""Division of a search into pieces: ranges of schemes and ports, for any number of workers.
+"""Division of a search into pieces of equal work, for any number of worker processes.
 
-Schemes grow from stems. The stems are laid end to end on a line, each as long as its weight, and
-the line is cut into equal pieces. A piece that covers a fraction of a stem contains this fraction
-of the choices of input and output (ports) of its schemes.
+Schemes grow from stems, which are schemes with one gear set less. The stems are laid end to end on
+a line, each as long as its estimated work, and the line is cut into equal pieces. A piece that
+covers a fraction of a stem contains this fraction of the choices of input and output (ports) of its
+schemes.
 """
 
 from __future__ import annotations
@@ -17,17 +18,19 @@ from vstatics.synthesis.boxes.schemes.choices import BoxScheme
 from vstatics.synthesis.boxes.schemes.stems import stems
 
 PIECE, LONGEST_PIECE = 0.5, 5.0
-"""Estimated time of a piece in a short and in a long search. [s]"""
+"""Estimated time of a piece, in a short search and in a long search. [s]"""
 MOST_SHORT_PIECES = 2000
-"""Largest number of pieces of length `PIECE`, so short that an interrupted search has results."""
+"""Largest number of pieces of length `PIECE`; they are short, so that interrupted searches have
+results.
+"""
 SAMPLED_CHOICES = 24
-"""Number of choices of ports in the sample that estimates the total time."""
+"""Number of choices of input and output in the sample that estimates the total time."""
 DEPTH = Depth(firsts=8, sets=12, seconds=0.2)
-"""Limits of the trial of each choice of ports in the sample."""
+"""Limits for searching each choice of input and output in the sample."""
 
 
 def cut(search: BoxSearch) -> int:
-    """Return the number of pieces, each with at least one choice of ports.
+    """Return the number of pieces, each with at least one choice of input and output.
 
     >>> cut(BoxSearch(1, 2, 1, (3.0, 1.0)))
     1
@@ -44,7 +47,7 @@ def cut(search: BoxSearch) -> int:
 
 
 def ranges(search: BoxSearch, piece: int, count: int) -> Iterator[BoxScheme]:
-    """Yield the schemes of a piece, each with the ports that belong to the piece.
+    """Yield the schemes of a piece, each with the choices of input and output in the piece.
 
     Parameters
     ----------
@@ -52,7 +55,7 @@ def ranges(search: BoxSearch, piece: int, count: int) -> Iterator[BoxScheme]:
     piece : int
         Number of the piece, from 0.
     count : int
-        Number of all pieces.
+        Total number of pieces.
 
     Examples
     --------
@@ -71,7 +74,7 @@ def ranges(search: BoxSearch, piece: int, count: int) -> Iterator[BoxScheme]:
 
 
 def _part(schemes: list[BoxScheme], first: int, last: int, weight: int) -> Iterator[BoxScheme]:
-    """Yield the schemes and ports in the part of a stem from `first` to `last` of its `weight`."""
+    """Yield the schemes with the choices of ports in a range of the weight of a stem."""
     total = sum(len(scheme.ports) for scheme in schemes)
     low, high = (min(max(place, 0), weight) * total // weight for place in (first, last))
     for scheme in schemes:

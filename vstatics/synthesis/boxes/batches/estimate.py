@@ -1,4 +1,4 @@
-"""Estimate of the number of gearboxes that a search examines and finds, and of its time."""
+"""Estimate of the gearboxes that a search examines and finds, and of its time."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from vstatics.synthesis.boxes.schemes.stems import UNIT, box_schemes, stems
 from vstatics.synthesis.boxes.search.joining import NO_END
 
 ENOUGH = 3.0
-"""Time after which no further choice of ports is tried. [s]"""
+"""Time after which no further choice of input and output is sampled. [s]"""
 FEW_SCHEMES, FEW_PORTS = 40, 300
-"""Numbers of schemes and ports up to which all are tried, if a third of `ENOUGH` suffices."""
+"""Largest numbers of schemes and of ports of a search that is carried out instead of estimated."""
 LEAST_WORK = 1e-9
-"""Lower limit of the expected time of all trials, which avoids a division by zero. [s]"""
+"""Lower limit of the expected time of all samples, to avoid a division by zero. [s]"""
 DEPTH = Depth(firsts=16, sets=24, seconds=0.5)
-"""Limits of the trial of each choice of ports."""
+"""Limits for searching each sampled choice of input and output."""
 
 
 class BoxEstimate(NamedTuple):
@@ -36,8 +36,8 @@ class BoxEstimate(NamedTuple):
     exact: bool
     """True if the whole search was carried out, so that the numbers of gearboxes are exact."""
     at_least: bool
-    """True if trials were aborted because they took too long, so that `seconds` is a lower
-    bound."""
+    """True if sampled searches were aborted for lack of time, so that `seconds` is a lower bound.
+    """
 
 
 def box_estimate(search: BoxSearch) -> BoxEstimate:
@@ -46,14 +46,14 @@ def box_estimate(search: BoxSearch) -> BoxEstimate:
     Parameters
     ----------
     search : BoxSearch
-        Valid search, see `check_box_search`.
+        Valid search; see `check_box_search`.
     """
     prepare(search)
     return _of_all(search) or _of_some(search)
 
 
 def _of_all(search: BoxSearch) -> BoxEstimate | None:
-    """Carry out a small search completely; return None for a long search."""
+    """Carry out a small search completely, and return exact numbers; None for a large search."""
     if stems(search).total > FEW_SCHEMES * UNIT:
         return None
     schemes = [*box_schemes(search)]
@@ -74,7 +74,7 @@ def _of_all(search: BoxSearch) -> BoxEstimate | None:
 
 
 def _of_some(search: BoxSearch) -> BoxEstimate:
-    """Extrapolate from sampled choices of ports, which share the preparation of their scheme."""
+    """Extrapolate from a sample of input and output; a scheme is prepared once for all."""
     began = time.process_time()
     seen: list[tuple[float, Tried]] = []
     count, ready = 0, 0.0
@@ -92,7 +92,8 @@ def _of_some(search: BoxSearch) -> BoxEstimate:
         for name in ("searched", "found")
     )
     seconds = ready / count
-    for place in range(len(Work._fields)):  # measured speed on this machine, by kind of work
+    # Scale the expected times by the measured speed of this machine, for each kind of work.
+    for place in range(len(Work._fields)):
         took = sum(part.seconds[place] for _, part in seen)
         pace = took / max(sum(part.spent[place] for _, part in seen), LEAST_WORK)
         seconds += pace * sum(stands * part.whole[place] for stands, part in seen) / count

@@ -17,8 +17,8 @@ class FoundPiece(NamedTuple):
     """Number of examined gearboxes."""
     boxes: tuple[FoundBox, ...]
     given_up: int = 0
-    """Number of sets of shift elements that could form gearboxes but were not examined
-    completely."""
+    """Number of sets of shift elements that were not examined completely, but could give gearboxes.
+    """
 
 
 def found_in(search: BoxSearch, piece: int = 0, count: int = 1) -> FoundPiece:
@@ -30,11 +30,11 @@ def found_in(search: BoxSearch, piece: int = 0, count: int = 1) -> FoundPiece:
     piece : int
         Number of the piece, from 0.
     count : int
-        Number of all pieces; by default the whole search is one piece.
+        Total number of pieces; by default the whole search is one piece.
 
     Examples
     --------
-    A gear set with its ring held, where p = 2 gives 3, and a locked-up set for 1:
+    A gear set with the ring held gives ratio 3 if p = 2; locked up, it gives ratio 1:
 
     >>> piece = found_in(BoxSearch(1, 2, 1, (3.0, 1.0)))
     >>> piece.searched, len(piece.boxes)
@@ -52,7 +52,7 @@ def found_in(search: BoxSearch, piece: int = 0, count: int = 1) -> FoundPiece:
 
 
 def prepare(search: BoxSearch) -> None:
-    """Compile the functions of a search, which takes ten seconds or more without a cache."""
+    """Compile the functions of a search, which takes ten seconds or more if they are not cached."""
     small = BoxSearch(1, 2, 1, (3.0, 1.0))
     if search.sequence is not None:
         gears = WantedSequence(2, 2, (1.0, 9.0), (1.0, 9.0))

@@ -32,14 +32,15 @@ from vstatics.synthesis.ratios.fitting import deviation
 from vstatics.synthesis.tolerances import SAME_BOX_SPEED
 
 FIRST_ELEMENT_SETS = 4096
-"""Number of sets of shift elements that the work arrays can hold at first; increased on demand."""
+"""Number of sets of shift elements for which work arrays have room at first; increased on demand.
+"""
 
 
 class PortSearch:
-    """Search of a scheme for gearboxes; its link speeds serve all choices of input and output."""
+    """Search of a scheme; the link speeds in all gears serve every choice of input and output."""
 
     def __init__(self, search: BoxSearch, scheme: BoxScheme) -> None:
-        """Calculate the speeds of links in all possible gears."""
+        """Calculate the speeds of links with each combination of engaged shift elements."""
         self.search = search
         self.scheme = scheme
         self.bases = speed_bases(search, scheme)
@@ -77,7 +78,7 @@ class PortSearch:
             most *= 4
 
     def gears_of(self, first: int, last: int) -> PortGears:
-        """Return empty arrays for the gears between two ports; add their boxes to `searched`."""
+        """Return empty arrays for the gears between two ports; count their gearboxes."""
         search, table = self.search, self.table
         ports = self.bases.moving.index(first), self.bases.moving.index(last)
         ends = enumerate(table.ends.tolist())
@@ -144,10 +145,10 @@ def _retained(search: BoxSearch, bases: SpeedBases, table: Combinations) -> set[
 
 
 def _gears(bases: SpeedBases, table: Combinations) -> GearSpeeds:
-    """Calculate the link speeds with each combination of shift elements engaged.
+    """Calculate the link speeds with each combination of engaged shift elements.
 
-    Speeds are compared at a point within the bounds of the ratios. Different speeds are calculated
-    at the corners of the bounds, equal speeds only once.
+    Combinations with equal speeds at a point within the bounds of the ratios share one calculation
+    at the corners of the bounds.
     """
     points, links, free = bases.speeds.shape
     room = speed_room(free)
@@ -167,4 +168,4 @@ def _gears(bases: SpeedBases, table: Combinations) -> GearSpeeds:
 
 
 _KEYS = np.sqrt(np.arange(2, 66)).reshape(-1, 2) % 1 - 0.3
-"""Weights of the link speeds in two sums, by which different speeds are recognised."""
+"""Weights of link speeds in two sums; combinations with different speeds differ in these sums."""

@@ -1,9 +1,8 @@
-"""Trial of some choices of input and output (ports), to estimate a search and its time.
+"""Partial search of some choices of input and output (ports), to estimate a search and its time.
 
-Some of the sets of shift elements of a choice of ports are listed, and some of these are examined;
-the results are scaled to all sets. The amount of work is counted in steps, which are the same on
-every machine, and converted to seconds by the times of the machine on which the steps were
-measured.
+Only a sample of the sets of shift elements is listed and examined, and the results are scaled to
+all sets. Work is counted in steps, equal on every machine, and converted to seconds by the
+constants below, which were measured on one machine.
 """
 
 from __future__ import annotations
@@ -24,60 +23,64 @@ from vstatics.synthesis.boxes.search.engaged import combinations_table
 from vstatics.synthesis.boxes.search.kernel import SetSample, boxes_in, find_gears
 
 JOIN, CELL, SEQUENCE_CELL = 0.4e-6, 16e-6, 60e-6
-"""Times to try an addition to a set, to examine a cell, and to examine a cell of a sequence. [s]"""
+"""Times to try an addition to a set of shift elements, and to examine a cell of gear-set ratios for
+given ratios, and for a sequence of gears. [s]
+"""
 SET = 2e-6
-"""Time to examine a set of shift elements, in addition to the time for its cells. [s]"""
+"""Time to examine a set of shift elements, in addition to the time for its cells of ratios. [s]"""
 PORT, PORT_GEAR = 0.2e-3, 0.04e-6
-"""Times to prepare a choice of ports: a constant part, and a part per combination. [s]"""
+"""Times to prepare a choice of input and output: a constant, and per combination of elements. [s]
+"""
 SCHEME, SCHEME_GEAR = 1e-3, 0.45e-6
-"""Times to prepare a scheme without ports: a constant part, and a part per combination. [s]"""
+"""Times to prepare a scheme without its ports: a constant, and per combination of elements. [s]"""
 ELEMENT_SETS = 10_000
-"""Number of sets of shift elements that the work arrays can hold."""
+"""Number of sets of shift elements for which the work arrays have room."""
 GOLDEN = 0.6180339887498949
-"""Golden ratio minus 1, whose multiples modulo 1 spread evenly, so samples come from all parts."""
+"""Golden ratio minus 1; its multiples modulo 1 are evenly spread, so samples come from all parts.
+"""
 
 
 class Depth(NamedTuple):
-    """Extent of the trial of a choice of ports."""
+    """Limits of the partial search of a choice of input and output."""
 
     firsts: int
-    """Approximate number of combinations with which sets of shift elements begin."""
+    """Approximate number of combinations with which the listed sets of shift elements begin."""
     sets: int
-    """Approximate number of these sets that are examined."""
+    """Approximate number of the listed sets of shift elements that are examined."""
     seconds: float
     """Approximate limit of the time to list sets and to examine them, together. [s]"""
 
 
 class Work(NamedTuple):
-    """Times of the parts of the work on a choice of ports [s]."""
+    """Times of the stages of searching a choice of input and output [s]."""
 
     gears: float
-    """Time to find the ratios and the combinations that reach a target."""
+    """Time to calculate the ratios, and the targets (wanted ratios) that each reaches."""
     sets: float
-    """Time to list the sets of elements."""
+    """Time to list the sets of shift elements."""
     boxes: float
-    """Time to examine the sets."""
+    """Time to examine the sets of shift elements."""
 
 
 class Tried(NamedTuple):
-    """Results of the trial of a choice of ports."""
+    """Result of the partial search of a choice of input and output."""
 
     searched: int
-    """Number of gearboxes that the whole search examines for this choice of ports."""
+    """Number of gearboxes that the full search examines for this choice of input and output."""
     found: float
     """Estimated number of gearboxes with the wanted ratios."""
     whole: Work
-    """Expected time of the whole work on the choice, from the number of steps."""
+    """Expected time of the full search of this choice, from the number of its steps."""
     spent: Work
-    """Expected time of the work done in the trial, from the number of steps."""
+    """Expected time of the partial search, from the number of its steps."""
     seconds: Work
-    """Measured time of the trial."""
+    """Measured time of the partial search."""
     is_whole: bool
-    """True if the trial was completed; otherwise the whole work takes longer than expected."""
+    """True if the partial search was completed; otherwise `whole` is too small."""
 
 
 def tried(ports: PortSearch, first: int, last: int, depth: Depth) -> Tried:
-    """Try a choice of ports to a given depth."""
+    """Search a choice of input and output partially, within limits."""
     search, before = ports.search, ports.searched
     port = ports.gears_of(first, last)
     room, table = room_of(search, ELEMENT_SETS, get_ident()), ports.table
@@ -109,7 +112,7 @@ def tried(ports: PortSearch, first: int, last: int, depth: Depth) -> Tried:
 
 
 class DrawnPorts(NamedTuple):
-    """Choice of ports in a sample."""
+    """Choice of input and output drawn for a sample."""
 
     scheme: BoxScheme
     ports: Ports
@@ -118,7 +121,7 @@ class DrawnPorts(NamedTuple):
 
 
 def drawn(search: BoxSearch) -> Iterator[DrawnPorts | None]:
-    """Yield an endless sample of choices of ports, spread evenly over the weights of the stems.
+    """Yield an endless sample of ports, spread evenly over the weights of stems of schemes.
 
     A stem without schemes yields None.
     """
@@ -145,6 +148,6 @@ def drawn(search: BoxSearch) -> Iterator[DrawnPorts | None]:
 
 
 def scheme_cost(search: BoxSearch) -> float:
-    """Return the time to find the speeds in all gears of a scheme [s], without ports."""
+    """Return the time to calculate the speeds in all gears of a scheme, without ports [s]."""
     table = combinations_table(search.moving, search.engaged, search.elements)
     return SCHEME + SCHEME_GEAR * len(table.members)

@@ -18,13 +18,13 @@ from vstatics.synthesis.boxes.figures.measured import ALIKE, MeasuredBox, measur
 from vstatics.synthesis.structures.scheme import SetScheme
 
 MOST_FOUND_BOXES = 1_000_000
-"""Largest number of gearboxes to keep, because of memory."""
+"""Largest number of gearboxes that are kept in memory."""
 MOST_MEASURED = 50_000
-"""Largest number of gearboxes whose figures are calculated."""
+"""Largest number of gearboxes whose figures (loss, torque, ...) are calculated."""
 BOXES_AT_ONCE = 20
-"""Number of gearboxes that a worker measures at once."""
+"""Number of gearboxes whose figures a worker calculates at once."""
 SEARCHED, GIVEN_UP = "searched", "given up"
-"""Names of the counts of a piece."""
+"""Names of the counts that are stored with a piece."""
 
 
 class BoxWork(NamedTuple):
@@ -35,10 +35,10 @@ class BoxWork(NamedTuple):
     pieces: int = 1
     """Number of pieces of the search."""
     weights: Mapping[str, float] = ALIKE
-    """Weights of the gears in the mean drag."""
+    """Weights of gears in the mean drag, by the name of the gear."""
 
     def describe(self, item: object) -> str:
-        """Describe a piece, gearboxes to measure, or files with a name."""
+        """Return words for a job, for messages: a piece, gearboxes, or files."""
         if isinstance(item, int):
             return f"piece {item} of the search"
         return str(getattr(item, "name", "figures of boxes"))
@@ -55,14 +55,14 @@ def measure(work: BoxWork, boxes: Sequence[FoundBox]) -> list[MeasuredBox]:
 
 
 def portions(boxes: Iterable[FoundBox]) -> Iterator[tuple[FoundBox, ...]]:
-    """Yield gearboxes in portions for the workers."""
+    """Yield gearboxes in groups, each for a job of a worker."""
     coming = iter(boxes)
     while portion := tuple(islice(coming, BOXES_AT_ONCE)):
         yield portion
 
 
 def description(search: BoxSearch, pieces: int) -> dict[str, Any]:
-    """Return a description of a search, for the directory of pieces and human readers."""
+    """Return a description of a search, stored with the pieces for human readers."""
     asked = {**search._asdict(), "targets": [*search.targets], "bounds": [*search.bounds]}
     asked["tolerances"] = [*search.tolerances]
     asked["brake_counts"] = search.brake_counts and [*search.brake_counts]
@@ -87,14 +87,14 @@ _OPTIONS = {
     "sequence": "gears",
     "singly": "single",
 }
-"""Names of options by field of `BoxSearch`, where both names differ."""
+"""Names of options on the command line, by the field of `BoxSearch`, where the names differ."""
 
 
 class SearchedPieces:
-    """Finished pieces: in a directory that outlives the process, or in memory."""
+    """Finished pieces of a search, in a directory that outlives the process, or in memory."""
 
     def __init__(self, count: int, store: FinishedPieces | None = None) -> None:
-        """Take over the finished pieces of an open store, if there is a store."""
+        """Begin with the finished pieces of an open store, if a store is given."""
         self.count = count
         self._store = store
         self._accounts = {} if store is None else dict(store.accounts)
@@ -102,7 +102,7 @@ class SearchedPieces:
 
     @property
     def pending(self) -> Iterator[int]:
-        """Numbers of the unfinished pieces, lazily, since there can be millions."""
+        """Numbers of the unfinished pieces; an iterator, because there can be millions."""
         return (piece for piece in range(self.count) if piece not in self._accounts)
 
     @property
@@ -112,17 +112,17 @@ class SearchedPieces:
 
     @property
     def searched(self) -> int:
-        """Number of examined gearboxes."""
+        """Number of examined gearboxes in the finished pieces."""
         return sum(account.counts[SEARCHED] for account in self._accounts.values())
 
     @property
     def given_up(self) -> int:
-        """Number of element sets that could be gearboxes but were given up."""
+        """Number of sets of shift elements that could give gearboxes but were given up."""
         return sum(account.counts.get(GIVEN_UP, 0) for account in self._accounts.values())
 
     @property
     def found(self) -> int:
-        """Number of gearboxes with the wanted ratios."""
+        """Number of gearboxes with the wanted ratios in the finished pieces."""
         return sum(account.rows for account in self._accounts.values())
 
     def take(self, piece: int, result: FoundPiece) -> None:
@@ -147,7 +147,7 @@ class SearchedPieces:
         check_most(self.found, MOST_FOUND_BOXES)
 
     def boxes(self) -> Iterator[FoundBox]:
-        """Yield all gearboxes in the order of the pieces, whichever finished first."""
+        """Yield all gearboxes in the order of the pieces, whichever piece finished first."""
         for piece in sorted(self._accounts):
             yield from boxes_of_lines(self._text(piece))
 
@@ -158,7 +158,7 @@ class SearchedPieces:
 
 
 def check_most(count: int, most: int) -> None:
-    """Refuse more gearboxes than `most`.
+    """Refuse a number of gearboxes larger than `most`.
 
     Raises
     ------
@@ -173,7 +173,7 @@ def check_most(count: int, most: int) -> None:
 
 
 def box_lines(boxes: Iterable[FoundBox]) -> bytes:
-    """Return a JSON line for each gearbox.
+    """Return gearboxes as text with a line of JSON for each.
 
     Examples
     --------
@@ -190,7 +190,7 @@ def box_lines(boxes: Iterable[FoundBox]) -> bytes:
 
 
 def boxes_of_lines(lines: bytes) -> Iterator[FoundBox]:
-    """Yield the gearboxes of JSON lines."""
+    """Yield the gearboxes from text with a line of JSON for each."""
     for line in lines.splitlines():
         code, held, first, last, elements, ratios, gears, error = json.loads(line)
         yield FoundBox(

@@ -1,4 +1,4 @@
-"""A case as a search for gearboxes would find it; the inverse of `case`."""
+"""Conversion of a case to the record of a found gearbox; the inverse of `case`."""
 
 from __future__ import annotations
 
@@ -15,22 +15,23 @@ from vstatics.synthesis.boxes.case_sets import GROUP, case_mechanisms
 from vstatics.synthesis.structures.scheme import SetScheme
 
 OF_SETS = ("planetary", "double_planet", "ravigneaux", GROUP)
-"""Kinds of gear sets of a case that become planetary sets of a found gearbox."""
+"""Kinds of gear sets of a case that correspond to planetary gear sets of a found gearbox."""
 
 
 class _CaseSet(NamedTuple):
-    """Gear set with link numbers of the case; the sun is the central gear with fewer teeth."""
+    """Gear set of a case; of its central gears, the sun has fewer teeth than the ring."""
 
     links: tuple[int, int, int]
-    """Sun, carrier and ring."""
+    """Numbers of the links of sun, carrier and ring in the case."""
     ratio: float
 
 
 def built_box(case: Transmission) -> FoundBox | None:
-    """Return a case as a found gearbox; None if it has parts other than sets, brakes or clutches.
+    """Return a case as a found gearbox; None if it has other components than such gearboxes.
 
-    One-way clutches are left out; a brake or clutch between the same links is engaged instead.
-    Only gears with the largest number of engaged elements are gears of the box.
+    A gearbox has only planetary gear sets, brakes and clutches. One-way clutches are left out; a
+    brake or clutch between the same links is engaged instead. Only the gears that engage the
+    largest number of shift elements are kept.
 
     Parameters
     ----------
@@ -58,7 +59,7 @@ def built_box(case: Transmission) -> FoundBox | None:
         number.setdefault(link, len(number))
     scheme = SetScheme(tuple((number[a], number[h], number[b]) for (a, h, b), _ in sets))
     joined_links = (link for element in case.shift_elements for link in element.links)
-    for link in (case.input, case.output, *joined_links):  # shafts without a member of a set
+    for link in (case.input, case.output, *joined_links):  # shafts without a member of a gear set
         if link not in held and link != HOUSING:
             number.setdefault(link, len(number))
     elements = _elements(case, number, held)
@@ -78,14 +79,14 @@ def _is_held(part: DrawnPart) -> bool:
 
 
 def _is_of_set(part: DrawnPart, mechanism: Mechanism) -> bool:
-    """Check whether a mechanism is a planetary set with a sun and a ring."""
+    """Check whether a mechanism of a case is a planetary gear set with a sun and a ring."""
     if part.element is None:
         return (mechanism.third != HOUSING or mechanism.is_set) and not mechanism.kind
     return part.element.kind in OF_SETS
 
 
 def _case_set(mechanism: Mechanism, held: Collection[int]) -> _CaseSet:
-    """Return sun, carrier and ring of a set; links held for good are the housing."""
+    """Return sun, carrier and ring of a gear set; permanently held links become the housing."""
     first, second, third = (HOUSING if link in held else link for link in mechanism.links)
     if abs(mechanism.ratio) < 1:
         return _CaseSet((second, third, first), 1 / mechanism.ratio)
@@ -95,7 +96,7 @@ def _case_set(mechanism: Mechanism, held: Collection[int]) -> _CaseSet:
 def _elements(
     case: Transmission, number: Mapping[int, int], held: Collection[int]
 ) -> dict[int, tuple[int, int] | None]:
-    """Return the links of each shift element; None if a link does not belong to the gearbox."""
+    """Return the links of each shift element; None for a link outside the gearbox."""
     ends: dict[int, tuple[int, int] | None] = {}
     for place, element in enumerate(case.shift_elements, 1):
         if element.is_freewheel:
@@ -108,13 +109,14 @@ def _elements(
 
 
 def _gears(case: Transmission, elements: Collection[int]) -> Iterator[tuple[int, ...]]:
-    """Yield the engaged elements of each gear that engages the largest number of elements."""
+    """Yield the engaged elements of each gear, if it engages the largest number of elements."""
     parallel = [place for place in map(partial(_parallel_element, case), case.freewheels) if place]
     most = max((len(gear.engaged) for gear in case.gears), default=0)
     for gear in case.gears:
         engaged = {*gear.engaged}
         spare = [place for place in parallel if place not in engaged]
-        if len(engaged) == most - 1 and len(spare) == 1:  # replaces the holding freewheel
+        # A spare element replaces the holding freewheel.
+        if len(engaged) == most - 1 and len(spare) == 1:
             engaged |= {*spare}
         is_own = case.gear_input(gear) == case.input and case.gear_output(gear) == case.output
         if len(engaged) == most and is_own and engaged.issubset(elements):

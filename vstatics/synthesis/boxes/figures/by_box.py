@@ -1,4 +1,4 @@
-"""Figures by which found gearboxes are judged and compared."""
+"""Figures (characteristic numbers) by which found gearboxes are compared."""
 
 from __future__ import annotations
 
@@ -10,37 +10,41 @@ from vstatics.core.suggestions import nearest
 
 
 class BoxFigures(NamedTuple):
-    """Figures of a found gearbox, of which smaller values are better, and two properties."""
+    """Figures of a found gearbox, of which smaller values are better, and two yes-no properties."""
 
     error: float
-    """Largest ``|ln(i/target)|`` of the gears. [-]"""
+    """Largest deviation ``|ln(i/target)|`` of the gears. [-]"""
     loss: float
-    """Mean of 1 - efficiency of the forward gears; of all gears if no gear is forward. [-]"""
+    """Mean of 1 - efficiency over the forward gears, or over all gears without a forward gear. [-]
+    """
     planet_speed: float
-    """Largest planet speed relative to the carrier, per input speed. [-]"""
+    """Largest planet speed relative to its carrier, divided by the input speed. [-]"""
     slip: float
-    """Largest ``|slip|`` of a disengaged shift element per input speed. [-]"""
+    """Largest slip speed of a disengaged shift element, divided by the input speed. [-]"""
     torque: float
-    """Largest ``|torque|`` of an engaged shift element per input torque, without losses. [-]"""
+    """Largest torque of an engaged shift element without losses, divided by the input torque. [-]
+    """
     brakes: int
     clutches: int
     drag: float
-    """Weighted mean of the drag of the forward gears; of all gears if no gear is forward. [-]"""
+    """Weighted mean drag of the forward gears, or of all gears without a forward gear. [-]"""
     skip_shifts: int
-    """Number of pairs of forward gears, not neighbours, that differ by a single exchange."""
+    """Number of pairs of forward gears, not neighbours, that differ by exchange of a single
+    element.
+    """
     reversing: tuple[str, ...]
-    """Shift elements with positive torque in some gears and negative torque in others."""
+    """Names of shift elements with positive torque in some gears and negative torque in others."""
     one_way: tuple[str, ...]
-    """Brakes that a one-way clutch could replace."""
+    """Names of brakes that a one-way clutch could replace."""
     beyond: tuple[float, ...]
-    """Further ratios that the shift elements permit: forward descending, then backward. [-]"""
+    """Further ratios that other combinations of the shift elements give, forward first. [-]"""
     single: bool
-    """True if neighbouring gears differ by a single exchange."""
+    """True if neighbouring gears differ by exchange of a single shift element."""
     planar: bool
-    """True if the box can be drawn without crossing shafts."""
+    """True if the gearbox can be drawn without crossing shafts."""
 
     def number(self, name: str) -> float:
-        """Return a figure as a number: the length of a list, 0 for a property that holds.
+        """Return a figure as a number: the length of a list; 0 for a true property, else 1.
 
         Examples
         --------
@@ -56,15 +60,15 @@ class BoxFigures(NamedTuple):
 
 FIGURES = BoxFigures._fields
 LIMITED = tuple(name for name in FIGURES if name not in ("single", "planar"))
-"""Figures that can have a limit."""
+"""Names of figures that can have an upper limit."""
 
 
 PARETO = ("loss", "planet_speed", "torque", "clutches")
-"""Figures of the Pareto list."""
+"""Names of the figures that the Pareto list compares by default."""
 
 
 class BoxOrder(NamedTuple):
-    """Figures that determine the order of boxes and the Pareto list.
+    """Figures that determine the order of gearboxes and the Pareto list.
 
     Examples
     --------
@@ -73,16 +77,16 @@ class BoxOrder(NamedTuple):
     """
 
     sort: tuple[str, ...] = ()
-    """First criteria of the order."""
+    """Names of figures to order by, before the usual order."""
     pareto: tuple[str, ...] = PARETO
 
     def check(self) -> None:
-        """Check the names of figures.
+        """Check that the names of figures exist.
 
         Raises
         ------
         CaseError
-            With the name of the option as its path.
+            If a name is unknown, with the name of the option as its path.
         """
         check_figures("sort", self.sort)
         check_figures("pareto", self.pareto)
@@ -97,7 +101,7 @@ def check_figures(option: str, names: Iterable[str]) -> None:
     Raises
     ------
     CaseError
-        With the name of the option as its path.
+        If a name is unknown, with the name of the option as its path.
 
     Examples
     --------

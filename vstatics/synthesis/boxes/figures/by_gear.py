@@ -1,4 +1,4 @@
-"""Figures of a gear of a found gearbox: torques, speeds, losses, drag."""
+"""Figures of a gear of a found gearbox: torques, speeds, losses and drag."""
 
 from __future__ import annotations
 
@@ -14,22 +14,23 @@ from vstatics.synthesis.tolerances import NO_FIGURE
 
 
 class GearFigures(NamedTuple):
-    """Figures of a gear, relative to input speed, torque and power."""
+    """Figures of a gear, divided by input speed, input torque or input power."""
 
     torques: Mapping[str, float]
-    """Torque from the first link on each engaged shift element, without losses. [-]"""
+    """Torque on each engaged shift element from its first link, without losses. [-]"""
     slips: Mapping[str, float]
     """Slip speed of each disengaged shift element, first link minus second. [-]"""
     carriers: Mapping[str, float]
-    """Carrier speed of each gear set. [-]"""
+    """Speed of the carrier of each gear set. [-]"""
     planets: Mapping[str, float]
-    """Speed of the planets that mesh with the sun of each set, relative to the carrier. [-]"""
+    """Speed, relative to the carrier, of the planets that mesh with the sun of each gear set. [-]
+    """
     losses: Mapping[str, float]
     """Power lost in each gear set; the sum over all sets is 1 - efficiency. [-]"""
     circulating: float
-    """Recirculating power, with losses. [-]"""
+    """Recirculating power, calculated with losses. [-]"""
     drag: float
-    """Sum of ``|slip|`` times torque capacity over the disengaged shift elements. [-]"""
+    """Sum over disengaged shift elements of ``|slip|`` times largest torque in any gear. [-]"""
 
 
 class BoxGear(NamedTuple):
@@ -43,7 +44,7 @@ class BoxGear(NamedTuple):
 
 
 def without_noise(names: Iterable[str], values: Iterable[float]) -> dict[str, float]:
-    """Return values by name, with rounding errors replaced by 0.
+    """Return values by name, with rounding noise replaced by 0.
 
     >>> without_noise("ab", [1e-12, -2.0])
     {'a': 0.0, 'b': -2.0}
@@ -55,9 +56,9 @@ def without_noise(names: Iterable[str], values: Iterable[float]) -> dict[str, fl
 
 
 def with_drag(gears: Sequence[GearFigures]) -> list[GearFigures]:
-    """Return the gears of a gearbox with their drag.
+    """Return the figures of the gears of a gearbox, completed by the drag.
 
-    The torque capacity of a shift element is its largest torque in all gears.
+    The torque capacity of a shift element is taken as its largest torque in any gear.
 
     >>> first = GearFigures({"A": 2.0}, {"B": -0.5}, {}, {}, {}, 0.0, math.nan)
     >>> second = GearFigures({"B": 3.0}, {"A": 1.0}, {}, {}, {}, 0.0, math.nan)
@@ -87,12 +88,12 @@ def mean_drag(gears: Mapping[str, float], weights: Mapping[str, float]) -> float
 
 
 def check_weights(gears: Iterable[str], weights: Mapping[str, float]) -> None:
-    """Check that weights have the names of gears, are not negative, and are not all 0.
+    """Check that weights belong to gears, are not negative, and are not all 0.
 
     Raises
     ------
     CaseError
-        With the path ``weights``.
+        If a weight is wrong, with the path ``weights``.
 
     Examples
     --------
@@ -129,12 +130,12 @@ def check_weights(gears: Iterable[str], weights: Mapping[str, float]) -> None:
 def check_search_weights(search: BoxSearch, weights: Mapping[str, float]) -> None:
     """Check weights against the gears that a found gearbox can have.
 
-    Each weight must have the name of a possible gear, and no gearbox may get weights of 0 only.
+    Each weight must belong to a possible gear, and no gearbox may have weights of 0 only.
 
     Raises
     ------
     CaseError
-        With the path ``weights``.
+        If a weight is wrong, with the path ``weights``.
 
     Examples
     --------
@@ -151,6 +152,6 @@ def check_search_weights(search: BoxSearch, weights: Mapping[str, float]) -> Non
     wanted = search.sequence
     fewest, most = (0, 0) if wanted is None else (wanted.least, wanted.most)
     check_weights(names_of_mean([*search.targets, *[1.0] * most]), weights)
-    # Gearboxes with more gears also contain these gears, so it is enough to check the fewest gears.
+    # Gearboxes with more gears also have these gears, so checking the smallest number suffices.
     least = names_of_mean([*search.targets, *[1.0] * fewest])
     check_weights(least, {name: weights[name] for name in least if name in weights})

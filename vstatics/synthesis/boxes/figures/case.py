@@ -1,4 +1,4 @@
-"""A found gearbox as a case, and the names of shift elements."""
+"""Conversion of a found gearbox to a case, and the names of its shift elements."""
 
 from __future__ import annotations
 
@@ -18,22 +18,22 @@ from vstatics.synthesis.structures.scheme import link_name
 
 
 def box_case(box: FoundBox, targets: Sequence[float], efficiency: float) -> Transmission:
-    """Return the case of a found box: sets, shift elements and gears.
+    """Return a found gearbox as a case: gear sets, shift elements and gears.
 
-    A link that is held for good is the housing; other links keep their numbers as names.
+    A permanently held link becomes the housing; other links have their number in their name.
 
     Parameters
     ----------
     box : FoundBox
     targets : sequence of float
-        Wanted ratios of the gears, in the order of the box. [-]
+        Wanted ratios of the gears, in the order of the gearbox. [-]
     efficiency : float
-        Basic efficiency of each set, carrier held. [-]
+        Basic efficiency of each gear set (carrier held). [-]
 
     Raises
     ------
     CaseError
-        If the box is not a valid gearbox, for example because of a ratio.
+        If the gearbox is not a valid case, for example because of a ratio.
 
     Examples
     --------
@@ -79,9 +79,10 @@ def box_case(box: FoundBox, targets: Sequence[float], efficiency: float) -> Tran
 
 
 def drawn_case(box: FoundBox, case: Transmission) -> Transmission:
-    """Replace pairs of sets in the case of a box by Ravigneaux sets with ratios, without teeth.
+    """Replace pairs of gear sets that form a Ravigneaux set in the case of a gearbox.
 
-    Speeds, torques and losses do not change; power within a Ravigneaux set is not separated.
+    The Ravigneaux sets have ratios instead of teeth. Speeds, torques and losses do not change; the
+    power flow within a Ravigneaux set is no longer shown.
 
     Parameters
     ----------
@@ -111,7 +112,7 @@ def drawn_case(box: FoundBox, case: Transmission) -> Transmission:
 
 
 def _ravigneaux(name: str, plain: Mechanism, meshed: Mechanism) -> Element:
-    """Return the Ravigneaux set that two gear sets with common carrier and ring form."""
+    """Return the Ravigneaux set that consists of two gear sets with common carrier and ring."""
     members = {"small_sun": meshed.first, "large_sun": plain.first}
     members |= {"ring": plain.second, "carrier": plain.third}
     ratios = {"small_sun": meshed.ratio, "large_sun": plain.ratio}
@@ -119,9 +120,9 @@ def _ravigneaux(name: str, plain: Mechanism, meshed: Mechanism) -> Element:
 
 
 def ravigneaux_sets(box: FoundBox) -> dict[str, tuple[str, str]]:
-    """Return the pairs of sets that form a Ravigneaux set, by name, the plain set first.
+    """Return the pairs of gear sets that form a Ravigneaux set, by name, simple set first.
 
-    Both sets share carrier and ring; the second has meshing planets and the smaller sun.
+    Both sets share carrier and ring; the second set has meshing planets and the smaller sun.
 
     Examples
     --------
@@ -145,14 +146,15 @@ def ravigneaux_sets(box: FoundBox) -> dict[str, tuple[str, str]]:
 
 
 def planet_ratio(ratio: float) -> float:
-    """Return the ratio of sun speed to planet speed relative to the carrier; NaN if impossible.
+    """Return sun speed divided by planet speed relative to the carrier; NaN if impossible.
 
     A planet that meshes with sun and ring has half the difference of their tooth numbers. Two
-    planets that mesh with each other, in line between sun and ring, each have a quarter of it.
+    planets that mesh with each other, in line between sun and ring, each have a quarter of the
+    difference.
 
     Examples
     --------
-    A plain set 30/90 has planets with 30 teeth, a set with meshing planets 15:
+    A simple gear set 30/90 has planets with 30 teeth, a set with meshing planets has 15 teeth:
 
     >>> planet_ratio(-3.0), planet_ratio(3.0)
     (-1.0, -0.5)
@@ -162,7 +164,7 @@ def planet_ratio(ratio: float) -> float:
 
 
 def _set(place: int, links: Sequence[int], ratio: float, efficiency: float) -> Mechanism:
-    """Return the mechanism of a set; meshed planets, or a held carrier, need a planet ratio."""
+    """Return the mechanism of a gear set; a planet ratio is added only if needed."""
     sun, carrier, ring = links
     has_planets = ratio > 0 or carrier == HOUSING
     of_planet = planet_ratio(ratio)
@@ -182,7 +184,7 @@ HOUSING_NAME = "housing"
 
 
 def element_links(element: tuple[int, int]) -> tuple[str, str]:
-    """Return the names of the two links of an element.
+    """Return the names of the two links of a shift element.
 
     >>> element_links((2, HELD)), element_links((0, 3))
     (('L2', 'housing'), ('L0', 'L3'))

@@ -1,4 +1,4 @@
-"""Names of found gearboxes that exist, from the shipped cases.
+"""Names of found gearboxes that equal a shipped case.
 
 `known.jsonl` lists the shipped gearboxes; `shipped` writes it from the cases.
 """
@@ -18,21 +18,21 @@ from vstatics.synthesis.boxes.least_form import identity
 from vstatics.synthesis.structures.scheme import SetScheme
 
 FAR_DECIMALS = 6
-"""Decimals to which the distances of ratios are compared, because ratios can be fitted."""
+"""Number of decimals in comparisons of distances between ratios, which are fitted numbers."""
 
 
 class KnownBox(NamedTuple):
-    """Shipped gearbox, in one of the forms with the least identity, see `least_forms`."""
+    """Gearbox of a shipped case, in one of the forms with the least identity; see `least_forms`."""
 
     name: str
-    """Name of the case."""
+    """Name of the shipped case."""
     left_out: int
-    """Number of one-way clutches of the case, which the box lacks."""
+    """Number of one-way clutches of the case, which the record of the gearbox lacks."""
     box: FoundBox
 
     @classmethod
     def of_line(cls, line: str) -> KnownBox:
-        """Return the gearbox of a line written by `line`."""
+        """Return the gearbox from a line of JSON, as written by `line`."""
         data = json.loads(line)
         sets, elements, gears = (
             tuple(tuple(entry) for entry in data[key]) for key in ("sets", "elements", "gears")
@@ -72,22 +72,23 @@ class KnownBox(NamedTuple):
         return f"{json.dumps(data)}\n"
 
     def rank(self, ratios: tuple[float, ...]) -> tuple[float, int, str]:
-        """Return a sort key for gearboxes of equal identity; the nearest ratios come first."""
+        """Return a sort key for shipped gearboxes of equal identity, nearest ratios first."""
         pairs = zip(ratios, self.box.ratios, strict=True)
         far = math.fsum(abs(math.log(ratio / known)) for ratio, known in pairs)
         return round(far, FAR_DECIMALS), self.left_out, self.name
 
 
 def known_name(box: FoundBox) -> str | None:
-    """Return the name of the shipped case equal to a box; of several, the nearest in ratios.
+    """Return the name of the shipped case that equals a gearbox; of several, the nearest.
 
-    A case is equal if scheme and shift elements agree, and if for each gear of the box a gear of
-    the case engages shift elements that give its ratio.
+    A case is equal if scheme and shift elements agree, and if each gear of the gearbox has a gear
+    of the case whose engaged elements give the same ratio. The nearest case has the nearest ratios
+    of gear sets.
 
     Parameters
     ----------
     box : FoundBox
-        Box in the form of `least_box`.
+        Found gearbox in the form that `least_box` returns.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Figures of a found gearbox, by gear and as a whole, calculated with the solver."""
+"""Calculation of the figures of a found gearbox and of the gears, with the solver."""
 
 from __future__ import annotations
 
@@ -47,20 +47,20 @@ from vstatics.synthesis.ratios.fitting import deviation
 from vstatics.synthesis.tolerances import NO_LOAD
 
 FIGURE_DECIMALS = 9
-"""Decimals to which figures are compared."""
+"""Number of decimals in comparisons of figures."""
 ALIKE: Mapping[str, float] = {}
-"""Empty weights: all gears count equally in a mean."""
+"""Weights that are equal for all gears."""
 
 
 class MeasuredBox(NamedTuple):
-    """A found box with figures, in the form of `least_box`."""
+    """Found gearbox with the figures, in the form that `least_box` returns."""
 
     box: FoundBox
     targets: tuple[float, ...]
     efficiency: float
-    """Basic efficiency of each set, carrier held. [-]"""
+    """Basic efficiency of each gear set (carrier held). [-]"""
     gears: tuple[BoxGear, ...]
-    """Gears by descending ratio, backward gears last."""
+    """Gears by descending ratio, reverse gears last."""
     figures: BoxFigures
 
     @property
@@ -70,46 +70,46 @@ class MeasuredBox(NamedTuple):
 
     @property
     def ratios(self) -> dict[str, float]:
-        """Basic ratio of each set, by name [-]."""
+        """Basic ratio of each gear set, by name [-]."""
         return {set_name(number): ratio for number, ratio in enumerate(self.box.ratios, 1)}
 
     @property
     def known(self) -> str | None:
-        """Name of the shipped case equal to the box, whatever the tooth numbers."""
+        """Name of the shipped case that equals the gearbox apart from tooth numbers, if any."""
         return known_name(self.box)
 
     @property
     def ravigneaux(self) -> dict[str, tuple[str, str]]:
-        """Pairs of sets that form a Ravigneaux set, by name."""
+        """Pairs of gear sets that form a Ravigneaux set, by name."""
         return ravigneaux_sets(self.box)
 
     @property
     def case(self) -> Transmission:
-        """The box as a case."""
+        """Case of the gearbox."""
         return drawn_case(self.box, box_case(self.box, self.targets, self.efficiency))
 
 
 def measured(
     search: BoxSearch, box: FoundBox, efficiency: float, weights: Mapping[str, float] = ALIKE
 ) -> MeasuredBox:
-    """Calculate the figures of a found box with the solver.
+    """Calculate the figures of a found gearbox with the solver.
 
-    If several sets of elements give the ratio of a gear, sets with a single exchange between
-    neighbouring gears are preferred, then sets with the least loss.
+    If several sets of shift elements give the ratio of a gear, sets with a single exchange between
+    neighbouring gears are preferred, then sets with the smallest loss.
 
     Parameters
     ----------
     search : BoxSearch
     box : FoundBox
     efficiency : float
-        Basic efficiency of each set, carrier held, above 0 and up to 1. [-]
+        Basic efficiency of each gear set (carrier held), above 0 and up to 1. [-]
     weights : mapping of str to float
-        Weights of forward gears in the mean drag, 1 by default. [-]
+        Weights of forward gears in the mean drag, by the name of the gear; by default 1. [-]
 
     Raises
     ------
     CaseError
-        If a weight does not belong to a gear of any box of the search, or all weights are 0.
+        If a weight does not belong to a gear that the search can find, or all weights are 0.
 
     Examples
     --------
@@ -131,7 +131,8 @@ def measured(
     check_search_weights(search, weights)
     least = least_box(box)
     targets = search.targets
-    if search.sequence is not None:  # the ratios of further gears are their own targets
+    # Gears of a sequence have no wanted ratio: their own ratio is the target.
+    if search.sequence is not None:
         targets += tuple(set_ratios(least, least.gears[len(targets) :]).tolist())
     case = box_case(least, targets, efficiency)
     solved, order, names = _solved(case), in_order(targets), names_of_gears(targets)
@@ -158,7 +159,7 @@ def measured(
     )
     chosen = least._replace(
         gears=tuple(engaged for _, engaged in sorted(zip(order, sets, strict=True))),
-        # infinite if a ratio has the opposite sign of its target
+        # infinite if a ratio and its target have opposite signs
         error=max(deviation(gear.ratio, gear.target) for gear in gears),
     )
     losses = [solved(engaged).loss for engaged in sets]
@@ -172,9 +173,9 @@ class _SolvedGear(NamedTuple):
     ratio: float
     loss: float
     torque: float
-    """Largest torque. [-]"""
+    """Largest torque of an engaged shift element, divided by the input torque. [-]"""
     carrying: int
-    """Engaged elements that carry torque, as bits."""
+    """Engaged shift elements that carry torque, as bits."""
     values: Mapping[str, Any]
 
 
@@ -188,12 +189,13 @@ _Solved = Callable[[Engaged], _SolvedGear]
 
 
 def _solved(case: Transmission) -> _Solved:
-    """Return a cached function that solves a gear of a case for its engaged elements."""
+    """Return a function, with a cache, that solves a case with given shift elements engaged."""
 
     @cache
     def solved(engaged: Engaged) -> _SolvedGear:
         state = _state_of(case, engaged)
-        values = cast("Mapping[str, Any]", values_of(state))  # floats, where nothing is traced
+        # Without tracing, all values are floats.
+        values = cast("Mapping[str, Any]", values_of(state))
         efficiency, torques = values["efficiency"], values["torques"]
         return _SolvedGear(
             ratio=values["ratio"],
@@ -207,19 +209,19 @@ def _solved(case: Transmission) -> _Solved:
 
 
 def _largest(numbers: Iterable[float]) -> float:
-    """Return the largest absolute value; NaN for an empty list."""
+    """Return the largest absolute value of some numbers; NaN without numbers."""
     return max((abs(number) for number in numbers if not math.isnan(number)), default=math.nan)
 
 
 def _of_gear(
     box: FoundBox, case: Transmission, engaged: Engaged, solved: _SolvedGear
 ) -> GearFigures:
-    """Return the figures of a gear except drag and circulating power."""
+    """Return the figures of a gear except drag and recirculating power."""
     values = solved.values
     held = range(len(box.elements))
     is_open = [number for number in held if number not in engaged]
     sets = [set_name(number) for number in range(1, len(box.ratios) + 1)]
-    speeds = [0.0, *values["speeds"]]  # of the housing first
+    speeds = [0.0, *values["speeds"]]  # the speed of the housing comes first
     carriers = [speeds[mechanism.third] for mechanism in case.mechanisms]
     planets = [
         (speeds[mechanism.first] - speeds[mechanism.third]) / planet_ratio(mechanism.ratio)

@@ -1,4 +1,4 @@
-"""Test whether a gearbox can be drawn without crossing shafts, by planarity of a graph."""
+"""Test whether a gearbox can be drawn without crossing shafts (planarity of a graph)."""
 
 from __future__ import annotations
 
@@ -13,19 +13,22 @@ from vstatics.core.model.transmission import Transmission
 
 Edge = tuple[int, int]
 AXIS = -1
-"""Vertex of the axis, in addition to the links and the housing."""
+"""Vertex of the axis of rotation, in addition to the vertices of links and housing."""
 MOST_ENDS = 2
-"""Number of links that an elastic component joins; with a single link it joins the housing."""
+"""Number of links of an elastic component that is an edge; one with a single link leads to the
+housing.
+"""
 
 
 @refusing()
 def box_is_planar(case: Transmission) -> bool:
-    """Check whether the graph of links, housing and axis is planar.
+    """Check whether a gearbox can be drawn without crossing shafts.
 
-    The edges are sun to carrier and carrier to ring of each set, each shift element, and the axis
-    to the housing, the input and each output: input and outputs leave at the ends of the axis,
-    where the axis and the housing share a face. Both links of a gear pair have an edge to the
-    housing, which holds the shafts; gears that share planets are sets of one carrier.
+    The graph of links, housing and axis must be planar. Its edges are sun to carrier and carrier to
+    ring of each gear set, each shift element, and the axis to the housing, to the input and to each
+    output, because input and outputs leave along the axis. Both links of a gear pair have an edge
+    to the housing, which supports the shafts. Gears that share planets count as gear sets of one
+    carrier.
 
     Parameters
     ----------
@@ -70,7 +73,7 @@ def is_planar(edges: Iterable[Edge]) -> bool:
     (False, True)
     """
     require("boxes", "whether a gearbox is planar")
-    import networkx as nx  # an optional dependency
+    import networkx as nx  # networkx is an optional package
 
     graph: nx.Graph[int] = nx.Graph()
     graph.add_edges_from((first, second) for first, second in edges if first != second)

@@ -1,4 +1,4 @@
-"""Shifts between the gears of a found gearbox, and the loads of shift elements."""
+"""Shifts between the gears of a found gearbox, and the direction of load on shift elements."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from vstatics.synthesis.tolerances import SAME_FITTED_RATIO
 
 
 def skip_shifts(gears: Sequence[Collection[object]]) -> int:
-    """Return the number of pairs of gears, not neighbours, that differ by a single exchange.
+    """Return the number of pairs of gears, not neighbours, that differ by a single shift element.
 
     >>> skip_shifts([(0, 1), (0, 2), (0, 3), (1, 2)])
     3
@@ -35,12 +35,13 @@ def reversing(gears: Sequence[GearFigures]) -> tuple[str, ...]:
 def one_way(gears: Sequence[GearFigures], brakes: Sequence[str]) -> tuple[str, ...]:
     """Return the brakes that a one-way clutch could replace.
 
-    The engaged brake prevents rotation of the link in the same direction in all gears. With the
-    brake open, the link rotates in the opposite direction or is at rest.
+    Whenever the brake is engaged, it prevents rotation of its link in the same direction. Whenever
+    the brake is open, its link rotates in the opposite direction or is at rest.
 
     Examples
     --------
-    The link pushes forward while held, and rotates backward or is at rest while free:
+    The link is pushed forward while it is held, and rotates backward or is at rest while it is
+    free:
 
     >>> nothing = {}, {}, {}, 0.0, 0.0
     >>> gears = [GearFigures({"T": 2.0}, {}, *nothing), GearFigures({}, {"T": -0.5}, *nothing)]
@@ -72,17 +73,17 @@ def _by_element(gears: Sequence[Mapping[str, float]]) -> dict[str, list[float]]:
 
 
 def beyond(box: FoundBox, known_ratios: Sequence[float]) -> tuple[float, ...]:
-    """Return the further ratios with equally many elements engaged, in the order of gears.
+    """Return the further ratios that other combinations of as many shift elements give.
 
     Parameters
     ----------
     box : FoundBox
     known_ratios : sequence of float
-        Ratios of the gears of the box. [-]
+        Ratios of the gears of the gearbox. [-]
 
     Examples
     --------
-    A set with a brake on the ring, and a clutch that makes the set rotate as a block:
+    A gear set with a brake on the ring, and a clutch that locks up the set:
 
     >>> from vstatics.synthesis.boxes.box import HELD
     >>> from vstatics.synthesis.structures.scheme import SetScheme
@@ -93,13 +94,13 @@ def beyond(box: FoundBox, known_ratios: Sequence[float]) -> tuple[float, ...]:
     """
     sets = [*combinations(range(len(box.elements)), len(box.gears[0]))]
     ratios = [ratio for ratio in set_ratios(box, sets).tolist() if not math.isnan(ratio)]
-    # Digits after the twelfth are rounding errors.
+    # Digits after the twelfth are rounding noise.
     further = [float(f"{ratio:.12g}") for ratio in _once(sorted(ratios), known_ratios)]
     return tuple(further[place] for place in in_order(further))
 
 
 def _once(ratios: Sequence[float], known_ratios: Sequence[float]) -> Iterator[float]:
-    """Yield ascending ratios that differ from the last ratio and from all known ratios."""
+    """Yield ascending ratios that differ from the previous ratio and from all known ratios."""
     last = math.nan
     for ratio in ratios:
         near = SAME_FITTED_RATIO * abs(ratio)

@@ -1,7 +1,7 @@
-"""Table of the shipped gearboxes, by which `known` names found gearboxes.
+"""Table of shipped gearboxes, from which `known` names found gearboxes.
 
-Reading all cases takes longer than most searches, so the table is a file, `known.jsonl`, which
-`make known` writes.
+Reading all cases takes longer than most searches, so `make known` writes the table to a file,
+`known.jsonl`.
 """
 
 from __future__ import annotations
@@ -17,9 +17,9 @@ from vstatics.synthesis.boxes.least_form import least_forms
 
 
 def shipped_boxes() -> Iterator[KnownBox]:
-    """Yield all shipped cases that are gearboxes, in each form of the least identity."""
+    """Yield each shipped case that is a gearbox, in each form with the least identity."""
     for name in example_files():
-        if "/" in name:  # a scenario
+        if "/" in name:  # a scenario, not a case
             continue
         case = example(name)
         box = built_box(case)

@@ -1,6 +1,7 @@
-"""Schemes of gearboxes in the order of the search, generated when they are needed.
+"""Schemes of gearboxes in the order of the search, generated when needed.
 
-`choices` adds the free choices of a scheme: meshed sets, a held link, ports. Schemes grow from
-`stems`, or are composed of `parts` without a common link. `speeds` calculates the link speeds that
-the gear sets of a scheme permit.
+A scheme is the connection of the members of gear sets by links. `choices` adds to a scheme the
+double-pinion sets, a held link, input and output. Connected schemes grow from `stems`; others
+consist of `parts` without a common link. `speeds` calculates the link speeds that the gear sets of
+a scheme permit.
 """

@@ -1,4 +1,4 @@
-"""Free choices of a scheme: sets with meshed planets, a link held for good, input and output."""
+"""Free choices of a scheme: double-pinion sets, a permanently held link, input and output."""
 
 from __future__ import annotations
 
@@ -15,31 +15,31 @@ from vstatics.synthesis.structures.least_codes import Symmetries
 from vstatics.synthesis.structures.scheme import SetScheme
 
 Ports = tuple[int, int]
-"""Input and output link."""
+"""Numbers of the input and the output link."""
 
 
 class BoxScheme(NamedTuple):
-    """Class of schemes with given meshed sets and held link, and all choices of ports."""
+    """Scheme with given double-pinion sets and held link, and all choices of input and output."""
 
     scheme: SetScheme
     meshed: tuple[bool, ...]
-    """True if each set has meshed planets, shape (sets,)."""
+    """True for each gear set with meshing planets (double-pinion set), shape (sets,)."""
     held: int | None
-    """Link that is permanently held, or None."""
+    """Number of the permanently held link, or None."""
     ports: tuple[Ports, ...]
-    """Pairs of input and output; symmetric choices appear once."""
+    """Pairs of input and output link; of symmetric pairs, only one is listed."""
 
 
 def with_choices(search: BoxSearch, codes: Codes, symmetries: Symmetries) -> Iterator[BoxScheme]:
-    """Yield the schemes of codes with all choices that no symmetry makes equal, in order.
+    """Yield the schemes of codes with all choices, except choices equal by symmetry.
 
     Parameters
     ----------
     search : BoxSearch
     codes : array, shape (schemes, 3*sets)
-        Least codes of classes.
+        Codes of schemes, each the least code of its class of equal schemes.
     symmetries : Symmetries
-        Renamings of links that leave each code unchanged.
+        Renamings of links and gear sets that leave each code unchanged.
     """
     starts = np.searchsorted(symmetries.which, np.arange(len(codes) + 1))
     for row, code in enumerate(codes.reshape(len(codes), search.sets, MEMBERS).tolist()):
@@ -70,7 +70,7 @@ def _chosen(
             renamings_held = [
                 links for links in renamings_kept if held is None or links[held] == held
             ]
-            if len(renamings_held) == 1:  # no symmetry, so all pairs of ports count
+            if len(renamings_held) == 1:  # without a symmetry, all pairs of ports differ
                 ports = _all_ports(scheme.links, held, search.input, search.output)
             else:
                 ports = tuple(_ports(search, scheme, held, renamings_held))
@@ -79,7 +79,7 @@ def _chosen(
 
 
 def _held(search: BoxSearch, scheme: SetScheme) -> Iterator[int | None]:
-    """Yield the links that can be held for good: links with the wanted number of members."""
+    """Yield the links that can be permanently held: those with the wanted number of members."""
     if not search.fixed:
         yield None
         return
@@ -102,7 +102,7 @@ def _all_ports(
 def _ports(
     search: BoxSearch, scheme: SetScheme, held: int | None, renamings: list[list[int]]
 ) -> Iterator[Ports]:
-    """Yield a single pair of ports for each group of pairs that renamings make equal."""
+    """Yield one pair of input and output for each group of pairs that are equal by symmetry."""
     shafts = range(scheme.links, scheme.links + 2)
     for first, last in _all_ports(scheme.links, held, search.input, search.output):
         images = ([*links, *shafts] for links in renamings)

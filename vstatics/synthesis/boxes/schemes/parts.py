@@ -1,4 +1,4 @@
-"""Schemes composed of two or more parts without a common link, as in Lepelletier's gearbox."""
+"""Schemes of two or more parts without a common link, as in Lepelletier's gearbox."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from vstatics.synthesis.structures.arrays import LEAST_MOBILITY, Codes
 from vstatics.synthesis.structures.growth import StructureSearch, batches
 
 Part = tuple[int, int]
-"""Number of gear sets and number of links of a part."""
+"""Number of gear sets, and number of links, of a part of a scheme."""
 
 
 def splits(sets: int, links: int) -> list[tuple[Part, ...]]:
-    """Return the possible divisions of a scheme into parts, the largest part last.
+    """Return the possible divisions of sets and links into parts, the largest part last.
 
     >>> splits(3, 8)
     [((1, 3), (2, 5))]
@@ -27,7 +27,7 @@ def splits(sets: int, links: int) -> list[tuple[Part, ...]]:
 
 
 def _splits(sets: int, links: int, least: Part) -> Iterator[tuple[Part, ...]]:
-    """Yield the parts in ascending order, starting from the smallest allowed part."""
+    """Yield the divisions into ascending parts, none smaller than `least`."""
     if not sets and not links:
         yield ()
     for number in range(1, sets + 1):
@@ -45,9 +45,9 @@ def _classes(part: Part) -> list[tuple[int, ...]]:
 
 
 def counts(split: tuple[Part, ...]) -> Integers:
-    """Return the number of schemes with each class of schemes as the last part.
+    """Return the number of schemes whose last part belongs to each class of schemes.
 
-    Of parts with equal numbers of sets and links, the last part has the greatest class.
+    Parts with equal numbers of gear sets and links are in ascending order of their classes.
 
     >>> counts(((1, 3), (2, 5))), counts(((2, 5), (2, 5)))
     (array([1, 1, 1, 1, 1, 1]), array([1, 2, 3, 4, 5, 6]))
@@ -62,7 +62,7 @@ def counts(split: tuple[Part, ...]) -> Integers:
 
 
 def codes_of(split: tuple[Part, ...], row: int) -> Codes:
-    """Return the least codes of all schemes with a class as the last part, ascending.
+    """Return the least codes of all schemes whose last part has the class `row`, ascending.
 
     >>> codes_of(((1, 3), (1, 3)), 0)
     array([[0, 1, 2, 3, 4, 5]], dtype=uint8)

@@ -1,4 +1,4 @@
-"""Speeds that the links of a scheme can have under the equations of its gear sets alone."""
+"""Link speeds of a scheme that the equations of the gear sets permit, without shift elements."""
 
 from __future__ import annotations
 
@@ -14,24 +14,27 @@ from vstatics.synthesis.boxes.schemes.choices import BoxScheme
 
 
 class SpeedBases(NamedTuple):
-    """Bases of the possible speeds of moving links, at given ratios of the gear sets."""
+    """Bases of the possible speeds of moving links, at several ratios of the gear sets."""
 
     ratios: Floats
-    """Basic ratios: all corners of the bounds, where set j is at its upper bound if bit j of the
-    row number is set, then one point within; shape (points, sets). [-]"""
+    """Basic ratios of the gear sets at each point, shape (points, sets): all corners of the bounds,
+    then one point within. At corner n, set j has its upper bound if bit j of n is 1. [-]
+    """
     speeds: Floats
-    """Columns that span the possible speeds, shape (points, moving links, free speeds). [-]"""
+    """Columns that span the possible link speeds, shape (points, moving links, free speeds). [-]"""
     factors: Floats
-    """Factors that make minors of `speeds` polynomials of the ratios, shape (points,)."""
+    """Factors of `speeds` by which its minors are polynomials of the ratios, shape (points,). [-]
+    """
     moving: tuple[int, ...]
-    """Link of each row of speeds; links without a member of a gear set are last."""
+    """Number of the link of each row of `speeds`; links without a gear-set member are last."""
 
 
 def speed_bases(search: BoxSearch, scheme: BoxScheme) -> SpeedBases:
-    """Calculate the speeds that Willis' equations permit, w_a - K w_b - (1 - K) w_h = 0.
+    """Calculate a basis of the speeds that satisfy Willis' equation of each gear set.
 
-    The columns of the equations are split into dependent and free speeds; the determinant of the
-    dependent columns is the factor.
+    The equation of sun a, ring b and carrier h with basic ratio K is w_a - K w_b - (1 - K) w_h = 0.
+    The speeds are split into dependent and free speeds; the factor is the determinant of the
+    columns of the dependent speeds.
 
     Examples
     --------
@@ -62,12 +65,12 @@ def speed_bases(search: BoxSearch, scheme: BoxScheme) -> SpeedBases:
 
 @cache
 def _inner(sets: int) -> Floats:
-    """Return a point within the unit cube where no two ratios are equal by chance."""
+    """Return a point within the unit cube at which no two gear ratios are equal by chance."""
     return np.asarray(np.sqrt(np.array([2, 3, 5, 7, 11, 13, 17, 19, 23, 29][:sets])) % 1)
 
 
 def _points(bounds: tuple[float, float], meshed: tuple[bool, ...]) -> Floats:
-    """Return the corners of the bounds, then a point within, shape (points, sets)."""
+    """Return the corners of the bounds of the ratios, then a point within, (points, sets)."""
     low, high = bounds
     ends = [corner[::-1] for corner in product((low, high), repeat=len(meshed))]
     within = low * (high / low) ** _inner(len(meshed))

@@ -1,8 +1,8 @@
-"""Stems from which schemes grow, so that a worker can generate any scheme when it is searched.
+"""Stems: schemes with one gear set less, from which a worker generates the schemes to search.
 
-The leading sets of a least code form a least code themselves, so every scheme grows from a scheme
-with one set less, its stem. For schemes in parts, the last part is the stem. Five sets have
-300 000 schemes with millions of ports, but only 15 000 stems.
+The leading gear sets of a least code are a least code themselves, so every scheme grows from its
+stem. If a scheme has parts without a common link, its last part is the stem. Five gear sets have
+300 000 schemes with millions of choices of input and output, but only 15 000 stems.
 """
 
 from __future__ import annotations
@@ -22,11 +22,11 @@ from vstatics.synthesis.structures.growth import SchemeBatch, StructureSearch, b
 from vstatics.synthesis.structures.least_codes import symmetries
 
 COUNTED = 500
-"""Number of stems up to which all schemes are counted; for more stems a sample is counted."""
+"""Number of stems up to which the schemes of all stems are counted; beyond it, of a sample."""
 ALIKE = 24
 """Number of stems in the sample from each group of stems with similar beginnings."""
 UNIT = 1000
-"""Weight of a scheme, an integer larger than its number of choices of ports."""
+"""Weight of a scheme, an integer larger than its number of choices of input and output."""
 
 
 class Stems(NamedTuple):
@@ -34,15 +34,15 @@ class Stems(NamedTuple):
 
     search: BoxSearch
     codes: Codes
-    """Codes with a set less, shape (stems, 3*sets - 3)."""
+    """Codes of the stems, with one gear set less, shape (stems, 3*sets - 3)."""
     parts: tuple[tuple[tuple[Part, ...], int], ...]
-    """Splits of schemes in parts, with the number of classes of the last part."""
+    """Divisions of schemes with several parts, each with the number of classes of the last part."""
     ends: Integers
-    """Cumulative weights of the stems, about `UNIT` for each scheme, shape (all stems,)."""
+    """Cumulative weights of the stems, about `UNIT` times the number of schemes, shape (stems,)."""
 
     @property
     def total(self) -> int:
-        """Sum of all weights."""
+        """Sum of the weights of all stems."""
         return self.before(len(self.ends))
 
     def before(self, stem: int) -> int:
@@ -50,7 +50,7 @@ class Stems(NamedTuple):
         return int(self.ends[stem - 1]) if stem else 0
 
     def at(self, place: int) -> int:
-        """Return the stem at a place of a line on which stems are as long as their weights."""
+        """Return the stem at a position on a line on which each stem is as long as its weight."""
         return int(np.searchsorted(self.ends, place, side="right"))
 
     def schemes(self, stem: int) -> list[BoxScheme]:
@@ -63,7 +63,7 @@ class Stems(NamedTuple):
             ]
         if stem < len(self.codes):
             batch = _batch(search, self.codes[stem : stem + 1])
-            assert batch.symmetries is not None  # noqa: S101 - they are classes
+            assert batch.symmetries is not None  # noqa: S101 - codes of classes
             return [*with_choices(search, batch.codes, batch.symmetries)]
         stem -= len(self.codes)
         for split, count in self.parts:
@@ -84,7 +84,7 @@ def stems(search: BoxSearch) -> Stems:
     >>> all_stems.codes, all_stems.ends  # six schemes of two sets grow from one stem
     (array([[0, 1, 2]], dtype=uint8), array([6000]))
     """
-    if search.kept is not None:  # the scheme is given
+    if search.kept is not None:  # an existing gearbox gives the scheme
         return Stems(search, np.zeros((1, 0), np.uint8), (), np.array([UNIT]))
     codes = _codes(search)
     weights = [_weights(search, codes)]
@@ -111,14 +111,15 @@ def box_schemes(search: BoxSearch) -> Iterator[BoxScheme]:
 
 
 def _codes(search: BoxSearch) -> Codes:
-    """Return the codes with a set less from which connected schemes of the search can grow."""
+    """Return the stems from which connected schemes of the search can grow, as codes."""
     sets, links = search.sets - 1, search.links
     if links not in StructureSearch(search.sets).link_range:
         return np.zeros((0, MEMBERS * sets), np.uint8)
     if not sets:
         return np.zeros((1, 0), np.uint8)
     asked = StructureSearch(sets, "sets")
-    new = range(links - MEMBERS + 1, links + 1)  # the last set shares at least one link
+    # The last gear set shares at least one link with the others.
+    new = range(links - MEMBERS + 1, links + 1)
     asked = asked._replace(links=tuple(number for number in asked.link_range if number in new))
     return np.concatenate([batch.codes for batch in batches(asked)])
 
@@ -129,16 +130,17 @@ def _batch(search: BoxSearch, codes: Codes) -> SchemeBatch:
 
 
 def _weights(search: BoxSearch, codes: Codes) -> Integers:
-    """Estimate the number of schemes that grow from each stem, times `UNIT`; shape (stems,).
+    """Estimate the weight of each stem, `UNIT` times its number of schemes, shape (stems,).
 
-    Stems with an equal number of links and equal second sets have about equally many schemes.
+    Stems with equally many links and equal second gear sets have about equally many schemes.
     """
     if not len(codes):
         return np.zeros(0, np.int64)
     if len(codes) <= COUNTED:
         numbers = np.bincount(_batch(search, codes).parents, minlength=len(codes))
         return np.asarray(UNIT * numbers, np.int64)
-    weights = np.ones(len(codes), np.int64)  # a stem without counted schemes can still have some
+    # A stem in whose sample no scheme was counted can still have some.
+    weights = np.ones(len(codes), np.int64)
     alike = np.column_stack([codes.max(axis=1), codes[:, MEMBERS : 2 * MEMBERS]])
     _, kinds = np.unique(alike, axis=0, return_inverse=True)
     for kind in range(int(kinds.max()) + 1):

@@ -1,9 +1,11 @@
-"""Find all gearboxes of a scheme: sets of shift elements, their gears, ratios of the gear sets.
+"""Search for all gearboxes of a scheme: shift elements, gears and ratios of the gear sets.
 
-`engaged` lists the shift elements of a scheme and calculates the link speeds in each gear as
-polynomials of the ratios. `ranges` finds the targets that a gear can reach. `elements` lists the
-sets of shift elements that can provide all gears; `joining` chooses the element to add next,
-`matching` assigns gears to targets, and `shifts` checks for single shifts. `solving` finds the
-ratios of the gear sets (`set_ratios`: nearest to the targets). All of it is compiled and combined
-in `kernel`, for all boxes of a choice of ports or for a sample.
+A combination is the shift elements engaged in a gear, a target is a wanted ratio, and an element
+set is all shift elements of a gearbox. `engaged` lists the combinations and calculates the link
+speeds with each as polynomials of the gear-set ratios. `ranges` finds the targets that a
+combination can reach. `elements` lists the element sets that can reach all targets; `joining`
+chooses the element to add next, `matching` assigns gear ratios to targets, and `shifts` checks that
+neighbouring gears differ by one element. `solving` finds the gear-set ratios, and `set_ratios` the
+nearest to the targets. `kernel` combines all of it to compiled functions for a choice of input and
+output, or for a sample.
 """

@@ -1,9 +1,9 @@
-"""Cells of gear-set ratios, and their reduction where gears must meet their targets.
+"""Cells of gear-set ratios, and their reduction to the part where gears meet their targets.
 
 A cell is a range for each gear-set ratio. The ratio of a gear is a quotient whose numerator and
-denominator are linear in each gear-set ratio, so the values at the corners of a cell bound it. They
-also bound how far a gear-set ratio can move along an edge before the gear misses its target for all
-values of the other ratios. The removed parts of a cell contain no solution.
+denominator are linear in each gear-set ratio, so their values at the corners of a cell bound the
+quotient. The corners also bound the part of a cell, along each gear-set ratio, in which the gear
+can meet its target (a wanted ratio). Only parts without solutions are removed.
 """
 
 from __future__ import annotations
@@ -25,38 +25,44 @@ from vstatics.synthesis.tolerances import CELL_ROUNDING
 NARROW_CELL = 1.001
 """Quotient of the bounds of a gear-set ratio below which a cell is not halved further. [-]"""
 MOST_SWEEPS = 4
-"""Largest number of times that a cell is reduced by all targets in turn."""
+"""Largest number of times that all targets in turn reduce a cell."""
 LESS = 0.8
-"""Least share of a cell that a sweep leaves along a gear-set ratio; above it, sweeps end. [-]"""
+"""Share of a cell, along a gear-set ratio, above which a reduction counts as small. [-]"""
 
 
 @shared
 class RatioCells(NamedTuple):
-    """Stack of cells, the next on top, and work arrays for the current cell."""
+    """Stack of cells with the next cell on top, and work arrays for the current cell."""
 
     low: Floats
-    """Lower bounds of ring teeth/sun teeth, shape (cells, sets). [-]"""
+    """Lower bounds of ring teeth divided by sun teeth, shape (cells, sets). [-]"""
     high: Floats
     reach: Integers
-    """Targets that the ratio of each gear can meet in a cell, as bits, shape (cells, ratios)."""
+    """Targets that each gear ratio can meet in a cell, as bits, shape (cells, ratios)."""
     stages: Integers
-    """Number of stages of `solving.SPREADS` for which fits have been tried, shape (cells,)."""
+    """Number of stages of `solving.SPREADS` at which fits have been tried, shape (cells,)."""
     known: Booleans
-    """True if suitable shift elements for the gears exist, shape (cells,)."""
+    """True if combinations of shift elements are known that meet all targets, shape (cells,)."""
     parts: Floats
-    """Numerators and denominators at the corners of the cell, shape (ratios, 2, corners)."""
+    """Numerators and denominators of the gear ratios at the corners, shape (ratios, 2, corners).
+    [-]
+    """
     shares: Floats
-    """Start and end of the cell along each gear-set ratio, as shares of the bounds, (sets, 2)."""
+    """Start and end of the cell along each gear-set ratio, in shares of the bounds, (sets, 2). [-]
+    """
     left: Floats
-    """Start and end of the part of the cell in which all targets can be met, as shares of the
-    cell, shape (sets, 2)."""
+    """Start and end of the part of the cell in which all targets can be met, in shares of the cell,
+    shape (sets, 2). [-]
+    """
     slack: Floats
-    """Two polynomials that are not negative where a target is met, shape (2, corners)."""
+    """Two polynomials that are not negative where a target is met, at the corners, (2, corners).
+    [-]
+    """
     planes: PlaneRoom
 
 
 def cells_room(ratios: int, asked: Asked, sets: int) -> RatioCells:
-    """Return work arrays for cells with a number of gear ratios and of gear sets."""
+    """Return work arrays for cells, for a number of gear ratios and of gear sets."""
     halvings = math.log2(math.log(asked.high / asked.low) / math.log(NARROW_CELL))
     deep = 2 + len(asked.targets) + sets * math.ceil(max(halvings, 0))
     return RatioCells(
@@ -77,18 +83,18 @@ def cells_room(ratios: int, asked: Asked, sets: int) -> RatioCells:
 def is_left(parts: Floats, asked: Asked, cells: RatioCells, match: MatchRoom, top: int) -> bool:
     """Reduce a cell to the part in which all targets can be met; return False if it is empty.
 
-    First, each gear ratio loses the targets that it cannot meet in the cell. Then each target that
-    only a single gear ratio can meet reduces the cell.
+    Targets that a gear ratio cannot meet in the cell are removed from it. Then each target that
+    only one gear ratio can meet reduces the cell.
 
     Parameters
     ----------
     parts : array, shape (ratios, 2, corners)
-        Numerators and denominators at the corners of the bounds.
+        Numerators and denominators of the gear ratios at the corners of the bounds.
     asked : Asked
     cells : RatioCells
     match : MatchRoom
     top : int
-        Number of the cell in the stack.
+        Index of the cell in the stack.
     """
     low, high = cells.low[top], cells.high[top]
     for _ in range(MOST_SWEEPS):
@@ -146,7 +152,7 @@ def _cut_out(parts: Floats, asked: Asked, cells: RatioCells, top: int) -> None:
 
 @compiled_part
 def _is_less(asked: Asked, cells: RatioCells, top: int) -> bool:
-    """Remove targets that a gear ratio misses in the whole cell; return whether any was removed."""
+    """Remove targets that a gear ratio misses in the whole cell; return True if any."""
     reach = cells.reach[top]
     is_any = False
     for ratio in range(len(reach)):
@@ -174,11 +180,11 @@ def _only_ratio(reach: Integers, target: int) -> int:
 def _leaves(part: Floats, least: float, most: float, cells: RatioCells) -> bool:
     """Reduce `left` to the part of a cell where the ratio of a gear can be within a range.
 
-    The quotient is in the range where two polynomials are non-negative. Along one gear-set ratio,
-    the maximum of a polynomial over the other corners is convex. If this maximum is negative at one
-    end of the cell, it stays negative up to the first zero along any edge.
+    The quotient is within the range where two polynomials are non-negative. Along one gear-set
+    ratio, the maximum of such a polynomial over the other ratios is convex. If it is negative at an
+    end of the cell, it is negative up to the first zero along any edge.
 
-    Returns False if no part remains.
+    The result is False if no part remains.
     """
     left, slack = cells.left, cells.slack
     if has_one_sign(part[1]):
@@ -202,7 +208,7 @@ def _leaves(part: Floats, least: float, most: float, cells: RatioCells) -> bool:
 
 @compiled_part
 def _positive(slack: Floats, bit: int) -> tuple[float, float]:
-    """Return the range along a gear-set ratio in which a polynomial can be non-negative.
+    """Return the range along one gear-set ratio in which a polynomial can be non-negative.
 
     The range is given in shares of the cell; it is (1, 0) if the polynomial is negative everywhere.
     """
@@ -233,7 +239,7 @@ def _positive(slack: Floats, bit: int) -> tuple[float, float]:
 
 @compiled_part
 def spread_in(cells: RatioCells, top: int) -> float:
-    """Return the largest difference of ln(i) within a cell, over all gear ratios i with a target.
+    """Return the largest variation of ln(i) in a cell, over all gear ratios i with a target.
 
     The result is infinite if such a ratio has a zero or a pole in the cell.
     """
@@ -250,7 +256,7 @@ def spread_in(cells: RatioCells, top: int) -> float:
 
 @compiled_part
 def longest(cells: RatioCells, top: int) -> int:
-    """Return the gear set whose ratio changes the gear ratios most, or -1 in a narrow cell."""
+    """Return the gear set whose ratio changes the gear ratios most; -1 if the cell is narrow."""
     best = 0.0
     longest_set = -1
     for number in range(cells.low.shape[1]):
@@ -267,7 +273,7 @@ def longest(cells: RatioCells, top: int) -> int:
 
 @compiled_part
 def change_along(part: Floats, number: int) -> float:
-    """Return the largest relative change of a quotient along a gear-set ratio, from 0 to 1."""
+    """Return the largest relative change of a gear ratio along a gear-set ratio, from 0 to 1."""
     most = 0.0
     for corner in range(part.shape[1]):
         if (corner >> number) & 1 == 0:
@@ -291,7 +297,7 @@ def double(cells: RatioCells, top: int) -> None:
 
 @compiled_part
 def halve(cells: RatioCells, top: int, number: int) -> None:
-    """Halve a cell along the ratio of a gear set; push the upper half onto the stack."""
+    """Halve a cell along the ratio of a gear set, and push the upper half onto the stack."""
     double(cells, top)
     middle = math.sqrt(cells.low[top, number] * cells.high[top, number])
     cells.high[top, number] = middle

@@ -1,7 +1,7 @@
-"""Combinations of shift elements for consecutive gears, changing one element at a time.
+"""Assignment of combinations (engaged shift elements) to consecutive gears, with single shifts.
 
-A forward search over the gears keeps the set of elements used up to each gear, so that it finds
-an assignment in which every element of the set is used.
+In a single shift, one element is exchanged. A forward search over the gears keeps the elements used
+up to each gear, so that it finds an assignment in which every shift element of the gearbox is used.
 """
 
 from __future__ import annotations
@@ -17,31 +17,32 @@ from vstatics.synthesis.boxes.search.engaged import Combinations, integers
 
 @shared
 class ChainRoom(NamedTuple):
-    """Work arrays for combinations of consecutive gears."""
+    """Work arrays for the assignment of combinations to consecutive gears."""
 
     used: Integers
-    """Places in a set of shift elements that each combination uses, as bits, shape
-    (combinations,)."""
+    """Shift elements of each combination, as bits of places in the element set, (combinations,)."""
     order: Integers
-    """Targets in the order of the chain; targets joined by a single shift are consecutive."""
+    """Order in which targets are assigned; targets joined by single shifts are consecutive."""
     is_shift: Booleans
-    """True if a single shift precedes each position of the order, and follows the last."""
+    """True where a single shift leads to a position of the order, or out of the last position."""
     is_near: Booleans
-    """True if combinations differ in at most a single element, shape (combinations, 2)."""
+    """True if two combinations differ by one element at most, shape (combinations, combinations).
+    """
     met: Integers
-    """Number of the latest search that reached a state, by the number of gears assigned, the last
-    combination (if a single shift follows) and the used places; shape (targets + 1, combinations or
-    1, 2**size)."""
+    """Number of the latest search that reached a state: the number of assigned gears, the last
+    combination (if a single shift follows), and the used elements as bits. Shape (targets + 1,
+    combinations or 1, 2**size).
+    """
     came: Integers
-    """Predecessor and combination of each state, encoded as a single integer."""
+    """Predecessor and combination of each state, encoded as one integer."""
     searches: Integers
-    """Number of searches so far, shape (1,)."""
+    """Number of searches, shape (1,)."""
     gears: Integers
-    """Number of the combination assigned to each target, shape (targets,)."""
+    """Index of the combination assigned to each target, shape (targets,)."""
 
 
 def chain_room(table: Combinations, targets: int, shifts: Integers) -> ChainRoom:
-    """Return work arrays for a number of targets and the shifts of `neighbours`."""
+    """Return work arrays for a number of targets and the required single shifts (`neighbours`)."""
     size, places = len(table.starts) - 1, table.places
     order: list[int] = []
     is_shift: list[bool] = []
@@ -67,16 +68,16 @@ def chain_room(table: Combinations, targets: int, shifts: Integers) -> ChainRoom
 
 @compiled_part
 def chained(ratio_of: Integers, chosen: Integers, room: ChainRoom) -> bool:
-    """Assign combinations to the chosen ratios that use all elements and shift as required.
+    """Assign a combination to each target so that all elements are used and shifts are single.
 
     Parameters
     ----------
     ratio_of : array, shape (combinations of a set,)
-        Number of the ratio of each combination, negative if the combination has no ratio.
+        Index of the ratio of each combination; negative if the combination has no ratio.
     chosen : array, shape (targets,)
-        Number of the ratio of each target.
+        Index of the ratio that meets each target.
     room : ChainRoom
-        `gears` receives the combination of each target.
+        Work arrays; `gears` receives the combination of each target.
 
     Returns
     -------

@@ -1,8 +1,9 @@
-"""Find the sets of shift elements that can provide a gear for every target.
+"""Search for the element sets (shift elements of a gearbox) that can reach all targets.
 
-A combination of elements is usable if its ratio reaches a target. The search branches on the
-target with the fewest combinations: a set must contain one of them. If the set still lacks a gear
-for another target, a combination for that target is added, as long as there is room.
+A combination (shift elements engaged in a gear) is usable if its ratio reaches a target (a wanted
+ratio). The search branches on the target with the fewest combinations: an element set must contain
+one of them. If the set still lacks a gear for another target, a combination for that target is
+added, as long as the number of elements permits.
 """
 
 from __future__ import annotations
@@ -20,37 +21,39 @@ from vstatics.synthesis.boxes.search.shifts import shifts_singly
 
 @shared
 class PortGears(NamedTuple):
-    """Gears of a scheme for a choice of input and output."""
+    """Gears of a scheme with a given input and output."""
 
     input: int
     output: int
     elements: int
-    """Available shift elements, as bits."""
+    """Possible shift elements, as bits."""
     ratio_of: Integers
-    """Index of the ratio of each combination, negative without a ratio, shape (combinations,)."""
+    """Index of the ratio of each combination; negative without a ratio, shape (combinations,)."""
     reach: Integers
-    """Targets that each ratio reaches, as bits; 0 after the last; shape (combinations,)."""
+    """Targets that each ratio reaches, as bits; 0 after the last ratio; shape (combinations,)."""
     useful: Integers
-    """Numbers of the combinations that have a ratio, filled up with -1, shape (combinations,)."""
+    """Indices of the combinations that have a ratio, then -1, shape (combinations,)."""
     brakes: int
-    """Allowed numbers of brakes in a set, as bits."""
+    """Permitted numbers of brakes in an element set, as bits."""
     shifts: Integers
-    """Pairs of neighbouring targets between which a single shift is required, shape (shifts, 2)."""
+    """Pairs of targets that must differ by a single shift, shape (shifts, 2)."""
     loaded: Integers
-    """Elements in use in each combination, as bits: all elements, or only elements with torque;
-    shape (combinations,)."""
+    """Shift elements that count as used in each combination, as bits: all, or those with torque,
+    shape (combinations,).
+    """
     shafts: Integers
-    """Elements at each shaft that is neither a port nor part of a gear set, as bits, shape
-    (shafts,)."""
+    """Shift elements at each shaft that is neither input, output nor in a gear set, as bits,
+    (shafts,).
+    """
     retained: int
-    """Elements of the given box that a set must partly retain, as bits."""
+    """Shift elements of an existing gearbox, some of which must be retained, as bits."""
     least_kept: int
-    """Smallest number of retained elements."""
+    """Smallest number of the elements in `retained` in an element set."""
 
 
 @compiled_part
 def begun(table: Combinations, port: PortGears, room: SetRoom) -> bool:
-    """List the usable combinations and choose the first branch; return False if no set exists."""
+    """List the usable combinations and choose the first branch; return False without a set."""
     if not _list_gears(table, port, room):
         return False
     room.sets[0] = 0
@@ -62,25 +65,26 @@ def begun(table: Combinations, port: PortGears, room: SetRoom) -> bool:
 
 @compiled
 def some_sets(table: Combinations, port: PortGears, room: SetRoom, most: int) -> tuple[int, float]:
-    """List the sets of shift elements whose combinations can provide every target, or a sample.
+    """List the element sets whose combinations can reach all targets, or a sample of them.
 
-    A sample consists of the sets that contain a sample of the first combinations.
+    The sample consists of the element sets that contain one of a sample of the first combinations.
 
     Parameters
     ----------
     table : Combinations
     port : PortGears
-        Gears with their ratios.
+        Gears with the targets that their ratios reach.
     room : SetRoom
-        Prepared by `begun`; `listed` receives the sets, `steps` limits the number of attempts.
+        Work arrays prepared by `begun`; `listed` receives the sets, `steps` limits the attempts.
     most : int
-        Approximate number of combinations, evenly spaced; all combinations if there are fewer
-        than twice as many. With `NO_END` all sets are listed.
+        Approximate number of first combinations in the sample, evenly spaced; all of them if there
+        are fewer than twice as many. With `NO_END` all sets are listed.
 
     Returns
     -------
     int, float
-        Number of sets, or -1 if there is not enough room; share of the combinations in the sample.
+        Number of sets, or -1 if `listed` is too small; share of the first combinations in the
+        sample.
     """
     if room.branches[0] == ONE or most == NO_END:
         return sets_after(table, port, room, 0, NO_END), 1.0
@@ -98,10 +102,10 @@ def some_sets(table: Combinations, port: PortGears, room: SetRoom, most: int) ->
 
 @compiled_part
 def sets_after(table: Combinations, port: PortGears, room: SetRoom, count: int, last: int) -> int:
-    """List further sets, up to the combination number `last`; return the number of sets.
+    """List further element sets, up to first combination `last`; return the number of sets.
 
-    The list is incomplete if the allowed number of steps is exhausted. `count` sets are already
-    listed; -1 is returned if there is not enough room.
+    `count` sets are already listed. The list is incomplete if the permitted number of steps is
+    exhausted. The result is -1 if `listed` is too small.
     """
     size, depth = len(room.chosen), 0
     while depth >= 0 and room.steps[0] < room.steps[1]:
@@ -181,7 +185,7 @@ def _find_commonest(port: PortGears, room: SetRoom) -> None:
 
 @compiled_part
 def _note_last(table: Combinations, targets: int, which: int, room: SetRoom) -> None:
-    """Record each element of a combination as a possible last element of a set."""
+    """Record each element of a combination as an element that could complete an element set."""
     for place in range(table.members.shape[1]):
         bit, others = 1 << table.members[which, place], table.rests[which, place]
         for target in range(len(room.lengths)):
@@ -204,9 +208,9 @@ def _find_members(room: SetRoom, depth: int) -> int:
 
 @compiled_part
 def _may_have(table: Combinations, port: PortGears, room: SetRoom, members: int) -> bool:
-    """Return whether a partial set can still satisfy the limits on elements.
+    """Return whether a partial element set can still satisfy the limits on shift elements.
 
-    The limits are on the number of brakes, on elements per shaft and on retained elements.
+    There are limits on the number of brakes, on elements at each shaft, and on retained elements.
     """
     brakes = chosen = 0
     for place in range(members):
@@ -232,9 +236,10 @@ def _count(bits: int) -> int:
 
 @compiled_part
 def _held(table: Combinations, port: PortGears, room: SetRoom, members: int) -> int:
-    """Return the targets that the chosen elements reach, as bits.
+    """Return the targets that combinations of the chosen elements reach, as bits.
 
-    `lacking` receives the number of ratios still missing, without the commonest ratio.
+    `lacking` receives the number of different ratios that are still missing, not counting the
+    commonest ratio.
     """
     held, lacking = 0, len(room.lengths) - 1
     room.held[0] += 1
@@ -251,9 +256,9 @@ def _held(table: Combinations, port: PortGears, room: SetRoom, members: int) -> 
 
 @compiled_part
 def find_ratios(table: Combinations, port: PortGears, room: SetRoom) -> int:
-    """Find the different ratios of the chosen elements; return the number of ratios.
+    """Find the different ratios that combinations of the chosen elements have; return their number.
 
-    `held` receives the elements that at least one gear uses.
+    `held` receives the elements that at least one of the combinations uses.
     """
     count = used = 0
     room.held[0] += 1

@@ -1,8 +1,8 @@
-"""Brakes and clutches of a scheme, their combinations, and the link speeds with each engaged.
+"""Combinations of engaged brakes and clutches of a scheme, and the link speeds with each.
 
-Speeds are polynomials of the gear-set ratios. Each engaged element is a covector on the free
-speeds. The vector of speeds that satisfies all of them consists of minors: it is the generalised
-cross product of the rows, which are one fewer than the free speeds.
+Each engaged shift element is a linear equation of the free speeds, with one equation less than free
+speeds. The solution is the generalised cross product of the rows of the equations, so it consists
+of minors, which are polynomials of the gear-set ratios.
 """
 
 from __future__ import annotations
@@ -21,32 +21,36 @@ from vstatics.synthesis.boxes.box import HELD
 
 @shared
 class Combinations(NamedTuple):
-    """Combinations of simultaneously engaged shift elements, from which sets are formed.
+    """Combinations of simultaneously engaged shift elements, from which element sets are formed.
 
-    Combinations are ordered by their last element, then the second last, and so on, so the number
-    of a combination is a sum of binomials. Combinations of places in a set have the same order.
+    Combinations are ordered by their last element, then the second last, and so on, so the index of
+    a combination is a sum of binomial coefficients. Combinations of places within an element set
+    are ordered in the same way.
     """
 
     ends: Integers
-    """Two links that each element connects, negative for the housing, shape (elements, 2)."""
+    """Two links of each shift element; negative for the housing, shape (elements, 2)."""
     members: Integers
-    """Elements of each combination, ascending, shape (combinations, engaged)."""
+    """Shift elements of each combination, ascending, shape (combinations, engaged)."""
     masks: Integers
-    """Elements of each combination, as bits, shape (combinations,)."""
+    """Shift elements of each combination, as bits, shape (combinations,)."""
     rests: Integers
-    """Number of the smaller combination that remains without each member, shape (combinations,
-    engaged)."""
+    """Index of the smaller combination that remains without each member, shape (combinations,
+    engaged).
+    """
     ranks: Integers
-    """Binomials of an element and a place counted from 1, shape (elements, engaged + 1)."""
+    """Binomial coefficient of an element and a place, counted from 1, shape (elements, engaged +
+    1).
+    """
     places: Integers
-    """Combinations of the places in a set, shape (combinations of a set, engaged)."""
+    """Combinations of places in an element set, shape (combinations of a set, engaged)."""
     starts: Integers
-    """Number of combinations that only use places before a place, shape (size + 1,)."""
+    """Number of combinations that only use places before each place, shape (size + 1,)."""
 
 
 @cache
 def combinations_table(links: int, engaged: int, size: int) -> Combinations:
-    """Return all brakes and clutches of moving links, and all combinations."""
+    """Return all combinations of brakes and clutches of moving links, and their tables."""
     ends = [(link, HELD) for link in range(links)] + list(combinations(range(links), 2))
     members = _ascending(len(ends), engaged)
     masks = [sum(1 << element for element in row) for row in members]
@@ -66,18 +70,18 @@ def combinations_table(links: int, engaged: int, size: int) -> Combinations:
 
 
 def integers(*shape: int) -> Integers:
-    """Return zeros of type int64."""
+    """Return an array of zeros of type int64."""
     return np.zeros(shape, np.int64)
 
 
 def _ascending(number: int, size: int) -> list[tuple[int, ...]]:
-    """Return all choices of `size` numbers, ordered by the last, then the second last."""
+    """Return all ascending choices of `size` numbers, ordered by the last, then the second last."""
     return sorted(combinations(range(number), size), key=lambda choice: choice[::-1])
 
 
 @compiled_part
 def number_of(table: Combinations, chosen: Integers, subset: int) -> int:
-    """Return the number of a combination of places in a set with ascending elements."""
+    """Return the index of the combination at some places of an element set, given its elements."""
     number = 0
     for place in range(table.places.shape[1]):
         number += table.ranks[chosen[table.places[subset, place]], place + 1]
@@ -86,26 +90,27 @@ def number_of(table: Combinations, chosen: Integers, subset: int) -> int:
 
 @shared
 class GearSpeeds(NamedTuple):
-    """Link speeds in the gears of a scheme; equal speeds of several gears are stored once."""
+    """Link speeds of a scheme with each combination; equal speeds are stored only once."""
 
     speeds: Floats
-    """Polynomials of the ratios at the corners of the bounds, then at a point within; shape
-    (speeds, links, points)."""
+    """Link speeds as polynomials of the ratios, at the corners of the bounds and a point within,
+    shape (speeds, links, points). [-]
+    """
     way: Integers
-    """Index of the speeds of each combination of elements, shape (combinations,)."""
+    """Index in `speeds` of the link speeds with each combination, shape (combinations,)."""
 
 
 @compiled_part
 def cross_product(rows: Floats, minors: Floats, product: Floats) -> None:
-    """Calculate the vector orthogonal to n rows of n + 1 numbers, from minors of the rows.
+    """Calculate the vector that is orthogonal to n rows of n + 1 numbers, from their minors.
 
     Parameters
     ----------
     rows : array, shape (n, n + 1)
     minors : array, shape (2**(n + 1),)
-        Work array: minors of the columns given by the bits of the index.
+        Work array: the minor of the columns that are the bits of the index.
     product : array, shape (n + 1,)
-        Receives the result.
+        Receives the orthogonal vector.
 
     Examples
     --------
@@ -138,14 +143,14 @@ def cross_product(rows: Floats, minors: Floats, product: Floats) -> None:
 
 @shared
 class SpeedRoom(NamedTuple):
-    """Work arrays for the speeds of links with f free speeds."""
+    """Work arrays for link speeds with f free speeds."""
 
     rows: Floats
-    """Covector of each engaged element, shape (f - 1, f)."""
+    """Coefficients of the equation of each engaged element, shape (f - 1, f)."""
     minors: Floats
     """Minors of `rows`, see `cross_product`, shape (2**f,)."""
     vector: Floats
-    """Free speeds, shape (f,)."""
+    """Free speeds that satisfy the equations, shape (f,)."""
 
 
 def speed_room(free: int) -> SpeedRoom:
@@ -157,19 +162,19 @@ def speed_room(free: int) -> SpeedRoom:
 def gear_speeds(
     speeds: Floats, ends: Integers, members: Integers, room: SpeedRoom, polynomials: Floats
 ) -> None:
-    """Calculate the speeds of all links with each combination of elements engaged.
+    """Calculate the speeds of all links with each combination of shift elements engaged.
 
     Parameters
     ----------
     speeds : array
-        Speeds of `SpeedBases`.
+        Possible speeds of the links; see `SpeedBases.speeds`.
     ends : array, shape (elements, 2)
-        Rows of speeds that an element connects, negative for the housing.
+        Links (rows of `speeds`) that each element connects; negative for the housing.
     members : array, shape (combinations, engaged)
         Elements of each combination.
     room : SpeedRoom
     polynomials : array, shape (combinations, links, points)
-        Receives the speeds without their factors; zeros where they remain undetermined.
+        Receives the speeds, not divided by the factors of `SpeedBases`; zeros if undetermined.
     """
     points, links, free = speeds.shape
     for point in range(points):

@@ -1,8 +1,9 @@
-"""Choose the shift elements that join a partial set, until the set has gears for all targets.
+"""Choice of the next shift elements to join a partial element set, until it reaches all targets.
 
-The search branches on the missing target with the fewest combinations, and adds one of them. A
-combination is only added if no earlier combination of the list is already in the set, so no set is
-met twice. The last element is found by bit operations for all targets at once.
+The search branches on the missing target with the fewest combinations (elements engaged in a gear),
+and adds one of these. A combination is only added if the set contains no earlier combination of the
+list, so that no set is found twice. The last element is found by bit operations for all targets at
+once.
 """
 
 from __future__ import annotations
@@ -17,66 +18,73 @@ from vstatics.synthesis.boxes.search.engaged import Combinations, integers
 from vstatics.synthesis.boxes.search.matching import MatchRoom, match_room
 
 ONE = -1
-"""Branch that adds a single element: all targets are reached, or a single place is left."""
+"""Branch that adds a single element: all targets are reached, or only one place is left."""
 NO_END = 2**62
 """Limit of the number of attempts that is never reached."""
 
 
 @shared
 class SetRoom(NamedTuple):
-    """Work arrays for the search of element sets; a depth is the number of additions so far."""
+    """Work arrays of the search for element sets; the depth is the number of additions."""
 
     lists: Integers
-    """Combinations that reach each target, as bits of elements, shape (targets,
-    combinations)."""
+    """Shift elements of the combinations that reach each target, as bits, (targets, combinations).
+    """
     lengths: Integers
     """Number of combinations that reach each target, shape (targets,)."""
     rows: Integers
-    """Elements that complete a combination of all other members (a rest) to a combination that
-    reaches a target, as bits, shape (rests, targets)."""
+    """Elements that complete a rest (a combination without one of its elements) to a combination
+    that reaches a target, as bits, shape (rests, targets).
+    """
     often: Integers
     """Number of combinations with each ratio, shape (ratios,)."""
     seldom: Integers
-    """Elements that complete a rest to a combination with an uncommon ratio, as bits, shape
-    (rests,)."""
+    """Elements that complete a rest (a combination without one of its elements) to a combination
+    with another ratio than the commonest, as bits, shape (rests,).
+    """
     levels: Integers
-    """Elements that add at least as many uncommon ratios as the row number, as bits, shape
-    (targets + 1,)."""
+    """Elements that add at least as many ratios, other than the commonest, as the row number, as
+    bits, shape (targets + 1,).
+    """
     able: Integers
-    """Elements that form, with some chosen elements, a combination for each target, as bits, shape
-    (targets,)."""
+    """Elements that, with some chosen elements, form a combination for each target, as bits, shape
+    (targets,).
+    """
     sets: Integers
-    """Elements of the partial set at each depth, as bits, shape (depths,)."""
+    """Shift elements of the partial set at each depth, as bits, shape (depths,)."""
     branches: Integers
-    """Target whose combination joins at a depth, or `ONE`, shape (depths,)."""
+    """Target for which a combination is added at each depth, or `ONE`, shape (depths,)."""
     tried: Integers
-    """Number of combinations already tried, or bits of elements not yet tried, shape (depths,)."""
+    """Number of combinations tried at each depth, or bits of elements not yet tried, shape
+    (depths,).
+    """
     lacking: Integers
-    """Number of ratios still missing apart from the commonest, shape (1,)."""
+    """Number of different ratios still missing, not counting the commonest ratio, shape (1,)."""
     chosen: Integers
-    """Elements of the partial set as ascending numbers, shape (size,)."""
+    """Shift elements of the partial set, as ascending indices, shape (size,)."""
     held: Integers
-    """Number of evaluated sets; elements in use in the gears of the last set, as bits."""
+    """Number of evaluated sets, and elements used in the gears of the last set, as bits, shape
+    (2,).
+    """
     commonest: Integers
-    """Ratio of the largest number of combinations, shape (1,)."""
+    """Index of the ratio that most combinations have, shape (1,)."""
     ratios: Integers
-    """Different ratios of the chosen elements, shape (combinations of a set,)."""
+    """Indices of the different ratios of the chosen elements, shape (combinations of a set,)."""
     reach: Integers
-    """Targets of each ratio, as bits, shape (combinations of a set,)."""
+    """Targets that each of these ratios reaches, as bits, shape (combinations of a set,)."""
     targets: Integers
-    """Targets that the combinations of a set reach, as bits, shape (combinations of a set,)."""
+    """Targets that each combination of a set reaches, as bits, shape (combinations of a set,)."""
     seen: Integers
-    """Number of the last evaluated set that contained each ratio, shape (ratios,)."""
+    """Number of the last evaluated set in which each ratio occurred, shape (ratios,)."""
     match: MatchRoom
     steps: Integers
-    """Number of attempts to join, and the limit; shape (2,)."""
+    """Number of attempts to add elements, and the limit, shape (2,)."""
     listed: Integers
-    """Shift elements of each complete set that was found, shape (largest number of sets, elements
-    of a set)."""
+    """Shift elements of each complete element set, shape (largest number of sets, size)."""
 
 
 def set_room(table: Combinations, targets: int, most: int) -> SetRoom:
-    """Return work arrays for the search of at most `most` sets of elements."""
+    """Return work arrays for the search of at most `most` element sets."""
     size, of_set = len(table.starts) - 1, len(table.places)
     rests = int(table.rests.max()) + 1
 
@@ -107,18 +115,18 @@ def set_room(table: Combinations, targets: int, most: int) -> SetRoom:
 
 @compiled_part
 def choose(table: Combinations, room: SetRoom, depth: int, held: int, there: int) -> None:
-    """Choose the branch at a depth: a target, or the single elements to add.
+    """Choose the branch at a depth: a target whose combinations are added, or single elements.
 
     Parameters
     ----------
     table : Combinations
     room : SetRoom
-        `chosen` contains the elements of the partial set.
+        Work arrays; `chosen` contains the elements of the partial set.
     depth : int
     held : int
         Targets that these elements reach, as bits.
     there : int
-        All available elements, as bits.
+        All possible shift elements, as bits.
     """
     left = room_left(room, depth)
     members = len(room.chosen) - left
@@ -153,16 +161,17 @@ def _ways_to_join(room: SetRoom, before: int, target: int, left: int, most: int)
 
 @compiled_part
 def _last_elements(table: Combinations, room: SetRoom, members: int, there: int, held: int) -> int:
-    """Return the elements that complete a set, as bits: all targets reached, with enough ratios.
+    """Return the elements that complete a set, as bits, with all targets and enough ratios.
 
-    Most combinations lock up the gearbox, and share a ratio; often too few other ratios remain.
+    Most combinations lock up the gearbox and have a common ratio, so that often too few different
+    ratios remain.
     """
     engaged, targets, lacking = table.places.shape[1], len(room.lengths), room.lacking[0]
     fill(room.able, 0)
     fill(room.levels, 0)
     room.levels[0] = there
     for subset in range(table.starts[members], table.starts[members + 1]):
-        # These combinations of places end with the new element, so only the others are given.
+        # The new element is the last of these combinations, so only the others are looked up.
         others = 0
         for place in range(engaged - 1):
             others += table.ranks[room.chosen[table.places[subset, place]], place + 1]
@@ -179,7 +188,7 @@ def _last_elements(table: Combinations, room: SetRoom, members: int, there: int,
 
 @compiled_part
 def join(room: SetRoom, depth: int) -> bool:
-    """Extend the set of a depth by the next candidate; return whether there is a candidate."""
+    """Extend the partial set at a depth by the next candidate; return False without one."""
     before, target = room.sets[depth], room.branches[depth]
     if target == ONE:
         while room.tried[depth]:
@@ -204,7 +213,7 @@ def join(room: SetRoom, depth: int) -> bool:
 
 @compiled_part
 def _is_first(room: SetRoom, depth: int, joined: int) -> bool:
-    """Return whether the set contains no candidate that was tried earlier at any depth."""
+    """Return whether the set contains no candidate that was tried earlier, at any depth."""
     for place in range(depth + 1):
         target = room.branches[place]
         if target != ONE:
@@ -218,7 +227,7 @@ def _is_first(room: SetRoom, depth: int, joined: int) -> bool:
 
 @compiled_part
 def room_left(room: SetRoom, depth: int) -> int:
-    """Return the number of elements that can still join a set."""
+    """Return the number of elements that can still be added to the partial set."""
     left = len(room.chosen)
     bits = room.sets[depth]
     while bits:

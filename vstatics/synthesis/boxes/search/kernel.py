@@ -1,4 +1,4 @@
-"""Compiled search for the gearboxes of a scheme, from speeds in each gear to fitted ratios."""
+"""Compiled search for the gearboxes of a scheme, from link speeds to fitted gear-set ratios."""
 
 from __future__ import annotations
 
@@ -20,40 +20,44 @@ from vstatics.synthesis.tolerances import NO_BOX_SPEED, SAME_BOX_RATIO
 
 @shared
 class PortRoom(NamedTuple):
-    """Work arrays for the gears of a choice of ports and their sets of shift elements."""
+    """Work arrays for the gears with a given input and output, and for their element sets."""
 
     sets: SetRoom
     lines: Floats
-    """Weights of the corners on lines along each ratio, see `lines`, shape (corners, sets)."""
+    """Weights of the corners on lines along each gear-set ratio, see `lines`, shape (corners,
+    sets). [-]
+    """
     ratios: Floats
-    """Numerators and denominators of all different ratios, shape (speeds, 2,
-    corners)."""
+    """Numerators and denominators of all different gear ratios, shape (speeds, 2, corners). [-]"""
     within: Floats
-    """All different ratios, each at the point within the bounds, shape (speeds,). [-]"""
+    """All different gear ratios at a point within the bounds, shape (speeds,). [-]"""
     kinds: Integers
-    """Number of the ratio of each row of speeds, negative without a ratio, shape (speeds,)."""
+    """Index of the gear ratio for each row of link speeds; negative without a ratio, shape
+    (speeds,).
+    """
     parts: Floats
-    """Numerators and denominators of the ratios of a set, shape (combinations of a set, 2,
-    corners)."""
+    """Numerators and denominators of the gear ratios of an element set, shape (combinations of a
+    set, 2, corners). [-]
+    """
 
 
 @shared
 class FoundRoom(NamedTuple):
-    """Arrays for the gearboxes of a choice of ports; `SetRoom.listed` contains their elements."""
+    """Gearboxes found between two ports; `SetRoom.listed` contains their shift elements."""
 
     lengths: Integers
-    """Number of gears in addition to the targets, shape (most,)."""
+    """Number of gears of each gearbox in addition to the targets, shape (most,)."""
     gears: Integers
-    """Combination of places in each gear, shape (most, gears)."""
+    """Index of the combination of places engaged in each gear, shape (most, gears)."""
     logs: Floats
-    """Logarithms of ring teeth/sun teeth, shape (most, sets). [-]"""
+    """Logarithms of ring teeth divided by sun teeth, shape (most, sets). [-]"""
     errors: Floats
-    """Largest |ln(i/target)|, shape (most,). [-]"""
+    """Largest deviation |ln(i/target)| of each gearbox, shape (most,). [-]"""
 
 
 @shared
 class Room(NamedTuple):
-    """Work arrays for the gearboxes of a choice of ports."""
+    """Work arrays for finding the gearboxes with a given input and output."""
 
     ports: PortRoom
     cells: CellRoom
@@ -62,7 +66,7 @@ class Room(NamedTuple):
 
 @shared
 class RoomOfSequences(NamedTuple):
-    """Work arrays for the gearboxes with a sequence of gears of a choice of ports."""
+    """Work arrays for finding gearboxes with a sequence of gears between two ports."""
 
     ports: PortRoom
     cells: SequenceRoom
@@ -70,12 +74,12 @@ class RoomOfSequences(NamedTuple):
 
 
 class SetSample(NamedTuple):
-    """Size of a sample."""
+    """Size of a sample of element sets."""
 
     there: int
-    """Number of sets from which the sample is drawn."""
+    """Number of element sets from which the sample is drawn."""
     most: int
-    """Approximate size of the sample; all sets if there are fewer than twice as many."""
+    """Approximate size of the sample; all element sets if there are fewer than twice as many."""
 
 
 def boxes_in(
@@ -85,13 +89,13 @@ def boxes_in(
     room: Room | RoomOfSequences,
     sample: SetSample,
 ) -> tuple[int, int, int]:
-    """Find the gearboxes in a sample of the listed sets, within the limit of `steps`.
+    """Find the gearboxes in a sample of the listed element sets, within the limit of `steps`.
 
     Parameters
     ----------
     table : Combinations
     port : PortGears
-        Gears with their ratios.
+        Gears with the targets that their ratios reach.
     asked : Asked
     room : Room or RoomOfSequences
     sample : SetSample
@@ -99,7 +103,7 @@ def boxes_in(
     Returns
     -------
     int, int, int
-        Number of gearboxes; number of examined sets; number of sets that were given up.
+        Numbers of gearboxes, of examined element sets, and of element sets that were given up.
     """
     if isinstance(room, Room):
         return _boxes_in(table, port, asked, room, sample)
@@ -160,7 +164,7 @@ def _sequences_in(
 def find_gears(
     table: Combinations, gears: GearSpeeds, port: PortGears, asked: Asked, room: PortRoom
 ) -> bool:
-    """Find the ratios with a choice of ports, and the combinations that have a ratio.
+    """Find the gear ratios with a given input and output, and the combinations with a ratio.
 
     Parameters
     ----------
@@ -174,7 +178,7 @@ def find_gears(
     Returns
     -------
     bool
-        Whether sets of shift elements may exist that have all gears; `some_sets` lists them.
+        False if no element set can reach all targets; `some_sets` lists element sets.
     """
     _find_ratios_of_ports(gears.speeds, port, asked, room)
     way = gears.way
@@ -195,7 +199,7 @@ def find_gears(
 
 @compiled_part
 def _find_ratios_of_ports(speeds: Floats, port: PortGears, asked: Asked, room: PortRoom) -> None:
-    """Find the different ratios that reach a target within the bounds."""
+    """Find the different gear ratios that reach a target within the bounds of gear-set ratios."""
     corners = speeds.shape[2] - 1
     count = 0
     for which in range(len(speeds)):
@@ -222,16 +226,16 @@ def _find_ratios_of_ports(speeds: Floats, port: PortGears, asked: Asked, room: P
 
 @compiled_part
 def _loaded(table: Combinations, gears: GearSpeeds, port: PortGears, which: int) -> int:
-    """Return the elements of a combination that carry torque, as bits.
+    """Return the shift elements of a combination that carry torque, as bits.
 
-    An element without torque can be released without changing the ratio: if the input is held
-    instead of the element, the output is at rest.
+    An element without torque can be released without changing the ratio: if it is released and the
+    input is held instead, the output is still at rest.
     """
     corners = gears.speeds.shape[2] - 1
     loaded = 0
     for place in range(table.members.shape[1]):
         number = 0
-        after = 1  # place of the next member; the brake of the input counts as a member
+        after = 1  # index of the next member; the brake that holds the input counts as a member
         brake = port.input
         for other in range(table.members.shape[1]):
             member = table.members[which, other]
@@ -257,9 +261,9 @@ def _find_different(
     room: PortRoom,
     of_places: tuple[Integers, Integers],
 ) -> int:
-    """Find the different ratios of a set, and the elements in use; return the number of ratios.
+    """Find the different gear ratios of an element set; return their number.
 
-    `of_places` receives the number of the ratio of each combination of places, and the places that
+    `of_places` receives the index of the ratio of each combination of places, and the places that
     it uses, as bits.
     """
     ratio_of, used = of_places

@@ -1,4 +1,4 @@
-"""Matching of targets and ratios in a bipartite graph, so that each target has its own ratio."""
+"""Matching of targets and gear ratios in a bipartite graph, one ratio for each target."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ from vstatics.core.numerics.compiled import compiled_part, fill, shared
 
 @shared
 class MatchRoom(NamedTuple):
-    """Work arrays for matchings, each of shape (targets,)."""
+    """Work arrays for matchings of targets and gear ratios, each of shape (targets,)."""
 
     chosen: Integers
-    """Number of the ratio that is assigned to each target."""
+    """Index of the gear ratio that is assigned to each target."""
     came_from: Integers
     """Previous target on an augmenting path."""
     line: Integers
     """Queue of targets still to be explored."""
     after: Integers
-    """Targets that can pass a ratio on to this target along a path, as bits."""
+    """Targets that can pass on their ratio to this target along a path, as bits."""
 
 
 def match_room(targets: int) -> MatchRoom:
@@ -31,14 +31,14 @@ def match_room(targets: int) -> MatchRoom:
 
 @compiled_part
 def matched(reach: Integers, count: int, room: MatchRoom) -> bool:
-    """Return whether each target can have a separate ratio; store a matching in `chosen`.
+    """Return whether each target can have its own gear ratio; store a matching in `chosen`.
 
     Parameters
     ----------
     reach : array, shape (ratios,)
-        Targets that each ratio reaches, as bits.
+        Targets that each gear ratio reaches, as bits.
     count : int
-        Number of ratios to use, from the start of `reach`.
+        Number of gear ratios to use, from the start of `reach`.
     room : MatchRoom
 
     Examples
@@ -60,7 +60,7 @@ def matched(reach: Integers, count: int, room: MatchRoom) -> bool:
 
 @compiled_part
 def _placed(reach: Integers, ratio: int, room: MatchRoom) -> bool:
-    """Assign a target to a ratio along a shortest augmenting path, if possible."""
+    """Assign a target to a gear ratio along a shortest augmenting path, if possible."""
     chosen, came_from, line = room.chosen, room.came_from, room.line
     seen = reach[ratio]
     first = last = 0
@@ -91,7 +91,7 @@ def _placed(reach: Integers, ratio: int, room: MatchRoom) -> bool:
 
 @compiled_part
 def is_assigned(reach: Integers, count: int, room: MatchRoom) -> bool:
-    """Remove from each ratio the targets that no complete matching assigns to it.
+    """Remove from each gear ratio the targets that no complete matching assigns to it.
 
     An assignment is in some complete matching if the target that loses its ratio can take another
     ratio, and so on, up to a free ratio or around a cycle (Regin's filter for all-different, AAAI
@@ -105,11 +105,11 @@ def is_assigned(reach: Integers, count: int, room: MatchRoom) -> bool:
     Returns
     -------
     bool
-        Whether each target can have a separate ratio.
+        Whether each target can have its own gear ratio.
 
     Examples
     --------
-    The first ratio can only have target 0, so the other ratios lose it:
+    The first ratio can only meet target 0, which is therefore removed from the other ratios:
 
     >>> reach = np.array([1, 3, 7])
     >>> bool(is_assigned(reach, 3, match_room(3))), reach.tolist()
@@ -139,7 +139,7 @@ def is_assigned(reach: Integers, count: int, room: MatchRoom) -> bool:
 
 @compiled_part
 def _free(reach: Integers, count: int, room: MatchRoom) -> int:
-    """Return the targets that some unassigned ratio can have, as bits."""
+    """Return the targets that some unassigned gear ratio can meet, as bits."""
     targets = 0
     for ratio in range(count):
         is_free = True

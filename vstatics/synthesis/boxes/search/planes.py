@@ -1,9 +1,9 @@
-"""Reduce a cell by all gears together, by enclosing their equations between planes.
+"""Reduction of a cell of gear-set ratios by all targets together, with planes as bounds.
 
-A gear meets its target where a polynomial that is linear in each gear-set ratio is near 0. The
-corners of the cell bound the distance of this polynomial from a plane. The ratios therefore solve
-a system of linear equations, each within a known width. Least squares give a part of the cell that
-contains all solutions, or prove that there is no solution.
+A gear meets its target (a wanted ratio) where a polynomial that is linear in each gear-set ratio is
+near 0. The values at the corners of the cell bound the distance of the polynomial from a plane. So
+the gear-set ratios solve a system of linear equations, each within a known width. Least squares
+give a part of the cell that contains all solutions, or prove that no solution exists.
 """
 
 from __future__ import annotations
@@ -24,20 +24,21 @@ class PlaneRoom(NamedTuple):
     """Work arrays for planes; a cell extends from -1 to 1 along each gear-set ratio."""
 
     only_ratios: Integers
-    """Number of the only ratio that can meet each target, negative for several, (targets,)."""
+    """Index of the only gear ratio that can meet each target; negative for several, (targets,)."""
     values: Floats
-    """Values of a polynomial at the corners, shape (corners,)."""
+    """Values of a polynomial at the corners, shape (corners,). [-]"""
     planes: Floats
-    """Planes divided by their widths: slope along each ratio, then the value in the middle of the
-    cell, shape (targets, sets + 1)."""
+    """Planes divided by their widths: slope along each gear-set ratio, then the value in the middle
+    of the cell, shape (targets, sets + 1).
+    """
     system: Floats
-    """Normal equations and inverse, shape (sets, 2 sets)."""
+    """Normal equations and their inverse, shape (sets, 2 sets)."""
     solving: Floats
-    """Pseudoinverse: from the planes to the gear-set ratios, shape (sets, targets)."""
+    """Pseudoinverse, which converts planes to gear-set ratios, shape (sets, targets)."""
     middle: Floats
-    """Least-squares solution, shape (sets,)."""
+    """Least-squares solution of the gear-set ratios, shape (sets,)."""
     errors: Floats
-    """Distance of each plane from the solution, divided by the width, shape (targets,)."""
+    """Distance of each plane from the solution, divided by the plane's width, shape (targets,)."""
 
 
 def plane_room(targets: int, sets: int) -> PlaneRoom:
@@ -55,18 +56,18 @@ def plane_room(targets: int, sets: int) -> PlaneRoom:
 
 @compiled_part
 def planes_leave(parts: Floats, least: Floats, most: Floats, room: PlaneRoom, left: Floats) -> bool:
-    """Cut off the parts of a cell in which targets with a single possible ratio cannot be met.
+    """Cut off parts of a cell in which targets with a single possible gear ratio are missed.
 
     Parameters
     ----------
     parts : array, shape (ratios, 2, corners)
-        Numerators and denominators at the corners of the cell.
+        Numerators and denominators of the gear ratios at the corners of the cell.
     least, most : array, shape (targets,)
-        Range in which a target is met. [-]
+        Range of gear ratios that meet each target. [-]
     room : PlaneRoom
-        `only_ratios` contains the ratios.
+        Work arrays; `only_ratios` contains the gear ratio of each target.
     left : array, shape (sets, 2)
-        Shares of the cell, reduced in place.
+        Start and end along each gear-set ratio, in shares of the cell; reduced in place.
 
     Returns
     -------
@@ -75,7 +76,8 @@ def planes_leave(parts: Floats, least: Floats, most: Floats, room: PlaneRoom, le
 
     Examples
     --------
-    With p from 1 to 3, 1 + p = 3 and 1 + 2 p = 5 have a common solution, 3 and 6 have not:
+    For p from 1 to 3, 1 + p = 3 and 1 + 2 p = 5 have a common solution; 1 + p = 3 and 1 + 2 p = 6
+    do not:
 
     >>> parts = np.array([[[2.0, 4.0], [1.0, 1.0]], [[3.0, 7.0], [1.0, 1.0]]])
     >>> room, left = plane_room(2, 1), np.array([[0.0, 1.0]])
@@ -107,7 +109,7 @@ def _narrow(planes: Floats, room: PlaneRoom, left: Floats) -> bool:
         for row in range(count):
             middle -= solving[row] * planes[row, sets]
             apart += abs(solving[row])
-        for other in range(sets):  # the part that the planes leave undetermined
+        for other in range(sets):  # the part of the ratio that the planes leave undetermined
             total = 1.0 if other == number else 0.0
             for row in range(count):
                 total -= solving[row] * planes[row, other]
@@ -122,10 +124,10 @@ def _narrow(planes: Floats, room: PlaneRoom, left: Floats) -> bool:
 
 @compiled_part
 def _may_meet(planes: Floats, room: PlaneRoom) -> bool:
-    """Return whether the planes can have a point in common within the widths.
+    """Return whether the planes can have a common point within their widths.
 
-    They cannot if their weighted errors add up to more than their weighted widths (Farkas' lemma,
-    with the least-squares errors as weights).
+    A common point is impossible if the weighted errors of the planes exceed their weighted widths
+    (Farkas' lemma, with the least-squares errors as weights).
     """
     count, sets = len(planes), len(room.middle)
     within = apart = 0.0
@@ -146,9 +148,10 @@ def _may_meet(planes: Floats, room: PlaneRoom) -> bool:
 
 @compiled_part
 def _is_plane(part: Floats, least: float, most: float, room: PlaneRoom, row: int) -> bool:
-    """Find the plane that approximates the equation of a gear in a cell; return False without one.
+    """Find the plane that approximates a target's equation in a cell; return False without one.
 
-    The equation N/D = i is used as N - i D or D - N/i, whichever quotient has no pole in the cell.
+    The equation N/D = i is used as N - i D or D - N/i, so that the quotient has no pole in the
+    cell.
     """
     over, under = part
     if not has_one_sign(under):
@@ -204,7 +207,7 @@ def _find_system(planes: Floats, system: Floats) -> None:
 @compiled_part
 def _solve(planes: Floats, room: PlaneRoom) -> None:
     system, sets = room.system, len(room.system)
-    for pivot in range(sets):  # positive definite, so pivoting is not needed
+    for pivot in range(sets):  # the matrix is positive definite, so pivoting is not needed
         factor = 1 / system[pivot, pivot]
         for column in range(2 * sets):
             system[pivot, column] *= factor

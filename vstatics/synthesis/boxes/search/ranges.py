@@ -1,8 +1,9 @@
-"""Targets that the ratio of a gear can reach within the bounds, decided exactly from the corners.
+"""Targets that a gear ratio can reach within the bounds of the gear-set ratios.
 
-A ratio is a quotient of two polynomials, each linear in every gear-set ratio. Where the
-denominator has no zero, the quotient is monotonic along each ratio, so its extremes are at corners.
-Such a polynomial has no zero within the bounds if it has the same sign at all corners.
+The decision is exact, from values at the corners of the bounds. A gear ratio is a quotient of two
+polynomials, each linear in every gear-set ratio. Where the denominator has no zero, the quotient is
+monotonic along each gear-set ratio, so its extremes are at corners. Such a polynomial has no zero
+within the bounds if it has the same sign at all corners.
 """
 
 from __future__ import annotations
@@ -16,13 +17,13 @@ from vstatics.synthesis.tolerances import INDEPENDENT_RATIO
 
 @compiled_part
 def reached(numerator: Floats, denominator: Floats, low: Floats, high: Floats) -> int:
-    """Return the targets that the quotient reaches within the bounds, as bits.
+    """Return the targets that a quotient of polynomials reaches within the bounds, as bits.
 
     Parameters
     ----------
     numerator, denominator : array, shape (corners,)
     low, high : array, shape (targets,)
-        Range in which a target is met; both ends have the same sign. [-]
+        Range of quotients that meet each target; both ends have the same sign. [-]
 
     Examples
     --------
@@ -52,7 +53,7 @@ def has_one_sign(values: Floats) -> bool:
 
 @compiled_part
 def extremes(numerator: Floats, denominator: Floats) -> tuple[float, float]:
-    """Return the smallest and the largest quotient of numbers given at the corners of a range."""
+    """Return the smallest and largest quotient of polynomials that are given at the corners."""
     least = most = numerator[0] / denominator[0]
     for corner in range(1, len(numerator)):
         ratio = numerator[corner] / denominator[corner]
@@ -78,16 +79,15 @@ def _within(numerator: Floats, denominator: Floats, low: Floats, high: Floats, i
 def divide(above: Floats, below: Floats, within: Floats) -> None:
     """Remove a common factor of numerator and denominator, in place.
 
-    Both are linear in each ratio, so the ratios in a common factor do not appear in the cofactor,
-    and the quotient does not depend on them. They are set to the values where the factor is
-    largest.
+    Both are linear in each gear-set ratio, so the quotient does not depend on the gear-set ratios
+    in a common factor. These are set to the values at which the factor is largest.
 
     Parameters
     ----------
     above, below : array, shape (corners,)
     within : array, shape (corners, sets)
-        Weights of the corners on a line along each ratio: the corners with bit j clear give the
-        value at the lower end of ratio j, those with bit j set the value at its upper end.
+        Weights of the corners on a line along each gear-set ratio j: corners with bit j clear give
+        the value at its lower end, corners with bit j set the value at its upper end. [-]
 
     Examples
     --------
@@ -117,7 +117,7 @@ def divide(above: Floats, below: Floats, within: Floats) -> None:
 
 @compiled_part
 def _independent(above: Floats, below: Floats, within: Floats) -> int:
-    """Return the ratios that a quotient does not depend on, as bits."""
+    """Return the gear-set ratios on which a quotient does not depend, as bits."""
     corners, sets = within.shape
     independent = 0
     for number in range(sets):
@@ -139,7 +139,7 @@ def _independent(above: Floats, below: Floats, within: Floats) -> int:
 
 
 def lines(sets: int) -> Floats:
-    """Return the corner weights for `divide`, on lines through a point within the bounds.
+    """Return the weights of corners on lines through a point within the bounds, for `divide`.
 
     >>> lines(2)[:, 0]  # along the first ratio, at a fixed place of the second
     array([0.58578644, 0.58578644, 0.41421356, 0.41421356])

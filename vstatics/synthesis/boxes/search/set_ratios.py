@@ -1,9 +1,10 @@
-"""Gear-set ratios for which the gears of a box come nearest to their targets.
+"""Gear-set ratios at which the gears of a gearbox are nearest to their targets.
 
-Numerators and denominators of the gear ratios are known at the corners of the bounds and linear in
-each gear-set ratio in between, which gives their values and slopes everywhere. The method is
+Numerators and denominators of the gear ratios are known at the corners of the bounds, and are
+linear in each gear-set ratio, which gives their values and slopes everywhere. The method is
 Levenberg-Marquardt on ln(i/target)/width as a function of the logarithms of the gear-set ratios,
-with all gears within their widths. A ratio at a bound stays there while its slope points outward.
+with all gears within their widths. A gear-set ratio at a bound stays there while its slope points
+outwards.
 """
 
 from __future__ import annotations
@@ -26,61 +27,64 @@ from vstatics.synthesis.tolerances import (
 )
 
 MOST_BOX_STEPS = 60
-"""Largest number of Levenberg-Marquardt steps of a fit."""
+"""Largest number of Levenberg-Marquardt steps in a fit."""
 GIVEN_UP = 1e8
-"""Damping above which a fit ends. [-]"""
+"""Damping above which a fit is aborted. [-]"""
 PULL = 1e4
-"""Weight of the squared excess over a width, relative to a squared error. [-]"""
+"""Weight of a squared error beyond its width, relative to a squared error. [-]"""
 MOST_TURNS = 40
-"""Largest number of times that the pull on errors beyond the widths is increased."""
+"""Largest number of times that the pull on errors beyond their widths is increased."""
 FIRST_TURNS = 3
-"""Number of turns before the excess must shrink by `LESS_BEYOND` each time."""
+"""Number of turns after which errors beyond their widths must shrink by `LESS_BEYOND` each turn."""
 LESS_BEYOND = 0.9
-"""Largest quotient of successive excesses of a fit that still converges. [-]"""
+"""Largest quotient of the errors beyond their widths in successive turns. [-]"""
 
 
 @shared
 class Asked(NamedTuple):
-    """Requirements on a gearbox, as arrays."""
+    """Requirements on a gearbox as arrays."""
 
     targets: Floats
-    """Wanted ratios, shape (targets,). [-]"""
+    """Wanted ratios of the gears, shape (targets,). [-]"""
     least: Floats
-    """Lower ends of the ranges in which targets are met, shape (targets,). [-]"""
+    """Lower ends of the ranges of gear ratios that meet the targets, shape (targets,). [-]"""
     most: Floats
-    """Upper ends of the ranges, shape (targets,). [-]"""
+    """Upper ends of the ranges of gear ratios that meet the targets, shape (targets,). [-]"""
     widths: Floats
-    """Largest |ln(i/target)| of each target, shape (targets,). [-]"""
+    """Largest deviation |ln(i/target)| for each target, shape (targets,). [-]"""
     low: float
-    """Lower bound of ring teeth/sun teeth. [-]"""
+    """Lower bound of ring teeth divided by sun teeth. [-]"""
     high: float
-    """Upper bound of ring teeth/sun teeth. [-]"""
+    """Upper bound of ring teeth divided by sun teeth. [-]"""
 
 
 @shared
 class FitRoom(NamedTuple):
-    """Work arrays for a fit."""
+    """Work arrays for a fit of gear-set ratios."""
 
     logs: Floats
-    """Logarithms of ring teeth/sun teeth at the start and at the end, shape (sets,). [-]"""
+    """Logarithms of ring teeth divided by sun teeth, at the start and then the end, shape (sets,).
+    [-]
+    """
     errors: Floats
-    """Final ln(i/target)/width, shape (targets,). [-]"""
+    """Errors ln(i/target)/width at the end, shape (targets,). [-]"""
     jacobian: Floats
-    """Derivatives of the errors with respect to the logarithms, shape (targets, sets)."""
+    """Derivatives of the errors with respect to the logarithms, shape (targets, sets). [-]"""
     tried: Floats
-    """Logarithms of the next step, shape (sets,)."""
+    """Logarithms after the next step, shape (sets,). [-]"""
     trial: Floats
-    """Errors of the next step, shape (targets,)."""
+    """Errors after the next step, shape (targets,). [-]"""
     pulls: Floats
-    """Additional pull on an error beyond the width, shape (targets,)."""
+    """Additional pull on an error beyond its width, shape (targets,). [-]"""
     forces: Floats
-    """First derivatives from `_weigh_errors`, shape (targets,)."""
+    """First derivatives from `_weigh_errors`, shape (targets,). [-]"""
     weights: Floats
-    """Second derivatives from `_weigh_errors`, shape (targets,)."""
+    """Second derivatives from `_weigh_errors`, shape (targets,). [-]"""
     corner_weights: Floats
-    """Weights of the corners, with sum 1, shape (corners,)."""
+    """Weights of the corners in interpolation, with sum 1, shape (corners,). [-]"""
     slopes: Floats
-    """Derivatives of the weights with respect to the logarithms, shape (sets, corners)."""
+    """Derivatives of the corner weights with respect to the logarithms, shape (sets, corners). [-]
+    """
     system: Floats
     """Normal equations, shape (sets, sets + 1)."""
 
@@ -104,7 +108,7 @@ def fit_room(targets: int, sets: int) -> FitRoom:
 
 @compiled_part
 def fitted_within(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) -> float:
-    """Minimise the sum of squares near a point, with all gears within the widths.
+    """Minimise the sum of squares near a point, with all gear ratios within their widths.
 
     Errors beyond their widths are pulled back more strongly in each turn, as in the method of
     augmented Lagrangians. If the smallest sum of squares exceeds the number of gears, some gear is
@@ -113,21 +117,21 @@ def fitted_within(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) 
     Parameters
     ----------
     parts : array, shape (ratios, 2, corners)
-        Numerator and denominator of each ratio at the corners of the bounds.
+        Numerator and denominator of each gear ratio at the corners of the bounds.
     chosen : array, shape (targets,)
-        Number of the ratio of each target.
+        Index of the gear ratio of each target.
     asked : Asked
     room : FitRoom
-        `logs` contains the starting point and receives the solution.
+        Work arrays; `logs` contains the starting point and receives the solution.
 
     Returns
     -------
     float
-        Smallest sum of squares, infinity without a solution.
+        Smallest sum of squares; infinity without a solution. [-]
 
     Examples
     --------
-    The ratios 1 + p and 1 + 2 p shall be 4 and 8; the first ends at the end of its range:
+    With 1 + p = 4 and 1 + 2 p = 8 wanted, the first ratio ends at the end of its range:
 
     >>> targets, widths = np.array([4.0, 8.0]), np.array([0.11, 0.02])
     >>> parts = np.array([[[2.4, 6.0], [1.0, 1.0]], [[3.8, 11.0], [1.0, 1.0]]])
@@ -187,12 +191,12 @@ def fitted(parts: Floats, chosen: Integers, asked: Asked, stiffness: float, room
     parts, chosen, asked, room
         As for `fitted_within`.
     stiffness : float
-        Weight of the squared excess over the widths, including the pulls.
+        Weight of squared errors beyond their widths, including the pulls. [-]
 
     Returns
     -------
     float
-        Smallest sum of squares, infinity without a solution.
+        Smallest sum of squares; infinity without a solution. [-]
 
     Examples
     --------
@@ -270,7 +274,7 @@ def weigh(logs: Floats, asked: Asked, room: FitRoom) -> None:
 
 @compiled_part
 def weighed(part: Floats, weights: Floats) -> tuple[float, float]:
-    """Interpolate numerator and denominator between the corners."""
+    """Interpolate numerator and denominator between the corners with given weights."""
     above = below = 0.0
     for corner in range(len(weights)):
         above += weights[corner] * part[0, corner]
@@ -280,9 +284,9 @@ def weighed(part: Floats, weights: Floats) -> tuple[float, float]:
 
 @compiled_part
 def _errors(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom, errors: Floats) -> float:
-    """Calculate ln(i/target)/width of every gear; return the sum of squares.
+    """Calculate the error ln(i/target)/width of every gear; return the sum of squares.
 
-    The sum is infinite if a gear has the wrong sign.
+    The sum is infinite if a gear has the wrong direction.
     """
     total = 0.0
     for target in range(len(asked.targets)):
@@ -307,14 +311,14 @@ def _slopes(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) -> Non
 
 @compiled_part
 def damped_step(room: FitRoom, least: float, most: float, damping: float) -> float:
-    """Calculate a damped step from the weighted errors; return the largest component.
+    """Calculate a damped step from the weighted errors, and return its largest component.
 
     `tried` receives the new logarithms, clipped to the bounds.
     """
     _find_system(room, least, most, damping)
     system, step = room.system, room.tried
     sets = len(step)
-    for pivot in range(sets):  # positive definite, so pivoting is not needed
+    for pivot in range(sets):  # the matrix is positive definite, so pivoting is not needed
         for row in range(pivot + 1, sets):
             factor = system[row, pivot] / system[pivot, pivot]
             for column in range(pivot, sets + 1):
@@ -334,7 +338,7 @@ def damped_step(room: FitRoom, least: float, most: float, damping: float) -> flo
 
 @compiled_part
 def _weigh_errors(room: FitRoom, stiffness: float) -> None:
-    """Calculate half the derivatives of the sum of squares with respect to each error."""
+    """Calculate half of both derivatives of the sum of squares with respect to each error."""
     for target in range(len(room.errors)):
         error = room.errors[target]
         beyond = abs(error) - 1.0 + room.pulls[target]
@@ -347,7 +351,7 @@ def _weigh_errors(room: FitRoom, stiffness: float) -> None:
 
 @compiled_part
 def _find_system(room: FitRoom, least: float, most: float, damping: float) -> None:
-    """Set up the damped normal equations; a ratio held by a bound does not move."""
+    """Set up the damped normal equations; a gear-set ratio held by a bound does not move."""
     count, sets = room.jacobian.shape
     system, moves = room.system, room.tried
     for row in range(sets):

@@ -1,4 +1,4 @@
-"""Check, before any fit, that one exchanged element can shift between successive gears."""
+"""Check, before any fit, that successive gears can differ by exchange of one shift element."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def neighbours(targets: Sequence[float]) -> Integers:
     Returns
     -------
     array, shape (shifts, 2)
-        Pairs of targets in order of falling size.
+        Indices of pairs of targets, from the largest ratio to the smallest.
 
     Examples
     --------
@@ -41,16 +41,16 @@ def neighbours(targets: Sequence[float]) -> Integers:
 
 @compiled_part
 def shifts_singly(table: Combinations, shifts: Integers, room: SetRoom) -> bool:
-    """Check that combinations of the chosen elements permit single shifts between neighbours.
+    """Check that combinations of the chosen elements permit single shifts between targets.
 
     Parameters
     ----------
     table : Combinations
     shifts : array, shape (shifts, 2)
-        Pairs of `neighbours`; without any pair the check succeeds.
+        Pairs of targets from `neighbours`; without any pair the check succeeds.
     room : SetRoom
-        `targets` contains the targets of each combination. A target is removed from a combination
-        that no chain of single shifts reaches.
+        Work arrays; `targets` contains the targets of each combination. A target is removed from a
+        combination if no chain of single shifts leads to it.
     """
     for shift in range(len(shifts)):
         before, after = shifts[shift]

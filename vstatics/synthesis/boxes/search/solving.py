@@ -1,8 +1,8 @@
-"""Gear-set ratios with which a set of elements has all gears, by branch and bound; compiled.
+"""Gear-set ratios with which an element set has all gears, by branch and bound; compiled.
 
-Each cell of the bounds is reduced by all targets, then halved. A target with several ratios is
-either assigned to one of them or not. When each target has one ratio, the gear-set ratios are
-fitted from the middle of the cell.
+Each cell of gear-set ratios is reduced by all targets, then halved. If several gear ratios can meet
+a target, the search branches: the target is assigned to one of them, or not. When each target has
+one gear ratio, the gear-set ratios are fitted from the middle of the cell.
 """
 
 from __future__ import annotations
@@ -30,48 +30,50 @@ from vstatics.synthesis.boxes.search.matching import MatchRoom, match_room, matc
 from vstatics.synthesis.boxes.search.set_ratios import Asked, FitRoom, fit_room, fitted_within
 
 SPREADS = np.array([0.5, 0.2, 0.06, 0.02, 0.006, 0.002])
-"""Spreads of ln(i) in a cell below which a fit of the chosen gears is tried, in turn. [-]
+"""Variations of ln(i) in a cell below which fits of the chosen gears are tried, in turn. [-]
 
-After the last fit the cell is abandoned, so a gearbox is lost only if its ranges leave less than
-the last spread."""
+After the last fit the cell is abandoned, so that a gearbox is only missed if its tolerances leave
+less than the last variation."""
 MOST_CELLS = 200_000
-"""Number of cells after which a set of elements is given up."""
+"""Number of cells of gear-set ratios after which an element set is given up."""
 EACH, NONE = -1, -2
-"""Results of `_open_target`: each target has a separate ratio; some target has no ratio."""
+"""Results of `_open_target`: each target has its own gear ratio; some target has none."""
 MORE_FITS = 50
-"""Number of fits after a first solution, in search of a better solution."""
+"""Number of fits after a first solution, to find a better solution."""
 
 
 @shared
 class CellRoom(NamedTuple):
-    """Work arrays for cells and fits."""
+    """Work arrays for cells of gear-set ratios and for fits."""
 
     cells: RatioCells
     match: MatchRoom
-    """Matching with a ratio for each target."""
+    """Matching with a gear ratio for each target."""
     chains: ChainRoom
-    """Combination of elements for each target."""
+    """Assignment of combinations of shift elements to targets."""
     ratio_of: Integers
-    """Number of the ratio of each combination of a set, negative without a ratio, shape
-    (combinations of a set,)."""
+    """Index of the gear ratio of each combination of an element set; negative without a ratio,
+    shape (combinations of a set,).
+    """
     better: Asked
-    """Requirements with the ranges within which a better solution must be."""
+    """Requirements, with the ranges of gear ratios that a better solution must have."""
     steps: Integers
-    """Number of examined cells, and the limit; shape (2,)."""
+    """Number of examined cells, and the limit, shape (2,)."""
     given_up: Booleans
-    """True if cells that could contain a solution were left unexamined, shape (1,)."""
+    """True if cells that could contain a solution were not examined, shape (1,)."""
     fit: FitRoom
     best_logs: Floats
-    """Logarithms of ring teeth/sun teeth of the best fit, shape (sets,). [-]"""
+    """Logarithms of ring teeth divided by sun teeth of the best fit, shape (sets,). [-]"""
     best_gears: Integers
-    """Combination of elements for each target of the best fit, shape (targets,)."""
+    """Combination of shift elements for each target of the best fit, shape (targets,)."""
     best: Floats
-    """Sum of squares of ln(i/target)/width of the best fit, infinity without a fit; largest
-    |ln(i/target)|. [-]"""
+    """Sum of squares of ln(i/target)/width of the best fit (infinite without a fit), and largest
+    |ln(i/target)|, shape (2,). [-]
+    """
 
 
 def cell_room(table: Combinations, asked: Asked, sets: int, shifts: Integers) -> CellRoom:
-    """Return work arrays for a set of elements; `shifts` come from `neighbours`."""
+    """Return work arrays for solving an element set; `shifts` are pairs from `neighbours`."""
     ratios, targets = len(table.places), len(asked.targets)
     return CellRoom(
         cells=cells_room(ratios, asked, sets),
@@ -90,23 +92,23 @@ def cell_room(table: Combinations, asked: Asked, sets: int, shifts: Integers) ->
 
 @compiled_part
 def solved(parts: Floats, reach: Integers, asked: Asked, room: CellRoom) -> float:
-    """Minimise the sum of squares of ln(i/target)/width with all targets met.
+    """Find gear-set ratios that meet all targets, with the smallest sum of squared errors.
 
     Parameters
     ----------
     parts : array, shape (ratios, 2, corners)
-        Numerators and denominators of different ratios at the corners of the bounds.
+        Numerators and denominators of different gear ratios at the corners of the bounds.
     reach : array, shape (ratios,)
-        Targets that each ratio reaches, as bits.
+        Targets that each gear ratio reaches, as bits.
     asked : Asked
     room : CellRoom
-        `ratio_of` contains the ratio of each combination. `best_logs` and `best_gears` receive the
-        fit, `given_up` whether a fit is possible although none was found.
+        Work arrays; `ratio_of` contains the gear ratio of each combination. `best_logs` and
+        `best_gears` receive the fit, `given_up` whether a fit may exist that was not found.
 
     Returns
     -------
     float
-        Smallest sum of squares, infinity without a solution.
+        Smallest sum of squares of ln(i/target)/width; infinity without a solution. [-]
     """
     cells = room.cells
     _begin(reach, asked, room)
@@ -158,10 +160,10 @@ def _begin(reach: Integers, asked: Asked, room: CellRoom) -> None:
 
 @compiled_part
 def _open_target(ratios: int, room: CellRoom, top: int) -> int:
-    """Return the undecided target with the fewest ratios, or `EACH` or `NONE`.
+    """Return the undecided target with the fewest gear ratios, or `EACH` or `NONE`.
 
-    `NONE`: not every target can have a separate ratio, or the chosen gears have no suitable
-    combinations of elements.
+    The result is `NONE` if not every target can have its own gear ratio, or if no suitable
+    combinations of shift elements exist for the chosen gears.
     """
     scarcest, least = EACH, ratios + 1
     reach, chosen = room.cells.reach[top], room.match.chosen
@@ -182,9 +184,10 @@ def _open_target(ratios: int, room: CellRoom, top: int) -> int:
 
 @compiled_part
 def _give(target: int, cells: RatioCells, top: int) -> None:
-    """Branch on the first ratio that can meet a target, by a copy of the cell.
+    """Branch on the first gear ratio that can meet a target, by a copy of the cell.
 
-    In the upper copy the ratio serves only this target, in the lower it never serves the target.
+    In the upper copy, the gear ratio meets only this target; in the lower copy, it does not meet
+    it.
     """
     double(cells, top)
     bit = 1 << target
@@ -210,7 +213,7 @@ def _has_elements(room: CellRoom, top: int) -> bool:
 
 @compiled_part
 def _fit(parts: Floats, asked: Asked, room: CellRoom, top: int) -> bool:
-    """Fit the chosen ratios and record the best; return whether all targets are met."""
+    """Fit the chosen gear ratios and record the best fit; return whether all targets are met."""
     cells, chosen = room.cells, room.match.chosen
     for number in range(cells.low.shape[1]):
         room.fit.logs[number] = 0.5 * math.log(cells.low[top, number] * cells.high[top, number])
@@ -225,7 +228,7 @@ def _fit(parts: Floats, asked: Asked, room: CellRoom, top: int) -> bool:
         chained(room.ratio_of, chosen, room.chains)
         put(room.chains.gears, room.best_gears)
         nearer = min(math.sqrt(total), 1.0)
-        for target in range(len(chosen)):  # better solutions are within these ranges
+        for target in range(len(chosen)):  # a better solution must be within these ranges
             part = math.exp(nearer * asked.widths[target])
             first_end, second_end = asked.targets[target] / part, asked.targets[target] * part
             room.better.least[target] = max(asked.least[target], min(first_end, second_end))

@@ -22,7 +22,7 @@ from vstatics.core.jobs.files import is_stream
 from vstatics.synthesis.cli.box.options import BoxAsked, options
 
 LOADING_SECONDS = 5.0
-"""Time above which machine code was compiled, not just loaded from the cache. [s]"""
+"""Loading time above which machine code was compiled, not just loaded from the cache. [s]"""
 
 
 @command
@@ -100,7 +100,7 @@ def box_command(
         from vstatics.synthesis.cli.box.run import BoxRun, carry_out
 
         return carry_out(BoxRun(asked, to, sharing, quiet, complete))
-    except CaseError as error:  # printed like an error in a file
+    except CaseError as error:  # printed in the same way as an error in a file
         raise ReadError(error.problems) from error
 
 
@@ -127,22 +127,22 @@ class BoxSearchEstimate(NamedTuple):
     """Estimated size and time of a search."""
 
     searched: float
-    """Number of boxes to examine."""
+    """Number of gearboxes to examine."""
     found: float
-    """Number of boxes with the wanted ratios."""
+    """Number of gearboxes with the wanted ratios."""
     exact: bool
-    """True if the whole search was carried out, so that the numbers of boxes are exact."""
+    """True if the whole search was carried out, so that the numbers of gearboxes are exact."""
     at_least: bool
-    """True if trials were aborted because they took too long, so that `seconds` is a lower
-    bound."""
+    """True if sampled searches were aborted for lack of time, so that `seconds` is a lower bound.
+    """
     seconds: float
-    """Time with all processes, including the time of writing a directory. [s]"""
+    """Time of the search with all processes, including writing of the directory. [s]"""
     compile_seconds: float
-    """Processor time of compiling or loading machine code. [s]"""
+    """Processor time to compile or load machine code. [s]"""
 
 
 def _estimate(asked: BoxAsked, to: Destination, jobs: int, *, quiet: bool) -> None:
-    """Print the estimated numbers of boxes and files, and the time of the search."""
+    """Print the estimated numbers of gearboxes and files, and the time of the search."""
     from vstatics.core.numerics.code_cache import CACHE
     from vstatics.core.numerics.compiled import HAS_COMPILER, WITHOUT_COMPILER
     from vstatics.synthesis.boxes.batches.estimate import box_estimate

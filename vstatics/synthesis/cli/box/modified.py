@@ -1,4 +1,4 @@
-"""Options --keep and --free of `vstatics synth box`: boxes that retain parts of a case."""
+"""Options --keep and --free of `vstatics synth box`, for gearboxes that retain parts of a case."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from vstatics.core.errors import CaseError, ReadError, quoted, typed_number
 from vstatics.synthesis.boxes.box import MOST_ELEMENTS, BoxSearch
 
 OF_CASE = ("sets", "engaged", "meshed", "own_input", "own_output", "shafts", "fixed")
-"""Fields of a search that follow from the case, so their options are refused."""
+"""Fields of a search that follow from the case, so that their options are refused."""
 SPELLED = {
     "elements": "shift-elements",
     "meshed": "double-pinion",
@@ -22,7 +22,7 @@ SPELLED = {
     "own_output": "own-output",
     "steps": "step-ratios",
 }
-"""Names of options that differ from the names of arguments."""
+"""Names of options on the command line, where they differ from the names of the arguments."""
 
 
 def kept_box_search(search: BoxSearch, case: str, free: Mapping[str, int]) -> BoxSearch:
@@ -31,11 +31,11 @@ def kept_box_search(search: BoxSearch, case: str, free: Mapping[str, int]) -> Bo
     Parameters
     ----------
     search : BoxSearch
-        Search of the other options.
+        Search that the other options define.
     case : str
         File of the case.
     free : mapping
-        Result of `free_parts`.
+        Largest number of missing parts, from `free_parts`.
 
     Raises
     ------
@@ -62,7 +62,7 @@ def kept_box_search(search: BoxSearch, case: str, free: Mapping[str, int]) -> Bo
 
 
 def free_parts(texts: Sequence[str]) -> dict[str, int]:
-    """Read the largest number of parts that a box can lack, by kind: only shift elements.
+    """Read the largest number of parts that may be missing, by kind; shift elements only.
 
     >>> free_parts(["shift-elements=2"]), free_parts(["elements=1"])
     ({'elements': 2}, {'elements': 1})

@@ -40,19 +40,19 @@ if TYPE_CHECKING:
 
 
 class BoxAsked(NamedTuple):
-    """Search for boxes, with filter and order of the found boxes."""
+    """Search for gearboxes, with filter and order of the found gearboxes."""
 
     search: BoxSearch
     efficiency: float
-    """Basic efficiency of each set, carrier held. [-]"""
+    """Basic efficiency of each gear set (carrier held). [-]"""
     wanted: BoxFilter
     order: BoxOrder
     weights: Mapping[str, float]
-    """Weights of forward gears in the mean drag. [-]"""
+    """Weights of forward gears in the mean drag, by the name of the gear. [-]"""
 
 
 class WantedFigures(NamedTuple):
-    """Options of the filter, whose counts of elements are not yet checked."""
+    """Options of the filter, before the counts of brakes and clutches are checked."""
 
     single: bool
     planar: bool
@@ -61,7 +61,7 @@ class WantedFigures(NamedTuple):
     limits: Mapping[str, float]
 
     def of_boxes(self, elements: int) -> BoxFilter:
-        """Return the filter of boxes with a number of elements.
+        """Return the filter of gearboxes with a number of shift elements.
 
         Raises
         ------
@@ -112,7 +112,7 @@ def _efficiency(given: float) -> float:
 
 
 def _limits(texts: Sequence[str]) -> dict[str, float]:
-    """Read the largest values of figures, and refuse unknown figures and NaN."""
+    """Read upper limits of figures, and refuse unknown figures and NaN."""
     limits = named("FIGURE=X", number)(texts)
     for name, most in limits.items():
         if name not in LIMITED:
@@ -132,7 +132,7 @@ def _count(text: str, most: int) -> int:
 
 
 def _check_sum(elements: int, brakes: Sequence[int], clutches: Sequence[int]) -> None:
-    """Refuse numbers of brakes and clutches whose sum cannot be the number of elements."""
+    """Refuse numbers of brakes and clutches that cannot add up to the number of shift elements."""
     sums = {brake_count + clutch_count for brake_count in brakes for clutch_count in clutches}
     if sums and elements not in sums:
         noun = plural("brake", brakes[-1])
@@ -142,7 +142,7 @@ def _check_sum(elements: int, brakes: Sequence[int], clutches: Sequence[int]) ->
 
 
 def _count_option(name: str, metavar: str, text: str, *former: str) -> Option:
-    """Return the option of a count, required unless --keep gives the case."""
+    """Return the option of a count, which is required unless --keep gives a case."""
     return click.option(
         f"--{SPELLED.get(name, name)}",
         name,
@@ -364,4 +364,4 @@ options = gathered(
         ),
     ),
 )
-"""Options of search, filter and order, combined into the argument `asked` of the command."""
+"""Options of search, filter and order, which the command receives as argument `asked`."""

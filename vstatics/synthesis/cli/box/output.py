@@ -1,4 +1,4 @@
-"""Output of `vstatics synth box`: a single text, or a directory with all found boxes."""
+"""Output of `vstatics synth box`: a single text, or a directory with all found gearboxes."""
 
 from __future__ import annotations
 
@@ -31,15 +31,15 @@ from vstatics.synthesis.boxes.listing import BoxListing, drawn_boxes, listed_box
 from vstatics.synthesis.boxes.tables import all_boxes, box_grids
 
 TABLES = {"text": "boxes.txt", "json": "boxes.json"}
-"""File names of the result in a directory, by format."""
+"""Names in a directory of the files with the result, by format."""
 MOST_DRAWN_CASES = 300
-"""Largest number of boxes with a diagram; drawing takes most of the time of writing."""
+"""Largest number of gearboxes with a diagram; drawing takes most of the time of writing."""
 CASE_SECONDS, DIAGRAM_SECONDS = 0.002, 0.15
-"""Approximate processor times for the case and the diagram of a box of two sets. [s]"""
+"""Approximate processor times for the case and the diagram of a gearbox with two gear sets. [s]"""
 RESULT_NAMES = re.compile(r"box-\d{4,}\.(yaml|svg)|boxes\.(svg|html|csv|json|txt)")
-"""Names of the files of a search, which the next search in the directory removes."""
+"""Names of files that a search writes, and which the next search in the directory removes."""
 RECORD = ".vstatics-boxes"
-"""File with the hashes of all written files, by which edited files are recognised."""
+"""Name of the file with the hashes of all written files, by which edited files are recognised."""
 
 
 @dataclass(frozen=True)
@@ -48,30 +48,31 @@ class FoundBoxes:
 
     search: BoxSearch
     searched: int
-    """Number of examined boxes."""
+    """Number of examined gearboxes."""
     with_ratios: int
-    """Number of boxes with the wanted ratios, before the filter."""
+    """Number of gearboxes with the wanted ratios, before the filter."""
     boxes: tuple[RankedBox, ...]
-    """Boxes that pass the filter, in order."""
+    """Gearboxes that pass the filter, in order."""
     given_up: int
-    """Number of sets of shift elements that could form boxes but were not examined completely."""
+    """Number of sets of shift elements that were not examined completely, but could give gearboxes.
+    """
 
     @cached_property
     def listing(self) -> BoxListing:
-        """Record of the found boxes for JSON; the cases of the boxes take some time."""
+        """Record of the found gearboxes for JSON; converting them to cases takes some time."""
         boxes = tuple(starmap(listed_box, enumerate(self.boxes, 1)))
         return BoxListing(self.searched, boxes, self.given_up, wanted_of(self.search))
 
     @property
     def title(self) -> str:
-        """Numbers of sets, shift elements and engaged shift elements."""
+        """Numbers of gear sets, shift elements and engaged shift elements, as a title."""
         search = self.search
         sets = f"{search.sets} {plural('set', search.sets)}"
         elements = f"{search.elements} {plural('shift element', search.elements)}"
         return f"{sets}, {elements}, {search.engaged} of them engaged in each gear"
 
     def text(self, form: str, style: TextStyle) -> bytes:
-        """Return the result in a format; JSON lines have a line for each box."""
+        """Return the result in a format; JSON lines have one line for each gearbox."""
         by_format = {
             "json": lambda _: as_json(self.listing, "json"),
             "jsonl": lambda _: "".join(as_json(box, "jsonl") for box in self.listing.boxes),
@@ -81,7 +82,7 @@ class FoundBoxes:
         )
 
     def table(self, style: TextStyle) -> bytes:
-        """Return all boxes as a table in CSV."""
+        """Return all gearboxes as a table in CSV."""
         return self._text("csv", style, {}, lambda: iter([all_boxes(self.boxes)]))
 
     def _text(
@@ -97,7 +98,7 @@ class FoundBoxes:
 
 
 class BoxFiles(NamedTuple):
-    """A box whose files are to be written."""
+    """Gearbox whose files are to be written."""
 
     name: str
     """File name without suffix."""
@@ -108,7 +109,7 @@ class BoxFiles(NamedTuple):
 def write_folder(
     folder: str, result: FoundBoxes, style: TextStyle, called: Workers, *, quiet: bool
 ) -> None:
-    """Write all found boxes into a directory: cases, diagrams, tables and a page.
+    """Write all found gearboxes into a directory: cases, diagrams, tables and a page.
 
     Raises
     ------
@@ -128,10 +129,11 @@ def write_folder(
 
         def put(name: str, content: bytes) -> None:
             hashes[name] = hash_of(content)
-            # recorded before the file exists, so that a killed search can go on
+            # The hash is recorded before the file exists, so that an interrupted search can
+            # continue.
             record(f"\n{hashes[name]}".encode())
             path = os.path.join(folder, name)  # noqa: PTH118
-            if os.path.islink(path):  # noqa: PTH114 (the target of a link stays unchanged)
+            if os.path.islink(path):  # noqa: PTH114 (the target of a link is not changed)
                 os.unlink(path)  # noqa: PTH108
             replace(path, content)
 
@@ -145,7 +147,8 @@ def write_folder(
         advance(1)
         _forget(folder, hashes)
         put("boxes.csv", result.table(TextStyle(raw=style.raw)))
-        for form, name in TABLES.items():  # JSON last: with this file, the directory is complete
+        # JSON is written last: if this file exists, the directory is complete.
+        for form, name in TABLES.items():
             put(name, result.text(form, style))
     state.replace(RECORD, "".join(f"{known}\n" for known in hashes.values()).encode())
     if result.boxes and not quiet and (lacking := missing("plot", "a diagram")):
@@ -156,12 +159,12 @@ def write_folder(
 
 
 def drawn_count(boxes: int) -> int:
-    """Return the number of boxes with a diagram: 0 without the extra for pictures."""
+    """Return the number of gearboxes with a diagram; 0 if the packages for pictures are missing."""
     return 0 if missing("plot", "a diagram") else min(boxes, MOST_DRAWN_CASES)
 
 
 def writing_seconds(boxes: int) -> float:
-    """Estimate the time in which a process writes boxes [s].
+    """Estimate the time that one process takes to write gearboxes [s].
 
     >>> round(writing_seconds(2000))
     49
@@ -182,7 +185,7 @@ def _items(result: FoundBoxes) -> list[BoxFiles]:
 
 
 def box_files(_: BoxWork, item: BoxFiles) -> dict[str, bytes]:
-    """Return the files of a box by suffix: the case, and the stick diagram if drawn."""
+    """Return the files of a gearbox by suffix: the case, and the stick diagram if drawn."""
     data, _lost = case_data(item.case, "yaml")
     contents = {".yaml": data}
     if item.is_drawn:
@@ -193,7 +196,7 @@ def box_files(_: BoxWork, item: BoxFiles) -> dict[str, bytes]:
 
 
 def of_others(folder: str) -> str:
-    """Return the name of a file that a search would replace but no search wrote, or ""."""
+    """Return the name of a file that a search would replace but no search has written, or ""."""
     if not os.path.isdir(folder):  # noqa: PTH112
         return ""
     known = frozenset[str]()
@@ -207,7 +210,7 @@ def of_others(folder: str) -> str:
 
 
 def _forget(folder: str, new_names: Container[str]) -> None:
-    """Remove files of an earlier search."""
+    """Remove the files of an earlier search, except files with new names."""
     for name in os.listdir(folder):  # noqa: PTH208
         if RESULT_NAMES.fullmatch(name) and name not in new_names:
             os.unlink(os.path.join(folder, name))  # noqa: PTH108, PTH118

@@ -1,4 +1,4 @@
-"""Options for the wanted ratios: a number or a range for each gear, and tolerances."""
+"""Options for the wanted ratios: a number or a range for each gear, with tolerances."""
 
 from __future__ import annotations
 
@@ -15,16 +15,18 @@ from vstatics.synthesis.gears.names import in_order, names_of_gears
 
 
 class WantedRatio(NamedTuple):
-    """Wanted ratio of a gear: a number to be met within a tolerance, or a range."""
+    """Wanted ratio of a gear: a number with a tolerance, or a range."""
 
     middle: float
-    """Ratio, or geometric mean of the ends of a range. [-]"""
+    """Ratio, or geometric mean of both ends of a range. [-]"""
     width: float | None = None
-    """Half of ``|ln(first end/second end)|`` of a range. [-]"""
+    """Half the logarithmic width of a range, ``|ln(first end/second end)|/2``; None for a number.
+    [-]
+    """
 
 
 def wanted_ratio(text: str) -> WantedRatio:
-    """Read a ratio, or a range of ratios of equal sign with either end first.
+    """Read a ratio, or a range of ratios with equal signs, with either end first.
 
     Raises
     ------
@@ -45,16 +47,16 @@ def wanted_ratio(text: str) -> WantedRatio:
 
 
 class WantedTolerances(NamedTuple):
-    """Largest ``|ln(i/wanted)|`` of gears."""
+    """Largest deviations ``|ln(i/wanted)|`` of gear ratios."""
 
     general: float
-    """Tolerance of gears without a separate tolerance. [-]"""
+    """Tolerance of gears without their own tolerance. [-]"""
     by_gear: Mapping[str, float]
-    """Separate tolerances of gears, by name. [-]"""
+    """Tolerances of single gears, by the name of the gear. [-]"""
 
 
 def wanted_tolerances(default: float) -> Callable[[Sequence[str]], WantedTolerances]:
-    """Return a parser of tolerances, with a default of the general tolerance.
+    """Return a parser of tolerances, with a default for the general tolerance.
 
     >>> wanted_tolerances(0.01)(["1=.04,R=.2"])
     WantedTolerances(general=0.01, by_gear={'1': 0.04, 'R': 0.2})
@@ -79,14 +81,14 @@ def _tolerance(text: str) -> float:
 
 
 class WantedGears(NamedTuple):
-    """Wanted gears, as fields of `BoxSearch`."""
+    """Wanted gears as fields of `BoxSearch`."""
 
     targets: tuple[float, ...]
-    """Wanted ratios, and middles of wanted ranges. [-]"""
+    """Wanted ratios, or geometric means of wanted ranges. [-]"""
     tolerance: float
-    """General tolerance. [-]"""
+    """Tolerance of gears without their own tolerance. [-]"""
     tolerances: tuple[float, ...]
-    """Tolerance of each gear; empty for `tolerance` everywhere. [-]"""
+    """Tolerance of each gear; empty if `tolerance` is valid for all. [-]"""
 
 
 def wanted_gears(targets: Sequence[WantedRatio], tolerance: WantedTolerances) -> WantedGears:

@@ -1,4 +1,4 @@
-"""Search for boxes and output to a stream, a file or a directory; resumes after interruptions."""
+"""Search for gearboxes with output to a stream, file or directory; it can be resumed."""
 
 from __future__ import annotations
 
@@ -38,20 +38,22 @@ from vstatics.synthesis.cli.box.options import BoxAsked
 from vstatics.synthesis.cli.box.output import FoundBoxes, write_folder
 
 NEAREST_SECONDS = 10.0
-"""Limit of the time of a search for the nearest box, and of the search before it. [s]"""
+"""Longest search without result that is followed by a search for the nearest gearbox, and time
+limit of the latter. [s]
+"""
 FINEST = 0.01
-"""Smallest tolerance of the search for the nearest box. [-]"""
+"""Smallest tolerance in the search for the nearest gearbox. [-]"""
 
 
 class BoxRun(NamedTuple):
-    """Request for boxes, with output and workers."""
+    """Request for gearboxes, with output and workers."""
 
     asked: BoxAsked
     to: Destination
     sharing: Sharing
     quiet: bool
     complete: bool
-    """True if a list from which boxes can be missing is a failure."""
+    """True if a list from which gearboxes may be missing is a failure."""
 
     def workers(self, pieces: int) -> Workers:
         """Return the workers for the pieces of a search."""
@@ -62,12 +64,12 @@ class BoxRun(NamedTuple):
 
 
 def carry_out(run: BoxRun) -> int:
-    """Search, write the found boxes, print a summary and return the exit status."""
+    """Search, write the found gearboxes, print a summary, and return the exit status."""
     began = time.perf_counter()
     if not HAS_COMPILER:
         files.say(f"warning: {WITHOUT_COMPILER}")
     with progress(None, "made ready", quiet=run.quiet):
-        prepare(run.asked.search)  # once, not in every process
+        prepare(run.asked.search)  # compiled once here, and not in every process
         count = cut(run.asked.search)
     for why in CACHE_TROUBLE[:1]:
         files.say(f"saved machine code cannot be used, so it is compiled again: {why}")
@@ -91,10 +93,10 @@ def carry_out(run: BoxRun) -> int:
 
 
 def _nearest(run: BoxRun) -> str:
-    """Return a phrase about the nearest box, if wider tolerances soon find a box."""
+    """Return words about the nearest gearbox, if wider tolerances soon find a gearbox."""
     search, end = run.asked.search, time.perf_counter() + NEAREST_SECONDS
     if search.tolerances or search.sequence is not None:
-        return ""  # without a common tolerance, no box is the nearest
+        return ""  # without a common tolerance, no gearbox is the nearest
     while search.tolerance < COARSEST:
         search = search._replace(tolerance=min(max(2 * search.tolerance, FINEST), COARSEST))
         wider = run._replace(asked=run.asked._replace(search=search))
@@ -126,7 +128,7 @@ def rounded_up(error: float) -> float:
 
 
 def _to_stream(run: BoxRun, count: int) -> FoundBoxes | int:
-    """Search and write to a stream; return the exit status if stopped."""
+    """Search and write to a stream; return the exit status instead if interrupted."""
     pieces = SearchedPieces(count)
     try:
         with run.workers(count) as called:
@@ -139,7 +141,7 @@ def _to_stream(run: BoxRun, count: int) -> FoundBoxes | int:
 
 
 def _to_store(run: BoxRun, count: int) -> FoundBoxes:
-    """Search and write a file or a directory; a directory next to it stores finished pieces."""
+    """Search and write a file or directory; a directory next to it stores finished pieces."""
     output = str(run.to.output).rstrip("/") or "/"
     with FinishedPieces(output, "search", into_folder=run.to.is_folder) as store:
         whole = f"{count} pieces of the search"
@@ -162,7 +164,7 @@ def _to_store(run: BoxRun, count: int) -> FoundBoxes:
 
 
 def _search(run: BoxRun, pieces: SearchedPieces, called: Workers) -> FoundBoxes:
-    """Search the pending pieces, and calculate the figures of the found boxes."""
+    """Search the pending pieces, and calculate the figures of the found gearboxes."""
     with progress(pieces.count, "pieces", quiet=run.quiet) as advance:
         advance(pieces.done)
         for piece, boxes_of_piece in called.each(find, pieces.pending):

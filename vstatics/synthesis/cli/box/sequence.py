@@ -1,4 +1,4 @@
-"""Options for gears without given ratios: number, spread and steps."""
+"""Options for gears without given ratios: their number, ratio spread and step ratios."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from vstatics.core.cli.shared.values import pair
 from vstatics.synthesis.boxes.box import ANY_QUOTIENT, WantedSequence
 
 ends = partial(pair, example="1.2:1.8")
-"""Parser of two numbers with a colon between."""
+"""Parser of two numbers separated by a colon."""
 
 
 def gear_counts(text: str) -> tuple[int, int]:
-    """Read the smallest and the largest number of gears; a single number is both.
+    """Read the smallest and largest number of gears; a single number means both.
 
     >>> gear_counts("6:8"), gear_counts("6")
     ((6, 8), (6, 6))

@@ -1,5 +1,5 @@
 """Drawing of several axes.
 
-`links` draws links and ports, `marks` draws stations on a single axis, and `wheels` draws gear
-pairs.
+`links` draws links, inputs and outputs, `marks` draws components on a single axis, and `wheels`
+draws gear pairs.
 """

@@ -1,4 +1,4 @@
-"""Canvas of a gearbox with several axes in a state, and drawing of wires, ports and link names."""
+"""Canvas of a gearbox with several axes in a gear, and drawing of links with names and ports."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ from vstatics.pictures.schemes.ink import AXIS_DASHES, SchemeInk, centred, draw_
 from vstatics.pictures.schemes.scheme import SchemePort
 
 DOT = 4.2
-"""Diameter of the dot at a branch of a link. [pt]"""
+"""Diameter of the dot where the line of a link branches. [pt]"""
 BRIDGE = 3.0
-"""Half the gap of a line at a crossing. [pt]"""
+"""Half the length of the gap in a line that crosses another line. [pt]"""
 
 
 @dataclass(frozen=True)
 class AxesSheet(SchemeInk):
-    """Canvas of a scheme in a state, with the positions of all parts."""
+    """Canvas of a stick diagram with several axes, in a gear or without a gear."""
 
     placing: AxesPlaces
     labels: Mapping[int, Sequence[DeviceLabel]]
@@ -36,7 +36,7 @@ class AxesSheet(SchemeInk):
     def is_used(self, index: int, link: int) -> bool:
         """Return True if torque passes between a link and a component.
 
-        A component below 0 stands for a port.
+        An index below 0 stands for an input or output.
         """
         if self.state.loaded is None:
             return True
@@ -45,23 +45,23 @@ class AxesSheet(SchemeInk):
         return link in self.state.loaded[index]
 
     def line_color(self, index: int, link: int) -> str:
-        """Return the colour of the line from a link to a component or a port."""
+        """Return the colour of the line from a link to a component, or to an input or output."""
         return self.pen.style.ink if self.is_used(index, link) else self.pen.style.faint
 
     def name(self, index: int) -> None:
-        """Write the name of a component, and tooth numbers if shown."""
+        """Write the name of a component, and the tooth numbers if wanted."""
         is_bold = index in self.state.engaged or not self.scheme.devices[index].is_coupling
         for label in self.labels.get(index, ()):
             look: Look = {"bold": is_bold} if label.is_name else {"size": SMALL}
             self.text(label.at, label.text, color=self.text_color(index), **look)
 
     def text(self, at: Point, text: str, **look: Any) -> None:
-        """Write a text centred at a point, above any line."""
+        """Write a text centred at a point, above all lines."""
         centred(self.pen, at, text, **{"over": True} | look)
 
 
 def draw_links(sheet: AxesSheet) -> None:
-    """Draw the axes, the lines of all links, and crossings."""
+    """Draw the axes, and the lines of all links with the crossings."""
     placing, pen = sheet.placing, sheet.pen
     for axis in dict.fromkeys(placing.axis_of(link) for link in sorted(placing.spans)):
         left, right = ends_of(placing, axis)
@@ -86,7 +86,7 @@ def _draw_link(sheet: AxesSheet, link: int, wires: LinkLines) -> None:
     for line, is_used in pieces(sheet, link, wires.level):
         color = style.ink if is_used else style.faint
         pen.line(*line, color=color, kind="wire", title=title, **look)
-        if span.level > 0:  # line on the other side of a hollow shaft
+        if span.level > 0:  # the line of a hollow shaft is repeated below the axis
             y = placing.y(axis, -span.height)
             pen.line(*((x, y) for x, _ in line), color=color, **look)
     for device, path in wires.upright:
@@ -105,7 +105,7 @@ def _draw_link(sheet: AxesSheet, link: int, wires: LinkLines) -> None:
 
 
 def _road_wheel(sheet: AxesSheet, link: int) -> None:
-    """Draw the section of a tyre above and below the axis, and the support."""
+    """Draw the section of a tyre above and below its axis, and the ground."""
     placing, style = sheet.placing, sheet.pen.style
     x, y = placing.road_end(link), placing.y(placing.axis_of(link), 0.0)
     pen = sheet.pen.within("road-wheel", link=sheet.scheme.name(link))
@@ -121,7 +121,7 @@ def _road_wheel(sheet: AxesSheet, link: int) -> None:
 
 
 def pieces(sheet: AxesSheet, link: int, line: Segment) -> Iterator[tuple[Segment, bool]]:
-    """Yield the parts of a line along an axis, each with True if torque passes."""
+    """Yield the pieces of a horizontal line of a link, each with True if torque passes."""
     (left, y), (right, _) = line
     if sheet.state.loaded is None:
         yield line, True
@@ -140,7 +140,7 @@ def pieces(sheet: AxesSheet, link: int, line: Segment) -> Iterator[tuple[Segment
 
 
 def draw_ends(sheet: AxesSheet) -> None:
-    """Draw the ports with link names, and further link names in free places."""
+    """Draw inputs and outputs with the names of their links, and other link names with room."""
     placing = sheet.placing
     for port in sheet.scheme.ports:
         span = placing.spans[port.link]
@@ -152,7 +152,7 @@ def draw_ends(sheet: AxesSheet) -> None:
 
 
 def _draw_port(sheet: AxesSheet, port: SchemePort, at: Point, way: int) -> None:
-    """Draw the arrow of a port in the direction of power, as far as known."""
+    """Draw the arrow of an input or output in the direction of power, if known."""
     pen = sheet.pen.within("port", port="input" if port.role == "input" else "output")
     x, y = draw_arrow(pen, at, (way, 0.0), sheet.ways([port]), sheet.end_color([port]))
     look: Look = {"color": sheet.name_color(port.link), "ha": "left" if way > 0 else "right"}

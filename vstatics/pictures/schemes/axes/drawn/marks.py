@@ -1,4 +1,4 @@
-"""Drawing of stations on a single axis, from clutches to differentials."""
+"""Drawing of the stations (components) on a single axis, from clutches to differentials."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from vstatics.pictures.schemes.shift_element_symbols import Coupled, draw_couple
 
 
 def draw_station(sheet: AxesSheet, number: int) -> None:
-    """Draw a station on a single axis, with names."""
+    """Draw a station on a single axis, with the names."""
     station = sheet.placing.board.stations[number]
     draw = {
         "coupling": _coupling,
@@ -108,7 +108,7 @@ def _box(sheet: AxesSheet, number: int, station: Station) -> None:
     device, up = sheet.scheme.devices[index], placing.board.rows.sides[axis]
     for contact in placing.contacts:
         for member, link in device.members.items():
-            # a spring has labels: the coefficients of links in its twist
+            # the labels of a spring are the coefficients of links in its twist
             if contact[:3:2] == (link, index) and member in device.labels:
                 at = contact.x + 2.0, y - up * (BOX + 5.0)
                 device_sheet.text(at, typeset(device.labels[member]), size=SMALL, ha="left")
@@ -169,7 +169,7 @@ def _set(sheet: AxesSheet, number: int, station: Station) -> None:
 
 
 def _section(sheet: AxesSheet, number: int, station: Station) -> None:
-    """Draw gear sets and couplings as a half-section above the axis."""
+    """Draw gear sets and shift elements as a half-section above their axis."""
     layout, placing, axis = station.layout, sheet.placing, station.axes[0]
     assert layout is not None  # noqa: S101 - a half-section has a layout
     left, right = ends_of(layout)
@@ -185,7 +185,7 @@ def _section(sheet: AxesSheet, number: int, station: Station) -> None:
 
 
 def _goes_on(sheet: AxesSheet, link: int, station: Station) -> bool:
-    """Return True if a link of a half-section carries torque to or from parts outside of it."""
+    """Return True if a link carries torque between a half-section and other stations."""
     others = set(range(len(sheet.scheme.devices))) - set(station.devices)
     ports = {port.link for port in sheet.scheme.ports}
     return (link in ports and sheet.is_used(-1, link)) or any(

@@ -14,10 +14,10 @@ from vstatics.pictures.schemes.gear_glyphs import MESH, TOOTH
 
 
 def draw_pair(sheet: AxesSheet, number: int) -> None:
-    """Draw both gears, the parts in between, and the name above the upper gear."""
+    """Draw both gears of a pair, an idler or chain between them, and the name of the pair."""
     placing, station = sheet.placing, sheet.placing.board.stations[number]
     joint = station.joint
-    assert joint is not None  # noqa: S101 - a pair has one
+    assert joint is not None  # noqa: S101 - a gear pair has a joint
     index = station.devices[0]
     device_sheet = sheet.of_device(index)
     first, _, second = placing.board.radii[number]
@@ -30,7 +30,7 @@ def draw_pair(sheet: AxesSheet, number: int) -> None:
 
 
 def _wheel(sheet: AxesSheet, number: int, place: int, radius: float, toward: int) -> None:
-    """Draw a gear with teeth at both edges, and the half of the web without a wire."""
+    """Draw a gear with teeth at both edges, and the half of its web that is not the link's line."""
     placing, station = sheet.placing, sheet.placing.board.stations[number]
     index, x, axis, link = (
         station.devices[0],
@@ -48,7 +48,7 @@ def _wheel(sheet: AxesSheet, number: int, place: int, radius: float, toward: int
     off = off if bell == place else 0.0
     radius += MESH * bool(off)
     lines: list[Sequence[Point]] = [((x + off, inner), (x + off, y - side * radius))]
-    if off:  # the web above the teeth of the internal gear, past the teeth of the pinion
+    if off:  # the web of an internal gear is drawn beside its teeth, so that it passes the pinion
         lines.append(((x + off, y + side * (radius - MESH)), (x + off, y + side * radius)))
     pen.lines(lines, color=color, zorder=3.2, title=said, solid_capstyle="butt")
     if joint is not None and joint.kind == "bevel_pair":
@@ -65,9 +65,9 @@ def _wheel(sheet: AxesSheet, number: int, place: int, radius: float, toward: int
 
 
 def _cone(sheet: AxesSheet, number: int, place: int, radius: float) -> None:
-    """Draw a bevel gear: a pinion as a full cone, a crown gear with a toothed edge.
+    """Draw a bevel gear: the pinion as a full cone, the crown gear with a toothed edge.
 
-    The pinion is narrow at the free end.
+    The pinion is narrow at its free end.
     """
     placing, station = sheet.placing, sheet.placing.board.stations[number]
     index, x, link = station.devices[0], placing.xs[number], station.links[place]
@@ -90,7 +90,7 @@ def _cone(sheet: AxesSheet, number: int, place: int, radius: float) -> None:
 
 
 def _between(sheet: AxesSheet, number: int) -> None:
-    """Draw an idler, a chain, or a dashed line between gears that are drawn apart."""
+    """Draw an idler, a chain, or a dashed line between two gears that are drawn apart."""
     placing, station = sheet.placing, sheet.placing.board.stations[number]
     pen, color, x = sheet.pen, sheet.color(station.devices[0]), placing.xs[number]
     first, radius, second = placing.board.radii[number]

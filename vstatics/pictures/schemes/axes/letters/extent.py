@@ -1,4 +1,4 @@
-"""Positions of all texts of several axes, and the size of the paper that they need."""
+"""Positions of all texts of a diagram with several axes, and the size of paper needed."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from vstatics.pictures.schemes.scheme import Scheme
 
 
 class AxesLetters(NamedTuple):
-    """Names of links and components with positions, and the obstacles."""
+    """Names of links and components with their positions, and the obstacles that they avoid."""
 
     names: Sequence[Rectangle]
     solid: Sequence[Obstacle]
@@ -24,7 +24,7 @@ class AxesLetters(NamedTuple):
 
     @classmethod
     def of(cls, placing: AxesPlaces, scheme: Scheme, wide: float = inf) -> AxesLetters:
-        """Return all texts; components are named only if the other parts fit a width [pt]."""
+        """Return all texts; components have names only if the other parts fit a width [pt]."""
         solid = list(obstacles(placing))
         names = fixed_names(placing, scheme, solid)
         bare = cls(names, solid, {})
@@ -34,7 +34,7 @@ class AxesLetters(NamedTuple):
         return bare._replace(labels=device_labels(placing, names, solid))
 
     def extent(self, placing: AxesPlaces) -> tuple[Point, Point]:
-        """Return the lower left and the upper right corner, without the head [pt]."""
+        """Return the lower left and the upper right corner of the diagram without heading [pt]."""
         boxes = [*self.names, *(item.box for item in self.solid)]
         boxes += [item.box for labels in self.labels.values() for item in labels]
         for link, span in placing.spans.items():

@@ -25,41 +25,44 @@ from vstatics.pictures.schemes.axes.stations import CAGE, Station
 from vstatics.pictures.schemes.axes.wires import sign_height
 
 LINE = 1.2
-"""Ratio of the height of a line of text to the size of letters."""
+"""Ratio of the height of a line of text to the letter size. [-]"""
 CLEAR = 1.5
-"""Margin of letters. [pt]"""
+"""Margin around letters. [pt]"""
 ASIDE = (0, 3, 7, 12, 18, 26, 36)
-"""Candidate sideways distances of a text from the named part. [pt]"""
+"""Horizontal distances of a text from the named component to try. [pt]"""
 AWAY = (0, -1, 2, 4, 7, 10, 14, 18, 23, 30, 40, 52, 66)
-"""Candidate vertical distances of a text from the named part; -1 overlaps the part. [pt]"""
+"""Vertical distances of a text from the named component to try; -1 overlaps the component. [pt]"""
 UNDER, BESIDE = 5.0, 9.0
-"""Costs of a text on the far side of the named part, and of a text next to it. [pt of distance]"""
+"""Costs of a text below the component instead of above, and of a text next to it. [pt of distance]
+"""
 BESIDES = 8
-"""Number of steps between candidate heights next to the named part."""
+"""Number of steps between the heights to try for a text next to its component."""
 SHORT = 30.0
-"""Height of a part below which a text next to the part should be at its middle. [pt]"""
+"""Height of a component below which a text next to it should be at its middle. [pt]"""
 ON_TEXT = 1e5
 """Cost of a text that covers letters of another text. [pt of distance]"""
 STRANGE, NEAR = 12.0, 3.0
 """Cost of a text near another component [pt of distance], and distance that counts as near [pt]."""
 OUTWARD = np.array([-1.0, -1.0, 1.0, 1.0])
-"""Signs of the outward directions of the left, lower, right and upper side of a box."""
+"""Signs of the outward directions at the left, lower, right and upper side of a box. [-]"""
 Boxes = NDArray[np.float64]
-"""Boxes, each a row with its left, lower, right and upper side. [pt]"""
+"""Boxes around texts, each a row with the left, lower, right and upper side. [pt]"""
 
 
 class WantedLabel(NamedTuple):
-    """Text with the position that it should have."""
+    """Text with the position that is preferred."""
 
     device: int
     text: str
     above: Point
-    """Middle of the lower edge if the text is above the part, of the upper edge if below."""
+    """Middle of the lower edge of a text above the component, or of the upper edge of one below.
+    [pt]
+    """
     below: float
-    """Height at which a text on the far side begins. [pt]"""
+    """Height of the near edge of a text on the other side of the component. [pt]"""
     up: int
     half: float = 3.0
-    """Half the width of the named part. [pt]"""
+    """Half the width of the named component. [pt]"""
     size: float = SIZE
 
     @property
@@ -73,7 +76,7 @@ class DeviceLabel(NamedTuple):
 
     text: str
     at: Point
-    """Middle of the text. [pt]"""
+    """Middle of the text on the canvas. [pt]"""
     box: Rectangle
     is_name: bool
     """True for the name of a component, False for a tooth number."""
@@ -82,10 +85,9 @@ class DeviceLabel(NamedTuple):
 def device_labels(
     placing: AxesPlaces, fixed: Sequence[Rectangle], solid: Sequence[Obstacle]
 ) -> dict[int, list[DeviceLabel]]:
-    """Return the texts of each component, without overlap of texts or fixed boxes.
+    """Return the texts of each component, which overlap neither each other nor fixed boxes.
 
-    A text is as close as possible to the named part, with as few symbols and lines covered as
-    possible.
+    Each text is close to its component, and covers few symbols and lines.
     """
     walls = np.array([[*item.box] for item in solid] + [[*box] for box in fixed])
     costs = np.array([item.cost for item in solid] + [ON_TEXT for _ in fixed])
@@ -98,7 +100,7 @@ def device_labels(
         others = owners[(owners[:, 4] != wanted_label.device) & (owners[:, 4] >= 0), :4]
         met = _meets(boxes, walls)
         dear = dear + met @ costs
-        if not wanted_label.is_name:  # tooth numbers of planets are within a set
+        if not wanted_label.is_name:  # tooth numbers of planets are inside a gear set
             dear -= met[:, : len(within)] @ (IN_SET * (within == wanted_label.device))
         dear += STRANGE * _meets(boxes + NEAR * OUTWARD, others).any(axis=1)
         box = Rectangle(*boxes[int(np.argmin(dear))].tolist())
@@ -118,7 +120,7 @@ def _meets(boxes: Boxes, others: Boxes) -> NDArray[np.bool_]:
 
 
 def _candidates(placing: AxesPlaces, wanted: WantedLabel) -> tuple[Boxes, NDArray[np.float64]]:
-    """Return possible boxes of a text around the named part, and the cost of each box."""
+    """Return boxes to try for a text around its component, and the cost of each box."""
     (x, y), scale = wanted.above, placing.letters
     half = placing.wide(wanted.text, size=wanted.size, bold=wanted.is_name) / 2 + CLEAR
     tall = LINE * wanted.size * scale * (wanted.text.count("\n") + 1)
@@ -145,7 +147,7 @@ def _candidates(placing: AxesPlaces, wanted: WantedLabel) -> tuple[Boxes, NDArra
 
 
 def _teeth(placing: AxesPlaces) -> Iterator[WantedLabel]:
-    """Yield tooth numbers of gear pairs, by station, inside the gears, and of gear sets."""
+    """Yield tooth numbers with preferred positions: inside the gears of pairs, and at gear sets."""
     for number, station in enumerate(placing.board.stations):
         index, tall = station.devices[0], LINE * SMALL * placing.letters
         if station.teeth:
@@ -185,7 +187,7 @@ def _names(placing: AxesPlaces) -> Iterator[WantedLabel]:
 def _start(
     placing: AxesPlaces, number: int, station: Station, place: int
 ) -> tuple[Point, float, int]:
-    """Return the positions above and below a component, and the upward direction."""
+    """Return preferred positions of a name above and below a component, and the direction away."""
     axis, x = station.axes[0], placing.xs[number]
     side = placing.board.rows.sides[axis]
     if station.joint is not None:

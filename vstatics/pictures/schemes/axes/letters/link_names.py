@@ -1,4 +1,4 @@
-"""Positions of link names, next to the arrows of ports and in free places."""
+"""Positions of link names, next to the arrows of inputs and outputs and in free places."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from vstatics.pictures.schemes.ink import ARROW
 from vstatics.pictures.schemes.scheme import Scheme
 
 END_NAME_GAP = 3.0
-"""Distance from the end of a link to the name. [pt]"""
+"""Distance from the end of the line of a link to the name. [pt]"""
 
 
 def ends_of(placing: AxesPlaces, axis: int) -> tuple[float, float]:
-    """Return the leftmost and the rightmost point of the links of an axis [pt]."""
+    """Return the leftmost and rightmost position of the links of an axis [pt]."""
     spans = [span for link, span in placing.spans.items() if placing.axis_of(link) == axis]
     return min(span.left for span in spans), max(span.right for span in spans)
 
@@ -24,7 +24,7 @@ def ends_of(placing: AxesPlaces, axis: int) -> tuple[float, float]:
 def free_names(
     placing: AxesPlaces, scheme: Scheme, solid: Sequence[Obstacle]
 ) -> Iterator[tuple[int, Point, str]]:
-    """Yield names of links without a port that have room at an end or on the far side of their row.
+    """Yield names of links without input or output that have room near the line of their link.
 
     Parameters
     ----------
@@ -71,10 +71,10 @@ def _covers(placing: AxesPlaces, solid: Sequence[Obstacle], left: Point, wide: f
 
 
 def _room(placing: AxesPlaces, axis: int, link: int, wide: float) -> float | None:
-    """Return the middle of the first gap on the far side of an axis with room for a name.
+    """Return the middle of the first gap below an axis with room for a name.
 
-    A gap ends where a hollow shaft around the link begins, because the name would seem to be that
-    of the hollow shaft.
+    A gap ends where a hollow shaft around the link begins, because a name there would seem to name
+    the hollow shaft.
     """
     span = placing.spans[link]
     around = [
@@ -97,7 +97,7 @@ def _room(placing: AxesPlaces, axis: int, link: int, wide: float) -> float | Non
 
 
 def fixed_names(placing: AxesPlaces, scheme: Scheme, solid: Sequence[Obstacle]) -> list[Rectangle]:
-    """Return the boxes of link names, with the arrows of ports."""
+    """Return the boxes of link names at inputs and outputs, including the arrows."""
     boxes, tall = [], 5.0 * placing.letters
     for port in scheme.ports:
         span, axis = placing.spans[port.link], placing.axis_of(port.link)

@@ -1,4 +1,4 @@
-"""Obstacles for letters: symbols, gears, boxes and lines, each with a cost."""
+"""Obstacles for letters: symbols, gears, boxes and lines, each with the cost of covering it."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.rooms import ends_of, rooms_of
 
 BRAKE_HEIGHT, ROOF, BOX, SIGN = 19.0, 22.0, 8.0, 9.0
-"""Heights of a brake and a drum above symbols, half heights of a box and a symbol. [pt]"""
+"""Heights of a brake and a drum above their symbol, half heights of a box and of a symbol. [pt]"""
 GROUND = 5.0
 """Height of the hatching of the housing. [pt]"""
 CONE = 3.5
@@ -24,13 +24,13 @@ CONE = 3.5
 CONE_RIM = 9.0
 """Depth of the cone of a crown gear. [pt]"""
 HALF_LINE = 1.2
-"""Half the width of a line with margins. [pt]"""
+"""Half the width of a line with its margins. [pt]"""
 ON_SIGN, ON_LINE, IN_SET = 300.0, 150.0, 20.0
 """Costs of a name on a symbol, on a line, and inside a gear set. [pt of distance]"""
 
 
 class Rectangle(NamedTuple):
-    """Rectangle with sides parallel to the axes [pt]."""
+    """Rectangle with horizontal and vertical sides [pt]."""
 
     left: float
     low: float
@@ -44,7 +44,7 @@ class Obstacle(NamedTuple):
     box: Rectangle
     cost: float = ON_SIGN
     device: int = -1
-    """Index of the component in `Scheme.devices`, -1 for lines."""
+    """Index of the component in `Scheme.devices`; -1 for a line."""
 
 
 def about(first: Point, second: Point, half: float = HALF_LINE) -> Rectangle:
@@ -107,7 +107,7 @@ def _of_pair(placing: AxesPlaces, number: int, station: Station) -> Iterator[Obs
 
 
 def _of_set(placing: AxesPlaces, number: int, station: Station) -> Iterator[Obstacle]:
-    """Yield the lines and supports of a gear set, and its interior at a lower cost."""
+    """Yield the lines and supports of a gear set as obstacles, and the interior at a lower cost."""
     axis, glyph = station.axes[0], station.glyphs[placing.chosen.ways[number]]
     left, middle = placing.xs[number] - glyph.width / 2, placing.sign_height(axis)
 
@@ -128,7 +128,7 @@ def _of_set(placing: AxesPlaces, number: int, station: Station) -> Iterator[Obst
 
 
 def _of_section(station: Station, layout: CoaxialLayout, x: float, y: float) -> Iterator[Obstacle]:
-    """Yield an obstacle for all of a half-section above its axis, and for each part below."""
+    """Yield one obstacle for a half-section above its axis, and an obstacle for each part below."""
     low, high = x - station.half, x + station.half
     yield Obstacle(Rectangle(low, y - HALF_LINE, high, y + station.reach[1]))
     for up, at in zip(layout.uprights, layout.places.at, strict=True):

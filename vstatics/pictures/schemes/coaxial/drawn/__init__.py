@@ -1,5 +1,5 @@
-"""Drawing of half-sections with the ink of all schemes.
+"""Drawing of half-sections.
 
-`lines` are the lines of links, `links` their names and the axis, `devices` the symbols of sets and
-shift elements, `ports` the arrows of input and output; `chain` draws a row of couplings.
+`lines` calculates the lines of links, `links` draws them with names, `devices` draws gear sets and
+shift elements, `ports` the arrows of input and output, and `chain` a row of components in series.
 """

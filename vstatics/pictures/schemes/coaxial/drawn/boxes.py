@@ -1,4 +1,4 @@
-"""Boxes of components: in the row of planets, and on lines between two links."""
+"""Boxes of components, drawn like gear sets or on lines between two links."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from vstatics.pictures.schemes.sets import wheel_taps
 BOX_LINE = 1.8
 """Line width of the outline of a box. [pt]"""
 Written = tuple[Point, str]
-"""Middle of a text, and the text."""
+"""Position of the middle of a text, and the text."""
 
 
 def draw_box(
@@ -25,9 +25,9 @@ def draw_box(
     index: int,
     section: BoxSection,
     at: float,
-    is_left: bool,  # noqa: FBT001 - the side at which its link is
+    is_left: bool,  # noqa: FBT001 - side of the link
 ) -> None:
-    """Draw a box in the row of planets, with the supports of fixed members."""
+    """Draw a box like a gear set, with the supports of fixed members."""
     (left, right), half, letters = section.faces, section.half, section.letters
     taps = list(wheel_taps(section))
     members: list[Written] = [
@@ -53,7 +53,7 @@ def draw_box(
 
 
 def draw_pair_box(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None:
-    """Draw a box on the line between two bars, with the names of members at the edges."""
+    """Draw a box on the line between two links, with the names of members at its edges."""
     index, y = layout.device(up), layout.middle(up)
     text, device = layout.coaxial.texts[index], ink.scheme.devices[index]
     (wide, high), rise = layout.box_size(up), layout.letters * (LINE + PAD) / 2
@@ -81,7 +81,7 @@ def draw_chain_box(
     _texts(ink, index, text, (x, y + LINE / 2), members, 1.0)
 
 
-def _texts(  # noqa: PLR0913, PLR0917 - what is written, and where
+def _texts(  # noqa: PLR0913, PLR0917 - texts and their positions
     ink: SchemeInk,
     index: int,
     text: BoxText,
@@ -95,7 +95,7 @@ def _texts(  # noqa: PLR0913, PLR0917 - what is written, and where
 
 
 def _outlined(ink: SchemeInk, index: int, ends: tuple[Point, Point]) -> None:
-    """Draw an outline, hatched if the component rotates as a block."""
+    """Draw the outline of a box, hatched if the component rotates as a block."""
     pen, said = ink.of_device(index).pen, ink.said(index)
     look: Look = {"facecolor": pen.style.paper, "edgecolor": ink.color(index), "joinstyle": "round"}
     edges = corners(*ends[0], *ends[1])

@@ -1,4 +1,4 @@
-"""Row of couplings in a chain on the axis."""
+"""Row of components in series on the axis, before or after the gearbox."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ from vstatics.pictures.schemes.scheme import Scheme
 from vstatics.pictures.schemes.shift_element_symbols import Coupled, draw_coupled, half_of
 
 Texts = Mapping[int, BoxText]
-"""Texts of boxes by the index of the component in the scheme."""
+"""Texts of boxes, by the index of the component in the scheme."""
 CHAIN_NAME_LETTERS = 11
-"""Number of letters above which a name is broken at blanks."""
+"""Number of letters above which a name is broken at a blank."""
 CHAIN_NAME_GAP = 8.0
-"""Distance between names. [pt]"""
+"""Distance between neighbouring names. [pt]"""
 ABOVE_SIGN, BELOW_SIGN = 12.0, 11.0
-"""Distances from the axis to the names of components above, and of links below. [pt]"""
+"""Distances from the axis up to names of components, and down to names of links. [pt]"""
 LEAST_PITCH = 32.0
-"""Smallest distance between symbols. [pt]"""
+"""Smallest distance between neighbouring symbols. [pt]"""
 
 
 def _device_name(scheme: Scheme, index: int) -> str:
@@ -41,7 +41,7 @@ def _link_name(scheme: Scheme, link: int) -> str:
 
 
 def _sizes(scheme: Scheme, chain: CoaxialChain, texts: Texts) -> list[Point]:
-    """Return the width of each symbol's name or text, and its height above the axis [pt]."""
+    """Return for each symbol the width of its name or text, and its height above the axis [pt]."""
     sizes = []
     for index in chain.devices:
         if index in texts:
@@ -54,7 +54,7 @@ def _sizes(scheme: Scheme, chain: CoaxialChain, texts: Texts) -> list[Point]:
 
 
 def places_of(scheme: Scheme, chain: CoaxialChain, texts: Texts = NO_TEXTS) -> list[float]:
-    """Return the positions of the symbols along the axis [pt]."""
+    """Return the position of each symbol along the axis [pt]."""
     names = [wide for wide, _ in _sizes(scheme, chain, texts)]
     between = [width(_link_name(scheme, link)) for link in chain.links[1:-1]]
     room = max((long + CHAIN_NAME_GAP for long in between), default=0.0)
@@ -83,7 +83,7 @@ def chain_extent(
 
 
 def draw_chain(ink: SchemeInk, chain: CoaxialChain, texts: Texts = NO_TEXTS) -> None:
-    """Draw symbols on the axis, with the names of components above and of links below."""
+    """Draw the symbols on the axis, with names of components above and of links below."""
     scheme, at = ink.scheme, places_of(ink.scheme, chain, texts)
     sizes = _sizes(scheme, chain, texts)
     half = [

@@ -1,4 +1,4 @@
-"""Drawing of gear sets, couplings, and connections to the housing in a half-section."""
+"""Drawing of gear sets, shift elements, and connections to the housing in a half-section."""
 
 from __future__ import annotations
 
@@ -26,9 +26,9 @@ from vstatics.pictures.schemes.sets import planet_strokes, wheel_taps, wheel_tex
 from vstatics.pictures.schemes.shift_element_symbols import Coupled, draw_coupled
 
 SIGN_NAME = 12.0
-"""Distance from the middle of a coupling to the name. [pt]"""
+"""Distance from the middle of a shift element or shaft to the name. [pt]"""
 TOP_NAME = 8.0
-"""Distance from the housing to the name of a component there. [pt]"""
+"""Distance from the housing to the name of a component at the housing. [pt]"""
 
 
 def draw_devices(ink: SchemeInk, layout: CoaxialLayout) -> None:
@@ -88,7 +88,7 @@ def _pair(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None
 
 
 def _top(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None:
-    """Draw a brake, a support, a fixed member, or a link that leaves through the housing."""
+    """Draw a brake, a support, a fixed member, or a link that passes through the housing."""
     meaning, roof = layout.coaxial.tops[up.index], layout.places.housing
     ends, name_at = ((at, roof - BRAKE_LENGTH), (at, roof)), (at, roof + TOP_NAME)
     if meaning.port:

@@ -16,11 +16,11 @@ from vstatics.pictures.schemes.sets import axles, wheel_taps
 
 
 class Wires(NamedTuple):
-    """Lines of links, and connections to components."""
+    """Lines of links in a half-section, and the points where components meet them."""
 
     lines: Mapping[int, Sequence[Segment]]
     met: Sequence[tuple[int, int, Point]]
-    """Connections, each with its link, component and point."""
+    """Points where components meet lines, each with the link, the component and the point."""
 
     def crossings(self) -> list[Point]:
         """Return the points where lines of different links meet."""
@@ -35,7 +35,7 @@ class Wires(NamedTuple):
 
 
 def meeting(first: Segment, second: Segment) -> Point | None:
-    """Return a common point of two horizontal or vertical lines, or `None`."""
+    """Return the common point of two horizontal or vertical lines, or None."""
     (a, b), (c, d) = first
     (e, f), (g, h) = second
     left, right = max(a, e), min(c, g)
@@ -44,7 +44,7 @@ def meeting(first: Segment, second: Segment) -> Point | None:
 
 
 def wires_of(layout: CoaxialLayout) -> Wires:
-    """Return all lines of all links."""
+    """Return the lines of all links."""
     places = layout.places
     lines: list[tuple[int, Segment]] = []
     met: list[tuple[int, int, Point]] = []
@@ -137,5 +137,5 @@ def _meets(layout: CoaxialLayout, up: Upright, at: float) -> Iterator[tuple[int,
 
 
 def crossings_of(layout: CoaxialLayout) -> int:
-    """Return the number of crossings of links."""
+    """Return the number of crossings between lines of different links."""
     return len(wires_of(layout).crossings())

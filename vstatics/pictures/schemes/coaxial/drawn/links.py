@@ -20,11 +20,11 @@ from vstatics.pictures.schemes.coaxial.rooms import (
 from vstatics.pictures.schemes.ink import SchemeInk, centred
 
 BRIDGE, BRIDGE_GAP = 5.0, 1.4
-"""Half the length of a bridge at a crossing, and half the gap. [pt]"""
+"""Half the length of a bridge over a crossed line, and half its width. [pt]"""
 
 
 def draw_links(ink: SchemeInk, layout: CoaxialLayout) -> None:
-    """Draw all links, pale without torque."""
+    """Draw the lines of all links, pale where they transmit no torque."""
     wires = wires_of(layout)
     style, loaded = ink.pen.style, ink.state.loaded
     ends = [*wires.met, *_port_points(ink, layout)]
@@ -46,13 +46,14 @@ def draw_links(ink: SchemeInk, layout: CoaxialLayout) -> None:
 
 
 def draw_link_names(ink: SchemeInk, layout: CoaxialLayout) -> None:
-    """Write names on bars, and next to the ends of unconnected members."""
+    """Write names of links on bars, and next to the ends of unconnected members."""
     scale = ink.pen.letters
     for link, at in layout.places.names.items():
         name = layout.link_name(link)
         half, high = (width(name) / 2 + 1.5) * scale, (height(name) / 2 - 1.0) * scale
         paper = corners(at[0] - half, at[1] - high, at[0] + half, at[1] + high)
-        pen = ink.of_link(layout.name(link))  # the background of a name is in the group, too
+        # The background of a name belongs to the SVG group of the link.
+        pen = ink.of_link(layout.name(link))
         pen.area(*paper, color=pen.style.paper, zorder=3.6)
         centred(pen, at, name, color=ink.name_color(link))
     for up, x in zip(layout.uprights, layout.places.at, strict=True):
@@ -75,7 +76,7 @@ def _joints(pen: Pen, lines: Sequence[Segment], points: set[Point]) -> None:
 
 
 def _port_points(ink: SchemeInk, layout: CoaxialLayout) -> Iterator[tuple[int, int, Point]]:
-    """Yield the link, -1 for no component, and the point of each port of the transmission."""
+    """Yield each port of the transmission: its link, -1 for the component, and its point."""
     (left, right), train = ends_of(layout), layout.coaxial.train
     used = {port.link for port in layout.coaxial.scheme.ports if port not in ink.state.idle_ports}
     for link, x in ((train.start, left), (train.end, right)):

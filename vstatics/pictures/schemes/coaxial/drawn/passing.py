@@ -1,4 +1,4 @@
-"""Parts of the lines of a link that transmit torque."""
+"""Division of the lines of a link into pieces with and without torque."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from vstatics.pictures.drawing.labels import Segment
 def passed(
     lines: Sequence[Segment], met: set[Point]
 ) -> tuple[list[tuple[Segment, bool]], set[Point]]:
-    """Return the pieces of lines, each with True if it carries torque, and the points with torque.
+    """Return pieces of lines, each with True if it carries torque, and points with torque.
 
     Parameters
     ----------
     met : set of Point
-        Points where components with torque meet the lines.
+        Points where torque-carrying components meet the lines.
 
     >>> passed([((0, 0), (4, 0)), ((2, 0), (2, 3))], {(0, 0), (2, 3)})[0]
     [(((0, 0), (2, 0)), True), (((2, 0), (4, 0)), False), (((2, 0), (2, 3)), True)]
@@ -30,7 +30,7 @@ def passed(
 
 
 def _split(line: Segment, others: Iterable[Segment], ends: Iterable[Point]) -> list[Point]:
-    """Return the points at which a line can branch, in order."""
+    """Return the points of a line where it can branch, in order."""
     points = {*line, *(at for at in ends if _is_on(at, line))}
     is_upright = line[0][0] == line[1][0]
     for other in others:
@@ -47,7 +47,7 @@ def _is_on(at: Point, line: Segment) -> bool:
 
 
 def _between(ends: set[Point], steps: Iterable[Segment]) -> set[Segment]:
-    """Return the steps between ends, which are the steps that remain without dead ends."""
+    """Return the steps that remain when dead ends that do not reach `ends` are removed."""
     remaining = {step for step in steps if step[0] != step[1]}
     while True:
         points = [at for step in remaining for at in step]
@@ -58,7 +58,7 @@ def _between(ends: set[Point], steps: Iterable[Segment]) -> set[Segment]:
 
 
 def _runs(points: Sequence[Point], loaded: set[Segment]) -> Iterator[tuple[Segment, bool]]:
-    """Yield the fewest pieces of a line that are entirely with or without torque."""
+    """Yield pieces of a line, as long as possible, each with True if it carries torque."""
     start = 0
     marks = [step in loaded for step in pairwise(points)]
     for place, mark in enumerate(marks, 1):

@@ -10,7 +10,7 @@ from vstatics.pictures.schemes.scheme import SchemePort
 
 
 def draw_ports(ink: SchemeInk, layout: CoaxialLayout) -> None:
-    """Draw the ports at both ends of the axis."""
+    """Draw the ports of the transmission at both ends of the axis."""
     (left, right), train = ends_of(layout), layout.coaxial.train
     for link, x, way in ((train.start, left, -1.0), (train.end, right, 1.0)):
         if link:
@@ -18,7 +18,7 @@ def draw_ports(ink: SchemeInk, layout: CoaxialLayout) -> None:
 
 
 def draw_end(ink: SchemeInk, link: int, at: Point, way: float) -> None:
-    """Draw the arrow and the name of a link that leaves along the axis."""
+    """Draw the arrow and the name of a link that leaves in a direction along the axis."""
     ports = [port for port in ink.scheme.ports if port.link == link]
     port = min(
         ports,
@@ -31,7 +31,7 @@ def draw_end(ink: SchemeInk, link: int, at: Point, way: float) -> None:
 
 
 def port_arrow(ink: SchemeInk, port: SchemePort, at: Point, way: Point) -> None:
-    """Draw an arrow in the direction of power, as far as known."""
+    """Draw the arrow of a port in the direction of power, if known."""
     color, (x, y), (dx, dy) = ink.end_color([port]), at, way
     if port.is_further:
         end = x + dx * ARROW, y + dy * ARROW

@@ -1,6 +1,6 @@
 """Order of components along an axis from left to right, by a deterministic search.
 
-`state` is the situation at a place, `moves` the possible next steps, with those of gear sets in
-`set_moves`. `remainder` detects dead ends, `sweep` searches, and `stacked` is the arrangement with
-crossings that always exists.
+`state` describes the bars (lines of links) at a place along the axis. `moves` yields the components
+that can follow to the right, and `set_moves` yields gear sets. `remainder` detects dead ends,
+`sweep` searches, and `stacked` returns an arrangement with crossings, which always exists.
 """

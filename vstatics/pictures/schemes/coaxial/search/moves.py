@@ -1,4 +1,4 @@
-"""Next steps to the right in a half-section: a coupling, a wall of a link or a gear set."""
+"""Next components to the right in a half-section: shift elements, shafts, walls, gear sets."""
 
 from __future__ import annotations
 
@@ -23,23 +23,23 @@ from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
 
 
 class Moves(NamedTuple):
-    """Possible next steps of a train."""
+    """Generator of the steps that can follow to the right of a place in a half-section."""
 
     train: CoaxialTrain
     crossing: int = 0
-    """Parts that may cross bars, as bits."""
+    """Bits of the components that may cross bars."""
     is_ordered: bool = False
     """True to keep the given order of gear sets."""
 
     def after(self, state: SectionState) -> Iterator[Move]:
-        """Yield all steps from a state."""
+        """Yield all steps from a state, each with the state after it and its cost."""
         yield from self._tops(state)
         yield from self._pairs(state)
         yield from self._walls(state)
         yield from SetMoves(*self).after(state)
 
     def _tops(self, state: SectionState) -> Iterator[Move]:
-        """Yield links that begin at the housing; links that end there need no step."""
+        """Yield the steps in which a link begins at the housing; an end there needs no step."""
         below, above, done = state
         bars = below + above
         for index, (link, bit) in enumerate(zip(self.train.tops, self.train.top_bits, strict=True)):
@@ -58,7 +58,7 @@ class Moves(NamedTuple):
                 yield Move(SectionState(low, high, done | bit), TOP, cost, step)
 
     def _pairs(self, state: SectionState) -> Iterator[Move]:
-        """Yield couplings of a present link to a link that begins, or begins again, next to it."""
+        """Yield the steps in which a component connects a present link to a new bar next to it."""
         below, above, done = state
         bars = below + above
         alive = links_of(bars)
@@ -85,7 +85,7 @@ class Moves(NamedTuple):
                 yield Move(SectionState(low, high, done | bit), PAIR, cost, step)
 
     def _walls(self, state: SectionState) -> Iterator[Move]:
-        """Yield walls: links next to the row of planets that continue on its other side."""
+        """Yield walls: steps in which a bar next to the planets continues on the other side."""
         below, above, done = state
         bars = below + above
         ways = []
@@ -101,7 +101,7 @@ class Moves(NamedTuple):
 def _adjacent(
     below: Bars, above: Bars, link: int, part: int, *, wraps: bool
 ) -> Iterator[tuple[Bars, Bars, int]]:
-    """Yield all places of a new bar next to the bars of a link, or within a bar."""
+    """Yield all places of a new bar next to the bars of a link, instead of a bar, or within it."""
     for row, is_low in ((below, True), (above, False)):
         for at, bar in enumerate(row):
             if bar >> 3 != link:

@@ -9,17 +9,16 @@ from vstatics.pictures.schemes.coaxial.train import AXIS, HOUSING_VERTEX, Coaxia
 
 
 def can_go_on(train: CoaxialTrain, bars: Sequence[int], done: int) -> bool:
-    """Return whether no two parts of the remainder alternate along the bars.
+    """Return False if the remaining components certainly cannot be drawn without crossings.
 
-    The remainder consists of parts connected by links that have not begun. The bars from the axis
-    to the housing form a line, and the whole remainder is on one side of it. Of two parts, one
-    must lie between two neighbouring ends of the other, or they would cross. This condition is
-    necessary, but not sufficient.
+    Remaining components joined by links that have not begun form a part. All parts are to the right
+    of the present bars (lines of links), from the axis to the housing. Two parts would cross if
+    their ends alternate along the bars. The condition is necessary, but not sufficient.
 
     Parameters
     ----------
     bars : sequence of int
-        Bars from the axis outward: eight times a link plus the number of its part.
+        Bars from the axis outwards, each eight times the link plus the number of the link's part.
     """
     parts = list(_parts(train, bars, done))
     for places in parts:
@@ -31,14 +30,14 @@ def can_go_on(train: CoaxialTrain, bars: Sequence[int], done: int) -> bool:
     return True
 
 
-def _parts(train: CoaxialTrain, bars: Sequence[int], done: int) -> Iterator[frozenset[int]]:  # noqa: C901 - what each edge joins
-    """Yield the places of the bars at which each part of the remainder ends."""
+def _parts(train: CoaxialTrain, bars: Sequence[int], done: int) -> Iterator[frozenset[int]]:  # noqa: C901 - by kind of edge
+    """Yield the indices of the bars at which each connected part of the remainder ends."""
     places: dict[int, set[int]] = {AXIS: {-1}, HOUSING_VERTEX: {len(bars)}}
     pieces: dict[int, set[int]] = {}
     for place, bar in enumerate(bars):
         places.setdefault(bar >> 3, set()).add(place)
         pieces.setdefault(bar >> 3, set()).add(bar)
-    # A link with several connected bars can be met at any of them.
+    # A link whose bars are connected to each other can be met at any of them.
     loose = {
         link
         for link, bars_of_link in pieces.items()

@@ -1,4 +1,4 @@
-"""Gear sets as the next step to the right, with suns below the row of planets and rings above."""
+"""Gear sets as the next step to the right, suns below the row of planets and rings above."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ from vstatics.pictures.schemes.coaxial.search.state import (
 from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
 
 NONE, TAKEN, KEPT, NEW = range(4)
-"""Connection of a carrier to the next bar: no bar, or a bar that ends, continues or begins."""
+"""Connection of a carrier's arm to the next bar: no bar, a bar that ends, continues, or begins."""
 _Plane = tuple[tuple[int, int], tuple[int, int]]
-"""Links of the sun and the ring of a plane, and the bits of both."""
+"""Links of the sun and the ring of a plane, and the bits of these two edges."""
 
 
 class _Begun(NamedTuple):
-    """Partly drawn gear set."""
+    """Gear set whose planes are drawn up to some place."""
 
     state: SectionState
     cost: int
@@ -40,28 +40,28 @@ def _is_last(row: Bars, link: int) -> bool:
 
 
 def _end_of(row: Bars, carrier: int, joined: set[int]) -> list[int]:
-    """Return the possible connections of a carrier on the right."""
+    """Return the possible connections of a carrier's right arm to the nearest bar of a row."""
     if not _is_last(row, carrier):
         return [NONE, NEW]
     return [NONE] if row[-1] in joined else [NONE, KEPT]
 
 
 class _LeftArm(NamedTuple):
-    """Left end of a gear set."""
+    """Left arm of a carrier, where a gear set begins."""
 
     before: SectionState
     carrier: int
     bit: int
     joined: set[int]
-    """Numbers of the bars that are connected to the carrier."""
+    """Bars that are connected to the carrier, as numbers."""
     left: tuple[bool, bool]
-    """True for a connection below and above."""
+    """True if the arm meets the nearest bar below, and above."""
 
 
 def without_ended(
     train: CoaxialTrain, state: SectionState, carrier: int | None = None
 ) -> SectionState:
-    """Remove the bars of links without further connections, except those of a carrier."""
+    """Remove the bars of links without remaining connections, except those of a carrier."""
     below, above, done = state
     bars = below + above
     ended = {bar >> 3 for bar in bars if not train.masks[bar >> 3] & ~done} - {carrier}
@@ -69,22 +69,22 @@ def without_ended(
         return state
     parts = sorted({*bars})
     in_two_parts = {low >> 3 for low, high in pairwise(parts) if low >> 3 == high >> 3}
-    ended -= in_two_parts  # the parts must be connected first
+    ended -= in_two_parts  # separate parts of a link must be connected first
     low, high = (tuple(bar for bar in row if bar >> 3 not in ended) for row in (below, above))
     return SectionState(low, high, done)
 
 
 class SetMoves(NamedTuple):
-    """Possible ways to draw the next gear set of a train."""
+    """Generator of the possible ways to draw the next gear set of a half-section."""
 
     train: CoaxialTrain
     crossing: int
-    """Bits of the parts that may cross bars."""
+    """Bits of the components that may cross bars."""
     is_ordered: bool
     """True to keep the given order of gear sets."""
 
     def after(self, state: SectionState) -> Iterator[Move]:
-        """Yield all steps from a state."""
+        """Yield all gear sets that can follow a state, with the next state and the cost."""
         train = self.train
         for index, (planes_of_set, bit) in enumerate(
             zip(train.sets, train.carrier_bits, strict=True)
@@ -105,7 +105,7 @@ class SetMoves(NamedTuple):
     def _set(
         self, state: SectionState, carrier: int, bit: int, planes: Sequence[_Plane]
     ) -> Iterator[Move]:
-        """Yield a gear set with all connections of the carrier to the left and right."""
+        """Yield a gear set with all possible connections of its carrier on the left and right."""
         below, above, _ = state
         bars = below + above
         part = fresh(carrier, bars)
@@ -135,7 +135,7 @@ class SetMoves(NamedTuple):
                 yield from self._left_behind(at, _LeftArm(state, carrier, bit, joined, left))
 
     def _meshed(self, begun: _Begun, planes: Sequence[_Plane], carrier: int) -> Iterator[_Begun]:
-        """Yield the set with further planes: sun on the last bar below, ring on the first above."""
+        """Yield a gear set with further planes: suns meet the last bar below, rings the first."""
         if not planes:
             yield begun
             return
@@ -150,7 +150,7 @@ class SetMoves(NamedTuple):
                 yield from self._meshed(step, planes[1:], carrier)
 
     def _wheel(self, row: Bars, others: Bars, link: int, bit: int) -> Iterator[tuple[Bars, int]]:
-        """Yield the bars with the bar of a gear at the end, and the cost."""
+        """Yield the bars of a row with a sun's or ring's bar next to the planets, and the cost."""
         if not link or _is_last(row, link):
             yield row, 0
             return
@@ -161,7 +161,7 @@ class SetMoves(NamedTuple):
             yield row, CROSSING * next(n for n, b in enumerate(row[::-1]) if b >> 3 == link)
 
     def _left_behind(self, begun: _Begun, arm: _LeftArm) -> Iterator[Move]:
-        """Yield the states to the right of a set, with all connections of the carrier."""
+        """Yield the steps of a gear set, with all connections of its carrier on the right."""
         before, carrier, bit, joined, left = arm
         (below, above, done), cost, seen = begun
         done |= bit

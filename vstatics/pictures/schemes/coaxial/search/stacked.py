@@ -1,4 +1,4 @@
-"""Arrangement of any train with crossings: a horizontal line for each link, as long as needed.
+"""Arrangement of any train with crossings: each link is one horizontal line.
 
 The search falls back to this arrangement if no better arrangement is found soon. In each step, the
 remaining component with the fewest crossings and the fewest new lines is added.
@@ -14,11 +14,11 @@ from vstatics.pictures.schemes.coaxial.search.state import SectionState, SweepSt
 from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
 
 STACKED_CROSSING = 10
-"""Cost of a crossing, relative to the cost of a new line."""
+"""Cost of a crossing, relative to the cost of a new line. [-]"""
 
 
 class _Stacked(NamedTuple):
-    """Candidate for the next component."""
+    """Component that can be added next, with the cost."""
 
     cost: int
     steps: tuple[SweepStep, ...]
@@ -26,7 +26,7 @@ class _Stacked(NamedTuple):
 
 
 def stacked(train: CoaxialTrain) -> list[SweepStep]:
-    """Return steps of a train from left to right.
+    """Return the components of a train from left to right, as steps of a search.
 
     Examples
     --------
@@ -45,7 +45,7 @@ def stacked(train: CoaxialTrain) -> list[SweepStep]:
 
 
 def _ways(train: CoaxialTrain, state: SectionState) -> Iterator[_Stacked]:
-    """Yield all components that can be next."""
+    """Yield all remaining components as next steps, with the costs."""
     kinds = (
         (train.carrier_bits, _set),
         (train.pair_bits, _pair),
@@ -93,7 +93,7 @@ def _pair(train: CoaxialTrain, number: int, state: SectionState) -> _Stacked:
 
 
 def _set(train: CoaxialTrain, number: int, state: SectionState) -> _Stacked:
-    """Return a gear set whose gears and carrier can cross the lines in between."""
+    """Return the step of a gear set whose gears and carrier may cross lines."""
     below, above, done = state
     carrier, wheels = train.sets[number]
     crossed, walls = 0, list[SweepStep]()
@@ -105,7 +105,7 @@ def _set(train: CoaxialTrain, number: int, state: SectionState) -> _Stacked:
                 continue
             row = (*row, bar)
             below, above = (row, above) if is_sun else (below, row[::-1])
-            if bar in others:  # the line is on the other side of the row
+            if bar in others:  # the line is on the other side of the row of planets
                 crossed += others[::-1].index(bar)
                 walls.append(SweepStep("wall", link, [(below, above)]))
     bits = sum(bit for both in train.wheel_bits[number] for bit in both)

@@ -1,8 +1,8 @@
 """Deterministic search for the order of components along the axis.
 
-States are expanded by the past cost plus the estimated remaining cost (A*, with a weight on the
-estimate to reach an end soon). Components that connect neighbouring bars are added at once, which
-is never worse.
+The search (A*) expands the state with the smallest sum of past cost and weighted estimate of the
+remaining cost; a large weight reaches an end sooner. Components that connect neighbouring bars
+(lines of links) are added at once, which is never worse.
 """
 
 from __future__ import annotations
@@ -33,60 +33,60 @@ from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
 
 
 class SweepEffort(NamedTuple):
-    """Tries of a search: weight of the estimated remaining cost, and largest number of states."""
+    """Attempts of a search, each a weight of the estimated cost and a largest number of states."""
 
     planar: Sequence[tuple[float, int]]
-    """Tries without crossings."""
+    """Attempts without crossings."""
     crossing: Sequence[tuple[float, int]]
-    """Tries with crossings of few couplings."""
+    """Attempts in which at most `MOST_CROSSING` shift elements or shafts may cross links."""
     last: Sequence[tuple[float, int]]
-    """Tries with crossings of all parts that can cross."""
+    """Attempts in which every component that can cross links may do so."""
     is_first: bool = False
-    """True to take the first arrangement with crossings instead of the best."""
+    """True to take the first arrangement with crossings; False to take the best."""
 
 
 CROSSING_TRIES = (1000.0, 800), (30.0, 400), (100.0, 400)
 LAST_TRIES = (1000.0, 400), (100.0, 800)
 FULL = SweepEffort(((3.0, 300), (6.0, 1200), (5.0, 2500), (10.0, 4000)), CROSSING_TRIES, LAST_TRIES)
 QUICK = SweepEffort(((5.0, 400), (10.0, 2500), (3.0, 2500)), CROSSING_TRIES, LAST_TRIES)
-"""Effort for a diagram among many."""
+"""Effort for a small diagram in a list."""
 BRIEF = SweepEffort(
     ((5.0, 150), (3.0, 150), (6.0, 800)), ((1000.0, 100),), ((1000.0, 400),), is_first=True
 )
-"""Effort for a picture of boxes."""
+"""Effort for a picture with boxes."""
 MOST_SEARCHED_SETS = 20
-"""Largest number of gear sets for which an arrangement is searched for."""
+"""Largest number of gear sets for which the search is tried at all."""
 LAST_SETS = 6
-"""Number of sets above which fewer states with all crossings are tried, because of the time."""
+"""Number of gear sets above which `last` attempts have fewer states, to save time."""
 MOST_CROSSING = 2
-"""Largest number of couplings that may cross at the same time."""
+"""Largest number of shift elements and shafts that may cross links at the same time."""
 MOST_CHOICES = 12
-"""Largest number of choices of crossing couplings, in the order of the train."""
+"""Largest number of choices of crossing components that are tried, in the order of the train."""
 MOST_FURTHER = 2
-"""Largest number of additional bars at a place, beyond a single bar of each link."""
+"""Largest number of bars at a place in addition to one bar of each link."""
 BARS_OF_REST = 2
-"""Number of bars that the estimate of the remaining cost assumes along each component."""
+"""Number of bars along each remaining component in the estimate of the remaining cost."""
 _Trace = tuple[tuple[SweepStep, ...], "_Trace | None"]
 
 
 class Swept(NamedTuple):
-    """Steps of an arrangement from left to right."""
+    """Result of a search: the components from left to right."""
 
     steps: Sequence[SweepStep]
     is_ordered: bool = True
-    """False if gear sets should be in the given order but are not."""
+    """False if gear sets should be in the given order but could not be."""
 
 
 @lru_cache(maxsize=64)
 def swept(train: CoaxialTrain, *, is_ordered: bool = False, effort: SweepEffort = FULL) -> Swept:
-    """Return the steps of a train from left to right.
+    """Return the components of a train from left to right.
 
     Parameters
     ----------
     is_ordered : bool
         True to keep gear sets in the given order, even with crossings, if a way is found soon.
     effort : SweepEffort, optional
-        Tries of the search, after which all lines are stacked.
+        Attempts of the search; if all fail, each link is one line (`stacked`).
 
     Examples
     --------
@@ -114,7 +114,7 @@ def swept(train: CoaxialTrain, *, is_ordered: bool = False, effort: SweepEffort 
 def _with_crossings(
     train: CoaxialTrain, effort: SweepEffort, *, is_planar: bool, is_ordered: bool
 ) -> _FoundSteps | None:
-    """Return the best arrangement with few crossings, or any arrangement."""
+    """Return the cheapest arrangement with few crossings or, failing that, with any crossings."""
     tried = (
         _SweepSearch(Moves(train, crossing, is_ordered), weight).found(most)
         for crossing in _crossing(train, is_planar=is_planar)
@@ -132,7 +132,7 @@ def _with_crossings(
 
 
 def _crossing(train: CoaxialTrain, *, is_planar: bool) -> list[int]:
-    """Return the bits of the fewest couplings whose crossing makes the remainder planar."""
+    """Return choices of the fewest components that leave a planar remainder, as sums of bits."""
     bits = [*train.pair_bits, *train.top_bits]
     for number in range(1, MOST_CROSSING + 1):
         ways = (sum(way) for way in combinations(bits, number))
@@ -152,15 +152,16 @@ class _SweepSearch(NamedTuple):
     moves: Moves
     weight: float
 
-    def found(self, most: int) -> _FoundSteps | None:  # noqa: C901 - one loop
-        """Return the steps to the end, or `None` if too many states are needed."""
+    def found(self, most: int) -> _FoundSteps | None:  # noqa: C901 - a single loop
+        """Return the cheapest steps to the end; None if they need too many states."""
         train, number = self.moves.train, count()
         waiting: list[tuple[float, int, int, SectionState, _Trace]] = []
         best: dict[SectionState, int] = {}
         closed: set[SectionState] = set()
 
         def add(state: SectionState, cost: int, trace: _Trace) -> None:
-            cost += state.done == train.all_bits and bool(state.above)  # not at the axis
+            # The output is not at the axis.
+            cost += state.done == train.all_bits and bool(state.above)
             if state not in closed and best.get(state, cost + 1) > cost:
                 best[state] = cost
                 guess = cost + self.weight * self._rest(state.done)
@@ -199,7 +200,7 @@ class _SweepSearch(NamedTuple):
     def _settled(
         self, state: SectionState
     ) -> Iterator[tuple[SectionState, tuple[SweepStep, ...], int]]:
-        """Yield a state after all connections of neighbours, also with fewer bars of a link."""
+        """Yield the states after neighbouring bars are connected, also without redundant bars."""
         steps: tuple[SweepStep, ...] = ()
         cost = 0
         while True:
@@ -213,7 +214,7 @@ class _SweepSearch(NamedTuple):
             yield SectionState(*_numbered(below, above), state.done), steps, cost
 
     def _next(self, state: SectionState) -> tuple[SectionState, SweepStep, int] | None:
-        """Return a step that connects two neighbours, or the outermost bar to the housing."""
+        """Return a step that connects neighbouring bars, or the outermost bar to the housing."""
         train, (below, above, done) = self.moves.train, state
         bars, here = below + above, [(below, above)]
         for place, (low_bar, high_bar) in enumerate(pairwise(bars)):
@@ -245,7 +246,7 @@ def _unrolled(trace: _Trace | None) -> list[SweepStep]:
 
 
 def _thinned(below: Bars, above: Bars) -> Iterator[tuple[Bars, Bars]]:
-    """Yield all bars, and selections with a single bar of each connected group."""
+    """Yield all bars, and selections in which one bar stands for each connected group of bars."""
     bars, low = below + above, len(below)
     links = {bar >> 3 for bar in bars}
     if len(links) == len(bars):
@@ -268,8 +269,8 @@ def _thinned(below: Bars, above: Bars) -> Iterator[tuple[Bars, Bars]]:
 
 
 def _numbered(below: Bars, above: Bars) -> tuple[Bars, Bars]:
-    """Number the parts of links in order of appearance."""
-    if not any(bar & 7 for bar in below + above):  # a single part of each link
+    """Number the parts of each link anew, in order of appearance."""
+    if not any(bar & 7 for bar in below + above):  # each link has a single part
         return below, above
     names: dict[int, int] = {}
     parts: dict[int, int] = {}

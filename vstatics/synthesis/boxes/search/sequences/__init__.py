@@ -1,6 +1,8 @@
-"""Sequences of gears whose ratios are not given but only bounded; compiled.
+"""Sequences of gears that are given by number, ratio spread and step ratios only.
 
-`search` decides which sequence is reported. `room` contains the requirements and the work arrays,
-`bounds` the ranges of steps in a cell, `choosing` the choices of gears that are possible within
-these ranges or at a point, and `fitting` the gear-set ratios nearest to the middles of the ranges.
+`search` finds the sequence to report. `room` contains the requirements and work arrays, and
+`bounds` the ranges of step ratios in a cell of gear-set ratios. `choosing` finds the choices of
+gears that these ranges allow, or that a `point` allows. `fitting` finds the gear-set ratios at
+which steps and spread are nearest to the middles of their ranges, and `nearest` the best of several
+choices. All modules are compiled.
 """

@@ -1,9 +1,10 @@
-"""Ranges of the ratios of a cell, and of the steps between them.
+"""Ranges of the gear ratios in a cell of gear-set ratios, and of the step ratios between them.
 
-A step i/j is a quotient of products of polynomials that are linear in each gear-set ratio, so it is
-at most quadratic in each. In Bernstein form, with both products as sums over pairs of corners, it
-lies between the quotients of the coefficients (Narkawicz, Garloff, Smith, Munoz: Reliable Computing
-17, 2012). This range is much narrower than the separate ranges of i and j, which vary together.
+A step ratio i/j is a quotient of products of polynomials that are linear in each gear-set ratio, so
+each product is quadratic in each. In Bernstein form, with the products as sums over pairs of
+corners, the step ratio is between the quotients of the coefficients (Narkawicz, Garloff, Smith,
+Munoz: Reliable Computing 17, 2012). This range is much narrower than the quotient of the separate
+ranges of i and j, which vary together.
 """
 
 from __future__ import annotations
@@ -19,12 +20,12 @@ from vstatics.synthesis.boxes.search.set_ratios import Asked
 
 @compiled_part
 def ends_of(part: Floats) -> tuple[float, float]:
-    """Return the range of ln(i) in a cell, or infinity and -infinity if i is never positive.
+    """Return the range of ln(i) in a cell; infinity and -infinity if i is never positive.
 
     Parameters
     ----------
     part : array, shape (2, corners)
-        Numerator and denominator.
+        Numerator and denominator of the gear ratio i at the corners of the cell.
 
     Examples
     --------
@@ -48,23 +49,23 @@ def ends_of(part: Floats) -> tuple[float, float]:
 
 @compiled_part
 def find_bounds(cell: Floats, count: int, asked: Asked, room: ChoiceRoom, sums: Floats) -> int:
-    """Calculate the targets and range of each ratio in a cell, and the range of each step.
+    """Calculate the targets and range of each gear ratio in a cell, and the range of each step.
 
     Parameters
     ----------
     cell : array, shape (ratios, 2, corners)
     count : int
-        Number of ratios.
+        Number of gear ratios.
     asked : Asked
     room : ChoiceRoom
-        Receives the results.
+        Work arrays, which receive the results.
     sums : array, shape (2, 3**sets)
         Work array.
 
     Returns
     -------
     int
-        Number of ratios that can be forward.
+        Number of gear ratios that can be positive (forward).
     """
     forward = 0
     for ratio in range(count):
@@ -80,7 +81,7 @@ def find_bounds(cell: Floats, count: int, asked: Asked, room: ChoiceRoom, sums: 
                 low, high = high, low
             elif _is_bounded(upper, room) and _is_bounded(lower, room):
                 low, high = _step(cell[upper], cell[lower], sums)
-            else:  # a ratio has a zero or a pole
+            else:  # one of the ratios has a zero or a pole in the cell
                 low = _less(room.ends[upper, 0], room.ends[lower, 1], -math.inf)
                 high = _less(room.ends[upper, 1], room.ends[lower, 0], math.inf)
             room.steps[upper, lower, 0] = low
@@ -92,7 +93,7 @@ def find_bounds(cell: Floats, count: int, asked: Asked, room: ChoiceRoom, sums: 
 
 @compiled_part
 def _less(minuend: float, subtrahend: float, unknown: float) -> float:
-    """Return the difference of two ends, or `unknown` if an end is infinite."""
+    """Return the difference of two ends of ranges, or `unknown` if an end is infinite."""
     is_known = -math.inf < minuend < math.inf and -math.inf < subtrahend < math.inf
     return minuend - subtrahend if is_known else unknown
 
@@ -109,7 +110,7 @@ def _is_bounded(ratio: int, room: ChoiceRoom) -> bool:
 
 @compiled_part
 def _step(dividend: Floats, divisor: Floats, sums: Floats) -> tuple[float, float]:
-    """Return the range of ln(i/j) in a cell where neither ratio has a zero or a pole."""
+    """Return the range of ln(i/j) in a cell where neither gear ratio has a zero or a pole."""
     corners = dividend.shape[1]
     fill(sums[0], 0.0)
     fill(sums[1], 0.0)
@@ -127,7 +128,7 @@ def _step(dividend: Floats, divisor: Floats, sums: Floats) -> tuple[float, float
 
 @compiled_part
 def _gap(corner: int) -> int:
-    """Return the increment to the next corner when the bits of corners are read in base 3."""
+    """Return the increment to the next corner, when the bits of corners are digits in base 3."""
     low, power = 0, 1
     while corner & 1:
         low += power

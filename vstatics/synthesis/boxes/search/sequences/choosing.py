@@ -1,6 +1,6 @@
-"""Choices of ratios for the targets and for a sequence, by ranges of ratios and steps.
+"""Choices of gear ratios for the targets and a sequence, by the ranges of ratios and steps.
 
-At a point all ranges shrink to numbers, and the choices are exact.
+At a point all ranges are single numbers, so that the choices are exact.
 """
 
 from __future__ import annotations
@@ -15,16 +15,16 @@ from vstatics.synthesis.boxes.search.set_ratios import Asked
 
 
 class Goal(NamedTuple):
-    """Sizes of a search for choices of ratios, and the limit of its effort."""
+    """Sizes of a search for choices of gear ratios, and the limit of its effort."""
 
     targets: int
-    """Number of targets; the first gears of a choice serve the targets."""
+    """Number of targets; the first gears of a choice meet the targets."""
     ratios: int
-    """Number of ratios to choose from."""
+    """Number of gear ratios to choose from."""
     fewest: int
     """Smallest number of gears in the sequence."""
     looks: int
-    """Largest number of trial assignments of ratios to gears before the search is aborted."""
+    """Largest number of trial assignments of gear ratios to gears before the search is aborted."""
 
 
 @compiled_part
@@ -38,7 +38,7 @@ def begin_choices(room: ChoiceRoom) -> None:
 
 @compiled_part
 def next_choice(wanted: Sequence, goal: Goal, depth: int, room: ChoiceRoom) -> int:
-    """Find the next choice that the ranges allow; each choice is met once.
+    """Find the next choice that the ranges allow; each choice is found once.
 
     Parameters
     ----------
@@ -52,10 +52,10 @@ def next_choice(wanted: Sequence, goal: Goal, depth: int, room: ChoiceRoom) -> i
     -------
     int
         Number of chosen gears, including the targets; 0 after the last choice, -1 after too many
-        looks.
+        trial assignments.
     """
     while depth >= 0:
-        if depth == goal.targets + wanted.most:  # no further gear fits
+        if depth == goal.targets + wanted.most:  # the sequence has its largest number of gears
             depth -= 1
         place = room.places[depth]
         if place >= 0:
@@ -101,23 +101,23 @@ def _may_be(wanted: Sequence, goal: Goal, depth: int, ratio: int, room: ChoiceRo
         further = largest
     if high < wanted.steps[0] or low > largest or room.steps[first, ratio, 0] > wanted.spread[1]:
         return False
-    gears = goal.targets + wanted.most - depth - 1  # largest number that can still follow
+    gears = goal.targets + wanted.most - depth - 1  # largest number of gears that can still follow
     return bool(gears == 0 or room.steps[first, ratio, 1] + gears * further >= wanted.spread[0])
 
 
 @compiled_part
 def set_elements(asked: Asked, length: int, singly: int, room: SequenceRoom) -> bool:
-    """Assign elements to the chosen gears so that all elements are used.
+    """Assign combinations to the chosen gears so that all shift elements are used.
 
     Parameters
     ----------
     asked : Asked
     length : int
-        Number of gears chosen at the point, including the targets.
+        Number of gears chosen at the current point, including the targets.
     singly : int
-        Whether neighbouring gears must also differ by a single shift.
+        1 if neighbouring gears must also differ by exchange of one shift element.
     room : SequenceRoom
-        `chains` receives the combinations.
+        Work arrays; `chains` receives the combination of each gear.
 
     Returns
     -------
@@ -127,7 +127,7 @@ def set_elements(asked: Asked, length: int, singly: int, room: SequenceRoom) -> 
     chains, targets, turn = room.chains, asked.targets, 0
     for sign in (1, -1):
         start, after, last = turn, math.inf, -1
-        while True:  # gears of one sign in order of falling size
+        while True:  # gears of the same direction, from the largest ratio to the smallest
             best, largest = -1, -math.inf
             for gear in range(length):
                 if gear < len(targets):
@@ -150,9 +150,10 @@ def set_elements(asked: Asked, length: int, singly: int, room: SequenceRoom) -> 
 
 @compiled_part
 def may_use_all(targets: int, length: int, singly: int, room: SequenceRoom) -> bool:
-    """Return whether gears chosen by ranges in a cell may use all elements, as in `set_elements`.
+    """Return False if gears chosen by ranges in a cell cannot use all shift elements.
 
-    With targets the order of the gears is not known yet, so single shifts are not checked.
+    If there are targets, the order of the gears is not yet known, so that single shifts are not
+    checked.
     """
     chains = room.chains
     for gear in range(length):

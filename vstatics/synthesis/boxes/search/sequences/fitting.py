@@ -1,9 +1,9 @@
-"""Gear-set ratios for which the gears of a choice are nearest to the middles of their ranges.
+"""Gear-set ratios at which targets, spread and steps are nearest to the middles of their ranges.
 
-Least squares of ln(i/target)/width for the targets, and of ln(value/middle)/half-width for the
-spread and each step, all within their ranges, by Levenberg-Marquardt. Values beyond their ranges
-are pulled back more strongly in each turn (augmented Lagrangian). A range without an end has no
-middle and does not count.
+The Levenberg-Marquardt method minimises the squares of ln(i/target)/width for the targets, and of
+ln(value/middle)/half-width for the spread and each step. Values outside their ranges are pulled
+back more strongly in each turn (augmented Lagrangian). A range without upper end has no middle, and
+does not count.
 """
 
 from __future__ import annotations
@@ -35,27 +35,27 @@ from vstatics.synthesis.tolerances import (
 )
 
 WIDTH_WITHOUT_MIDDLE = 0.1
-"""Half-width that is assumed for a range without a middle. [-]"""
+"""Half-width that is assumed for a range without upper end. [-]"""
 
 
 @compiled_part
 def fitted_choice(parts: Floats, length: int, asked: Asked, room: SequenceRoom) -> float:
-    """Minimise the sum of squares near a point with all gears of a choice in range.
+    """Minimise the sum of squares near a point, with all gears of a choice within their ranges.
 
     Parameters
     ----------
     parts : array, shape (ratios, 2, corners)
-        Numerator and denominator of each ratio at the corners of the bounds.
+        Numerator and denominator of each gear ratio at the corners of the bounds.
     length : int
-        Number of gears chosen at the point, including the targets.
+        Number of gears chosen at the current point, including the targets.
     asked : Asked
     room : SequenceRoom
-        `fit.logs` contains the starting point and receives the solution.
+        Work arrays; `fit.logs` contains the starting point and receives the solution.
 
     Returns
     -------
     float
-        Smallest sum of squares, infinity without a solution.
+        Smallest sum of squares; infinity without a solution. [-]
     """
     fit, rows = room.fit, _find_rows(length, asked, room)
     fill(fit.pulls, 0.0)
@@ -69,7 +69,7 @@ def fitted_choice(parts: Floats, length: int, asked: Asked, room: SequenceRoom) 
         if total == math.inf or beyond <= BEYOND_WIDTH:
             return total
         if turn == 0 and total > rows:
-            return math.inf  # some value is always beyond its range
+            return math.inf  # some value is outside its range everywhere
         if turn > FIRST_TURNS + 1 and beyond > LESS_BEYOND * before:
             return math.inf
         stiffness, before = PULL, beyond
@@ -81,7 +81,7 @@ def fitted_choice(parts: Floats, length: int, asked: Asked, room: SequenceRoom) 
 
 @compiled_part
 def squares_at(parts: Floats, length: int, asked: Asked, room: SequenceRoom) -> float:
-    """Return the sum of squares of a choice at the current point, ignoring the ranges."""
+    """Return the sum of squares of a choice at the current point, regardless of the ranges."""
     _find_rows(length, asked, room)
     weigh(room.fit.logs, asked, room.fit)
     return _errors(parts, length, asked, room, room.fit.trial)
@@ -89,7 +89,7 @@ def squares_at(parts: Floats, length: int, asked: Asked, room: SequenceRoom) -> 
 
 @compiled_part
 def _find_rows(length: int, asked: Asked, room: SequenceRoom) -> int:
-    """Write the middle, half-width and range of each error to `rows`; count the valid rows."""
+    """Write the middle, half-width and range of each error to `rows`, and count the valid rows."""
     wanted, targets, count = room.wanted, len(asked.targets), 0
     steps = length - targets - 1
     for row in range(len(room.rows)):
@@ -115,7 +115,7 @@ def _find_rows(length: int, asked: Asked, room: SequenceRoom) -> int:
 
 @compiled_part
 def _pulled(error: float, row: int, room: SequenceRoom) -> float:
-    """Return the signed excess of an error over the nearer end of the range, with the pull."""
+    """Return the signed distance of an error, with its pull, from the nearer end of its range."""
     pull = room.fit.pulls[row]
     above, below = error - room.rows[row, 3] + pull, room.rows[row, 2] - error + pull
     if above >= below:
@@ -127,7 +127,7 @@ def _pulled(error: float, row: int, room: SequenceRoom) -> float:
 def _fitted(
     parts: Floats, length: int, asked: Asked, stiffness: float, room: SequenceRoom
 ) -> float:
-    """Minimise the penalised sum of squares near a point; return the part without penalty."""
+    """Minimise the penalised sum of squares near a point; return the sum without penalties."""
     fit = room.fit
     least, most = math.log(asked.low), math.log(asked.high)
     weigh(fit.logs, asked, fit)
@@ -180,9 +180,9 @@ def _pull(errors: Floats, stiffness: float, room: SequenceRoom) -> float:
 
 @compiled_part
 def _errors(parts: Floats, length: int, asked: Asked, room: SequenceRoom, errors: Floats) -> float:
-    """Calculate all errors at the current corner weights; return the sum of squares.
+    """Calculate all errors at the current point, and return the sum of their squares.
 
-    The sum is infinite if a gear has the wrong sign.
+    The sum is infinite if a gear has the wrong direction.
     """
     for gear in range(length):
         above, below = weighed(parts[room.point.chosen[gear]], room.fit.corner_weights)
@@ -200,7 +200,7 @@ def _errors(parts: Floats, length: int, asked: Asked, room: SequenceRoom, errors
 
 @compiled_part
 def _combine(logs: Floats, length: int, asked: Asked, room: SequenceRoom, errors: Floats) -> None:
-    """Combine logarithms of ratios, or slopes, to spread and steps, per half-width."""
+    """Combine logarithms of gear ratios, or their slopes, to spread and steps, in half-widths."""
     targets = len(asked.targets)
     fill(errors, 0.0)
     for target in range(targets):
@@ -232,7 +232,7 @@ def _find_slopes(parts: Floats, length: int, asked: Asked, room: SequenceRoom) -
 
 @compiled_part
 def _weigh_errors(stiffness: float, room: SequenceRoom) -> None:
-    """Calculate half the derivatives of the sum of squares with respect to each error."""
+    """Calculate half of both derivatives of the sum of squares with respect to each error."""
     fit = room.fit
     for row in range(len(fit.errors)):
         error, counts = fit.errors[row], room.rows[row, 4]

@@ -1,4 +1,4 @@
-"""Gear-set ratios reported for a sequence: least squares, started from a grid of points."""
+"""Choice of gears and gear-set ratios reported for a sequence: best fit from a grid of points."""
 
 from __future__ import annotations
 
@@ -19,18 +19,18 @@ from vstatics.synthesis.boxes.search.sequences.room import SequenceRoom
 from vstatics.synthesis.boxes.search.set_ratios import Asked
 
 MOST_NEAREST_LOOKS = 20_000
-"""Largest number of trial assignments of ratios to gears."""
+"""Largest number of trial assignments of gear ratios to gears."""
 MOST_NEAREST_FITS = 200
-"""Largest number of choices to fit."""
+"""Largest number of choices of gears that are fitted."""
 GRID = 3
 """Number of values of each gear-set ratio in the grid of starting points."""
 
 
 @compiled_part
 def find_nearest(parts: Floats, asked: Asked, room: SequenceRoom) -> None:
-    """Find the choice with the least sum of squares among equally good choices.
+    """Find the choice of gears with the smallest sum of squares among equally long sequences.
 
-    Every choice that the ranges allow is fitted, starting from the grid point where it is nearest.
+    Every choice that the ranges allow is fitted, starting from its best grid point.
     """
     targets, cell, depth, fits = len(asked.targets), room.cell, 0, 0
     length = targets + room.best[0]
@@ -61,7 +61,7 @@ def _fit(parts: Floats, length: int, asked: Asked, room: SequenceRoom) -> None:
 
 @compiled_part
 def _is_begun(parts: Floats, length: int, asked: Asked, room: SequenceRoom) -> bool:
-    """Move to the grid point where the choice is nearest; return False without a grid point."""
+    """Move to the grid point where a choice fits best; return False if it fits nowhere."""
     sets, best, least = len(room.best_logs), -1, math.inf
     for index in range(GRID**sets + 1):
         which = index

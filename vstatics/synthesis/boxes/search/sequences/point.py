@@ -1,4 +1,4 @@
-"""Ratios at a point of the bounds, and the best choice of gears so far."""
+"""Gear ratios at a point of the gear-set ratios, and the best known choice of gears."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from vstatics.synthesis.boxes.search.set_ratios import Asked, weigh, weighed
 
 @compiled_part
 def is_best(room: SequenceRoom) -> bool:
-    """Return whether the best choice cannot be improved in the current phase."""
+    """Return whether the best known choice cannot be improved in the current phase."""
     if room.is_single_left[0]:
         return bool(room.best[1] > 0)
     return bool(room.best[0] == room.wanted.most)
@@ -21,20 +21,20 @@ def is_best(room: SequenceRoom) -> bool:
 
 @compiled_part
 def fewest(room: SequenceRoom) -> int:
-    """Return the smallest number of gears of a better choice."""
+    """Return the smallest number of gears of a choice that would be better."""
     longer = 0 if room.is_single_left[0] else 1
     return int(max(room.wanted.least, room.best[0] + longer))
 
 
 @compiled_part
 def is_singly(room: SequenceRoom) -> int:
-    """Return 1 if a better choice must shift singly, otherwise 0."""
+    """Return 1 if a better choice must have single shifts between neighbouring gears, else 0."""
     return 1 if room.wanted.singly or room.is_single_left[0] else 0
 
 
 @compiled_part
 def find_logs(parts: Floats, asked: Asked, room: SequenceRoom) -> None:
-    """Calculate ln(i) of all forward ratios at the current point."""
+    """Calculate ln(i) of all forward gear ratios at the current point."""
     weigh(room.fit.logs, asked, room.fit)
     for ratio in range(len(parts)):
         _ratio_at(parts, ratio, room)
@@ -42,7 +42,7 @@ def find_logs(parts: Floats, asked: Asked, room: SequenceRoom) -> None:
 
 @compiled_part
 def _ratio_at(parts: Floats, ratio: int, room: SequenceRoom) -> float:
-    """Return a ratio at the current corner weights, and store the logarithm."""
+    """Return a gear ratio at the current point, and store its logarithm."""
     above, below = weighed(parts[ratio], room.fit.corner_weights)
     value = above / below
     room.logs[ratio] = math.log(value) if 0 < value < math.inf else -math.inf
@@ -51,7 +51,7 @@ def _ratio_at(parts: Floats, ratio: int, room: SequenceRoom) -> float:
 
 @compiled_part
 def find_point(parts: Floats, asked: Asked, room: SequenceRoom) -> None:
-    """Calculate all ratios and steps at the current point, and sort the ratios."""
+    """Calculate all gear ratios and step ratios at the current point, and sort the gear ratios."""
     point, logs, count = room.point, room.logs, len(parts)
     weigh(room.fit.logs, asked, room.fit)
     for ratio in range(count):
@@ -78,7 +78,7 @@ def find_point(parts: Floats, asked: Asked, room: SequenceRoom) -> None:
 
 @compiled_part
 def note(length: int, asked: Asked, singly: int, squares: float, room: SequenceRoom) -> bool:
-    """Record a choice at the point if shift elements for the choice exist."""
+    """Record a choice at the current point as the best, if shift elements for its gears exist."""
     gears = length - len(asked.targets)
     is_single = set_elements(asked, length, 1, room)
     if not is_single and (singly > 0 or not set_elements(asked, length, 0, room)):

@@ -1,4 +1,4 @@
-"""Requirements on a sequence of gears, in logarithms, and work arrays of its search."""
+"""Requirements on a sequence of gears, as logarithms, and work arrays of its search."""
 
 from __future__ import annotations
 
@@ -23,28 +23,30 @@ NARROW_SEQUENCE_CELL = 1.01
 
 @shared
 class Sequence(NamedTuple):
-    """Number and spacing of the forward gears that a gearbox shall have."""
+    """Number and spacing of the forward gears that a gearbox must have."""
 
     least: int
     """Smallest number of gears."""
     most: int
     """Largest number of gears."""
     spread: tuple[float, float]
-    """Range of ln(first ratio/last ratio). [-]"""
+    """Range of the logarithm of the ratio spread, ln(first ratio/last ratio). [-]"""
     steps: tuple[float, float]
-    """Range of ln(ratio/next ratio); the lower end separates the gears. [-]"""
+    """Range of the logarithm of step ratios, ln(ratio/next ratio); the lower end separates the
+    gears. [-]
+    """
     falling: bool
-    """True if no step can be larger than the step between the next lower gears."""
+    """True if step ratios must not increase from gear to gear."""
     singly: bool
-    """True if neighbouring gears must differ by a single shift."""
+    """True if neighbouring gears must differ by exchange of a single shift element."""
 
 
 def sequence_of(wanted: WantedSequence | None, *, singly: bool) -> Sequence:
-    """Return the gears wanted in addition to the targets, empty without a request.
+    """Return the gears wanted in addition to the targets; no gears without a request.
 
     Examples
     --------
-    An end beyond the reach of any gearbox becomes infinite:
+    An end that no gearbox can reach becomes infinite:
 
     >>> wanted = WantedSequence(3, 4, (2.0, 4.0), (1.0, 1e6))
     >>> sequence_of(wanted, singly=False).steps
@@ -65,81 +67,84 @@ def _ends(given: tuple[float, float]) -> tuple[float, float]:
 
 @shared
 class ChoiceRoom(NamedTuple):
-    """Work arrays for choices of ratios: of the targets, then of a sequence."""
+    """Work arrays for choices of gear ratios, first for the targets, then for the sequence."""
 
     reach: Integers
-    """Targets that each ratio reaches, as bits, shape (ratios,)."""
+    """Targets that each gear ratio reaches, as bits, shape (ratios,)."""
     ends: Floats
-    """Range of ln(i) of each ratio, (inf, -inf) in reverse; shape (ratios, 2). [-]"""
+    """Range of ln(i) of each gear ratio, (inf, -inf) for a reverse ratio, shape (ratios, 2). [-]"""
     steps: Floats
-    """Range of ln(i/j) of each pair of ratios, shape (ratios, ratios, 2). [-]"""
+    """Range of ln(i/j) of each pair of gear ratios, shape (ratios, ratios, 2). [-]"""
     order: Integers
-    """Ratios in order of falling size, shape (ratios,)."""
+    """Indices of the gear ratios from the largest to the smallest, shape (ratios,)."""
     places: Integers
-    """Place of each gear in the order, negative at first, shape (gears,)."""
+    """Position in `order` of the ratio of each gear; negative at first, shape (gears,)."""
     chosen: Integers
-    """Number of the ratio of each gear, shape (gears,)."""
+    """Index of the ratio of each gear, shape (gears,)."""
     free: Booleans
-    """True if a ratio is not assigned to a gear, shape (ratios,)."""
+    """True if a gear ratio is not assigned to a gear, shape (ratios,)."""
     looks: Integers
-    """Number of trial assignments of ratios to gears so far, shape (1,)."""
+    """Number of trial assignments of gear ratios to gears until now, shape (1,)."""
 
 
 @shared
 class SequenceRoom(NamedTuple):
-    """Work arrays for a stack of cells and for sequences."""
+    """Work arrays for a stack of cells of gear-set ratios, and for sequences of gears."""
 
     wanted: Sequence
     ratio_of: Integers
-    """Number of the ratio of each combination of a set, negative without a ratio, shape
-    (combinations of a set,)."""
+    """Index of the gear ratio of each combination of an element set; negative without a ratio,
+    shape (combinations of a set,).
+    """
     chains: ChainRoom
-    """Combination of elements for each gear."""
+    """Assignment of combinations of shift elements to gears."""
     match: MatchRoom
     steps: Integers
-    """Number of examined cells, and the limit; shape (2,)."""
+    """Number of examined cells, and the limit, shape (2,)."""
     parts: Floats
-    """Numerators and denominators at the corners of cells, shape (cells, ratios, 2, corners)."""
+    """Numerators and denominators of the gear ratios at the corners of the cells, shape (cells,
+    ratios, 2, corners). [-]
+    """
     low: Floats
-    """Lower bounds of ring teeth/sun teeth, shape (cells, sets). [-]"""
+    """Lower bounds of ring teeth divided by sun teeth, shape (cells, sets). [-]"""
     high: Floats
-    """Upper bounds, shape (cells, sets). [-]"""
+    """Upper bounds of ring teeth divided by sun teeth, shape (cells, sets). [-]"""
     cell: ChoiceRoom
-    """Choices by the ranges of the ratios within a cell."""
+    """Choices by the ranges of the gear ratios in a cell."""
     point: ChoiceRoom
-    """Choices by the ratios for single values of the gear-set ratios."""
+    """Choices by the gear ratios at a point."""
     sums: Floats
-    """Bernstein coefficients of a step in a cell, shape (2, 3**sets)."""
+    """Bernstein coefficients of a step ratio in a cell, shape (2, 3**sets)."""
     logs: Floats
-    """ln(i) of each ratio at the point, -inf for reverse, shape (ratios,). [-]"""
+    """ln(i) of each gear ratio at the point, -inf for a reverse ratio, shape (ratios,). [-]"""
     fit: FitRoom
     rows: Floats
-    """Middle and half-width of each error, both ends of the range in half-widths, and 1 if the
-    error counts; shape (errors, 5)."""
+    """Middle and half-width of each error, both ends of its range in half-widths, and 1 if the
+    error counts, shape (errors, 5). [-]
+    """
     gear_logs: Floats
-    """ln(i) of each gear of a fit, or the slope, shape (gears,)."""
+    """ln(i) of each gear of a fit, or its slope, shape (gears,). [-]"""
     best: Integers
-    """Number of gears of the best sequence, and 1 for single shifts, shape (2,)."""
+    """Number of gears of the best sequence, and 1 if it has single shifts, shape (2,)."""
     is_single_left: Booleans
-    """True if the search only looks for a sequence of equal length with single shifts, shape
-    (1,)."""
+    """True if only an equally long sequence with single shifts is still sought, shape (1,)."""
     squares: Floats
     """Sum of squares of the best sequence, shape (1,). [-]"""
     best_chosen: Integers
-    """Numbers of the ratios of the best choice: targets, then the sequence, shape (gears,)."""
+    """Indices of the gear ratios of the best choice: targets, then the sequence, shape (gears,)."""
     best_gears: Integers
-    """Combination of elements in each gear of the best choice, shape (gears,)."""
+    """Combination of shift elements in each gear of the best choice, shape (gears,)."""
     best_logs: Floats
-    """Logarithms of ring teeth/sun teeth of the best choice, shape (sets,). [-]"""
+    """Logarithms of ring teeth divided by sun teeth of the best choice, shape (sets,). [-]"""
 
 
 def sequence_room(table: Combinations, asked: Asked, wanted: Sequence, sets: int) -> SequenceRoom:
-    """Return work arrays for sequences of a set of elements."""
+    """Return work arrays for finding sequences with an element set."""
     ratios, targets = len(table.places), len(asked.targets)
     gears = targets + wanted.most
     halvings = math.log2(math.log(asked.high / asked.low) / math.log(NARROW_SEQUENCE_CELL))
     deep = 2 + sets * math.ceil(max(halvings, 0)) if wanted.most else 1
-    rows = targets + 2 * wanted.most  # targets, steps, spread, pairs of falling steps
+    rows = targets + 2 * wanted.most  # targets, steps, spread, and pairs of steps that must fall
     return SequenceRoom(
         wanted=wanted,
         ratio_of=integers(ratios),

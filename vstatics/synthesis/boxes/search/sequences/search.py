@@ -1,14 +1,13 @@
-"""Find the sequence of gears to report for a set of elements, and its gear-set ratios.
+"""Search for the sequence of gears to report for an element set, and for its gear-set ratios.
 
-A sequence exists if some gear-set ratios keep its spread and steps, and the targets, within their
-ranges. The reported sequence has, first, as many gears as possible; second, single shifts between
-neighbours; third, the smallest sum of squared distances from the middles of the ranges, over the
-choices of ratios at a grid of points. If single shifts are required, only such sequences are
-considered, so the result has as many gears as can be shifted singly.
+A sequence exists if spread, steps and targets are within their ranges at some gear-set ratios. The
+reported sequence has first as many gears as possible, then single shifts between neighbours, then
+the smallest sum of squared distances from the middles of the ranges. If single shifts are required,
+only sequences with single shifts are considered.
 
-The bounds are halved repeatedly. A cell is discarded if the ranges of its steps allow no choice;
-the best choice at its middle is recorded. In a small cell every possible choice is fitted from the
-middle; solutions missed by these fits are lost.
+The bounds are repeatedly halved to cells. A cell is discarded if its ranges allow no choice of
+gears; otherwise the best choice at its middle is recorded. In a small cell, every possible choice
+is fitted from the middle; solutions that these fits miss are lost.
 """
 
 from __future__ import annotations
@@ -40,17 +39,17 @@ from vstatics.synthesis.boxes.search.sequences.room import NARROW_SEQUENCE_CELL,
 from vstatics.synthesis.boxes.search.set_ratios import Asked
 
 MOST_CELL_LOOKS = 2000
-"""Largest number of trial assignments of ratios to gears before a cell is halved."""
+"""Largest number of trial assignments of gear ratios to gears before a cell is halved."""
 MOST_AT_POINT = 50_000
-"""Largest number of trial assignments of ratios to gears at a point."""
+"""Largest number of trial assignments of gear ratios to gears at a point."""
 MOST_SEQUENCE_CELLS = 20_000
-"""Number of cells after which a set of elements is given up."""
+"""Number of cells of gear-set ratios after which an element set is given up."""
 MORE_CELLS = 1000
 """Number of further cells to examine for an equally long sequence with single shifts."""
 SMALL = 1.05
-"""Quotient of the bounds of each gear-set ratio below which each choice is fitted. [-]"""
+"""Quotient of the bounds of each gear-set ratio below which choices are fitted in a cell. [-]"""
 MOST_CELL_FITS = 40
-"""Largest number of choices to fit before a cell is halved."""
+"""Largest number of choices of gears to fit before a cell is halved."""
 
 
 @compiled_part
@@ -60,12 +59,12 @@ def sequence_found(parts: Floats, asked: Asked, room: SequenceRoom) -> tuple[int
     Parameters
     ----------
     parts : array, shape (ratios, 2, corners)
-        Numerators and denominators of different ratios at the corners of the bounds.
+        Numerators and denominators of different gear ratios at the corners of the bounds.
     asked : Asked
-        Its targets are gears in addition to the sequence.
+        Requirements; the targets are gears in addition to the sequence.
     room : SequenceRoom
-        `ratio_of` and `chains.used` describe the combinations; `best_gears` and `best_logs`
-        receive the sequence.
+        Work arrays; `ratio_of` and `chains.used` describe the combinations, `best_gears` and
+        `best_logs` receive the sequence.
     """
     best, count = room.best, len(parts)
     fill(best, 0)
@@ -84,7 +83,7 @@ def sequence_found(parts: Floats, asked: Asked, room: SequenceRoom) -> tuple[int
 
 @compiled_part
 def _looked(parts: Floats, most: int, asked: Asked, room: SequenceRoom) -> bool:
-    """Look for a better choice in at most `most` cells; return whether cells remain."""
+    """Search for a better choice in at most `most` cells; return whether cells remain."""
     count, top, is_open = len(parts), 1, False
     for ratio in range(count):
         put(parts[ratio, 0], room.parts[0, ratio, 0])
@@ -113,7 +112,7 @@ def _looked(parts: Floats, most: int, asked: Asked, room: SequenceRoom) -> bool:
 
 @compiled_part
 def _may_be_better(count: int, top: int, asked: Asked, room: SequenceRoom) -> bool:
-    """Return whether a cell can contain a better choice; True if deciding takes too long."""
+    """Return whether a cell can contain a better choice; True if the decision takes too long."""
     cell, targets = room.cell, len(asked.targets)
     forward = find_bounds(room.parts[top], count, asked, cell, room.sums)
     if forward < fewest(room) or not matched(cell.reach, count, room.match):
@@ -136,7 +135,7 @@ def _find_middle(top: int, room: SequenceRoom) -> None:
 
 @compiled_part
 def _is_point_better(parts: Floats, asked: Asked, room: SequenceRoom) -> bool:
-    """Record the best choice at the point; return True for an improvement."""
+    """Record the best choice at the current point; return True if it is an improvement."""
     find_point(parts, asked, room)
     targets, is_better, depth = len(asked.targets), False, 0
     goal = Goal(targets, len(parts), fewest(room), MOST_AT_POINT)
@@ -152,10 +151,10 @@ def _is_point_better(parts: Floats, asked: Asked, room: SequenceRoom) -> bool:
 
 @compiled_part
 def _is_settled(parts: Floats, top: int, widest: int, asked: Asked, room: SequenceRoom) -> bool:
-    """Fit every possible choice in a small cell; return whether nothing better can remain.
+    """Fit every possible choice in a small cell; return True if the cell is settled.
 
-    Something can remain if a gear of a choice has the wrong sign in the middle, unless the cell is
-    narrow.
+    A cell is not settled if a gear of a choice has the wrong direction in its middle, unless the
+    cell is narrow.
     """
     targets, cell, depth, fits = len(asked.targets), room.cell, 0, 0
     goal = Goal(targets, len(parts), fewest(room), MOST_CELL_LOOKS)
@@ -179,7 +178,7 @@ def _is_settled(parts: Floats, top: int, widest: int, asked: Asked, room: Sequen
 
 @compiled_part
 def _widest(count: int, top: int, room: SequenceRoom) -> int:
-    """Return the gear set whose ratio changes the forward gears most; -1 in a narrow cell."""
+    """Return the gear set whose ratio changes the forward gears most; -1 if the cell is narrow."""
     widest, most = -1, 0.0
     for number in range(room.low.shape[1]):
         if room.high[top, number] <= NARROW_SEQUENCE_CELL * room.low[top, number]:
