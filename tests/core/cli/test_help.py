@@ -157,6 +157,18 @@ def test_all_former_names_are_tried() -> None:
     assert every <= {former for _, _, former, _ in FORMER}
 
 
+def test_no_file_stops_a_command_before_it_is_read() -> None:
+    """A file without permission is a case in error like any other; the next cases are calculated."""
+    names = [
+        parameter.type
+        for command in COMMANDS.values()
+        for parameter in command.params
+        if isinstance(parameter.type, click.Path)
+    ]
+    assert names
+    assert not any(name.exists or name.readable for name in names)
+
+
 @pytest.mark.slow
 def test_plot_names_the_files_of_further_pages(tmp_path: Path) -> None:
     skip_without("pictures")

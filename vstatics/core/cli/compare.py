@@ -11,7 +11,7 @@ import click
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
 from vstatics.core.cli.shared.options import Command, command, completing, gathered, refuse
-from vstatics.core.cli.shared.values import value
+from vstatics.core.cli.shared.values import FILE, value
 from vstatics.core.comparison import layout
 from vstatics.core.comparison.compared_files import (
     content,
@@ -44,8 +44,8 @@ def _tolerance(name: str, default: float, says: str) -> Callable[[Command], Comm
 
 
 @command
-@click.argument("actual", type=click.Path())
-@click.argument("expected", type=click.Path())
+@click.argument("actual", type=FILE)
+@click.argument("expected", type=FILE)
 @gathered(
     "how",
     Tolerances,
