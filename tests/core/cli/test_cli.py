@@ -11,8 +11,7 @@ from vstatics.core.cli import WITH_LANGUAGES, installed, main
 
 DIFFERENTIAL = str(CASES / "differential.yaml")
 IS_DIRECTORY = (
-    ".: error: cannot be read: Is a directory; expected a file, "
-    "or of several a pattern, './**/*.yaml'"
+    ".: error: cannot be read: Is a directory; expected a file, or for several files './**/*.yaml'"
 )
 
 
@@ -36,6 +35,22 @@ def test_status_is_that_of_the_case(case: str, run: int, check: int, words: str)
         assert said.status == status
         assert words in said.err
         assert bool(said.err) == bool(words)
+
+
+@pytest.mark.usefixtures("folder")
+def test_a_folder_instead_of_a_case_names_the_pattern_of_its_cases() -> None:
+    Path("old").mkdir()
+    for name in ("a.dat", "b.dat", "c.yaml"):
+        Path("old", name).write_bytes(MZKT.read_bytes())
+    assert "expected a file, or for several files 'old/**/*.dat'" in vstatics("run", "old").err
+
+
+@pytest.mark.usefixtures("folder")
+def test_a_case_of_another_format_than_its_suffix_names_the_option() -> None:
+    for name, case, format_ in (("a.yaml", MZKT, "deck"), ("a.dat", Path(DIFFERENTIAL), "yaml")):
+        Path(name).write_bytes(case.read_bytes())
+        assert f"`--from {format_}`" in vstatics("run", name).err
+        assert vstatics("run", name, "--from", format_).status == 0
 
 
 @pytest.mark.usefixtures("files")

@@ -23,7 +23,7 @@ from os.path import split, splitext
 from typing import Any, Literal, Protocol, runtime_checkable
 
 from vstatics.core.arguments import refusing, type_and_value
-from vstatics.core.errors import ReadError
+from vstatics.core.errors import ReadError, of_file
 from vstatics.core.jobs.input_files import DOCUMENT_BYTES, read_file, read_stream
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers.reading import Reading
@@ -114,7 +114,17 @@ def read(data: bytes, file: str, format: Format | None = None) -> Reading:  # no
         raise ValueError(f"format {wanted!r}: expected one of {', '.join(READERS)}")
     module, function = READERS[wanted]
     reader: Callable[[bytes, str], Reading] = getattr(import_module(module), function)
-    return reader(data, file)
+    try:
+        return reader(data, file)
+    except ReadError as error:
+        from vstatics.core.readers.deck.text import holds_deck
+
+        if error.problems[0].id != "E108" or wanted == "xlsx" or not holds_deck(data):
+            raise
+        message = (
+            f"the text is a deck, not {wanted.upper()}: expected the suffix .dat or `--from deck`"
+        )
+        raise ReadError([of_file("E108", file, message)]) from None
 
 
 @refusing()
