@@ -1,6 +1,7 @@
 """`vstatics check`: everything that is wrong, with its place."""
 
 import io
+import re
 from pathlib import Path
 
 import pytest
@@ -150,6 +151,15 @@ def test_a_gear_that_cannot_drive_fails_the_check_at_its_place() -> None:
     assert ids == ["E453", "W414"]
     for command in ("run", "summary", "flow"):
         assert vstatics(command, "-", stdin=stdin).status == 0
+
+
+def test_a_deck_is_told_the_remedies_of_a_deck() -> None:
+    """A deck has no keys: neither `kind: neutral` nor `planet_ratio`."""
+    deck = vstatics("convert", "-", "-", "--to", "deck", stdin=OPEN_GEAR.encode()).out
+    said = vstatics("check", "-", stdin=re.sub(r"-\.2000E\+01", "-1", deck).encode())
+    assert "shift element, or `--allow W414`" in said.err
+    assert "no planet speed without `UAQ`" in said.err
+    assert vstatics("check", "-", "--allow", "W414", stdin=deck.encode()).status == 0
 
 
 def test_a_neutral_gear_that_is_meant_passes_also_strictly() -> None:

@@ -134,7 +134,8 @@ def compare_command(
     if lines:
         files.write_output("\n".join(lines) + "\n", None)
     if count:
-        files.say(f"{actual} and {expected} differ in {count_of('place', count)}")
+        names = " and ".join(map(files.file_name, (actual, expected)))
+        files.say(f"{names} differ in {count_of('place', count)}")
     return FAILED if count else DONE
 
 
