@@ -164,8 +164,8 @@ class Grid(NamedTuple):
             if cell.kind is not float or not cell.text:
                 return cell
             words, space, _ = cell.text.rpartition(" ")
-            number = exact(cell.value, digits=digits)
-            return number._replace(text=f"{words}{space}{number.text}", style=cell.style)
+            number = exact(cell.value, digits=digits).text
+            return cell._replace(text=f"{words}{space}{number}")
 
         return self.changed(rewritten)
 
