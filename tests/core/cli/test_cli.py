@@ -1,5 +1,6 @@
 """The commands: their options, their exit status, what they say and where."""
 
+import shutil
 from pathlib import Path
 
 import click
@@ -40,17 +41,15 @@ def test_status_is_that_of_the_case(case: str, run: int, check: int, words: str)
 @pytest.mark.usefixtures("folder")
 def test_a_folder_instead_of_a_case_names_the_pattern_of_its_cases() -> None:
     Path("old").mkdir()
-    for name in ("a.dat", "b.dat", "c.yaml"):
-        Path("old", name).write_bytes(MZKT.read_bytes())
+    Path("old/a.dat").touch()
     assert "expected a file, or for several files 'old/**/*.dat'" in vstatics("run", "old").err
 
 
 @pytest.mark.usefixtures("folder")
 def test_a_case_of_another_format_than_its_suffix_names_the_option() -> None:
-    for name, case, format_ in (("a.yaml", MZKT, "deck"), ("a.dat", Path(DIFFERENTIAL), "yaml")):
-        Path(name).write_bytes(case.read_bytes())
+    for name, case, format_ in (("a.yaml", MZKT, "deck"), ("a.dat", DIFFERENTIAL, "yaml")):
+        shutil.copy(case, name)
         assert f"`--from {format_}`" in vstatics("run", name).err
-        assert vstatics("run", name, "--from", format_).status == 0
 
 
 @pytest.mark.usefixtures("files")

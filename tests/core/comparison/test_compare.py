@@ -130,13 +130,9 @@ def test_tolerances_are_absolute_and_relative(written: Write) -> None:
 
 def test_tolerances_do_not_hide_a_change_of_the_case(written: Write) -> None:
     text = MZKT.read_text(encoding="utf-8")
-    changed = text.replace("-.2461", "-.2561")  # by 4 %
-    actual, expected = (written(result(case, "-f", "json")) for case in (changed, text))
-    for tolerance, status in (("0.05", 1), ("0.5", 0)):  # a planet speed changes by more than 5 %
-        said = vstatics("compare", actual, expected, "--rtol", tolerance)
-        assert said.status == status
-        assert "1 change of the case" in said.out
-        assert "D3.ratio" in said.out
+    results = (result(case, "-f", "json") for case in (text.replace("-.2461", "-.2561"), text))
+    said = vstatics("compare", *map(written, results), "--rtol", "0.5")
+    assert "1 change of the case; no number differs" in said.out
 
 
 def test_a_deviation_is_relative_to_the_magnitude_and_none_of_rounding_noise() -> None:
