@@ -157,8 +157,7 @@ def test_all_former_names_are_tried() -> None:
     assert every <= {former for _, _, former, _ in FORMER}
 
 
-def test_no_file_stops_a_command_before_it_is_read() -> None:
-    """A file without permission is a case in error like any other; the next cases are calculated."""
+def test_no_file_without_permission_stops_a_command_before_it_is_read() -> None:
     options = [option for command in COMMANDS.values() for option in command.params]
     assert not any(getattr(option.type, "readable", False) for option in options)
 

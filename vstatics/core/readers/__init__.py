@@ -108,6 +108,11 @@ def read(data: bytes, file: str, format: Format | None = None) -> Reading:  # no
     >>> text = b"{links: 2, mechanisms: {D: {first: 1, second: 2, ratio: 3}}, gears: {low: }}"
     >>> read(text, "case.yaml").case
     <Transmission: 2 links, 0 shift elements, 1 mechanism, 1 gear>
+    >>> try:
+    ...     read(b"KJG= 3 KL= 1", "old.yaml")
+    ... except ReadError as error:
+    ...     print(error)
+    old.yaml: error: the text is a deck, not YAML: expected the suffix .dat or `--from deck` [E108]
     """
     wanted = format or format_of(file, data)
     if wanted not in READERS:

@@ -69,7 +69,6 @@ def test_published_deck(encoding: str, ends: str, opening: str) -> None:
 
 
 def test_a_dos_file_ends_at_its_mark() -> None:
-    """An editor of DOS filled the last block with zeros, or left there what it had held."""
     assert deck.read(PUBLISHED + b"\x1a\0KG: 7\r\n\xff", "old.dat").case == MZKT7922
 
 
