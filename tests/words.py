@@ -8,6 +8,7 @@ from pathlib import Path
 import click
 
 from tests.rooms import PACKAGE, modules, nodes
+from vstatics.core.cli import main
 
 FORBIDDEN = {
     "told, tells": r"\b(?:tell|tells|told|telling)\b",
@@ -94,7 +95,9 @@ def explanations(file: str) -> Iterator[tuple[str, str]]:
 
 def helps(command: click.Command, words: tuple[str, ...] = ()) -> Iterator[tuple[str, str]]:
     """Yield the words and the help of a command and of its sub-commands, without examples."""
-    context = click.Context(command, info_name=" ".join(words), max_content_width=200)
+    context = click.Context(
+        command, info_name=" ".join(words), max_content_width=200, **main.context_settings
+    )
     yield " ".join(words), _HEADS_OF_EXAMPLES.sub("", command.get_help(context))
     if isinstance(command, click.Group):
         for name in command.list_commands(context):

@@ -39,7 +39,9 @@ def commands(
 
 
 def _page(words: tuple[str, ...], command: click.Command, summary: str) -> str:
-    context = click.Context(command, info_name=" ".join(["vstatics", *words]))
+    context = click.Context(
+        command, info_name=" ".join(["vstatics", *words]), **main.context_settings
+    )
     formatter = click.HelpFormatter(width=80)
     command.format_help_text(context, formatter)
     usage = " ".join([context.command_path, *command.collect_usage_pieces(context)])

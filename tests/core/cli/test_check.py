@@ -152,6 +152,26 @@ def test_a_gear_that_cannot_drive_fails_the_check_at_its_place() -> None:
         assert vstatics(command, "-", stdin=stdin).status == 0
 
 
+OPEN_DECK = b"""KJG= 3 KL= 1 KG= 1 NP= 1
+NZF(I,1): 2
+NZF(I,2): 0
+NZD(I,1): 1
+NZD(I,2): 2
+NZD(I,3): 3
+IAB(I): -1
+ETAI(I): 1
+KFRI(I): 0
+KWZ(I): 0
+KMZ(I): 0
+"""
+
+
+def test_a_deck_is_told_its_fields_instead_of_keys() -> None:
+    said = vstatics("check", "-", stdin=OPEN_DECK).err
+    assert "shift element, or `--allow W414`" in said
+    assert "without `UAQ`" in said
+
+
 def test_a_neutral_gear_that_is_meant_passes_also_strictly() -> None:
     loaded = f"{MEANT}load: {{speed: 2000 rpm, torque: 90 N*m}}\n"
     for text in (MEANT, loaded, f"{OPEN_GEAR}allow: [W414]\n"):

@@ -11,8 +11,7 @@ from vstatics.core.cli import WITH_LANGUAGES, installed, main
 
 DIFFERENTIAL = str(CASES / "differential.yaml")
 IS_DIRECTORY = (
-    ".: error: cannot be read: Is a directory; expected a file, "
-    "or of several a pattern, './**/*.yaml'"
+    ".: error: cannot be read: Is a directory; expected a file, or for several files './**/*.yaml'"
 )
 
 
@@ -36,6 +35,11 @@ def test_status_is_that_of_the_case(case: str, run: int, check: int, words: str)
         assert said.status == status
         assert words in said.err
         assert bool(said.err) == bool(words)
+
+
+def test_a_folder_instead_of_a_case_names_the_pattern_of_its_cases(folder: Path) -> None:
+    (folder / "a.dat").touch()
+    assert "expected a file, or for several files './**/*.dat'" in vstatics("run", ".").err
 
 
 @pytest.mark.usefixtures("files")

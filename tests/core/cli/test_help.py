@@ -157,6 +157,11 @@ def test_all_former_names_are_tried() -> None:
     assert every <= {former for _, _, former, _ in FORMER}
 
 
+def test_no_file_without_permission_stops_a_command_before_it_is_read() -> None:
+    options = [option for command in COMMANDS.values() for option in command.params]
+    assert not any(getattr(option.type, "readable", False) for option in options)
+
+
 @pytest.mark.slow
 def test_plot_names_the_files_of_further_pages(tmp_path: Path) -> None:
     skip_without("pictures")

@@ -130,6 +130,13 @@ def test_tolerances_are_absolute_and_relative(written: Write) -> None:
     assert vstatics("compare", expected, expected, "--atol", "0", "--rtol", "0").status == 0
 
 
+def test_tolerances_do_not_hide_a_change_of_the_case(written: Write) -> None:
+    expected = result(MZKT, "-f", "json")
+    changed = written(expected, ('"ratio": -2.461', '"ratio": -2.46'))
+    said = vstatics("compare", changed, written(expected), "--rtol", "0.1").out
+    assert "1 change of the case; no number differs" in said
+
+
 def test_a_deviation_is_relative_to_the_magnitude_and_none_of_rounding_noise() -> None:
     """Rounding noise is expected up to 1e-12; of an expected 0 no deviation exists."""
     assert Difference("ratio", "", "R", -4.0, -3.0).shown_deviation == pytest.approx(-1 / 3)

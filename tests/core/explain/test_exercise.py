@@ -99,6 +99,8 @@ def test_a_worksheet_is_its_solution_without_numbers(form: str) -> None:
     assert blanks == [str(one) for one in range(1, len(blanks) + 1)]
     assert re.findall(r"\[(\d+)\] -?\d*\.?\d+", solved) == blanks
     assert "____" not in solved
+    solved = vstatics(*common, "--solution", "--digits", 2).out
+    assert re.findall(r"\[}?(\d+)\W+\d", solved) == blanks
 
 
 @pytest.mark.parametrize("name", DRAWN)

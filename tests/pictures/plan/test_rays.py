@@ -160,7 +160,7 @@ def test_links_that_stand_all_over_a_plan_are_named() -> None:
     names = [results.case.link_name(link) for link in first.standing]
     assert names == ["sun 1-2", "ring 1", "carrier 1"]
     figure = picture(results, "plan", Style())
-    assert "stand: sun 1-2, ring 1, carrier 1" in {text.get_text() for text in figure.texts}
+    assert "at rest: sun 1-2, ring 1, carrier 1" in {text.get_text() for text in figure.texts}
 
 
 def test_a_variator_that_gears_set_has_rays_of_its_links() -> None:

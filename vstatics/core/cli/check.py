@@ -18,7 +18,7 @@ from vstatics.core.cli.shared.exit_status import DONE, FAILED
 from vstatics.core.cli.shared.formats import WHOLE_OUTPUT, OutputOptions, TextStyle
 from vstatics.core.cli.shared.options import MESSAGES, OUTPUT, command, completing, refuse, under
 from vstatics.core.cli.shared.problems import Telling
-from vstatics.core.cli.shared.values import separated
+from vstatics.core.cli.shared.values import FILE, separated
 from vstatics.core.elements.drawing import drawing_of
 from vstatics.core.errors import Problem, ReadError, Severity, count_of, quoted, spoken
 from vstatics.core.readers.kinds import document_function
@@ -151,7 +151,7 @@ def _ids() -> list[str]:
         type=click.Choice(FORMATS),
         help="Format of the output.  [default: by the suffix of -o, else text]",
     ),
-    click.option("-o", "--output", type=click.Path(), help=WHOLE_OUTPUT),
+    click.option("-o", "--output", type=FILE, help=WHOLE_OUTPUT),
 )
 @arguments.input_format
 @arguments.telling

@@ -11,7 +11,7 @@ import click
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
 from vstatics.core.cli.shared.options import Command, command, completing, gathered, refuse
-from vstatics.core.cli.shared.values import value
+from vstatics.core.cli.shared.values import FILE, value
 from vstatics.core.comparison import layout
 from vstatics.core.comparison.compared_files import (
     content,
@@ -44,8 +44,8 @@ def _tolerance(name: str, default: float, says: str) -> Callable[[Command], Comm
 
 
 @command
-@click.argument("actual", type=click.Path())
-@click.argument("expected", type=click.Path())
+@click.argument("actual", type=FILE)
+@click.argument("expected", type=FILE)
 @gathered(
     "how",
     Tolerances,
@@ -134,7 +134,8 @@ def compare_command(
     if lines:
         files.write_output("\n".join(lines) + "\n", None)
     if count:
-        files.say(f"{actual} and {expected} differ in {count_of('place', count)}")
+        names = " and ".join(map(files.file_name, (actual, expected)))
+        files.say(f"{names} differ in {count_of('place', count)}")
     return FAILED if count else DONE
 
 

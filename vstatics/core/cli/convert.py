@@ -10,13 +10,14 @@ from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
 from vstatics.core.cli.shared.options import OUTPUT, command, under
 from vstatics.core.cli.shared.problems import Telling
+from vstatics.core.cli.shared.values import FILE
 from vstatics.core.errors import ReadError
 from vstatics.core.writers.saving import case_data
 
 
 @command
-@click.argument("source", type=click.Path(), metavar="IN")
-@click.argument("target", type=click.Path(), metavar="OUT")
+@click.argument("source", type=FILE, metavar="IN")
+@click.argument("target", type=FILE, metavar="OUT")
 @arguments.input_format
 @arguments.telling
 @under(

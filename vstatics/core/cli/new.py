@@ -10,7 +10,7 @@ import click
 
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.options import command, completing
-from vstatics.core.cli.shared.values import value
+from vstatics.core.cli.shared.values import FILE, value
 from vstatics.core.errors import ReadError, of_file
 from vstatics.core.examples import example_file, example_files
 from vstatics.core.jobs.files import STDOUT
@@ -67,7 +67,7 @@ def _known(name: str) -> str:
 
 
 @command
-@click.argument("target", type=click.Path(), metavar="[FILE]", default=STDOUT)
+@click.argument("target", type=FILE, metavar="[FILE]", default=STDOUT)
 @click.option(
     "-t",
     "--template",

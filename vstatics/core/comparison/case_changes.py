@@ -26,13 +26,11 @@ _SETS = ("engaged", "open", "allow")
 """Keys of lists whose order is irrelevant."""
 
 
-def case_changes(
-    actual: Transmission, expected: Transmission, *, atol: float = ATOL, rtol: float = RTOL
-) -> Iterator[CaseChange]:
+def case_changes(actual: Transmission, expected: Transmission) -> Iterator[CaseChange]:
     """Yield all changes of a case, in the order of the keys.
 
-    An added or removed part is a single change. Numbers are compared with the tolerances of
-    results; see `differences`.
+    An added or removed part is a single change. Only rounding makes no change: tolerances of
+    results do not apply, because a small change of the case explains differences of results.
 
     Examples
     --------
@@ -49,7 +47,7 @@ def case_changes(
         data = plain  # a deck has no units, so relative values are compared
     ports = _ports(actual, expected), _ports(expected, actual)
     here, there = (_by_path({**case, **port}) for case, port in zip(data, ports, strict=True))
-    yield from _changes((), here, there, atol, rtol)
+    yield from _changes((), here, there)
 
 
 def _ports(case: Transmission, other: Transmission) -> dict[str, str]:
@@ -76,14 +74,12 @@ def _by_path(case: Mapping[str, Any]) -> dict[str, Any]:
     return parts
 
 
-def _changes(
-    path: tuple[str, ...], actual: Any, expected: Any, atol: float, rtol: float
-) -> Iterator[CaseChange]:
+def _changes(path: tuple[str, ...], actual: Any, expected: Any) -> Iterator[CaseChange]:
     if isinstance(actual, Mapping) and isinstance(expected, Mapping):
         for key in [*expected, *(key for key in actual if key not in expected)]:
             here, there = actual.get(key), expected.get(key)
-            yield from _changes((*path, str(key)), here, there, atol, rtol)
-    elif _is_same(path, actual, expected, atol, rtol):
+            yield from _changes((*path, str(key)), here, there)
+    elif _is_same(path, actual, expected):
         return
     elif (
         isinstance(actual, list)
@@ -92,14 +88,14 @@ def _changes(
         and not any(isinstance(item, str) for item in (*actual, *expected))
     ):  # the path of an item contains its number
         for number, (here, there) in enumerate(zip(actual, expected, strict=True), 1):
-            yield from _changes((*path, str(number)), here, there, atol, rtol)
+            yield from _changes((*path, str(number)), here, there)
     else:
         yield CaseChange(dotted(path), expected, actual)
 
 
-def _is_same(path: tuple[str, ...], actual: Any, expected: Any, atol: float, rtol: float) -> bool:
+def _is_same(path: tuple[str, ...], actual: Any, expected: Any) -> bool:
     if isinstance(actual, float) and isinstance(expected, int | float):
-        return math.isclose(actual, expected, rel_tol=0, abs_tol=atol + rtol * abs(expected))
+        return math.isclose(actual, expected, rel_tol=0, abs_tol=ATOL + RTOL * abs(expected))
     if isinstance(actual, list) and isinstance(expected, list) and path[-1] in _SETS:
         return sorted(map(str, actual)) == sorted(map(str, expected))
     return bool(actual == expected)

@@ -190,7 +190,7 @@ def compared(
         return unreadable(name, [Problem("E110", OTHER_ROWS)])
     unequal = list(differences(actual, expected, **how._asdict()))
     steps, counts = _steps(actual, expected, unequal, how)
-    changes = _changes(actual, expected, unequal, how)
+    changes = _changes(actual, expected, unequal)
     numbers = [item for item in (*unequal, *steps) if item.table]
     state: State = "changed" if changes or unequal else "same"
     return CaseVerdict(name, state, changes, largest_first(numbers), counts, bool(unequal))
@@ -242,7 +242,6 @@ def _changes(
     actual: WrittenResult,
     expected: WrittenResult,
     unequal: Sequence[Difference],
-    how: Tolerances,
 ) -> list[CaseChange] | None:
     """Return the changes of the case, including new and missing gears."""
     gears: list[CaseChange] = []
@@ -256,6 +255,6 @@ def _changes(
         or any(result.is_of_source for result in (actual, expected))
     ):
         return gears or None
-    changes = list(case_changes(actual.case, expected.case, atol=how.atol, rtol=how.rtol))
+    changes = list(case_changes(actual.case, expected.case))
     paths = {change.path for change in changes}
     return [*(change for change in gears if change.path not in paths), *changes]

@@ -23,7 +23,7 @@ from os.path import split, splitext
 from typing import Any, Literal, Protocol, runtime_checkable
 
 from vstatics.core.arguments import refusing, type_and_value
-from vstatics.core.errors import ReadError
+from vstatics.core.errors import ReadError, of_file
 from vstatics.core.jobs.input_files import DOCUMENT_BYTES, read_file, read_stream
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers.reading import Reading
@@ -108,13 +108,28 @@ def read(data: bytes, file: str, format: Format | None = None) -> Reading:  # no
     >>> text = b"{links: 2, mechanisms: {D: {first: 1, second: 2, ratio: 3}}, gears: {low: }}"
     >>> read(text, "case.yaml").case
     <Transmission: 2 links, 0 shift elements, 1 mechanism, 1 gear>
+    >>> try:
+    ...     read(b"KJG= 3 KL= 1", "old.yaml")
+    ... except ReadError as error:
+    ...     print(error)
+    old.yaml: error: the text is a deck, not YAML: expected the suffix .dat or `--from deck` [E108]
     """
     wanted = format or format_of(file, data)
     if wanted not in READERS:
         raise ValueError(f"format {wanted!r}: expected one of {', '.join(READERS)}")
     module, function = READERS[wanted]
     reader: Callable[[bytes, str], Reading] = getattr(import_module(module), function)
-    return reader(data, file)
+    try:
+        return reader(data, file)
+    except ReadError as error:
+        from vstatics.core.readers.deck.text import holds_deck
+
+        if error.problems[0].id != "E108" or wanted == "xlsx" or not holds_deck(data):
+            raise
+        message = (
+            f"the text is a deck, not {wanted.upper()}: expected the suffix .dat or `--from deck`"
+        )
+        raise ReadError([of_file("E108", file, message)]) from None
 
 
 @refusing()

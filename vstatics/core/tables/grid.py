@@ -155,7 +155,7 @@ class Grid(NamedTuple):
     def with_digits(self, digits: int | None) -> Grid:
         """Return the table with the given number of decimals; unchanged for None.
 
-        Blank cells stay blank.
+        Blank cells stay blank, and words before a number stay.
         """
         if digits is None:
             return self
@@ -163,7 +163,9 @@ class Grid(NamedTuple):
         def rewritten(cell: Cell) -> Cell:
             if cell.kind is not float or not cell.text:
                 return cell
-            return exact(cell.value, digits=digits)._replace(style=cell.style)
+            words, space, _ = cell.text.rpartition(" ")
+            number = exact(cell.value, digits=digits).text
+            return cell._replace(text=f"{words}{space}{number}")
 
         return self.changed(rewritten)
 

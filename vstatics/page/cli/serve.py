@@ -18,6 +18,7 @@ from vstatics.core.cli.shared import documents, files, formats
 from vstatics.core.cli.shared.cases import CaseOptions, calculate_one
 from vstatics.core.cli.shared.exit_status import DONE
 from vstatics.core.cli.shared.options import command
+from vstatics.core.cli.shared.values import FILE
 from vstatics.core.errors import ReadError, of_file
 from vstatics.core.extras import higher
 from vstatics.core.jobs.stopping import ENDING
@@ -37,7 +38,7 @@ GARBAGE = 50_000
 
 
 @command
-@click.argument("case", type=click.Path())
+@click.argument("case", type=FILE)
 @click.option(
     "--port",
     type=click.IntRange(0, MOST_PORT),

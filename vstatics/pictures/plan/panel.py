@@ -135,7 +135,7 @@ def _heads(case: Transmission, plan: KinematicPlan, style: Style) -> tuple[str, 
     if plan.given:
         parts.append(f"{style.text('given')}: {', '.join(plan.given)}")
     names = ", ".join(map(case.link_name, plan.standing))
-    return "; ".join(parts), f"{style.text('stand')}: {names}" if names else ""
+    return "; ".join(parts), f"{style.text('at rest')}: {names}" if names else ""
 
 
 def _rows(

@@ -13,7 +13,7 @@ from vstatics.core.cli.shared.formats import OutputOptions
 from vstatics.core.cli.shared.options import RenamedOption, gathered, under
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.sharing import Sharing, shared
-from vstatics.core.cli.shared.values import above_0, value
+from vstatics.core.cli.shared.values import FILE, above_0, value
 from vstatics.simulation.tolerances import RTOL
 
 Method = Literal["events", "tarasik"]
@@ -94,8 +94,8 @@ _SAMPLES = gathered(
 options = gathered(
     "asked",
     SimulateOptions,
-    click.argument("scenario", type=click.Path(), metavar="SCENARIO"),
-    click.argument("case", type=click.Path(), metavar="[CASE]", required=False),
+    click.argument("scenario", type=FILE, metavar="SCENARIO"),
+    click.argument("case", type=FILE, metavar="[CASE]", required=False),
     click.option(
         "--time-step",
         "step",

@@ -23,6 +23,7 @@ from vstatics.core.cli.shared.options import (
 )
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.sharing import Sharing, shared
+from vstatics.core.cli.shared.values import FILE
 from vstatics.core.errors import CaseError, ReadError
 from vstatics.core.jobs.files import is_stream
 from vstatics.core.tables.file_suffixes import format_of, known, mismatch
@@ -45,7 +46,7 @@ def declared(command: Command) -> Command:
 
 def _click_option(name: str, option: Option) -> Callable[[Command], Command]:
     kinds: dict[str, dict[str, Any]] = {
-        "path": {"type": click.Path()},
+        "path": {"type": FILE},
         "count": {"type": click.IntRange(option.least)},
         "flag": {"is_flag": True, "default": None},
         "choice": {"type": click.Choice(option.choices)},
@@ -95,11 +96,11 @@ effort = gathered(
 
 
 @command
-@click.argument("case", required=False, type=click.Path(), metavar="[CASE]")
+@click.argument("case", required=False, type=FILE, metavar="[CASE]")
 @under(
     INPUT,
     click.option(
-        "--file", "sweep_file", type=click.Path(), help="YAML file with the options of the sweep."
+        "--file", "sweep_file", type=FILE, help="YAML file with the options of the sweep."
     ),
 )
 @declared

@@ -10,7 +10,7 @@ from vstatics.core import readers
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
 from vstatics.core.cli.shared.options import command
-from vstatics.core.cli.shared.values import separated, value, wrong_value
+from vstatics.core.cli.shared.values import FILE, separated, value, wrong_value
 from vstatics.core.errors import CaseError, Problem, quoted, spoken
 from vstatics.core.jobs.files import STDOUT, is_stream
 from vstatics.core.readers.named.arithmetic import calculated
@@ -52,7 +52,7 @@ equal. [-]
     "-o",
     "--write",
     "target",
-    type=click.Path(),
+    type=FILE,
     metavar="FILE",
     default=STDOUT,
     help="Output file, written completely or not at all. An existing file is replaced.",

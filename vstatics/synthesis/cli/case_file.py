@@ -9,6 +9,7 @@ import click
 from vstatics.core import readers
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.options import OUTPUT, under
+from vstatics.core.cli.shared.values import FILE
 from vstatics.core.errors import CaseError, ReadError
 from vstatics.core.jobs.files import missing_folder
 from vstatics.core.model.transmission import Transmission
@@ -19,7 +20,7 @@ written_case = under(
     click.option(
         "--write",
         "target",
-        type=click.Path(),
+        type=FILE,
         metavar="FILE",
         help="File for the solution as a case: YAML, JSON or deck by the suffix. An existing file "
         "is replaced.",

@@ -18,7 +18,7 @@ from vstatics.core.cli.shared.estimates import (
 from vstatics.core.cli.shared.formats import WHOLE_OUTPUT
 from vstatics.core.cli.shared.options import OUTPUT, command, gathered, under
 from vstatics.core.cli.shared.progress import progress
-from vstatics.core.cli.shared.values import each, value, wrong_value
+from vstatics.core.cli.shared.values import FILE, each, value, wrong_value
 from vstatics.core.errors import Problem, typed_number
 from vstatics.core.jobs.files import is_stream
 from vstatics.core.tables.answer import Count, Flat, Known, as_json, json_keys
@@ -92,7 +92,7 @@ def _links(text: str) -> int:
         type=click.Choice(FORMATS),
         help="Format of the output. A list of structures is JSON lines in both.",
     ),
-    click.option("-o", "--output", type=click.Path(), help=WHOLE_OUTPUT),
+    click.option("-o", "--output", type=FILE, help=WHOLE_OUTPUT),
 )
 def structures_command(
     asked: StructureSearch, counted: bool, dry_run: bool, form: str | None, output: str | None

@@ -12,7 +12,7 @@ from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import formats
 from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase
 from vstatics.core.cli.shared.options import Command, Option, gathered
-from vstatics.core.cli.shared.values import torque, value, wrong_value
+from vstatics.core.cli.shared.values import FILE, torque, value, wrong_value
 from vstatics.core.errors import Problem, listed
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.readers.reading import Reading
@@ -65,7 +65,7 @@ _speed_ratios = click.option(
 
 
 CASE_OPTIONS = (
-    click.argument("case", type=click.Path()),
+    click.argument("case", type=FILE),
     formats.options(*formats.TABLES),
     arguments.input_format,
     arguments.coast,

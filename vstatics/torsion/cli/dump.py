@@ -13,7 +13,7 @@ from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.exit_status import DONE
 from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase, of_case, show
 from vstatics.core.cli.shared.options import command, gathered
-from vstatics.core.cli.shared.values import value
+from vstatics.core.cli.shared.values import FILE, value
 from vstatics.core.readers.reading import Reading
 from vstatics.core.tables.answer import Schema, documents, head_schema, list_of, schema
 from vstatics.torsion.cli.case import gear_names, gears_answer, slope_notes, static_torque
@@ -38,7 +38,7 @@ def _rate(given: float) -> float:
 @gathered(
     "request",
     OneCase,
-    click.argument("case", type=click.Path(), metavar="FILE"),
+    click.argument("case", type=FILE, metavar="FILE"),
     *of_case,
     static_torque,
 )

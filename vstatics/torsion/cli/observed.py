@@ -9,7 +9,7 @@ import numpy as np
 
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.options import gathered, under
-from vstatics.core.cli.shared.values import above_0, from_0, numbers, value
+from vstatics.core.cli.shared.values import FILE, above_0, from_0, numbers, value
 from vstatics.core.errors import Problem, ReadError
 from vstatics.core.jobs.input_files import TABLE_BYTES
 
@@ -120,7 +120,7 @@ observed = gathered(
         ),
         click.option(
             "--record",
-            type=click.Path(),
+            type=FILE,
             metavar="F.csv",
             help="Record of a free vibration, with a column `time` in s.",
         ),

@@ -10,7 +10,7 @@ import click
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase
 from vstatics.core.cli.shared.options import command, gathered
-from vstatics.core.cli.shared.values import value
+from vstatics.core.cli.shared.values import FILE, value
 from vstatics.core.errors import Problem, quoted
 from vstatics.core.readers.reading import Reading
 from vstatics.torsion.cli.case import (
@@ -41,7 +41,7 @@ if TYPE_CHECKING:
     "--input",
     "source",
     required=True,
-    type=click.Path(),
+    type=FILE,
     metavar="FILE",
     help="YAML file of the spectrum: `white`, `variance` with `correlation`, or `points`.",
 )

@@ -11,7 +11,7 @@ import click
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase
 from vstatics.core.cli.shared.options import command, gathered
-from vstatics.core.cli.shared.values import numbers, told, value
+from vstatics.core.cli.shared.values import FILE, numbers, told, value
 from vstatics.core.errors import listed, plural, spoken
 from vstatics.core.readers.reading import Reading
 from vstatics.torsion.cli.case import (
@@ -177,7 +177,7 @@ def _stuck_springs(case: Transmission, gear: GearResponse) -> str:
     ),
     click.option(
         "--torque",
-        type=click.Path(),
+        type=FILE,
         metavar="FILE",
         help="CSV file with the columns `order`, `amplitude [N*m]`, and `phase [rad]` or `phase "
         "[deg]`.",

@@ -15,7 +15,7 @@ from vstatics.core.cli.shared.formats import TABLES, OutputOptions, TextStyle
 from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase, warnings_of
 from vstatics.core.cli.shared.options import command, gathered
 from vstatics.core.cli.shared.problems import Telling
-from vstatics.core.cli.shared.values import separated, value
+from vstatics.core.cli.shared.values import FILE, separated, value
 from vstatics.core.errors import ReadError, spoken
 from vstatics.core.model.parts import damping
 from vstatics.core.model.springs import Spring
@@ -110,7 +110,7 @@ class Reducing(NamedTuple):
 @gathered(
     "request",
     _of_steps,
-    click.argument("case", type=click.Path()),
+    click.argument("case", type=FILE),
     click.option(
         "-f",
         "--format",
@@ -123,7 +123,7 @@ class Reducing(NamedTuple):
     click.option(
         "-o",
         "--output",
-        type=click.Path(),
+        type=FILE,
         metavar="FILE",
         help="File for the simplified system as a case, YAML or JSON.",
     ),

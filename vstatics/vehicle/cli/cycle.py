@@ -18,7 +18,7 @@ from vstatics.core.cli.shared.formats import OutputOptions
 from vstatics.core.cli.shared.one_or_many import carry_out
 from vstatics.core.cli.shared.options import OUTPUT, RenamedOption, command, gathered, under
 from vstatics.core.cli.shared.texts import Job
-from vstatics.core.cli.shared.values import value
+from vstatics.core.cli.shared.values import FILE, value
 from vstatics.core.errors import CaseError, Problem, of_file
 from vstatics.core.jobs.files import STDOUT
 from vstatics.core.jobs.input_files import TABLE_BYTES
@@ -74,8 +74,8 @@ def _choice(
 
 
 @command
-@click.argument("case", type=click.Path())
-@click.argument("trace", type=click.Path())
+@click.argument("case", type=FILE)
+@click.argument("trace", type=FILE)
 @formats.options(*formats.TABLES)
 @gathered(
     "choice",
@@ -108,7 +108,7 @@ def _choice(
         "steps",
         cls=RenamedOption,
         former=["--steps"],
-        type=click.Path(),
+        type=FILE,
         metavar="FILE",
         help="CSV file for the values of each time step; `plot --kind curves` draws it.",
     ),

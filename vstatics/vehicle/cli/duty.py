@@ -9,7 +9,7 @@ import click
 
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.options import gathered, refuse
-from vstatics.core.cli.shared.values import above_0, value
+from vstatics.core.cli.shared.values import FILE, above_0, value
 from vstatics.core.jobs.input_files import DOCUMENT_BYTES, TABLE_BYTES
 from vstatics.core.tables.file_suffixes import suffix_of
 
@@ -102,7 +102,7 @@ duty_options = gathered(
     DutyOptions,
     click.option(
         "--duty",
-        type=click.Path(),
+        type=FILE,
         metavar="FILE",
         help="Duty cycle: a YAML file with `energy` or `time`, a share for each gear; or a CSV "
         "file with `time [s]` or `share`, `gear`, `speed [rpm]`, `torque [N*m]`.",

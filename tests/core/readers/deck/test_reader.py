@@ -68,6 +68,10 @@ def test_published_deck(encoding: str, ends: str, opening: str) -> None:
     assert reading.warnings == []
 
 
+def test_a_dos_file_ends_at_its_mark() -> None:
+    assert deck.read(PUBLISHED + b"\x1a\0KG: 7\r\n\xff", "old.dat").case == MZKT7922
+
+
 @pytest.mark.parametrize(
     ("old", "new"),
     [

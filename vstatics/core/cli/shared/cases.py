@@ -26,7 +26,7 @@ from vstatics.core.cli.shared.options import (
 )
 from vstatics.core.cli.shared.patterns import expanded
 from vstatics.core.cli.shared.problems import Telling
-from vstatics.core.cli.shared.values import above_0, allowable, value, wrong_value
+from vstatics.core.cli.shared.values import FILE, above_0, allowable, value, wrong_value
 from vstatics.core.errors import CaseError, Problem, ReadError, not_allowed, of_file
 from vstatics.core.extras import broken
 from vstatics.core.messages.catalogue import causes_of_allowable
@@ -45,7 +45,7 @@ argument, optional_argument = (
         "cases",
         nargs=-1,
         required=required,
-        type=click.Path(),
+        type=FILE,
         metavar="CASE...",
         callback=lambda _, __, cases: tuple(expanded(cases)),
     )
@@ -56,7 +56,7 @@ files_from = under(
     INPUT,
     click.option(
         "--files-from",
-        type=click.Path(),
+        type=FILE,
         metavar="FILE",
         help="File with names of further cases; - is standard input. Give one name "
         "per line, where # begins a comment, or separate the names by NUL characters.",
@@ -186,7 +186,7 @@ def required_output(says: str, unless: str = "") -> Callable[[Command], Command]
         click.option(
             "-o",
             "--output",
-            type=click.Path(),
+            type=FILE,
             required=True,
             metavar="FILE",
             help=says,

@@ -6,6 +6,7 @@ import contextlib
 import itertools
 import os
 import sys
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
@@ -31,6 +32,7 @@ from vstatics.core.jobs.files import (
     unwritable,
 )
 from vstatics.core.jobs.input_files import DOCUMENT_BYTES, read_file, read_stream, unreadable
+from vstatics.core.readers import format_of_name
 from vstatics.core.suggestions import nearest
 
 if TYPE_CHECKING:
@@ -79,8 +81,7 @@ def read_input(
     except FileNotFoundError as error:
         reason = f"{error.strerror}{_nearest_file(file)}{_shipped(file)}"
     except IsADirectoryError as error:
-        pattern = os.path.join(file, "**", "*.yaml")  # noqa: PTH118
-        reason = f"{error.strerror}; expected a file, or of several a pattern, '{pattern}'"
+        reason = f"{error.strerror}; expected a file, or for several files '{_pattern(file)}'"
     except OSError as error:
         raise ReadError([unreadable(name, error)]) from None
     except ValueError as error:  # the name contains a zero byte
@@ -102,6 +103,16 @@ def problems_of_file(file: str, hint: str = "") -> Iterator[None]:
         raise ReadError(
             of_file(problem.id, file, problem.message + hint) for problem in error.problems
         ) from None
+
+
+def _pattern(folder: str) -> str:
+    """Return the pattern of the cases in a folder, with the most frequent of their suffixes."""
+    with contextlib.suppress(OSError), os.scandir(folder) as entries:
+        names = [entry.name for entry in itertools.islice(entries, MOST_SEARCHED)]
+        suffixes = Counter(os.path.splitext(name)[1] for name in names if format_of_name(name))  # noqa: PTH122
+        for suffix, _ in suffixes.most_common(1):
+            return os.path.join(folder, "**", f"*{suffix}")  # noqa: PTH118
+    return os.path.join(folder, "**", "*.yaml")  # noqa: PTH118
 
 
 def _nearest_file(file: str) -> str:
@@ -135,6 +146,8 @@ def _shipped(file: str) -> str:
 
     >>> _shipped("../tarasik-box.yaml"), _shipped("mine.yaml")
     ('; `vstatics new ../tarasik-box.yaml -t tarasik-box` writes the shipped case', '')
+    >>> _shipped("umdm.dat")
+    '; `vstatics new umdm.yaml -t umdm` writes the shipped case'
     """
     from vstatics.core.examples import example_files
 
@@ -146,6 +159,9 @@ def _shipped(file: str) -> str:
         return ""
     import shlex  # costs start-up time
 
+    shipped = os.path.splitext(example_files()[name].path)[0]  # noqa: PTH122
+    if not os.path.exists(f"{shipped}{suffix}"):  # noqa: PTH110
+        file = f"{os.path.splitext(file)[0]}.yaml"  # noqa: PTH122
     return f"; `vstatics new {shlex.quote(file)} -t {name}` writes the shipped case"
 
 

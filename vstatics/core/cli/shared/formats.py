@@ -11,6 +11,7 @@ import click
 
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.options import OUTPUT, Command, gathered, refuse, under
+from vstatics.core.cli.shared.values import FILE
 from vstatics.core.errors import ReadError
 from vstatics.core.extras import missing
 from vstatics.core.jobs.files import STDOUT, is_stream, missing_folder
@@ -203,7 +204,7 @@ def options(
                 type=click.Choice(formats),
                 help=f"{says}.  [default: by the suffix of -o, else {formats[0]}]",
             ),
-            click.option("-o", "--output", type=click.Path(), help=output_help),
+            click.option("-o", "--output", type=FILE, help=output_help),
             gathered("style", TextStyle, digits, raw),
         ),
     )

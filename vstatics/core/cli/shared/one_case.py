@@ -17,6 +17,7 @@ from vstatics.core.cli.shared.files import file_name
 from vstatics.core.cli.shared.formats import Destination, OutputOptions
 from vstatics.core.cli.shared.options import gathered, needs
 from vstatics.core.cli.shared.problems import Telling
+from vstatics.core.cli.shared.values import FILE
 from vstatics.core.errors import CaseError, Problem, ReadError, not_allowed, of_file
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers.reading import Reading
@@ -146,7 +147,7 @@ def _in_both_units(case: Transmission, grids: Callable[[], Iterable[Grid]]) -> I
 
 of_case = (formats.options(*formats.TABLES), cases.input_format, cases.telling)
 """Options of every command for a single case: output, input format and messages."""
-one_case = gathered("request", OneCase, click.argument("case", type=click.Path()), *of_case)
+one_case = gathered("request", OneCase, click.argument("case", type=FILE), *of_case)
 """Decorator that passes the case and these options to a command, as argument `request`."""
 
 

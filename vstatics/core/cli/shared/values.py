@@ -21,6 +21,9 @@ from vstatics.core.suggestions import why_not_allowed
 Value = TypeVar("Value")
 Given = TypeVar("Given")
 
+FILE = click.Path(readable=False)
+"""Name of a file; a file that cannot be read is reported like a missing one, by the reader."""
+
 
 @contextmanager
 def wrong_value(option: str | None = None) -> Iterator[None]:

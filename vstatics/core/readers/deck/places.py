@@ -23,6 +23,8 @@ WHOLE = {
     "coast": "COAST",
     "name": "NAME T",
 }
+IN_DECK = {"`planet_ratio`": "`UAQ`", "`kind: neutral`": "`--allow W414`"}
+"""Keys of YAML in remedies, and what a user of decks writes instead."""
 KINDS = {"link_names": "J", "shift_elements": "F", "mechanisms": "D", "gears": "P"}
 
 
@@ -58,7 +60,10 @@ class Places:
         for label in (*self._labels(problem), "KJG"):
             if label in spots:
                 place = self.source.place(*spots[label])
-                return problem._replace(message=f"{label}: {problem.message}", place=place)
+                message = problem.message
+                for key, word in IN_DECK.items():
+                    message = message.replace(key, word)
+                return problem._replace(message=f"{label}: {message}", place=place)
         return problem
 
     def _labels(self, problem: Problem) -> list[str]:

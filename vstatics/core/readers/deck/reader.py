@@ -93,7 +93,7 @@ def _read_lines(source: Source, damage: Iterable[Problem]) -> Reading:
     global _known  # noqa: PLW0603 - the last deck, whose variants are read faster
     text, deck = source.text, scan(source)
     if not text.strip() or not deck.fields:
-        message = "no field of a deck found, expected `KJG=` first"
+        message = "no field of a deck found, expected `KJG=` first, or `--from yaml` for YAML"
         if not text.strip():
             message = "the file is empty, expected a deck that starts with `KJG=`"
         raise ReadError("E101", message, place=Place(source.file, 1, 1))

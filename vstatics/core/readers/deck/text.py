@@ -94,11 +94,11 @@ def texts(data: bytes, file: str) -> Iterator[tuple[str, list[Problem]]]:
     """
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
         raise _unreadable(file, "the file is UTF-16 text, expected UTF-8: save it as UTF-8")
+    data, _, _ = data.partition(b"\x1a")  # end of a DOS file; anything may fill its last block
     if b"\0" in data:
         raise _unreadable(
             file, "the file is binary, expected a deck as text: save it as text in UTF-8"
         )
-    data = data.rstrip(b"\x1a")  # end-of-file character of DOS
     try:
         yield with_plain_blanks(data.decode("utf-8-sig")), []
     except UnicodeDecodeError as error:

@@ -12,6 +12,7 @@ import click
 from vstatics.core.cli.shared.cases import RequiredUnless
 from vstatics.core.cli.shared.options import Option, RenamedOption, gathered, refuse, under
 from vstatics.core.cli.shared.values import (
+    FILE,
     each,
     named,
     pair,
@@ -278,7 +279,7 @@ options = gathered(
         _KEPT,
         click.option(
             "--keep",
-            type=click.Path(),
+            type=FILE,
             is_eager=True,
             metavar="CASE",
             help="Case whose structure, gear sets, input, output and shift elements are kept.",

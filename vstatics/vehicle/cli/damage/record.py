@@ -8,14 +8,15 @@ from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.cases import check_order
 from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase, of_case
 from vstatics.core.cli.shared.options import command, gathered
+from vstatics.core.cli.shared.values import FILE
 from vstatics.core.jobs.input_files import TABLE_BYTES
 from vstatics.core.readers.reading import Reading
 from vstatics.vehicle.cli.strengths import expect_damage
 
 
 @command
-@gathered("single", OneCase, click.argument("case", type=click.Path()), *of_case)
-@click.argument("recorded", type=click.Path(), metavar="RECORD.csv")
+@gathered("single", OneCase, click.argument("case", type=FILE), *of_case)
+@click.argument("recorded", type=FILE, metavar="RECORD.csv")
 def record_command(single: OneCase, recorded: str) -> int:
     """Calculate the fatigue damage of the components of CASE under recorded torques.
 
