@@ -93,14 +93,18 @@ class EngineSpeeds(NamedTuple):
     """Speeds of the output, shape (steps,). [rad/s]"""
     ratios: Floats
     """Speeds of the engine relative to the output, shape (gears,). [-]"""
+    at_rest: Floats
+    """Speeds of the engine that slips in rpm give with the output at rest, shape (gears,). [rad/s]
+    """
     may_turn: Callable[[Floats], Booleans]
     """Function that returns whether the engine can reach a speed. [rad/s]"""
     slipping: Collection[int] = ()
     """Indices of gears whose converters slip: of two equal ratios, the lower gear."""
 
-    def of(self, gear: int, rows: slice = slice(None)) -> Floats:
-        """Return the speeds in a gear at some steps [rad/s]."""
-        speeds: Floats = self.output[rows] * self.ratios[gear]
+    def of(self, gear: int | Integers, rows: slice = slice(None)) -> Floats:
+        """Return the speeds in a gear, or in a gear for each step, at some steps [rad/s]."""
+        output = self.output[rows]
+        speeds: Floats = output * self.ratios[gear] + np.where(output > 0, self.at_rest[gear], 0.0)
         return speeds
 
 
@@ -136,7 +140,7 @@ def by_shift_speeds(
     >>> from vstatics import Gear, Mechanism
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, 2.0)], [Gear(), Gear()])
     >>> speeds, ratios = np.array([3.0, 5.0, 4.5, 3.9]), np.array([2.0, 2.0])
-    >>> engine = EngineSpeeds(speeds, ratios, np.isfinite)
+    >>> engine = EngineSpeeds(speeds, ratios, np.zeros(2), np.isfinite)
     >>> by_shift_speeds(case, [ShiftSpeed("1", "2", 5.0, 4.0)], speeds, engine, ratios)
     array([0, 1, 1, 0])
     """
@@ -194,7 +198,7 @@ def by_least_speed(engine: EngineSpeeds, least: float, ahead: Sequence[int]) -> 
     are too fast.
 
     >>> outputs, ratios = np.array([90.0, 700.0]), np.array([7.0, 1.0])
-    >>> engine = EngineSpeeds(outputs, ratios, lambda speeds: speeds <= 600)
+    >>> engine = EngineSpeeds(outputs, ratios, np.zeros(2), lambda speeds: speeds <= 600)
     >>> by_least_speed(engine, 100.0, [0, 1])
     array([1, 1])
     """
