@@ -57,7 +57,7 @@ class Provided(str):
 
 SOMETIMES, FLAT, FAILURE, UNFAILED = _MARKS = ("sometimes", "flat", "failure", "unfailed")
 Sometimes = Annotated[T | None, SOMETIMES]
-"""Type of a key that is omitted for None or an empty mapping."""
+"""Type of a key that is omitted for None."""
 Flat = Annotated[T, FLAT]
 """Type of a record whose keys are merged into the surrounding record."""
 Failure = Annotated[str, FAILURE]
@@ -198,7 +198,7 @@ def _of_record(record: Any) -> dict[str, Any]:
         if key.mark == FLAT:
             data |= plain_data(value)
         elif not (key.mark == FAILURE and not value) and not (
-            key.mark == SOMETIMES and (value is None or value == {})
+            key.mark == SOMETIMES and value is None
         ):
             data[key.name] = plain_data(value)
     return data

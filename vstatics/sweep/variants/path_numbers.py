@@ -60,8 +60,9 @@ class CasePath(NamedTuple):
         """Keys of the varied numbers; a number of a mechanism has the same key as in `Target`."""
         if self.quantity in OF_MECHANISM:
             return frozenset((number.owner, number.quantity) for number in self.of)
-        relative = [number._replace(quantity="slip") for number in self.relative]
-        return frozenset(relative or self.of or [self.part])
+        if self.relative:
+            return frozenset(number._replace(quantity="slip") for number in self.relative)
+        return frozenset(self.of or [self.part])
 
     @property
     def solved(self) -> str:

@@ -206,8 +206,8 @@ def spectrum(
         damage,
         exponent,
         None if classes is None else spectra(rows, classes),
-        lives(case, rows),
-        bearing_lives(case, rows),
+        lives(case, rows) or None,
+        bearing_lives(case, rows) or None,
     )
 
 
@@ -287,8 +287,22 @@ def points_of(
         for row, (gear, speed) in enumerate(zip(gears, numbers["speed"], strict=True))
         if gear not in names and speed
     ]
-    kind = next(name for name in ("share", "duration", "time") if name in numbers)
-    problems += [
+    kind = _weighing(numbers)
+    if problems := [*problems, *wrong_numbers(numbers)]:
+        raise CaseError(problems)
+    speeds, torques, weights = (np.array(numbers[name]) for name in ("speed", "torque", kind))
+    indices = np.array([names.index(gear) if gear in names else 0 for gear in gears])
+    return DutyPoints(indices, speeds, torques, weights, kind == "share")
+
+
+def _weighing(numbers: Mapping[str, Sequence[float]]) -> str:
+    return next(name for name in ("share", "duration", "time") if name in numbers)
+
+
+def wrong_numbers(numbers: Mapping[str, Sequence[float]]) -> list[Problem]:
+    """Return the problems of the columns of a duty cycle, by name, at their rows."""
+    kind = _weighing(numbers)
+    problems = [
         Problem("E425", f"{kind}: read {value:g}, expected 0 or more", (row,))
         for row, value in enumerate(numbers[kind])
         if value < 0
@@ -301,8 +315,4 @@ def points_of(
     ]
     if not problems and not sum(numbers[kind]) > 0:
         problems = [Problem("E419", f"all numbers of `{kind}` are 0, expected one above 0", (0,))]
-    if problems:
-        raise CaseError(problems)
-    speeds, torques, weights = (np.array(numbers[name]) for name in ("speed", "torque", kind))
-    indices = np.array([names.index(gear) if gear in names else 0 for gear in gears])
-    return DutyPoints(indices, speeds, torques, weights, kind == "share")
+    return problems
