@@ -424,7 +424,8 @@ class CycleSteps(NamedTuple):
             Problem(
                 "E424",
                 f"{'no torque is' if count == 0 else 'more than one torque is'} consistent with "
-                "the loss of the gear as a whole",
+                f"the loss of the gear as a whole, at {speeds[row] * RPM:.6g} rpm; in W, its "
+                "torque loss/|w| has no bound near rest",
                 (int(rows[row]),),
             )
             for row, count in zip(of_gear, counts, strict=True)
