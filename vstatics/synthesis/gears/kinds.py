@@ -319,10 +319,10 @@ class EngagedSets(NamedTuple):
         columns = (column.tolist() for column in self[1:])
         for members, kind, ratio, free, torques in zip(*columns, strict=True):
             engaged = [names[index] for index in members]
-            known = dict(zip(engaged, torques, strict=True)) if kind >= EngagedKind.GEAR else {}
+            known = dict(zip(engaged, torques, strict=True)) if kind >= EngagedKind.GEAR else None
             alone = kind == EngagedKind.DIRECT and len(engaged) == 1
             slip = 1 / (torques[0] or math.nan) if alone else None
-            yield EngagedSet(engaged, words[kind], ratio, free, known or None, slip)
+            yield EngagedSet(engaged, words[kind], ratio, free, known, slip)
 
     def where(self, chosen: Booleans) -> EngagedSets:
         """Return a selection of the combinations."""

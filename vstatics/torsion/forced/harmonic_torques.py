@@ -232,7 +232,7 @@ def _gear_response(
         links = dict(zip(system.names[: system.case_links], amplitudes, strict=False))
         orders.append(OrderResponse(harmonic.order, links, named))
     by_name = {converter.name: converter for converter in converters}
-    return GearResponse(gear.name, speeds, orders, resonances, converters=by_name or None)
+    return GearResponse(gear.name, speeds, orders, resonances, converters=by_name)
 
 
 def not_excitable(system: TorsionalSystem, split: Coordinates, at: int) -> str:

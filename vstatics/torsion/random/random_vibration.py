@@ -176,7 +176,7 @@ def _gear_random(
         spectra = None if omegas is None else _spectrum(excited, spectrum, omegas)
     by_name = {converter.name: converter for converter in converters}
     widths = _half_widths(excited)
-    return GearRandom(gear.name, devices, links, widths, spectra, converters=by_name or None)
+    return GearRandom(gear.name, devices, links, widths, spectra, converters=by_name)
 
 
 def of_stress(strengths: Mapping[str, Carried]) -> dict[str, Carried]:

@@ -244,7 +244,7 @@ def _gear_modes(working: WorkingGear, count: int | None) -> GearModes:
         [] if damped is None else [complex(value) for value in damped.eigenvalues],
         warnings,
         slopes={spring.name: spring.slope for spring in spring_slopes(case, gear)},
-        converters={converter.name: converter for converter in converters} or None,
+        converters={converter.name: converter for converter in converters},
     )
 
 

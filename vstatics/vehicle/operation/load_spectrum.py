@@ -17,7 +17,7 @@ from vstatics.core.numerics.arrays import Floats, Integers, rounding_as_zero
 from vstatics.core.statics.carried import overloads_at_points
 from vstatics.core.statics.diagnosis import outside_message
 from vstatics.core.statics.result_arrays import Message
-from vstatics.core.tables.answer import Sometimes, json_keys
+from vstatics.core.tables.answer import Asked, Sometimes, json_keys
 from vstatics.core.tables.grid import Grid, grid_of, word
 from vstatics.vehicle.damage.devices import DeviceDamage, damages
 from vstatics.vehicle.damage.tables import damage_grid
@@ -82,7 +82,7 @@ class Spectrum(NamedTuple):
     """Damage of components with a fatigue strength, with the points in order as a record."""
     exponent: float
     """Exponent of the equivalent torques. [-]"""
-    spectrum: Sometimes[Mapping[str, MemberSpectrum]] = None
+    spectrum: Asked[Mapping[str, MemberSpectrum]] = None
     """Load duration distribution of members with a torque, if requested."""
     life: Sometimes[Mapping[str, MemberLife]] = None
     """Life of members with a strength under torque."""
@@ -206,8 +206,8 @@ def spectrum(
         damage,
         exponent,
         None if classes is None else spectra(rows, classes),
-        lives(case, rows) or None,
-        bearing_lives(case, rows) or None,
+        lives(case, rows),
+        bearing_lives(case, rows),
     )
 
 
