@@ -459,6 +459,15 @@ def test_slip_in_rpm_adds_to_the_speed_of_the_engine() -> None:
     assert energy.lost == pytest.approx({"first": 3000, "second": 0, "slip.A": 78.125 * 20 * 4})
 
 
+def test_of_equal_ratios_the_gear_without_slip_is_the_higher() -> None:
+    case = in_rpm("200 rpm")
+    case = case.replace(gears=[*case.gears, Gear([1], name="firm")])
+    rows = trace((0, 5, "low"), (4, 7, "low"))._replace(gears=[])
+    assert [*drive(case, rows, GearChoice(0.0, [])).gears] == ["high"]
+    case = case.replace(gears=[case.gears[0], case.gears[2]])
+    assert [*drive(case, rows, GearChoice(0.0, [])).gears] == ["firm"]
+
+
 def test_a_slip_of_the_wrong_sign_gives_no_cycle() -> None:
     with pytest.raises(
         CaseError, match=r"engine would turn at -97\.8591 rpm, expected a gear in w"

@@ -99,7 +99,7 @@ class EngineSpeeds(NamedTuple):
     may_turn: Callable[[Floats], Booleans]
     """Function that returns whether the engine can reach a speed. [rad/s]"""
     slipping: Collection[int] = ()
-    """Indices of gears whose converters slip: of two equal ratios, the lower gear."""
+    """Indices of gears whose converters slip, which are lower gears than others of their ratio."""
 
     def of(self, gear: int | Integers, rows: slice = slice(None)) -> Floats:
         """Return the speeds in a gear, or in a gear for each step, at some steps [rad/s]."""
@@ -202,7 +202,9 @@ def by_least_speed(engine: EngineSpeeds, least: float, ahead: Sequence[int]) -> 
     >>> by_least_speed(engine, 100.0, [0, 1])
     array([1, 1])
     """
-    ascending = sorted(ahead, key=lambda gear: (engine.ratios[gear], gear in engine.slipping))
+    slips = engine.at_rest != 0
+    slips[[*engine.slipping]] = True
+    ascending = sorted(ahead, key=lambda gear: (engine.ratios[gear], slips[gear]))
     chosen = np.full(len(engine.output), ascending[0] if ascending else 0)
     for gear in ascending:
         chosen[engine.may_turn(engine.of(gear))] = gear
