@@ -220,3 +220,24 @@ def test_one_note_tells_that_variants_are_outside_a_law(file: Path) -> None:
 def test_a_sweep_warns_once_of_a_drag_without_a_unit() -> None:
     vary = ("--vary", "load.torque=50 N*m:200 N*m:7")
     assert run("sweep", "-", *vary, stdin=BARE.encode()).err.count("has no unit") == 1
+
+
+def test_relative_slip_of_a_case_varies_without_a_unit_or_with_one(tmp_path: Path) -> None:
+    """The carrier of P1 turns at (w - slip)/3.5; the clutch loses P slip/w of the input power P."""
+    file = tmp_path / "troll.yaml"
+    file.write_text(
+        "links: [in, sun, ring, out]\nshift_elements: {C: [in, sun], B: [ring, housing]}\n"
+        "mechanisms: {P1: {first: sun, second: ring, third: out, ratio: -2.5}}\n"
+        "gears: {troll: {engaged: [B], slip: {C: 0.5}}}\nload: {speed: 100 rad/s, torque: 10 N*m}\n"
+    )
+    slips = "--vary", "gears.troll.slip.C=0:0.6:3", "--vary", "load.speed=100 rad/s, 200 rad/s"
+    ran = run("sweep", file, *slips, "--out", "speeds_rpm[out], slip_losses_kW[C]")
+    heading, *lines = [line.split(",") for line in ran.out.splitlines()]
+    assert heading[1] == "gears.troll.slip.C"
+    for line, slip, speed in zip(lines, np.repeat([0, 0.3, 0.6], 2), [100, 200] * 3, strict=True):
+        expected = [speed * (1 - slip) / 3.5 * 30 / math.pi, 10 * speed * slip / 1000]
+        np.testing.assert_allclose([float(cell) for cell in line[4:]], expected, rtol=1e-11)
+    twice = run("sweep", file, "--vary", "gears.*.slip.C=3 rpm", *slips[:2])
+    assert "varied twice" in twice.err
+    both = run("sweep", file, slips[0], "gears.troll.slip.C=30 rad/s", "--out", "speeds_rpm[out]")
+    assert float(both.out.split(",")[-1]) == pytest.approx(70 / 3.5 * 30 / math.pi)

@@ -14,6 +14,7 @@ from tests.chance import count, seeded
 from tests.commands import json_answer, vstatics
 from vstatics import Bearing, CaseError, ReadError, Transmission, example, load, loads, solve
 from vstatics.core.explain import explain_gear
+from vstatics.core.tables.answer import plain_data
 from vstatics.core.writers.named import write_yaml
 from vstatics.vehicle.case.fatigue import TorqueStrength
 from vstatics.vehicle.operation.load_spectrum import Spectrum, spectrum
@@ -192,6 +193,11 @@ def test_rounding_neither_turns_a_member_nor_loads_it() -> None:
     assert bearings["pin"][:2] == (0, 0)
     assert math.isnan(bearings["pin"].equivalent_load)
     assert bearings["pin"].hours is None
+
+
+def test_without_torque_the_spectrum_is_empty() -> None:
+    points = DutyPoints(np.array([0]), np.array([9.0]), np.array([0.0]), np.array([9.0]))
+    assert plain_data(spectrum(loads(CASE % ""), points, classes=2))["spectrum"] == {}
 
 
 def test_a_case_with_strengths_of_members_is_explained() -> None:

@@ -274,7 +274,7 @@ def _by_path(plan: SweepPlan, values: Floats) -> dict[str, Floats]:
     of_solve = [path for path in plan.paths if path.of]
     for target, column in zip(plan.variants.targets, values.T, strict=True):
         if target in of_solve:
-            numbers[target.path] = target.in_si(column)
+            numbers[target.solved] = target.in_si(column)
         elif of_solve and isinstance(target, Target) and target.quantity in OF_MECHANISM:
             name = plan.case.mechanisms[target.owner].name
             numbers[f"{name}.{target.quantity}"] = column

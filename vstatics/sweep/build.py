@@ -156,7 +156,7 @@ def _check_paths(case: Transmission, variants: Variants, places: Sequence[Place 
     given: dict[str, Floats] = {}
     for n, path in sorted(paths, key=lambda item: "load." not in item[1].quantity):
         if path.of:
-            given[path.path] = path.in_si(numbers[:, n])
+            given[path.solved] = path.in_si(numbers[:, n])
             try:
                 solve(case, vary=given)
             except CaseError as error:

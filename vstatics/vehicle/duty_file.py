@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import codecs
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from typing import NamedTuple, get_args
 
@@ -23,7 +23,13 @@ from vstatics.core.statics.results import Results
 from vstatics.core.tables.csv import unguarded
 from vstatics.vehicle.duty import Cycle, Duty, Kind, cycle
 from vstatics.vehicle.life.classes import Classes
-from vstatics.vehicle.operation.load_spectrum import EXPONENT, Spectrum, points_of, spectrum
+from vstatics.vehicle.operation.load_spectrum import (
+    EXPONENT,
+    Spectrum,
+    points_of,
+    spectrum,
+    wrong_numbers,
+)
 
 DUTY = ByKey(
     "Duty cycle",
@@ -98,10 +104,7 @@ class DutyTable(NamedTuple):
             points = points_of(case, table.texts["gear"], table.numbers)
             found = spectrum(case, points, self.exponent, self.classes)
         except CaseError as error:
-            raise ReadError(
-                Problem(problem.id, problem.message, (), table.place(_row(problem)))
-                for problem in error.problems
-            ) from None
+            raise _at_rows(error.problems, table) from None
         notes = without_inertias(results.case) if is_cycle else ()
         if self.load is not None and self.load is results.case.load:
             rpm, torque = self.load.speed, self.load.torque
@@ -126,10 +129,13 @@ def without_inertias(case: Transmission) -> Iterator[Message]:
         yield Message("N418", f"{text}inertia of the input itself is taken off")
 
 
-def _row(problem: Problem) -> int:
-    """Return the row index of a problem; 0 for a problem of the whole table."""
-    first = next(iter(problem.path), 0)
-    return first if isinstance(first, int) else 0
+def _at_rows(problems: Iterable[Problem], table: UnitTable) -> ReadError:
+    """Return an error at the rows of the problems, or at the first row for the whole table."""
+    firsts = ((problem, next(iter(problem.path), 0)) for problem in problems)
+    return ReadError(
+        problem._replace(path=(), place=table.place(first if isinstance(first, int) else 0))
+        for problem, first in firsts
+    )
 
 
 _STEP_COLUMNS = (TableColumn("duration", "time", may_be_bare=True), *_COLUMNS[2:])
@@ -212,6 +218,8 @@ def duty_points(data: bytes, file: str) -> list[tuple[str, float, float]]:
     [('low', 200.0, 50.0)]
     """
     table = read_duty_table(data, file).table
+    if problems := wrong_numbers(table.numbers):
+        raise _at_rows(problems, table)
     columns = table.texts["gear"], table.numbers["speed"], table.numbers["torque"]
     return [point for point in zip(*columns, strict=True) if point[1]]
 

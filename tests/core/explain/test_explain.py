@@ -112,7 +112,7 @@ def test_a_freewheel_that_holds_is_part_of_the_gear() -> None:
 def test_a_dragged_gear_has_torques_and_no_efficiency() -> None:
     """At the output 2 x .98 of the 5 N*m come from the input, 3.04 from outside."""
     said = told(DRAGGED, "--gear", "little")
-    assert "warning: back-driven: drag takes more than the input gives" in said
+    assert "warning: back-driven: losses take more than the input gives" in said
     assert "    M_pair = 1  Mx = -3.04\n  there is no efficiency\n" in said
     assert "N*m" not in said
 

@@ -173,6 +173,7 @@ def test_wrong_options_of_maps_are_reported(folder: Path) -> None:
     write(lambda x, y: {"low": x + y}, "others.csv", "a,b")
     (folder / "plain.yaml").write_text(CAR.partition("vehicle")[0])
     (folder / "hole.csv").write_text("time [s],gear,speed [rpm],torque [N*m]\n1,low,x,1\n")
+    (folder / "back.csv").write_text(DUTY.replace("5,low,150", "-1,low,150"))
     text = Path("map.csv").read_text()
     one = [line.replace(",low", "") for line in text.splitlines() if ",high," not in line]
     Path("one.csv").write_text("\n".join(one).replace("status,gear,", "status,"))
@@ -185,6 +186,7 @@ def test_wrong_options_of_maps_are_reported(folder: Path) -> None:
         (("others.csv", "--limits", "car.yaml"), "expected load.speed and load.torque"),
         (("map.csv", "--limits", "plain.yaml"), "plain.yaml: error: the case has no `vehicle`"),
         (("map.csv", "--duty", "hole.csv"), "hole.csv:2:1: error"),
+        (("map.csv", "--duty", "back.csv"), "back.csv:2:1: error: time: read -1, expected 0"),
         (("map.csv", "--duty", "car.yaml"), "expected a CSV of points"),
         (("one.csv", "--best-gear"), "expected a sweep written with --by gear"),
     ):

@@ -1,11 +1,15 @@
 """Doubts about the vehicle of a case."""
 
+import math
+
 import pytest
 
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, loads
 from vstatics.core.model.checks import doubts, hints
+from vstatics.core.model.laws import LossUnit, MapLaw
 from vstatics.core.model.springs import Spring
 from vstatics.vehicle.case.vehicle import Vehicle
+from vstatics.vehicle.operation.traction import performance
 
 
 @pytest.mark.parametrize(
@@ -84,3 +88,18 @@ def test_a_number_without_its_unit_is_told_where_no_part_is_as_large() -> None:
         case = loads(f"{text}vehicle: {{mass: 1200, {vehicle}}}\n", format="yaml")
         said = [one.message for one in doubts(case) if one.id == "N205"]
         assert [one.split(":")[0] for one in said] == told
+
+
+@pytest.mark.parametrize(
+    ("first", "unit", "warns"),
+    [(0, "W", True), (0, "N*m", False), (0.19, "W", True), (0.21, "W", False)],
+)
+def test_a_loss_that_takes_all_power_near_rest_is_a_doubt(
+    first: float, unit: LossUnit, *, warns: bool
+) -> None:
+    """40 W of the loss are the power of 200 N*m at 0.2 rad/s."""
+    loss = MapLaw([0, 200], [[1, 20, 40], [500, 30, 70]], unit)
+    car = Vehicle(1000, 0.3, engine=[(first, 200.0), (500.0, 150.0)])
+    case = Transmission(2, [], [Mechanism(1, 2, 0, 4.0)], [Gear(loss=loss)], vehicle=car)
+    assert ("W892" in [doubt.id for doubt in doubts(case)]) == warns
+    assert math.isnan(performance(case).time_to_100) == warns

@@ -285,7 +285,7 @@ def test_a_gear_in_which_the_engine_would_overspeed_is_not_taken_downward(sign: 
     So it is with a final drive that turns them all.
     """
     speeds, ratios = np.array([13.0, 8.5, 5.5, 3.0]), np.array([4.0, 2.0, 1.0])
-    engine = EngineSpeeds(speeds, ratios, lambda w: w <= 20)
+    engine = EngineSpeeds(speeds, ratios, np.zeros(3), lambda w: w <= 20)
     shifts = read_shifts("1-2: 7 m/s/6 m/s, 2-3: 12 m/s/9 m/s")
     case = parallel({"1": 4.0, "2": 2.0, "3": 1.0})
     places = by_shift_speeds(case, shifts, speeds, engine, sign * ratios)
@@ -447,10 +447,33 @@ def test_a_slipping_clutch_takes_its_part_of_the_engine() -> None:
     assert energy.lost == pytest.approx({"first": 3000, "second": 0, "slip.A": 10000})
 
 
-def test_a_slip_with_a_unit_or_the_wrong_sign_gives_no_cycle() -> None:
-    in_rpm = loads(SLIPPING.replace("0.4", "200 rpm") + "load: {speed: 1000 rpm}")
-    with pytest.raises(CaseError, match="gear low has a slip with a unit, expected a gear in w"):
-        drive(in_rpm, trace((0, 5, "low"), (4, 7, "low")), GearChoice())
+def in_rpm(slip: str, more: str = "") -> Transmission:
+    return loads(f"{SLIPPING.replace('0.4', slip)}load: {{speed: 1000 rpm}}\n{more}")
+
+
+def test_slip_in_rpm_adds_to_the_speed_of_the_engine() -> None:
+    """The pair takes 78.125 N*m at 48 rad/s for 500 N; and 0.1 kg*m^2 from 60 to 76 rad/s."""
+    case = in_rpm("20 rad/s", "inertias: {engine: 0.1}\n")
+    energy = drive(case, trace((0, 5, "low"), (4, 7, "low")), GearChoice()).energy
+    inertia = 0.1 * (76**2 - 60**2) / 2
+    assert [energy.inertias, energy.engine] == pytest.approx([inertia, 78.125 * 68 * 4 + inertia])
+    assert energy.lost == pytest.approx({"first": 3000, "second": 0, "slip.A": 78.125 * 20 * 4})
+
+
+def test_of_equal_ratios_the_gear_without_slip_is_the_higher() -> None:
+    case = in_rpm("200 rpm")
+    case = case.replace(gears=[*case.gears, Gear([1], name="firm")])
+    rows = trace((0, 5, "low"), (4, 7, "low"))._replace(gears=[])
+    assert [*drive(case, rows, GearChoice(0.0, [])).gears] == ["high"]
+    case = case.replace(gears=[case.gears[0], case.gears[2]])
+    assert [*drive(case, rows, GearChoice(0.0, [])).gears] == ["firm"]
+
+
+def test_a_slip_of_the_wrong_sign_gives_no_cycle() -> None:
+    with pytest.raises(
+        CaseError, match=r"engine would turn at -97\.8591 rpm, expected a gear in w"
+    ):
+        drive(in_rpm("-900 rpm"), trace((0, 10, "low"), (4, 11, "low")), GearChoice())
     with pytest.raises(CaseError, match=r"gear low has no torques .* only a slip below 0 is poss"):
         drive(loads(SLIPPING), trace((0, 7, "low"), (4, 5, "low")), GearChoice())
 

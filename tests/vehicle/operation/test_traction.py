@@ -10,6 +10,7 @@ import pytest
 
 from tests.commands import json_answer, vstatics
 from vstatics import CaseError, Gear, Mechanism, ShiftElement, Transmission
+from vstatics.core.model.parts import OfLoad
 from vstatics.core.numerics.constants import AIR, GRAVITY
 from vstatics.vehicle.case.vehicle import Vehicle
 from vstatics.vehicle.operation.traction import performance
@@ -69,6 +70,18 @@ def test_inertias_add_to_the_mass() -> None:
     car = Vehicle(1000, 0.25, 0.0, 0.0, 2.0, engine=[(0.0, 100.0), (2000.0, 100.0)])
     made = performance(one_gear(car, inertias={1: 0.5}))
     assert made.time_to_100 == pytest.approx(100 / 3.6 * (1000 + 512) / 3200, rel=1e-12)
+
+
+def test_slip_in_rpm_takes_speed_and_no_force() -> None:
+    """The car above, whose engine is 200 rad/s faster than its gear, and ends at 600 rad/s."""
+    car = Vehicle(1000, 0.25, 0.0, 0.0, 2.0, engine=[(0.0, 100.0), (600.0, 100.0)])
+    gear = Gear(slip={1: OfLoad(200 * 30 / math.pi, 1000)})
+    case = Transmission(3, [ShiftElement(1, 2)], [Mechanism(2, 3, 0, 4.0)], [gear], vehicle=car)
+    answer = performance(case)
+    assert answer.top_speed == pytest.approx(3.6 * 400 / 4 / 2 * 0.25)
+    assert answer.gears["1"].slope == pytest.approx(3200 / 1000 / GRAVITY)
+    case = case.replace(vehicle=car._replace(engine=[(0.0, 100.0), (2000.0, 100.0)]))
+    assert performance(case).time_to_100 == pytest.approx(100 / 3.6 * 1000 / 3200)
 
 
 def test_the_best_gear_accelerates_as_an_integrator_finds_it() -> None:

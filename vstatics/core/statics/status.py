@@ -61,7 +61,7 @@ LOCKED = Status(
 DRAGGED = Status(
     "dragged",
     "back-driven",
-    "drag takes more than the input gives, so power enters at the output",
+    "losses take more than the input gives, so power enters at the output",
     has_power=True,
 )
 UNDECIDED = Status(

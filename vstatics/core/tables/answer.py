@@ -2,7 +2,7 @@
 
 A record is a named tuple. Its keys in JSON are its fields, unless `json_keys` names other
 attributes. A `document` begins with the keys of `head`. Annotations describe special keys:
-`Sometimes`, `Flat`, `Failure`, `Unfailed`, `Count`, `Known`. A missing value is null.
+`Sometimes`, `Asked`, `Flat`, `Failure`, `Unfailed`, `Count`, `Known`. A missing value is null.
 """
 
 from __future__ import annotations
@@ -55,9 +55,13 @@ class Provided(str):
     __slots__ = ()
 
 
-SOMETIMES, FLAT, FAILURE, UNFAILED = _MARKS = ("sometimes", "flat", "failure", "unfailed")
+SOMETIMES, ASKED, FLAT, FAILURE, UNFAILED = _MARKS = (
+    *("sometimes", "asked", "flat", "failure", "unfailed"),
+)
 Sometimes = Annotated[T | None, SOMETIMES]
 """Type of a key that is omitted if its value is None or an empty mapping."""
+Asked = Annotated[T | None, ASKED]
+"""Type of a key that is omitted if its value is None, but not if it is an empty mapping."""
 Flat = Annotated[T, FLAT]
 """Type of a record whose keys are merged into the surrounding record."""
 Failure = Annotated[str, FAILURE]
@@ -199,7 +203,8 @@ def _of_record(record: Any) -> dict[str, Any]:
         if key.mark == FLAT:
             data |= plain_data(value)
         elif not (key.mark == FAILURE and not value) and not (
-            key.mark == SOMETIMES and (value is None or value == {})
+            key.mark in (SOMETIMES, ASKED)
+            and (value is None or (value == {} and key.mark == SOMETIMES))
         ):
             data[key.name] = plain_data(value)
     return data
@@ -327,7 +332,7 @@ def _of_keys(kind: Any, definitions: Schema | None) -> Schema:
             optional += of_key["properties"].keys() - of_key["required"]
         else:
             properties[key.name] = of_key
-            optional += [key.name] * (key.mark == SOMETIMES)
+            optional += [key.name] * (key.mark in (SOMETIMES, ASKED))
     record = object_of(properties, optional)
     return {"if": has_failed, "then": failed, "else": record} if failed else record
 

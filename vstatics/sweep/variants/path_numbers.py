@@ -42,6 +42,8 @@ class CasePath(NamedTuple):
     """Number of a component, whose every value needs a new case; None for other numbers."""
     unit: str = ""
     """Unit of the values; empty for bare numbers, which are relative or in SI units."""
+    relative: tuple[CaseNumber, ...] = ()
+    """Numbers relative to the load, for bare values; empty if the case gives a unit."""
 
     @property
     def name(self) -> str:
@@ -58,7 +60,14 @@ class CasePath(NamedTuple):
         """Keys that identify the number; for a mechanism equal to the key in `Target`."""
         if self.quantity in OF_MECHANISM:
             return frozenset((number.owner, number.quantity) for number in self.of)
+        if self.relative:
+            return frozenset(number._replace(quantity="slip") for number in self.relative)
         return frozenset(self.of or [self.part])
+
+    @property
+    def solved(self) -> str:
+        """Path for `vstatics.solve`."""
+        return f"{self.path}.relative" if self.of and self.of == self.relative else self.path
 
     @property
     def measure(self) -> Measure | Literal["power"] | None:
@@ -78,6 +87,8 @@ class CasePath(NamedTuple):
             if unit:
                 raise ValueError(f"{self.path}: read values in {unit}, expected bare numbers")
             return self
+        if not unit and self.relative:
+            return self._replace(of=self.relative)
         if not unit:
             raise ValueError(f"{self.path}: its values need their unit, such as {self.example}")
         _size(unit, self.measure)
@@ -127,7 +138,8 @@ def case_path(text: str, case: Transmission) -> CasePath | None:
         path, unit = with_unit(text)
         path = plain(path.strip())
     of, part = numbers.get(path, ()), parts.get(path)
-    return CasePath(path, of, None if of else part, unit or "") if of or part else None
+    relative = numbers.get(f"{path}.relative", ())
+    return CasePath(path, of, None if of else part, unit or "", relative) if of or part else None
 
 
 def known_paths(case: Transmission) -> list[str]:

@@ -120,16 +120,16 @@ def _input_of(gears: Sequence[WorkingGear]) -> str:
     return next(iter(inputs))
 
 
-def _unbounded(gear: GearResponse) -> str:
+def _unbounded(case: Transmission, gear: GearResponse) -> str:
     """Return a note about undamped resonances, or an empty text."""
     speeds = [f"{r.speed:.6g}" for r in gear.resonances if not r.damped]
     if not speeds:
         return ""
     names = f"{plural('resonance', len(speeds))} at {listed(speeds)} rpm"
-    return (
-        f"nothing damps the {names}: the response near them is unbounded, and the largest values "
-        "are those at the requested speeds"
-    )
+    near = f"damps the {names}: the response near them is unbounded"
+    if any(spring.friction for spring in case.springs):
+        near = f"but dry friction {near} where the torque exceeds 4 M/pi of the friction"
+    return f"nothing {near}, and the largest values are those at the requested speeds"
 
 
 def _stuck_springs(case: Transmission, gear: GearResponse) -> str:
@@ -243,7 +243,9 @@ def response_command(
             *working_notes(reading, working, linearised=True),
             *located(reading, ((gear.name, _stuck_springs(case, gear)) for gear in gears), "N509"),
         ]
-        unbounded = located(reading, ((gear.name, _unbounded(gear)) for gear in gears), "N630")
+        unbounded = located(
+            reading, ((gear.name, _unbounded(case, gear)) for gear in gears), "N630"
+        )
         grids = speed_grids if to.form == "xlsx" else largest_grids
         return gears_answer(
             reading,

@@ -10,7 +10,7 @@ import numpy as np
 
 from vstatics.core.errors import CaseError, spoken
 from vstatics.core.model.carried import as_type
-from vstatics.core.model.parts import Gear, OfLoad, SpeedOf, as_float
+from vstatics.core.model.parts import Gear, SpeedOf, as_float
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.constants import AIR, GRAVITY
 from vstatics.core.statics.points.machines import battery_power, efficiency_at
@@ -261,8 +261,7 @@ def beside_engine(case: TransmissionFields, gear: Gear) -> str:
     """Return why the engine does not drive a gear alone at a fixed ratio; "" if it does.
 
     A vehicle cannot be driven in a gear with such a reason: a case does not describe how other
-    machines are controlled; a slip in rpm makes the ratio depend on the speed; and a slip relative
-    to the engine is unknown if a converter determines the engine speed.
+    machines are controlled, and a slip is unknown if a converter determines the engine speed.
 
     >>> from vstatics import Mechanism, Transmission
     >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.0)], [Gear(speeds={2: 0.4})])
@@ -271,8 +270,6 @@ def beside_engine(case: TransmissionFields, gear: Gear) -> str:
     """
     if gear.balance:
         return "a balance"
-    if any(isinstance(slip, OfLoad) and slip for slip in gear.slip.values()):
-        return "a slip with a unit"
     if gear.slipping and case.sought_converters(gear):
         return "a slip beside a converter that finds its speed ratio"
     for quantity, numbers in (("speed of", gear.speeds), ("torque on", gear.torques)):

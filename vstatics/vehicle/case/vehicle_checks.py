@@ -9,8 +9,9 @@ from vstatics.core.errors import Problem, spoken
 from vstatics.core.model.fields import TransmissionFields
 from vstatics.core.model.laws import of_law
 from vstatics.core.model.part_checks import no_unit
-from vstatics.core.model.parts import Law
+from vstatics.core.model.parts import RAD_PER_RPM, Law
 from vstatics.core.model.springs import ends
+from vstatics.core.statics.points.gear_loss import power_loss
 from vstatics.vehicle.case.vehicle import NUMBERS_OF_VEHICLE, Vehicle, beside_engine
 
 ABOVE_NOTHING = ("mass", "radius", "final_drive")
@@ -79,6 +80,7 @@ def doubts_of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
     yield from _mass_twice(case, vehicle)
     yield from _units_forgotten(vehicle)
     yield from _machines_beside(case)
+    yield from _losses_at_rest(case, vehicle)
     free = [{*case.unloaded_converters(g), *case.sought_converters(g)} for g in case.gears]
     converters = [
         mechanism.name
@@ -139,6 +141,23 @@ def _machines_beside(case: TransmissionFields) -> Iterator[Problem]:
                 "`vehicle` omit this gear; give its points to `summary --duty`"
             )
             yield Problem("W890", message, ("gears", number))
+
+
+def _losses_at_rest(case: TransmissionFields, vehicle: Vehicle) -> Iterator[Problem]:
+    """Yield warnings about losses of gears that take all power at the first point of full load."""
+    for number, gear in enumerate(case.gears, 1):
+        if gear.loss is None or not vehicle.full_load:
+            continue
+        speed, torque = vehicle.full_load[0]
+        lost = power_loss(gear.loss, speed, torque)
+        if lost > 0 and lost >= speed * torque:
+            message = (
+                f"the loss of the gear is {lost:g} W at {speed / RAD_PER_RPM:g} rpm, where full "
+                f"load has {speed * torque:g} W; its torque loss/|w| exceeds full load near rest, "
+                "so the vehicle cannot start in this gear, and unless another gear starts it, the "
+                "time to 100 km/h is null; give the loss in N*m, or 0 W at rest"
+            )
+            yield Problem("W892", message, ("gears", number, "loss"))
 
 
 def without_vehicle(case: TransmissionFields) -> Iterator[Problem]:

@@ -10,6 +10,7 @@ these points, and approached by the Illinois rule (Dowell, Jarratt 1971).
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import NamedTuple
@@ -17,10 +18,11 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.errors import CaseError
-from vstatics.core.model.parts import Load
+from vstatics.core.model.parts import Load, OfLoad
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 from vstatics.core.statics.result_arrays import first_rows
+from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
 from vstatics.vehicle.case.vehicle import beside_engine
 from vstatics.vehicle.tolerances import LEAST_EXCESS, NO_SPEED, SAME_SPEED
@@ -73,6 +75,22 @@ def bare(case: Transmission) -> Transmission:
             ratios[place + 1 - case.own_mechanisms.start] = free_ratio(points)
         gears.append(gear._replace(load=None, coast=None, speed_ratios=ratios))
     return replace(case, gears=gears, load=Load(1000.0, 1.0), coast=None)
+
+
+def solved_slips(case: Transmission) -> tuple[Results, Floats]:
+    """Return the results of a bare case without slips in rpm, and the link speeds they add [rad/s].
+
+    The speed of a link is the product of its relative speed and the engine speed, and its addend.
+    """
+    gears = [
+        gear._replace(
+            slip={n: 0.0 if isinstance(slip, OfLoad) else slip for n, slip in gear.slip.items()}
+        )
+        for gear in case.gears
+    ]
+    results = solve(case.replace(gears=gears))
+    added = solve(case).speeds_rpm - results.speeds_rpm
+    return results, added * math.pi / 30
 
 
 def converters_of(case: Transmission) -> dict[int, ConverterGear]:

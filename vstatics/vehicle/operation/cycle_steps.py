@@ -9,15 +9,16 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.errors import CaseError, Problem, quoted
+from vstatics.core.model.parts import OfLoad
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 from vstatics.core.statics.points.gear_loss import brake_torque, braked_torques
+from vstatics.core.statics.points.relative import RPM
 from vstatics.core.statics.power import loss_name
-from vstatics.core.statics.solve import solve
 from vstatics.core.summary.design_table import is_guess
 from vstatics.core.tables.written_results import GEAR_NUMBER
 from vstatics.vehicle.case.vehicle import Vehicle, beside_engine
-from vstatics.vehicle.operation.converter import ConverterGear, bare, converters_of
+from vstatics.vehicle.operation.converter import ConverterGear, bare, converters_of, solved_slips
 from vstatics.vehicle.operation.converter_steps import ConverterSteps
 from vstatics.vehicle.operation.point_loads import DutyPoints, PointLoads, at_rows
 from vstatics.vehicle.operation.shifting import (
@@ -80,11 +81,13 @@ class CycleSteps(NamedTuple):
     """
     converters: Mapping[int, ConverterGear]
     """Gear index -> gear with a free converter, whose speed ratio follows from torques."""
-    engine_ratios: Floats
-    """Engine speed divided by output speed, shape (gears,). [-]
+    engine: EngineSpeeds
+    """Engine speeds in each gear.
 
     Free converters have their largest speed ratio without braking torque.
     """
+    at_rest: Floats
+    """Link speeds that slips in rpm give with the output at rest, shape (gears, links). [rad/s]"""
     engine_speeds: Floats
     """Magnitudes of engine speeds, shape (steps,). [rad/s]"""
     guessed: Sequence[str]
@@ -103,43 +106,48 @@ class CycleSteps(NamedTuple):
         """
         converters, beside = converters_of(case), [beside_engine(case, gear) for gear in case.gears]
         case = bare(case)
-        results = solve(case)
+        results, added = solved_slips(case)
         outputs = np.array([case.gear_output(gear) - 1 for gear in case.gears])
         inputs = np.array([case.gear_input(gear) - 1 for gear in case.gears])
         indices = np.arange(len(outputs))
         with np.errstate(all="ignore"):
             ratios = results.speeds / results.speeds[indices, outputs][:, None]
+            at_rest = added - ratios * added[indices, outputs][:, None]
             ratios *= np.sign(ratios[indices, inputs])[:, None]  # positive engine speed
         wheels = trace.speed / vehicle.radius * vehicle.final_drive
         engine_ratios = np.abs(ratios[indices, inputs])
         for index, converter in converters.items():
             ratios[index] = converter.per_output[2:]
-        engine = EngineSpeeds(wheels, engine_ratios, vehicle.may_turn, converters)
+        engine = EngineSpeeds(
+            *(wheels, engine_ratios, at_rest[indices, inputs], vehicle.may_turn, converters)
+        )
         driving = np.where([not why for why in beside], results.ratio, math.nan)
         gears = _gears(case, trace, choice, engine, driving)
-        lacking = np.flatnonzero(~np.isfinite(driving[gears]) & (trace.speed > 0))
+        speeds = engine.of(gears)
+        with np.errstate(invalid="ignore"):
+            lacking = np.flatnonzero(~(np.isfinite(driving[gears]) & (speeds > 0)) & (wheels > 0))
         if lacking.size:
             row = int(lacking[0])
             why, name = beside[gears[row]], case.gears[gears[row]].name
+            if math.isfinite(driving[gears[row]]):
+                why = f"a slip with which the engine would turn at {speeds[row] * RPM:.6g} rpm"
             message = (
                 f"gear {name} has {why or 'no ratio'}, expected a gear in which the engine alone "
-                "drives the wheels at a fixed ratio"
-                + "; give its points to `summary --duty`"
-                * bool(why)
+                "drives the wheels" + "; give its points to `summary --duty`" * bool(why)
             )
             raise CaseError("E428", message, (row,))
         names = [gear.name for gear in case.gears]
         ways = directions(driving, names) if choice.slowest is not None else []
         guessed = [names[index] for index in ways[0]] if is_guess(ways, names) else []
-        speeds = wheels * engine_ratios[gears]
-        steps = cls(case, vehicle, trace, gears, ratios, converters, engine_ratios, speeds, guessed)
+        steps = cls(
+            *(case, vehicle, trace, gears, ratios, converters, engine, at_rest, speeds, guessed)
+        )
         if not choice.least_loss:
             return steps
         return steps._in_gears(steps._of_least_loss(next(iter(ways), [])))
 
     def _in_gears(self, gears: Integers) -> CycleSteps:
-        output = np.abs(self.output_speeds)
-        return self._replace(gears=gears, engine_speeds=output * self.engine_ratios[gears])
+        return self._replace(gears=gears, engine_speeds=self.engine.of(gears))
 
     def _of_least_loss(self, ahead: Sequence[int]) -> Integers:
         """Return the forward gear of each step that needs the least power of engine or battery.
@@ -149,7 +157,7 @@ class CycleSteps(NamedTuple):
         """
         best, gears = np.full(len(self.gears), math.inf), self.gears.copy()
         moving = np.flatnonzero(self.trace.speed > 0)
-        for gear in sorted(ahead, key=lambda gear: float(self.engine_ratios[gear])):
+        for gear in sorted(ahead, key=lambda gear: float(self.engine.ratios[gear])):
             steps = self._in_gears(np.full(len(self.gears), gear))
             rows, powers = steps.powers_of(moving)
             better = powers < best[rows] - SAME_POWER * np.abs(powers)
@@ -161,7 +169,8 @@ class CycleSteps(NamedTuple):
 
         Steps without torques, or beyond the last engine speed, are left out, too.
         """
-        rows = rows[self.vehicle.may_turn(self.engine_speeds[rows])]
+        speeds = self.engine_speeds[rows]
+        rows = rows[self.vehicle.may_turn(speeds) & (speeds > 0)]
         torques = turning = np.zeros(0)
         while rows.size:
             try:
@@ -293,13 +302,12 @@ class CycleSteps(NamedTuple):
         energies = [np.zeros(0)]
         for link, inertia in self.case.heavy.items():
             turned = self.ratios[self.gears, link - 1] * factor
-            change = np.where(self.trace.speed > 0, turned**2 * (after**2 - before**2), 0.0)
+            turns = self.at_rest[self.gears, link - 1]
             for gear, converter in self.converters.items():
-                turns = converter.per_engine[1 + link] * self.engine_speeds
-                mixed = 2 * turns * turned * (after - before)
-                change = np.where(
-                    (self.gears == gear) & (self.trace.speed > 0), change + mixed, change
-                )
+                by_engine = converter.per_engine[1 + link] * self.engine_speeds
+                turns = np.where(self.gears == gear, by_engine, turns)
+            change = turned**2 * (after**2 - before**2) + 2 * turns * turned * (after - before)
+            change = np.where(self.trace.speed > 0, change, 0.0)
             energies.append(np.nan_to_num(inertia / 2 * change))
         return np.concatenate(energies)
 
@@ -324,9 +332,8 @@ class CycleSteps(NamedTuple):
             If a point has no torques.
         """
         try:
-            return PointLoads.of(
-                case, points, self._elsewhere(case, rows) | self._speed_ratios(rows)
-            )
+            further = self._elsewhere(case, rows) | self._speed_ratios(rows) | self._slips(rows)
+            return PointLoads.of(case, points, further)
         except CaseError as error:
             raise at_rows(error, rows) from None
 
@@ -341,6 +348,17 @@ class CycleSteps(NamedTuple):
                 converter.free_ratio,
             )
             for gear, converter in self.converters.items()
+        }
+
+    def _slips(self, rows: Integers) -> dict[str, Floats]:
+        """Return relative slips of gears in which another slip is in rpm, by path [rad/s]."""
+        engine = self.engine_speeds[rows]
+        return {
+            f"gears.{gear.name}.slip.{self.case.shift_elements[number - 1].name}": slip * engine
+            for gear in self.case.gears
+            if any(isinstance(slip, OfLoad) for slip in gear.slip.values())
+            for number, slip in gear.slip.items()
+            if slip and not isinstance(slip, OfLoad)
         }
 
     def _with_converters(self, rows: Integers) -> Iterator[ConverterSteps]:
@@ -409,7 +427,8 @@ class CycleSteps(NamedTuple):
             Problem(
                 "E424",
                 f"{'no torque is' if count == 0 else 'more than one torque is'} consistent with "
-                "the loss of the gear as a whole",
+                f"the loss of the gear as a whole, at {speeds[row] * RPM:.6g} rpm; in W, its "
+                "torque loss/|w| has no bound near rest",
                 (int(rows[row]),),
             )
             for row, count in zip(of_gear, counts, strict=True)
@@ -474,7 +493,10 @@ def turned(case: Transmission, ratios: Floats) -> Transmission:
         ends = case.gear_input(gear), case.gear_output(gear)
         ratio = float(by_output[ends[0] - 1] / by_output[ends[1] - 1])
         driven = not math.isnan(ratio)  # a gear without a ratio drives no vehicle
-        slip = {n: slip * ratio if slip and driven else 0.0 for n, slip in gear.slip.items()}
+        slip = {
+            n: slip if isinstance(slip, OfLoad) else slip * ratio if slip and driven else 0.0
+            for n, slip in gear.slip.items()
+        }
         gears.append(gear._replace(input=ends[1], output=ends[0], loss=None, slip=slip))
     return case.replace(gears=gears, outputs=())
 

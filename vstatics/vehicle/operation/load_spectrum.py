@@ -17,7 +17,7 @@ from vstatics.core.numerics.arrays import Floats, Integers, rounding_as_zero
 from vstatics.core.statics.carried import overloads_at_points
 from vstatics.core.statics.diagnosis import outside_message
 from vstatics.core.statics.result_arrays import Message
-from vstatics.core.tables.answer import Sometimes, json_keys
+from vstatics.core.tables.answer import Asked, Sometimes, json_keys
 from vstatics.core.tables.grid import Grid, grid_of, word
 from vstatics.vehicle.damage.devices import DeviceDamage, damages
 from vstatics.vehicle.damage.tables import damage_grid
@@ -83,8 +83,8 @@ class Spectrum(NamedTuple):
     """Component name -> fatigue damage by its torques at the points, taken as a record."""
     exponent: float
     """Exponent of the equivalent torques. [-]"""
-    spectrum: Sometimes[Mapping[str, MemberSpectrum]] = None
-    """Member -> load duration distribution, if requested."""
+    spectrum: Asked[Mapping[str, MemberSpectrum]] = None
+    """Member with a torque -> load duration distribution, if requested."""
     life: Sometimes[Mapping[str, MemberLife]] = None
     """Member -> life, for members with a torque strength."""
     bearings: Sometimes[Mapping[str, BearingLife]] = None
@@ -289,8 +289,22 @@ def points_of(
         for row, (gear, speed) in enumerate(zip(gears, numbers["speed"], strict=True))
         if gear not in names and speed
     ]
-    kind = next(name for name in ("share", "duration", "time") if name in numbers)
-    problems += [
+    kind = _weighing(numbers)
+    if problems := [*problems, *wrong_numbers(numbers)]:
+        raise CaseError(problems)
+    speeds, torques, weights = (np.array(numbers[name]) for name in ("speed", "torque", kind))
+    indices = np.array([names.index(gear) if gear in names else 0 for gear in gears])
+    return DutyPoints(indices, speeds, torques, weights, kind == "share")
+
+
+def _weighing(numbers: Mapping[str, Sequence[float]]) -> str:
+    return next(name for name in ("share", "duration", "time") if name in numbers)
+
+
+def wrong_numbers(numbers: Mapping[str, Sequence[float]]) -> list[Problem]:
+    """Return the problems of the columns of a duty cycle, by name, at their rows."""
+    kind = _weighing(numbers)
+    problems = [
         Problem("E425", f"{kind}: read {value:g}, expected 0 or more", (row,))
         for row, value in enumerate(numbers[kind])
         if value < 0
@@ -303,8 +317,4 @@ def points_of(
     ]
     if not problems and not sum(numbers[kind]) > 0:
         problems = [Problem("E419", f"all numbers of `{kind}` are 0, expected one above 0", (0,))]
-    if problems:
-        raise CaseError(problems)
-    speeds, torques, weights = (np.array(numbers[name]) for name in ("speed", "torque", kind))
-    indices = np.array([names.index(gear) if gear in names else 0 for gear in gears])
-    return DutyPoints(indices, speeds, torques, weights, kind == "share")
+    return problems

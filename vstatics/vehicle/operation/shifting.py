@@ -93,14 +93,17 @@ class EngineSpeeds(NamedTuple):
     """Magnitudes of output speeds, shape (steps,). [rad/s]"""
     ratios: Floats
     """Engine speed divided by output speed, shape (gears,). [-]"""
+    at_rest: Floats
+    """Engine speeds that slips in rpm give with the output at rest, shape (gears,). [rad/s]"""
     may_turn: Callable[[Floats], Booleans]
     """Function that returns True for speeds [rad/s] that the engine can reach."""
     slipping: Collection[int] = ()
     """Indices of gears with slipping converters, which count as lower than gears of equal ratio."""
 
-    def of(self, gear: int, rows: slice = slice(None)) -> Floats:
-        """Return the engine speeds in a gear at selected steps [rad/s]."""
-        speeds: Floats = self.output[rows] * self.ratios[gear]
+    def of(self, gear: int | Integers, rows: slice = slice(None)) -> Floats:
+        """Return the engine speeds in a gear, or in a gear for each step, at some steps [rad/s]."""
+        output = self.output[rows]
+        speeds: Floats = output * self.ratios[gear] + np.where(output > 0, self.at_rest[gear], 0.0)
         return speeds
 
 
@@ -136,7 +139,7 @@ def by_shift_speeds(
     >>> from vstatics import Gear, Mechanism
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, 2.0)], [Gear(), Gear()])
     >>> speeds, ratios = np.array([3.0, 5.0, 4.5, 3.9]), np.array([2.0, 2.0])
-    >>> engine = EngineSpeeds(speeds, ratios, np.isfinite)
+    >>> engine = EngineSpeeds(speeds, ratios, np.zeros(2), np.isfinite)
     >>> by_shift_speeds(case, [ShiftSpeed("1", "2", 5.0, 4.0)], speeds, engine, ratios)
     array([0, 1, 1, 0])
     """
@@ -194,11 +197,13 @@ def by_least_speed(engine: EngineSpeeds, least: float, ahead: Sequence[int]) -> 
     gear 0 and too slow in gear 1; in the second step it is too fast in both.
 
     >>> outputs, ratios = np.array([90.0, 700.0]), np.array([7.0, 1.0])
-    >>> engine = EngineSpeeds(outputs, ratios, lambda speeds: speeds <= 600)
+    >>> engine = EngineSpeeds(outputs, ratios, np.zeros(2), lambda speeds: speeds <= 600)
     >>> by_least_speed(engine, 100.0, [0, 1])
     array([1, 1])
     """
-    ascending = sorted(ahead, key=lambda gear: (engine.ratios[gear], gear in engine.slipping))
+    slips = engine.at_rest != 0
+    slips[[*engine.slipping]] = True
+    ascending = sorted(ahead, key=lambda gear: (engine.ratios[gear], slips[gear]))
     chosen = np.full(len(engine.output), ascending[0] if ascending else 0)
     for gear in ascending:
         chosen[engine.may_turn(engine.of(gear))] = gear

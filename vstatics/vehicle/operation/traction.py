@@ -30,6 +30,7 @@ from vstatics.vehicle.operation.converter import (
     ConverterGear,
     bare,
     converters_of,
+    solved_slips,
 )
 from vstatics.vehicle.operation.shifting import directions
 from vstatics.vehicle.tolerances import AT_REST, SAME_SPEED
@@ -147,7 +148,7 @@ class Traction:
         self.case = case = bare(case)
         self.vehicle = vehicle
         self.first, self.last = vehicle.full_load[0][0], vehicle.full_load[-1][0]
-        results = solve(case)
+        results, added = solved_slips(case)
         outputs = [case.gear_output(gear) - 1 for gear in case.gears]
         speeds = results.speeds
         output = speeds[np.arange(len(outputs)), outputs]
@@ -158,6 +159,8 @@ class Traction:
         """
         with np.errstate(all="ignore"):
             self.per_engine = np.abs(output) * vehicle.radius / vehicle.final_drive
+            self.at_rest = -added[np.arange(len(outputs)), outputs] / output
+            """Engine speed at rest that a slip in rpm gives, by gear. [rad/s]"""
             links = np.array([case.heavy.get(n + 1, 0.0) for n in range(speeds.shape[1])])
             turns = speeds / self.per_engine[:, None]
             for gear, converter in self.converters.items():
@@ -172,7 +175,22 @@ class Traction:
 
     def slowest(self, gear: int) -> float:
         """Return the lowest speed for which `forces` is calculated in a gear [rad/s]."""
-        return 0.0 if gear in self.converters else self.first
+        return 0.0 if gear in self.converters else max(self.first, self._least(gear))
+
+    def _least(self, gear: int) -> float:
+        """Return the engine speed at which a gear with a slip in rpm begins to move [rad/s]."""
+        at_rest = float(self.at_rest[gear])
+        return at_rest + AT_REST * self.last if at_rest > 0 else 0.0
+
+    def road_speeds(self, gear: int, speeds: Floats) -> Floats:
+        """Return road speeds [m/s] at engine speeds as in `forces` [rad/s]."""
+        road: Floats = self.per_engine[gear] * (speeds - self.at_rest[gear])
+        return road
+
+    def speeds_at(self, gear: int, road: Floats) -> Floats:
+        """Return engine speeds as in `forces` [rad/s] at road speeds [m/s]."""
+        speeds: Floats = road / self.per_engine[gear] + self.at_rest[gear]
+        return speeds
 
     def forces(self, gear: int, speeds: Floats) -> Floats:
         """Return wheel forces in the direction of the output, at given engine speeds [N].
@@ -186,7 +204,7 @@ class Traction:
         if gear in self.converters:
             torques = self._converter_torques(self.converters[gear], self._output(gear, speeds))
             return factor * torques
-        engine = np.maximum(speeds, self.first)
+        engine = np.maximum(speeds, max(self.first, self._least(gear)))
         turning = np.maximum(engine, np.finfo(float).tiny ** 0.25)
         full = {"load.speed": turning, "load.torque": self.vehicle.full_torque(engine)}
         results = solve(self.case, vary=full)
@@ -251,12 +269,12 @@ class Traction:
 
     def top_speed(self, gear: int) -> float:
         """Return the top speed on a level road, up to the last engine speed; else NaN [m/s]."""
-        ratio = self.per_engine[gear]
-        if not (math.isfinite(ratio) and ratio > 0):
+        if not (math.isfinite(fastest := self.largest_speed(gear)) and fastest > 0):
             return math.nan
 
         def surplus(speeds: Floats) -> Floats:
-            difference: Floats = self.forces(gear, speeds) - self.vehicle.resistance(speeds * ratio)
+            road = self.road_speeds(gear, speeds)
+            difference: Floats = self.forces(gear, speeds) - self.vehicle.resistance(road)
             return difference
 
         low, high = self.slowest(gear), self.last
@@ -268,9 +286,10 @@ class Traction:
                 return math.nan
             last = int(enough[-1])
             if last == SPEEDS_OF_ENGINE:
-                return float(ratio * high)
+                low = high
+                break
             low, high = speeds[last], speeds[last + 1]
-        return float(ratio * (low + high) / 2)
+        return float(self.road_speeds(gear, np.array((low + high) / 2)))
 
     def largest_force(self, gear: int) -> float:
         """Return the largest wheel force in a gear; NaN if undefined [N]."""
@@ -285,7 +304,7 @@ class Traction:
 
     def largest_speed(self, gear: int) -> float:
         """Return the road speed at the last engine speed [m/s]."""
-        return float(self.per_engine[gear] * self.last)
+        return float(self.road_speeds(gear, np.array(self.last)))
 
     def slope(self, gear: int) -> float:
         """Return the sine of the steepest ascent, at most 1; NaN in a gear without drive [-].
@@ -294,7 +313,7 @@ class Traction:
         at speed 0. In a gear with a free converter, F is the wheel force at rest.
         """
         weight = self.vehicle.mass * GRAVITY
-        if not math.isfinite(self.per_engine[gear]):
+        if not (math.isfinite(self.per_engine[gear]) and self.at_rest[gear] < self.last):
             return math.nan
         at_rest = gear in self.converters
         force = self.forces(gear, np.zeros(1))[0] if at_rest else self.largest_force(gear)
@@ -305,7 +324,7 @@ class Traction:
         """Return the largest acceleration of all forward gears, at road speeds [m/s^2]."""
         largest = np.full(speeds.shape, -math.inf)
         for gear in self.ahead:
-            engine = speeds / self.per_engine[gear]
+            engine = self.speeds_at(gear, speeds)
             force = self._forces_between(gear, np.minimum(engine, self.last))
             acceleration = (force - self.vehicle.resistance(speeds)) / self.mass[gear]
             largest = np.fmax(
@@ -324,7 +343,8 @@ class Traction:
         """Return the time from rest to 100 km/h, by Gaussian quadrature; NaN if unreachable [s]."""
         ends = {0.0, HUNDRED, *np.linspace(0.0, HUNDRED, STEPS_TO_100 + 1).tolist()}
         for gear in self.ahead:
-            ends |= {float(self.per_engine[gear] * point) for point, _ in self.vehicle.full_load}
+            points = np.array([point for point, _ in self.vehicle.full_load])
+            ends |= {*self.road_speeds(gear, points).tolist()}
         edges = np.array(sorted(end for end in ends if 0 <= end <= HUNDRED))
         places, weights = np.polynomial.legendre.leggauss(4)
         half = np.diff(edges) / 2

@@ -82,7 +82,7 @@ def _first(style: Style) -> Look:
 
 
 def _draw_gear(pen: Pen, vehicle: DrivenVehicle, gear: DrivenGear) -> None:
-    per_speed = vehicle.pull.last / RAD_PER_RPM / (KMH * gear.largest_speed)
+    per_speed = 1 / RAD_PER_RPM / (KMH * float(vehicle.pull.per_engine[gear.place]))
     group = pen.within("line", gear=gear.name, rpm_per_kmh=f"{per_speed:.9g}")
     unit = pen.style.text("rpm per km/h")
     line_title = f"{gear_title(gear.name, pen.style)}: {per_speed:.4g} {unit}"
@@ -100,7 +100,7 @@ def _course(pen: Pen, vehicle: DrivenVehicle, gear: DrivenGear, slowest: float) 
     pull = vehicle.pull
     count = POINTS_OF_CONVERTER if gear.place in pull.converters else 2
     speeds = np.linspace(slowest, gear.largest_speed, count)
-    engine = pull.engine_speeds(gear.place, speeds / pull.per_engine[gear.place])
+    engine = pull.engine_speeds(gear.place, pull.speeds_at(gear.place, speeds))
     return [
         (pen.across(KMH * speed), pen.up(turned / RAD_PER_RPM))
         for speed, turned in zip(speeds.tolist(), engine.tolist(), strict=True)

@@ -176,7 +176,7 @@ def _draw_gear(
         np.linspace(pull.slowest(gear.place), pull.last, POINTS_OF_LINE),
         [speed for speed, _ in vehicle.vehicle.full_load],
     )
-    speeds = KMH * engine * pull.per_engine[gear.place]
+    speeds = KMH * pull.road_speeds(gear.place, engine)
     forces = pull.forces(gear.place, engine) / unit
     fastest, strongest = pull.top_speed(gear.place), pull.largest_force(gear.place)
     data = {

@@ -226,8 +226,8 @@ def test_a_map_is_read_from_a_file_in_any_order_and_written_as_it_is(tmp_path: P
 @pytest.mark.parametrize(
     ("rows", "said"),
     [
-        ("0,0,0.9\n0,5,0.9\n9,0,0.9\n", "a full grid: there is no value at 9 rad/s, 5 N"),
-        ("0,0,0.9\n0,0,0.8\n", "line 3: 0 rad/s, 0 N.m is on line 2, too; expected each point"),
+        ("0,0,0.9\n0,5,0.9\n9,0,0.9\n", "a full grid: there is no value at 9 rpm, 5 lb ft"),
+        ("0,0,0.9\n0,0,0.8\n", "line 3: 0 rpm, 0 lb ft is on line 2, too; expected each point"),
         (
             "0,0,1.2\n0,5,0.9\n9,0,0.9\n9,5,1\n",
             "`map.csv`, line 2: read 1.2, expected an efficiency above 0",
@@ -237,7 +237,7 @@ def test_a_map_is_read_from_a_file_in_any_order_and_written_as_it_is(tmp_path: P
     ],
 )
 def test_a_file_with_a_map_that_is_wrong_is_told(tmp_path: Path, rows: str, said: str) -> None:
-    head = "speed [rad/s],torque [N*m],efficiency\n"
+    head = "speed [rpm],torque [lb ft],efficiency\n"
     (tmp_path / "map.csv").write_text(head + rows, encoding="utf-8")
     file = tmp_path / "case.yaml"
     text = CASE.format(efficiency="{over: [speed, torque], file: map.csv}", loss=LOSS)

@@ -103,11 +103,13 @@ def _map(rows: _Rows, values: Values) -> MapLaw:
         raise _expected(values)
     places = [names.index(name) for name in (*_MEASURES, values)]
     points: dict[tuple[float, float], tuple[int, float]] = {}
-    for line, numbers in _numbers(rows[1:], [_reading(head, values) for head in heads]):
+    readings = [_reading(head, values) for head in heads]
+    units = [with_unit(heads[place])[1] or "" for place in places[:2]]
+    for line, numbers in _numbers(rows[1:], readings):
         speed, torque, value = (numbers[place] for place in places)
         if (speed, torque) in points:
             first = points[speed, torque][0]
-            message = f"line {line}: {_point(speed, torque)} is on line {first}, too"
+            message = f"line {line}: {_point(units, speed, torque)} is on line {first}, too"
             raise ValueError(f"{message}; expected each point once")
         if not (0 < value <= 1 if values == "efficiency" else value >= 0):
             raise ValueError(f"line {line}: read {value:g}, expected {_VALUES[values]}")
@@ -115,7 +117,8 @@ def _map(rows: _Rows, values: Values) -> MapLaw:
     speeds, torques = (sorted({point[place] for point in points}) for place in (0, 1))
     for speed, torque in product(speeds, torques):
         if (speed, torque) not in points:
-            raise ValueError(f"expected a full grid: there is no value at {_point(speed, torque)}")
+            where = _point(units, speed, torque)
+            raise ValueError(f"expected a full grid: there is no value at {where}")
     grid = [[speed, *(points[speed, torque][1] for torque in torques)] for speed in speeds]
     unit = _plain(with_unit(heads[places[-1]])[1] or "")
     return MapLaw(torques, grid, next((known for known in _LOSS_UNITS if known == unit), ""))
@@ -125,8 +128,11 @@ def _expected(values: str) -> ValueError:
     return ValueError(f"expected a CSV file with the head `{_HEADS[values]}`")
 
 
-def _point(speed: float, torque: float) -> str:
-    return f"{speed:g} rad/s, {torque:g} N*m"
+def _point(units: Sequence[str], *values: float) -> str:
+    """Return the speed [rad/s] and torque [N*m] of a point in the units of the file."""
+    sizes = map(measured, (f"1 {unit}" for unit in units), _MEASURES.values())
+    both = zip(values, sizes, units, strict=True)
+    return ", ".join(f"{value / size:g} {unit}" for value, size, unit in both)
 
 
 def _plain(unit: str) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from vstatics.core.model.parts import Law
+from vstatics.core.model.parts import Law, Size
 from vstatics.core.numerics.arrays import Floats, Integers
 from vstatics.core.numerics.tolerances import SAME_SOLUTION
 
@@ -29,12 +29,26 @@ def brake_torque(loss: Law, speed: Floats, torque: Floats) -> Floats:
     >>> brake_torque(loss, np.array([50.0, 0.0]), np.array([100.0, 100.0])).tolist()
     [4.0, 0.0]
     """
-    values: Floats = loss.at(speed, torque)
-    unit = getattr(loss, "unit", "W")
-    if unit == "N*m":
+    if _unit(loss) == "N*m":
+        values: Floats = loss.at(speed, torque)
         return np.where(speed > 0, values, 0.0)
-    watts = values * (1000.0 if unit == "kW" else 1.0)
+    watts = power_loss(loss, speed, torque)
     return np.divide(watts, speed, out=np.zeros_like(watts), where=speed > 0)
+
+
+def _unit(loss: Law) -> str:
+    return getattr(loss, "unit", "W")
+
+
+def power_loss(loss: Law, speed: Size, torque: Size) -> Size:
+    """Return a loss at magnitudes of the speed [rad/s] and the torque [N*m] of the input [W].
+
+    >>> from vstatics.core.model.laws import MapLaw
+    >>> power_loss(MapLaw([0, 100], [[0, 0, 0], [100, 2, 4]], "kW"), 50.0, 100.0)
+    2000.0
+    """
+    unit, value = _unit(loss), loss.at(speed, torque)
+    return value * (speed if unit == "N*m" else 1000.0 if unit == "kW" else 1.0)
 
 
 def braked_torques(loss: Law, speed: Floats, passed: Floats) -> tuple[Floats, Integers]:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Literal, NamedTuple
 import numpy as np
 
 from vstatics.core.errors import CaseError, Problem, quoted
+from vstatics.core.model.parts import OfLoad
 from vstatics.core.model.paths import Keys, dotted
 from vstatics.core.model.shape import Measure
 from vstatics.core.model.transmission import Transmission
@@ -36,7 +37,7 @@ class CaseNumber(NamedTuple):
 
     gear: int | None
     """Index of the gear; None for the operating point of the case."""
-    quantity: OfLoads | OfGear | OfMechanism | Literal["battery"]
+    quantity: OfLoads | OfGear | OfMechanism | Literal["battery", "relative_slip"]
     owner: int = 0
     """Number of the link or shift element, or index of the mechanism; 0 for an operating point."""
 
@@ -211,6 +212,9 @@ def _of_slips(case: Transmission) -> Iterator[tuple[Keys, list[CaseNumber]]]:
         for gear, numbers in _together_and_each(case, slipping):
             slips = [CaseNumber(n, "slip", place) for n in numbers]
             yield ("gears", gear, "slip", element.name), slips
+            if not any(isinstance(case.gears[n].slip[place], OfLoad) for n in numbers):
+                slips = [CaseNumber(n, "relative_slip", place) for n in numbers]
+                yield ("gears", gear, "slip", element.name, "relative"), slips
 
 
 def _of_balances(case: Transmission) -> Iterator[tuple[Keys, list[CaseNumber]]]:

@@ -151,7 +151,7 @@ def alike(columns: Columns, loads: Sequence[GearLoad], variants: int) -> Iterato
     seen = {id(half): half for load in loads for half in load[:2] if half is not None}
     kinds = [np.sign(half).astype(np.int64) for half in seen.values()]
     for number, column in columns.items():
-        if number.quantity in (*OF_GEAR, "back_efficiency"):
+        if number.quantity in (*OF_GEAR, "relative_slip", "back_efficiency"):
             kinds.append((column == 0).astype(np.int64))
     for kind in kinds:
         if variants and not (kind == kind[0]).all():
@@ -182,6 +182,9 @@ def with_numbers(case: Transmission, columns: Columns) -> Transmission:
             number = given if quantity == "speed_ratios" else OfLoad(given, 1.0)
             numbers: Any = {**getattr(gears[index], quantity), owner: number}
             gears[index] = gears[index]._replace(**{quantity: numbers})
+        elif index is not None and quantity == "relative_slip":
+            slip = {**gears[index].slip, owner: float(column[0])}
+            gears[index] = gears[index]._replace(slip=slip)
     return case.replace(load=load(None, case.load), gears=gears)
 
 
@@ -202,7 +205,9 @@ def _relative(case: Transmission, index: int, columns: Columns, load: GearLoad) 
             if column is not None and unit is not None:
                 numbers[GearNumber(quantity, owner)] = column / unit
     for (place, of_mechanism, owner), column in columns.items():
-        if place == index and of_mechanism in OF_MECHANISMS:
+        if place == index and of_mechanism == "relative_slip":
+            numbers[GearNumber("slip", owner)] = column
+        elif place == index and of_mechanism in OF_MECHANISMS:
             numbers[GearNumber(of_mechanism, owner)] = column
     return numbers
 
