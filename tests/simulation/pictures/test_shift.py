@@ -4,15 +4,11 @@ The run is that of a planetary set whose brake locks, in closed form (V. P. Tara
 planetary gearboxes, 2018, figure 2): constant accelerations up to the lock at .410054 s, and after.
 """
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
-from tests.commands import vstatics
 from tests.pictures.drawn import titled
 from tests.shipped import shipped_results
-from tests.simulation.control.written import simulated
 from vstatics import CaseError, Gear, Mechanism, Results, ShiftElement, Transmission, solve
 from vstatics.pictures import picture
 from vstatics.pictures.drawing.line_styles import thing_look
@@ -187,17 +183,3 @@ def test_a_further_panel_has_what_a_panel_has_no_room_for(results: Results) -> N
 def test_a_bar_says_when_its_element_slips_and_sticks(results: Results) -> None:
     said = [one for one, _ in titled(picture(results, "shift", Style(), motion=run()))]
     assert {"brake slips, 0.000–0.410 s", "brake sticks, 0.410–1.000 s"} <= {*said}
-
-
-def test_a_run_without_a_load_is_drawn_although_its_losses_depend_on_speed(tmp_path: Path) -> None:
-    case = """inertias: {a: 1, b: 1}
-drag: {a: 0.5 + 0.1*w}
-mechanisms: {g: {first: a, second: b, ratio: 2, efficiency: 0.97 - 1/(T + 9)}}
-"""
-    text = "duration: 1\nstart: {speeds: {a: 9}}\n"
-    simulated(text, case).plot().save(tmp_path / "motion.svg")
-    (tmp_path / "box.yaml").write_text(case)
-    (tmp_path / "run.yaml").write_text(f"case: box.yaml\n{text}")
-    file = str(tmp_path / "run.svg")
-    vstatics("plot", str(tmp_path / "run.yaml"), "--kind", "shift", "-o", file)
-    assert {path.name for path in tmp_path.glob("*.svg")} == {"motion.svg", "run.svg"}

@@ -58,26 +58,6 @@ def test_the_speeds_of_a_start_need_not_belong_to_a_gear(tmp_path: Path, start: 
     assert motion.dynamic_factors["half"] == pytest.approx(factor, rel=1e-12)
 
 
-def test_a_turbine_has_the_factor_of_its_torque_in_statics(tmp_path: Path) -> None:
-    """At 200 rad/s, lambda is 5e-3, which the points have at i = 0.4 with K = 1.6."""
-    case = """\
-links: [in, out]
-load: {speed: 200 rad/s}
-inertias: {in: 0.2, out: 4}
-mechanisms:
-  TC: {kind: converter, first: in, second: out, points: [[0, 2, 6e-3], [0.8, 1.2, 4e-3], [1, 1, 0]]}
-gears: {"1": []}
-"""
-    (tmp_path / "box.yaml").write_text(case)
-    start = "{speeds: {in: 0, out: 0}}"
-    text = f'duration: 1\nstart: {start}\ntorques: {{in: 90}}\nstatic: {{gear: "1", torque: 200}}\n'
-    (tmp_path / "run.yaml").write_text(f"case: box.yaml\n{text}")
-    motion = simulate(load_scenario(tmp_path / "run.yaml"))
-    for name, torque in {"TC": 200, "TC.turbine": 320}.items():
-        factor = abs(motion.peaks[name].torque) / torque
-        assert motion.dynamic_factors[name] == pytest.approx(factor, rel=1e-9)
-
-
 def test_commands_report_factors(tmp_path: Path) -> None:
     file = str(scenario_of(tmp_path))
     answer = json_answer("simulate", file)
