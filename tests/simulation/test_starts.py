@@ -113,7 +113,7 @@ shift_elements:
 
 
 def test_a_freewheel_holds_in_the_start_gear_although_losses_depend_on_an_unknown_load() -> None:
-    """Held ring, efficiency 0.9, drag 2 N*m: (J + J2/u1^2) dw/dt with u1 = 2.5, eta1 = (1 + 1.5 0.9)/2.5."""
+    """The ring is held: the ratio is 2.5, the efficiency (1 + 1.5*0.9)/2.5; the drag is 2 N*m."""
     case = """links: [in, ring, out]
 input: in
 output: out
@@ -124,8 +124,7 @@ shift_elements: {F: {kind: freewheel, links: [ring, housing]}}
 drag: {in: 2 + 0*w}
 gears: {low: []}
 """
-    text = "duration: 1\nstart: {gear: low, speed: 100}\ntorques: {in: 100}\n"
-    motion = simulated(text, case)
+    motion = simulated("duration: 1\nstart: {gear: low, speed: 100}\ntorques: {in: 100}\n", case)
     # sun m, carrier m (1 + 1.5*0.9): 0.3 a = 98 - m, 7 a/2.5 = 2.35 m
     assert motion.speeds[-1, 0] == pytest.approx(100 + 98 / (0.3 + 7 / 2.5 / 2.35), rel=1e-12)
     assert "speed" in motion.plot()._repr_svg_()
