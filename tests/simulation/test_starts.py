@@ -110,3 +110,21 @@ shift_elements:
         "duration: 1\nstart: {speeds: {a: -50, b: -30}}\ncontrols: {B: 0, C: 0}", case
     )
     assert motion.speeds[-1, [0, 2]].tolist() == pytest.approx([-50 + 1 / 2, -30 - 1 / 3])
+
+
+def test_a_freewheel_holds_in_the_start_gear_although_losses_depend_on_an_unknown_load() -> None:
+    """The ring is held: the ratio is 2.5, the efficiency (1 + 1.5*0.9)/2.5; the drag is 2 N*m."""
+    case = """links: [in, ring, out]
+input: in
+output: out
+inertias: {in: 0.3, out: 7}
+mechanisms:
+  set: {first: in, second: ring, third: out, ratio: -1.5, efficiency: 0.9 + 0*T}
+shift_elements: {F: {kind: freewheel, links: [ring, housing]}}
+drag: {in: 2 + 0*w}
+gears: {low: []}
+"""
+    motion = simulated("duration: 1\nstart: {gear: low, speed: 100}\ntorques: {in: 100}\n", case)
+    # sun m, carrier m (1 + 1.5*0.9): 0.3 a = 98 - m, 7 a/2.5 = 2.35 m
+    assert motion.speeds[-1, 0] == pytest.approx(100 + 98 / (0.3 + 7 / 2.5 / 2.35), rel=1e-12)
+    assert "speed" in motion.plot()._repr_svg_()

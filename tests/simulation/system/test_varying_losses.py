@@ -180,6 +180,16 @@ def test_a_run_stops_where_no_torque_agrees_with_its_efficiency() -> None:
     assert motion.time[-1] == pytest.approx(0.99**2 / (4 * 0.0079) / 60, rel=1e-3)
 
 
+def test_a_coast_with_a_formula_without_a_value_at_torque_0() -> None:
+    """By m - 50 = 2 (60 - 2 m/(0.97 - 1/m))/1.5, with the torque m on the first link."""
+    law = EfficiencyFormula("0.97 - 1/T")
+    case = Transmission(2, [], [Mechanism(1, 2, 0, 2, law)], [], inertias={1: 1, 2: 1.5})
+    m = max(np.roots([5.455, -190.65, 195]))
+    torques = (1, constant(-50.0)), (2, constant(60.0))
+    motion = simulate(Scenario(case, 1, Start(speeds={1: 50.0}), torques=torques))
+    assert motion.speeds[-1, 0] == pytest.approx(m, rel=1e-10)
+
+
 def test_a_formula_that_gives_no_efficiency_is_refused_at_the_start() -> None:
     law = EfficiencyFormula("0.98 - 10/T")
     with pytest.raises(CaseError, match=r"no torque on D1 agrees with its efficiency.*-inf"):

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from functools import cached_property
-from typing import Any, Literal, Self
+from typing import Any, Literal, Self, TypeVar
 
 import numpy as np
 
 from vstatics.core.errors import Path, Problem, spoken
 from vstatics.core.model.fields import TransmissionFields
-from vstatics.core.model.parts import Gear, Law, Size
+from vstatics.core.model.parts import Gear, Law, Load, Size
 from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.core.numerics.lookup_table import LookupTable
 
@@ -19,6 +20,7 @@ _BOTH = "a `load` with both, such as `load: {speed: 2000 rpm, torque: 100 N*m}`"
 """Expected operating point, in messages."""
 MOST_LAW_POINTS = 10_000
 """Largest number of points in a law."""
+ACase = TypeVar("ACase", bound=TransmissionFields)
 LossUnit = Literal["", "W", "kW", "N*m"]
 """Unit of the values of a loss map; empty for an efficiency map."""
 
@@ -307,6 +309,14 @@ def of_sought_ratios(case: TransmissionFields) -> Iterator[Problem]:
                 "or the speed ratio under `speed_ratios`"
             )
             yield Problem("E267", message, ("gears", number))
+
+
+def with_load(case: ACase, load: Load) -> ACase:
+    """Return a case at a load if its operating points lack a number that its losses need."""
+    if not any(problem.id == "E267" for problem in (*without_loads(case), *of_sought_ratios(case))):
+        return case
+    gears = [gear._replace(load=None) for gear in case.gears]
+    return replace(case, gears=gears, load=load)
 
 
 def _of_gear(gear: Gear, number: int) -> list[Path]:

@@ -444,6 +444,10 @@ class Load(NamedTuple):
         return Load(self.speed, other.torque)
 
 
+NOMINAL_LOAD = Load(1000.0, 1.0)
+"""Operating point for results that do not depend on it."""
+
+
 NO_LOAD = Load()
 """Operating point of a case that gives neither speed nor torque."""
 

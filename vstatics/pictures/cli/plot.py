@@ -132,8 +132,9 @@ def plot_command(
     if record.plots:
         status: int = higher(record.plots)(cases, to, style, asked)
         return status
-    takes = settings._replace(
-        scenarios=True, of_runs="motion" in record.options, of_vibration=record.shows == "vibration"
+    of_runs = "motion" in record.options
+    takes = (settings.at_nominal_load if of_runs else settings)._replace(
+        scenarios=True, of_runs=of_runs, of_vibration=record.shows == "vibration"
     )
     if len(cases) > 1 and not to.is_folder:
         return _plot_two(calculate(cases, takes), to, asked, style, quiet=settings.telling.quiet)

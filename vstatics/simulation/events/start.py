@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 import numpy as np
 
 from vstatics.core.errors import CaseError, Problem, listed, spoken
+from vstatics.core.model.laws import without_loads
 from vstatics.core.model.open_converters import with_open_converters
 from vstatics.core.model.transmission import Gear
 from vstatics.core.numerics.arrays import Floats, largest
@@ -85,8 +86,11 @@ def start_gear(scenario: Scenario) -> Gear | None:
     gear = case.gears[number - 1]
     if not case.freewheels:
         return gear
+    from vstatics.core.statics.points.laws import without_laws
     from vstatics.core.statics.solve import solve
 
+    if any(without_loads(case)):  # a run needs no load
+        case = without_laws(case)
     # Only the engaged elements are used: the solver also fixes drags at the speed of the gear.
     return gear._replace(engaged=solve(case).gear_at(number - 1).gear.engaged)
 

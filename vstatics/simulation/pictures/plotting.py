@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from vstatics.core.model.laws import with_load
+from vstatics.core.model.parts import NOMINAL_LOAD
 from vstatics.core.statics.solve import solve
 from vstatics.pictures import kinds_of_runs
 from vstatics.pictures.plotting import Picture, plot
@@ -32,4 +34,4 @@ def plot_motion(motion: Motion, kind: str = "shift", **how: Any) -> Picture:
         raise ValueError(f"{kind!r} is not a picture of a run; {expected}")
     if motion.case is None:
         raise ValueError("the motion has no case; expected one of `simulate`")
-    return plot(solve(motion.case), kind, motion=motion, **how)
+    return plot(solve(with_load(motion.case, NOMINAL_LOAD)), kind, motion=motion, **how)

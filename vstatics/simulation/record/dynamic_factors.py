@@ -9,8 +9,10 @@ import numpy as np
 
 from vstatics.core.errors import CaseError
 from vstatics.core.model.parts import RAD_PER_RPM
+from vstatics.core.statics.matrix import torque_ratio_of
 from vstatics.core.statics.result_arrays import first_rows, row_names
 from vstatics.core.statics.solve import solve
+from vstatics.simulation.record.converters import turbine
 from vstatics.simulation.record.motion import Peak
 from vstatics.simulation.scenario.parts import Scenario
 from vstatics.simulation.tolerances import PRINTED
@@ -46,7 +48,12 @@ def static_torques(scenario: Scenario) -> dict[str, float]:
     rows = np.abs(results.lossy_torques[0] * torque).tolist()
     by_row = dict(zip(row_names(case, "torques"), rows, strict=True))
     parts = case.devices[len(case.shift_elements) :]
-    return by_row | {parts[index]: rows[row] for index, row in first_rows(case).items()}
+    torques = by_row | {parts[index]: rows[row] for index, row in first_rows(case).items()}
+    for part in case.mechanisms:
+        if part.can_be_open:
+            pump, driven = (results.speeds[0, link - 1] for link in (part.first, part.second))
+            torques[turbine(part.name)] = torques[part.name] * torque_ratio_of(part, driven / pump)
+    return torques
 
 
 def dynamic_factors(

@@ -99,6 +99,7 @@ def scenario_doubts(scenario: Scenario) -> Iterator[Problem]:
     yield from bare_capacities(case)
     yield from cut_controls(scenario)
     yield from left_out(case)
+    yield from _elastic_losses(case)
     for number, shift in enumerate(scenario.shifts or (), 1):
         if shift.at >= scenario.duration:
             yield Problem(
@@ -117,6 +118,23 @@ def scenario_doubts(scenario: Scenario) -> Iterator[Problem]:
                     f"none: a mass of {law.mass:g} kg on wheels of {law.radius:g} m has {mass:g}",
                     ("torques", _name(case, link)),
                 )
+
+
+def _elastic_losses(case: Transmission) -> Iterator[Problem]:
+    """Yield a note on elastic mechanisms whose losses a run omits."""
+    lossy = [
+        number
+        for number, part in enumerate(case.mechanisms, 1)
+        if part.stiffness is not None and {part.efficiency, part.back_efficiency} - {1.0, None}
+    ]
+    if lossy:
+        names = listed([case.mechanisms[number - 1].name for number in lossy], 6)
+        yield Problem(
+            "N614",
+            f"a scenario omits the losses of elastic mechanisms ({names}); for both, remove the "
+            "`stiffness`, and add a link and a spring in series",
+            ("case", "mechanisms", lossy[0], "stiffness"),
+        )
 
 
 def _of_start(scenario: Scenario) -> Iterator[Problem]:

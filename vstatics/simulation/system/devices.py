@@ -130,15 +130,8 @@ def _meshes(case: Transmission, rows: Floats, moving: Container[int]) -> list[Ri
     for number, mechanism in enumerate(case.mechanisms, 1):
         if mechanism.stiffness is not None or number in moving:
             continue
-        laws = mechanism.efficiency, _back(mechanism)
+        laws = mechanism.efficiency, _back(mechanism, number)
         efficiency, back = map(float, laws)
-        if back == 0:
-            raise CaseError(
-                "E666",
-                f"{mechanism.name} is self-locking, which a simulation cannot calculate yet: give "
-                "it a larger efficiency",
-                ("case",),
-            )
         u, index = mechanism.ratio, len(case.shift_elements) + number - 1
         meshes.append(
             RigidMechanism(
@@ -156,8 +149,16 @@ def _meshes(case: Transmission, rows: Floats, moving: Container[int]) -> list[Ri
     return meshes
 
 
-def _back(mechanism: Mechanism) -> float:
+def _back(mechanism: Mechanism, number: int) -> float:
+    """Return the efficiency of a back-driven mechanism; an error if it is self-locking."""
     back = mechanism.back_efficiency
+    if back == 0:  # never a law
+        raise CaseError(
+            "E666",
+            f"{mechanism.name} is self-locking, which a simulation cannot calculate yet: give "
+            "it a larger efficiency",
+            ("case", "mechanisms", number, "back_efficiency"),
+        )
     return mechanism.efficiency if back is None else back
 
 
@@ -335,7 +336,7 @@ def _moving_variators(scenario: Scenario, first: int) -> Iterator[tuple[Contact,
                 reference,
                 first + place,
                 mechanism.efficiency,
-                _back(mechanism),
+                _back(mechanism, number),
             ),
         )
 

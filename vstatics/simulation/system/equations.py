@@ -194,13 +194,14 @@ class Equations:
         self.acting(time, state)
         if self.variators and self.variators.lacks:
             first: MovingVariator | RigidMechanism = self.variators.variators[0]
-            message = f"no torque on {first.name} agrees with its efficiency"
+            message, key = f"no torque on {first.name} agrees with its efficiency", "efficiency"
         elif self.losses and self.losses.failed:
-            first, message = self.losses.failed
+            failed, message = self.losses.failed
+            first, key = failed.mesh, failed.key
         else:
             return None
         number = first.device - len(self.system.case.shift_elements) + 1
-        path = ("case", "mechanisms", number, "efficiency")
+        path = ("case", "mechanisms", number, key)
         return Problem("E695", f"at {time:.9g} s {message}", path)
 
     def _name_of(self, motions: Floats) -> str:

@@ -367,7 +367,7 @@ class Ports:
     def _formula(self, port: int, name: str, drag: Law, sign: float) -> None:
         def torque(_time: float, slip: float, _angle: float) -> float:
             torque_at_slip: float = drag.at(abs(slip))
-            if not 0 <= torque_at_slip < math.inf:
+            if not (0 <= torque_at_slip < math.inf or math.isnan(slip)):
                 raise CaseError(
                     "E268",
                     f"the drag torque of {name} is {torque_at_slip:g} N*m, expected 0 "

@@ -39,6 +39,9 @@ class LosingMesh:
         self.mesh = mesh
         self.moves = state not in ("", "stick")
         self.drives = self.moves and state[0] == state[1]
+        is_back = not self.drives and mesh.laws[1] is not mesh.laws[0]
+        self.key = "back_efficiency" if is_back else "efficiency"
+        """Key of the efficiency in the case."""
         self.law = mesh.laws[0 if self.drives else 1]
         self.sign = SIGNS[state[1]] if self.moves else 0.0
         self.given = mesh_factor(mesh.efficiency, mesh.back, state)
@@ -48,8 +51,10 @@ class LosingMesh:
         """Return the torque of the port [N*m]; an impossible efficiency is replaced."""
         if not self.moves:
             return 0.0
-        value = min(self.efficiency(speed, on_first), 1.0)
-        value = max(LEAST_EFFICIENCY, value)  # replaces NaN, too
+        value = self.efficiency(speed, on_first)
+        if not 0 < value <= 1 and self.sign * on_first < 0:
+            return 0.0
+        value = max(LEAST_EFFICIENCY, min(value, 1.0))  # replaces NaN, too
         return ((value if self.drives else 1 / value) - self.given) * on_first
 
     def torques(self, speeds: Floats, on_first: Floats) -> Floats:
@@ -88,7 +93,7 @@ class VaryingLosses:
         self.has_formulas = any(isinstance(mesh.law, Law) and mesh.law.text for mesh in self.meshes)
         self.latest_of_all = np.zeros((0, 0))
         self.fixed_points = FixedPoints(len(self.meshes))
-        self.failed: tuple[RigidMechanism, str] | None = None
+        self.failed: tuple[LosingMesh, str] | None = None
         """Mechanism without a solution in the last evaluation, and the reason."""
 
     def fill(self, rates: Floats, torques: Floats, others: Callable[[], None] | None) -> None:
@@ -125,7 +130,11 @@ class VaryingLosses:
             ]
 
         agreed = self.fixed_points.near(self.latest, on_first, least)
-        self.failed = self._failure(speeds, agreed)
+        self.failed = self._failure(speeds, agreed, least)
+        if self.failed:  # far from a solution, impossible efficiencies can agree, too
+            self.fixed_points = FixedPoints(len(self.meshes))
+            agreed = self.fixed_points.near(held, on_first, least)
+            self.failed = self._failure(speeds, agreed, least)
         if agreed is None or self.failed:
             torques[self.places] = np.nan
         else:
@@ -160,10 +169,17 @@ class VaryingLosses:
         torques[self.places], self.latest_of_all = losses, on_first
         return missing
 
-    def _failure(self, speeds: Vector, agreed: Vector | None) -> tuple[RigidMechanism, str] | None:
-        """Return a mechanism whose torque and efficiency do not agree, with the message, if any."""
-        if agreed is not None and not self.has_formulas:
-            return None
+    def _failure(
+        self, speeds: Vector, agreed: Vector | None, least: Vector
+    ) -> tuple[LosingMesh, str] | None:
+        """Return a mechanism whose torque and efficiency do not agree, with the reason.
+
+        Torques of the wrong sign, only in trials, reverse the flow of power instead.
+        """
+        if agreed is not None:
+            pairs = zip(self.meshes, agreed, least, strict=True)
+            if not self.has_formulas or any(mesh.sign * m < -limit for mesh, m, limit in pairs):
+                return None
         at = self.latest if agreed is None else agreed
         mesh, message = self.meshes[0], "no torque on {} agrees with its efficiency"
         for candidate, speed, torque in zip(self.meshes, speeds, at, strict=True):
@@ -177,4 +193,4 @@ class VaryingLosses:
                 break
         if agreed is not None:
             return None
-        return mesh.mesh, message.format(mesh.mesh.name)
+        return mesh, message.format(mesh.mesh.name)

@@ -22,7 +22,6 @@ from vstatics.core.cli.shared.values import FILE, value
 from vstatics.core.errors import CaseError, Problem, of_file
 from vstatics.core.jobs.files import STDOUT
 from vstatics.core.jobs.input_files import TABLE_BYTES
-from vstatics.core.model.parts import Load
 from vstatics.core.statics.results import Results
 from vstatics.core.tables import csv
 from vstatics.core.tables.grid import Grid, grid_of, word
@@ -167,7 +166,7 @@ def cycle_command(
     read = read_trace(*files.read_input(trace, TABLE_BYTES))
     show = partial(_shown, trace=read, choice=choice, steps=steps)
     return carry_out(
-        Job("cycle", settings._replace(load=Load(1000.0, 1.0), is_nominal=True), to, show),
+        Job("cycle", settings.at_nominal_load, to, show),
         (case,),
         others=[trace],
     )

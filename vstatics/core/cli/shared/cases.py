@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple, get_args
 
 import click
@@ -31,7 +30,7 @@ from vstatics.core.errors import CaseError, Problem, ReadError, not_allowed, of_
 from vstatics.core.extras import broken
 from vstatics.core.messages.catalogue import causes_of_allowable
 from vstatics.core.model.checks import hints
-from vstatics.core.model.parts import Load
+from vstatics.core.model.parts import NOMINAL_LOAD, Load
 from vstatics.core.model.transmission import IdleConvention, Transmission
 from vstatics.core.readers.reading import Reading
 from vstatics.core.tables.file_suffixes import suffix_of
@@ -267,6 +266,11 @@ class CaseOptions(NamedTuple):
     """True if no shown result depends on `load`; messages about gears are then omitted."""
 
     @property
+    def at_nominal_load(self) -> CaseOptions:
+        """Options for results that do not depend on the operating point."""
+        return self._replace(load=NOMINAL_LOAD, is_nominal=True)
+
+    @property
     def on_page(self) -> CaseOptions:
         """Options for a page, which shows the notes instead of stderr."""
         return self._replace(telling=self.telling._replace(notes=True, on_page=True))
@@ -427,20 +431,12 @@ def _solved(reading: Reading, settings: CaseOptions, *, opens: bool) -> Results:
 
             case = with_needed_ratios(case)
         if settings.load and case.depends:
-            case = _with_load(case, settings.load)
+            from vstatics.core.model.laws import with_load
+
+            case = with_load(case, settings.load)
         return solution(case, coast=settings.coast, idle=settings.idle)
     except CaseError as error:
         raise ReadError(map(reading.locate, error.problems)) from None
-
-
-def _with_load(case: Transmission, load: Load) -> Transmission:
-    """Return a case with a load, if its operating points lack a number that its losses need."""
-    from vstatics.core.model.laws import of_sought_ratios, without_loads
-
-    if not any(problem.id == "E267" for problem in (*without_loads(case), *of_sought_ratios(case))):
-        return case
-    gears = [gear._replace(load=None) for gear in case.gears]
-    return replace(case, gears=gears, load=load)
 
 
 def read_data(
