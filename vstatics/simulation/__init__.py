@@ -5,14 +5,12 @@
    contact transmits torque by friction or by form: a shift element, a dry-friction load, a drag.
 3. `events` solves the equations, in closed form or step by step, up to the next event, and selects
    the contacts that stick, slip or are open after it.
-4. `course` goes from event to event, and `record` stores the requested results as a `Motion`, whose
-   energy balance must close. `run` does all of this, `bounds` limits the wall-clock time, and
-   `stepping` advances a run interactively.
+4. `course` goes from event to event, and `record` stores the results as a `Motion`. `run` does all
+   of this, `bounds` limits the wall-clock time, and `stepping` advances a run interactively.
 
 `published` is the method of Tarasik, for comparison. `variants` runs many variations of a scenario
 for sweeps and samples. `pictures` draws a run over time, `report` writes the section of a report
-about a run, and `cli` is the command `vstatics simulate`. The annex needs scipy, an optional
-dependency. The equations are derived in docs/simulation/method.md.
+about a run, and `cli` is the command. The equations are derived in docs/simulation/method.md.
 
 >>> from vstatics import ShiftElement, Transmission
 >>> from vstatics.simulation import Capacity, Scenario, Start, constant, simulate
@@ -23,7 +21,7 @@ dependency. The equations are derived in docs/simulation/method.md.
 ('locks', 0.5, 100.0)
 
 Sources: the matrix method of Algin; Tarasik, Planetary gearbox simulation, 2018; Tsitovich, Algin,
-Vehicle dynamics, Minsk, 1981 (chapters 1.3 to 1.5 and 3).
+Vehicle dynamics, 1981.
 """
 
 from __future__ import annotations
