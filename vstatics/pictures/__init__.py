@@ -84,7 +84,7 @@ def picture(
     *,
     motion: PicturedRun | None = None,
 ) -> Figure:
-    """Draw a picture of the results of one case on one page, as a matplotlib figure.
+    """Draw a picture of the results of a case on a single page, as a matplotlib figure.
 
     Parameters
     ----------
@@ -139,7 +139,7 @@ def render(  # noqa: PLR0913 - arguments of a picture
     *,
     motion: PicturedRun | None = None,
 ) -> bytes:
-    """Draw a picture on one page as a file; parameters and errors as in `picture`."""
+    """Draw a picture on a single page as a file; parameters and errors as in `picture`."""
     style = style._replace(height=math.inf)
     [file] = pages(results, kind, form, style, gears, motion=motion)
     return file

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 LETTERS = "AB"
 BESIDE = ("efficiency",)
-"""Kinds of pictures drawn side by side, if half the width makes them little higher."""
+"""Kinds of pictures drawn side by side, if half the width makes the pictures little higher."""
 AS_HIGH = 1.1
 """Largest ratio of heights, half width to full width, for pictures side by side. [-]"""
 
@@ -37,7 +37,7 @@ class PairedCase(NamedTuple):
 
 
 def pair_pages(both: Sequence[PairedCase], kind: str, form: Format, style: Style) -> list[bytes]:
-    """Draw a picture of two cases, as one file per page.
+    """Draw a picture of two cases, as a file for each page.
 
     Raises
     ------

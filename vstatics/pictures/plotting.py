@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 
 
 class Picture:
-    """Picture of the results of one case, which a notebook shows as SVG."""
+    """Picture of the results of a case, which a notebook shows as SVG."""
 
     def __init__(
         self,
@@ -44,7 +44,7 @@ class Picture:
         gears: Sequence[int],
         motion: Motion | None = None,
     ) -> None:
-        """Store the arguments; the picture is drawn when it is shown or saved."""
+        """Store the arguments; showing or saving draws the picture."""
         self._drawn = results, kind, style, gears
         self._motion = motion
 
@@ -87,7 +87,7 @@ class Picture:
 
 
 def format_of_picture(path: str | os.PathLike[str]) -> Format:
-    """Return the format of a picture from the suffix of its file.
+    """Return the format of a picture from the suffix of the file name.
 
     Raises
     ------
@@ -125,7 +125,7 @@ def plot(  # noqa: PLR0913 - all but the first argument are given by name
     dark: bool = False,
     lang: Language = "en",
 ) -> Picture:
-    """Draw a picture of the results of one case.
+    """Draw a picture of the results of a case.
 
     Parameters
     ----------

@@ -28,7 +28,7 @@ class PicturedEvent(Protocol):
 
     @property
     def word(self) -> str:
-        """Word for the event in labels; empty if the kind of event is that word."""
+        """Word for the event in labels; empty if the kind of event is the word."""
 
     @property
     def step(self) -> int | None:
@@ -36,7 +36,7 @@ class PicturedEvent(Protocol):
 
 
 class PicturedRun(Protocol):
-    """Simulated run of a case over time, as pictures need it."""
+    """Simulated run of a case over time, as needed for pictures."""
 
     @property
     def time(self) -> Floats:
@@ -77,7 +77,7 @@ def short(name: str) -> str:
 
 
 def event_word(event: PicturedEvent, style: Style) -> str:
-    """Return the word for an event; a step of a shift sequence includes its number.
+    """Return the word for an event, including the step number in a shift sequence.
 
     >>> from types import SimpleNamespace
     >>> event_word(SimpleNamespace(event="step", word="step", step=2), Style())
@@ -89,7 +89,7 @@ def event_word(event: PicturedEvent, style: Style) -> str:
 
 
 def event_text(event: PicturedEvent, style: Style) -> str:
-    """Return the label of an event: the name of its component, and the word for the event.
+    """Return the label of an event: the name of the component, and the word for the event.
 
     >>> from types import SimpleNamespace
     >>> event_text(SimpleNamespace(element="C1", event="locks", word="", step=None), Style())
@@ -99,7 +99,7 @@ def event_text(event: PicturedEvent, style: Style) -> str:
 
 
 def named_events(events: Sequence[AnEvent], most: int) -> list[AnEvent]:
-    """Return the events that get a label: all, or the `most` important ones."""
+    """Return the events that get a label: all events, or the `most` important events."""
     if len(events) <= most:
         return list(events)
     first = sorted(range(len(events)), key=lambda place: (IMPORTANCE[events[place].event], place))

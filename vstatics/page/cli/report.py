@@ -37,7 +37,7 @@ class PageOptions(NamedTuple):
     lang: Language
     settings: CaseOptions
     duty: CycleOptions | None = None
-    """Options of the duty cycle; None if the annex `vehicle` is not installed."""
+    """Options of the duty cycle, if the annex `vehicle` is installed."""
 
     @property
     def duty_files(self) -> list[str]:
@@ -171,7 +171,10 @@ def report_command(
 
 
 def _listing_in(file: str) -> tuple[object, object] | None:
-    """Return the gearboxes listed in a file of `synth box`, and its document; None for a case."""
+    """Return the gearboxes listed in a file of `synth box`, and the document.
+
+    The result is None for a case.
+    """
     if not module_of_method("listing_in"):
         return None
     listing: tuple[object, object] | None = higher("listing_in")(file)

@@ -15,7 +15,9 @@ if TYPE_CHECKING:
 
 
 def run_of(outcome: CalculatedCase) -> PicturedRun | None:
-    """Return the simulated run of a scenario, and print its problems; return None for a case.
+    """Return the simulated run of a scenario, and print the problems of the run.
+
+    The result is None for a case.
 
     Raises
     ------

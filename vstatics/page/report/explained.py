@@ -36,7 +36,7 @@ def _explained(material: Material, gear: str) -> Iterator[Markup]:
 
 
 def no_formula() -> str:
-    """Return the reason why ratios have no formula, such as a missing package; "" if they have."""
+    """Return the reason why ratios have no formula, such as a missing package, or ""."""
     return missing("formula", "the formula of the ratio")
 
 
@@ -60,7 +60,7 @@ _BEFORE = re.compile(r"\S.*?\s{2,}|\s*")
 
 
 def _lines(lines: Sequence[str]) -> Markup:
-    """Return equations as HTML; a long line continues below its own equation, after the name.
+    """Return equations as HTML; a long line continues below the equation, after the name.
 
     >>> print(_lines(["in  M = 1", "2 M = 2"]))
     <pre style="--before: 4ch"><span>in  M = 1

@@ -19,7 +19,7 @@ _NAMED = (
     *("name", "description", "source", "shift_elements", "elements", "mechanisms", "gears"),
     *("inertias", "masses", "springs"),
 )
-"""Keys of a case that the page shows in their own tables or texts."""
+"""Keys of a case that the page shows in separate tables or texts."""
 _LABELS = {"idle": "sign of unloaded mechanisms", "coast": "coasting"}
 
 
@@ -71,7 +71,7 @@ def _elements(drawing: Drawing, mapping: Mapping[str, Mapping[str, Any]]) -> Gri
 
 
 def _mechanisms(case: Transmission) -> Grid:
-    """Return the table of mechanisms, with planet ratios if a gear set defines them."""
+    """Return the table of mechanisms, with planet ratios if defined by a gear set."""
     rows: list[Values] = [
         (
             mechanism.name,
@@ -244,7 +244,7 @@ def _elastic(part: Mechanism | ShiftElement) -> list[Cell]:
 
 
 def _stiffness(spring: Spring) -> list[Cell]:
-    """Return the stiffness and compliance of a spring, or the number of points of its curve."""
+    """Return the stiffness and compliance of a spring, or the number of points of the curve."""
     if spring.strut:
         return [_number(spring.rate), word("strut")]
     if spring.points:
@@ -255,7 +255,7 @@ def _stiffness(spring: Spring) -> list[Cell]:
 
 
 def _limit(spring: Spring) -> Cell:
-    """Return the torque limit of a spring, or its formula if it depends on another spring."""
+    """Return the torque limit of a spring, or a formula if the limit depends on a second spring."""
     limit = spring.limit
     if isinstance(limit, SpringLimit):
         return Cell(

@@ -36,11 +36,11 @@ class PageFrame(NamedTuple):
     """End of the page after the sections, such as scripts that contain names of the case."""
     style: Markup = NOTHING
     policy: str = POLICY
-    """Content security policy in the page; empty if a server sends it as a header."""
+    """Content security policy in the page; empty if a server sends the policy as a header."""
     state: Mapping[str, object] = {}
     """Attributes of the HTML element `body`."""
     revision: int | None = None
-    """Number of the state that the page shows first, as an attribute; None if not served."""
+    """Number of the first state on a served page, as an attribute."""
     named: object = None
     """Plain data whose names are not translated; by default the case in the embedded document."""
 
@@ -232,7 +232,7 @@ def _names(data: Any) -> Iterator[str]:
 
 
 def id_of(name: str) -> str:
-    """Return the id of a section, which is the same in every language.
+    """Return the id of a section, which does not depend on the language.
 
     >>> id_of("Power flow")
     'power-flow'
@@ -253,7 +253,7 @@ def _styles(title: str) -> Markup:
 
 
 def _quoted(text: str) -> str:
-    """Quote a text for a style sheet, escaped so that it cannot end the style element.
+    """Quote a text for a style sheet, escaped so that no text can end the style element.
 
     >>> print(_quoted('a "b" </style>'))
     "a \\22 b\\22  \\3c \\2f style\\3e "

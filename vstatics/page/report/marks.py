@@ -15,7 +15,7 @@ _OF_GEARS = {"ratio": "ratio", "step": "step", "efficiency": "efficiency"} | {
     for quantity in QUANTITIES
     if quantity.rows == "one"
 }
-"""Keys of quantities, by the heading of their column in the table with a row for each gear."""
+"""Keys of quantities, by the heading of the column in the table with a row for each gear."""
 _WITH_ROWS = {quantity.name for quantity in QUANTITIES if quantity.columns == "gears"}
 """Keys of quantities whose tables have a column for each gear."""
 
@@ -79,7 +79,7 @@ def marked_powers(grid: Grid, gear: str) -> Grid:
 
 
 def _in_units(cells: Sequence[Cell], names: Sequence[str], gear: str) -> Iterator[Cell]:
-    """Yield cells of powers with their present unit, for scripts that only convert them."""
+    """Yield cells of powers with the present unit, for scripts that only convert the values."""
     for cell, name in zip(cells, names, strict=True):
         if cell.kind is not float or name in ("", LOSS_SHARE):
             yield cell

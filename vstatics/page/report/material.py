@@ -64,25 +64,25 @@ class Material(NamedTuple):
 
     results: Results
     document: dict[str, Any]
-    """Result of the case, as ``vstatics run -f json`` writes it."""
+    """Result of the case, as in the output of ``vstatics run -f json``."""
     summary: Summary
     flows: Sequence[GearFlow]
     pictures: Pictures
     messages: Sequence[str]
     """Messages about the input, then messages about the results."""
     without: str
-    """Reason why the page has no pictures at all; empty if it has pictures."""
+    """Reason why the page has no pictures at all; empty for a page with pictures."""
     parts: Mapping[str, PagePart] = {}
     """Sections of annexes, by key in `SECTIONS`."""
     digits: int | None = None
-    """Number of decimals; None for a number that suits each quantity."""
+    """Number of decimals; by default a number that suits each quantity."""
     naming: Naming = UNNAMED
     asked: AskedPage = EVERYTHING
     has_marks: bool = False
-    """Whether numbers have marks for a script that changes them."""
+    """Whether numbers have marks for a script that changes values."""
 
     def marked(self, grids: Iterable[Grid]) -> Iterator[Grid]:
-        """Return tables with marks on their numbers, if the page has marks."""
+        """Return tables with marks on the numbers, if the page has marks."""
         if not self.has_marks:
             return iter(grids)
         return (with_tool_marks(marked(grid), self.results.case) for grid in grids)
@@ -174,7 +174,7 @@ def _parts(request: PartRequest, asked: AskedPage) -> Iterator[tuple[str, PagePa
 
 
 def part_of(key: str, request: PartRequest) -> PagePart | None:
-    """Return the section of an annex with a key; None if the case lacks the data."""
+    """Return the section of an annex with a key, unless the case lacks the data."""
     part: PagePart | None = module_of_part(key).part(request)
     return part
 

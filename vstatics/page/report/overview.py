@@ -16,11 +16,11 @@ from vstatics.page.report.tools.marks import RELATIVE
 from vstatics.pictures.paged.parts import gear_link, line_of
 
 WEIGHTS = {"error": "errors", "warning": "warnings", "note": "notes"}
-"""Plural of each severity by its singular, the most severe first."""
+"""Plural of each severity by the singular, the most severe first."""
 
 
 def overview(material: Material) -> Iterator[Markup]:
-    """Yield the line of the main figures, each with the gear to which it belongs.
+    """Yield the line of the main figures, with the gear of each figure.
 
     The figures are the number of gears, the ratio spread, the lowest efficiency, the largest torque
     of a shift element, the largest share of recirculating power, and the number of messages by
@@ -83,7 +83,7 @@ def _torque(material: Material) -> Iterator[tuple[str, str]]:
 
 
 def _in_unit(text: str, unit: str, value: float, gear: str, *, loaded: bool) -> Markup:
-    """Return a torque as text, with marks by which the choice of units converts it."""
+    """Return a torque as text, with marks for conversion by the choice of units."""
     marks = {"data_gear": gear, "data_value": value, "data_unit" if loaded else "data_scaled": "Nm"}
     return joined(tag("span", text, **marks), " ", tag("span", unit, class_="unit"))
 

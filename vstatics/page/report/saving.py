@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 def write_report(
     results: Results, path: str | os.PathLike[str], *, motion: Motion | None = None
 ) -> None:
-    """Write a case and its results as one page of HTML, completely or not at all.
+    """Write a case and the results as a single HTML page, completely or not at all.
 
     Parameters
     ----------

@@ -33,8 +33,7 @@ WELL = {
     "consistent": (1.0, "directions of power agree with the losses"),
     "locked": (0.0, "no self-locking gear"),
 }
-"""Value of a column of the results by gear if all is well, and the sentence that then replaces it.
-"""
+"""Values of columns of the results if all is well, and the sentences that replace the columns."""
 PORTS, LARGEST = "ports", ("planets", "shift elements")
 """Keys of the table of ports, and of the tables of largest values, which also exist in units."""
 MARKS = Marks(holds="○", open="")
@@ -215,7 +214,7 @@ def _largest(summary: Sequence[Grid]) -> Iterator[Markup]:
 
 
 def _vehicle(material: Material, summary: Sequence[Grid]) -> Iterator[Markup]:
-    """Yield the tables of the vehicle in each gear, its traction, and its engine speeds."""
+    """Yield the tables of the vehicle in each gear, the traction, and the engine speeds."""
     yield from tables(grid for grid in summary if grid.key in VEHICLE)
     drawn = material.pictures.of_all
     for kind in (kind for kind in OF_A_VEHICLE if kind in drawn):

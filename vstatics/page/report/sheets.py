@@ -19,7 +19,7 @@ FLOW_SHEETS = 5
 LESS_BESIDE = 2
 """Number of sheets of power flow that each section of an annex replaces."""
 CAPTION = 22.0
-"""Height of a caption with its margins. [pt]"""
+"""Height of a caption with margins. [pt]"""
 _SIZE = re.compile(r'viewbox="0 0 ([\d.]+) ([\d.]+)"', re.IGNORECASE)
 
 
@@ -34,7 +34,7 @@ def size_of(sheet: Markup) -> tuple[float, float]:
 
 
 def with_room(pictures: Sequence[Drawn]) -> int:
-    """Return the number of small pictures, two in a row, that fit on the sheets for them.
+    """Return the number of small pictures that fit on the sheets, two in a row.
 
     >>> low, high = (Drawn("stick", [Markup(f'<svg viewBox="0 0 200 {h}">')]) for h in (60, 340))
     >>> with_room([low] * 20), with_room([high] * 20)

@@ -31,7 +31,7 @@ QUICK = [key for key in SECTIONS if key not in (*SOON, *LATER)]
 
 
 def awaited(name: str, *, soon: bool = False) -> Markup:
-    """Return a placeholder that the script replaces when it is visible, or with `soon` at once.
+    """Return a placeholder that the script replaces once visible, or with `soon` at once.
 
     >>> print(awaited("flow:2"))
     <div class="awaited" data-awaited="flow:2"></div>
@@ -68,7 +68,7 @@ def awaited_sections(material: Material, *, runs: bool) -> Iterator[Part]:
 def awaited_part(
     name: str, material: Material, run: Callable[[], PicturedRun | None]
 ) -> Markup | None:
-    """Draw the part that replaces a placeholder; None if no part has the name.
+    """Draw the part that replaces a placeholder, if the part exists.
 
     Parameters
     ----------
@@ -109,7 +109,7 @@ def _awaited_picture(
 
 
 def _picture(name: str, results: Results, run: Callable[[], PicturedRun | None]) -> Markup | None:
-    """Return a picture, or the reason why it cannot be drawn."""
+    """Return a picture, or the reason why no picture can be drawn."""
     kind, _, of = name.partition(":")
     drawn = None
     if kind == "run-picture" and of in OF_RUN and (motion := run()):

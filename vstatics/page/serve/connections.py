@@ -10,7 +10,7 @@ from typing import Literal
 MOST_CONNECTED = 200
 """Largest number of connections, below the number of files that a process can open."""
 MOST_LISTENING = 32
-"""Largest number of pages that listen for events; one browser has at most six."""
+"""Largest number of pages that listen for events; a browser has at most six."""
 WRITE_SECONDS = 10.0
 """Largest time a browser can take to receive a response. [s]"""
 LINGERING_SECONDS, LINGERING_BYTES = 2.0, 16_000_000
@@ -75,7 +75,7 @@ class Connections:
 
 
 async def send(writer: asyncio.StreamWriter, data: bytes) -> None:
-    """Send data to a browser, and wait until it has received them.
+    """Send data to a browser, and wait until the browser has received all data.
 
     Raises
     ------

@@ -24,7 +24,7 @@ from vstatics.sweep.variants.path_numbers import case_path
 from vstatics.sweep.variants.targets import target
 
 _NO_NUMBERS = ("name", "description", "source", "case", "engaged", "gear", "to", "columns", "file")
-"""Keys of a scenario whose values are names or references, even if they look like numbers."""
+"""Keys of a scenario for names or references, even if a value looks like a number."""
 
 _TURNING = {UNIT_OF[measure] for measure in STRAIGHT}
 """Units of rotation that would be wrong for links that move straight."""
@@ -115,7 +115,7 @@ def documents_of(texts: Texts, case: Transmission) -> CaseDocuments:
 
 
 def _with_same(numbers: Mapping[str, DocumentNumber]) -> dict[str, DocumentNumber]:
-    """Add to each number the paths of numbers that are aliases of the same text."""
+    """Add to each number the paths of numbers that are aliases of a common text."""
     places: dict[tuple[str, int], list[str]] = {}
     for path, number in numbers.items():
         places.setdefault((number.file, number.start), []).append(path)
@@ -129,7 +129,7 @@ def _with_same(numbers: Mapping[str, DocumentNumber]) -> dict[str, DocumentNumbe
 
 
 def spots_of(file: str, data: bytes) -> dict[Keys, NumberSpot]:
-    """Find the numbers in the text of a case or scenario; a deck or workbook has none."""
+    """Find the numbers in the text of a case or scenario; decks and workbooks give no numbers."""
     try:
         document = case_document(data, file, None)
     except ReadError:
@@ -161,13 +161,13 @@ def _over(root: Node, keys: Keys) -> str:
 
 
 def _unit(unit: str, keys: Keys, case: Transmission) -> str:
-    """Return a unit; "" if it is uncertain because of links that move straight or pressures."""
+    """Return a unit; "" if links that move straight or pressures make the unit uncertain."""
     pressed = keys[0] == "controls" and any(element.friction for element in case.shift_elements)
     return "" if (unit in _TURNING and case.masses) or pressed else unit
 
 
 def _of_case(file: str, data: bytes, case: Transmission) -> Iterator[DocumentNumber]:
-    """Yield the numbers of a case that can be changed, which are those that a sweep can vary."""
+    """Yield the changeable numbers of a case, which are the numbers that a sweep can vary."""
     shape = with_elements(CASE) if drawing_of(case) else CASE
     for keys, spot in spots_of(file, data).items():
         path = dotted(by_name(keys))

@@ -24,7 +24,7 @@ from vstatics.sweep.variants.targets import OF_MECHANISM
 
 _EFFICIENCY = re.compile(r"efficiency$|(^|\.)mesh_efficiency\.\w+$")
 _BY_LINK = ("speeds", "torques")
-"""Keys of numbers that each link can have; the last word of their paths is the name of a link."""
+"""Keys of numbers that each link can have; the last word of the path is the name of a link."""
 _PARTS = ("load", "mesh_efficiency")
 """Keys of a case that can begin a path; other paths begin with the name of a component."""
 _REACH = 2.0
@@ -32,7 +32,7 @@ _REACH = 2.0
 _UNITS = {"load.speed": "rpm", "load.torque": "N*m"}
 """Units of numbers that a case does not store in SI units, by the end of the path."""
 _UNSAID = {"static": 1.0, "drag": 0.0, "open_drag": 0.0}
-"""Default values by key; a number equal to its default has no field."""
+"""Default values by key; a number equal to the default has no field."""
 
 
 SCRIPT, STYLE = (
@@ -53,7 +53,7 @@ class PageField(NamedTuple):
     whole: bool = False
     """Whether the number is an integer, such as a tooth number."""
     same: tuple[str, ...] = ()
-    """Paths of other numbers that change with this number, because they are aliases in YAML."""
+    """Paths of other numbers that change with the number, because of aliases in YAML."""
 
     @property
     def owner(self) -> str:
@@ -66,7 +66,7 @@ class PageField(NamedTuple):
 
     @property
     def limits(self) -> tuple[float, float]:
-        """Ends of the slider; tooth numbers stay positive, ratios can change their sign.
+        """Ends of the slider; tooth numbers stay positive, ratios can change sign.
 
         >>> PageField("P1.teeth.sun", 30, whole=True).limits, PageField("D1.ratio", -2.5).limits
         ((1.0, 60.0), (-5.0, 5.0))
@@ -177,7 +177,7 @@ def _owner(path: str) -> str:
 
 
 def _name(words: Sequence[str]) -> str:
-    """Return the words for a number without its owner; names of links are not translated.
+    """Return the words for a number without the owner; names of links are not translated.
 
     >>> _name(["teeth", "small_sun"]), _name(["speeds", "ratio"])
     ('teeth small_sun', 'speeds ratio')

@@ -60,7 +60,7 @@ SCRIPTS = (SCRIPT, toolbar.SCRIPT, *_RUN_SCRIPTS, *_OWN_SCRIPTS)
 
 @cache
 def policy_in(language: Language) -> str:
-    """Return the content security policy, which permits only `SCRIPTS` and this server."""
+    """Return the content security policy, which permits only `SCRIPTS` and the local server."""
     with speaking(language):
         scripts = " ".join(map(_hashed, SCRIPTS))
     return (
@@ -141,7 +141,7 @@ def _title(material: Material, *, runs: bool) -> str:
 
 
 def head_of(material: Material, *, runs: bool) -> str:
-    """Return a hash that changes if the page must be reloaded, not just its sections."""
+    """Return a hash that changes if the whole page must be reloaded, not just sections."""
     parts = [_title(material, runs=runs), *about(material), choice(material)]
     return hashlib.sha256("\n".join(parts).encode(errors="backslashreplace")).hexdigest()[:16]
 

@@ -49,7 +49,7 @@ class Request(NamedTuple):
 
 
 async def read_request(reader: asyncio.StreamReader, port: int, token: str) -> Request:
-    """Read the head of a request, and check its sender.
+    """Read the head of a request, and check the sender.
 
     Raises
     ------
@@ -99,7 +99,7 @@ def checked(head: bytes, port: int, token: str) -> Request:
 
 
 def _check_sender(request: Request, host: str) -> None:
-    """Check that a request is meant for this server, and does not come from a foreign page."""
+    """Check that a request is meant for the server, and does not come from a foreign page."""
     if request.all_of("host") != [host]:
         raise RefusedError(403, f"expected the host {host}, once")
     if any(origin != f"http://{host}" for origin in request.all_of("origin")):

@@ -34,7 +34,7 @@ T = TypeVar("T")
 
 
 class PageServer:
-    """HTTP server of the page of one case.
+    """HTTP server of the page of a case.
 
     Parameters
     ----------
@@ -97,7 +97,7 @@ class PageServer:
                 pool.shutdown(wait=False)
 
     async def _end_pictures(self) -> None:
-        """End the process that draws pictures, but never during its start."""
+        """End the process that draws pictures, but never during the start of the process."""
         closed = self._in(self._pictures, self._studio.close)
         for _ in range(END_TRIES):
             self._studio.stop()
@@ -122,12 +122,12 @@ class PageServer:
         return self._states.look_again()
 
     def _wake_listeners(self) -> None:
-        """Wake the tasks of the listening pages, so that they send the new state."""
+        """Wake the tasks of the listening pages to send the new state."""
         self._news.set()
         self._news = asyncio.Event()
 
     async def _connected(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
-        """Handle a connection from its request to its response."""
+        """Handle a connection from the request to the response."""
         writer.transport.set_write_buffer_limits(0)
         try:
             with self._connections.joined() as has_room:
@@ -195,7 +195,7 @@ class PageServer:
             raise RefusedError(422, str(error)) from None
 
     async def _awaited(self, request: Request, reader: asyncio.StreamReader) -> HttpAnswer:
-        """Return a picture or section of a state, unless the browser no longer waits for it."""
+        """Return a picture or section of a state, unless the browser no longer waits."""
         number, name = request.query.get("number", ""), request.query.get("name", "")
         shown = self._states.kept(number)
         if shown is None or shown.material is None:

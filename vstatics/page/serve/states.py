@@ -27,7 +27,7 @@ from vstatics.pictures.paged.parts import Part
 from vstatics.pictures.runs import PicturedRun
 
 WRITE_SECONDS = 0.1
-"""Time after which an invalid file is read again, because it may be half-written. [s]"""
+"""Time after which an invalid file, perhaps half-written, is read again. [s]"""
 SETTLE_SECONDS = 0.005
 """Waiting time before the last comparison of files, for editors that react to a new file. [s]"""
 MOST_KEPT = 32
@@ -35,33 +35,33 @@ MOST_KEPT = 32
 
 
 class Calculated(NamedTuple):
-    """Result of the calculation of a case from its documents."""
+    """Result of the calculation of a case from the documents."""
 
     results: Results | None
     problems: Sequence[Problem]
     """Problems, with the places in the documents."""
     naming: Naming
     texts: Texts
-    """Contents of the readable files by name; a scenario comes before its case."""
+    """Contents of the readable files by name; a scenario comes before the case."""
     files: Sequence[str] = ()
     """Names of all files on which the case depends, including missing files."""
     run: Callable[[], PicturedRun | None] = lambda: None
-    """Function that returns the simulated run of a scenario; it can raise a `CaseError`."""
+    """Function that returns the simulated run of a scenario, and can raise a `CaseError`."""
     is_run: bool = False
 
 
 Calculate = Callable[[Texts], Calculated]
-"""Function that calculates the case; its argument replaces the contents of some files."""
+"""Function that calculates the case; the argument replaces the contents of some files."""
 
 
 class Shown(NamedTuple):
-    """State of the page: the calculated case with its number and contents."""
+    """State of the page: the calculated case with the number and contents of the state."""
 
     number: int
     """Number of the state; later states have larger numbers."""
     calculated: Calculated
     material: Material | None
-    """Contents of the page; None if the case has no results."""
+    """Contents of the page, if the case has results."""
     errors: str
 
     @property
@@ -71,7 +71,7 @@ class Shown(NamedTuple):
 
 
 class ChangedMeanwhileError(Exception):
-    """Refusal of a request, because its files have changed meanwhile."""
+    """Refusal of a request, because files have changed meanwhile."""
 
 
 class RefusedChangeError(Exception):
@@ -84,12 +84,12 @@ class ShownStates:
     shown: Shown
     """State of the files at present."""
     good: Shown | None = None
-    """Last state of the files with results; None if there was none."""
+    """Last state of the files with results, if any."""
     _documents = CaseDocuments({}, {})
     """Documents of the last state with results."""
 
     def __init__(self, calculate: Calculate, file: str, digits: int | None = None) -> None:
-        """Calculate the case from its files."""
+        """Calculate the case from the files."""
         self.file = file
         self._calculate = calculate
         self._digits = digits
@@ -130,14 +130,14 @@ class ShownStates:
         return digest_of(self.shown.calculated.texts)
 
     def kept(self, number: str) -> Shown | None:
-        """Return a state of the files or with unsaved changes, by its number as text."""
+        """Return a state of the files or with unsaved changes, by the state number as text."""
         of_files = (
             state for state in (self.shown, self.good) if state and str(state.number) == number
         )
         return next(of_files, self._kept.get(number))
 
     def tried(self, changes: Mapping[str, float]) -> Shown:
-        """Calculate the state of the page with changed numbers, without saving them.
+        """Calculate the state of the page with changed numbers, without saving the changes.
 
         Raises
         ------
@@ -176,7 +176,7 @@ class ShownStates:
         return shown
 
     def _write(self, texts: Texts) -> None:
-        """Write new contents into all files, or into none.
+        """Write new contents into all files, or leave all files unchanged.
 
         The files are compared once more when the new files are ready, so that a simultaneous save
         by an editor is not lost.
@@ -250,7 +250,7 @@ class ShownStates:
         return self._documents.fields
 
     def answer(self, shown: Shown) -> dict[str, Any]:
-        """Return a state as data for the script of the page, with sections if it has results."""
+        """Return a state as data for the script of the page, with sections if results exist."""
         number, answer = self._answered
         if (
             number == shown.number and shown is self.shown

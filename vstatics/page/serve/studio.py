@@ -48,7 +48,7 @@ class Studio:
         self._case: tuple[Calculated, Material] | None = None
 
     def part(self, texts: Texts, name: str) -> str | None:
-        """Return the part of the page with a name as HTML; None if no part has the name."""
+        """Return the part of the page with a name as HTML, if the part exists."""
         with speaking(self._language):
             return self._part(texts, name)
 
@@ -79,7 +79,7 @@ class StudioProcess:
         self._processes = Processes(studio, str, 1, Rules(tries=1))
 
     def part(self, texts: Texts, name: str) -> str | None:
-        """Return the part of the page with a name as HTML; None if it cannot be drawn."""
+        """Return the part of the page with a name as HTML, if the part can be drawn."""
         try:
             [(_, part_html)] = self._processes.each(_part_of, [(dict(texts), name)])
         except CaseError:  # the process ended or raised an error
@@ -87,7 +87,7 @@ class StudioProcess:
         return part_html
 
     def stop(self) -> None:
-        """Terminate the process, even while it draws."""
+        """Terminate the process, even during drawing."""
         for process in multiprocessing.active_children():
             process.terminate()
 

@@ -20,7 +20,7 @@ def digest_of(texts: Texts) -> str:
 
 
 def signature_of(files: Sequence[str]) -> dict[str, tuple[int, ...]]:
-    """Return the metadata of each file that change when it is written; empty if it is missing."""
+    """Return the metadata of each file that change on writing; empty for a missing file."""
     signature: dict[str, tuple[int, ...]] = {}
     for file in files:
         signature[file] = ()

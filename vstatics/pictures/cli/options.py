@@ -62,7 +62,7 @@ class AskedPicture(NamedTuple):
 
     @property
     def columns(self) -> tuple[str, tuple[str, ...], str, str] | None:
-        """Columns of a sweep file that the user names for the axes; None if no column is named."""
+        """Columns of a sweep file for the axes, if the user names any column."""
         named = (self.x, self.y, self.z, self.by)
         return named if any(named) else None
 

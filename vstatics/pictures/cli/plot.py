@@ -172,7 +172,7 @@ def _chosen(case: Transmission, gears: Sequence[str]) -> list[int]:
 def _asked_case(
     outcome: CalculatedCase, results: Results, asked: AskedPicture, style: Style
 ) -> tuple[PairedCase, Style]:
-    """Return the case to draw, with its run if the kind of picture shows one, and the style.
+    """Return the case to draw, with the run if the kind of picture shows a run, and the style.
 
     Raises
     ------

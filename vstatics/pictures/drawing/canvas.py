@@ -49,9 +49,9 @@ class PartMark(NamedTuple):
     kind: str = ""
     """CSS class of the SVG path or text."""
     data: Mapping[str, str] = {}
-    """Attributes ``data-...`` of the SVG path or text if it has a class, otherwise of its group."""
+    """Attributes ``data-...`` of an SVG path or text with a class, otherwise of the SVG group."""
     groups: tuple[MarkGroup, ...] = ()
-    """Enclosing SVG groups, the outermost first; a group is drawn where its first part is drawn."""
+    """Enclosing SVG groups, the outermost first, with the drawing order of the first part."""
 
 
 class CanvasPlace(NamedTuple):
@@ -70,7 +70,7 @@ class CanvasPlace(NamedTuple):
         return self.left + self.part * x, self.low + self.part * y
 
     def within(self, outer: CanvasPlace) -> CanvasPlace:
-        """Return this transformation followed by the transformation `outer`.
+        """Combine the transformation with a subsequent transformation `outer`.
 
         >>> CanvasPlace(2.0, 1.0, 0.0).within(CanvasPlace(0.5, 10.0, 20.0))
         CanvasPlace(part=1.0, left=10.5, low=20.0)
@@ -167,7 +167,7 @@ class Canvas(NamedTuple):
 
     @property
     def texts(self) -> list[str]:
-        """Texts of the picture in the order in which they were added."""
+        """Texts of the picture in the order of insertion."""
         return [part.shape.text for part in self.parts if isinstance(part.shape, CanvasText)]
 
     @property

@@ -21,7 +21,7 @@ from vstatics.pictures.drawing.pen import Pen
 from vstatics.pictures.drawing.style import LEADER_WIDTH, SIGN_WIDTH
 
 AFTER_END_SIGN = 4.0
-"""Distance from the sample of a line style to the name after it. [pt]"""
+"""Distance from the sample of a line style to the name of the style. [pt]"""
 
 
 class LineEnd(NamedTuple):
@@ -90,7 +90,7 @@ def beside(pen: Pen, side: Literal["left", "right"], ends: Sequence[LineEnd]) ->
 def along(
     pen: Pen, edge: Literal["bottom", "top"], texts: Sequence[Label], *, upright: bool
 ) -> None:
-    """Write texts along the lower or upper edge, with leader lines to the points that they name.
+    """Write texts along the lower or upper edge, with leader lines to the named points.
 
     Parameters
     ----------

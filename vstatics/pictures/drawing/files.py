@@ -25,7 +25,7 @@ DPI = 200
 """Resolution of PNG. [1/inch]"""
 
 ALONE = threading.RLock()
-"""Lock held while the settings of matplotlib are changed, because all threads share them."""
+"""Lock held while settings of matplotlib are changed, because all threads share the settings."""
 
 
 @contextmanager
@@ -63,7 +63,7 @@ def files_of(pages: Sequence[Canvas], form: Format, title: str) -> list[bytes]:
 
 
 def figures_of(pages: Sequence[Canvas]) -> list[Figure]:
-    """Return a matplotlib figure for each page, drawn with the settings of its style."""
+    """Return a matplotlib figure for each page, drawn with the settings of the style."""
     from vstatics.pictures.drawing.figures import figure_of
 
     with settings_of(pages[0].style):

@@ -11,7 +11,7 @@ from vstatics.pictures.drawing.pen import Pen, blank
 from vstatics.pictures.drawing.style import MARGIN, SIGN_WIDTH, SIZE, TITLE, Style
 
 AFTER_SIGN, BETWEEN_SIGNS = 5.0, 16.0
-"""Distance from a symbol to its text, and from the text to the next symbol. [pt]"""
+"""Distances from a symbol to the following text, and from the text to the next symbol. [pt]"""
 BELOW_HEAD = 5.0
 """Vertical distance between title, note and key. [pt]"""
 SIGN_ROW_HEIGHT = LINE_HEIGHT * SIZE + 2.0
@@ -27,7 +27,7 @@ class NameInKey(str):
 
 
 Meaning = tuple[object, str, Look]
-"""Entry of a key: true if the symbol occurs, its meaning in English, and its style.
+"""Entry of a key: true for a symbol that occurs, the meaning in English, and the style.
 
 The symbol is an area if the style has a ``facecolor``, otherwise a line.
 """
@@ -67,7 +67,7 @@ class SheetHead(NamedTuple):
     """Title, note and key of a picture, wrapped to a given width."""
 
     lines: Sequence[tuple[str, float, Look]]
-    """Texts, each with its height including a gap [pt] and its style."""
+    """Texts, each with the height including a gap [pt] and the style."""
     rows: Sequence[Sequence[KeySign]]
     high: float
     """Total height with a gap below; 0 without title, note and key. [pt]"""
@@ -91,7 +91,7 @@ class SheetHead(NamedTuple):
 def sheet_head(
     title: str, note: str, meanings: Iterable[Meaning], room: float, style: Style
 ) -> SheetHead:
-    """Return the heading of a picture for a width [pt]; HTML pages show the title themselves.
+    """Return the heading of a picture for a width [pt]; HTML pages show the title separately.
 
     >>> look = {"color": "#000000"}
     >>> head = sheet_head("", "", [(1, "gear", look), (0, "", {})], 99.0, Style())

@@ -26,7 +26,7 @@ class LetteredPicture(NamedTuple):
 
     @property
     def own(self) -> Point:
-        """Size of the picture without its heading [pt]."""
+        """Size of the picture without the heading [pt]."""
         return self.canvas.size
 
     @property

@@ -96,7 +96,7 @@ def height(text: str, size: float = SIZE) -> float:
 
 
 def across_size(text: str) -> float:
-    """Return the length along an edge that a text needs across its lines, with gaps [pt]."""
+    """Return the length along an edge that a horizontal text needs, with gaps [pt]."""
     return width(text) + 2 * LABEL_GAP
 
 

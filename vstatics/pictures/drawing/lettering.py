@@ -10,7 +10,7 @@ from vstatics.pictures.drawing.canvas import CanvasPlace, CanvasText, Point
 from vstatics.pictures.drawing.metrics import ASCENT, DESCENT, LINE_GAP, line_extent
 
 _SIDES = {"left": 0.0, "center": 0.5, "right": 1.0}
-"""Share of a text's width that is left of its reference point, by horizontal alignment. [-]"""
+"""Share of the width of a text left of the reference point, by horizontal alignment. [-]"""
 
 
 class TextLine(NamedTuple):

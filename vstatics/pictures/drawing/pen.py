@@ -62,7 +62,7 @@ WHOLE = AxisScale(0.0, 1.0)
 
 
 class Pen(NamedTuple):
-    """Drawing tool for a rectangle of a canvas, with coordinates from its lower left corner."""
+    """Drawing tool for a rectangle of a canvas, with coordinates from the lower left corner."""
 
     canvas: Canvas
     style: Style
@@ -84,7 +84,7 @@ class Pen(NamedTuple):
         return self.place.part
 
     def panel(self, corner: Point, size: Point, x: AxisScale = WHOLE, y: AxisScale = WHOLE) -> Pen:
-        """Return a pen for a rectangle within this rectangle, with scales along its edges."""
+        """Return a pen for a part of the rectangle, with scales along the edges of the part."""
         return self._replace(corner=corner, size=size, x=x, y=y)
 
     def within(self, kind: str, **data: str) -> Pen:
@@ -182,7 +182,7 @@ class Pen(NamedTuple):
     def area(
         self, *corners: Point, width: float = 0.0, title: str = "", kind: str = "", **look: Any
     ) -> None:
-        """Draw a polygon with an outline of a given width; `kind` is its SVG class."""
+        """Draw a polygon with an outline of a given width; `kind` is the SVG class."""
         left, low = self.corner
         outline = Outline.polygon([(left + x, low + y) for x, y in corners])
         self.fill(outline, width=width, title=title, kind=kind, **look)
@@ -197,7 +197,7 @@ class Pen(NamedTuple):
         zorder: float = 1.0,
         **look: Any,
     ) -> None:
-        """Fill an outline in coordinates of the canvas, and draw its border with a given width."""
+        """Fill an outline in coordinates of the canvas, and draw the border with a given width."""
         look["linewidth"] = width * self.part
         self.add(CanvasArea(outline, look, zorder), title, kind)
 

@@ -85,7 +85,7 @@ class PictureFiles(NamedTuple):
     duty: str = ""
     """CSV file of a duty cycle."""
     classes: str | int | Sequence[float] = 10
-    """Number of torque classes, or their upper bounds [N*m]; a text can contain a unit."""
+    """Number of torque classes, or upper bounds of the classes [N*m]; a text can contain a unit."""
     torque: str = ""
     """CSV file with the orders of an exciting torque."""
 
@@ -154,7 +154,7 @@ class Style(NamedTuple):
 
     @property
     def soft(self) -> str:
-        """Colour of less important texts; its contrast is 4.5 to 1 (WCAG 2.2, 1.4.3).
+        """Colour of less important texts, with a contrast of 4.5 to 1 (WCAG 2.2, 1.4.3).
 
         The colours `engaged`, `lost` and `circulating` also have this contrast.
         """

@@ -55,7 +55,7 @@ _MARKERS: Mapping[str, Sequence[Point]] = {
     "v": [(0, 1), (1, -1), (-1, -1)],
     "D": [(0, _DIAGONAL), (_DIAGONAL, 0), (0, -_DIAGONAL), (-_DIAGONAL, 0)],
 }
-"""Corners of each marker relative to half its size, by the marker code of matplotlib. [-]"""
+"""Corners of each marker relative to half the size, by the marker code of matplotlib. [-]"""
 
 
 def _number(value: float) -> str:

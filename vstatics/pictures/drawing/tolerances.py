@@ -18,13 +18,11 @@ SAME_CROSSINGS = 1 - 1e-9
 STANDS_IN_ALL_MODES = 1e-9
 """Relative amplitude below which a link counts as at rest in a mode. [-]"""
 NO_LEVER_TORQUE = 1e-12
-"""Torque or speed, relative to the input, below which it counts as 0. [-]"""
+"""Threshold of torque or speed, relative to the input; smaller values count as 0. [-]"""
 SAME_LEVER_COST = 1e-9
 """Smallest improvement of the cost of an order of levers that counts."""
 LEAST_POINT_DISTANCE = 1e-3
-"""Smallest distance between two points that limits the height of a lever, relative to its length.
-[-]
-"""
+"""Smallest point distance that limits the height of a lever, relative to the lever length. [-]"""
 SAME_RUN_SPEED = 1e-6
 """Relative difference up to which speeds or torques of a run count as equal, or as 0. [-]"""
 NO_RUN_TORQUE = 1e-9
@@ -32,6 +30,6 @@ NO_RUN_TORQUE = 1e-9
 SAME_CURVE = 1e-9
 """Relative difference of values up to which curves count as equal. [-]"""
 SAME_FREQUENCY = 0.005
-"""Relative difference up to which the frequencies of several gears are drawn as one. [-]"""
+"""Relative difference up to which the frequencies of several gears are drawn as equal. [-]"""
 SAME_RADIUS = 1e-9
 """Difference of coefficients up to which the links of a twist have a common axis. [-]"""

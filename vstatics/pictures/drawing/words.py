@@ -51,7 +51,7 @@ def wheel(name: str, teeth: float, style: Style) -> str:
 
 
 def quantity(name: str, value: float, style: Style) -> str:
-    """Return the name of a quantity followed by its value.
+    """Return the name of a quantity followed by the value.
 
     >>> quantity("speed", 0.5, Style("ru"))
     'скорость 0.500'

@@ -13,9 +13,9 @@ from vstatics.pictures.flow.places import Box, Line, Note
 from vstatics.pictures.flow.texts import FlowTexts
 
 UNDER = 3.0
-"""Distance between a band and the text below it. [pt]"""
+"""Distance between a band and the text under the band. [pt]"""
 GROWTH = 1.3
-"""Factor by which a returning band is lengthened until its nodes fit between crossing bands. [-]"""
+"""Factor that lengthens a returning band until the nodes fit between crossing bands. [-]"""
 
 
 class BackRow(NamedTuple):
@@ -93,7 +93,7 @@ def _middle_of_cell(rows: Sequence[BackRow], place: int, spaced: Across) -> floa
 
 
 def crowded(rows: Sequence[BackRow], spaced: Across) -> list[int]:
-    """Return the indices of returning bands without enough room for their nodes."""
+    """Return the indices of returning bands without enough room for nodes."""
     return [
         row.number
         for place, row in enumerate(rows)

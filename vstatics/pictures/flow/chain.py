@@ -15,7 +15,7 @@ from vstatics.pictures.flow.titles import FlowTitles
 BETWEEN_NODES = ">"
 _MINUS = "\N{MINUS SIGN}"
 WORD_GAP = 4.0
-"""Distance between words, which are separate texts, because SVG drops blanks at their ends. [pt]"""
+"""Distance between words, which are separate texts because SVG drops blanks at the ends. [pt]"""
 
 
 def is_chain(flow: GearFlow, drawn: Graph) -> bool:
@@ -54,7 +54,7 @@ class ChainWord(NamedTuple):
 
     @property
     def wide(self) -> float:
-        """Width of the word with the gap after it [pt]."""
+        """Width of the word with the following gap [pt]."""
         return width(self.text) + WORD_GAP
 
 
@@ -94,7 +94,7 @@ def chain_line(drawn: Graph, said: FlowTitles, room: float) -> ChainLine:
 
 
 def _words(drawn: Graph, said: FlowTitles) -> list[list[ChainWord]]:
-    """Return groups of words that are not broken apart: a node, its loss and the next symbol."""
+    """Return groups of words to keep together: a node, the loss of the node and the next symbol."""
     texts = said.texts
     nodes = _in_line(drawn)
     groups = [[ChainWord(texts.line(texts.side.entering))]]
@@ -111,7 +111,7 @@ def _words(drawn: Graph, said: FlowTitles) -> list[list[ChainWord]]:
 
 
 def _name(node: Node, drawn: Graph) -> str:
-    """Return the name of a node, followed by the name of its port if that differs."""
+    """Return the name of a node, followed by the name of the port if the names differ."""
     names = [port.node.name for port in drawn.ports.get(node, ())]
     more = [name for name in names if name not in (node.name, "input", "output")]
     return ": ".join([*more, node.name])

@@ -24,7 +24,7 @@ SPACE = 16.0
 BAND_CLEARANCE = 8.0
 """Distance between a band that turns back and other parts. [pt]"""
 LOSS_LENGTH = 8.0
-"""Length of the band of a loss below its node, in addition to half its width. [pt]"""
+"""Length of the band of a loss below the node, in addition to half the band width. [pt]"""
 BEND = 2.4
 """Smallest squared horizontal length of a band's curve, relative to width times rise. [-]"""
 
@@ -94,7 +94,7 @@ class NodeColumns(NamedTuple):
 
 
 def columns(graph: Graph, scale: float, texts: FlowTexts) -> NodeColumns:
-    """Return the cells of each layer: its runs, and the bands that pass through it."""
+    """Return the cells of each layer: the runs, and the bands that pass through."""
     cells: list[list[FlowCell]] = [[] for _ in range(1 + max(graph.layers, default=-1))]
     for number, (run, layer) in enumerate(zip(graph.runs, graph.layers, strict=True)):
         cells[layer].append(_cell(graph, number, run, scale, texts))
@@ -135,9 +135,9 @@ class Across(NamedTuple):
     gaps: Sequence[Span]
     """Start and end of the curved part of bands after each column."""
     leaving: Mapping[int, float]
-    """Position where each returning band turns after its source, by index of the band."""
+    """Position where each returning band turns after the source, by index of the band."""
     arriving: Mapping[int, float]
-    """Position where each returning band turns before its target, by index of the band."""
+    """Position where each returning band turns before the target, by index of the band."""
 
     @property
     def width(self) -> float:

@@ -13,7 +13,7 @@ from vstatics.pictures.flow.graph import EndPort, Graph
 from vstatics.pictures.flow.order import Near, mean, neighbours, ordered
 
 RUN_SWEEPS = 12
-"""Number of passes in which runs and passing bands are moved towards their neighbours."""
+"""Number of passes that move runs and passing bands towards neighbours."""
 
 _Columns = Sequence[Mapping[Key, FlowCell]]
 
@@ -24,9 +24,9 @@ class Depths(NamedTuple):
     middles: Mapping[Key, float]
     """Depth of the middle of each cell, by layer and number."""
     starts: Mapping[int, float]
-    """Depth at which each band between runs leaves its source, by index of the band."""
+    """Depth of each band between runs at the source, by index of the band."""
     ends: Mapping[int, float]
-    """Depth at which each band between runs reaches its target, by index of the band."""
+    """Depth of each band between runs at the target, by index of the band."""
     ports: Mapping[EndPort, float]
     """Depth of each input or output port."""
 
@@ -80,7 +80,7 @@ def depths(graph: Graph, scale: float, cells: NodeColumns, back: Sequence[int]) 
 def _stacked(
     graph: Graph, scale: float, cells: NodeColumns, columns: _Columns, back: Sequence[int]
 ) -> Depths:
-    """Return the depths of bands and ports relative to the middle of their run.
+    """Return the depths of bands and ports relative to the middle of the run.
 
     From top to bottom, a run has its ports, its forward bands in the order of their targets, and
     its returning bands, the longest first.
@@ -163,7 +163,7 @@ def _series(columns: _Columns, shifts: tuple[Near, Near]) -> Iterator[list[Key]]
 
 
 def _room(column: Mapping[Key, FlowCell], key: Key, places: Mapping[Key, float]) -> Span:
-    """Return the depths that are free for a cell between its neighbours in the column."""
+    """Return the depths that are free for a cell between the neighbours in the column."""
     order = list(column)
     rank, cell = order.index(key), column[key]
     above, below = order[max(rank - 1, 0) : rank], order[rank + 1 : rank + 2]

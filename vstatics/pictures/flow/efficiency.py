@@ -212,7 +212,7 @@ def loss_shares(results: Results, style: Style) -> tuple[list[str], Floats]:
 
 
 def _bars(pen: Pen, losses: _Losses) -> None:
-    """Draw the bars of each gear: the losses from 1 downwards, and the efficiency below them."""
+    """Draw the bars of each gear: the losses from 1 downwards, and the efficiency underneath."""
     style, wide = losses.style, BAR_WIDTH * pen.size[0] / (pen.x.high - pen.x.low)
     for place, (gear, value) in enumerate(zip(losses.gears, losses.efficiency, strict=True)):
         if not math.isfinite(value):

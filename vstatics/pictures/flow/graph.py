@@ -16,7 +16,7 @@ AT_LINKS = ("drag", "gear")
 """Losses drawn at a link: the drag on the link, and a loss of the whole gear."""
 
 Run = tuple[Node, ...]
-"""Nodes in series with equal power, without losses or branches between them."""
+"""Nodes in series with equal power, without losses or branches in between."""
 
 
 class Band(NamedTuple):
@@ -31,7 +31,7 @@ class Band(NamedTuple):
     back: bool = False
     """True for a returning band, which is drawn from right to left."""
     between: Run = ()
-    """Nodes along a returning band, which transmit only the recirculating power of its loop."""
+    """Nodes along a returning band, which transmit only the recirculating power of the loop."""
 
     @property
     def pairs(self) -> tuple[tuple[Node, Node], ...]:
@@ -54,9 +54,9 @@ class Graph(NamedTuple):
     """Power flow of a gear as drawn: runs, bands, ports and losses."""
 
     runs: tuple[Run, ...]
-    """Runs, which contain all nodes except those along returning bands."""
+    """Runs, which contain all nodes except the nodes along returning bands."""
     layers: tuple[int, ...]
-    """Layer of each run: its column, from 0 on the left."""
+    """Layer of each run: the column number, from 0 on the left."""
     place: Mapping[Node, int]
     """Index of the run that contains each node."""
     bands: tuple[Band, ...]
@@ -65,14 +65,14 @@ class Graph(NamedTuple):
     losses: Mapping[Node, float]
     """Loss of each node relative to the input power, including the drag of a link. [-]"""
     numbered: frozenset[int]
-    """Indices of bands whose power is written, because it does not follow from nodes and loops."""
+    """Indices of bands with a written power, which does not follow from nodes and loops."""
 
     def ends(self, band: Band) -> tuple[int, int]:
         """Return the indices of the runs at the source and target of a band."""
         return self.place[band.source], self.place[band.target]
 
     def is_within(self, band: Band) -> bool:
-        """Return whether both ends of a band are in the same run."""
+        """Return whether both ends of a band are in a common run."""
         return not band.back and self.place[band.source] == self.place[band.target]
 
     def through(self, node: Node) -> float:
@@ -153,7 +153,7 @@ def _cut(loop: Loop, known: Iterable[Node]) -> Iterator[Sequence[Node]]:
 
 
 def _behind(start: Node, pairs: Sequence[tuple[Node, Node]]) -> set[Node]:
-    """Return a node and all nodes that can be reached from it."""
+    """Return a node and all nodes reachable from the node."""
     reached, ahead = {start}, [start]
     while ahead:
         node = ahead.pop()
@@ -205,7 +205,7 @@ def _numbered(drawn: Graph) -> Iterator[int]:
 
 
 def _layers(drawn: Graph) -> tuple[int, ...]:
-    """Return the layer of each run: its longest path from the left, numbered bands twice."""
+    """Return the layer of each run: the longest path from the left, numbered bands twice."""
     layers = [0] * len(drawn.runs)
     ways = [
         (*drawn.ends(band), 2 if number in drawn.numbered else 1)

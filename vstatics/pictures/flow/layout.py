@@ -30,13 +30,13 @@ class _Placed(NamedTuple):
     cells: NodeColumns
     deep: Depths
     courses: Mapping[int, Sequence[float]]
-    """Depths along each forward band: at its source, in each column passed, at its target. [pt]"""
+    """Depths along each forward band: at the source, in each column passed, at the target. [pt]"""
     spaced: Across
     boxes: Sequence[Box]
     """Rectangle of each run."""
 
     def ends(self, number: int) -> tuple[Point, Point]:
-        """Return the points where a band leaves its source and reaches its target."""
+        """Return the points where a band leaves the source and reaches the target."""
         source, target = (self.boxes[run] for run in self.graph.ends(self.graph.bands[number]))
         return (source.right, self.deep.starts[number]), (target.left, self.deep.ends[number])
 

@@ -32,7 +32,7 @@ BAND_WIDTH = 30.0
 MOST_NODE_HEIGHT = 90.0
 """Largest height of a node. [pt]"""
 LEAST_FLOW_WIDTH = 330.0
-"""Smallest width of a figure without its margins. [pt]"""
+"""Smallest width of a figure without margins. [pt]"""
 TITLE_WIDTH = 450.0
 """Width up to which a title is not wrapped. [pt]"""
 NAME_WIDTHS = (SHORT_NAME, 60.0, 44.0)

@@ -37,7 +37,7 @@ class Box(NamedTuple):
         return self.top + self.cell.thick
 
     def signs(self) -> Iterator[tuple[Node, float, float]]:
-        """Yield each node with the positions of its left and right side [pt]."""
+        """Yield each node with the positions of the left and right side [pt]."""
         x = self.left
         for node, wide in zip(self.cell.run, signs(self.cell.run, self.cell.loss), strict=True):
             yield node, x, x + wide
@@ -49,13 +49,13 @@ class Line(NamedTuple):
 
     band: Band
     width: float
-    """Width of the band, proportional to its power. [pt]"""
+    """Width of the band, proportional to the power. [pt]"""
     points: tuple[Point, ...]
     """Corners of a returning band, or the ends of the horizontal parts of a forward band."""
 
 
 class Stub(NamedTuple):
-    """Port of the power flow, with the point where it touches the link."""
+    """Port of the power flow, with the contact point at the link."""
 
     link: Node
     port: EndPort
@@ -66,7 +66,7 @@ class Stub(NamedTuple):
 
 
 class Note(NamedTuple):
-    """Text of a band or loop, with the position of its centre."""
+    """Text of a band or loop, with the position of the centre."""
 
     x: float
     y: float

@@ -24,7 +24,7 @@ TRIES_OF_ROWS = 6
 
 
 class RowsCost(NamedTuple):
-    """Division of the first layers into rows, with its cost."""
+    """Division of the first layers into rows, with the cost."""
 
     cost: float
     ends: tuple[int, ...]

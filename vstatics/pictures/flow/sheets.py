@@ -26,15 +26,15 @@ FLOW_GEAR_GAP = 20.0
 CHAIN_LINE_GAP = 6.0
 """Distance between gears that are drawn as lines of text. [pt]"""
 LINE_START = 10.0
-"""Distance from the name of a gear to its line of text. [pt]"""
+"""Distance from the name of a gear to the line of text. [pt]"""
 LEAST_BLOCK_WIDTH = 190.0
-"""Smallest width of a gear next to other gears, sufficient for the line below its name. [pt]"""
+"""Smallest width of a gear next to other gears, sufficient for the line below the name. [pt]"""
 BELOW_TEXT = 8.0
 """Distance between a text about the whole figure and the drawing below. [pt]"""
 
 
 class FlowGear(NamedTuple):
-    """Gear with the layout of its power flow."""
+    """Gear with the layout of the power flow."""
 
     flow: GearFlow
     rows: Sequence[FlowLayout]
@@ -51,7 +51,7 @@ class FlowBlock(NamedTuple):
     """Block of a page: a gear with the heading, or a further row of the gear."""
 
     shown: Sequence[FlowGear]
-    """Gears drawn in this block, which determine the entries of the key."""
+    """Gears drawn in the block, which determine the entries of the key."""
     wide: float
     """Width of the block. [pt]"""
     high: float
@@ -60,7 +60,7 @@ class FlowBlock(NamedTuple):
     draw: Callable[[Pen, float, float], None]
     """Function that draws the block at a given upper left corner."""
     is_rest: bool = False
-    """True for a row of a gear after its first row."""
+    """True for the second and further rows of a gear."""
 
 
 def sheets(

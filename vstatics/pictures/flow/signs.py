@@ -81,7 +81,7 @@ class FlowView(NamedTuple):
             pen.area(*shape, color=style.circulating)
 
     def _port(self, stub: Stub) -> None:
-        """Draw an input port as an arrow before its link, an output port as one after it."""
+        """Draw an input port as an arrow before the link, an output port after the link."""
         x, y = self._at((stub.x, stub.y))
         half = max(stub.width, LEAST_BAND_WIDTH) / 2
         notch = min(half, PORT_ARROW - 4)
@@ -158,7 +158,7 @@ def _curves(points: Sequence[Point]) -> Outline:
 
 
 def _rounded(points: Sequence[Point], wide: float) -> Outline:
-    """Return a path through corners that are rounded as far as their distance permits."""
+    """Return a path with corners rounded as far as the distances permit."""
     places, steps = [points[0]], "M"
     last = len(points) - 1
     room = [  # two neighbouring corners share the distance between them

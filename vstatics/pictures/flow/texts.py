@@ -47,7 +47,7 @@ class FlowTexts(NamedTuple):
         *,
         back: bool = False,
     ) -> str:
-        """Return the names of a run's nodes with its power, and port powers that differ."""
+        """Return the names of the nodes of a run with the power, and port powers that differ."""
         names = [_named(node, ports, self.style) for node in run]
         names = [
             name.replace(" ", UNBROKEN) if width(name) <= self.short else name for name in names
@@ -65,7 +65,7 @@ class FlowTexts(NamedTuple):
         return "\n".join(lines)
 
     def loop(self, number_of_loop: int) -> str:
-        """Return the text of a loop: its power, and a remark on possible artefacts."""
+        """Return the text of a loop: the power, and a remark on possible artefacts."""
         loop, text = self.side.loops[number_of_loop], self.style.text
         said = f"{text('recirculating power')} {number(loop.power)}"
         if not math.isnan(self.flow.kilowatts):
@@ -100,7 +100,7 @@ def port_name(node: Node, style: Style) -> str:
 
 
 def _named(node: Node, ports: Sequence[EndPort], style: Style) -> str:
-    """Return the name of a node, followed by the name of its port if that differs."""
+    """Return the name of a node, followed by the name of the port if the names differ."""
     port_nodes = [
         port.node for port in ports if port.node.number == node.number and node.kind == "link"
     ]

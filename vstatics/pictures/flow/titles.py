@@ -31,11 +31,11 @@ class FlowTitles(NamedTuple):
         return self.divided.issuperset(band.pairs)
 
     def is_open(self, node: Node) -> bool:
-        """Return whether a node rotates as a block, so that convention divides its power."""
+        """Return whether a node rotates as a block, so that convention divides the power."""
         return node in self.texts.flow.by_convention
 
     def is_mild(self, node: Node) -> bool:
-        """Return whether only the friction in a locked-up node leaves its power undetermined.
+        """Return whether only the friction in a locked-up node leaves the power undetermined.
 
         A locked-up differential divides torque by its ratio. Only the small friction in the teeth
         is decided by convention.
@@ -69,7 +69,7 @@ class FlowTitles(NamedTuple):
         return f"{port_name(port.node, self.texts.style)}: {', '.join(said)}"
 
     def node(self, node: Node, power: float, lost: float) -> str:
-        """Return the tooltip of a node: the power through it, its loss and its members."""
+        """Return the tooltip of a node: the transmitted power, the loss and the members."""
         said = [self._power(power)]
         if node.kind == "link":
             said += self._turning(power, node.name)

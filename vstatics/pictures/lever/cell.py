@@ -37,7 +37,7 @@ from vstatics.pictures.lever.view import LeverView
 
 
 def draw_lever(view: LeverView, name: str, top: float) -> None:
-    """Draw a lever with its points, below its name at the height `top` [pt]."""
+    """Draw a lever with all points, below the name at the height `top` [pt]."""
     cell = view.cell
     if name:
         said, where = _shape(view), (cell.left, top - 2)
@@ -75,7 +75,7 @@ def lever_names(
 
 
 def _shape(view: LeverView) -> str:
-    """Return the tooltip of a lever: the names and positions of its points."""
+    """Return the tooltip of a lever: the names and positions of the points."""
     lever, style = view.cell.lever, view.style
     places = (
         f"{link_name(view.sheet.page.case, node.link, style)} {number(node.position)}"
@@ -112,7 +112,7 @@ def _draw_line(view: LeverView) -> None:
 
 
 def _draw_point(view: LeverView, node: int, row: LeverRow) -> None:
-    """Draw the line of a link, bent to its point on the lever, with torque and speed."""
+    """Draw the line of a link, bent to the point on the lever, with torque and speed."""
     cell, sheet, gear = view.cell, view.sheet, view.gear
     link, y, at = cell.lever.nodes[node].link, row.y + view.bottom, row.at + view.bottom
     is_way = view.is_loaded or gear.is_way(link, view.place, view.place)
@@ -151,7 +151,7 @@ def _write(view: LeverView, node: int, row: LeverRow) -> None:
 
 
 def _draw_ground(view: LeverView, row: LeverRow, name: str) -> None:
-    """Draw the support of a held point, with the names of its brakes or a freewheel symbol."""
+    """Draw the support of a held point, with the names of the brakes or a freewheel symbol."""
     style, x, y = view.style, view.cell.at + BESIDE_LEVER + 3, row.at + view.bottom
     if any_freewheel(view.sheet.page.case, name.split(", ")):
         freewheel(view.sheet, (x + 1, y))

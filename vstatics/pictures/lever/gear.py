@@ -28,7 +28,7 @@ class LeverTie(NamedTuple):
     link: int
     """Number of the link of the first point."""
     ends: tuple[Spot, Spot]
-    """Both points; if they are on different levers, the left point comes first."""
+    """Both points, the left point first if the levers are different."""
     is_spring: bool = False
 
 
@@ -50,7 +50,7 @@ class LeverGear(NamedTuple):
     """
 
     def is_way(self, link: int, first: int, last: int) -> bool:
-        """Return whether a link transmits torque from one lever to another, or at one lever."""
+        """Return whether a link transmits torque between two levers, or at a single lever."""
         places = self.loads.get(link, set())
         return any(place <= first for place in places) and any(place >= last for place in places)
 
@@ -116,7 +116,7 @@ def in_gear(results: Results, number: int, drawn: Sequence[Lever]) -> LeverGear:
 
 
 def _acts(gear: LeverGear, drawn: Sequence[Lever]) -> Iterator[Spot]:
-    """Yield the points of levers at which their link receives or gives torque."""
+    """Yield the points of levers at which links receive or give torque."""
     yield from (spot for spot, name in gear.grounds.items() if not gear.is_slack(name))
     for tie in gear.ties:
         if tie.name and (tie.is_spring or not gear.is_slack(tie.name)):
@@ -164,7 +164,7 @@ def brakes_of(
 def _grounds(
     case: Transmission, state: PictureState, drawn: Sequence[Lever], spots: dict[int, list[Spot]]
 ) -> dict[Spot, str]:
-    """Return the held points of a gear, each with the names of the brakes that hold it.
+    """Return the held points of a gear, each with the names of the holding brakes.
 
     A held link is supported at one point only; the housing is supported at each of its points.
     """
@@ -199,7 +199,7 @@ def ties_of(
 
 
 def _tie(name: str, first: int, second: int, spots: dict[int, list[Spot]]) -> Iterator[LeverTie]:
-    """Yield the connection of two links at their nearest points, if both are on levers."""
+    """Yield the connection of two links at the nearest points, if both links are on levers."""
     pairs = [(a, b) for a in spots.get(first, ()) for b in spots.get(second, ()) if a != b]
     if HOUSING not in (first, second) and pairs:
         a, b = min(pairs, key=lambda pair: abs(pair[0][0] - pair[1][0]))

@@ -16,7 +16,7 @@ from vstatics.pictures.lever.gear import LeverGear
 RATIO_SIZE = 15.0
 """Size of the letters of a ratio. [pt]"""
 BETWEEN = 12.0
-"""Distance between the name of a gear, its ratio and its engaged shift elements. [pt]"""
+"""Distance between the name, the ratio and the engaged shift elements of a gear. [pt]"""
 
 
 class GearHead(NamedTuple):
@@ -24,7 +24,7 @@ class GearHead(NamedTuple):
 
     name: str
     ratio: str
-    """Ratio as text, or the reason why it is undefined."""
+    """Ratio as text, or the reason why the ratio is undefined."""
     elements: str
     """Engaged shift elements and given speeds, wrapped into lines."""
     start: float
@@ -32,7 +32,7 @@ class GearHead(NamedTuple):
 
     @property
     def high(self) -> float:
-        """Height of the heading with the gap below it."""
+        """Height of the heading with the gap below."""
         return 1.15 * RATIO_SIZE + 4 + max(height(self.elements) - height(""), 0.0)
 
     def draw(self, pen: Pen, x: float, top: float) -> None:

@@ -28,7 +28,7 @@ from vstatics.pictures.lever.places import LeverPage, any_freewheel
 KEY_ROW_HEIGHT = 13.0
 """Height of a row of the key."""
 KEY_SIGN_WIDTH = 24.0
-"""Width of the symbol before its explanation."""
+"""Width of the symbol before the explanation."""
 
 
 class LeverKey(NamedTuple):
@@ -150,7 +150,7 @@ def _signs(page: LeverPage, gear: LeverGear) -> Iterator[str]:
 
 
 def _held_by(case: Transmission, names: str) -> Iterator[str]:
-    """Yield the kind of each symbol at a held point, for the names of its brakes."""
+    """Yield the kind of each symbol at a held point, for the names of the brakes."""
     if not names:
         yield "housing"
     for name in filter(None, names.split(", ")):

@@ -26,7 +26,7 @@ MARKS: dict[str, Sequence[Point]] = {
 }
 """Corners of the mark of a point, relative to the point, by the kind of point."""
 MARK_SIZE = 6.0
-"""Distance between two points below which their marks would overlap."""
+"""Smallest distance between two points at which marks do not overlap."""
 
 
 class LeverSheet(NamedTuple):

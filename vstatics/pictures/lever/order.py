@@ -23,7 +23,7 @@ Move = Callable[[Order], Order]
 
 
 def ordered(case: Transmission, drawn: Sequence[Lever]) -> list[Lever]:
-    """Return levers from left to right: input left, output right, connected levers near each other.
+    """Return levers from left to right: input left, output right, connected levers close together.
 
     Levers stay in the order of the case unless a change shortens connections.
     """
@@ -144,7 +144,7 @@ def crossings_of(heights: Sequence[Sequence[float]], ties: Sequence[LeverTie]) -
 
 
 def _cross(first: tuple[float, float, bool], second: tuple[float, float, bool]) -> bool:
-    """Return whether two lines cross in a gap, given their heights at both ends."""
+    """Return whether two lines cross in a gap, given the heights at both ends."""
     (start, end, is_back), (start2, end2, is_back2) = first, second
     if is_back and is_back2:
         (low, high), (low2, high2) = sorted((start, end)), sorted((start2, end2))

@@ -27,7 +27,7 @@ from vstatics.pictures.lever.places import ARROW, LeverPage, page_of
 from vstatics.pictures.lever.view import LeverView
 
 LEVER_NAME_HEIGHT = 12.0
-"""Height of the names of levers in one line. [pt]"""
+"""Height of a line with the names of levers. [pt]"""
 BELOW_LEVERS = 6.0
 """Space below a row of levers. [pt]"""
 NARROWEST_FIGURE = 320.0
@@ -38,7 +38,7 @@ class LeverBlock(NamedTuple):
     """Row of levers in a gear, with the heading; lengths in points."""
 
     head: GearHead | None
-    """Heading of the gear, only for its first row."""
+    """Heading of the gear, only for the first row."""
     gear: LeverGear
     routes: Sequence[LeverRoute]
     band: int
@@ -58,7 +58,7 @@ class LeverBlock(NamedTuple):
 
     @property
     def above(self) -> float:
-        """Height of the heading with the gap below it."""
+        """Height of the heading with the gap below."""
         return self.head.high if self.head else 0.0
 
     @property

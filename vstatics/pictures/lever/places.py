@@ -23,7 +23,7 @@ SPEEDS = 32.0
 NUMBER_WIDTH = 30.0
 """Width reserved for a number."""
 BESIDE_LEVER = 6.0
-"""Distance between a lever and the horizontal lines of its points."""
+"""Distance between a lever and the horizontal lines of the points."""
 LEAST, MOST = 62.0, 84.0
 """Smallest and largest height of levers with three points."""
 MOST_FOR_POINT = 22.0
@@ -35,13 +35,11 @@ BRAKE_NAME_WIDTH = 40.0
 
 
 class LeverCell(NamedTuple):
-    """Lever with the texts and lines of its points, and its horizontal position."""
+    """Lever with the texts and lines of the points, and the horizontal position."""
 
     lever: Lever
     rows: dict[int, LeverRow]
-    """Horizontal line of each point, by the index of the point; none for the housing of a gear
-    pair.
-    """
+    """Horizontal line of each point except the housing of a gear pair, by index of the point."""
     left: float
     at: float
     """Horizontal position of the lever."""
@@ -54,13 +52,13 @@ class LeverCell(NamedTuple):
 
     @property
     def speeds(self) -> Span:
-        """Left and right end of the area of speeds; equal for a shaft, which has none."""
+        """Left and right end of the area of speeds; equal for a shaft, which shows no speeds."""
         end = self.right - NUMBER_WIDTH - BESIDE_LEVER
         return (end - SPEEDS, end) if self.lever.devices else (end, end)
 
 
 class LeverPage(NamedTuple):
-    """Positions of the levers of a case, the same in all gears."""
+    """Positions of the levers of a case, common to all gears."""
 
     case: Transmission
     cells: Sequence[LeverCell]
@@ -79,7 +77,7 @@ class LeverPage(NamedTuple):
 
     @property
     def width(self) -> float:
-        """Width of the widest row, with the connections after its last lever."""
+        """Width of the widest row, with the connections after the last lever."""
         return max(cell.right + cell.gap for cell in self.cells)
 
     def extent(self, band: int) -> Span:
@@ -89,7 +87,7 @@ class LeverPage(NamedTuple):
 
 
 def page_of(case: Transmission, style: Style) -> LeverPage | None:
-    """Return the positions of the levers of a case; None if it has no levers."""
+    """Return the positions of the levers of a case, if any."""
     drawn = levers(case, merged=style.merged)
     if not drawn:
         return None
@@ -143,7 +141,7 @@ def broken(sizes: Sequence[tuple[float, float]], cuts: Sequence[int], room: floa
 
 
 def _held(case: Transmission, drawn: Sequence[Lever]) -> list[float]:
-    """Return the width at each lever for support symbols and the names of their brakes."""
+    """Return the width at each lever for support symbols and the names of brakes."""
     spots = spots_of(drawn)
     widths = [0.0] * len(drawn)
     good = (spots[link][0] for link in held_for_good(case) if link in spots)
@@ -163,7 +161,7 @@ def any_freewheel(case: Transmission, names: Sequence[str]) -> bool:
 
 
 def _height(lever: Lever, shares: Sequence[float]) -> float:
-    """Return the height of a lever, sufficient for the texts between its points up to a limit."""
+    """Return the height of a lever, sufficient for the texts between the points up to a limit."""
     if len(lever.nodes) < 2:
         return LEAST
     least = min(abs(end - start) for start, end in pairwise(sorted(shares)))

@@ -22,7 +22,7 @@ from vstatics.core.model.transmission import HOUSING, Transmission
 from vstatics.pictures.drawing.labels import Span
 
 Source = tuple[int, str, float]
-"""Share of a component in the torque on a point: index of the component, its member, factor."""
+"""Share of a component in the torque on a point: index of the component, member, factor."""
 
 
 class LeverNode(NamedTuple):
@@ -48,7 +48,7 @@ class Lever(NamedTuple):
     devices: tuple[int, ...] = ()
     """Indices of the components that the lever shows; empty for a shaft."""
     ratio: float | None = None
-    """Ratio of a gear pair whose carrier is the housing, drawn as a box; None for other levers. [-]
+    """Ratio of a gear pair whose carrier is the housing, drawn as a box. [-]
 
     The value is NaN for a variator or converter.
     """
@@ -152,7 +152,7 @@ def _merged(drawn: list[Lever]) -> list[Lever]:
 
 
 def _joined(first: Lever, second: Lever, common: Sequence[int]) -> Lever | None:
-    """Return two levers merged into one lever, scaled so that their common links coincide."""
+    """Return two levers merged into a single lever, scaled so that the common links coincide."""
     ours, theirs = (
         [node.position for link in common for node in lever.nodes if node.link == link]
         for lever in (first, second)

@@ -27,7 +27,7 @@ BESIDE_SIGN = 8.0
 MOST_ORDERED = 6
 """Largest number of vertical parts in a gap for which all orders are tried."""
 OVERLAP_COST = 10
-"""Cost of a line that overlaps with a line of another link or covers a clutch, in crossings. [-]"""
+"""Cost of a line that overlaps with a different link or covers a clutch, in crossings. [-]"""
 
 
 class LeverRow(NamedTuple):
@@ -47,7 +47,7 @@ class LeverRow(NamedTuple):
 
 
 PointRows = Mapping[int, LeverRow]
-"""Horizontal lines of a lever's points, by index of the point; none for a gear pair's housing."""
+"""Horizontal lines of the points of a lever except a gear-pair housing, by index of the point."""
 
 
 def middle_of(rows: PointRows) -> float:
@@ -67,19 +67,17 @@ class LeverStep(NamedTuple):
     end: float
     """Height at the right end."""
     is_signed: bool
-    """True if the symbol of a clutch or spring is in this gap."""
+    """True if the symbol of a clutch or spring is in the gap."""
     is_back: bool
-    """True if the connection returns to the same lever."""
+    """True if the connection returns to the lever of origin."""
     x: float = 0.0
     """Position of the vertical part, from the start of the gap."""
     sign: float = 0.0
     """Height of the symbol of the clutch or spring."""
     slant: float = 0.0
-    """Horizontal length of a slanted rise, used where two lines exchange their heights."""
+    """Horizontal length of a slanted rise, for two lines that exchange heights."""
     is_late: bool = False
-    """True for a symbol on the horizontal part after the rise, because other lines branch off
-    before it.
-    """
+    """True for a symbol on the horizontal part after the rise, if other lines branch off before."""
 
     @property
     def span(self) -> Span:
@@ -115,7 +113,7 @@ class LeverStep(NamedTuple):
 def steps(
     rows: Sequence[PointRows], boxes: Sequence[bool], ties: Iterable[LeverTie]
 ) -> list[LeverStep]:
-    """Return the parts of connections in all gaps; their vertical parts do not overlap.
+    """Return the parts of connections in all gaps, with vertical parts that do not overlap.
 
     Parameters
     ----------
@@ -193,13 +191,13 @@ def _apart(here: Sequence[LeverStep]) -> list[LeverStep]:
 
 
 def _change_places(first: LeverStep, second: LeverStep) -> bool:
-    """Return whether two lines exchange their heights, so that vertical parts would overlap."""
+    """Return whether two lines exchange heights, so that vertical parts would overlap."""
     both = first.is_signed or second.is_signed or first.is_back or second.is_back
     return not both and max(abs(first.end - second.start), abs(second.end - first.start)) < 1
 
 
 def _is_late(step: LeverStep, here: Sequence[LeverStep]) -> bool:
-    """Return whether other lines share the start of a part, but none shares its end."""
+    """Return whether other lines share the start of a part, but no line shares the end."""
     others = [other for other in here if other is not step]
     begins = any(abs(other.start - step.start) < 1 for other in others)
     return (
@@ -232,7 +230,7 @@ def _crossings(ordered: Sequence[LeverStep]) -> int:
 
 
 def _sign(step: LeverStep, here: Sequence[LeverStep]) -> float:
-    """Return the height of a symbol at which lines avoid its name."""
+    """Return the height at which lines avoid the name of a symbol."""
     if not step.is_upright:
         return step.end if step.is_late else step.start
     low, high = step.span

@@ -20,11 +20,11 @@ class LeverView(NamedTuple):
     bottom: float
     """Height of the foot of the levers, from which heights of `LeverRow` are measured. [pt]"""
     same: str | None
-    """Name of an earlier gear with an equal lever, whose numbers are not repeated; else None."""
+    """Name of an earlier gear, if any, with an equal lever, whose numbers are not repeated."""
 
     @property
     def cell(self) -> LeverCell:
-        """Lever with the lines of its points and its horizontal position, the same in all gears."""
+        """Lever with the lines of the points and the horizontal position, common to all gears."""
         return self.sheet.page.cells[self.place]
 
     @property

@@ -16,7 +16,7 @@ from vstatics.pictures.paged.inline import inline
 from vstatics.pictures.runs import PicturedRun
 
 PRINTED_WIDTH = 182.0
-"""Width between the margins of an A4 page, equal to that in the page's style sheet. [mm]"""
+"""Width between the margins of an A4 page, equal to the width in the style sheet. [mm]"""
 COLUMN_GAP = 4.0
 """Gap between two pictures side by side. [mm]"""
 PAGE = Style(titled=False, width=PRINTED_WIDTH * POINTS_PER_MILLIMETRE, height=PAGE_HEIGHT)
@@ -28,7 +28,7 @@ class Drawn(NamedTuple):
 
     kind: str
     sheets: Sequence[Markup]
-    """SVG elements of the picture, several if it is split into sheets."""
+    """SVG elements of the picture, several for a picture on several sheets."""
     why: str = ""
 
 
@@ -42,7 +42,7 @@ class Draw(Protocol):
 
 
 def bare_stick(draw: Draw, motion: PicturedRun) -> Drawn:
-    """Return the stick diagram of a run without a gear; the structure if it cannot be drawn."""
+    """Return the stick diagram of a run without a gear, or else the structure."""
     stick = draw("stick", motion=motion)
     return stick if stick.sheets else draw("structure", motion=motion)
 

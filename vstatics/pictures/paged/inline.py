@@ -20,7 +20,7 @@ _PAIRS = {name: (getattr(_LIGHT, name), getattr(_DARK, name)) for name in _NAMES
     f"colour{number}": pair
     for number, pair in enumerate(zip(_LIGHT.colours, _DARK.colours, strict=True))
 }
-"""Colours of pictures on paper and on a dark screen, by the name of their CSS variable."""
+"""Colours of pictures on paper and on a dark screen, by the name of the CSS variable."""
 _COLOUR_NAMES = {light: name for name, (light, _) in _PAIRS.items()}
 _REFERENCE = re.compile(r"url\(#([^)]+)\)")
 _COLOUR = re.compile("#[0-9a-f]{6}")
@@ -89,7 +89,7 @@ def _fold(parent: ET.Element) -> None:
 
 
 def _local(name: str) -> str:
-    """Return a name without the namespace of SVG, and ``xml:space`` with its prefix."""
+    """Return a name without the namespace of SVG, and ``xml:space`` with the prefix."""
     return name.replace(_XML, "xml:").rpartition("}")[2]
 
 
@@ -216,7 +216,7 @@ def shared(page: Markup) -> tuple[Markup, Markup]:
 
 
 def is_look(key: str) -> bool:
-    """Check whether an attribute of an element determines its appearance.
+    """Check whether an attribute determines the appearance of an element.
 
     >>> is_look("stroke-width"), is_look("d")
     (True, False)

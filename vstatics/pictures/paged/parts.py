@@ -25,7 +25,7 @@ class Part(NamedTuple):
 
 
 class PartRequest(NamedTuple):
-    """Request for the section of an annex: results, drawing function, and what to show."""
+    """Request for the section of an annex: results, drawing function, and the wanted contents."""
 
     results: Results
     draw: Draw
@@ -50,14 +50,14 @@ class PagePart(Protocol):
 
     @property
     def without(self) -> str:
-        """Reason why the section is left out; empty if it is shown."""
+        """Reason why the section is left out; empty for a shown section."""
 
     @property
     def drawn(self) -> Collection[str]:
-        """Kinds of pictures that this section shows, so that other sections omit them."""
+        """Kinds of pictures in the section, which other sections omit."""
 
     def shown(self, digits: int | None) -> Iterator[Markup]:
-        """Yield the contents; numbers have `digits` decimals, or the usual number if None."""
+        """Yield the contents; numbers have `digits` decimals, or by default the usual number."""
 
 
 def figure(name: str, picture: Markup, *, captioned: bool = True, scrolls: bool = True) -> Markup:
@@ -124,6 +124,6 @@ def address(section: str, gear: str) -> str:
 
 
 def line_of(facts: Iterable[tuple[str, str]]) -> Markup:
-    """Return facts side by side, each with its value below its name."""
+    """Return facts side by side, each value below the name of the fact."""
     shown = (tag("div", tag("dt", name), tag("dd", text)) for name, text in facts)
     return tag("dl", *shown, class_="overview")

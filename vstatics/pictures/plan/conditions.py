@@ -30,7 +30,7 @@ Conditions = frozenset[Condition]
 
 
 def conditions(case: Transmission, gear: Gear) -> Conditions:
-    """Return the constraints of a gear; equivalent shift elements give one constraint."""
+    """Return the constraints of a gear, a single constraint for equivalent shift elements."""
     engaged = case.elements_at(gear.joining)
     given = (Condition(link, HOUSING, speed) for link, speed in gear.speeds.items())
     return frozenset([*map(_condition, engaged), *given])
@@ -41,7 +41,7 @@ def _condition(element: ShiftElement) -> Condition:
 
 
 def carrying(case: Transmission, gear: PictureState) -> Conditions:
-    """Return the constraints of a gear, except those of shift elements without torque.
+    """Return the constraints of a gear, leaving out shift elements without torque.
 
     The preselected dog clutch of a dual-clutch transmission is engaged without torque.
 

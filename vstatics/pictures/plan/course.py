@@ -85,7 +85,7 @@ def course(case: Transmission, plan: KinematicPlan, motion: PicturedRun) -> Plan
 
 
 def _rigid(case: Transmission, plan: KinematicPlan) -> Iterator[Condition]:
-    """Yield the constraints of a plan except those of elastic shift elements, which twist."""
+    """Yield the constraints of a plan, leaving out elastic shift elements, which twist."""
     for condition in plan.state:
         elements = [
             element
@@ -109,7 +109,7 @@ def high_of(motion: PicturedRun, style: Style) -> float:
 
 
 def draw_paths(pen: Pen, plan: KinematicPlan, run: PlanCourse) -> None:
-    """Draw the run along each ray of a plan, and its paths before and after it is on the plan."""
+    """Draw the run along each ray of a plan, and the paths while the run is not on the plan."""
     for place, ray in enumerate(plan.rays):
         is_port = plan.input in ray.links or plan.output in ray.links
         look = link_look(ray.links[0], pen.style)

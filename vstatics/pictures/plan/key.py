@@ -30,7 +30,7 @@ def gear_look(style: Style) -> Look:
 
 
 def dot_look(style: Style) -> Look:
-    """Return the style of the dot on a gear's line at the speed that its shift element imposes."""
+    """Return the style of the dot on a gear line at the speed imposed by a shift element."""
     return {"marker": "o", "color": style.ink, "markersize": 4.5, "zorder": 4, "width": 1.5}
 
 

@@ -28,7 +28,7 @@ from vstatics.pictures.plan.key import PORT_RAY_WIDTH, RAY_WIDTH, dot_look, gear
 from vstatics.pictures.plan.rays import KinematicPlan, Mark
 
 TO_TEXTS = 0.65 * LEADER
-"""Distance between the axes and the texts around them. [pt]"""
+"""Distance between the axes and the surrounding texts. [pt]"""
 LEAST_PLAN_HEIGHT = 108.0
 """Smallest height of the axes of a plan. [pt]"""
 UPRIGHT_NAME = 78.0
@@ -141,7 +141,7 @@ def _heads(case: Transmission, plan: KinematicPlan, style: Style) -> tuple[str, 
 def _rows(
     case: Transmission, plan: KinematicPlan, x: AxisScale, wide: float, style: Style
 ) -> tuple[GearRow, GearRow]:
-    """Return the row of gears with shift elements above a plan, and the row of 1/i below it."""
+    """Return the rows of a plan: gears with shift elements above, and values of 1/i below."""
     at = [x.part(mark.output) * wide for mark in plan.marks]
     texts = [
         (
@@ -165,7 +165,7 @@ def _rows(
 
 
 def _near(across: list[Label], turned: list[Label], wide: float) -> GearRow:
-    """Return horizontal labels if each has room near its vertical line, else vertical ones."""
+    """Return horizontal labels if each label has room near the line, else vertical labels."""
     sizes = [across_size(label.text) for label in across]
     wanted = [label.at for label in across]
     places = spread(wanted, sizes, 0.0, wide)
@@ -228,7 +228,7 @@ def _draw_gears(pen: Pen, case: Transmission, plan: KinematicPlan) -> None:
 def _stops(
     case: Transmission, plan: KinematicPlan, mark: Mark, style: Style
 ) -> Iterator[tuple[str, float]]:
-    """Yield each shift element of a gear, and the speed that it imposes, where its dot is drawn."""
+    """Yield each shift element of a gear, and the imposed speed, at which the dot is drawn."""
     speeds = {link: ray.at(mark.output) for ray in plan.rays for link in ray.links}
     for element in case.elements_at(mark.elements):
         names = [case.link_name(link) for link in element.links if link != HOUSING]

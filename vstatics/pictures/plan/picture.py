@@ -33,9 +33,9 @@ from vstatics.pictures.runs import PicturedRun
 MOST_PLAN_WIDTH, LEAST_PLAN_WIDTH = 300.0, 92.0
 """Largest width of the axes of a plan, and smallest width of two plans side by side. [pt]"""
 ABSCISSA_NAME_HEIGHT = 18.0
-"""Height of the name of the horizontal axis, below its numbers. [pt]"""
+"""Height of the name of the horizontal axis, below the numbers. [pt]"""
 ORDINATE_NAME_WIDTH = 18.0
-"""Width of the name of the vertical axis, right of its numbers. [pt]"""
+"""Width of the name of the vertical axis, right of the numbers. [pt]"""
 AFTER_SCALE = 8.0
 """Distance from the numbers of a scale to the name, or to the next plan. [pt]"""
 PLAN_GAP = 7.0
@@ -140,7 +140,7 @@ def _sheet(
     motion: PicturedRun | None,
     style: Style,
 ) -> PlanSheet:
-    """Lay out a page: two plans side by side if wide enough, otherwise or with a run only one."""
+    """Lay out a page: two plans side by side on a wide page without a run, else a single plan."""
     drawn = [drawn_plan(case, plan, run, MOST_PLAN_WIDTH, style) for plan, run in runs]
     left = max((plan_drawn.left(style) for plan_drawn in drawn), default=0.0)
     scale = (

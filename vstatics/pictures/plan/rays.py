@@ -56,16 +56,14 @@ class Mark(NamedTuple):
 
 
 class KinematicPlan(NamedTuple):
-    """Generalised kinematic plan: constraints common to its gears, rays of links, and gears."""
+    """Generalised kinematic plan: constraints common to the gears, rays of links, and gears."""
 
     input: int
     output: int
     state: tuple[Condition, ...]
     """Constraints that hold in all gears of the plan."""
     engaged: tuple[str, ...]
-    """Names of the shift elements engaged in all gears; equivalent ones are one text, such as
-    "A/B".
-    """
+    """Names of the shift elements engaged in all gears, with equivalent elements as "A/B"."""
     given: tuple[str, ...]
     """Given link speeds of the plan, as text."""
     rays: tuple[Ray, ...]
@@ -168,7 +166,7 @@ def _marks(
     state: Sequence[Condition],
     free: FreeOutputs,
 ) -> tuple[Mark, ...]:
-    """Return the gears with common constraints that need each of their other loaded shift elements.
+    """Return the gears with common constraints that need each further loaded shift element.
 
     The result is empty if all these gears have the same ratio.
     """

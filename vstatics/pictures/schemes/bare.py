@@ -22,7 +22,7 @@ from vstatics.pictures.schemes.titles import Titles
 
 
 class BareStick(NamedTuple):
-    """Stick diagram with positions, before it is drawn."""
+    """Stick diagram with positions, before drawing."""
 
     layout: CoaxialLayout
     style: Style
@@ -34,7 +34,7 @@ class BareStick(NamedTuple):
         return high[0] - low[0], high[1] - low[1]
 
     def drawn(self, title: str = "") -> Pen:
-        """Return a pen for a new canvas with only this diagram."""
+        """Return a pen for a new canvas with only the diagram."""
         return painted(CoaxialSheet(self.layout), self.style, SchemeState(), Titles(), title)
 
     def draw(self, within: Pen) -> None:

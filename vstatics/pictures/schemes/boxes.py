@@ -33,7 +33,7 @@ PAD = 5.0
 LEAST_BOX = 40.0
 """Smallest width of a box. [pt, scaled with letters]"""
 SLOT_GAP = 9.0
-"""Distance between the names of two members at one edge. [pt, scaled with letters]"""
+"""Distance between the names of two members at a common edge. [pt, scaled with letters]"""
 ARM = 10.0
 """Length of the line of a link at the side of a box. [pt]"""
 GROUND = 14.0
@@ -172,7 +172,7 @@ def _text(device: Device, style: Style) -> BoxText:
 
 
 def _section(device: Device, text: BoxText) -> BoxSection:
-    """Return the box of a component; its carrier, or else its last link, leaves at the sides."""
+    """Return the box of a component. The carrier, or else the last link, leaves at the sides."""
     rotating = [member for member, link in device.members.items() if link != HOUSING]
     side = "carrier" if "carrier" in rotating else rotating[-1]
     columns = [

@@ -33,7 +33,7 @@ def lines_of(name: str, letters: int = DEVICE_NAME_LETTERS) -> str:
 
 
 def ground(at: Point, side: int) -> list[Segment]:
-    """Return the symbol of the housing at a point: a line with strokes above or below it."""
+    """Return the symbol of the housing at a point: a line with strokes above or below."""
     x, y = at
     strokes = [((x + by, y), (x + by + 4.5, y + 5 * side)) for by in (-9.0, -3.0, 3.0)]
     return [((x - 10, y), (x + 10, y)), *strokes]

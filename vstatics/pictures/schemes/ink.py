@@ -14,18 +14,18 @@ from vstatics.pictures.schemes.titles import Titles
 AXIS_DASHES = (0, (12, 3, 2, 3))
 """Dash pattern of an axis of rotation."""
 FURTHER = (0, (1.5, 1.5))
-"""Dash pattern of a line that continues in another row."""
+"""Dash pattern of a line that continues in a further row."""
 ARROW = 26.0
 """Length of an arrow at the end of a link. [pt]"""
 HEAD, HALF_HEAD = 9.0, 3.5
 """Length and half width of an arrow head. [pt]"""
 ENTERS = 4.0
-"""Distance from the end of a link to the head of an arrow that enters it. [pt]"""
+"""Distance from the end of a link to the head of an entering arrow. [pt]"""
 
 
 @dataclass(frozen=True)
 class SchemeInk:
-    """Pen with the scheme that it draws, and the state of a gear."""
+    """Pen for a scheme, with the state of a gear."""
 
     pen: Pen
     scheme: Scheme
@@ -55,7 +55,7 @@ class SchemeInk:
         return self.pen.style.soft if link in self.state.idle_links else self.pen.style.ink
 
     def end_color(self, ports: Sequence[SchemePort]) -> str:
-        """Return the colour of the line to ports, pale if they have no torque in the gear."""
+        """Return the colour of the line to ports, pale for ports without torque in the gear."""
         state, style = self.state, self.pen.style
         is_used = state.loaded is None or any(port not in state.idle_ports for port in ports)
         return style.ink if is_used else style.faint
@@ -65,7 +65,7 @@ class SchemeInk:
         return self.titles.devices.get(index, "")
 
     def of_link(self, name: str, axis: int = 0) -> Pen:
-        """Return a pen for the SVG group of a link or the housing, on this axis or a given axis."""
+        """Return a pen for the SVG group of a link or the housing, on the present or given axis."""
         return self.pen.within("link", name=name, axis=str(axis or self.axis))
 
     def of_device(self, index: int) -> Self:
@@ -75,7 +75,7 @@ class SchemeInk:
         return replace(self, pen=self.pen.within(kind, name=device.name))
 
     def ways(self, ports: Sequence[SchemePort]) -> set[bool]:
-        """Return the directions of power at ports: True if it leaves, False if it enters.
+        """Return the directions of power at ports: True for leaving, False for entering power.
 
         Without a solution, input and output have their usual direction, and other ports both
         directions.

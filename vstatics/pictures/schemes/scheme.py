@@ -19,11 +19,11 @@ from vstatics.core.tables.numbers import typeset
 from vstatics.pictures.drawing.gear_state import PictureState
 
 MOST_DEVICES = 200
-"""Largest number of components in a diagram; arranging this many takes about ten seconds."""
+"""Largest number of components in a diagram; the largest diagram takes about ten seconds."""
 
 
 class Device(NamedTuple):
-    """Component of a scheme: a mechanism, gear set, spring or shift element, with its links."""
+    """Component of a scheme: a mechanism, gear set, spring or shift element, with the links."""
 
     name: str
     kind: str
@@ -33,11 +33,11 @@ class Device(NamedTuple):
     numbers: tuple[int, ...]
     """Indices of the component's mechanisms, or the index of the shift element or spring."""
     element: Element | None = None
-    """Gear set with teeth, if the case gives one."""
+    """Gear set with teeth, if the case gives teeth."""
     ratio: float = math.nan
     """Basic ratio of a mechanism; NaN if not given. [-]"""
     labels: Mapping[str, str] = MappingProxyType({})
-    """Texts of members whose text differs from their name, by the member."""
+    """Texts that differ from the names of members, by the member."""
     has_gap: bool = False
     """True for an elastic component with play, such as a spring or an elastic dog clutch."""
 
@@ -86,7 +86,7 @@ class SchemePort(NamedTuple):
 
     @property
     def is_further(self) -> bool:
-        """True if the link continues in another row of the picture."""
+        """True if the link continues in a further row of the picture."""
         return self.role in ("before", "behind")
 
 
@@ -101,12 +101,11 @@ class SchemeState:
     pieces: AbstractSet[int] = frozenset()
     """Indices of components that carry torque but rotate as a block."""
     loaded: Sequence[AbstractSet[int]] | None = None
-    """Links on which each component exerts a torque; None without a gear."""
+    """Links on which each component exerts a torque; undefined without a gear."""
     idle_links: AbstractSet[int] = frozenset()
     idle_ports: AbstractSet[SchemePort] = frozenset()
     leaving: Mapping[SchemePort, bool] = field(default_factory=dict)
-    """True for ports where power leaves, False where it enters; ports of unknown power are missing.
-    """
+    """Whether power leaves at each port with known power; False if power enters."""
     slipping: AbstractSet[int] = frozenset()
     """Indices of the engaged components that slip under torque."""
 
@@ -129,7 +128,7 @@ class Scheme:
 
     @property
     def ends(self) -> tuple[list[int], list[int]]:
-        """Links that begin at the left end of the picture, and links that end at its right end.
+        """Links that begin at the left end of the picture, and links that end at the right end.
 
         A link with fewer than two components also extends to an end, where its name has room.
         """

@@ -45,14 +45,14 @@ MOST_COLUMNS = 6
 
 @dataclass
 class WheelColumn:
-    """Gears in one plane: planet gears by level, with a sun below and a ring above."""
+    """Gears in a common plane: planet gears by level, with a sun below and a ring above."""
 
     rims: dict[int, str]
     sun: CentralWheel | None = None
     ring: CentralWheel | None = None
 
     def bars(self, level: int) -> bool:
-        """Return whether a gear of this plane blocks a planet's axle on a level."""
+        """Return whether a gear of the plane blocks the axle of a planet on a level."""
         if level < min(self.rims):
             return self.sun is not None
         return level <= max(self.rims) or self.ring is not None
@@ -84,7 +84,7 @@ class HalfSection:
         return self.x(last) + max(CARRIER_ARM + FACE, self.name_width(last))
 
     def name_width(self, column: int) -> float:
-        """Return the width that the names of a column need to the right of its plane [pt]."""
+        """Return the width that the names of a column need to the right of the plane [pt]."""
         plane = self.columns[column]
         wheels = [wheel.member for wheel in (plane.sun, plane.ring) if wheel is not None]
         texts = [
@@ -137,7 +137,7 @@ class HalfSection:
         return SMALL_RADIUS if rim not in meshed and self.group.teeth(rim) < largest else RADIUS
 
     def barred(self, planet: str, side: int) -> int:
-        """Return the number of planes that block a planet's axle on its left or right side."""
+        """Return the number of planes that block the axle of a planet on the left or right side."""
         planes, level = self.planes(planet), self.levels[planet]
         first = planes[0] if side == RIGHT else 0
         last = len(self.columns) if side == RIGHT else planes[-1]
@@ -146,7 +146,7 @@ class HalfSection:
 
 
 def section_of(group: PlanetGroup) -> HalfSection:
-    """Return the half-section of a group, with its planes in the order that blocks axles least."""
+    """Return the half-section of a group, with the planes in the order that blocks axles least."""
     levels = _levels(group)
     columns = _columns(group, levels)
     orders = permutations(columns) if len(columns) <= MOST_COLUMNS else [columns]
@@ -162,7 +162,7 @@ def _disorder(section: HalfSection) -> float:
 
 
 def _levels(group: PlanetGroup) -> dict[str, int]:
-    """Return the level of each planet: its number of meshes away from the planet at the sun."""
+    """Return the level of each planet: the number of meshes away from the planet at the sun."""
     wheels = {planet: {True: 0, False: 0} for planet in group.planets}
     for wheel in group.wheels:
         wheels[group.planet_of[wheel.rim]][wheel.internal] += 1
@@ -214,7 +214,7 @@ def _columns(group: PlanetGroup, levels: Mapping[str, int]) -> list[WheelColumn]
 def axles(
     section: HalfSection, *, is_left: bool, is_right: bool
 ) -> tuple[list[Segment], list[Segment]]:
-    """Return the axles of planets, and the vertical carrier arms that join them at wanted sides.
+    """Return the axles of planets, and the vertical arms that join the axles at wanted sides.
 
     An axle that gears block on one side leaves on the other side.
     """
@@ -283,7 +283,7 @@ def _glyphs(section: HalfSection) -> Iterator[Glyph]:
 
 
 def _arm_sides(section: HalfSection) -> list[tuple[int, ...]]:
-    """Return alternative sides on which the axles of the planets leave, one side per planet.
+    """Return alternative sides on which the axles of the planets leave, a side for each planet.
 
     All axles leave on the same side unless gears block them on both sides.
     """
@@ -347,7 +347,7 @@ def wheel_taps(section: HalfSection) -> Iterator[Tap]:
 
 
 def wheel_texts(section: HalfSection, wheels: Sequence[Tap]) -> Iterator[tuple[Point, str, str]]:
-    """Yield names of suns and rings next to their meshes, and of planet gears."""
+    """Yield names of suns and rings next to the meshes, and of planet gears."""
     for tap in wheels:
         if tap.label in section.names:
             at = tap.x + 3, tap.side * (tap.depth + 2.0)

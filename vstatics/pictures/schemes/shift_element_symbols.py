@@ -22,7 +22,7 @@ HALF_BOX_SIGN = 8.0
 PLATES, BETWEEN = (-7.0, 0.0, 7.0), (-3.5, 3.5)
 """Positions across the line of the plates of the first side, and of the second side. [pt]"""
 GAP_IN_LINE = 5.0
-"""Gap between a spring with play and the end of its symbol. [pt]"""
+"""Gap between a spring with play and the end of the symbol. [pt]"""
 PLATE_CLEARANCE = 2.5
 """Distance from a plate to the opposite plate carrier. [pt]"""
 Place = Callable[[float, float], Point]
@@ -54,7 +54,7 @@ def half_of(kind: str) -> float:
 
 
 def draw_coupled(pen: Pen, coupled: Coupled) -> None:
-    """Draw a symbol on its line; the plates of a brake are drawn at the housing.
+    """Draw a symbol on a line; the plates of a brake are drawn at the housing.
 
     >>> from vstatics.pictures.drawing.pen import blank
     >>> from vstatics.pictures.drawing.style import Style

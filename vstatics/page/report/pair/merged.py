@@ -77,7 +77,7 @@ def _columns(grid: Grid) -> dict[Hashable, tuple[int, Column]]:
 
 
 def _numbered(keys: Sequence[Hashable]) -> list[Hashable]:
-    """Return each key with the number of its earlier occurrences, so that all are different."""
+    """Return each key with the number of earlier occurrences, so that all results are different."""
     seen: Counter[Hashable] = Counter()
     numbered: list[Hashable] = []
     for key in keys:
@@ -107,7 +107,7 @@ def _spread(
     columns: Mapping[Hashable, tuple[int, Column]],
     places: Mapping[Hashable, object],
 ) -> list[Cell | None] | None:
-    """Return a row with a cell for each column of either table, None for a missing column."""
+    """Return a row for the columns of both tables, with gaps for missing columns."""
     if row is None:
         return None
     return [row[columns[key][0]] if key in columns else None for key in places]
@@ -116,7 +116,7 @@ def _spread(
 def _lines(
     pair: Sequence[list[Cell | None] | None], labels: str
 ) -> Iterator[tuple[int, list[Cell]]]:
-    """Yield the rows of both cases and the row of changes, each one level deeper than the last."""
+    """Yield the rows of both cases and the row of changes, each row a level deeper."""
     old, new = pair
     same = [True] * len(old or new or ())
     if old and new:
@@ -146,7 +146,7 @@ def _line(row: Sequence[Cell | None], label: str, same: Sequence[bool]) -> list[
 
 
 def _of_case(cell: Cell, label: str) -> Cell:
-    """Mark a cell with the letter of its case and, if it is a number, with all its digits."""
+    """Mark a cell with the letter of the case and, for a number, with all digits."""
     if cell.value is None:
         return cell._replace(marks={**cell.marks, "case": label}) if cell.marks else cell
     return cell._replace(marks={"number": digits_of(cell.value), **cell.marks, "case": label})
@@ -175,7 +175,7 @@ def _change(first: Cell | None, second: Cell | None) -> Cell:
 def _head(
     key: Hashable, columns: Sequence[Mapping[Hashable, tuple[int, Column]]], labels: str
 ) -> Column:
-    """Return the merged column of a heading, with a note if only one case has the column."""
+    """Return the merged column of a heading, with a note if a case lacks the column."""
     owners = [
         label
         for label, columns_of_case in zip(labels, columns, strict=True)

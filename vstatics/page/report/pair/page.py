@@ -188,7 +188,7 @@ def _changes(both: Sequence[PagedCase], verdict: CaseVerdict) -> Iterator[Markup
 
 
 def _gears_of_one(both: Sequence[PagedCase]) -> Iterator[Markup]:
-    """Yield notes about gears that only one of the cases has."""
+    """Yield notes about gears that are missing in either case."""
     names = [[gear.name for gear in case.material.results.case.gears] for case in both]
     for case, gears, others in zip(both, names, reversed(names), strict=True):
         alone = [name for name in gears if name not in others]
@@ -203,7 +203,7 @@ def _gears_of_one(both: Sequence[PagedCase]) -> Iterator[Markup]:
 
 
 def _pictures(both: Sequence[PagedCase]) -> Iterator[Markup]:
-    """Yield stick diagrams of both cases, side by side on a screen, and charts on one scale."""
+    """Yield stick diagrams of both cases, side by side on a screen, and charts on equal scales."""
     try:
         require("plot", "a picture")
     except CaseError as error:

@@ -24,14 +24,14 @@ class PagedCase(NamedTuple):
     label: str
     """Letter of the case, A or B."""
     file: str
-    """Name of the file without its folder."""
+    """Name of the file without the folder."""
     material: Material
     motion: PicturedRun | None = None
     """Simulated run of a scenario, if given."""
 
     @property
     def title(self) -> str:
-        """Title of the case, as on a page of its own."""
+        """Title of the case, as on a page of a single case."""
         name = self.material.results.case.name
         return self.material.naming.title(name, runs=self.motion is not None)
 
@@ -53,7 +53,7 @@ def paged(  # noqa: PLR0913, PLR0917 - as `gather`
 
 
 def merged_tables(both: Sequence[PagedCase], grids: Sequence[Grid | None]) -> Grid:
-    """Merge the tables of both cases, of which one can be missing."""
+    """Merge the tables of both cases; a missing table counts as empty."""
     present = next(grid for grid in grids if grid)
     empty = present._replace(columns=present.columns[:1], rows=[])
     return merged([grid or empty for grid in grids], "".join(case.label for case in both))

@@ -27,7 +27,7 @@ POWERS = {
     "loss, kW": "power_loss_kW",
     "share, %": LOSS_SHARE,
 }
-"""Keys of quantities, by the heading of their column in the table of powers of a gear."""
+"""Keys of quantities, by the heading of the column in the table of powers of a gear."""
 PartLinks = Callable[[str], Sequence[int]]
 """Function that returns the indices of the links of a component with a name."""
 _RELATIVE = {"speed": "rpm", "slip": "rpm", "torque": "Nm", "with losses": "Nm"}
@@ -55,7 +55,7 @@ def with_tool_marks(grid: Grid, case: Transmission) -> Grid:
 
 
 def marked_links(grid: Grid, case: Transmission) -> Grid:
-    """Mark the rows of powers of a gear with links; the heading of a kind has all its links."""
+    """Mark the rows of powers of a gear with links; a heading has the links of all rows below."""
     find = _named(case)["power through"]
     kinds = {"links": _links(case)}
     rows, links_of_row, kind = [row[:] for row in grid.cells], [set[int]() for _ in grid.rows], find
@@ -161,7 +161,7 @@ def _unit(column: Column) -> dict[str, str]:
 
 
 def _gears(columns: Sequence[Column], row: Sequence[Cell]) -> Iterator[dict[str, str]]:
-    """Yield the gear of each cell, from the heading of its column or else from its row."""
+    """Yield the gear of each cell, from the heading of the column or else from the row."""
     first = row[0].text if columns[0].heading == "gear" else ""
     for place, _ in enumerate(columns):
         after = place + 1

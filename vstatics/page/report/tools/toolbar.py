@@ -18,7 +18,7 @@ from vstatics.core.texts import tr
 from vstatics.page.report.tools.marks import LOSS_SHARE, POWERS, RELATIVE
 
 US = {"Nm": "lbf*ft", "kW": "hp"}
-"""Units customary in the United States, by the unit that they replace."""
+"""Units customary in the United States, by the replaced unit."""
 CHOICES = {"relative": "relative", "si": "rpm, N*m, kW", "us": "US: rpm, lbf*ft, hp"}
 """Systems of units that the reader can choose; the first is the default."""
 
@@ -94,7 +94,7 @@ def _known() -> dict[str, Any]:
 def _result(
     of: str, in_unit: str, *, real: bool = False, is_in_unit: bool = False
 ) -> dict[str, Any]:
-    """Return the unit of a result at an operating point, with flags for its conversion."""
+    """Return the unit of a result at an operating point, with flags for the conversion."""
     entry = {"unit": in_unit}
     flags = {"own": is_in_unit or bool(of), "repeats": bool(of), "real": real}
     return entry | {key: True for key, holds in flags.items() if holds}

@@ -82,7 +82,7 @@ class AxesBoard:
 
     @cached_property
     def occupied(self) -> Sequence[Sequence[int]]:
-        """Indices of the axes that each station occupies over their full height."""
+        """Indices of the axes that each station occupies over the full height."""
         return [self._occupied(index, station) for index, station in enumerate(self.stations)]
 
     @cached_property
@@ -184,7 +184,7 @@ class AxesBoard:
         return occupied
 
     def bell(self, index: int, way: int) -> tuple[int, float]:
-        """Return the index of the internal gear in a gear pair, and the offset of its web [pt].
+        """Return the index of the internal gear in a gear pair, and the offset of the web [pt].
 
         The offset lets the web pass the pinion inside the internal gear; it is 0 without such a
         gear.

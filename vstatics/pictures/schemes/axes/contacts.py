@@ -13,9 +13,9 @@ from vstatics.pictures.schemes.gear_glyphs import ABOVE, Glyph, Tap
 STUB = 12.0
 """Distance from the last station of an axis to the input or output of a link. [pt]"""
 ROAD_RADIUS, ROAD_WHEEL = 21.0, 13.0
-"""Radius of a road wheel, and distance from its middle to a neighbouring gear. [pt]"""
+"""Radius of a road wheel, and distance from the wheel middle to a neighbouring gear. [pt]"""
 EDGE = 3.0
-"""Distance from a gear set to a line that passes it. [pt]"""
+"""Distance from a gear set to a passing line. [pt]"""
 
 
 class AxisContact(NamedTuple):
@@ -32,8 +32,7 @@ class AxisContact(NamedTuple):
     end: float = 0.0
     """Radius of the gear, or distance of the contact from the middle of the gear set. [pt]"""
     way_round: float = 0.0
-    """Detour from the contact past the edge of a gear set, for a link that meets its far side. [pt]
-    """
+    """Detour from the contact past the edge of a gear set, for a link on the far side. [pt]"""
 
 
 def contacts(board: AxesBoard, chosen: StationOrder, xs: Sequence[float]) -> Iterator[AxisContact]:
@@ -63,7 +62,7 @@ def contacts(board: AxesBoard, chosen: StationOrder, xs: Sequence[float]) -> Ite
 def _sides(
     links: Sequence[int], x: float, middle: Mapping[int, Sequence[float]]
 ) -> tuple[int, int]:
-    """Return the left and right link of a station, from their other contacts."""
+    """Return the left and right link of a station, from contacts at other positions."""
     first, second = links
     turn = []
     for link in (first, second):
@@ -82,7 +81,7 @@ def _sides(
 def _fixed(
     board: AxesBoard, chosen: StationOrder, index: int, station: Station, x: float
 ) -> Iterator[AxisContact]:
-    """Yield contacts of a station whose positions do not depend on the sides of its links."""
+    """Yield contacts of a station with positions that do not depend on the sides of the links."""
     device = station.devices[0]
     if station.joint is not None:
         yield from _of_pair(station, board.radii[index], x, board.bell(index, chosen.ways[index]))
@@ -130,7 +129,7 @@ def _of_ends(station: Station, way: int, x: float) -> Iterator[AxisContact]:
 
 
 def _of_drum(station: Station, way: int, x: float) -> Iterator[AxisContact]:
-    """Yield the contacts of the wall of a drum, and of the shafts under its clutch packs."""
+    """Yield the contacts of the wall of a drum, and of the shafts under the clutch packs."""
     order = list(permutations(range(len(station.devices))))[way]
     for place, number in enumerate(order):
         yield AxisContact(station.links[0], x - station.half, station.devices[number], "sign")
@@ -174,7 +173,7 @@ def _in_the_way(
 
 
 def _of_set(tap: Tap, x: float, glyph: Glyph, device: int, drums: frozenset[int]) -> AxisContact:
-    """Return the contact of a member of a gear set; a link on the far side passes its edge."""
+    """Return the contact of a gear set member; a link on the far side passes the set edge."""
     at, half = x - glyph.width / 2 + tap.x, glyph.width / 2 + EDGE
     end = tap.side * tap.depth
     if (tap.side == ABOVE) == (tap.wire in drums):

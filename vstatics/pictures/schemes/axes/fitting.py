@@ -61,7 +61,7 @@ def placed(
 
 
 def _chosen(scheme: Scheme, axes: ParallelAxes, inner: Sequence[RowSection]) -> StationOrder | None:
-    """Return the best order of the stations; None if a link would pass through a half-section."""
+    """Return the best order of the stations, unless a link would pass through a half-section."""
     stations = stations_of(
         scheme, axes, Style(), sections=[section.laid_out() for section in inner]
     )

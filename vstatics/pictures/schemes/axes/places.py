@@ -12,7 +12,7 @@ from vstatics.pictures.schemes.axes.board import BESIDE_SET, AxesBoard, StationO
 from vstatics.pictures.schemes.axes.contacts import AxisContact, contacts, port_contacts
 
 LEVEL = 4.5
-"""Distance from the line of a shaft to the line of the hollow shaft around it. [pt]"""
+"""Distance from the line of a shaft to the line of the surrounding hollow shaft. [pt]"""
 SIGN_HEIGHT = 13.0
 """Distance from the outermost hollow shaft to the middle of a symbol. [pt]"""
 DRUM = 7.0
@@ -20,13 +20,13 @@ DRUM = 7.0
 PORT_PITCH = 14.0
 """Distance between the arrows of nested hollow shafts. [pt]"""
 HUB = 2.0
-"""Length by which a shaft extends beyond a gear that rotates freely on it. [pt]"""
+"""Length by which a shaft extends beyond a gear that rotates freely on the shaft. [pt]"""
 SPAN_OVERLAP = 0.1
 """Overlap up to which two spans count as separate. [pt]"""
 
 
 class LinkSpan(NamedTuple):
-    """Extent of a link along its axis, with its distance from the axis [pt]."""
+    """Extent of a link along the axis, with the distance from the axis [pt]."""
 
     left: float
     right: float
@@ -58,7 +58,7 @@ class AxesPlaces(NamedTuple):
         return self.bases[axis] + (half + BESIDE_SET if half else SIGN_HEIGHT)
 
     def port_height(self, link: int) -> float:
-        """Return the height of the arrow of a link above its axis; nested shafts differ [pt]."""
+        """Return the height of the arrow of a link above the axis; nested shafts differ [pt]."""
         span = self.spans[link]
         if span.level <= 0:
             return span.height

@@ -45,7 +45,7 @@ class AxisJoint(NamedTuple):
 
 
 class ParallelAxes(NamedTuple):
-    """Axes of a gearbox, beginning with the axis of the input, and the joints between them."""
+    """Axes of a gearbox, beginning with the axis of the input, and the joints between the axes."""
 
     axes: Sequence[AbstractSet[int]]
     """Numbers of the links of each axis."""
@@ -57,7 +57,7 @@ class ParallelAxes(NamedTuple):
 
 
 def parallel_axes(scheme: Scheme, case: Transmission) -> ParallelAxes | None:
-    """Return the axes of a case, or None for a single axis.
+    """Return the axes of a case, if there are several.
 
     Shift elements, shafts, coaxial gear sets and springs of two links connect links of one axis.
     Gear pairs, chains and bevel pinions connect two axes. A mechanism with the housing as third
@@ -115,7 +115,7 @@ def is_bare_differential(device: Device) -> bool:
 def joint_of(
     index: int, device: Device, case: Transmission, cages: AbstractSet[int]
 ) -> tuple[AxisJoint | None, list[list[int]]]:
-    """Return the joint of a component between two axes, if any, and groups of links on one axis.
+    """Return the joint of a component between two axes, if any, and groups of coaxial links.
 
     A mechanism with a ratio above 1 that drives the case of a differential (a link in `cages`) is a
     final drive with an idler, since both links turn in the same direction.

@@ -20,7 +20,7 @@ from vstatics.pictures.schemes.scheme import Scheme, SchemePort
 from vstatics.pictures.schemes.sets import HalfSection
 
 FEWEST_SETS = 2
-"""Smallest number of gear sets in such a half-section."""
+"""Smallest number of gear sets in a half-section on an axis."""
 
 
 class RowSection(NamedTuple):
@@ -89,7 +89,7 @@ def row_sections(
 def _between_ends(
     scheme: Scheme, axes: ParallelAxes, number: int, sections: Mapping[int, HalfSection]
 ) -> tuple[AbstractSet[int], Sequence[int]]:
-    """Return the components of an axis between its end links, and the end links.
+    """Return the components of an axis between the end links, and the end links.
 
     Chains of shafts and dampers outside are left out. The end link nearer to the input is first.
     """

@@ -24,7 +24,7 @@ LAST = 0.4
 LEFT_OF_INPUT = 80.0
 """Cost of each station to the left of the input clutch. [-]"""
 THROUGH = 300.0
-"""Cost of a shaft that passes through a differential without being connected to it. [-]"""
+"""Cost of a shaft that passes through an unconnected differential. [-]"""
 MOST_IMPROVEMENTS = 30
 """Largest number of passes over all kinds of changes."""
 Step = Callable[[StationOrder], Iterator[StationOrder]]
@@ -168,7 +168,7 @@ def _misplaced(placing: AxesPlaces) -> float:
 
 
 def passing(placing: AxesPlaces, section: Station, x: float) -> Iterator[int]:
-    """Yield the links on the axis of a half-section that overlap with it, so would pass through."""
+    """Yield the links on the axis of a half-section that would pass through the section."""
     left, right = x - section.half + EPSILON, x + section.half - EPSILON
     for link, span in placing.spans.items():
         if placing.axis_of(link) == section.axes[0] and span.left < right and span.right > left:

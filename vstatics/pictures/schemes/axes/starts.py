@@ -62,7 +62,7 @@ def groups_of(board: AxesBoard, order: Sequence[int]) -> tuple[tuple[int, ...], 
 
 
 def _chain(index: int, neighbours: Mapping[int, Sequence[int]]) -> tuple[int, ...]:
-    """Return all stations of a chain, beginning at one end."""
+    """Return all stations of a chain, beginning at an end."""
     before, at = -1, index
     while ahead := [
         neighbour for neighbour in neighbours[at] if neighbour != before
@@ -75,7 +75,7 @@ def _chain(index: int, neighbours: Mapping[int, Sequence[int]]) -> tuple[int, ..
 
 
 def _by_hubs(board: AxesBoard, order: Sequence[int]) -> list[int]:
-    """Return an order with the gears of each shaft together, and clutches between their gears."""
+    """Return an order with the gears of each shaft together, and clutches between the gears."""
     clutch: dict[int, int] = {}
     for index, station in enumerate(board.stations):
         for link in station.links if station.kind == "coupling" else ():

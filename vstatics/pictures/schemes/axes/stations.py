@@ -24,28 +24,28 @@ from vstatics.pictures.schemes.titles import teeth_of
 SIGN = 16.0
 """Length of the symbol of a sleeve or a plate pack, with the connecting lines. [pt]"""
 SPRING = 24.0
-"""Length of the symbol of a spring, with its connecting lines. [pt]"""
+"""Length of the symbol of a spring, with the connecting lines. [pt]"""
 PACK_PITCH = 24.0
 """Distance between the plate packs in a drum. [pt]"""
 WHEEL = 5.0
 """Half the width of a gear. [pt]"""
 PIN = 7.0
-"""Half the width of a box, per link of its component. [pt]"""
+"""Half the width of a box, per link of the component. [pt]"""
 CAGE = 15.0
 """Half the width of a differential. [pt]"""
 BEARING = 9.0
-"""Distance from a crown gear to the bearing of its casing. [pt]"""
+"""Distance from a crown gear to the bearing of the casing. [pt]"""
 
 
 class Station(NamedTuple):
-    """Component, or group of components, drawn at one position along the axes."""
+    """Component, or group of components, drawn at a common position along the axes."""
 
     kind: str
     """Kind of station: ``pair`` (gears), ``coupling``, ``brake``, ``drum``, ``set``,
     ``differential``, ``box``, or ``section`` (several gear sets).
     """
     devices: Sequence[int]
-    """Indices of its components in `Scheme.devices`; a drum has several clutches."""
+    """Indices of the components in `Scheme.devices`; a drum has several clutches."""
     axes: Sequence[int]
     """Indices of the axes of the station, two for a gear pair."""
     links: Sequence[int]
@@ -63,7 +63,7 @@ class Station(NamedTuple):
     teeth: Sequence[str] = ()
     """Tooth numbers of a gear pair, empty if not shown."""
     layout: CoaxialLayout | None = None
-    """Layout of the half-section; None for a station of another kind."""
+    """Layout of the half-section, if the station is a half-section."""
 
     @property
     def reach(self) -> tuple[float, float]:
@@ -86,7 +86,7 @@ def stations_of(
     letters: int = 12,
     sections: Sequence[CoaxialLayout] = (),
 ) -> list[Station]:
-    """Return the stations of a gearbox in the order of its components, with long names broken."""
+    """Return the stations of a gearbox in the order of the components, with long names broken."""
     joints = {joint.device: joint for joint in axes.joints}
     drum = drum_of(scheme)
     stations = [_section(layout, axes) for layout in sections]
@@ -116,7 +116,7 @@ def _section(layout: CoaxialLayout, axes: ParallelAxes) -> Station:
 
 
 def _stacked(stations: Sequence[Station]) -> Iterator[Station]:
-    """Yield the stations, with couplings between equal links stacked as one station."""
+    """Yield the stations, with couplings between equal links stacked as a single station."""
     taken: set[int] = set()
     for place, station in enumerate(stations):
         if place in taken:

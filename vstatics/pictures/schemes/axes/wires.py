@@ -53,7 +53,7 @@ def link_lines(placing: AxesPlaces) -> dict[int, LinkLines]:
 
 
 def path_of(placing: AxesPlaces, contact: AxisContact) -> list[Point]:
-    """Return the path from a link's horizontal line to a component; empty if it is on the line."""
+    """Return the path from the line of a link to a component; empty for a component on the line."""
     axis, span = placing.axis_of(contact.link), placing.spans[contact.link]
     height, x = span.height, contact.x
     if contact.kind == "wheel":
@@ -119,7 +119,7 @@ def sign_height(placing: AxesPlaces, device: int) -> float:
 
 
 def _brake_height(placing: AxesPlaces, station: Station, device: int) -> float:
-    """Return the height of the lower end of a brake; on a drum, it is above all drums [pt]."""
+    """Return the height of the lower end of a brake [pt]. Brakes on a drum end above all drums."""
     (axis,), (link,) = station.axes, station.links
     if placing.spans[link].level >= 0:
         return placing.sign_height(axis)

@@ -20,7 +20,7 @@ class CoaxialChain(NamedTuple):
     is_before: bool
     """True for the chain at the input of the gearbox, False at the output."""
     ports: tuple[SchemePort, SchemePort]
-    """Ports at the left and right end; a port can be the continuation in another row."""
+    """Ports at the left and right end. A port can be the continuation in a further row."""
 
     def part(self, first: int, last: int) -> CoaxialChain:
         """Return the part of the chain from component `first` up to, but without, `last`."""
@@ -39,7 +39,7 @@ class CoaxialChain(NamedTuple):
 
 
 class ChainedScheme(NamedTuple):
-    """Scheme of the gearbox without the chains at its input and output."""
+    """Scheme of the gearbox without the chains at the input and output."""
 
     scheme: Scheme
     """Scheme with all components, and with ports where chains continue in other rows."""

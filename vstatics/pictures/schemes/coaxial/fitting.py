@@ -29,13 +29,11 @@ Each variant contains the number of letters per line, True to name only the link
 axis, and True to label gears by tooth numbers without names.
 """
 MOST_SHRUNK_NAMED = 2.5
-"""Largest ratio of letters to lengths at which links and gears are named; beyond it, symbols would
-be too small. [-]
-"""
+"""Largest letter-to-length ratio with named links and gears; beyond, symbols are too small. [-]"""
 MOST_SHRUNK = 4.0
 """Largest ratio of letters to lengths; wider pictures exceed the width of the page. [-]"""
 FITS, SLOW_FITS = 16, 5
-"""Largest number of reductions, and number of reductions after which their steps grow."""
+"""Largest number of reductions, and number of reductions after which the steps grow."""
 LEAST_STEP = 1.01
 """Smallest factor of a single reduction. [-]"""
 CLOSEST = 1.6
@@ -114,12 +112,12 @@ def _closed_up(bare: CoaxialLayout, wide: float) -> CoaxialLayout:
 
 
 def is_within(layout: CoaxialLayout, wide: float) -> bool:
-    """Return whether a half-section fits into a width [pt], at its present reduction."""
+    """Return whether a half-section fits into a width [pt], at the present reduction."""
     return _length(layout) <= wide * layout.letters + ROUNDED
 
 
 def _length(layout: CoaxialLayout) -> float:
-    """Return the length of a half-section along its axis, including ports [pt]."""
+    """Return the length of a half-section along the axis, including ports [pt]."""
     low, high = extent(layout)
     return high[0] - low[0]
 
@@ -130,7 +128,7 @@ def fits(layout: CoaxialLayout, wide: float) -> bool:
 
 
 def placed_by_letters(bare: CoaxialLayout) -> CoaxialLayout:
-    """Return the layout with all positions calculated for its ratio of letters to lengths."""
+    """Return the layout with all positions calculated for the ratio of letters to lengths."""
     coaxial, frame = bare.coaxial, bare.places.frame
     scheme = coaxial.scheme
     links = [] if bare.is_small else scheme.links

@@ -49,7 +49,7 @@ class CoaxialLayout(NamedTuple):
         return lines_of(self.coaxial.scheme.devices[index].name, self.line_letters)
 
     def link_name(self, link: int) -> str:
-        """Return the name of a link for its bar, wrapped into lines in a narrow picture."""
+        """Return the name of a link for a bar, wrapped into lines in a narrow picture."""
         is_narrow = self.line_letters < DEVICE_NAME_LETTERS
         return lines_of(self.name(link), self.line_letters) if is_narrow else self.name(link)
 
@@ -101,6 +101,6 @@ class CoaxialLayout(NamedTuple):
         return sum(self.places.heights[bar] for bar in up.gap) / 2
 
     def sign_room(self, number: int) -> float:
-        """Return the distance between two links that the symbol between them needs [pt]."""
+        """Return the distance between two links that the symbol in between needs [pt]."""
         _, high = self.box_size(Upright("pair", number, []))
         return high + 2 * BOX_ROD * self.letters if high else SIGN_PITCH

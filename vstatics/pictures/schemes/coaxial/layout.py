@@ -18,7 +18,7 @@ class Bar:
 
     link: int
     is_above: bool
-    """True for a bar above the row of planets, False below it."""
+    """True for a bar above the row of planets, False for a bar below."""
     first: int = 0
     last: int = 0
     """Indices of the first and the last upright that the bar reaches, from left to right."""
@@ -34,7 +34,7 @@ class Upright:
     """
     index: int
     bars: Sequence[Bar]
-    """Lower and upper bar that the upright connects; one bar for tops and ends; empty for sets."""
+    """Lower and upper connected bar; a single bar for tops and ends; empty for gear sets."""
     gap: Sequence[Bar] = ()
     """Neighbouring bars below and above the symbol of a pair."""
     is_turned: bool = False
@@ -53,7 +53,7 @@ class Upright:
 
 
 class Neighbours(NamedTuple):
-    """Two neighbouring bars on one side of the row of planets, from the axis outwards."""
+    """Two neighbouring bars above or below the row of planets, from the axis outwards."""
 
     low: Bar
     high: Bar
@@ -69,7 +69,7 @@ class SectionFrame:
 
     @property
     def bars(self) -> list[Bar]:
-        """All bars, sorted by their left ends."""
+        """All bars, sorted by the left ends."""
         return list(dict.fromkeys(bar for up in self.uprights for bar in up.all_bars))
 
     def neighbours(self) -> Iterator[Neighbours]:

@@ -84,7 +84,7 @@ def coaxial_sheet(
     style: Style,
     texts: Mapping[int, BoxText] = NO_TEXTS,
 ) -> CoaxialSheet | None:
-    """Return the half-section of a scheme, or None if a component at three links has no symbol.
+    """Return the half-section of a scheme, unless a component at three links has no symbol.
 
     On a narrow page, chains before and after the gearbox have separate rows.
     """
@@ -108,7 +108,7 @@ def figures(  # noqa: PLR0913, PLR0917 - arguments of a picture
     subject: str,
     note: str = "",
 ) -> Iterator[list[Canvas]]:
-    """Yield pages without a gear, or of a gear by number from 1, all with the same layout."""
+    """Yield pages without a gear, or of a gear by number from 1, all with an equal layout."""
     for gears in shown:
         caption = told_of(results, scheme, style, gears, subject=subject)
         yield [painted(sheet, style, *caption, note).canvas]
@@ -124,7 +124,7 @@ def crossings_told(count: int, style: Style) -> list[str]:
 
 
 def order_told(layout: CoaxialLayout, style: Style) -> list[str]:
-    """Return the remark if gear sets are not in the order of the case, in a list; else none."""
+    """Return the remark, if gear sets are not in the order of the case, as a list."""
     if layout.is_ordered:
         return []
     return [style.text("sets in another order: no layout in that of the case was found")]

@@ -10,23 +10,23 @@ from typing import NamedTuple
 from vstatics.pictures.schemes.coaxial.layout import Bar, SectionFrame, Upright
 
 PITCH, SIGN_PITCH = 13.0, 27.0
-"""Distance of neighbouring bars without, and with, a symbol between them. [pt]"""
+"""Distances of neighbouring bars without and with a symbol in between. [pt]"""
 NAMED_PITCH = 9.5
 """Smallest distance of bars with names. [pt, scaled with letters]"""
 ROW_CLEARANCE = 9.0
 """Distance from the edge of the row of planets to the nearest bars. [pt]"""
 WHEEL_NAME = 13.0
-"""Height for the name of a gear and half of a link's name above it. [pt, scaled with letters]"""
+"""Height for the name of a gear and half of the link name above. [pt, scaled with letters]"""
 HOUSING_BAND = 24.0
 """Distance from the outermost drum to the housing. [pt]"""
 ROOM_GAP = 5.0
 """Distance between the rectangles reserved for neighbouring components. [pt]"""
 NAME_PAD = 5.0
-"""Margin around the name of a link on its bar. [pt]"""
+"""Margin around the name of a link on a bar. [pt]"""
 
 
 class SignRoom(NamedTuple):
-    """Rectangle that a component or text needs, relative to its upright [pt]."""
+    """Rectangle that a component or text needs, relative to the upright [pt]."""
 
     left: float
     right: float
@@ -40,11 +40,9 @@ class Needs(NamedTuple):
     half: float
     """Half the height of the row of planets. [pt]"""
     signs: Sequence[float]
-    """Distance between the bars of each pair, in the order of the train, that its symbol needs.
-    [pt]
-    """
+    """Distance between the bars of each pair for the symbol, in the order of the train. [pt]"""
     names: Mapping[int, float]
-    """Width of the name of each link on its bar, by the number of the link. [pt]"""
+    """Width of the name of each link on a bar, by the number of the link. [pt]"""
     letters: float = 1.0
     """Ratio of the size of letters to lengths. [-]"""
     has_wheel_names: bool = False
@@ -57,7 +55,7 @@ class Needs(NamedTuple):
 
     @property
     def pitch(self) -> float:
-        """Distance of neighbouring bars without a symbol between them [pt]."""
+        """Distance of neighbouring bars without a symbol in between [pt]."""
         return max(PITCH, NAMED_PITCH * self.letters)
 
 
@@ -73,7 +71,7 @@ class SectionPlaces:
     at: list[float] = field(default_factory=list)
     """Position of each upright along the axis. [pt]"""
     names: dict[int, tuple[float, float]] = field(default_factory=dict)
-    """Position of the middle of each link's name on its bar, by the number of the link. [pt]"""
+    """Position of the middle of each link name on the bar, by the number of the link. [pt]"""
 
 
 def heights_of(frame: SectionFrame, needs: Needs) -> SectionPlaces:
@@ -152,7 +150,7 @@ def placed_along(
     offsets: Mapping[int, Mapping[Bar, Sequence[float]]],
     needs: Needs,
 ) -> None:
-    """Place uprights along the axis, as close as their rectangles and the link names permit.
+    """Place uprights along the axis, as close as the rectangles and the link names permit.
 
     Parameters
     ----------
@@ -195,7 +193,7 @@ def _named(
     needs: Needs,
     apart: dict[tuple[int, int], float],
 ) -> tuple[dict[int, tuple[float, float]], bool]:
-    """Return positions of link names, and True if uprights had to move apart for them."""
+    """Return positions of link names, and True if the names forced uprights apart."""
     names: dict[int, tuple[float, float]] = {}
     for link, width in needs.names.items():
         gaps = []

@@ -13,9 +13,7 @@ from math import prod
 from vstatics.pictures.schemes.coaxial.train import AXIS, HOUSING_VERTEX, CoaxialTrain, Planes
 
 MOST_GRAPHS = 512
-"""Largest number of ways to split carriers for which all are tried; beyond it, carriers are not
-split.
-"""
+"""Number of ways to split carriers up to which all ways are tried; beyond, carriers stay whole."""
 _Vertex = int | tuple[int, int]
 _Joined = tuple[_Vertex, _Vertex]
 _NumberedSet = tuple[int, Planes]
@@ -67,7 +65,7 @@ def has_half_section(train: CoaxialTrain, left_out: int = 0) -> bool:
 def _ways(
     train: CoaxialTrain, apart: Mapping[int, Sequence[_NumberedSet]], left_out: int
 ) -> list[list[list[_Joined]]]:
-    """Return, for each edge or group of edges, the alternative ways to draw it."""
+    """Return the alternative ways to draw each edge or group of edges."""
     ends = {link: list(chain(*map(_ends, sets))) for link, sets in apart.items()}
 
     def joined(
@@ -101,7 +99,7 @@ def _ways(
 
 
 def _ends(numbered: _NumberedSet) -> list[_Vertex]:
-    """Return the vertices of a gear set's carrier: one, or both ends if it has several planes."""
+    """Return the vertex of the carrier of a gear set, or both ends with several planes."""
     number, planes = numbered
     return [(number, end) for end in range(min(2, len(planes.wheels)))]
 

@@ -19,11 +19,11 @@ from vstatics.pictures.schemes.sets import HalfSection
 BRAKE_LENGTH = 20.0
 """Distance from the end of a link to the housing, for a brake. [pt]"""
 PORT_NAME = 5.0
-"""Distance from an arrow to the name of its link. [pt]"""
+"""Distance from an arrow to the name of the link. [pt]"""
 SET_NAME = 10.0
 """Distance from the axis down to the names of gear sets. [pt]"""
 LINK_NAME_GAP = 4.0
-"""Distance from the end of a link to its name. [pt]"""
+"""Distance from the end of a link to the name of the link. [pt]"""
 
 
 def met_by(layout: CoaxialLayout, up: Upright) -> dict[Bar, list[float]]:
@@ -73,7 +73,7 @@ def rooms_of(layout: CoaxialLayout, up: Upright) -> Iterator[SignRoom]:
 
 
 def loose_names(layout: CoaxialLayout, up: Upright) -> Iterator[tuple[int, float, float]]:
-    """Yield unconnected links, each with the point next to which its name is written."""
+    """Yield unconnected links, each with the point next to the name."""
     if layout.is_small or up.kind not in {"set", "pair", "top"}:
         return
     heights, names = layout.places.heights, set(layout.named_beside)
@@ -89,7 +89,7 @@ def loose_names(layout: CoaxialLayout, up: Upright) -> Iterator[tuple[int, float
 
 
 def _set_ends(layout: CoaxialLayout, up: Upright) -> Iterator[tuple[int, float, float]]:
-    """Yield the unconnected members of a gear set, each with the end of its line."""
+    """Yield the unconnected members of a gear set, each with the end of the line."""
     section, carrier = layout.section(up), layout.coaxial.train.sets[up.index].carrier
     ends = [(carrier, section.width, 0.0)]
     if len(section.levels) == 1:  # the name of a planet gear is above the end of its pin

@@ -28,7 +28,7 @@ class TopMeaning(NamedTuple):
 
 @dataclass(frozen=True)
 class CoaxialScheme:
-    """Scheme and its train; further links in the train are fixed members of gear sets."""
+    """Scheme and train of a gearbox. Further links in the train are fixed members of gear sets."""
 
     scheme: Scheme
     train: CoaxialTrain
@@ -62,7 +62,7 @@ def coaxial_scheme(
     left_out: Container[int] = (),
     texts: Mapping[int, BoxText] = NO_TEXTS,
 ) -> CoaxialScheme | None:
-    """Return a scheme with its train, or None if a component at three links has no symbol.
+    """Return a scheme with the train, unless a component at three links has no symbol.
 
     Parameters
     ----------
@@ -86,7 +86,7 @@ def coaxial_scheme(
     supports = count(len(scheme.links) + 1)
 
     def with_support(link: int) -> int:
-        """Number a fixed member as a separate link, because it is drawn with its own support."""
+        """Number a fixed member as a separate link, because of the separate support in drawings."""
         return next(supports) if link == HOUSING else link
 
     planes = [
@@ -116,7 +116,7 @@ def _ends(device: Device) -> tuple[int, int]:
 
 
 def _ports(scheme: Scheme) -> tuple[int, int, list[SchemePort]]:
-    """Return the links that enter and leave along the axis (0 if none), and all other ports."""
+    """Return the links that enter and leave along the axis (or 0), and all other ports."""
     start = next((port for port in scheme.ports if port.is_left), scheme.ports[0])
     outputs = (port for port in scheme.ports if not port.is_left and port.link != start.link)
     end = next(outputs, None)

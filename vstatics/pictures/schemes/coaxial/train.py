@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 AXIS, HOUSING_VERTEX = -1, 0
-"""Vertices of the axis and of the housing; vertices of links are their numbers, from 1."""
+"""Vertices of the axis and of the housing. The vertices of links are the link numbers, from 1."""
 
 
 class Planes(NamedTuple):
@@ -19,7 +19,7 @@ class Planes(NamedTuple):
 
 
 class TrainEdge(NamedTuple):
-    """Edge between two vertices; its bit identifies it in sums of bits."""
+    """Edge between two vertices. The bit identifies the edge in sums of bits."""
 
     bit: int
     first: int
@@ -56,7 +56,7 @@ class CoaxialTrain:
     end: int
 
     def __hash__(self) -> int:
-        """Return a hash of the content, because equal trains have the same layout."""
+        """Return a hash of the content, because equal trains have equal layouts."""
         return hash(repr(self))
 
     @cached_property

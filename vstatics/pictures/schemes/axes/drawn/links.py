@@ -22,7 +22,7 @@ from vstatics.pictures.schemes.scheme import SchemePort
 DOT = 4.2
 """Diameter of the dot where the line of a link branches. [pt]"""
 BRIDGE = 3.0
-"""Half the length of the gap in a line that crosses another line. [pt]"""
+"""Half the length of the gap in a line at a crossing. [pt]"""
 
 
 @dataclass(frozen=True)
@@ -105,7 +105,7 @@ def _draw_link(sheet: AxesSheet, link: int, wires: LinkLines) -> None:
 
 
 def _road_wheel(sheet: AxesSheet, link: int) -> None:
-    """Draw the section of a tyre above and below its axis, and the ground."""
+    """Draw the section of a tyre above and below the axis, and the ground."""
     placing, style = sheet.placing, sheet.pen.style
     x, y = placing.road_end(link), placing.y(placing.axis_of(link), 0.0)
     pen = sheet.pen.within("road-wheel", link=sheet.scheme.name(link))
@@ -140,7 +140,7 @@ def pieces(sheet: AxesSheet, link: int, line: Segment) -> Iterator[tuple[Segment
 
 
 def draw_ends(sheet: AxesSheet) -> None:
-    """Draw inputs and outputs with the names of their links, and other link names with room."""
+    """Draw inputs and outputs with the names of the links, and other link names with room."""
     placing = sheet.placing
     for port in sheet.scheme.ports:
         span = placing.spans[port.link]

@@ -73,7 +73,7 @@ def _brake(sheet: AxesSheet, number: int, station: Station) -> None:
 
 
 def _drum(sheet: AxesSheet, _number: int, station: Station) -> None:
-    """Draw clutch packs in a common drum, each above the shaft that it drives."""
+    """Draw clutch packs in a common drum, each above the driven shaft."""
     axis, placing = station.axes[0], sheet.placing
     low = placing.sign_height(axis)
     roof, common = placing.y(axis, low + ROOF), station.links[0]
@@ -116,7 +116,7 @@ def _box(sheet: AxesSheet, number: int, station: Station) -> None:
 
 
 def _differential(sheet: AxesSheet, number: int, station: Station) -> None:
-    """Draw the differential case with its pinions, and the side gears of the two shafts."""
+    """Draw the differential case with the pinions, and the side gears of the two shafts."""
     (index,), axis, placing = station.devices, station.axes[0], sheet.placing
     device_sheet, x = sheet.of_device(index), placing.xs[number]
     y, pen, color = placing.y(axis, 0.0), device_sheet.pen, sheet.color(index)
@@ -169,7 +169,7 @@ def _set(sheet: AxesSheet, number: int, station: Station) -> None:
 
 
 def _section(sheet: AxesSheet, number: int, station: Station) -> None:
-    """Draw gear sets and shift elements as a half-section above their axis."""
+    """Draw gear sets and shift elements as a half-section above the axis."""
     layout, placing, axis = station.layout, sheet.placing, station.axes[0]
     assert layout is not None  # noqa: S101 - a half-section has a layout
     left, right = ends_of(layout)

@@ -14,7 +14,7 @@ from vstatics.pictures.schemes.gear_glyphs import MESH, TOOTH
 
 
 def draw_pair(sheet: AxesSheet, number: int) -> None:
-    """Draw both gears of a pair, an idler or chain between them, and the name of the pair."""
+    """Draw both gears of a pair, an idler or chain between the gears, and the name of the pair."""
     placing, station = sheet.placing, sheet.placing.board.stations[number]
     joint = station.joint
     assert joint is not None  # noqa: S101 - a gear pair has a joint

@@ -16,7 +16,7 @@ from vstatics.pictures.schemes.scheme import Scheme
 
 
 class AxesLetters(NamedTuple):
-    """Names of links and components with their positions, and the obstacles that they avoid."""
+    """Names of links and components with positions, and the obstacles to avoid."""
 
     names: Sequence[Rectangle]
     solid: Sequence[Obstacle]

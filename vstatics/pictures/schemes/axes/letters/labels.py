@@ -33,14 +33,13 @@ ASIDE = (0, 3, 7, 12, 18, 26, 36)
 AWAY = (0, -1, 2, 4, 7, 10, 14, 18, 23, 30, 40, 52, 66)
 """Vertical distances of a text from the named component to try; -1 overlaps the component. [pt]"""
 UNDER, BESIDE = 5.0, 9.0
-"""Costs of a text below the component instead of above, and of a text next to it. [pt of distance]
-"""
+"""Costs of a text below or next to the component, compared with above. [pt of distance]"""
 BESIDES = 8
-"""Number of steps between the heights to try for a text next to its component."""
+"""Number of steps between the heights to try for a text next to a component."""
 SHORT = 30.0
-"""Height of a component below which a text next to it should be at its middle. [pt]"""
+"""Height of a component below which a text at the side should be at mid-height. [pt]"""
 ON_TEXT = 1e5
-"""Cost of a text that covers letters of another text. [pt of distance]"""
+"""Cost of a text that covers letters of a different text. [pt of distance]"""
 STRANGE, NEAR = 12.0, 3.0
 """Cost of a text near another component [pt of distance], and distance that counts as near [pt]."""
 OUTWARD = np.array([-1.0, -1.0, 1.0, 1.0])
@@ -55,9 +54,7 @@ class WantedLabel(NamedTuple):
     device: int
     text: str
     above: Point
-    """Middle of the lower edge of a text above the component, or of the upper edge of one below.
-    [pt]
-    """
+    """Middle of the lower edge of a text above, or of the upper edge of a text below. [pt]"""
     below: float
     """Height of the near edge of a text on the other side of the component. [pt]"""
     up: int
@@ -72,7 +69,7 @@ class WantedLabel(NamedTuple):
 
 
 class DeviceLabel(NamedTuple):
-    """Text with its position."""
+    """Text with a position."""
 
     text: str
     at: Point
@@ -120,7 +117,7 @@ def _meets(boxes: Boxes, others: Boxes) -> NDArray[np.bool_]:
 
 
 def _candidates(placing: AxesPlaces, wanted: WantedLabel) -> tuple[Boxes, NDArray[np.float64]]:
-    """Return boxes to try for a text around its component, and the cost of each box."""
+    """Return boxes to try for a text around a component, and the cost of each box."""
     (x, y), scale = wanted.above, placing.letters
     half = placing.wide(wanted.text, size=wanted.size, bold=wanted.is_name) / 2 + CLEAR
     tall = LINE * wanted.size * scale * (wanted.text.count("\n") + 1)

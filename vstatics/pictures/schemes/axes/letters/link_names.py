@@ -24,7 +24,7 @@ def ends_of(placing: AxesPlaces, axis: int) -> tuple[float, float]:
 def free_names(
     placing: AxesPlaces, scheme: Scheme, solid: Sequence[Obstacle]
 ) -> Iterator[tuple[int, Point, str]]:
-    """Yield names of links without input or output that have room near the line of their link.
+    """Yield names of links without input or output that have room near the line of the link.
 
     Parameters
     ----------

@@ -16,7 +16,7 @@ from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.rooms import ends_of, rooms_of
 
 BRAKE_HEIGHT, ROOF, BOX, SIGN = 19.0, 22.0, 8.0, 9.0
-"""Heights of a brake and a drum above their symbol, half heights of a box and of a symbol. [pt]"""
+"""Heights of a brake and a drum above the symbol, half heights of a box and of a symbol. [pt]"""
 GROUND = 5.0
 """Height of the hatching of the housing. [pt]"""
 CONE = 3.5
@@ -24,7 +24,7 @@ CONE = 3.5
 CONE_RIM = 9.0
 """Depth of the cone of a crown gear. [pt]"""
 HALF_LINE = 1.2
-"""Half the width of a line with its margins. [pt]"""
+"""Half the width of a line with margins. [pt]"""
 ON_SIGN, ON_LINE, IN_SET = 300.0, 150.0, 20.0
 """Costs of a name on a symbol, on a line, and inside a gear set. [pt of distance]"""
 
@@ -39,7 +39,7 @@ class Rectangle(NamedTuple):
 
 
 class Obstacle(NamedTuple):
-    """Area that letters should not cover, with the cost of covering it."""
+    """Area that letters should not cover, with the cost of an overlap."""
 
     box: Rectangle
     cost: float = ON_SIGN
@@ -128,7 +128,7 @@ def _of_set(placing: AxesPlaces, number: int, station: Station) -> Iterator[Obst
 
 
 def _of_section(station: Station, layout: CoaxialLayout, x: float, y: float) -> Iterator[Obstacle]:
-    """Yield one obstacle for a half-section above its axis, and an obstacle for each part below."""
+    """Yield an obstacle for a half-section above the axis, and an obstacle for each part below."""
     low, high = x - station.half, x + station.half
     yield Obstacle(Rectangle(low, y - HALF_LINE, high, y + station.reach[1]))
     for up, at in zip(layout.uprights, layout.places.at, strict=True):

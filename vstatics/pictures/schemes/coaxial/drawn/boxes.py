@@ -53,7 +53,7 @@ def draw_box(
 
 
 def draw_pair_box(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None:
-    """Draw a box on the line between two links, with the names of members at its edges."""
+    """Draw a box on the line between two links, with the names of members at the edges."""
     index, y = layout.device(up), layout.middle(up)
     text, device = layout.coaxial.texts[index], ink.scheme.devices[index]
     (wide, high), rise = layout.box_size(up), layout.letters * (LINE + PAD) / 2

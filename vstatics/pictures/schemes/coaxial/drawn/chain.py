@@ -41,7 +41,7 @@ def _link_name(scheme: Scheme, link: int) -> str:
 
 
 def _sizes(scheme: Scheme, chain: CoaxialChain, texts: Texts) -> list[Point]:
-    """Return for each symbol the width of its name or text, and its height above the axis [pt]."""
+    """Return for each symbol the width of the name or text, and the height above the axis [pt]."""
     sizes = []
     for index in chain.devices:
         if index in texts:

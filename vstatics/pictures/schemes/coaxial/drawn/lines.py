@@ -16,7 +16,7 @@ from vstatics.pictures.schemes.sets import axles, wheel_taps
 
 
 class Wires(NamedTuple):
-    """Lines of links in a half-section, and the points where components meet them."""
+    """Lines of links in a half-section, and the points where components meet the lines."""
 
     lines: Mapping[int, Sequence[Segment]]
     met: Sequence[tuple[int, int, Point]]
@@ -35,7 +35,7 @@ class Wires(NamedTuple):
 
 
 def meeting(first: Segment, second: Segment) -> Point | None:
-    """Return the common point of two horizontal or vertical lines, or None."""
+    """Return the common point, if any, of two horizontal or vertical lines."""
     (a, b), (c, d) = first
     (e, f), (g, h) = second
     left, right = max(a, e), min(c, g)

@@ -20,11 +20,11 @@ from vstatics.pictures.schemes.coaxial.rooms import (
 from vstatics.pictures.schemes.ink import SchemeInk, centred
 
 BRIDGE, BRIDGE_GAP = 5.0, 1.4
-"""Half the length of a bridge over a crossed line, and half its width. [pt]"""
+"""Half the length and half the width of a bridge over a crossed line. [pt]"""
 
 
 def draw_links(ink: SchemeInk, layout: CoaxialLayout) -> None:
-    """Draw the lines of all links, pale where they transmit no torque."""
+    """Draw the lines of all links, pale in sections without torque."""
     wires = wires_of(layout)
     style, loaded = ink.pen.style, ink.state.loaded
     ends = [*wires.met, *_port_points(ink, layout)]
@@ -76,7 +76,7 @@ def _joints(pen: Pen, lines: Sequence[Segment], points: set[Point]) -> None:
 
 
 def _port_points(ink: SchemeInk, layout: CoaxialLayout) -> Iterator[tuple[int, int, Point]]:
-    """Yield each port of the transmission: its link, -1 for the component, and its point."""
+    """Yield each port of the transmission: the link, -1 for the component, and the point."""
     (left, right), train = ends_of(layout), layout.coaxial.train
     used = {port.link for port in layout.coaxial.scheme.ports if port not in ink.state.idle_ports}
     for link, x in ((train.start, left), (train.end, right)):

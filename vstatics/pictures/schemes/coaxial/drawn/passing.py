@@ -12,7 +12,7 @@ from vstatics.pictures.drawing.labels import Segment
 def passed(
     lines: Sequence[Segment], met: set[Point]
 ) -> tuple[list[tuple[Segment, bool]], set[Point]]:
-    """Return pieces of lines, each with True if it carries torque, and points with torque.
+    """Return pieces of lines, each with True for a piece with torque, and points with torque.
 
     Parameters
     ----------
@@ -30,7 +30,7 @@ def passed(
 
 
 def _split(line: Segment, others: Iterable[Segment], ends: Iterable[Point]) -> list[Point]:
-    """Return the points of a line where it can branch, in order."""
+    """Return the points where a line can branch, in order."""
     points = {*line, *(at for at in ends if _is_on(at, line))}
     is_upright = line[0][0] == line[1][0]
     for other in others:
@@ -58,7 +58,7 @@ def _between(ends: set[Point], steps: Iterable[Segment]) -> set[Segment]:
 
 
 def _runs(points: Sequence[Point], loaded: set[Segment]) -> Iterator[tuple[Segment, bool]]:
-    """Yield pieces of a line, as long as possible, each with True if it carries torque."""
+    """Yield pieces of a line, as long as possible, each with True for a piece with torque."""
     start = 0
     marks = [step in loaded for step in pairwise(points)]
     for place, mark in enumerate(marks, 1):

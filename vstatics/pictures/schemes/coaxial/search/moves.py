@@ -32,7 +32,7 @@ class Moves(NamedTuple):
     """True to keep the given order of gear sets."""
 
     def after(self, state: SectionState) -> Iterator[Move]:
-        """Yield all steps from a state, each with the state after it and its cost."""
+        """Yield all steps from a state, each with the next state and the cost."""
         yield from self._tops(state)
         yield from self._pairs(state)
         yield from self._walls(state)
@@ -58,7 +58,7 @@ class Moves(NamedTuple):
                 yield Move(SectionState(low, high, done | bit), TOP, cost, step)
 
     def _pairs(self, state: SectionState) -> Iterator[Move]:
-        """Yield the steps in which a component connects a present link to a new bar next to it."""
+        """Yield the steps in which a component connects a present link to a new adjacent bar."""
         below, above, done = state
         bars = below + above
         alive = links_of(bars)
@@ -85,7 +85,7 @@ class Moves(NamedTuple):
                 yield Move(SectionState(low, high, done | bit), PAIR, cost, step)
 
     def _walls(self, state: SectionState) -> Iterator[Move]:
-        """Yield walls: steps in which a bar next to the planets continues on the other side."""
+        """Yield walls: steps in which a bar next to the planets continues on the opposite side."""
         below, above, done = state
         bars = below + above
         ways = []

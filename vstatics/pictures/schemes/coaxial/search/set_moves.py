@@ -24,7 +24,7 @@ from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
 NONE, TAKEN, KEPT, NEW = range(4)
 """Connection of a carrier's arm to the next bar: no bar, a bar that ends, continues, or begins."""
 _Plane = tuple[tuple[int, int], tuple[int, int]]
-"""Links of the sun and the ring of a plane, and the bits of these two edges."""
+"""Links of the sun and the ring of a plane, and the bits of the two edges."""
 
 
 class _Begun(NamedTuple):
@@ -61,7 +61,7 @@ class _LeftArm(NamedTuple):
 def without_ended(
     train: CoaxialTrain, state: SectionState, carrier: int | None = None
 ) -> SectionState:
-    """Remove the bars of links without remaining connections, except those of a carrier."""
+    """Remove the bars of links without remaining connections, except the bars of a carrier."""
     below, above, done = state
     bars = below + above
     ended = {bar >> 3 for bar in bars if not train.masks[bar >> 3] & ~done} - {carrier}
@@ -105,7 +105,7 @@ class SetMoves(NamedTuple):
     def _set(
         self, state: SectionState, carrier: int, bit: int, planes: Sequence[_Plane]
     ) -> Iterator[Move]:
-        """Yield a gear set with all possible connections of its carrier on the left and right."""
+        """Yield a gear set with all possible connections of the carrier on the left and right."""
         below, above, _ = state
         bars = below + above
         part = fresh(carrier, bars)
@@ -161,7 +161,7 @@ class SetMoves(NamedTuple):
             yield row, CROSSING * next(n for n, b in enumerate(row[::-1]) if b >> 3 == link)
 
     def _left_behind(self, begun: _Begun, arm: _LeftArm) -> Iterator[Move]:
-        """Yield the steps of a gear set, with all connections of its carrier on the right."""
+        """Yield the steps of a gear set, with all connections of the carrier on the right."""
         before, carrier, bit, joined, left = arm
         (below, above, done), cost, seen = begun
         done |= bit

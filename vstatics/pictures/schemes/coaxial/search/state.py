@@ -18,7 +18,7 @@ FOLD, TURN, CROSSING, EXCHANGE = 8, 2, 400, 10
 
 
 class SectionState(NamedTuple):
-    """Bars at a place along the axis, and the bits of the components to the left of it."""
+    """Bars at a place along the axis, and the bits of the components to the left of the place."""
 
     below: Bars
     above: Bars
@@ -33,7 +33,7 @@ class SweepStep(NamedTuple):
     line of a link) or ``set`` (gear set).
     """
     number: int
-    """Index of the top, pair or set in the train; for a wall, the number of its link."""
+    """Index of the top, pair or set in the train; for a wall, the number of the link."""
     bars: Sequence[tuple[Bars, Bars]]
     """Bars below and above at the component; for a set, at left arm, each plane, and right arm."""
     place: int = -1
@@ -48,11 +48,11 @@ class SweepStep(NamedTuple):
     right: tuple[bool, bool] = (False, False)
     """True if the right arm of the carrier meets the last bar below, and the first bar above."""
     before: tuple[Bars, Bars] | None = None
-    """Bars to the left of the component, if it begins new bars."""
+    """Bars to the left of the component, if the component begins new bars."""
 
 
 class Move(NamedTuple):
-    """Step of the search, with the state after it, and its cost without the length of bars."""
+    """Step of the search, with the next state, and the cost without the length of bars."""
 
     state: SectionState
     length: int
@@ -66,7 +66,7 @@ def links_of(bars: Bars) -> set[int]:
 
 
 def fresh(link: int, bars: Bars) -> int | None:
-    """Return the number of a new bar of a link; None if the link already has two parts."""
+    """Return the number of a new bar of a link, unless the link already has two parts."""
     parts = {bar for bar in bars if bar >> 3 == link}
     if len(parts) > 1:
         return None

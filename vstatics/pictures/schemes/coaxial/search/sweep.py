@@ -59,11 +59,11 @@ MOST_SEARCHED_SETS = 20
 LAST_SETS = 6
 """Number of gear sets above which `last` attempts have fewer states, to save time."""
 MOST_CROSSING = 2
-"""Largest number of shift elements and shafts that may cross links at the same time."""
+"""Largest number of shift elements and shafts that may cross links simultaneously."""
 MOST_CHOICES = 12
 """Largest number of choices of crossing components that are tried, in the order of the train."""
 MOST_FURTHER = 2
-"""Largest number of bars at a place in addition to one bar of each link."""
+"""Largest number of bars at a place in addition to a single bar per link."""
 BARS_OF_REST = 2
 """Number of bars along each remaining component in the estimate of the remaining cost."""
 _Trace = tuple[tuple[SweepStep, ...], "_Trace | None"]
@@ -153,7 +153,7 @@ class _SweepSearch(NamedTuple):
     weight: float
 
     def found(self, most: int) -> _FoundSteps | None:  # noqa: C901 - a single loop
-        """Return the cheapest steps to the end; None if they need too many states."""
+        """Return the cheapest steps to the end, unless the search needs too many states."""
         train, number = self.moves.train, count()
         waiting: list[tuple[float, int, int, SectionState, _Trace]] = []
         best: dict[SectionState, int] = {}
@@ -246,7 +246,7 @@ def _unrolled(trace: _Trace | None) -> list[SweepStep]:
 
 
 def _thinned(below: Bars, above: Bars) -> Iterator[tuple[Bars, Bars]]:
-    """Yield all bars, and selections in which one bar stands for each connected group of bars."""
+    """Yield all bars, and selections with a single bar for each connected group of bars."""
     bars, low = below + above, len(below)
     links = {bar >> 3 for bar in bars}
     if len(links) == len(bars):
