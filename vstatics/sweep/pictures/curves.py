@@ -109,7 +109,7 @@ def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Canv
 
 
 def _column_of_curves(sweep: WrittenSweep, selected: DrawnColumns) -> str:
-    """Return the column that distinguishes curves: by default a varied number not on the x axis."""
+    """Return the column that distinguishes curves: by default the only other varied number."""
     if sweep.gears:
         return ""
     left = running(sweep, [selected.x])

@@ -73,7 +73,7 @@ class SweptDocument(VariedDocument):
 
     @abstractmethod
     def seconds(self, tried: float) -> float:
-        """Return the estimated time of a run [s] from a trial of `tried` [s]; 0 if completed."""
+        """Return the estimated time of a run [s]; 0 if the run ends within `tried` seconds."""
 
 
 Subject: TypeAlias = Transmission | SweptDocument
