@@ -44,8 +44,9 @@ from vstatics.sweep.variants.targets import OF_MECHANISM, Target, Varied, imposs
 Chosen: TypeAlias = Integers | slice
 """Indices of variants in a block."""
 Made: TypeAlias = tuple[Chosen, Transmission | None]
-"""Indices of variants in a block, and the case from which they are calculated; None if it is
-impossible.
+"""Indices of variants in a block, and the case for calculating the variants.
+
+None represents an impossible case.
 """
 Array = TypeVar("Array", Floats, Codes)
 
@@ -68,7 +69,7 @@ class Frequencies(Protocol):
 
     @property
     def conflict(self) -> Booleans:
-        """Mask of the variants whose freewheels contradict each other, shape (variants,)."""
+        """Mask of the variants with contradictory freewheels, shape (variants,)."""
 
 
 class BlockTables(NamedTuple):
@@ -81,7 +82,7 @@ class BlockTables(NamedTuple):
     """
 
     def existing(self, name: str) -> Floats:
-        """Return the table of a name, which the plan uses, so that it has been calculated."""
+        """Return the calculated table of a name that the plan uses."""
         if name == OMEGA and self.modes is not None:
             return self.modes.omegas
         if name in self.numbers:
@@ -95,7 +96,7 @@ class BlockTables(NamedTuple):
 
 
 class OfCases(NamedTuple):
-    """Tables of a block of variants, calculated separately for groups of its variants."""
+    """Tables of a block, calculated separately for groups of variants."""
 
     places: list[Chosen]
     """Indices in the block of the variants of each group."""
@@ -107,7 +108,7 @@ class OfCases(NamedTuple):
 
     @property
     def outside(self) -> tuple[str, ...]:
-        """Names of characteristic curves that were evaluated outside their given points."""
+        """Names of characteristic curves that were evaluated outside the given points."""
         names = (
             name
             for part in self.parts
@@ -190,7 +191,7 @@ def possible_numbers(
 
 
 def _wrong(case: Transmission, target: Varied, given: Floats) -> tuple[Booleans, float]:
-    """Return a mask of impossible values, and a possible value that replaces them."""
+    """Return a mask of impossible values, and a possible value as a replacement."""
     if isinstance(target, Target):
         value = own_number(case, target.owner, target.quantity)
         between = [case.ratio_range(target.owner)] if target.quantity == "ratio" else []
@@ -200,7 +201,10 @@ def _wrong(case: Transmission, target: Varied, given: Floats) -> tuple[Booleans,
 
 
 def _cases(plan: SweepPlan, values: Floats) -> Iterator[Made]:
-    """Yield groups of variants that need the same case, with the case; None if it is impossible."""
+    """Yield groups of variants that share a case, each with the shared case.
+
+    None represents an impossible case.
+    """
     paths = plan.parts
     if not paths:
         yield slice(None), plan.case

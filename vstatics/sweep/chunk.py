@@ -38,7 +38,7 @@ STATUS = (
     "invalid",
     "stopped",
 )
-"""Statuses of a variant from harmless to severe; the worst status of its gears counts."""
+"""Statuses of a variant from harmless to severe; the worst status of all gears counts."""
 DRAGGED, OPEN, UNDECIDED, LOCKED, NOT_ASSEMBLED, TIED_UP, CONFLICT, INVALID, STOPPED = range(
     1, len(STATUS)
 )
@@ -77,7 +77,7 @@ class Chunk(NamedTuple):
     gears: tuple[str, ...] = ()
     """Names of the gears if each gear has a row; otherwise empty."""
     outside: tuple[str, ...] = ()
-    """Names of characteristic curves that were evaluated outside their given points."""
+    """Names of characteristic curves that were evaluated outside the given points."""
     noticed: tuple[Noticed, ...] = ()
     """Messages of simulated runs, each once for the whole range."""
 
@@ -95,7 +95,7 @@ class Chunk(NamedTuple):
         return gears
 
     def to_dataframe(self) -> pd.DataFrame:
-        """Return a pandas table with columns as in a file; its index is the number of the variant.
+        """Return a pandas table with columns as in a file, and the number of the variant as index.
 
         Raises
         ------
@@ -212,7 +212,7 @@ def removed_in(parts: Iterable[Chunk | Account]) -> tuple[int, ...]:
 
 
 def outside_in(parts: Iterable[Chunk | Account]) -> tuple[str, ...]:
-    """Return the names of curves that were evaluated outside their points in several ranges."""
+    """Return the names of curves that were evaluated outside the given points in several ranges."""
     return tuple(dict.fromkeys(name for part in parts for name in part.outside))
 
 

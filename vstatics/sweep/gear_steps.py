@@ -9,7 +9,7 @@ from vstatics.core.numerics.arrays import Floats
 
 
 def steps(case: Transmission, ratios: Floats) -> Floats:
-    """Return the step ratio of each gear: its ratio divided by the ratio of the next gear.
+    """Return the step ratio of each gear: the gear ratio divided by the ratio of the next gear.
 
     The next gear has the next smaller magnitude of the ratio among gears with the same direction,
     input and output; of gears with equal ratios, the later follows the earlier. NaN marks a gear
@@ -71,7 +71,7 @@ def spread(case: Transmission, ratios: Floats) -> Floats:
 
 
 def _alike(case: Transmission) -> list[list[int]]:
-    """Return for each gear the indices of the other gears with the same input and output.
+    """Return for each gear the indices of the other gears that share both input and output.
 
     Entries of `gears` that are operating points, not gears, are left out.
     """

@@ -24,7 +24,7 @@ class PlacedPart(NamedTuple):
 
 
 class PlacedFile(str):
-    """File name in a sweep file, with the place where it is given."""
+    """File name in a sweep file, with the place of the name."""
 
     __slots__ = ("place",)
     place: Place
@@ -36,13 +36,16 @@ class PlacedFile(str):
 
 
 class Text(NamedTuple):
-    """Text of an option, with the places of its parts if it comes from a sweep file."""
+    """Text of an option; if from a sweep file, with the places of all parts."""
 
     text: str
     parts: tuple[PlacedPart, ...] = ()
 
     def place(self, column: int) -> Place | None:
-        """Return the place in the sweep file of a column of the text, from 1; None if unknown."""
+        """Return the place of a column of the text, counted from 1, in the sweep file.
+
+        Return None if the place is unknown.
+        """
         for first, place, as_written in reversed(self.parts):
             if column >= first:
                 further = column - first if as_written else 0
@@ -51,7 +54,7 @@ class Text(NamedTuple):
 
 
 def joined(first: Text, others: tuple[Text, ...], separator: str) -> Text:
-    """Append texts to a first text with a separator between them, and keep all places.
+    """Append texts to a first text with separators between the texts, and keep all places.
 
     >>> joined(Text("D1.ratio="), (Text("-2"), Text("-3")), ",").text
     'D1.ratio=-2,-3'
@@ -85,21 +88,21 @@ Kind = Literal["path", "count", "flag", "choice", "text", "texts", "list", "vary
 
 
 class Option(NamedTuple):
-    """Declaration of an option, stored with the field of `SweepOptions` that has its name."""
+    """Declaration of an option, stored with the corresponding field of `SweepOptions`."""
 
     kind: Kind
     help: str = ""
     """Help on the command line; empty for an option whose help other commands share."""
     metavar: str | None = None
     short: str = ""
-    """Single letter for the option on the command line; empty if it has none."""
+    """Single letter for the option on the command line; can be empty."""
     least: int = 1
     """Smallest value of an option of kind `count`."""
     choices: tuple[str, ...] = ()
     heading: str = "Variants"
     """Heading of the group of options in the help text."""
     key: str = ""
-    """Name on the command line and in sweep files; empty if it is the name of the field."""
+    """Name on the command line and in sweep files; if empty, the name of the field."""
 
 
 _ROWS = "Rows and columns"
@@ -113,7 +116,10 @@ def _option(kind: Kind, help: str = "", **more: Any) -> Any:  # noqa: A002
 
 @dataclass(frozen=True)
 class SweepOptions:
-    """Options of a sweep from a command line, sweep file or call; None or () if not given."""
+    """Options of a sweep from a command line, sweep file or call.
+
+    Options that are not given are None or ().
+    """
 
     case: str | None = _option("path")
     vary: tuple[Text, ...] = _option("vary", "Vary a number. Repeatable.", metavar="NAME=VALUES")
@@ -177,7 +183,7 @@ class SweepOptions:
         )
 
     def over(self, others: SweepOptions) -> SweepOptions:
-        """Return these options, completed by other options where not given.
+        """Return the given options, completed by other options.
 
         Other options that contradict these options are dropped, with any options that depend on
         them: for example, a given table of variants replaces a grid. If these options have an
@@ -206,12 +212,12 @@ KEYS: Mapping[str, str] = {option.key or name: name for name, option in OPTIONS.
 
 
 class Rule(NamedTuple):
-    """Rule that an option excludes other options, or that it needs one of them."""
+    """Rule that an option excludes all options in `others`, or needs an option in `others`."""
 
     option: str
     others: tuple[str, ...]
     message: str
-    """Message in which names of options are in braces, to be spelled as the user gave them."""
+    """Message with names of options in braces, to be replaced by the user's spelling."""
 
 
 EXCLUSIONS = (

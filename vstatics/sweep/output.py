@@ -33,13 +33,13 @@ class SweepReport(NamedTuple):
     removed: tuple[int, ...]
     """Number of variants that each part of the condition removed, in the order of the parts."""
     outside: tuple[str, ...]
-    """Names of characteristic curves that were evaluated outside their given points."""
+    """Names of characteristic curves that were evaluated outside the given points."""
     noticed: tuple[Noticed, ...]
     """Messages of simulated runs."""
 
     @classmethod
     def of(cls, accounts: Sequence[Account]) -> SweepReport:
-        """Return the outcome of a sweep from the accounts of its pieces."""
+        """Return the outcome of a sweep from the accounts of all pieces."""
         return cls(
             sum(account.rows for account in accounts),
             chunk.counted(accounts),
@@ -55,7 +55,7 @@ class SweepReport(NamedTuple):
 
 
 def description(plan: SweepPlan, form: Format) -> dict[str, Any]:
-    """Return the description of a sweep that is stored next to its finished pieces."""
+    """Return the description of a sweep that is stored next to the finished pieces."""
     return {
         "what": "unfinished sweep of vstatics; the same command with --resume goes on",
         "build": build(),
@@ -95,7 +95,7 @@ class Output:
 
     @property
     def task(self) -> SweepTask:
-        """Task for the workers; its hash of the work is known only after the store is opened."""
+        """Task for the workers; the hash of the work is known only after the store is opened."""
         return self._task._replace(work=self.store.work)
 
     @property
@@ -112,7 +112,7 @@ class Output:
         return sum(stop - start for start, stop in spans) * (len(plan.gears) or 1)
 
     def calculate(self, workers: Workers, advance: Advance) -> None:
-        """Calculate the missing pieces and store them.
+        """Calculate and store the missing pieces.
 
         Raises
         ------
@@ -136,7 +136,7 @@ class Output:
                 yield account
 
     def assemble(self, workers: Workers) -> SweepReport:
-        """Assemble the pieces to the output file and move it into place.
+        """Assemble the pieces to the output file and move the file into place.
 
         Raises
         ------
@@ -180,7 +180,7 @@ class Output:
         return ArchiveLayout([(0, head)], copies, place)
 
     def _copy(self, workers: Workers, layout: ArchiveLayout) -> None:
-        """Write the headers of an archive, and let the workers copy the pieces into it."""
+        """Write the headers of an archive, and let the workers copy the pieces into the archive."""
         with self.store.folder.writing(piece_file.ASSEMBLED) as file:
             file.truncate(layout.length)
             for place, text in layout.texts:
@@ -198,7 +198,7 @@ class Output:
             yield tasks.read_chunk(self.task, account)
 
     def _select(self, accounts: Sequence[Account]) -> Iterator[Account]:
-        """Store the best rows of all pieces as new pieces; yield their accounts in order."""
+        """Store the best rows of all pieces as new pieces, and yield the new accounts in order."""
         number = self.task.plan.pieces
         for selected in best.among(self.task.plan, lambda: self._chunks(accounts)):
             data = tasks.data_of(self.task.form, selected)

@@ -124,12 +124,12 @@ class SweepPlan:
         return -(-self.variants.count // self.piece)
 
     def span(self, piece: int) -> tuple[int, int]:
-        """Return the first variant of a piece, and the number after its last variant."""
+        """Return the first variant of a piece, and the number after the last variant."""
         return piece * self.piece, min((piece + 1) * self.piece, self.variants.count)
 
     @property
     def selections(self) -> Iterator[Selection]:
-        """Tables, or parts of tables, that the expressions of the plan use."""
+        """Tables, or parts of tables, used by the expressions of the plan."""
         for part in self.columns.parts:
             yield from part.expression.selections
         for objective in self.objectives:
@@ -216,7 +216,7 @@ def rounded(numbers: Floats) -> Floats:
 
 
 def _canonical(part: Any) -> Iterator[bytes]:
-    """Yield bytes that identify an object in a plan, the same in every process.
+    """Yield bytes that identify an object in a plan, equal in every process.
 
     Attributes that begin with an underscore follow from other attributes, and are left out.
     """
@@ -234,7 +234,7 @@ def _canonical(part: Any) -> Iterator[bytes]:
 
 
 def _parts(part: Any) -> Iterator[tuple[object, Any]]:
-    """Yield the items or attributes of an object in a plan, each with its key or name."""
+    """Yield the items or attributes of an object in a plan, each with a key or name."""
     if isinstance(part, Mapping):
         yield from sorted(part.items(), key=lambda item: str(item[0]))
     elif is_dataclass(part):

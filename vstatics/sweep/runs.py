@@ -32,14 +32,14 @@ def calculate(plan: SweepPlan, subject: SweptDocument, start: int, stop: int) ->
 
 
 def reason(plan: SweepPlan, subject: SweptDocument) -> list[Problem]:
-    """Return the reasons why the first variant has no results; empty if it has results."""
+    """Return the reasons why the first variant has no results; empty if results exist."""
     return subject.reason(plan.variants.targets, plan.variants.block(0, 1)[0].tolist())
 
 
 def _row(
     plan: SweepPlan, subject: SweptDocument, number: int, asked: Sequence[tuple[str, str]]
 ) -> Chunk:
-    """Simulate a variant, and return its row if it passes the condition."""
+    """Simulate a variant, and return the row if the variant passes the condition."""
     values = plan.variants.block(number, number + 1)
     outcome = subject.outcome(plan.variants.targets, values[0], asked)
     status, unknown = np.array([outcome.status], np.uint8), np.array([outcome.unknown])

@@ -28,12 +28,12 @@ class SweepTask(NamedTuple):
     form: Format
     directory: str = ""
     raw: bool = False
-    """True to write CSV headings without the apostrophe that prevents their use as formulas."""
+    """True to write CSV headings without the apostrophe that prevents use as formulas."""
     work: str = ""
     """Hash of everything that determines the result, by which stored pieces are recognised."""
 
     def describe(self, item: object) -> str:
-        """Return words for the work on a piece, for messages: its variants."""
+        """Return the variants of a piece in words, for messages about the work."""
         piece = _number(item)
         if not isinstance(piece, int):
             return "putting the output together"
@@ -47,7 +47,7 @@ class SweepTask(NamedTuple):
 
 
 class Portion(NamedTuple):
-    """Piece of a sweep with its variants, for a worker without access to their file."""
+    """Piece of a sweep with all variants, for a worker without access to the file of variants."""
 
     piece: int
     variants: VariantPart
@@ -57,7 +57,7 @@ Item = int | Portion
 
 
 def items(task: SweepTask, pieces: Iterable[int], *, remote: bool) -> Iterator[Item]:
-    """Yield the numbers of pieces; for remote workers, pieces with the values of their variants."""
+    """Yield the numbers of pieces; for remote workers, pieces with the values of the variants."""
     variants = task.plan.variants
     for piece in pieces:
         if remote and table_of(variants):
@@ -67,7 +67,7 @@ def items(task: SweepTask, pieces: Iterable[int], *, remote: bool) -> Iterator[I
 
 
 def calculate(task: SweepTask, item: Item) -> Chunk:
-    """Calculate a piece, and return its rows that can be in the output."""
+    """Calculate a piece, and return the rows that can be in the output."""
     plan, piece = task.plan, _number(item)
     if isinstance(item, Portion):
         plan = replace(plan, variants=item.variants)
@@ -80,7 +80,7 @@ def _number(item: Any) -> Any:
 
 
 def lines(task: SweepTask, item: Item) -> tuple[Account, bytes]:
-    """Calculate a piece, and return its account and its rows as text."""
+    """Calculate a piece, and return the account and the rows as text."""
     rows = calculate(task, item)
     notes = rows.removed, rows.outside, rows.noticed
     account = Account(_number(item), len(rows.variants), dict(rows.counts), (), *notes)
@@ -88,7 +88,7 @@ def lines(task: SweepTask, item: Item) -> tuple[Account, bytes]:
 
 
 def piece_data(task: SweepTask, item: Item) -> tuple[Account, list[Any]]:
-    """Calculate a piece, and return its account and its stored form: text or columns."""
+    """Calculate a piece, and return the account and the stored form: text or columns."""
     rows = calculate(task, item)
     data = columns_of(rows) if task.plan.objectives else data_of(task.form, rows)
     counts = dict(rows.counts)
@@ -97,13 +97,13 @@ def piece_data(task: SweepTask, item: Item) -> tuple[Account, list[Any]]:
 
 
 def piece_sent(task: SweepTask, item: Item) -> tuple[Account, bytes]:
-    """Calculate a piece, and return its account and its data as sent between machines."""
+    """Calculate a piece, and return the account and the data as sent between machines."""
     account, data = piece_data(task, item)
     return account, b"".join(memoryview(segment).cast("B") for segment in data)
 
 
 def write_piece(task: SweepTask, piece: int) -> Account:
-    """Calculate a piece, store it, and return its account."""
+    """Calculate and store a piece, and return the account."""
     account, data = piece_data(task, piece)
     piece_file.write_piece(task.directory, piece, data)
     return account

@@ -15,7 +15,7 @@ from vstatics.sweep.variants.path_numbers import CasePath
 from vstatics.sweep.variants.targets import Target, Varied
 
 KEEPING = (LAST, "abs", "min", "max", "sum")
-"""Names of functions whose value has the unit of their operands."""
+"""Names of functions whose value has the unit of the operands."""
 
 
 def units_of(plan: SweepPlan) -> dict[str, str]:
@@ -56,7 +56,7 @@ def _of_varied(varied: Varied, case: Transmission) -> str:
 
 
 def _of_node(node: Node, subject: Subject) -> str:
-    """Return the unit of an expression; "" unless it is a table or a part of a table."""
+    """Return the unit of an expression that keeps the unit of a table; "" for other expressions."""
     if isinstance(node, Selection):
         if not isinstance(subject, Transmission):
             return subject.unit_of(node.table)

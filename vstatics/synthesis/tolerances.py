@@ -8,9 +8,9 @@ NEAR_DIRECT = 1e-6
 KEPT_PART = 2.0**-12
 """Smallest relative magnitude of a difference that retains enough digits. [-]"""
 DETERMINED = 1e-9
-"""Largest relative singular value, and deviation of a torque share from 1, that count as 0. [-]"""
+"""Largest relative singular value and deviation of a torque share from 1 that count as 0. [-]"""
 NO_TORQUE = 1e-12
-"""Largest torque, relative to the input torque, that counts as 0. [-]"""
+"""Largest torque that counts as 0, relative to the input torque. [-]"""
 MET_RATIO = 1e-9
 """Largest relative difference of output torque and ratio without a loss of digits. [-]"""
 
@@ -24,9 +24,9 @@ TINY_RATIO = 1e-4
 NO_SQUARES = 1e-30
 """Sum of squares below which only rounding errors are left. [-]"""
 LEAST_FIT_STEP = 1e-13
-"""Smallest step of a fit; its inverse is the damping above which no step helps. [-]"""
+"""Smallest step of a fit; the inverse is the damping above which no step helps. [-]"""
 EQUAL_SUM_OF_SQUARES = 1e-14
-"""Relative growth of a sum of squares near its minimum with which a step is still accepted. [-]"""
+"""Relative growth of a sum of squares near the minimum with which a step is still accepted. [-]"""
 LEAST_DAMPING = 1e-13
 """Smallest damping, which prevents singular equations of a step. [-]"""
 LEAST_SCALE = 1e-300
@@ -56,12 +56,12 @@ ROUNDED_TEETH = 1e-6
 ROUNDED_ERROR = 1e-12
 """Largest error that counts as rounding, so that the search can end. [-]"""
 LARGEST_ERROR_WEIGHT = 1e-3
-"""Weight of the largest error of a region, next to its smallest error, in the order of search. [-]
+"""Weight of the largest error of a region, next to the smallest error, in the order of search. [-]
 """
 
 # The following tolerances are used in the search for whole gearboxes.
 NO_LOAD = 1e-9
-"""Largest torque on a shift element, relative to the input torque, that counts as 0. [-]"""
+"""Largest torque on a shift element that counts as 0, relative to the input torque. [-]"""
 SAME_FITTED_RATIO = 1e-6
 """Largest relative difference of gear ratios that count as equal after a fit. [-]"""
 EQUAL_FIGURES = 1e-7
@@ -69,7 +69,7 @@ EQUAL_FIGURES = 1e-7
 SECOND_MOTION = 1e-9
 """Largest singular value that counts as 0, which means that a second motion is possible. [-]"""
 STILL_SPEED = 1e-9
-"""Largest speed of a link, relative to the fastest link, that counts as 0. [-]"""
+"""Largest speed of a link that counts as 0, relative to the fastest link. [-]"""
 SAME_BOX_RATIO = 1e-9
 """Largest relative difference of gear ratios at a point within the bounds that count as equal. [-]
 """
@@ -84,7 +84,7 @@ TARGET_MARGIN = 1e-9
 INDEPENDENT_RATIO = 1e-10
 """Largest change of a quotient over the range of a gear-set ratio that counts as 0. [-]"""
 BEYOND_WIDTH = 1e-10
-"""Largest excess of a gear ratio over its range, relative to the width of the range. [-]"""
+"""Largest excess of a gear ratio over the range, relative to the width of the range. [-]"""
 LEAST_BOX_STEP = 1e-12
 """Smallest step of a logarithm in a fit. [-]"""
 LEAST_GAIN = 1e-14
@@ -94,7 +94,7 @@ LEAST_SUM_OF_SQUARES = 1e-20
 LEAST_DIAGONAL = 1e-12
 """Addition to the diagonal of the normal equations, for gear-set ratios that affect no gear. [-]"""
 FIRST_DAMPING = 1e-3
-"""Damping of the first step, so small that it is nearly an undamped Gauss-Newton step. [-]"""
+"""Damping of the first step, small enough for a nearly undamped Gauss-Newton step. [-]"""
 LEAST_BOX_DAMPING = 1e-12
 """Smallest damping of a fit. [-]"""
 LEAST_STIFFNESS = 1e-9
@@ -104,7 +104,7 @@ PLANE_ROUNDING = 1e-9
 
 # The following tolerances are used for bounds and figures of gearboxes.
 NO_FIGURE = 1e-9
-"""Largest speed or torque, relative to the input, that counts as 0. [-]"""
+"""Largest speed or torque that counts as 0, relative to the input. [-]"""
 CELL_ROUNDING = 1e-12
 """Margin for rounding errors where a cell is cut, as a share of the cell. [-]"""
 NARROWEST_RANGE = 1e-5

@@ -65,7 +65,7 @@ class Ended(NamedTuple):
 
 
 def carry_out(run: SweepRun) -> Ended:
-    """Execute a sweep, write its output, and report the outcome."""
+    """Execute a sweep, write the output, and report the outcome."""
     try:
         if run.output is None or is_stream(run.output):
             return to_stream(run)

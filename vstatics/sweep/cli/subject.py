@@ -26,13 +26,13 @@ from vstatics.sweep.variants.table_file import headings
 _LOAD = re.compile(r"(?<![\w.])load\.(speed|torque)\b")
 _STAND_INS = {"speed": "1000 rpm", "torque": "100 N*m"}
 ReadSubject = tuple[Subject, list[Problem]]
-"""Case or scenario of a sweep, and the warnings about its case."""
+"""Case or scenario of a sweep, and the warnings about the case."""
 
 
 def read_subject(
     options: SweepOptions, input_format: readers.Format | None, telling: Telling
 ) -> ReadSubject:
-    """Read the case or scenario of a sweep, and print its warnings.
+    """Read the case or scenario of a sweep, and print the warnings.
 
     A case need not contain a load whose speed or torque varies.
 

@@ -43,7 +43,7 @@ class ColumnType(NamedTuple):
 
 
 class ArchiveLayout(NamedTuple):
-    """Layout of an archive: headers with their offsets, and the segments of pieces to be copied."""
+    """Layout of an archive: headers with offsets, and the segments of pieces to be copied."""
 
     texts: list[tuple[int, bytes]]
     copies: list[Copy]
@@ -106,7 +106,7 @@ def _array_head(dtype: np.dtype[Any], rows: int) -> bytes:
 
 
 def _heads(name: str, crc: int, size: int, place: int) -> tuple[bytes, bytes]:
-    """Return both headers of a member: the header before its data, and the central directory's."""
+    """Return both headers of a member: the local header and the central directory entry."""
     text = name.encode()
     sizes = _LOCAL_SIZES.pack(1, 16, size, size)
     common = _ZIP_VERSION, _UTF_8, 0, *_DAY_ONE, crc, _ZIP64, _ZIP64, len(text)

@@ -116,7 +116,7 @@ class _Row:
         self.patterns: dict[tuple[WordCodes, bytes], str] = {}
 
     def begin(self, first: Floats, alike: Sequence[bool]) -> None:
-        """Begin a block of rows; columns marked in `alike` are equal to those of the first row."""
+        """Begin a block of rows; columns marked in `alike` have the values of the first row."""
         self.cells = ["%d", *[NUMBER] * (len(first) - 1)]
         self.varied = [column for column, same in enumerate(alike) if not same]
         for column, same in enumerate(alike):

@@ -38,7 +38,7 @@ COLUMNS: Mapping[str, Sequence[str]] = {
 def render_sweep(
     sweep: WrittenSweep, kind: str, form: Format, style: Style, selected: DrawnColumns
 ) -> list[bytes]:
-    """Draw a picture of a sweep, and return its pages as files.
+    """Draw a picture of a sweep, and return the pages as files.
 
     Parameters
     ----------

@@ -20,8 +20,9 @@ class GearRegion(NamedTuple):
 
     gear: str
     lead: Floats
-    """Value of the gear minus the largest value of the other gears, shape (y, x). It is positive
-    within the region, and NaN where no gear has a value.
+    """Value of the gear minus the largest value of the other gears, shape (y, x).
+
+    The difference is positive within the region, and NaN where no gear has a value.
     """
 
 

@@ -35,7 +35,7 @@ def drawn_columns(x: str, y: Sequence[str], z: str, by: str) -> DrawnColumns:
 
 
 def with_units(sweep: WrittenSweep, selected: DrawnColumns) -> DrawnColumns:
-    """Return the named columns with the units of their headings, which the user can omit.
+    """Return the named columns with the units of the headings, which the user can omit.
 
     >>> sweep = WrittenSweep([0], ["ok"], {"load.speed [rpm]": [9.0]}, ("load.speed [rpm]",))
     >>> with_units(sweep, DrawnColumns("load.speed")).x
@@ -51,7 +51,7 @@ def with_units(sweep: WrittenSweep, selected: DrawnColumns) -> DrawnColumns:
 
 
 class DrawnRows(NamedTuple):
-    """Rows of a sweep that one panel or curve shows."""
+    """Rows of a sweep that a panel or curve shows."""
 
     name: str
     """Name of the gear, or value of the column `by`; empty if the panel shows all rows."""
@@ -186,7 +186,7 @@ def rows_by(sweep: WrittenSweep, selected: DrawnColumns) -> Iterator[DrawnRows]:
 
 
 def pages(highs: Sequence[float], room: float) -> list[list[int]]:
-    """Distribute rows of panels, given by their heights, to pages of height `room`.
+    """Distribute rows of panels with given heights to pages of height `room`.
 
     >>> pages([2.0, 2.0, 2.0], 5.0)
     [[0, 1], [2]]

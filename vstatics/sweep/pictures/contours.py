@@ -17,8 +17,7 @@ MOST_LEVELS = 16
 """Number of levels at equal steps, used if `MAP_LEVELS` levels leave a band with too many values.
 """
 CROWDED_BAND = 0.35
-"""Share of all values in one band above which levels follow quantiles instead of equal steps. [-]
-"""
+"""Share of all values in a band above which levels follow quantiles instead of equal steps. [-]"""
 LEAST_BAND = 0.02
 """Smallest width of a band, relative to the range of values. [-]"""
 FEW_LEVELS = 5
@@ -30,7 +29,7 @@ GRID_OF_POINTS = 121
 
 
 def grid_of(x: Floats, y: Floats, z: Floats) -> tuple[Floats, Floats, Floats]:
-    """Return the axes of a grid through points, and the values on it, interpolated if needed.
+    """Return the axes of a grid through points, and the values on the grid, interpolated if needed.
 
     Raises
     ------

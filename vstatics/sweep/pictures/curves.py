@@ -55,7 +55,7 @@ class Curve(NamedTuple):
 
     @property
     def name(self) -> str:
-        """Names of the curve as one text; of four or more names, only the first and the last.
+        """Names of the curve as a single text; of four or more names, only the first and the last.
 
         >>> Curve(tuple("abcd"), np.zeros(1), np.zeros(1), {}).name
         'a … d'
@@ -109,7 +109,7 @@ def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Canv
 
 
 def _column_of_curves(sweep: WrittenSweep, selected: DrawnColumns) -> str:
-    """Return the column whose values distinguish curves: by default the other varied number."""
+    """Return the column that distinguishes curves: by default the only other varied number."""
     if sweep.gears:
         return ""
     left = running(sweep, [selected.x])
@@ -119,7 +119,7 @@ def _column_of_curves(sweep: WrittenSweep, selected: DrawnColumns) -> str:
 def _curves(
     column: Floats, across: Floats, shown: Sequence[DrawnRows], style: Style
 ) -> list[Curve]:
-    """Return the curves of a panel; coinciding curves become one curve with all names."""
+    """Return the curves of a panel; coinciding curves become a single curve with all names."""
     curves: list[Curve] = []
     for part in shown:
         rows = np.array(part.rows)[np.argsort(across[part.rows], kind="stable")]
@@ -151,7 +151,7 @@ def _scale(values: Floats) -> AxisScale:
 
 
 def _line_ends(curves: Sequence[Curve]) -> list[LineEnd]:
-    """Return the names of curves at their right ends."""
+    """Return the names to be written at the right ends of curves."""
     scale = _scale(np.concatenate([curve.y for curve in curves]))
     labels = []
     for curve in curves:

@@ -24,7 +24,7 @@ from vstatics.sweep.pictures.columns import DrawnColumns, numbers, pages, result
 from vstatics.sweep.results.statistics import PARTS, Statistics, statistics
 
 HISTOGRAM_SIZE = (132.0, 84.0)
-"""Smallest width of a panel with its scale, and height without its scale. [pt]"""
+"""Smallest width of a panel with the scale, and height without the scale. [pt]"""
 HISTOGRAM_GAP = 10.0
 """Distance between neighbouring panels. [pt]"""
 MOST_HISTOGRAM_BARS = 30

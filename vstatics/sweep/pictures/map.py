@@ -155,7 +155,7 @@ def _best_gears(
 
 
 def _gear_of(sweep: WrittenSweep, surface: Surface, points: Overlay, z: str) -> str:
-    """Return the gear whose values a map shows, from its rows or column name; "" for several."""
+    """Return the gear whose values a map shows, from the rows or column name; "" for several."""
     if surface.name in sweep.gears:
         return surface.name
     gears = [(gear, f"{name}]") for gear in points.gears for name in (gear, in_quotes(gear))]

@@ -41,7 +41,9 @@ class MapOptions(NamedTuple):
     """Options that only maps have."""
 
     levels: int | Sequence[float] | None = None
-    """Approximate number of contour levels, or the levels in ascending order; None to choose them.
+    """Approximate number of contour levels, or the levels in ascending order.
+
+    With None, the levels are chosen automatically.
     """
     best_gear: bool = False
     """True to draw the regions of the gear with the largest value."""
@@ -50,7 +52,7 @@ class MapOptions(NamedTuple):
 
 
 def checked_levels(levels: int | Sequence[float] | None) -> int | Sequence[float] | None:
-    """Check a number of contour levels, or contour levels, and return them.
+    """Check and return a number of contour levels, or the contour levels.
 
     Raises
     ------

@@ -37,9 +37,9 @@ MAP_SCALE_WIDTH, MAP_SCALE_HEIGHT = 58.0, 44.0
 MAP_HEAD_HEIGHT = 22.0
 """Height of the line with the name of the gear above a panel. [pt]"""
 BAR_WIDTH, BAR_NAME_WIDTH = 10.0, 22.0
-"""Width of the colour bar, and of its vertical name. [pt]"""
+"""Width of the colour bar, and of the vertical name of the bar. [pt]"""
 PLACES_TRIED = 48
-"""Number of positions along a contour that are tried for its label."""
+"""Number of positions along a contour that are tried for the label."""
 Box = tuple[float, float, float, float]
 """Left, lower, right and upper end of a label. [pt]"""
 
@@ -166,7 +166,7 @@ def _draw_panel(pen: Pen, sheet: MapSheet, surface: Surface, names: tuple[str, s
 
 
 def _ends(pen: Pen, surface: Surface) -> Iterator[Segment]:
-    """Yield the border of the area with values, except where it is the edge of the panel."""
+    """Yield the border of the area with values, except along the edge of the panel."""
     contours = _contours_of(surface.z, *_places_of(pen, surface))
     for points, offsets in zip(*contours.filled(-math.inf, math.inf), strict=True):
         for start, end in pairwise(offsets):
@@ -209,7 +209,7 @@ def paint_levels(pen: Pen, surface: Surface, levels: Sequence[float]) -> None:
 def paint_regions(
     pen: Pen, surface: Surface, regions: Sequence[GearRegion], colours: Mapping[str, str]
 ) -> None:
-    """Fill the region of each gear, draw its border, and write its name inside."""
+    """Fill the region of each gear, draw the border, and write the name of the gear inside."""
     places = _places_of(pen, surface)
     for region in regions:
         group = pen.within("gear", gear=region.gear)
@@ -233,7 +233,7 @@ def limit_look(style: Style) -> Look:
 
 
 def _fill(pen: Pen, filled: tuple[Sequence[Any], Sequence[Any]], colour: str) -> None:
-    """Fill the polygons of a band between two levels, without their holes."""
+    """Fill the polygons of a band between two levels, without the holes."""
     left, low = pen.corner
     for points, offsets in zip(*filled, strict=True):
         steps = np.full(len(points), "L")
@@ -249,7 +249,7 @@ def _label(
     text: str,
     taken: list[Box],
 ) -> None:
-    """Label a contour on its longest line, near the middle, clear of other labels.
+    """Label a contour on the longest line, near the middle, clear of other labels.
 
     A label at the edge of the panel is moved inward.
     """

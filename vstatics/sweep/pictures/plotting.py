@@ -34,7 +34,7 @@ class SweepPicture:
     def __init__(
         self, sweep: WrittenSweep, kind: str, style: Style, selected: DrawnColumns
     ) -> None:
-        """Store the sweep and the settings; the picture is drawn when it is shown or saved."""
+        """Store the sweep and the settings; showing or saving draws the picture."""
         self._sweep, self._kind, self._style, self._selected = sweep, kind, style, selected
 
     def __repr__(self) -> str:
@@ -159,7 +159,7 @@ def plot_sweep(  # noqa: PLR0913 - as on the command line
 
 
 def _check(sweep: WrittenSweep, kind: str, selected: DrawnColumns) -> None:
-    """Check that the named columns exist, and that the kind of picture uses them.
+    """Check that the named columns exist and are used by the kind of picture.
 
     Raises
     ------

@@ -47,11 +47,11 @@ _BLANK = re.compile(r"\s")
 
 
 class ColumnGroup(NamedTuple):
-    """Expression, and the elements of its value that are columns."""
+    """Expression, and the elements of the value that are columns."""
 
     expression: Expression
     cells: tuple[tuple[int, int], ...]
-    """Indices of the gear and the row of each element; 0 if the value has no such axis."""
+    """Indices of the gear and the row of each element; 0 for an axis that the value lacks."""
 
 
 @dataclass(frozen=True)

@@ -55,17 +55,17 @@ class SweptDocument(VariedDocument):
 
     @abstractmethod
     def unit_of(self, table: str) -> str:
-        """Return the unit of a table's values; "" if it has several units, or an unknown unit."""
+        """Return the unit of a table's values; "" for several units or an unknown unit."""
 
     @abstractmethod
     def asked(self, selections: Iterable[Selection]) -> list[tuple[str, str]]:
-        """Return the tables and rows that expressions need beyond those that every run provides."""
+        """Return the tables and rows that expressions need and that not every run provides."""
 
     @abstractmethod
     def outcome(
         self, targets: Sequence[Varied], values: Floats, asked: Sequence[tuple[str, str]]
     ) -> RunOutcome:
-        """Simulate a variant, and return its outcome."""
+        """Simulate a variant, and return the outcome."""
 
     @abstractmethod
     def reason(self, targets: Sequence[Varied], values: Sequence[float]) -> list[Problem]:
@@ -73,7 +73,7 @@ class SweptDocument(VariedDocument):
 
     @abstractmethod
     def seconds(self, tried: float) -> float:
-        """Return the estimated time of a run [s] from a trial of `tried` [s]; 0 if it ended."""
+        """Return the estimated time of a run [s]; 0 if the run ends within `tried` seconds."""
 
 
 Subject: TypeAlias = Transmission | SweptDocument

@@ -92,7 +92,7 @@ class Expression:
 
     @property
     def selections(self) -> Iterator[Selection]:
-        """Tables, or parts of tables, that the expression uses."""
+        """Tables, or parts of tables, used by the expression."""
         nodes: list[Node] = [self.node]
         while nodes:
             node = nodes.pop()
@@ -199,7 +199,7 @@ def names_of(source: Excerpt, subject: Subject, targets: Sequence[Varied] | Term
 
 
 class ResolvedPart(NamedTuple):
-    """Part of an expression with resolved names, and the axes of its value."""
+    """Part of an expression with resolved names, and the axes of the value."""
 
     node: Node
     per_gear: bool = False
@@ -208,7 +208,7 @@ class ResolvedPart(NamedTuple):
 
 
 def _resolve(tree: Tree, names: NameFinder, named: Mapping[str, ResolvedPart]) -> ResolvedPart:
-    """Replace the names in a tree by their meanings, and check that the axes of operands agree."""
+    """Replace names in a tree by meanings, and check that the axes of operands agree."""
     if not isinstance(tree, Applied):
         return _named(tree, names, named)
     name, operands = tree.name, [_resolve(operand, names, named) for operand in tree.operands]

@@ -24,7 +24,7 @@ OPTION = "--with"
 
 
 class LinkedVariants:
-    """Variants with linked numbers, each calculated from the numbers before it.
+    """Variants with linked numbers, each calculated from the preceding numbers.
 
     Parameters
     ----------
@@ -71,7 +71,7 @@ def _value(formula: Expression, block: Floats) -> Floats:
 
 
 class LinkText(NamedTuple):
-    """Linked number and its formula, with their text."""
+    """Linked number and formula, with the text that contains both."""
 
     target: Varied
     formula: Excerpt
@@ -146,7 +146,7 @@ def _check_values(formula: Expression, link: LinkText) -> None:
 
 
 def _check_order(links: Sequence[LinkText], formulas: Sequence[Expression], first: int) -> None:
-    """Refuse formulas that use the same or a later linked number.
+    """Refuse links in a circle, and formulas that use a later linked number.
 
     Raises
     ------

@@ -45,7 +45,7 @@ class Selection(NamedTuple):
 
 
 class VariedNumber(NamedTuple):
-    """Number that the sweep varies, given by its index among the varied numbers."""
+    """Number that the sweep varies, given by the index among the varied numbers."""
 
     column: int
 
@@ -60,7 +60,7 @@ class NameFinder(Protocol):
 
     @property
     def language(self) -> Language:
-        """Language of the expression: its functions and operators."""
+        """Language of the expression: functions and operators."""
 
     @property
     def gears(self) -> Sequence[str]:
@@ -116,7 +116,7 @@ class WithStatus(NamedTuple):
     """Mask of the rows with the status ok, shape (rows,)."""
 
     def existing(self, name: str) -> Floats:
-        """Return the table with a name; `ok` has one value per row."""
+        """Return the table with a name; `ok` has a value per row."""
         if name == OK:
             good: Floats = self.good[:, np.newaxis].astype(float)
             return good

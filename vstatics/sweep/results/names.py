@@ -155,7 +155,10 @@ class SweepNames:
         return Selection(known.name, gear, row, len(rows))
 
     def _gear(self, subscripts: list[Subscript]) -> int | None:
-        """Return the index of the gear that the next subscript selects; None for all gears."""
+        """Return the index of the gear that the next subscript selects.
+
+        Return None for all gears.
+        """
         if self.by_gear:
             return 0
         return self._index(subscripts.pop(0), self.gears, "one") if subscripts else None
@@ -208,7 +211,10 @@ class SweepNames:
         return Selection(OMEGA, gear, mode, len(self._modes))
 
     def _index(self, subscript: Subscript, names: Sequence[str], kind: Rows) -> int | None:
-        """Return the index that a subscript selects, by name or else by number; None for all."""
+        """Return the index that a subscript selects, by name or else by number.
+
+        Return None if the subscript selects all.
+        """
         written = subscript.written
         if written == ":":
             return None

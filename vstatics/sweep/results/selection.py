@@ -27,7 +27,7 @@ class Objective(NamedTuple):
 
     expression: Expression
     sign: Literal[1, -1]
-    """Factor of the quantity: 1 to minimise it, -1 to maximise it."""
+    """Factor of the quantity: 1 to minimise, -1 to maximise."""
 
 
 class WhereCondition(NamedTuple):
@@ -88,7 +88,7 @@ _JOINING_WORDS = re.compile(r"""\"[^\"]*\"|'[^']*'|[(\[]|[)\]]|\b(?:and|or)\b"""
 
 
 def _between_ands(text: str) -> list[tuple[int, int]]:
-    """Return start and end of the parts joined by `and` outside brackets; one part with `or`.
+    """Return start and end of the parts joined by `and` outside brackets; a single part with `or`.
 
     >>> _between_ands("a > 1 and max(b and c) < 2"), _between_ands("a and b or c")
     ([(0, 6), (9, 26)], [(0, 12)])

@@ -167,7 +167,7 @@ class VariantTable:
         return block
 
     def close(self) -> None:
-        """Remove the temporary file, if this process created it."""
+        """Remove the temporary file if created by the current process."""
         if isinstance(self._rows, Spool):
             self._rows.close()
 
@@ -188,7 +188,7 @@ class VariantPart:
         self.values = whole.block(start, stop)
 
     def block(self, start: int, stop: int) -> Floats:
-        """Return the values of a block within this range of variants; see `Variants`."""
+        """Return the values of a block within a range of variants; see `Variants`."""
         end = self.start + len(self.values)
         if not self.start <= start <= stop <= end:
             raise IndexError(f"variants {start} to {stop} of a part from {self.start} to {end}")

@@ -27,19 +27,22 @@ EXAMPLES = {"si_speed": "2000 rpm", "si_torque": "50 N*m", "power": "2 kW"}
 
 
 _RELATIVE = ("speeds", "slip", "torques", "drag", "open_drag")
-"""Quantities of a gear that are relative to the load, unless they have a unit."""
+"""Quantities of a gear that are relative to the load if given without a unit."""
 _FIXED = ("vehicle", "cylinders", "fatigue", "bearings", "dump")
 """Keys of a case whose numbers do not affect any table of a gear, so need not vary."""
 
 
 class CasePath(NamedTuple):
-    """Varied number of a case that is given by its path: a number of a gear, load or component."""
+    """Varied number of a case that is given by a path: a number of a gear, load or component."""
 
     path: str
     of: tuple[CaseNumber, ...] = ()
-    """Numbers that `vstatics.solve` varies for this path; empty for a number of a component."""
+    """Numbers that `vstatics.solve` varies for the path; empty for a number of a component."""
     part: PartNumber | None = None
-    """Number of a component, whose every value needs a new case; None for other numbers."""
+    """Number of a component, whose every value needs a new case.
+
+    None means that the number does not belong to a component.
+    """
     unit: str = ""
     """Unit of the values; empty for bare numbers, which are relative or in SI units."""
     relative: tuple[CaseNumber, ...] = ()
@@ -71,11 +74,14 @@ class CasePath(NamedTuple):
 
     @property
     def measure(self) -> Measure | Literal["power"] | None:
-        """Kind of quantity, such as torque, of the values; None for numbers without a unit."""
+        """Kind of quantity, such as torque, of the values.
+
+        None represents numbers without a unit.
+        """
         return self.part.measure if self.part else measure_of(self.quantity)
 
     def in_unit(self, unit: str) -> CasePath:
-        """Return the same number with values in a unit.
+        """Return the varied number with values in a unit.
 
         Raises
         ------
@@ -123,7 +129,9 @@ def _size(unit: str, measure: Measure | Literal["power"]) -> float:
 
 
 def case_path(text: str, case: Transmission) -> CasePath | None:
-    """Return the number at a path, optionally with a unit as in `[rpm]`; None for other texts.
+    """Return the number at a path, optionally with a unit as in `[rpm]`.
+
+    Return None for other texts.
 
     Examples
     --------
@@ -148,7 +156,7 @@ def known_paths(case: Transmission) -> list[str]:
 
 
 def no_path(text: str, case: Transmission) -> str:
-    """Return a message about a path that does not lead to a number; "" if it can be a name.
+    """Return a message about a path that does not lead to a number; "" for a possible name.
 
     >>> from vstatics import Gear, Mechanism
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear()])

@@ -41,15 +41,15 @@ _SPELLED: dict[str, dict[type[Node], str]] = {
 """Key that a short form omits, by the outer key and the kind of node: `T: [[0, 1]]` means points.
 """
 _ALL_GIVEN = ("numbers", "set")
-"""Keys of mappings that list all names that formulas can use; another name is a mistake."""
+"""Keys of mappings that list all names that formulas can use; any other name is a mistake."""
 
 
 class NumberPath(NamedTuple):
-    """Path to a number in a scenario or its case."""
+    """Path to a number in a scenario or in the case of the scenario."""
 
     keys: Keys
     of_case: bool
-    """True if the number is in the case, False if it is in the scenario."""
+    """True for a number in the case, False for a number in the scenario."""
     unit: str = ""
     """Unit of the values, as written in brackets; empty for numbers without a unit."""
 
@@ -60,7 +60,7 @@ class NumberPath(NamedTuple):
 
     @property
     def numbers(self) -> frozenset[Hashable]:
-        """Key that identifies the number: the document and the path in it."""
+        """Key that identifies the number: the document and the path within the document."""
         return frozenset([(self.of_case, self.keys)])
 
 
@@ -148,7 +148,7 @@ def _leads(root: Node, keys: Keys) -> bool:
 
 
 def _spelled_out(root: Node, keys: Keys) -> Node:
-    """Return the tree with a short form on the path replaced by the mapping that it abbreviates."""
+    """Return the tree with a short form on the path replaced by the full mapping."""
     if len(keys) < 3 or keys[0] not in _SPELLED or not isinstance(root, Mapping):
         return root
     node = child(root, keys[0])
@@ -173,7 +173,10 @@ def _with(node: Mapping, name: str, value: Node) -> Mapping:
 
 
 def written_number(path: NumberPath, trees: Trees) -> WrittenNumber | None:
-    """Return a number as written in its document; None if its key is missing."""
+    """Return a number as written in the document.
+
+    Return None if the key is missing.
+    """
     root = _spelled_out(trees.root(path), path.keys)
     node = find_node(root, [PathPart(key, 0) for key in path.keys])
     return None if node is None else number_of(node)

@@ -63,7 +63,7 @@ class VariedDocument(ABC):
 
     @abstractmethod
     def check_runs(self, targets: Sequence[Varied], values: Sequence[float]) -> None:
-        """Check, with the values of the first variant, that variants can be simulated.
+        """Check that variants can be simulated, with the values of the first variant.
 
         Raises
         ------
@@ -115,6 +115,6 @@ def number_of_case(text: str, case: Transmission, place: Place | None = None) ->
 
 
 def varied_beside_teeth(name: str, place: Place | None) -> ReadError:
-    """Return the error about a ratio that varies together with the teeth that determine it."""
+    """Return the error about a ratio that varies together with the determining teeth."""
     message = f"{name} is varied together with teeth that determine it, expected one of the two"
     return ReadError("E706", message, place=place)

@@ -50,7 +50,7 @@ _BOM = b"\xef\xbb\xbf"
 
 
 class _Columns(NamedTuple):
-    """Columns of a table of variants, as declared by its headings."""
+    """Columns of a table of variants, as declared by the headings."""
 
     file: str
     line: int
@@ -144,7 +144,7 @@ def _pieces(opened: IO[bytes], file: str) -> Iterator[bytes]:
 
 
 def _first_line(piece: bytes, file: str) -> tuple[bytes, int, bytes]:
-    """Return the first line that is not empty, its number, and the bytes after it."""
+    """Return the first line that is not empty, the number of the line, and the following bytes."""
     start, number = 0, 1
     while True:
         end = piece.find(b"\n", start)
@@ -172,7 +172,7 @@ def _header(head: bytes, file: str, number: int, subject: VariedSubject) -> _Col
 def targets_of(
     cells: Sequence[tuple[str, Place]], subject: VariedSubject
 ) -> tuple[list[Varied], list[int]]:
-    """Return the varied numbers that headings name, and the indices of their columns.
+    """Return the varied numbers that headings name, and the indices of the columns.
 
     Row numbers of a spreadsheet or of pandas are ignored. In a table written by a sweep, all
     columns from `status` on are ignored.
@@ -246,7 +246,10 @@ def _rows(first: bytes, pieces: Iterator[bytes], columns: _Columns) -> Iterator[
 
 
 def _fast(piece: bytes, columns: _Columns) -> Floats | None:
-    """Return the numbers of a piece of the table; None if it needs the slower reader."""
+    """Return the numbers of a piece of the table.
+
+    Return None if the piece needs the slower reader.
+    """
     if columns.separator != ",":
         if b"." in piece or (columns.separator == "\t" and b"," in piece):
             # Points or commas can be separators of thousands: the slower reader decides.

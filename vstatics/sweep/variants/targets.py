@@ -56,7 +56,7 @@ class Target(NamedTuple):
     """Varied number of a case, given by component or link and quantity."""
 
     name: str
-    """Name of the number, with the name of its component in the case, such as `D1.ratio`."""
+    """Name of the number, with the name of the component in the case, such as `D1.ratio`."""
     owner: int
     """Index, from 0, of the mechanism, of the link, or of the component in `Transmission.devices`.
     """
@@ -64,7 +64,7 @@ class Target(NamedTuple):
 
     @property
     def numbers(self) -> frozenset[Hashable]:
-        """Key that identifies the number; a compliance has the key of its stiffness."""
+        """Key that identifies the number; a compliance has the key of the stiffness."""
         quantity = "stiffness" if self.quantity == "compliance" else self.quantity
         return frozenset([(self.owner, quantity)])
 
@@ -236,7 +236,10 @@ def devices_of(case: Transmission) -> list[Device]:
 
 
 def stiffness_of(device: Device) -> float | None:
-    """Return the stiffness of a component [N*m/rad]; None if it is rigid or nonlinear."""
+    """Return the stiffness of a component [N*m/rad].
+
+    Return None for a rigid or nonlinear component.
+    """
     if isinstance(device, Spring):
         return None if device.points or device.strut else device.rate
     return device.stiffness

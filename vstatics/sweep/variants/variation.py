@@ -29,7 +29,7 @@ _UNQUOTED = re.compile(r"(?:\"[^\"]*\"|'[^']*'|[^\"'=])*")
 _STEP = re.compile(r"\s*step\s*=\s*")
 _COUNT = re.compile(r"[0-9]{1,19}")
 _DOTS = ".."
-"""Range operator of other programs, recognised for a hint; it never occurs in a number."""
+"""Range operator of other programs, recognised for a hint and never part of a number."""
 _NO_NUMBER = ("nan", "inf", "infinity")
 
 
@@ -162,7 +162,7 @@ def _in_brackets(path: CasePath, place: Place) -> CasePath:
 
 
 def _assigned(text: str, subject: VariedSubject) -> int:
-    """Return the position of the `=` after a name; -1 if it is missing."""
+    """Return the position of the `=` after a name; -1 if missing."""
     if isinstance(subject, Transmission):
         assigned = _ASSIGNED.match(text)
         return assigned.end(1) if assigned else text.find("=")

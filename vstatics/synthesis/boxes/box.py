@@ -31,11 +31,11 @@ class KeptParts(NamedTuple):
     elements: tuple[tuple[int, int], ...]
     """Shift elements of the existing gearbox, as in `FoundBox`."""
     free: int
-    """Largest number of these shift elements that may be missing in a found gearbox."""
+    """Largest number of existing shift elements that may be missing in a found gearbox."""
 
 
 class WantedSequence(NamedTuple):
-    """Forward gears that are given by their number, ratio spread and step ratios, not by ratios."""
+    """Forward gears given by number, ratio spread and step ratios, not by ratios."""
 
     least: int
     """Smallest number of gears in the sequence."""
@@ -86,7 +86,10 @@ class BoxSearch(NamedTuple):
     """Largest deviation ``|ln(i/target)|`` of each gear; empty if `tolerance` is valid for all. [-]
     """
     brake_counts: tuple[int, ...] | None = None
-    """Permitted numbers of brakes; any number if None."""
+    """Permitted numbers of brakes.
+
+    Any number is permitted if None.
+    """
     singly: bool = False
     """True to find only gearboxes in which neighbouring gears differ by exchange of a single
     element.
@@ -118,12 +121,18 @@ class BoxSearch(NamedTuple):
 
     @property
     def input(self) -> int | None:
-        """Number of the separate input shaft, after the links of the scheme; None without it."""
+        """Number of the separate input shaft, after the links of the scheme.
+
+        None means that the input is a link of the scheme.
+        """
         return self.links if self.own_input else None
 
     @property
     def output(self) -> int | None:
-        """Number of the separate output shaft, after the input shaft; None without it."""
+        """Number of the separate output shaft, after the input shaft.
+
+        None means that the output is a link of the scheme.
+        """
         return self.links + self.own_input if self.own_output else None
 
     @property
@@ -186,7 +195,7 @@ ANY_QUOTIENT = (1.0, LARGEST_BOX_RATIO**2)
 MOST_BOX_SETS = 5
 """Largest number of gear sets; more sets have too many schemes to examine."""
 SHAFT_ELEMENTS = 3
-"""Smallest number of shift elements at a shaft without gear-set members; with two, it would be one
+"""Smallest number of shift elements at a shaft without gear-set members; two would act as a single
 clutch.
 """
 MOST_LINKS = 10

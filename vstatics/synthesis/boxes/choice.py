@@ -27,16 +27,15 @@ ORDER = ("error", "loss", "torque", "clutches", "planet_speed")
 
 
 class RankedBox(NamedTuple):
-    """Found gearbox with the numbers of its family and core; True if it is in the Pareto list."""
+    """Found gearbox with the numbers of family and core, and a mark for the Pareto list."""
 
     found: MeasuredBox
     family: int
     """Number of the family, from 1; all gearboxes of a family have equal ratios in all gears."""
     core: int
-    """Number of the core, from 1; gearboxes of the same family and core differ only in clutches."""
+    """Number of the core, from 1; gearboxes of equal family and core differ only in clutches."""
     pareto: bool
-    """True if no other gearbox is better in one figure of the Pareto list and not worse in the
-    others.
+    """True if no other gearbox is better in a figure of the Pareto list and worse in no figure.
     """
 
 
@@ -121,7 +120,7 @@ def family_count(boxes: Iterable[RankedBox]) -> int:
 
 
 def _worth(box: MeasuredBox) -> tuple[Any, ...]:
-    """Return a sort key of the fits of a gearbox, which does not depend on their order."""
+    """Return a sort key of the fits of a gearbox, independent of the order of the fits."""
     error, loss = (round(figure, FIGURE_DECIMALS) for figure in box.figures[:2])
     return error, loss, box.box.ratios
 
@@ -145,7 +144,7 @@ class BoxFilter(NamedTuple):
     """Upper limits of figures, by the names in `LIMITED`."""
 
     def narrowed(self, search: BoxSearch) -> BoxSearch:
-        """Return a search that already excludes unwanted gearboxes, as far as it can.
+        """Return a search that already excludes unwanted gearboxes, as far as possible.
 
         >>> BoxFilter(clutches=(1,)).narrowed(BoxSearch(1, 3, 1, (3.0, 1.0))).brake_counts
         (2,)
@@ -160,7 +159,7 @@ class BoxFilter(NamedTuple):
         return search._replace(brake_counts=brake_counts, singly=self.single)
 
     def before(self, box: FoundBox) -> bool:
-        """Return False if a gearbox is unwanted, as far as known before its figures are calculated.
+        """Return False if a gearbox is unwanted, as far as known before the figures are calculated.
 
         >>> from vstatics.synthesis.boxes.box import HELD
         >>> from vstatics.synthesis.structures.scheme import SetScheme

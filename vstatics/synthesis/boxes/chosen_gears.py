@@ -16,7 +16,7 @@ Engaged = tuple[int, ...]
 
 
 def equal_sets(box: FoundBox) -> tuple[tuple[Engaged, ...], ...]:
-    """Return, for each gear, all sets of engaged shift elements that give its ratio.
+    """Return, for each gear, all sets of engaged shift elements that give the gear ratio.
 
     Parameters
     ----------
@@ -106,7 +106,7 @@ def chosen_sets(
     cost: Callable[[Engaged], tuple[float, float]],
     used_in: Callable[[Engaged], int] = all_of,
 ) -> tuple[Engaged, ...]:
-    """Choose the engaged shift elements of each gear so that shifts exchange few of them.
+    """Choose the engaged shift elements of each gear so that shifts exchange few elements.
 
     Dynamic programming minimises first the number of shifts that release several shift elements,
     then the number of released elements, then the sum of the costs. Every element is engaged in

@@ -14,7 +14,7 @@ from vstatics.synthesis.tolerances import EQUAL_FIGURES, SAME_FITTED_RATIO
 
 
 def core_of(box: FoundBox) -> tuple[Any, ...]:
-    """Return what all gearboxes of a core share, in the form of `least_box`: all but the clutches.
+    """Return the common parts of the gearboxes of a core as in `least_box`: all but the clutches.
 
     Gearboxes of a core that also have equal ratios differ only in how gear sets are locked up.
 
@@ -28,7 +28,7 @@ def core_of(box: FoundBox) -> tuple[Any, ...]:
 
 
 def numbered(keys: Iterable[Hashable]) -> list[int]:
-    """Return a number for each key, the same for equal keys, from 1 in order of appearance.
+    """Return a number for each key, equal for equal keys, from 1 in order of appearance.
 
     >>> numbered("abac")
     [1, 2, 1, 3]

@@ -11,14 +11,14 @@ from vstatics.synthesis.structures.scheme import SetScheme
 
 
 class _Renaming(NamedTuple):
-    """New order of some gear sets, and new numbers of the links of these sets."""
+    """New order of some gear sets, and new numbers of all links of the sets."""
 
     order: tuple[int, ...]
     links: dict[int, int]
 
 
 def least_box(box: FoundBox) -> FoundBox:
-    """Return a gearbox with gear sets and links renumbered so that its code is least.
+    """Return a gearbox with gear sets and links renumbered for the least code.
 
     Several renumberings can give the least code, and shafts without a gear-set member can be
     numbered in any order. Of all these, the result has the least input, then output, held link,
@@ -69,7 +69,7 @@ def identity(box: FoundBox) -> tuple[Any, ...]:
 
 
 def _least_codes(sets: Sequence[tuple[int, int, int]]) -> Iterator[_Renaming]:
-    """Yield all renumberings that give the least code; it is built up gear set by gear set."""
+    """Yield all renumberings that give the least code, which is built up gear set by gear set."""
     least = [_Renaming((), {})]
     for _ in sets:
         codes = [

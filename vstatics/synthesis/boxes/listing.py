@@ -68,13 +68,16 @@ class ListedBox(NamedTuple):
         Mapping[str, Any], Words(description="The case, as written by `vstatics convert`.")
     ]
     known: str | None
-    """Name of the shipped case that equals the gearbox; None without."""
+    """Name of the shipped case that equals the gearbox.
+
+    None means that no shipped case equals the gearbox.
+    """
     ravigneaux: Mapping[str, tuple[str, ...]]
     """Two gear sets that form each Ravigneaux set, by name."""
     number: int = 0
     input: Count = 0
-    """Number of the input link; 0 for a gearbox that was read from a document, where it is not
-    needed.
+    """Number of the input link; 0 for a gearbox that was read from a document, where the number is
+    not needed.
     """
     output: Count = 0
     held: Sometimes[Count] = None
@@ -96,7 +99,7 @@ class ListedBox(NamedTuple):
             ) from None
 
     def contradictions(self) -> Iterator[str]:
-        """Yield contradictions between the data of the gearbox and its stored case.
+        """Yield contradictions between the data of the gearbox and the stored case.
 
         All gear ratios are compared, but gear sets only if they have the same names.
 
@@ -168,7 +171,7 @@ def listed_box(number: int, ranked: RankedBox) -> ListedBox:
 
 
 Range = tuple[float, ...]
-"""Lower and upper end of a wanted range; empty if it is not restricted. [-]"""
+"""Lower and upper end of a wanted range; empty if unrestricted. [-]"""
 
 
 class WantedOfBoxes(NamedTuple):
@@ -179,7 +182,7 @@ class WantedOfBoxes(NamedTuple):
     tolerance: float
     """Tolerance of ratios that are not given as ranges. [-]"""
     gears: tuple[int, ...]
-    """Smallest and largest number of further forward gears; empty if none were requested."""
+    """Smallest and largest number of further forward gears; empty if not requested."""
     spread: Range
     """Range of the ratio spread: first ratio divided by last ratio. [-]"""
     steps: Range
@@ -209,7 +212,7 @@ def wanted_of(search: BoxSearch) -> WantedOfBoxes:
 
 
 def _asked(ends: Range) -> Range:
-    """Return a range, or an empty range if it is no restriction."""
+    """Return a range, or an empty range if nothing is restricted."""
     return () if tuple(ends) == ANY_QUOTIENT else ends
 
 
@@ -227,7 +230,10 @@ class BoxListing(NamedTuple):
     """Number of sets of shift elements that were not examined completely, but could give gearboxes.
     """
     wanted: Sometimes[WantedOfBoxes] = None
-    """Requested gears; None if the document does not contain the request."""
+    """Requested gears.
+
+    None means that the document does not contain the request.
+    """
 
     @property
     def complete(self) -> bool:

@@ -111,7 +111,7 @@ def _planetary_sets(case: Transmission) -> list[Mechanism]:
 
 
 def _joined_links(case: Transmission) -> list[int]:
-    """Return for each link the lowest link that shafts (mechanisms of ratio 1) connect to it."""
+    """Return for each link the lowest link that is connected by shafts (mechanisms of ratio 1)."""
     body = [*range(case.links + 1)]
     for mechanism in case.mechanisms:
         if mechanism.ratio == 1:

@@ -120,7 +120,7 @@ def _wanted(given: Any, problems: list[Problem]) -> WantedOfBoxes:
 
 
 def _box(given: Any, number: int, problems: list[Problem]) -> Iterator[ListedBox]:
-    """Yield a gearbox if the JSON value is valid; otherwise record its problems."""
+    """Yield a gearbox if the JSON value is valid; otherwise record the problems."""
     where = f"box {number}"
     if _fits(dict, given, where, problems):
         missing = [f"`{key}`" for key in _kinds(ListedBox) if key not in given]
@@ -181,7 +181,7 @@ def _fits(kind: Any, given: Any, where: str, problems: list[Problem]) -> bool:
 
 
 def _read(kind: Any, given: Any, where: str, problems: list[Problem]) -> Any:
-    """Convert a JSON value to a type; record problems, and return an empty value if it is wrong."""
+    """Convert a JSON value to a type; record problems, and return an empty value if wrong."""
     return _within(kind, _outside(kind, given, where, problems), where, problems)
 
 

@@ -115,7 +115,7 @@ def case_command(
 
 
 def _link(scheme: SetScheme, given: str) -> int:
-    """Return the number of a link from its name or its number in the code."""
+    """Return the number of a link from the name or the number in the code."""
     names = [link_name(link) for link in range(scheme.links)]
     word = given.strip()
     for link, name in enumerate(names):

@@ -26,7 +26,7 @@ written_case = under(
         "is replaced.",
     ),
 )
-"""Option --write; the command receives its value as argument `target`."""
+"""Option --write; the command receives the value as argument `target`."""
 
 
 def case_format(target: str, inputs: Iterable[str], output: str | None = None) -> str:
@@ -55,7 +55,7 @@ def case_format(target: str, inputs: Iterable[str], output: str | None = None) -
 
 
 def write_case(case: Transmission, target: str, form: str) -> bool:
-    """Write a case completely or not at all, and report the data that its format cannot hold.
+    """Write a case completely or not at all, and report the data that the format cannot hold.
 
     Returns
     -------

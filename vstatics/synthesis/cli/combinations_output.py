@@ -67,7 +67,7 @@ class CombinationEstimate(NamedTuple):
     """Names of the shift elements to choose from."""
     engaged: Sequence[Count]
     total: float
-    """Number of combinations; its key in JSON is `count`."""
+    """Number of combinations; the key in JSON is `count`."""
     bytes: float
     """Approximate size as JSON [bytes]."""
     seconds: float
@@ -101,7 +101,7 @@ def show_estimate(search: CombinationSearch, case: str, to: Destination) -> None
 def show(
     search: CombinationSearch, case: str, to: Destination, telling: Telling, *, by_torque: bool
 ) -> None:
-    """Write all combinations; JSON is written during the search unless it is sorted."""
+    """Write all combinations; JSON is written during the search unless sorted."""
     with progress(
         int(search.count), "combinations", beside_stdout=to.output is None, quiet=telling.quiet
     ) as advance:

@@ -26,7 +26,9 @@ if TYPE_CHECKING:
 
 
 def listing_in(file: str) -> tuple[BoxListing, dict[str, Any]] | None:
-    """Return the gearboxes that a file lists, and its document; None for other files.
+    """Return the gearboxes that a file lists, and the document.
+
+    Return None for other files.
 
     Files that can be read only once, such as standard input and pipes, are left to readers of
     cases.
@@ -106,7 +108,9 @@ MOST_COMPARED_BOXES = 6
 def calculated_boxes(
     file: str, asked: Sequence[int], settings: CaseOptions
 ) -> Iterator[CalculatedCase] | None:
-    """Return the calculated cases of the gearboxes that a file lists; None for other files.
+    """Return the calculated cases of the gearboxes that a file lists.
+
+    Return None for other files.
 
     Raises
     ------
@@ -120,7 +124,7 @@ def calculated_boxes(
 def _calculated(
     listing: BoxListing, file: str, asked: Sequence[int], settings: CaseOptions
 ) -> Iterator[CalculatedCase]:
-    """Calculate the cases of chosen gearboxes, by default a few that differ in their figures.
+    """Calculate the cases of chosen gearboxes, by default a few with different figures.
 
     Raises
     ------
@@ -151,7 +155,7 @@ def _calculated(
 
 
 def _contradictions(boxes: Sequence[ListedBox], file: str) -> Iterator[Problem]:
-    """Yield a warning for each figure of a gearbox that contradicts its case."""
+    """Yield a warning for each figure of a gearbox that contradicts the case."""
     for box in boxes:
         for message in box.contradictions():
             yield of_file("W806", file, f"box {box.number}: {message}")
@@ -171,7 +175,7 @@ def _chosen_boxes(listing: BoxListing, asked: Sequence[int]) -> list[ListedBox]:
 
 
 def box_numbers(texts: Sequence[str]) -> tuple[int, ...]:
-    """Return numbers of gearboxes, separated by commas or given one by one.
+    """Return numbers of gearboxes, separated by commas or given singly.
 
     Raises
     ------

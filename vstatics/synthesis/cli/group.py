@@ -9,7 +9,7 @@ from vstatics.synthesis.annex import ANNEX
 
 
 class SynthesisCommands(LazyGroup):
-    """Commands of `vstatics synth`, imported when they are used."""
+    """Commands of `vstatics synth`, imported when used."""
 
     modules = ANNEX.groups["synth"]
 

@@ -142,7 +142,7 @@ def structures_command(
 
 @json_keys("sets", count="total", by_links="by_links")
 class StructureCount(NamedTuple):
-    """Number of schemes, in total and by their number of links."""
+    """Number of schemes, in total and by number of links."""
 
     sets: Count
     total: Count
@@ -150,7 +150,7 @@ class StructureCount(NamedTuple):
 
 
 class StructureEstimate(NamedTuple):
-    """Estimated number of schemes, size of their list, and time of the command."""
+    """Estimated number of schemes, size of the list, and time of the command."""
 
     schemes: Flat[StructureCount]
     exact: bool
@@ -164,7 +164,7 @@ def _counted(asked: StructureSearch, by_links: Mapping[int, int]) -> StructureCo
 
 
 def _expected_count(asked: StructureSearch, output: str | None, *, listed: bool) -> int:
-    """Estimate the number of schemes; print it for a long list, and check the disk space.
+    """Estimate the number of schemes; print the number for a long list, and check the disk space.
 
     Raises
     ------
@@ -184,7 +184,7 @@ def _expected_count(asked: StructureSearch, output: str | None, *, listed: bool)
 
 
 def _known(asked: StructureSearch, *, listed: bool) -> CommandEstimate:
-    """Estimate the number of schemes, the size of their list, and the time of the command."""
+    """Estimate the number of schemes, the size of the list, and the time of the command."""
     estimated = estimate(asked, listed=listed)
     say = str if estimated.exact else about
     rows = {"schemes": say(estimated.total)}

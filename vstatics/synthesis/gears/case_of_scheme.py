@@ -28,7 +28,7 @@ INERTIA = 1.0
 def scheme_case(
     scheme: SetScheme, input_link: int, output_link: int, ratios: Sequence[float]
 ) -> Transmission:
-    """Convert a scheme to a case with brakes, clutches and all gears that they give.
+    """Convert a scheme to a case with brakes, clutches and all resulting gears.
 
     Every link except input and output has a brake, and a clutch connects input and output. If a
     gear engages several shift elements, clutches also connect the input to all other links, unless

@@ -21,9 +21,9 @@ class FoundGears(NamedTuple):
 
     case: Transmission
     slipping: Sequence[str]
-    """Names of gears that were left out because their freewheels would not hold."""
+    """Names of gears that were left out because freewheels would not hold."""
     free: int = 0
-    """Number of gears that were left out because they leave other links undetermined."""
+    """Number of gears that were left out because other links would be undetermined."""
 
 
 def found_gears(search: CombinationSearch) -> FoundGears:
@@ -129,7 +129,7 @@ def _gears(
 
 
 def _holding(case: Transmission, expected: Sequence[Sequence[float]]) -> FoundGears:
-    """Return a case with the gears whose freewheels hold, and the names of the other gears."""
+    """Return a case with the gears whose freewheels hold, and the names of all other gears."""
     solved = list(zip(case.gears, solve(case).ratio.tolist(), expected, strict=True))
     holds = [any(is_same(ratio, wanted) for wanted in expected) for _, ratio, expected in solved]
     slipping = [gear.name for (gear, *_), is_so in zip(solved, holds, strict=True) if not is_so]

@@ -127,7 +127,7 @@ class _SizedRows:
         return turns
 
     def eliminate(self, row: int, others: slice) -> tuple[Booleans, Floats]:
-        """Subtract multiples of a row from further rows, to clear the column of its largest entry.
+        """Subtract multiples of a row from further rows, to clear the column of the largest entry.
 
         Returns
         -------
@@ -267,8 +267,8 @@ class EngagedSet(NamedTuple):
     for `gear` and `direct`; NaN where the torque split is indeterminate. [-]
     """
     slip: Sometimes[float] = None
-    """Slip speed of the only shift element of `direct` while it is released and the output is at
-    rest, relative to the input speed; NaN if undetermined. [-]
+    """Slip speed of the only shift element of `direct` when released with the output at rest,
+    relative to the input speed; NaN if undetermined. [-]
     """
 
     @property
@@ -374,7 +374,7 @@ def combination_grids(sets: Iterable[EngagedSet]) -> Iterator[Grid]:
 
 
 def _torque_cell(torques: Sequence[float]) -> Cell:
-    """Return a table cell with the torques of the engaged shift elements, in their order.
+    """Return a table cell with the torques of the engaged shift elements in order.
 
     >>> _torque_cell([-2.5]).datum, _torque_cell([-2.5, 1 / 3]).text
     (-2.5, '-2.500, 0.333')

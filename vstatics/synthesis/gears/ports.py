@@ -55,7 +55,7 @@ def _pair(case: Transmission, text: str) -> Pair:
 
 
 def between(case: Transmission, pair: Pair) -> Transmission:
-    """Return the case with another input and output, and without its gears and loads.
+    """Return the case with a different input and output, and without gears and loads.
 
     >>> from vstatics import Mechanism
     >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.5)], [Gear(speeds={2: 0})])

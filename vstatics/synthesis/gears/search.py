@@ -223,7 +223,7 @@ class CombinationSearch:
         return chosen_elements(self.case, self._asked)
 
     def check(self, at_most: int | None = MOST_TRIED_COMBINATIONS) -> None:
-        """Refuse a search with too many combinations, or one that needs too much memory or time.
+        """Refuse a search that needs too many combinations, too much memory or too much time.
 
         Raises
         ------
@@ -318,7 +318,7 @@ class CombinationSearch:
 
 
 def _members(chosen: Iterator[tuple[int, ...]], size: int, most: int) -> Indices:
-    """Return the next combinations as rows of an array, at most `most` of them."""
+    """Return the next combinations as rows of an array, at most `most` rows."""
     if not size:
         return np.zeros((1, 0), dtype=np.intp)
     flat = chain.from_iterable(islice(chosen, most))

@@ -55,7 +55,7 @@ class _GivenSpeed(NamedTuple):
 
 
 class FreeSpeeds:
-    """Elimination of the speeds that depend on others by mechanisms and springs of a case.
+    """Elimination of the speeds that depend on other speeds by mechanisms and springs of a case.
 
     Parameters
     ----------

@@ -18,9 +18,9 @@ SAME_POINT = 2.0
 SPOT, LARGE_SPOT = 4.5, 6.5
 """Size of the point of a gearbox, and of a gearbox in the Pareto list. [pt]"""
 DISTANCES = (9.0, 13.0, 18.0, 27.0, 40.0, 60.0, 85.0)
-"""Distances to try between the middle of a number and its point. [pt]"""
+"""Distances to try between the middle of a number and the point. [pt]"""
 STRANGE_NUMBER_COST = 18.0
-"""Cost of a number that is nearer to the point of another number. [pt of distance]"""
+"""Cost of a number that is nearer to the point of a different number. [pt of distance]"""
 HIDDEN_NUMBER_COST = 1000.0
 """Cost of a number that covers another number or a point. [pt of distance]"""
 NUMBER_DIRECTIONS = 16
@@ -36,7 +36,7 @@ class BoxPoint(NamedTuple):
 
 
 class _BoxNumber(NamedTuple):
-    """Number to be placed next to its point."""
+    """Number to be placed next to a point."""
 
     at: Point
     """Position of the number's point. [pt]"""
@@ -47,7 +47,7 @@ class _BoxNumber(NamedTuple):
     """Positions of the points of other numbers. [pt]"""
 
     def is_strange(self, place: Point) -> bool:
-        """Check whether a number at a position would seem to belong to another point."""
+        """Check whether a number at a position would seem to belong to a different point."""
         distance = math.dist(place, self.at)
         return any(math.dist(place, other) < 1.2 * distance for other in self.rivals)
 
@@ -101,7 +101,7 @@ def rounded(at: Point) -> tuple[int, int]:
 
 
 def _texts(spots: Sequence[BoxPoint], numbers: set[int]) -> Iterator[tuple[Point, str]]:
-    """Yield the text next to each point, with the numbers of its gearboxes that have a diagram."""
+    """Yield the text next to each point, with the numbers of gearboxes that have a diagram."""
     together: dict[tuple[int, int], tuple[Point, list[int]]] = {}
     for spot in spots:
         numbers_there = together.setdefault(rounded(spot.at), (spot.at, []))[1]

@@ -26,7 +26,7 @@ from vstatics.synthesis.pictures.numbers import LARGE_SPOT, SPOT, BoxPoint, numb
 MARKERS = "os^Dv"
 """Markers of the points of families, used in turn like the colours."""
 AXIS_ROOM = 0.06
-"""Distance of the outermost points from the ends of an axis, relative to its range. [-]"""
+"""Distance of the outermost points from the ends of an axis, relative to the range. [-]"""
 LEAST_AXIS_ROOM = 0.05
 """Smallest distance of the points from the ends of an axis, relative to the largest value. [-]"""
 CROWD = 1000
@@ -38,11 +38,11 @@ POINTS_SCALE_WIDTH = 40.0
 LOGARITHMIC_RATIO = 8.0
 """Ratio of the largest to the smallest value above which a scale is logarithmic. [-]"""
 BESIDE_POINTS, TO_FAMILY = 14.0, 8.0
-"""Distance from the axes to the markers in the legend, and from these to the names. [pt]"""
+"""Distance from the axes to the markers in the legend, and from the markers to the names. [pt]"""
 TICK_ROOM = 30.0
 """Smallest distance between numbers of the horizontal axis. [pt]"""
 OVER_AXES = 12.0
-"""Distance from the axes to the text above them. [pt]"""
+"""Distance from the axes to the text above the axes. [pt]"""
 PointLook = tuple[str, str]
 """Colour and marker of the points of a family."""
 
@@ -118,7 +118,7 @@ def _ticks(scale: AxisScale, most: int) -> list[float]:
 
 
 def box_scale(values: Sequence[float]) -> AxisScale:
-    """Return the scale for values; it is logarithmic if they differ by a large factor."""
+    """Return the scale for values: logarithmic if the values differ by a large factor."""
     if values and 0 < LOGARITHMIC_RATIO * min(values) < max(values):
         low, high = (math.exp(end) for end in _ends([math.log(number) for number in values]))
         return AxisScale(low, high, is_log=True)
@@ -126,7 +126,7 @@ def box_scale(values: Sequence[float]) -> AxisScale:
 
 
 def _ends(values: Sequence[float]) -> Span:
-    """Return the ends of an axis, outside all values; they differ also if all values are equal.
+    """Return the ends of an axis, outside all values; the ends differ also if all values are equal.
 
     >>> _ends([2.0, 2.0]), _ends([])
     ((1.9, 2.1), (0.0, 1.0))

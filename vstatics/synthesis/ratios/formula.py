@@ -192,7 +192,7 @@ def _row(
     bodies: Sequence[int],
     known: Mapping[int, Fraction],
 ) -> LinearRow:
-    """Convert an equation of links to one of bodies, with known speeds on the right side."""
+    """Convert an equation of links to an equation of bodies with known speeds on the right side."""
     unknown: dict[int, Term] = {}
     right = (ZERO, ZERO)
     for link, (plain, more) in terms:

@@ -24,7 +24,7 @@ LONGEST_STEP = 1.0
 """Largest change of an unknown (a logarithm) in a step. [-]"""
 
 Residuals = Callable[[Floats, Integers], tuple[Floats, Floats]]
-"""Function of unknowns, shape (n, unknowns), and of the indices of their n starting points.
+"""Function of unknowns, shape (n, unknowns), and of the indices of the n starting points.
 
 It returns residuals, shape (n, residuals), and derivatives with respect to the unknowns; NaN where
 undefined.

@@ -30,7 +30,7 @@ The polynomial is evaluated for pseudo-random ratios.
 
 
 class LinearRow(NamedTuple):
-    """Equation ``sum of terms = right`` of a mechanism, or of another component without a ratio."""
+    """Equation ``sum of terms = right`` of a mechanism or other component without a ratio."""
 
     ratio: int
     """Index of the mechanism whose ratio is in the equation; -1 without a ratio."""
@@ -100,7 +100,7 @@ def determinant(rows: Sequence[LinearRow], unknowns: Sequence[int]) -> Polynomia
 
 
 class Independent(NamedTuple):
-    """Independent rows, and the unknowns for which they can be solved."""
+    """Independent rows, and the unknowns that the rows determine."""
 
     rows: list[LinearRow]
     unknowns: list[int]
@@ -211,7 +211,7 @@ def without_common(
 
 
 def split(polynomial: Polynomial, ratio: int) -> tuple[Polynomial, Polynomial]:
-    """Split a polynomial into the part without a ratio, and the factor of that ratio."""
+    """Split a polynomial into the part without a ratio, and the factor of the ratio."""
     bit = 1 << ratio
     plain = {ratios: factor for ratios, factor in polynomial.items() if not ratios & bit}
     return plain, {ratios ^ bit: factor for ratios, factor in polynomial.items() if ratios & bit}

@@ -217,7 +217,7 @@ def fit_problem(  # noqa: PLR0913 - the arguments of `fit`
     *,
     advance: Advance = untold,
 ) -> FitProblem:
-    """Check the arguments of `fit`, and return them as a problem to solve.
+    """Check the arguments of `fit`, and return a problem to solve.
 
     Raises
     ------
@@ -262,7 +262,7 @@ def fit_problem(  # noqa: PLR0913 - the arguments of `fit`
 
 
 def on_engaged_links(case: Transmission) -> OwnLinks:
-    """Return a case without planets as links, in which freewheels do not change their state.
+    """Return a case without planets as links, in which freewheels do not change state.
 
     A freewheel becomes a shift element that is engaged in the gears where the freewheel holds at
     the present ratios of the case.
@@ -359,7 +359,7 @@ def _impossible(problem: FitProblem, index: int) -> Iterator[Problem]:
 
 
 def ratio_fault(name: str, formula: GearFormula, wanted: float, varied: str) -> str:
-    """Return the reason why no mechanism ratios give a gear its wanted ratio; "" if possible."""
+    """Return the reason why no mechanism ratios give the wanted ratio of a gear; "" if possible."""
     status = {known_status.name: known_status for known_status in STATUSES}.get(formula.kind)
     if status is not None:
         return f"gear {name} has no ratio: {status.meaning}"
@@ -403,7 +403,7 @@ def doubts(problem: FitProblem) -> Iterator[str]:
 
 
 def _other_signs(problem: FitProblem) -> Iterator[str]:
-    """Yield warnings about mechanisms whose bounds have the opposite sign of their ratio."""
+    """Yield warnings about mechanisms whose bounds and ratio differ in sign."""
     limits = zip(problem.links.case.mechanisms, *problem.bounds, strict=True)
     for mechanism, low, high in limits:
         if high < 0 < mechanism.ratio or mechanism.ratio < 0 < low:

@@ -15,7 +15,7 @@ from vstatics.synthesis.ratios.space import FitPoints, FitSpace, fit_space
 from vstatics.synthesis.tolerances import AT_BOUND, DEPENDENT_RATIOS, MET_RATIOS, SAME_SOLUTION
 
 ANCHORED = (0.1, 0.01)
-"""Weights, in turn, that pull ratios towards the ratios of the case, to settle undetermined ones.
+"""Weights, in turn, that pull ratios towards the ratios of the case, to settle undetermined ratios.
 [-]
 
 A last minimisation without this pull follows.
@@ -85,7 +85,7 @@ MOST_STARTS, LEAST_STARTS = 128, 8
 START_NUMBERS = 12_800
 """Largest number of matrix entries of all starts; with more ratios there are fewer starts."""
 SAMPLES, ROUNDS = 2048, 4
-"""Number of points that are tried together, and largest number of such trials."""
+"""Number of points that are tried together, and largest number of trials."""
 
 
 def start_count(space: FitSpace) -> int:

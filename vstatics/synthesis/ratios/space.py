@@ -81,7 +81,7 @@ class FitSpace(NamedTuple):
         return values, slopes * self.roots[:, np.newaxis]
 
     def minima(self, starts: FitPoints, weight: float = 0.0, steps: int = MOST_FIT_STEPS) -> Minima:
-        """Return the minima from starting points; `weight` pulls them to the ratios of the case."""
+        """Return the minima from starting points; `weight` pulls towards the ratios of the case."""
         anchor = self.case_point.sizes
 
         def residuals(sizes: Floats, which: Integers) -> tuple[Floats, Floats]:

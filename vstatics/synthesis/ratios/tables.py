@@ -126,7 +126,7 @@ def longest(problem: FitProblem) -> float:
 
 
 TIMED_STEPS = 2
-"""Number of steps that are timed for this estimate."""
+"""Number of steps that are timed for the estimate."""
 
 
 def dry_grids(known: Mapping[str, Any]) -> Iterator[Grid]:

@@ -19,7 +19,7 @@ def box_link(box: ListedBox) -> Markup:
 
 
 def all_grid(listing: BoxListing, most: int, drawn: Collection[int]) -> Grid:
-    """Return the table of gearboxes with their figures, at most `most` of them.
+    """Return the table of gearboxes with figures, at most `most` gearboxes.
 
     Gearboxes of a core, which differ only in clutches, share the first one's row, which unfolds.
 
@@ -220,7 +220,7 @@ def set_grid(box: ListedBox) -> Grid:
 
 
 def _of(values: Mapping[str, float], name: str) -> Cell:
-    """Return a cell with the value of a name; an empty cell if it is missing."""
+    """Return a cell with the value of a name; an empty cell if missing."""
     return exact(values[name]) if name in values else BLANK
 
 

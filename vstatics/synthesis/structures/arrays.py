@@ -115,7 +115,7 @@ def link_masks(codes: Codes) -> Bits:
 
 
 def stays_sound(parents: Codes, which: NDArray[np.intp], children: Codes) -> NDArray[np.bool_]:
-    """Return whether schemes are still sound after addition of their last gear set.
+    """Return whether schemes are still sound after addition of the last gear set.
 
     A group of gear sets always rotates as a block if it has fewer than two links more than sets.
 

@@ -36,7 +36,7 @@ LinkSizes = tuple[int, ...]
 def count(
     search: StructureSearch, advance: Callable[[int], None] = lambda _: None
 ) -> dict[int, int]:
-    """Count the requested schemes by their number of links.
+    """Count the requested schemes by number of links.
 
     Parameters
     ----------
@@ -168,7 +168,7 @@ def _with_bodies(sizes: LinkSizes, inside: int) -> tuple[tuple[int, int], ...]:
 
 @cache
 def _link_sizes(sets: int) -> dict[LinkSizes, int]:
-    """Count the sound schemes by the numbers of gear-set members at their links."""
+    """Count the sound schemes by the numbers of gear-set members at the links."""
     totals: Counter[LinkSizes] = Counter()
     search = StructureSearch(sets)
     for batch in batches(counted_by(search)):

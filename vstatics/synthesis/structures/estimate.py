@@ -46,7 +46,7 @@ class Estimate(NamedTuple):
     """Estimated result of a search for schemes."""
 
     by_links: Mapping[int, float]
-    """Number of schemes, by their number of links."""
+    """Number of schemes by number of links."""
     exact: bool
     """True if the numbers are exact."""
     bytes: float
@@ -99,7 +99,7 @@ def estimate(search: StructureSearch, *, listed: bool) -> Estimate:
 
 
 def _labelled(search: StructureSearch) -> Estimate:
-    """Estimate the number of schemes with numbered gear sets, and the time to count them."""
+    """Estimate the number of schemes with numbered gear sets, and the time to count the schemes."""
     if _are_soon_counted(search):
         return Estimate(count(search), exact=True, bytes=0.0, seconds=0.0)
     sample = _sample(counted_by(search))
@@ -116,7 +116,7 @@ def _are_soon_counted(search: StructureSearch) -> bool:
 def _by_links(
     search: StructureSearch, sample: _DrawnSchemes, numbers: NDArray[Any]
 ) -> dict[int, float]:
-    """Return the number of schemes that a sample represents, by their number of links."""
+    """Return the number of schemes that a sample represents, by number of links."""
     all_of_them = numbers * sample.weights
     links = sample.batch.links
     sums = {wanted: float(all_of_them[links == wanted].sum()) for wanted in search.wanted}
@@ -180,7 +180,7 @@ def _drawn(
 
 
 def _written(search: StructureSearch, batch: SchemeBatch) -> tuple[float, float]:
-    """Return the mean length of an output line [bytes], and the time to write it [s]."""
+    """Return the mean length [bytes] and the mean writing time [s] of an output line."""
     step = math.ceil(len(batch.codes) / WRITTEN)
     if not step:
         return 0.0, 0.0

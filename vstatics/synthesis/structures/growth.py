@@ -75,7 +75,10 @@ class SchemeBatch(NamedTuple):
     links: NDArray[np.intp]
     """Number of links of each scheme, shape (schemes,)."""
     symmetries: Symmetries | None
-    """Renamings that leave each scheme unchanged; None if no classes are formed."""
+    """Renamings that leave each scheme unchanged.
+
+    None means that no classes are formed.
+    """
     parents: NDArray[np.intp]
     """Row of the earlier batch from which each scheme grew, shape (schemes,)."""
 
@@ -211,7 +214,7 @@ def labelled_weights(search: StructureSearch, batch: SchemeBatch) -> Floats:
 
 
 def ports(batch: SchemeBatch) -> SchemePorts:
-    """Return the choices of input and output of each scheme; of symmetric choices, only one.
+    """Return the choices of input and output of each scheme; symmetric choices only once.
 
     Examples
     --------
@@ -258,7 +261,10 @@ class FoundScheme(NamedTuple):
     links: Count
     """Number of links."""
     input: Count | None
-    """Number of the input link in the code; None if not requested."""
+    """Number of the input link in the code.
+
+    None means that no input link is requested.
+    """
     output: Count | None
     matrix: Sometimes[Sequence[Sequence[int]]] = None
     """Incidence matrix with a row for each link and a column for each sun, carrier and ring."""

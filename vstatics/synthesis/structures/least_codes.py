@@ -21,7 +21,7 @@ MOST_RENAMINGS = 400_000
 
 
 class Symmetries(NamedTuple):
-    """Marks of least codes, and the renamings that leave them unchanged."""
+    """Marks of least codes, and the renamings that leave the codes unchanged."""
 
     least: NDArray[np.bool_]
     """True for each least code, shape (schemes,)."""
@@ -75,7 +75,7 @@ def symmetries(codes: Codes, orders: tuple[tuple[int, ...], ...]) -> Symmetries:
 
 
 class _RenamingSearch:
-    """Search for renamings that reduce a code or leave it unchanged."""
+    """Search for renamings that reduce or keep a code."""
 
     def __init__(self, codes: Codes, orders: tuple[tuple[int, ...], ...]) -> None:
         """Begin with every code as a candidate for the least."""
@@ -102,7 +102,7 @@ class _RenamingSearch:
     def _agreeing(
         self, before: _Renamings, place: int, number: int, order: tuple[int, ...]
     ) -> _Renamings:
-        """Extend renamings by a gear set at a place, and return those that agree with the codes.
+        """Extend renamings by a gear set at a place; return renamings that agree with the codes.
 
         If a code becomes less than the given code, the given code is not the least.
         """

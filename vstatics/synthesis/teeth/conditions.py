@@ -27,7 +27,7 @@ from vstatics.synthesis.teeth.layout import TeethLayout
 from vstatics.synthesis.teeth.limits import AxisEquation, TeethLimits
 
 FOOT = 2.5
-"""Outer diameter minus pitch diameter of a ring gear, for its teeth and rim. [modules]"""
+"""Outer diameter minus pitch diameter of a ring gear, for the teeth and the rim. [modules]"""
 
 
 @dataclass(frozen=True)
@@ -68,7 +68,7 @@ class TeethCandidates:
         return span if here == there else span * self.module(there) / self.module(here)
 
     def sides(self, pair: tuple[int, int]) -> tuple[Floats, Floats, Floats]:
-        """Return both meshing planets' distances from the axis, and from each other [modules]."""
+        """Return the distances of two meshing planets from the axis and each other [modules]."""
         first, second = pair
         apart = (self.teeth(first) + self.teeth(second)) / 2
         return self.span(first) / 2, self.span(second) / 2, apart
@@ -200,7 +200,7 @@ def _go_in(train: list[int], rows: TeethCandidates) -> Booleans:
 def solved(
     equation: AxisEquation, column: int, candidates: TeethCandidates
 ) -> tuple[Floats, Floats]:
-    """Return the range of tooth numbers of a gear that an equation permits, all others known."""
+    """Return the range of a tooth number that an equation permits, given all other numbers."""
     known_sum = np.full(len(candidates.rows), -equation.value)
     for wheel, (factor, component) in equation.terms.items():
         if wheel != column:

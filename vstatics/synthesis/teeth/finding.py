@@ -137,7 +137,9 @@ def ends_by_ranges(rows: TeethRows) -> tuple[Floats, Floats]:
 def narrowed(
     targets: Sequence[TeethTarget], low: Floats, high: Floats, most: float
 ) -> tuple[Floats, Floats] | None:
-    """Return narrower ranges of ratios that contain all errors up to `most`; None if empty.
+    """Return narrower ranges of ratios that contain all errors up to `most`.
+
+    Return None if the ranges are empty.
 
     Examples
     --------
@@ -203,7 +205,7 @@ class NoTeethError(CaseError):
 
 
 class FoundTeeth(NamedTuple):
-    """Best tooth numbers, and whether they are proven to be the best."""
+    """Best tooth numbers, and whether proven to be the best."""
 
     solutions: Sequence[TeethSolution]
     """Different tooth numbers by ascending error; with equal errors, small tooth numbers first."""
@@ -290,7 +292,9 @@ def find_teeth(
 
 
 def _whole_table(rows: TeethRows) -> TeethTable | None:
-    """Return the table of all tooth numbers of a gear set; None if there are too many.
+    """Return the table of all tooth numbers of a gear set.
+
+    Return None if there are too many.
 
     Raises
     ------
@@ -379,7 +383,7 @@ def _in_windows(
     between: tuple[Floats, Floats],
     excluded: Counter[str],
 ) -> Iterator[TeethTable]:
-    """Yield the tables of all gear sets, limited to useful ratios if they would be too large."""
+    """Yield the tables of all gear sets, limited to useful ratios if otherwise too large."""
     sizes = iter(np.sort(np.abs(between), axis=0).T.tolist())
     for gear_set, table in zip(rows, tables, strict=True):
         useful = islice(sizes, len(gear_set.layout.ratios))

@@ -29,12 +29,12 @@ class TeethRatio(NamedTuple):
     name: str
     sign: int
     powers: Mapping[int, int]
-    """Exponent of each toothed gear, by its number in the layout."""
+    """Exponent of each toothed gear, by number in the layout."""
 
 
 @dataclass(frozen=True)
 class TeethLayout:
-    """Gear set with unknown tooth numbers; its toothed gears are numbered from 0.
+    """Gear set with unknown tooth numbers; the toothed gears are numbered from 0.
 
     Parameters
     ----------
@@ -105,7 +105,7 @@ class TeethLayout:
 
     @cached_property
     def passing(self) -> list[tuple[int, int]]:
-        """Pairs of a planet gear and a central gear in one plane that must not touch.
+        """Pairs of a planet gear and a central gear in a common plane that must not touch.
 
         A planet gear must be clear of the sun (or ring) of the planet gear that it meshes with,
         unless it meshes with a sun (or ring) itself, which is then in another plane. In a
@@ -184,7 +184,10 @@ def teeth_layouts(links: OwnLinks) -> list[TeethLayout]:
 
 
 def _stand_in(mechanism: Mechanism) -> Element | None:
-    """Return a gear set with arbitrary teeth that replaces a mechanism; None for a worm pair."""
+    """Return a gear set with arbitrary teeth that replaces a mechanism.
+
+    Return None for a worm pair.
+    """
     name, ratio = mechanism.name, mechanism.ratio
     if mechanism.back_efficiency is not None:
         return None

@@ -101,10 +101,10 @@ class AxisEquation(NamedTuple):
 
     label: str
     terms: Mapping[int, tuple[float, int]]
-    """Factor of each gear in the sum, and the component whose module applies to it."""
+    """Factor of each gear in the sum, and the component whose module applies to the gear."""
     value: float
     tolerance: tuple[float, tuple[int, int]]
-    """Tolerance in modules, and the two components whose mean module applies to it."""
+    """Tolerance in modules, and the two components whose mean module applies."""
 
 
 def axis_equations(layout: TeethLayout, limits: TeethLimits) -> Iterator[AxisEquation]:

@@ -32,11 +32,11 @@ class TeethProblem(NamedTuple):
     """Checked request of a search for tooth numbers."""
 
     links: OwnLinks
-    """Case without planets as links, in which freewheels do not change their state."""
+    """Case without planets as links, in which freewheels do not change state."""
     layouts: Sequence[TeethLayout]
     """Gear sets that affect a wanted ratio."""
     targets: Sequence[TeethTarget]
-    """Wanted ratios; the columns in their formulas are the ratios of the gear sets in turn."""
+    """Wanted ratios; the columns in the formulas are the ratios of the gear sets in turn."""
     limits: TeethLimits
     unused: Sequence[str]
     """Names of gear sets with teeth that do not affect any wanted ratio."""
@@ -45,7 +45,7 @@ class TeethProblem(NamedTuple):
 def teeth_problem(
     case: Transmission, ratios: Mapping[str, float], limits: TeethLimits, error: TeethError = "ln"
 ) -> TeethProblem:
-    """Check the arguments of `find_teeth`, and return them as a problem to solve.
+    """Check the arguments of `find_teeth`, and return a problem to solve.
 
     Raises
     ------
@@ -101,7 +101,7 @@ def own_ratios(case: Transmission) -> dict[str, float]:
 
 @dataclass(frozen=True)
 class _AskedByName:
-    """Case with its gear and gear-set ratios by name."""
+    """Case with gear ratios and gear-set ratios by name."""
 
     links: OwnLinks
     layouts: Sequence[TeethLayout]

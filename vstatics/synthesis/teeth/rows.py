@@ -59,7 +59,7 @@ class TeethRows:
 
     @cached_property
     def least(self) -> Integers:
-        """Smallest tooth number of each gear within its range and without undercut."""
+        """Smallest tooth number of each gear within the range and without undercut."""
         layout = self.layout
         cut = layout.element.kind not in ("chain", "bevel_pair")
         least = np.where(np.array(layout.internal) | (not cut), 1, UNCUT_SHIFTED)

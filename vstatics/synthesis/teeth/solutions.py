@@ -74,7 +74,7 @@ def _smallest(table: TeethTable, place: int) -> list[Integers]:
 
 
 def _by_size(alike: Sequence[Sequence[Integers]]) -> Iterator[tuple[Integers, ...]]:
-    """Yield choices of one row from each list, by ascending sum of the positions."""
+    """Yield choices of a row from each list, by ascending sum of the positions."""
     total = sum(len(rows) - 1 for rows in alike)
     for depth in range(total + 1):
         for steps in _steps(depth, [len(rows) for rows in alike]):

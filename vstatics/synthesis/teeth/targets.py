@@ -99,7 +99,10 @@ class TeethTarget:
         return np.where(holds | stands, 0.0, nearest)
 
     def ends(self, low: Floats, high: Floats) -> tuple[float, float] | None:
-        """Return the smallest and largest ratio in a region; None if it is unbounded [-]."""
+        """Return the smallest and largest ratio in a region [-].
+
+        Return None if the ratio is unbounded.
+        """
         least, largest, stands = self._ends(low, high)
         return None if stands[0] else (float(least[0]), float(largest[0]))
 
@@ -113,7 +116,7 @@ class TeethTarget:
         return corners.min(axis=1), corners.max(axis=1), ~keeps_sign
 
     def within(self, points: Floats, column: int, most: float) -> tuple[Floats, Floats, Booleans]:
-        """Return the range of one gear-set ratio with errors up to `most`, all others fixed.
+        """Return the range of a gear-set ratio with errors up to `most`, all other ratios fixed.
 
         Returns
         -------

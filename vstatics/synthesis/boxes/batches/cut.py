@@ -20,8 +20,7 @@ from vstatics.synthesis.boxes.schemes.stems import stems
 PIECE, LONGEST_PIECE = 0.5, 5.0
 """Estimated time of a piece, in a short search and in a long search. [s]"""
 MOST_SHORT_PIECES = 2000
-"""Largest number of pieces of length `PIECE`; they are short, so that interrupted searches have
-results.
+"""Largest number of pieces of length `PIECE`; with short pieces, interrupted searches have results.
 """
 SAMPLED_CHOICES = 24
 """Number of choices of input and output in the sample that estimates the total time."""

@@ -53,7 +53,10 @@ def box_estimate(search: BoxSearch) -> BoxEstimate:
 
 
 def _of_all(search: BoxSearch) -> BoxEstimate | None:
-    """Carry out a small search completely, and return exact numbers; None for a large search."""
+    """Carry out a small search completely, and return exact numbers.
+
+    Return None for a large search.
+    """
     if stems(search).total > FEW_SCHEMES * UNIT:
         return None
     schemes = [*box_schemes(search)]

@@ -52,7 +52,7 @@ def found_in(search: BoxSearch, piece: int = 0, count: int = 1) -> FoundPiece:
 
 
 def prepare(search: BoxSearch) -> None:
-    """Compile the functions of a search, which takes ten seconds or more if they are not cached."""
+    """Compile the functions of a search, which takes ten seconds or more without a cache."""
     small = BoxSearch(1, 2, 1, (3.0, 1.0))
     if search.sequence is not None:
         gears = WantedSequence(2, 2, (1.0, 9.0), (1.0, 9.0))

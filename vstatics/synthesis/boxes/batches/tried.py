@@ -27,16 +27,16 @@ JOIN, CELL, SEQUENCE_CELL = 0.4e-6, 16e-6, 60e-6
 given ratios, and for a sequence of gears. [s]
 """
 SET = 2e-6
-"""Time to examine a set of shift elements, in addition to the time for its cells of ratios. [s]"""
+"""Time to examine a set of shift elements, in addition to the time for the cells of ratios. [s]"""
 PORT, PORT_GEAR = 0.2e-3, 0.04e-6
 """Times to prepare a choice of input and output: a constant, and per combination of elements. [s]
 """
 SCHEME, SCHEME_GEAR = 1e-3, 0.45e-6
-"""Times to prepare a scheme without its ports: a constant, and per combination of elements. [s]"""
+"""Times to prepare a scheme without the ports: a constant, and per combination of elements. [s]"""
 ELEMENT_SETS = 10_000
 """Number of sets of shift elements for which the work arrays have room."""
 GOLDEN = 0.6180339887498949
-"""Golden ratio minus 1; its multiples modulo 1 are evenly spread, so samples come from all parts.
+"""Golden ratio minus 1; multiples modulo 1 are evenly spread, so samples come from all parts.
 """
 
 
@@ -48,7 +48,7 @@ class Depth(NamedTuple):
     sets: int
     """Approximate number of the listed sets of shift elements that are examined."""
     seconds: float
-    """Approximate limit of the time to list sets and to examine them, together. [s]"""
+    """Approximate limit of the total time to list and examine sets. [s]"""
 
 
 class Work(NamedTuple):
@@ -66,13 +66,13 @@ class Tried(NamedTuple):
     """Result of the partial search of a choice of input and output."""
 
     searched: int
-    """Number of gearboxes that the full search examines for this choice of input and output."""
+    """Number of gearboxes that the full search examines for the choice of input and output."""
     found: float
     """Estimated number of gearboxes with the wanted ratios."""
     whole: Work
-    """Expected time of the full search of this choice, from the number of its steps."""
+    """Expected time of the full search, from the number of steps."""
     spent: Work
-    """Expected time of the partial search, from the number of its steps."""
+    """Expected time of the partial search, from the number of steps."""
     seconds: Work
     """Measured time of the partial search."""
     is_whole: bool

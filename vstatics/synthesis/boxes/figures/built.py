@@ -19,7 +19,7 @@ OF_SETS = ("planetary", "double_planet", "ravigneaux", GROUP)
 
 
 class _CaseSet(NamedTuple):
-    """Gear set of a case; of its central gears, the sun has fewer teeth than the ring."""
+    """Gear set of a case; of the central gears, the sun has fewer teeth than the ring."""
 
     links: tuple[int, int, int]
     """Numbers of the links of sun, carrier and ring in the case."""
@@ -27,7 +27,9 @@ class _CaseSet(NamedTuple):
 
 
 def built_box(case: Transmission) -> FoundBox | None:
-    """Return a case as a found gearbox; None if it has other components than such gearboxes.
+    """Return a case as a found gearbox.
+
+    Return None if the case has other components than found gearboxes.
 
     A gearbox has only planetary gear sets, brakes and clutches. One-way clutches are left out; a
     brake or clutch between the same links is engaged instead. Only the gears that engage the
@@ -96,7 +98,10 @@ def _case_set(mechanism: Mechanism, held: Collection[int]) -> _CaseSet:
 def _elements(
     case: Transmission, number: Mapping[int, int], held: Collection[int]
 ) -> dict[int, tuple[int, int] | None]:
-    """Return the links of each shift element; None for a link outside the gearbox."""
+    """Return the links of each shift element.
+
+    None marks a shift element at a link outside the gearbox.
+    """
     ends: dict[int, tuple[int, int] | None] = {}
     for place, element in enumerate(case.shift_elements, 1):
         if element.is_freewheel:
@@ -109,7 +114,7 @@ def _elements(
 
 
 def _gears(case: Transmission, elements: Collection[int]) -> Iterator[tuple[int, ...]]:
-    """Yield the engaged elements of each gear, if it engages the largest number of elements."""
+    """Yield the engaged elements of each gear with the largest number of engaged elements."""
     parallel = [place for place in map(partial(_parallel_element, case), case.freewheels) if place]
     most = max((len(gear.engaged) for gear in case.gears), default=0)
     for gear in case.gears:

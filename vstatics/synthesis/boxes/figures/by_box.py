@@ -18,7 +18,7 @@ class BoxFigures(NamedTuple):
     """Mean of 1 - efficiency over the forward gears, or over all gears without a forward gear. [-]
     """
     planet_speed: float
-    """Largest planet speed relative to its carrier, divided by the input speed. [-]"""
+    """Largest planet speed relative to the carrier, divided by the input speed. [-]"""
     slip: float
     """Largest slip speed of a disengaged shift element, divided by the input speed. [-]"""
     torque: float
@@ -29,11 +29,10 @@ class BoxFigures(NamedTuple):
     drag: float
     """Weighted mean drag of the forward gears, or of all gears without a forward gear. [-]"""
     skip_shifts: int
-    """Number of pairs of forward gears, not neighbours, that differ by exchange of a single
-    element.
+    """Number of pairs of non-adjacent forward gears that differ by exchange of a single element.
     """
     reversing: tuple[str, ...]
-    """Names of shift elements with positive torque in some gears and negative torque in others."""
+    """Names of shift elements with positive torque in some gears and negative in other gears."""
     one_way: tuple[str, ...]
     """Names of brakes that a one-way clutch could replace."""
     beyond: tuple[float, ...]

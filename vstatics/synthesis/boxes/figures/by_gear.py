@@ -17,7 +17,7 @@ class GearFigures(NamedTuple):
     """Figures of a gear, divided by input speed, input torque or input power."""
 
     torques: Mapping[str, float]
-    """Torque on each engaged shift element from its first link, without losses. [-]"""
+    """Torque on each engaged shift element from the first link, without losses. [-]"""
     slips: Mapping[str, float]
     """Slip speed of each disengaged shift element, first link minus second. [-]"""
     carriers: Mapping[str, float]

@@ -22,7 +22,7 @@ FAR_DECIMALS = 6
 
 
 class KnownBox(NamedTuple):
-    """Gearbox of a shipped case, in one of the forms with the least identity; see `least_forms`."""
+    """Gearbox of a shipped case, in a form with the least identity; see `least_forms`."""
 
     name: str
     """Name of the shipped case."""

@@ -189,7 +189,7 @@ _Solved = Callable[[Engaged], _SolvedGear]
 
 
 def _solved(case: Transmission) -> _Solved:
-    """Return a function, with a cache, that solves a case with given shift elements engaged."""
+    """Return a function with a cache that solves a case with given shift elements engaged."""
 
     @cache
     def solved(engaged: Engaged) -> _SolvedGear:

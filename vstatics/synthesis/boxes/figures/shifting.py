@@ -14,7 +14,7 @@ from vstatics.synthesis.tolerances import SAME_FITTED_RATIO
 
 
 def skip_shifts(gears: Sequence[Collection[object]]) -> int:
-    """Return the number of pairs of gears, not neighbours, that differ by a single shift element.
+    """Return the number of pairs of non-adjacent gears that differ by a single shift element.
 
     >>> skip_shifts([(0, 1), (0, 2), (0, 3), (1, 2)])
     3
@@ -27,7 +27,7 @@ def skip_shifts(gears: Sequence[Collection[object]]) -> int:
 
 
 def reversing(gears: Sequence[GearFigures]) -> tuple[str, ...]:
-    """Return the shift elements with positive torque in some gears and negative in others."""
+    """Return the shift elements with positive torque in some gears and negative in other gears."""
     torques = _by_element([gear.torques for gear in gears])
     return tuple(name for name, values in torques.items() if min(values) < 0 < max(values))
 

@@ -27,7 +27,7 @@ class BoxScheme(NamedTuple):
     held: int | None
     """Number of the permanently held link, or None."""
     ports: tuple[Ports, ...]
-    """Pairs of input and output link; of symmetric pairs, only one is listed."""
+    """Pairs of input and output link; symmetric pairs are listed once."""
 
 
 def with_choices(search: BoxSearch, codes: Codes, symmetries: Symmetries) -> Iterator[BoxScheme]:
@@ -79,7 +79,7 @@ def _chosen(
 
 
 def _held(search: BoxSearch, scheme: SetScheme) -> Iterator[int | None]:
-    """Yield the links that can be permanently held: those with the wanted number of members."""
+    """Yield the links that can be permanently held: all links with the wanted number of members."""
     if not search.fixed:
         yield None
         return
@@ -102,7 +102,7 @@ def _all_ports(
 def _ports(
     search: BoxSearch, scheme: SetScheme, held: int | None, renamings: list[list[int]]
 ) -> Iterator[Ports]:
-    """Yield one pair of input and output for each group of pairs that are equal by symmetry."""
+    """Yield a single pair of input and output for each group of pairs equal by symmetry."""
     shafts = range(scheme.links, scheme.links + 2)
     for first, last in _all_ports(scheme.links, held, search.input, search.output):
         images = ([*links, *shafts] for links in renamings)

@@ -27,7 +27,7 @@ def splits(sets: int, links: int) -> list[tuple[Part, ...]]:
 
 
 def _splits(sets: int, links: int, least: Part) -> Iterator[tuple[Part, ...]]:
-    """Yield the divisions into ascending parts, none smaller than `least`."""
+    """Yield the divisions into ascending parts that are not smaller than `least`."""
     if not sets and not links:
         yield ()
     for number in range(1, sets + 1):
@@ -86,6 +86,6 @@ def _least(parts: list[tuple[int, ...]]) -> list[int]:
 
 
 def _grown(sets: tuple[tuple[int, ...], ...]) -> list[int]:
-    """Number the links of gear sets from 0 in the order of their first appearance."""
+    """Number the links of gear sets from 0 in the order of first appearance."""
     numbers: dict[int, int] = {}
     return [numbers.setdefault(link, len(numbers)) for members in sets for link in members]

@@ -18,12 +18,12 @@ class SpeedBases(NamedTuple):
 
     ratios: Floats
     """Basic ratios of the gear sets at each point, shape (points, sets): all corners of the bounds,
-    then one point within. At corner n, set j has its upper bound if bit j of n is 1. [-]
+    then a point within. At corner n, set j has the upper bound if bit j of n is 1. [-]
     """
     speeds: Floats
     """Columns that span the possible link speeds, shape (points, moving links, free speeds). [-]"""
     factors: Floats
-    """Factors of `speeds` by which its minors are polynomials of the ratios, shape (points,). [-]
+    """Factors of `speeds` that turn the minors into polynomials of the ratios, shape (points,). [-]
     """
     moving: tuple[int, ...]
     """Number of the link of each row of `speeds`; links without a gear-set member are last."""

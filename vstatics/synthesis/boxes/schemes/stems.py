@@ -22,11 +22,11 @@ from vstatics.synthesis.structures.growth import SchemeBatch, StructureSearch, b
 from vstatics.synthesis.structures.least_codes import symmetries
 
 COUNTED = 500
-"""Number of stems up to which the schemes of all stems are counted; beyond it, of a sample."""
+"""Number of stems up to which the schemes of all stems are counted; beyond, of a sample."""
 ALIKE = 24
 """Number of stems in the sample from each group of stems with similar beginnings."""
 UNIT = 1000
-"""Weight of a scheme, an integer larger than its number of choices of input and output."""
+"""Weight of a scheme, an integer larger than the number of choices of input and output."""
 
 
 class Stems(NamedTuple):
@@ -34,7 +34,7 @@ class Stems(NamedTuple):
 
     search: BoxSearch
     codes: Codes
-    """Codes of the stems, with one gear set less, shape (stems, 3*sets - 3)."""
+    """Codes of the stems, with a gear set less, shape (stems, 3*sets - 3)."""
     parts: tuple[tuple[tuple[Part, ...], int], ...]
     """Divisions of schemes with several parts, each with the number of classes of the last part."""
     ends: Integers
@@ -130,7 +130,7 @@ def _batch(search: BoxSearch, codes: Codes) -> SchemeBatch:
 
 
 def _weights(search: BoxSearch, codes: Codes) -> Integers:
-    """Estimate the weight of each stem, `UNIT` times its number of schemes, shape (stems,).
+    """Estimate the weight of each stem, `UNIT` times the number of schemes, shape (stems,).
 
     Stems with equally many links and equal second gear sets have about equally many schemes.
     """

@@ -81,7 +81,7 @@ def cells_room(ratios: int, asked: Asked, sets: int) -> RatioCells:
 
 @compiled_part
 def is_left(parts: Floats, asked: Asked, cells: RatioCells, match: MatchRoom, top: int) -> bool:
-    """Reduce a cell to the part in which all targets can be met; return False if it is empty.
+    """Reduce a cell to the part in which all targets can be met; return False if the part is empty.
 
     Targets that a gear ratio cannot meet in the cell are removed from it. Then each target that
     only one gear ratio can meet reduces the cell.
@@ -166,7 +166,7 @@ def _is_less(asked: Asked, cells: RatioCells, top: int) -> bool:
 
 @compiled_part
 def _only_ratio(reach: Integers, target: int) -> int:
-    """Return the index of the only gear ratio that can meet a target; -1 for none or several."""
+    """Return the index of the only gear ratio that can meet a target; -1 if not unique."""
     single = -1
     for ratio in range(len(reach)):
         if (reach[ratio] >> target) & 1:
@@ -208,7 +208,7 @@ def _leaves(part: Floats, least: float, most: float, cells: RatioCells) -> bool:
 
 @compiled_part
 def _positive(slack: Floats, bit: int) -> tuple[float, float]:
-    """Return the range along one gear-set ratio in which a polynomial can be non-negative.
+    """Return the range along a gear-set ratio in which a polynomial can be non-negative.
 
     The range is given in shares of the cell; it is (1, 0) if the polynomial is negative everywhere.
     """

@@ -26,7 +26,8 @@ class ChainRoom(NamedTuple):
     is_shift: Booleans
     """True where a single shift leads to a position of the order, or out of the last position."""
     is_near: Booleans
-    """True if two combinations differ by one element at most, shape (combinations, combinations).
+    """True if two combinations differ by at most a single element, shape (combinations,
+    combinations).
     """
     met: Integers
     """Number of the latest search that reached a state: the number of assigned gears, the last
@@ -34,7 +35,7 @@ class ChainRoom(NamedTuple):
     combinations or 1, 2**size).
     """
     came: Integers
-    """Predecessor and combination of each state, encoded as one integer."""
+    """Predecessor and combination of each state, encoded as an integer."""
     searches: Integers
     """Number of searches, shape (1,)."""
     gears: Integers

@@ -38,8 +38,8 @@ class PortGears(NamedTuple):
     shifts: Integers
     """Pairs of targets that must differ by a single shift, shape (shifts, 2)."""
     loaded: Integers
-    """Shift elements that count as used in each combination, as bits: all, or those with torque,
-    shape (combinations,).
+    """Shift elements that count as used in each combination, as bits: all, or only elements with
+    torque, shape (combinations,).
     """
     shafts: Integers
     """Shift elements at each shaft that is neither input, output nor in a gear set, as bits,
@@ -65,7 +65,7 @@ def begun(table: Combinations, port: PortGears, room: SetRoom) -> bool:
 
 @compiled
 def some_sets(table: Combinations, port: PortGears, room: SetRoom, most: int) -> tuple[int, float]:
-    """List the element sets whose combinations can reach all targets, or a sample of them.
+    """List the element sets whose combinations can reach all targets, or a sample of the sets.
 
     The sample consists of the element sets that contain one of a sample of the first combinations.
 
@@ -256,7 +256,7 @@ def _held(table: Combinations, port: PortGears, room: SetRoom, members: int) -> 
 
 @compiled_part
 def find_ratios(table: Combinations, port: PortGears, room: SetRoom) -> int:
-    """Find the different ratios that combinations of the chosen elements have; return their number.
+    """Find and count the different ratios that combinations of the chosen elements have.
 
     `held` receives the elements that at least one of the combinations uses.
     """

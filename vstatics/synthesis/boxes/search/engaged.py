@@ -50,7 +50,7 @@ class Combinations(NamedTuple):
 
 @cache
 def combinations_table(links: int, engaged: int, size: int) -> Combinations:
-    """Return all combinations of brakes and clutches of moving links, and their tables."""
+    """Return all combinations of brakes and clutches of moving links, with additional tables."""
     ends = [(link, HELD) for link in range(links)] + list(combinations(range(links), 2))
     members = _ascending(len(ends), engaged)
     masks = [sum(1 << element for element in row) for row in members]
@@ -81,7 +81,7 @@ def _ascending(number: int, size: int) -> list[tuple[int, ...]]:
 
 @compiled_part
 def number_of(table: Combinations, chosen: Integers, subset: int) -> int:
-    """Return the index of the combination at some places of an element set, given its elements."""
+    """Return the index of the combination at some places of an element set, given the elements."""
     number = 0
     for place in range(table.places.shape[1]):
         number += table.ranks[chosen[table.places[subset, place]], place + 1]
@@ -102,7 +102,7 @@ class GearSpeeds(NamedTuple):
 
 @compiled_part
 def cross_product(rows: Floats, minors: Floats, product: Floats) -> None:
-    """Calculate the vector that is orthogonal to n rows of n + 1 numbers, from their minors.
+    """Calculate the vector that is orthogonal to n rows of n + 1 numbers, from the minors.
 
     Parameters
     ----------

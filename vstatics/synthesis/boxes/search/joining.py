@@ -18,7 +18,7 @@ from vstatics.synthesis.boxes.search.engaged import Combinations, integers
 from vstatics.synthesis.boxes.search.matching import MatchRoom, match_room
 
 ONE = -1
-"""Branch that adds a single element: all targets are reached, or only one place is left."""
+"""Branch that adds a single element: all targets are reached, or only a single place is left."""
 NO_END = 2**62
 """Limit of the number of attempts that is never reached."""
 
@@ -33,14 +33,14 @@ class SetRoom(NamedTuple):
     lengths: Integers
     """Number of combinations that reach each target, shape (targets,)."""
     rows: Integers
-    """Elements that complete a rest (a combination without one of its elements) to a combination
-    that reaches a target, as bits, shape (rests, targets).
+    """Elements that complete a rest (a combination less an element) to a combination that reaches a
+    target, as bits, shape (rests, targets).
     """
     often: Integers
     """Number of combinations with each ratio, shape (ratios,)."""
     seldom: Integers
-    """Elements that complete a rest (a combination without one of its elements) to a combination
-    with another ratio than the commonest, as bits, shape (rests,).
+    """Elements that complete a rest (a combination less an element) to a combination with a ratio
+    other than the commonest, as bits, shape (rests,).
     """
     levels: Integers
     """Elements that add at least as many ratios, other than the commonest, as the row number, as
@@ -71,7 +71,7 @@ class SetRoom(NamedTuple):
     ratios: Integers
     """Indices of the different ratios of the chosen elements, shape (combinations of a set,)."""
     reach: Integers
-    """Targets that each of these ratios reaches, as bits, shape (combinations of a set,)."""
+    """Targets that each of the `ratios` reaches, as bits, shape (combinations of a set,)."""
     targets: Integers
     """Targets that each combination of a set reaches, as bits, shape (combinations of a set,)."""
     seen: Integers
@@ -188,7 +188,7 @@ def _last_elements(table: Combinations, room: SetRoom, members: int, there: int,
 
 @compiled_part
 def join(room: SetRoom, depth: int) -> bool:
-    """Extend the partial set at a depth by the next candidate; return False without one."""
+    """Extend the partial set at a depth by the next candidate; return False without a candidate."""
     before, target = room.sets[depth], room.branches[depth]
     if target == ONE:
         while room.tried[depth]:

@@ -20,7 +20,7 @@ from vstatics.synthesis.tolerances import NO_BOX_SPEED, SAME_BOX_RATIO
 
 @shared
 class PortRoom(NamedTuple):
-    """Work arrays for the gears with a given input and output, and for their element sets."""
+    """Work arrays for the gears with a given input and output, and for the element sets."""
 
     sets: SetRoom
     lines: Floats
@@ -43,7 +43,7 @@ class PortRoom(NamedTuple):
 
 @shared
 class FoundRoom(NamedTuple):
-    """Gearboxes found between two ports; `SetRoom.listed` contains their shift elements."""
+    """Gearboxes found between two ports; `SetRoom.listed` contains the shift elements."""
 
     lengths: Integers
     """Number of gears of each gearbox in addition to the targets, shape (most,)."""
@@ -261,7 +261,7 @@ def _find_different(
     room: PortRoom,
     of_places: tuple[Integers, Integers],
 ) -> int:
-    """Find the different gear ratios of an element set; return their number.
+    """Find and count the different gear ratios of an element set.
 
     `of_places` receives the index of the ratio of each combination of places, and the places that
     it uses, as bits.

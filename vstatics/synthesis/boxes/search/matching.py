@@ -31,7 +31,7 @@ def match_room(targets: int) -> MatchRoom:
 
 @compiled_part
 def matched(reach: Integers, count: int, room: MatchRoom) -> bool:
-    """Return whether each target can have its own gear ratio; store a matching in `chosen`.
+    """Return whether each target can have a separate gear ratio; store a matching in `chosen`.
 
     Parameters
     ----------

@@ -32,7 +32,7 @@ class PlaneRoom(NamedTuple):
     of the cell, shape (targets, sets + 1).
     """
     system: Floats
-    """Normal equations and their inverse, shape (sets, 2 sets)."""
+    """Normal equations and the inverse matrix, shape (sets, 2 sets)."""
     solving: Floats
     """Pseudoinverse, which converts planes to gear-set ratios, shape (sets, targets)."""
     middle: Floats
@@ -148,7 +148,7 @@ def _may_meet(planes: Floats, room: PlaneRoom) -> bool:
 
 @compiled_part
 def _is_plane(part: Floats, least: float, most: float, room: PlaneRoom, row: int) -> bool:
-    """Find the plane that approximates a target's equation in a cell; return False without one.
+    """Find the plane that approximates a target's equation in a cell; return False without a plane.
 
     The equation N/D = i is used as N - i D or D - N/i, so that the quotient has no pole in the
     cell.

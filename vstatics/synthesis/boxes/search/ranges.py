@@ -64,7 +64,7 @@ def extremes(numerator: Floats, denominator: Floats) -> tuple[float, float]:
 
 @compiled_part
 def _within(numerator: Floats, denominator: Floats, low: Floats, high: Floats, inverse: int) -> int:
-    """Return the ranges, or with `inverse` the ranges of 1/ratio, that a quotient reaches."""
+    """Return the ranges that a quotient reaches, or with `inverse` the ranges of 1/ratio."""
     least, most = extremes(numerator, denominator)
     targets = 0
     for target in range(len(low)):

@@ -31,7 +31,7 @@ MOST_BOX_STEPS = 60
 GIVEN_UP = 1e8
 """Damping above which a fit is aborted. [-]"""
 PULL = 1e4
-"""Weight of a squared error beyond its width, relative to a squared error. [-]"""
+"""Weight of a squared error beyond the width of the target, relative to a squared error. [-]"""
 MOST_TURNS = 40
 """Largest number of times that the pull on errors beyond their widths is increased."""
 FIRST_TURNS = 3
@@ -75,7 +75,7 @@ class FitRoom(NamedTuple):
     trial: Floats
     """Errors after the next step, shape (targets,). [-]"""
     pulls: Floats
-    """Additional pull on an error beyond its width, shape (targets,). [-]"""
+    """Additional pull on an error beyond the width of the target, shape (targets,). [-]"""
     forces: Floats
     """First derivatives from `_weigh_errors`, shape (targets,). [-]"""
     weights: Floats
@@ -108,7 +108,7 @@ def fit_room(targets: int, sets: int) -> FitRoom:
 
 @compiled_part
 def fitted_within(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) -> float:
-    """Minimise the sum of squares near a point, with all gear ratios within their widths.
+    """Minimise the sum of squares near a point, with all gear ratios within the wanted ranges.
 
     Errors beyond their widths are pulled back more strongly in each turn, as in the method of
     augmented Lagrangians. If the smallest sum of squares exceeds the number of gears, some gear is
@@ -311,7 +311,7 @@ def _slopes(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) -> Non
 
 @compiled_part
 def damped_step(room: FitRoom, least: float, most: float, damping: float) -> float:
-    """Calculate a damped step from the weighted errors, and return its largest component.
+    """Calculate a damped step from the weighted errors, and return the largest component.
 
     `tried` receives the new logarithms, clipped to the bounds.
     """

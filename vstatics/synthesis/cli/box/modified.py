@@ -14,7 +14,7 @@ from vstatics.core.errors import CaseError, ReadError, quoted, typed_number
 from vstatics.synthesis.boxes.box import MOST_ELEMENTS, BoxSearch
 
 OF_CASE = ("sets", "engaged", "meshed", "own_input", "own_output", "shafts", "fixed")
-"""Fields of a search that follow from the case, so that their options are refused."""
+"""Fields of a search that follow from the case, so that the options are refused."""
 SPELLED = {
     "elements": "shift-elements",
     "meshed": "double-pinion",
@@ -22,7 +22,7 @@ SPELLED = {
     "own_output": "own-output",
     "steps": "step-ratios",
 }
-"""Names of options on the command line, where they differ from the names of the arguments."""
+"""Names of options on the command line that differ from the names of the arguments."""
 
 
 def kept_box_search(search: BoxSearch, case: str, free: Mapping[str, int]) -> BoxSearch:

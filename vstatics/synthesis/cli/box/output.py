@@ -59,7 +59,7 @@ class FoundBoxes:
 
     @cached_property
     def listing(self) -> BoxListing:
-        """Record of the found gearboxes for JSON; converting them to cases takes some time."""
+        """Record of the found gearboxes for JSON; conversion to cases takes some time."""
         boxes = tuple(starmap(listed_box, enumerate(self.boxes, 1)))
         return BoxListing(self.searched, boxes, self.given_up, wanted_of(self.search))
 
@@ -72,7 +72,7 @@ class FoundBoxes:
         return f"{sets}, {elements}, {search.engaged} of them engaged in each gear"
 
     def text(self, form: str, style: TextStyle) -> bytes:
-        """Return the result in a format; JSON lines have one line for each gearbox."""
+        """Return the result in a format; JSON lines have a line for each gearbox."""
         by_format = {
             "json": lambda _: as_json(self.listing, "json"),
             "jsonl": lambda _: "".join(as_json(box, "jsonl") for box in self.listing.boxes),
@@ -164,7 +164,7 @@ def drawn_count(boxes: int) -> int:
 
 
 def writing_seconds(boxes: int) -> float:
-    """Estimate the time that one process takes to write gearboxes [s].
+    """Estimate the time that a single process takes to write gearboxes [s].
 
     >>> round(writing_seconds(2000))
     49

@@ -50,7 +50,7 @@ class WantedTolerances(NamedTuple):
     """Largest deviations ``|ln(i/wanted)|`` of gear ratios."""
 
     general: float
-    """Tolerance of gears without their own tolerance. [-]"""
+    """Tolerance of gears without a separate tolerance. [-]"""
     by_gear: Mapping[str, float]
     """Tolerances of single gears, by the name of the gear. [-]"""
 
@@ -86,7 +86,7 @@ class WantedGears(NamedTuple):
     targets: tuple[float, ...]
     """Wanted ratios, or geometric means of wanted ranges. [-]"""
     tolerance: float
-    """Tolerance of gears without their own tolerance. [-]"""
+    """Tolerance of gears without a separate tolerance. [-]"""
     tolerances: tuple[float, ...]
     """Tolerance of each gear; empty if `tolerance` is valid for all. [-]"""
 

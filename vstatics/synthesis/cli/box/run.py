@@ -141,7 +141,7 @@ def _to_stream(run: BoxRun, count: int) -> FoundBoxes | int:
 
 
 def _to_store(run: BoxRun, count: int) -> FoundBoxes:
-    """Search and write a file or directory; a directory next to it stores finished pieces."""
+    """Search and write a file or directory; an adjacent directory stores finished pieces."""
     output = str(run.to.output).rstrip("/") or "/"
     with FinishedPieces(output, "search", into_folder=run.to.is_folder) as store:
         whole = f"{count} pieces of the search"

@@ -15,7 +15,7 @@ from vstatics.synthesis.boxes.search.set_ratios import Asked
 
 
 class Goal(NamedTuple):
-    """Sizes of a search for choices of gear ratios, and the limit of its effort."""
+    """Sizes of a search for choices of gear ratios, and the limit of the effort."""
 
     targets: int
     """Number of targets; the first gears of a choice meet the targets."""

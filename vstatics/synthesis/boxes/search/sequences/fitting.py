@@ -40,7 +40,7 @@ WIDTH_WITHOUT_MIDDLE = 0.1
 
 @compiled_part
 def fitted_choice(parts: Floats, length: int, asked: Asked, room: SequenceRoom) -> float:
-    """Minimise the sum of squares near a point, with all gears of a choice within their ranges.
+    """Minimise the sum of squares near a point, with all gears of a choice within the ranges.
 
     Parameters
     ----------
@@ -115,7 +115,7 @@ def _find_rows(length: int, asked: Asked, room: SequenceRoom) -> int:
 
 @compiled_part
 def _pulled(error: float, row: int, room: SequenceRoom) -> float:
-    """Return the signed distance of an error, with its pull, from the nearer end of its range."""
+    """Return the signed distance of an error, with the pull, from the nearer end of the range."""
     pull = room.fit.pulls[row]
     above, below = error - room.rows[row, 3] + pull, room.rows[row, 2] - error + pull
     if above >= below:
@@ -180,7 +180,7 @@ def _pull(errors: Floats, stiffness: float, room: SequenceRoom) -> float:
 
 @compiled_part
 def _errors(parts: Floats, length: int, asked: Asked, room: SequenceRoom, errors: Floats) -> float:
-    """Calculate all errors at the current point, and return the sum of their squares.
+    """Calculate all errors at the current point, and return the sum of squares.
 
     The sum is infinite if a gear has the wrong direction.
     """
@@ -200,7 +200,7 @@ def _errors(parts: Floats, length: int, asked: Asked, room: SequenceRoom, errors
 
 @compiled_part
 def _combine(logs: Floats, length: int, asked: Asked, room: SequenceRoom, errors: Floats) -> None:
-    """Combine logarithms of gear ratios, or their slopes, to spread and steps, in half-widths."""
+    """Combine logarithms of gear ratios, or the slopes, to spread and steps, in half-widths."""
     targets = len(asked.targets)
     fill(errors, 0.0)
     for target in range(targets):

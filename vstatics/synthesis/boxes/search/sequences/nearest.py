@@ -61,7 +61,7 @@ def _fit(parts: Floats, length: int, asked: Asked, room: SequenceRoom) -> None:
 
 @compiled_part
 def _is_begun(parts: Floats, length: int, asked: Asked, room: SequenceRoom) -> bool:
-    """Move to the grid point where a choice fits best; return False if it fits nowhere."""
+    """Move to the grid point where a choice fits best; return False if no point fits."""
     sets, best, least = len(room.best_logs), -1, math.inf
     for index in range(GRID**sets + 1):
         which = index

@@ -42,7 +42,7 @@ def find_logs(parts: Floats, asked: Asked, room: SequenceRoom) -> None:
 
 @compiled_part
 def _ratio_at(parts: Floats, ratio: int, room: SequenceRoom) -> float:
-    """Return a gear ratio at the current point, and store its logarithm."""
+    """Return a gear ratio at the current point, and store the logarithm."""
     above, below = weighed(parts[ratio], room.fit.corner_weights)
     value = above / below
     room.logs[ratio] = math.log(value) if 0 < value < math.inf else -math.inf
@@ -78,7 +78,7 @@ def find_point(parts: Floats, asked: Asked, room: SequenceRoom) -> None:
 
 @compiled_part
 def note(length: int, asked: Asked, singly: int, squares: float, room: SequenceRoom) -> bool:
-    """Record a choice at the current point as the best, if shift elements for its gears exist."""
+    """Record a choice at the current point as the best, if shift elements for all gears exist."""
     gears = length - len(asked.targets)
     is_single = set_elements(asked, length, 1, room)
     if not is_single and (singly > 0 or not set_elements(asked, length, 0, room)):

@@ -119,13 +119,13 @@ class SequenceRoom(NamedTuple):
     """ln(i) of each gear ratio at the point, -inf for a reverse ratio, shape (ratios,). [-]"""
     fit: FitRoom
     rows: Floats
-    """Middle and half-width of each error, both ends of its range in half-widths, and 1 if the
+    """Middle and half-width of each error, both ends of the range in half-widths, and 1 if the
     error counts, shape (errors, 5). [-]
     """
     gear_logs: Floats
-    """ln(i) of each gear of a fit, or its slope, shape (gears,). [-]"""
+    """ln(i) of each gear of a fit, or the slope, shape (gears,). [-]"""
     best: Integers
-    """Number of gears of the best sequence, and 1 if it has single shifts, shape (2,)."""
+    """Number of gears of the best sequence, and 1 for single shifts, shape (2,)."""
     is_single_left: Booleans
     """True if only an equally long sequence with single shifts is still sought, shape (1,)."""
     squares: Floats

@@ -135,7 +135,7 @@ def _find_middle(top: int, room: SequenceRoom) -> None:
 
 @compiled_part
 def _is_point_better(parts: Floats, asked: Asked, room: SequenceRoom) -> bool:
-    """Record the best choice at the current point; return True if it is an improvement."""
+    """Record the best choice at the current point; return True for an improvement."""
     find_point(parts, asked, room)
     targets, is_better, depth = len(asked.targets), False, 0
     goal = Goal(targets, len(parts), fewest(room), MOST_AT_POINT)
