@@ -33,7 +33,7 @@ def wall_limit(seconds: float) -> Guard:
 
 
 class Pace:
-    """Estimator of the processor time of a whole run, from a trial run that it stops early.
+    """Estimator of the processor time of a whole run, from a trial run stopped early.
 
     Processor time is measured, because other processes can delay the first steps of a run.
 

@@ -53,7 +53,7 @@ from vstatics.simulation.tolerances import (
 )
 
 _MOST_EVENTS_AT_ONCE = 60
-"""Largest number of events at nearly the same instant."""
+"""Largest number of nearly simultaneous events."""
 _LOOSEST = 4096.0
 """Largest factor on the tolerances of margins when events repeat at an instant."""
 _MOST_EVENTS = 100_000
@@ -65,7 +65,7 @@ _MOST_LARGER = 8
 _PATIENCE = 500
 """Number of events between checks of progress."""
 _MOST_STEPS_AT_ONCE = 1000
-"""Largest number of sequence steps at the same instant."""
+"""Largest number of simultaneous sequence steps."""
 _CURE_OF_JUMPS = "replace the jump with a ramp, or switch with a hysteresis in a sequence"
 
 
@@ -142,14 +142,14 @@ class EventRun:
             )
 
     def copy(self) -> EventRun:
-        """Return an independent copy of the run, at the same time."""
+        """Return an independent copy of the run at the present time."""
         copied = copy(self)
         copied.record, copied.commands = self.record.copy(), copy(self.commands)
         copied.sequences, copied.meetings = self.sequences.copy(), deepcopy(self.meetings)
         return copied
 
     def give(self, step: SequenceStep, values: Mapping[str, float]) -> None:
-        """Apply a sequence step now, without regard to its condition.
+        """Apply a sequence step now, regardless of any condition.
 
         Parameters
         ----------
@@ -187,7 +187,7 @@ class EventRun:
         self.at_limit = [watch.of for watch in event.watches if watch.kind == "hold"]
 
     def _settled(self) -> Selected:
-        """Apply all due sequence steps, and select the states of contacts after them."""
+        """Apply all due sequence steps, and then select the states of contacts."""
         self.selection = self.selection.of(self.system)
         for _ in range(_MOST_STEPS_AT_ONCE + 1):
             self.at = self._joined(self.at, self.before)
@@ -354,7 +354,7 @@ class EventRun:
         )
 
     def _jump_of(self, choices: Collection[tuple[Kind, int]]) -> Corner | None:
-        """Return a jump of a formula that is reached now, or was reached by one of the parts."""
+        """Return a jump of a formula that is reached now, or was reached by a part in `choices`."""
         now = self.meetings.latest(self.at.time)
         earlier = [place for place in self.meetings.times if place not in now]
         paths = {self._path_of(*choice) for choice in choices}
@@ -365,7 +365,7 @@ class EventRun:
         return None
 
     def _note_alternative(self, asked: ModesAsked, states: States) -> None:
-        """Record the contacts that could break away instead of those in `states`."""
+        """Record contacts that could break away instead of the contacts in `states`."""
         try:
             other = self.selection.selected(asked, thorough=False)
         except (NoChoice, CaseError):

@@ -116,7 +116,7 @@ def begun(
     watch: Guard | None = None,
     columns: Sequence[tuple[str, str]] = (),
 ) -> EventRun:
-    """Prepare a run at its start, for the method `events`; see `simulate`."""
+    """Prepare the start of a run by the method `events`; see `simulate`."""
     scenario = with_fixed_ratios(with_all_converters(scenario))
     asked = rows_of_tables(columns, scenario)
     gear = start_gear(scenario)
@@ -141,7 +141,7 @@ def begun(
 
 
 def _to_its_end(run: EventRun) -> Motion:
-    """Run to the end, return the motion, and check that its energy balance closes."""
+    """Run to the end, return the motion, and check that the energy balance closes."""
     record, watch = run.record, run.watch
     stopped, hurried = None, False
     try:

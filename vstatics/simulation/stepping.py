@@ -64,7 +64,7 @@ def begin(scenario: Scenario, *, rtol: float = RTOL) -> SteppedRun:
 
 
 class SteppedRun:
-    """Interactive run, from `begin`, that a caller advances step by step.
+    """Interactive run, created by `begin`, which a caller advances step by step.
 
     Attributes
     ----------

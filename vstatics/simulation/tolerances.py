@@ -12,9 +12,9 @@ CLOSED_ENERGY = 1e-8
 NO_ENERGY = 1e-12
 """Largest energy that counts as 0. [J]"""
 PRINTED = 1e-9
-"""Number below which a table prints 0, relative to the largest number of the same kind."""
+"""Number below which a table prints 0, relative to the largest number of equal kind."""
 CLOSED_BALANCE = 5e-4
-"""Energy balance below which 0 is printed, as its digits are uncertain. [J]"""
+"""Energy balance below which 0 is printed, as the digits are uncertain. [J]"""
 
 # input numbers
 LARGEST_NUMBER = 1e15
@@ -22,7 +22,7 @@ LARGEST_NUMBER = 1e15
 LEAST_NUMBER = 1e-15
 """Smallest plausible input in SI units: the balance wheel of a watch has 1e-9 kg*m^2."""
 UNLIKE_INERTIAS = 1e-12
-"""Inertia below which it is rounding error, relative to the largest inertia."""
+"""Inertia that counts as rounding error, relative to the largest inertia."""
 
 # times
 SAME_INSTANT = 1e-11
@@ -44,7 +44,7 @@ NO_PROGRESS = 1e-5
 AHEAD_OF_STOP = (0.0, 1e-9, 1e-6, 1e-3)
 """Times after a stop at which torques are checked for invalid numbers, relative to the duration."""
 BEYOND_ALL = 1e6
-"""Torque above which it is the cause of a stop, relative to large torques of the run. [-]"""
+"""Smallest torque that counts as the cause of a stop, relative to large torques of the run. [-]"""
 ROOT_PART = 1e-14
 """Tolerance of the root of a polynomial, relative to the interval."""
 ROOT_TIME = 1e-15
@@ -58,7 +58,7 @@ NO_MARGIN = 1e-10
 LEAST_VALUE = 1e-30
 """Smallest scale of a control state for tolerances."""
 SMALL_VALUE = 1e-3
-"""Smallest scale of a control state in its tolerance, relative to its largest value."""
+"""Smallest scale of a control state in the tolerance, relative to the largest value."""
 BETWEEN_INSTANTS = 1e-9
 """Error of states between instants of a time step, relative to the largest value in the step."""
 BETWEEN_EXACT = 1e-10
@@ -66,30 +66,30 @@ BETWEEN_EXACT = 1e-10
 EQUAL_SIDES = 1e-10
 """Largest relative difference of compared numbers that count as equal."""
 SOON = 1e2
-"""Smallest scale of compared numbers, relative to the change of their difference in a look-ahead.
+"""Smallest scale of compared numbers, relative to the change of the difference in a look-ahead.
 
 Times have rounding errors, so a difference that changes fast is uncertain.
 """
 MET = 1e-3
-"""Fraction of the look-ahead: numbers that become equal within it count as equal now."""
+"""Fraction of the look-ahead within which numbers that become equal count as equal now."""
 SLIDING = 1e-3
-"""Largest distance from a jump of a motion that slides on it, relative to the compared numbers."""
+"""Largest distance of a sliding motion from the jump, relative to the compared numbers."""
 NEAR_LIMIT = 1e-3
-"""Fraction of the look-ahead: a state that reaches its limit within it counts as at the limit."""
+"""Fraction of the look-ahead within which a state that reaches a limit counts as at the limit."""
 EXACT_SIDES = 1e-13
 """Largest relative difference of compared numbers that can be rounding error."""
 ROUNDED_INPUT = 1e-14
-"""Rounding error of a quantity in a formula, relative to the largest value of its kind."""
+"""Rounding error of a quantity in a formula, relative to the largest value of equal kind."""
 ROUNDED_SUM = 1e-15
-"""Rounding error of a sum, relative to the sizes of its terms."""
+"""Rounding error of a sum, relative to the sizes of the terms."""
 PASSED_LIMIT = 1e-10
 """Largest violation of a torque limit that is ignored, relative to the largest torque."""
 FALLING_MARGIN = 1e-12
-"""Decrease of a margin during the look-ahead above which it counts as falling, relative."""
+"""Relative decrease during the look-ahead above which a margin counts as falling."""
 TIGHT_SLACK = 1e-6
 """Largest difference from the smallest slack that counts as 0, relative to the largest slack."""
 REGULAR_CORNER = 1e-9
-"""Determinant below which torque limits are nearly parallel, so that they do not intersect."""
+"""Determinant below which torque limits are nearly parallel, without an intersection."""
 NO_SPLIT = 1e-12
 """Residual of the least-squares problem below which no split is within all limits."""
 WITHIN_LIMITS = 1e-6
@@ -102,16 +102,16 @@ SHARED_TORQUE = 1e-6
 SAME_VALUES = 1e-9
 """Largest relative difference of the values at a repeated instant that is not a jump."""
 MADE_CAPACITY = 1e-9
-"""Distance by which a control can be outside its range without a message, relative."""
+"""Relative distance by which a control can be out of range without a message."""
 MISSING_MASS = 1e-3
-"""Fraction of the mass of a vehicle that can be missing in the inertia of its link."""
+"""Fraction of the mass of a vehicle that can be missing in the inertia of the link."""
 LEAST_PROBABILITY = 2.0**-53
 """Smallest probability for quantiles of a normal distribution, which are infinite at 0."""
 
 SAME_TORQUE = 1e-13
-"""Largest relative difference between a torque and the torque that determined its efficiency."""
+"""Largest relative difference between a torque and the torque that determined the efficiency."""
 LEAST_EFFICIENCY = 1e-6
-"""Smallest efficiency in the search for torques that agree with their efficiencies."""
+"""Smallest efficiency in the search for mutually consistent torques and efficiencies."""
 
 # matrices
 INDEPENDENT_MOTION = 1e-9
@@ -119,13 +119,13 @@ INDEPENDENT_MOTION = 1e-9
 BEARING_MOTION = INDEPENDENT_MOTION * 1e-3
 """Threshold of independence for weighted torques, lowered by the range of the weights."""
 ROUNDED_MOTION = 1e-12
-"""Component of a motion below which it is rounding error."""
+"""Component of a motion that counts as rounding error."""
 MOVING_LINK = 1e-9
 """Speed of a link, in a normalised motion, below which the link is at rest."""
 DEPENDENT = 1e-12
 """Singular value that counts as rounding error in least squares, relative to the largest."""
 LIGHT_MOTION = 1e-13
-"""Inertia of a motion below which it counts as 0, relative to the largest."""
+"""Inertia of a motion that counts as 0, relative to the largest inertia."""
 RIGID_SQUARE = 1e-10
 """Squared frequency below which a motion is rigid, relative to the largest."""
 LEAST_MASS = 1e-30
@@ -135,18 +135,18 @@ NOT_ZERO = 1e-300
 
 # columns over time
 CHORD = 8e-4
-"""Largest distance of a column from straight lines between stored instants, relative to its range.
+"""Largest distance of a column from lines between stored instants, relative to the range.
 
 A distance of 1e-3 is visible.
 """
 NO_RANGE = 1e-9
-"""Largest range of a column that counts as constant, relative to the largest value of its kind."""
+"""Largest range of a constant column, relative to the largest value of equal kind."""
 EQUAL_EXTREMES = 1e-7
 """Largest relative difference of extremes that count as equal: the accuracy of polynomials."""
 
 # difference quotients
 CHANGE_STEP, LONGEST_CHANGE_STEP = 1e-6, 1e-5
-"""Interval of differences along a motion, relative to the duration, and its largest value in s.
+"""Interval of differences along a motion, relative to the duration, and largest interval in s.
 
 With these intervals, nine digits of a jerk are correct.
 """
@@ -157,9 +157,9 @@ DIFFERENCE_STEP = 1e-6
 NEWTON_STEP = 1e-13
 """Relative step below which Newton's method has converged."""
 LEAST_SENSE = 1e-6
-"""Smallest assumed derivative of a torque with respect to its rate, relative to the largest."""
+"""Smallest assumed derivative of a torque with respect to the rate, relative to the largest."""
 NO_SENSE = 1e-30
-"""Assumed derivative of a torque with respect to its rate if all derivatives are 0. [N*m*s/rad]"""
+"""Assumed derivative of a torque with respect to the rate if all derivatives are 0. [N*m*s/rad]"""
 STRAIGHT_BALANCE = 1e-12
 """Largest component of a nonlinear torque along a motion that counts as 0."""
 
@@ -173,7 +173,7 @@ FITTING_TORQUE = 1e-12
 PUBLISHED_RTOL = 1e-12
 """Smallest tolerance of the published method."""
 NO_COEFFICIENT = 1e-9
-"""Coefficient of a motion below which it is 0, relative to the largest."""
+"""Coefficient of a motion that counts as 0, relative to the largest coefficient."""
 
 # iterations
 LAST_BIT = 2e-16

@@ -42,7 +42,7 @@ class ResponseAnswer(NamedTuple):
 
 @document("vstatics-random-vibration")
 class RandomAnswer(NamedTuple):
-    """Random vibration of all gears under a random torque on a link, or its random motion."""
+    """Random vibration of all gears under a random torque on a link, or random motion of a link."""
 
     case: str
     at: str
@@ -74,9 +74,9 @@ class IdentificationAnswer(NamedTuple):
     decrement: Sometimes[float] = None
     """Measured logarithmic decrement. [-]"""
     mean_line: Sometimes[Sequence[float]] = None
-    """Line about which a record oscillates: its values at the inner extremes, in their unit."""
+    """Line about which a record oscillates: values at the inner extremes, in the record unit."""
     amplitudes: Sometimes[Sequence[float]] = None
-    """Distances of the inner extremes of a record from the mean line, in their unit."""
+    """Distances of the inner extremes of a record from the mean line, in the unit of the record."""
 
 
 @document("vstatics-damping")

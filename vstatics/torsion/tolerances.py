@@ -4,7 +4,7 @@ from __future__ import annotations
 
 # modes
 REAL_EIGENVALUE = 1e-12
-"""Largest imaginary part of an eigenvalue that counts as real, relative to its modulus."""
+"""Largest imaginary part of an eigenvalue that counts as real, relative to the modulus."""
 SAME_MODULUS = 1e-9
 """Relative difference up to which moduli of eigenvalues, or shares of modes, count as equal."""
 LAST_EIGENVALUE_STEP = 1e-8
@@ -23,9 +23,9 @@ LEAST_PARTICIPATION = 1e-9
 APART = 1e-9
 """Square root of an energy share above which a component or body takes part in a mode."""
 LOST_PIVOT = 1e-6
-"""Determinant of an equation block, relative to the first variant, that can mean a lower rank."""
+"""Determinant of an equation block that can mean a lower rank, relative to the first variant."""
 RESIDUE = 1e-11
-"""Largest residual of a satisfied equation, relative to its largest term."""
+"""Largest residual of a satisfied equation, relative to the largest term."""
 NO_ROW = 1e-300
 """Assumed largest coefficient of an equation without coefficients, to avoid division by 0."""
 
@@ -53,17 +53,17 @@ LEAST_RATE = 1e-99
 NEVER_DAMPED = 1e-12
 """Largest magnitude of the real part of an undamped eigenvalue, relative to the largest one."""
 UNMOVED = 1e-9
-"""Largest sum that counts as rounding error, relative to the sum of the magnitudes of its terms."""
+"""Largest sum that counts as rounding error, relative to the sum of the magnitudes of the terms."""
 WHOLE = 1e-9
 """Difference from 1 allowed for a sum of shares."""
 ACCURACY = 1e-10
 """Relative accuracy of integrals."""
 NOTHING = 1e-300
-"""Absolute accuracy of integrals, so small that only a variance of 0 satisfies it. [unit^2]"""
+"""Absolute accuracy of integrals, satisfied only by a variance of 0. [unit^2]"""
 
 # records
 UNDAMPED = 1e-6
-"""Magnitude of a negative decrement up to which it is rounding error of 0. [-]"""
+"""Largest magnitude of a negative decrement that is rounding error of 0. [-]"""
 
 # operating points and integrals
 SAME_INPUT_TORQUE = 1e-9
@@ -71,7 +71,7 @@ SAME_INPUT_TORQUE = 1e-9
 ROUGH_ACCURACY = 1e-3
 """Relative accuracy of a first integral, which only scales each component. [-]"""
 SPEED_RATIO_STEP = 1e-15
-"""Accuracy of the speed ratio of a converter at its operating point. [-]"""
+"""Accuracy of the speed ratio of a converter at an operating point. [-]"""
 SECANT_STEP = 1e-6
 """Relative distance of the first two points of the secant method."""
 SETTLED_FRICTION = 1e-12
@@ -83,4 +83,4 @@ STUCK_TORQUE = 1e-9
 NO_FRICTION = 1e-300
 """Smallest divisor of a friction torque, which avoids a division by 0."""
 SINGULAR = 1e-14
-"""Number added to the diagonal of the equations of dry friction, to keep them regular."""
+"""Number added to the diagonal of the equations of dry friction, for regularity."""

@@ -97,7 +97,7 @@ def cycle(results: Results, duty: Duty) -> Cycle:
 
 
 def _efficiency(results: Results, gear: str) -> float:
-    """Return the output power of a gear divided by its input power; 0 if no power leaves it."""
+    """Return the output power of a gear divided by the input power; 0 without output power."""
     number = results.case.gear_number(gear)
     if not results.dragged[number - 1]:
         return float(results.efficiency[number - 1])

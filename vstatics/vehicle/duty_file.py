@@ -43,7 +43,7 @@ EXPECTED = "`energy` or `time` with a share for each gear"
 
 
 class DutyFile(NamedTuple):
-    """Duty cycle given by shares of gears, with positions in its file."""
+    """Duty cycle given by shares of gears, with positions in the file."""
 
     duty: Duty
     spots: Spots
@@ -79,15 +79,15 @@ _COLUMNS = (
 
 
 class DutyTable(NamedTuple):
-    """Duty cycle given by operating points, with positions in its file."""
+    """Duty cycle given by operating points, with positions in the file."""
 
     table: UnitTable
     exponent: float
     classes: Classes | None = None
-    """Torque classes of the load spectra; None without load spectra."""
+    """Torque classes of the load spectra, if any."""
 
     load: Load | None = None
-    """First operating point with power other than 0, as `load` of a case without it."""
+    """First operating point with power other than 0, as `load` of a case without `load`."""
 
     def of(self, results: Results) -> Spectrum:
         """Calculate the duty cycle for a case.
@@ -185,7 +185,7 @@ def _first_load(table: UnitTable) -> Load | None:
 
 
 def _of_road(speed: re.Match[str]) -> str:
-    """Rename the column of road speed, so that it is not read as the input speed."""
+    """Rename the column of road speed to avoid confusion with the input speed."""
     before, heading, unit = speed.groups()
     try:
         measured(f"1 {unit}", "si_speed")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 SAME_SPEED = 1e-12
-"""Excess over the last engine speed that counts as rounding noise, relative to this speed. [-]"""
+"""Excess over the last engine speed that counts as rounding noise, relative to the speed. [-]"""
 SAME_ENGINE_TORQUE = 1e-9
 """Largest difference between engine torques that count as equal. [N*m]"""
 NO_DRAG = 1e-9
@@ -17,6 +17,6 @@ NO_CYCLE_ENERGY = 1e-13
 NO_SPEED = 1e-12
 """Speed of a link that counts as rounding noise, relative to the largest speed. [-]"""
 LEAST_EXCESS = 1e-9
-"""Relative increase of an engine torque that is below its least value by rounding. [-]"""
+"""Relative increase of an engine torque that is below the least value by rounding. [-]"""
 AT_REST = 1e-10
-"""Engine speed for losses at rest, where they have no direction, relative to the last speed. [-]"""
+"""Engine speed for losses at rest, without a direction, relative to the last speed. [-]"""

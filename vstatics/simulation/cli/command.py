@@ -123,7 +123,7 @@ def simulate_command(asked: SimulateOptions) -> int:
 
 
 def _check_method(asked: SimulateOptions) -> None:
-    """Refuse options of the method `events` if another method is used."""
+    """Refuse options of the method `events` with any other method."""
     events = {"--limit": asked.limit, "--out": asked.sampling.out, "--damage": asked.damage or None}
     used = [option for option, given in events.items() if given is not None]
     refuse(

@@ -94,7 +94,7 @@ def read_swept_document(
     case: str | None = None,
     case_format: readers.Format | None = None,
 ) -> tuple[VariedScenario, list[Problem]]:
-    """Read a scenario, and the case that it names or `case`, as the subject of a sweep."""
+    """Read a scenario, and the case named there or `case`, as the subject of a sweep."""
     from vstatics.simulation.variants.subject import VariedScenario
     from vstatics.sweep.variants.subject import Document
 
@@ -113,7 +113,7 @@ TRIED, LONG = 1.0, 60.0
 
 
 def check_document(file: str, options: CaseOptions) -> tuple[str, list[Problem], bool, Grid | None]:
-    """Return the name of a scenario, its problems, whether they fail the check, and a summary."""
+    """Return the name, problems, failure flag and summary of a scenario."""
     try:
         read = read_with_case(*files.read_input(file), options.input_format)
         read = read.allowing(options.telling.allow)
@@ -141,7 +141,7 @@ def check_document(file: str, options: CaseOptions) -> tuple[str, list[Problem],
 
 
 def _tried(scenario: Scenario) -> list[Problem]:
-    """Return the problems of a trial run: it fails, or takes long. Without scipy, return none."""
+    """Return problems if a trial run fails or takes long; without scipy, the list is empty."""
     if extras.missing("simulation", "a simulation"):
         return []
     from vstatics.core.cli.shared.estimates import duration_text

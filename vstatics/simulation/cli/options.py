@@ -24,7 +24,7 @@ class SampleOptions(NamedTuple):
     """Options of samples: number of runs, additional columns and worker processes."""
 
     samples: int | None = None
-    """Number of runs; None for a single run of the scenario as written."""
+    """Number of runs; without a number, the scenario runs once as written."""
     seed: int | None = None
     out: str | None = None
     sharing: Sharing = Sharing()

@@ -40,7 +40,7 @@ ROWS = ("csv", "jsonl", "npz", "parquet")
 
 
 def run_samples(asked: SimulateOptions) -> int:
-    """Run the samples, write them if an output is given, and show their statistics.
+    """Run the samples, write the results if an output is given, and show statistics.
 
     Raises
     ------
@@ -95,7 +95,7 @@ Collected: TypeAlias = tuple[Mapping[str, Floats] | int, Sequence[Problem]]
 
 
 def _written(run: SweepRun) -> Collected:
-    """Write the results of all runs to a file, and return its columns."""
+    """Write the results of all runs to a file, and return the columns of the file."""
     from vstatics.core.readers import sweep_tables
 
     status, messages = carry_out(run)

@@ -41,7 +41,7 @@ def expect_damage(reading: Reading) -> None:
 
 
 def run_of(outcome: CalculatedCase, out: str = "") -> Motion | None:
-    """Run the scenario of a case, with enough instants for pictures, and print its messages.
+    """Run the scenario of a case, with enough instants for pictures, and print all messages.
 
     Without a scenario, the result is None.
 
@@ -84,7 +84,7 @@ def run_columns(out: str | None, scenario: Scenario) -> Sequence[tuple[str, str]
 
 
 def drawn_run(outcome: CalculatedCase, results: Results, out: str) -> tuple[Results, Motion | None]:
-    """Return the results, renamed after the scenario, and its run as from `run_of`."""
+    """Return the results, renamed after the scenario, and the run as from `run_of`."""
     motion = run_of(outcome, out)
     if outcome.scenario is None or not outcome.scenario.name:
         return results, motion

@@ -14,7 +14,7 @@ from vstatics.simulation.bounds import wall_limit
 
 
 class RunWatch:
-    """Progress of a run, and the reason to stop it.
+    """Progress of a run, and the reason for a stop.
 
     Parameters
     ----------
@@ -54,7 +54,7 @@ class RunWatch:
 
 @contextmanager
 def watched(file: str, duration: float, limit: float | None, *, quiet: bool) -> Iterator[RunWatch]:
-    """Watch a run: Ctrl-C stops the run at the next step, a second Ctrl-C stops it at once.
+    """Watch a run: Ctrl-C stops the run at the next step, a second Ctrl-C immediately.
 
     Parameters
     ----------

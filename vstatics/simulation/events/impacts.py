@@ -23,14 +23,14 @@ from vstatics.simulation.tolerances import LIGHT_MOTION, STANDING
 
 
 class Impact(NamedTuple):
-    """Speeds after an impact, and its energies."""
+    """Speeds after an impact, and energies of the impact."""
 
     speeds: Floats
     """Speeds of all links after the impact. [rad/s]"""
     energies: tuple[float, ...]
     """Energy lost in each joining contact. [J]"""
     work: float
-    """Work that keeps the links with given speeds at their speeds. [J]"""
+    """Work that maintains the given speeds of links. [J]"""
 
 
 def impact(

@@ -26,7 +26,7 @@ _TO_POWERS = np.asarray(np.linalg.inv(np.vander(_NODES)), float)
 """Matrix from values at nine Chebyshev nodes of an interval to coefficients, highest power first.
 """
 _LOW = 0.1
-"""Height of a minimum between two instants, relative to the fall of the margin towards it.
+"""Height of a minimum between two instants, relative to the fall of the margin to the minimum.
 
 Lower minima are examined closely, since they could be negative.
 """
@@ -60,7 +60,7 @@ def _lowest(nodes: tuple[float, ...], values: Floats, gap: int) -> float:
 
 
 class MarginEnd(NamedTuple):
-    """Time and state at which the first margins become negative, with their identities."""
+    """Time, state and identities of the first margins that become negative."""
 
     time: float
     state: Floats
@@ -68,7 +68,7 @@ class MarginEnd(NamedTuple):
 
 
 class Finder:
-    """Finder of events while the same equations of motion hold.
+    """Finder of events as long as the equations of motion remain unchanged.
 
     Parameters
     ----------
@@ -228,7 +228,7 @@ class Finder:
         return last
 
     def _between(self, step: TimeStep, time: float) -> Floats:
-        """Return the margins at a time within a step, by its dense output."""
+        """Return the margins at a time within a step, by dense output."""
         return self.margins.at(time, step.between(np.array([time]))[:, 0])
 
     def _root(self, step: TimeStep, index: int, first: float, last: float) -> float:

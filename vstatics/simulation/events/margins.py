@@ -57,7 +57,7 @@ FOLLOWING = ("state", "awaited", "corner")
 
 
 class Watch(NamedTuple):
-    """Identity of a margin: its kind, the index of a part, and a side."""
+    """Identity of a margin: kind, index of a part, and side."""
 
     kind: Watched
     of: int
@@ -91,7 +91,7 @@ class SplitRoom(NamedTuple):
     """Slacks of the split whose smallest slack is largest."""
 
     def is_of(self, slack: Floats, directions: Floats) -> bool:
-        """Return whether this result was calculated from given slacks and directions."""
+        """Return whether the result was calculated from given slacks and directions."""
         given = self.slack * self.ways, self.directions * self.ways[:, None]
         return np.array_equal(given[0], slack) and np.array_equal(given[1], directions)
 
@@ -118,11 +118,11 @@ class Awaited(NamedTuple):
 
     compared: Compared
     side: str
-    """Sign of the difference from now on: `+`, `-`, `0` if it stays 0, `?` if not a number."""
+    """Sign of the difference from now on: `+`, `-`, `0` for a lasting 0, `?` if not a number."""
     size: float
     """Scale of the compared numbers, relative to which a difference can be rounding."""
     is_equal: bool
-    """True if both numbers are equal now, even if their difference changes from now on."""
+    """True if both numbers are equal now, even if the difference changes from now on."""
     change: float
     """Magnitude of the change of the difference during the look-ahead."""
 
@@ -173,7 +173,7 @@ class Margins:
         self.sequences: list[Awaited] = []
 
     def follow(self, kind: Watched, compared: Iterable[tuple[int, Awaited]]) -> None:
-        """Add margins of comparisons, each with the index of its sequence or corner."""
+        """Add margins of comparisons, given with indices of sequences or corners."""
         for number, comparison in compared:
             self._watch(kind, number, torque=False)
             self.sequences.append(comparison)
@@ -320,7 +320,7 @@ class Margins:
         return np.array(rows).reshape(len(rows), redundant.shape[1])
 
     def _straight_limits(self) -> Floats | None:
-        """Return the torque limits of sticking contacts as (c0, c1) of ``c0 + c1 t``, or None."""
+        """Return torque limits of sticking contacts as (c0, c1) of ``c0 + c1 t``, if straight."""
         time = self.equations.time
         lines = []
         for contact, _, side in self.holding:
@@ -359,7 +359,7 @@ class Margins:
         return np.array([_limits(contact, side, times, seen) for contact, _, side in self.holding])
 
     def units(self, scales: LargeSizes) -> Floats:
-        """Return the scale of each margin: a violation that is tiny relative to it is rounding."""
+        """Return scales of margins: a violation that is tiny relative to the scale is rounding."""
         units = np.where(self.is_torque, scales.torque, scales.speed)
         at = self.deciding
         for _, _, limit in self.limits_of_states:
@@ -488,7 +488,7 @@ class Margins:
         return best
 
     def tight(self, time: float, state: Floats) -> list[Watch]:
-        """Return the identities of the torques nearest to their limits in the best split."""
+        """Return the identities of the torques nearest to a limit in the best split."""
         at, states = np.array([time]), state[:, None]
         rates, torques = self.equations.acting_at(at, states)
         seen = self.equations.seen_at(at, states, rates, torques) if self.sees else None

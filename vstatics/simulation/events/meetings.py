@@ -12,7 +12,7 @@ from vstatics.simulation.events.margins import Awaited
 from vstatics.simulation.tolerances import AHEAD, NO_PROGRESS, NOT_ZERO, SLIDING
 
 _PASSED = 4
-"""Number of arrivals at a bend in quick succession after which it is ignored for a while."""
+"""Number of arrivals at a bend in quick succession after which the bend is ignored for a while."""
 _SWITCHES = 8
 """Number of arrivals at a jump in quick succession that count as switching without end."""
 _DOUBLINGS = 3
@@ -22,7 +22,7 @@ _FIRST_DOUBLING = 3
 _LONGER = 1.2
 """Ratio of durations up to which a doubling counts as no longer than the doubling before."""
 _MOST_MEETINGS = 1e5
-"""Number of arrivals at a jump above which a run would take too long to reach its end."""
+"""Number of arrivals at a jump above which a run would take too long."""
 
 
 class CornerPlace(NamedTuple):
@@ -88,7 +88,7 @@ class CornerMeetings:
         return len(times) == _PASSED and time - times[0] <= _PASSED * AHEAD * self.span
 
     def switches(self, place: CornerPlace, judged: Awaited, within: float) -> bool:
-        """Return whether a jump is reached without end, because both sides drive the motion to it.
+        """Return whether a jump is reached again and again, as both sides drive the motion back.
 
         Parameters
         ----------

@@ -28,7 +28,7 @@ Kind = Literal["contacts", "meshes", "springs", "pieces"]
 Choice = tuple[Kind, int, tuple[Any, ...]]
 """Choice between states: kind, index of the part, and options, sticking first."""
 Changed = tuple[tuple[int, Any], ...]
-"""Combination of states: index of each choice that is not in its first state, and its state."""
+"""Combination of states: index and state of each choice that is not in the first state."""
 
 
 class ModeSearch:
@@ -153,7 +153,7 @@ class ModeSearch:
         return States(**fields)
 
     def _others(self, watch: Watch) -> Iterator[tuple[int, str]]:
-        """Yield the index of the choice to which a margin belongs, with each other option."""
+        """Yield the index of the choice to which a margin belongs, with each alternative option."""
         number = self.place.get((KIND_OF.get(watch.kind), watch.of))
         if number is None:
             return

@@ -32,7 +32,7 @@ from vstatics.simulation.tolerances import FALLING_MARGIN, STANDING, UNLIKE_INER
 _AMPLE = 1e300
 """Finite substitute for an infinite margin, so that margins can be subtracted."""
 _NEARER = (1e-2, 1e-4)
-"""Factors on the length of the look-ahead, tried in turn if its full length gives no result."""
+"""Factors on the length of the look-ahead, tried in turn if the full length gives no result."""
 _MOST_TURNED = 8
 """Largest number of corrections for slips that torques depending on the motion reverse."""
 
@@ -66,9 +66,9 @@ class ModesAsked(NamedTuple):
     before: States | None
     scales: LargeSizes
     left: Sequence[States] = ()
-    """Combinations that already ended at this instant, which cannot be selected again."""
+    """Combinations that already ended at the present instant and cannot be selected again."""
     met: Sequence[int] = ()
-    """Indices of contacts whose slip ends at this instant."""
+    """Indices of contacts whose slip ends at the present instant."""
 
 
 class ModeSelection:
@@ -276,7 +276,7 @@ class ModeSelection:
         return None, failing
 
     def _caught(self, states: States, at: Instant, scales: LargeSizes) -> list[Watch]:
-        """Return the margins of parts that move at this instant but are assumed to stick."""
+        """Return the margins of parts that move at the given instant but are assumed to stick."""
         least = STANDING * scales.speed
         watches = []
         for index, contact in enumerate(self.system.contacts):
@@ -310,7 +310,7 @@ class ModeSelection:
         return failing if any(self._may_change(watch, states) for watch in failing) else []
 
     def _ahead(self, margins: Margins, time: float, state: Floats) -> tuple[Floats, Floats, Floats]:
-        """Return the state a little later, its margins, and their least significant changes.
+        """Return state and margins a little later, and the least significant changes of margins.
 
         Torques are taken at the later time: a brake whose capacity begins at 0 does nothing before.
         The small change from rest that such a brake causes is only compared with the speeds and
@@ -365,7 +365,7 @@ class SelectionAhead(ModeSelection):
         )
 
     def found(self, asked: ModesAsked) -> States | None:
-        """Return the first admissible combination of block pivoting, or None."""
+        """Return the first admissible combination of block pivoting, if any."""
         search = ModeSearch(*self.choices.at(*asked[:3], asked.met), asked.before)
         for states in search.pivoting():
             try:
@@ -394,7 +394,7 @@ def _moves(slip: Floats, motions: Floats) -> bool:
 
 
 def _failed(margins: Margins, time: float, state: Floats, sizes: Floats) -> list[Watch]:
-    """Return failing margins, worst first; a split is replaced by the torques at their limits."""
+    """Return failing margins, worst first; torques at a limit replace a split."""
     failed: list[Watch] = []
     for index in np.argsort(sizes, kind="stable")[: int(np.isfinite(sizes).sum())]:
         watch = margins.watches[index]

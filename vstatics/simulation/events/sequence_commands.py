@@ -72,7 +72,7 @@ def value_of(system: MotionSystem, value: Curve, time: float, seen: Sequence[flo
 
 
 def with_states(scenario: Scenario, now: Floats, values: Mapping[str, float]) -> Floats:
-    """Return the values of control states after a step sets some of them, within their limits."""
+    """Return the values of control states after a step sets some states, within limits."""
     after = now.copy()
     for index, state in enumerate(scenario.states):
         if state.name in values:

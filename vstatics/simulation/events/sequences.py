@@ -17,7 +17,7 @@ Happened = Callable[[Seen, float], bool]
 
 
 class SequenceProgress:
-    """Progress of a sequence: its next step, and the time since the step before."""
+    """Progress of a sequence: next step, and time since the step before."""
 
     def __init__(self, sequence: StepSequence) -> None:
         self.sequence = sequence
@@ -29,7 +29,7 @@ class SequenceProgress:
 
     @property
     def step(self) -> SequenceStep | None:
-        """Next step, or None after the last step."""
+        """Next step, if any."""
         steps = self.sequence.steps
         return steps[self.index] if self.index < len(steps) else None
 
@@ -44,7 +44,7 @@ class SequenceProgress:
         return "sequences", self.sequence.name, self.index + 1
 
     def next_time(self) -> float:
-        """Return the time at which the step is due, or its condition is overdue [s]."""
+        """Return the time at which the step is due or the condition is overdue [s]."""
         step = self.step
         if step is None:
             return math.inf
@@ -116,17 +116,17 @@ class SequenceRun:
         return copied
 
     def next_time(self) -> float:
-        """Return the earliest time at which a step is due, or its condition is overdue [s]."""
+        """Return the earliest time at which a step is due or a condition is overdue [s]."""
         return min((progress.next_time() for progress in self.going), default=math.inf)
 
     def due(self, time: float, judge: Judge, happened: Happened) -> SequenceProgress | None:
-        """Return the first sequence whose next step is due, or None."""
+        """Return the first sequence whose next step is due, if any."""
         return next(
             (progress for progress in self.going if progress.is_due(time, judge, happened)), None
         )
 
     def awaited(self, judge: Judge) -> list[tuple[int, Awaited]]:
-        """Return the comparisons in open conditions, each with the index of its sequence."""
+        """Return the comparisons in open conditions, each with the index of the sequence."""
         return [
             (number, judge.awaited(comparison))
             for number, progress in enumerate(self.going)

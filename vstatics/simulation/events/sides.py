@@ -32,7 +32,7 @@ class SeenInstant(NamedTuple):
 
 
 class Judge:
-    """Judge of comparisons: it decides which of two numbers is larger from an instant on.
+    """Judge of comparisons: decides which of two numbers is larger from an instant on.
 
     Parameters
     ----------
@@ -100,7 +100,7 @@ class Judge:
         return "0"
 
     def nearest(self, group: Sequence[Compared]) -> list[tuple[int, Awaited]]:
-        """Compare a number with its nearest neighbours among ascending numbers.
+        """Compare a number with the nearest neighbours among ascending numbers.
 
         Returns
         -------
@@ -113,14 +113,14 @@ class Judge:
         return judged[max(0, above - 1) : above + 2 if above < len(judged) else None]
 
     def _size(self, pair: Compared) -> float:
-        """Return the size of the inputs of two numbers, in the unit of their difference.
+        """Return the size of the inputs of two numbers, in the unit of the difference.
 
         The rounding error of the difference is proportional to this size.
         """
         return self._sensed(pair.first) + self._sensed(pair.second)
 
     def _sensed(self, look: Look) -> float:
-        """Return the size of the inputs of a formula, in the unit of its value, by its slopes."""
+        """Return the size of the inputs of a formula, in the unit of the value, by slopes."""
         if look not in self._sizes:
             time, values = self.ahead
             seen, base, sum_of_changes = [*values], look.at(time, values), 0.0

@@ -200,7 +200,7 @@ def given_angles(system: MotionSystem) -> tuple[Floats, Floats]:
 
 
 def _contradiction(matrix: Floats, values: Floats, certain: int) -> tuple[int, float] | None:
-    """Return the first equation that contradicts those before, with the value expected there.
+    """Return the first equation that contradicts earlier equations, with the expected value.
 
     The first `certain` equations are taken as correct, and the index counts from there.
     """

@@ -38,7 +38,7 @@ _GAUSS = 8
 """Number of Gauss points of a part of a stretch."""
 _POINTS, WEIGHTS = np.polynomial.legendre.leggauss(_GAUSS)
 NODES: Floats = np.append(0.5 + 0.5 * np.asarray(_POINTS, float), 1.0)
-"""Gauss points of a part of a stretch, and its end, as fractions of its length."""
+"""Gauss points and end of a part of a stretch, as fractions of the length of the part."""
 _BY_ORDER = (
     np.linalg.inv(NODES[:-1, None] ** np.arange(_GAUSS)) / np.arange(1.0, _GAUSS + 1)[:, None]
 )
@@ -64,11 +64,11 @@ _RELAXATION_ROUNDS = 12
 _CONVERGED = 0.1
 """Largest expected error after the last round, relative to the error limit."""
 _BALANCINGS = 3
-"""Number of passes over the control values to balance their scales."""
+"""Number of passes that balance the scales of the control values."""
 _FEW = 64
 """Number of state variables above which eigenvalues are first estimated by a bound."""
 _SQUARINGS = 6
-"""Number of squarings of a matrix for the bound of its eigenvalues."""
+"""Number of squarings of a matrix for the bound of the eigenvalues."""
 
 
 def _degree(count: int) -> int:
@@ -186,13 +186,13 @@ class GivenSeries(NamedTuple):
 
     @property
     def fit_twice(self) -> bool:
-        """Whether polynomials of this degree would fit a stretch of twice the length."""
+        """Whether polynomials of equal degree would fit a stretch of twice the length."""
         last = _degree(self.parts.number)
         orders = np.arange(last - 1, last + 1)
         return largest(self.coefficients[:, orders] * 2.0**orders) <= self.limit
 
     def continued(self, parts: Parts) -> Floats | None:
-        """Return the coefficients over the next stretch, or None if it is over twice as long."""
+        """Return the coefficients over the next stretch, if at most twice as long."""
         ratio = parts.length * parts.number / (self.parts.length * self.parts.number)
         return self.coefficients @ _continuing(ratio, parts.number) if ratio <= 2 else None
 
@@ -404,7 +404,7 @@ class Closed:
         return float(speeds[decays * gone < _GONE].max(initial=0.0))
 
     def _exponential(self, length: float) -> tuple[Exponential, float]:
-        """Return the exponential over a part, and the unit of its variables other than the state.
+        """Return the exponential over a part, and the unit of variables other than the state.
 
         Its vector contains the scaled state, time, 1, and derivatives of the nonlinear torques.
         """
@@ -436,7 +436,7 @@ class Closed:
         return exponential
 
     def _calculated(self, parts: Parts, state: Floats) -> TimeStretch | None:
-        """Calculate a stretch from its first state; return None if polynomials do not fit."""
+        """Calculate a stretch from the first state, if polynomials fit."""
         given, self.series = self._expected(parts), None
         times = np.concatenate([[parts.begin], parts.times.reshape(-1)])
         times = self.equations.ports.inside(times)
@@ -554,7 +554,7 @@ class Closed:
         return result
 
     def _inside(self, stretch: TimeStretch, befores: Floats, time: float) -> Floats:
-        """Return the state at a time within a stretch; its works are integrals by Gauss points."""
+        """Return the state at a time within a stretch, with works integrated by Gauss points."""
         parts = stretch.parts
         passed = (time - parts.begin) / parts.length
         part = min(parts.number - 1, max(0, int(passed)))

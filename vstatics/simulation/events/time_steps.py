@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from scipy.integrate import DOP853
 
 _NODES = np.arange(1, 9) / 8
-"""Instants of a step at which margins are evaluated, as fractions of its length."""
+"""Instants of a step at which margins are evaluated, as fractions of the step."""
 Between = Callable[[Floats], Floats]
 """Dense output: function from times within a step, shape (n,), to states, shape (size, n)."""
 

@@ -14,7 +14,7 @@ from vstatics.simulation.record.motion import Motion
 
 
 class ElementStates(NamedTuple):
-    """Times at which a shift element slips under torque, and at which it sticks."""
+    """Times of slip under torque and times of sticking of a shift element."""
 
     name: str
     element: int
@@ -25,7 +25,7 @@ class ElementStates(NamedTuple):
 
 
 def loaded(motion: Motion) -> list[tuple[int, str]]:
-    """List the shift elements that carry torque at any time, with their indices."""
+    """List the indices and names of shift elements that carry torque at any time."""
     carries = carrying(motion)
     return [(place, name) for place, name in enumerate(motion.elements) if carries[place]]
 
@@ -58,7 +58,7 @@ def states(motion: Motion) -> list[ElementStates]:
 
 
 def _gripped(motion: Motion, place: int) -> Floats:
-    """Return the magnitude of the torque of a shift element, without its drag torque [N*m]."""
+    """Return the magnitude of the torque of a shift element, without drag torque [N*m]."""
     name, torques = motion.elements[place], np.abs(motion.torques[:, place])
     capacities = motion.beside.get("capacities", {}).get(name)
     if capacities is None:

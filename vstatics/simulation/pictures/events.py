@@ -14,7 +14,7 @@ from vstatics.simulation.record.motion import Event
 MOST_ROW_EVENTS = 80
 """Largest number of events of a row that can get a word."""
 FAR_WORD = 26.0
-"""Largest distance of a word from its event. [pt]"""
+"""Largest distance between an event and the corresponding word. [pt]"""
 
 
 class EventWord(NamedTuple):

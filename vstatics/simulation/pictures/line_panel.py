@@ -28,7 +28,7 @@ CAPACITY_ROOM = 1.25
 
 
 def line_ends(shown: MotionPanel, style: Style, numbers: Mapping[str, int]) -> list[LineEnd]:
-    """Return the names of lines, each at the height of the last value of its line."""
+    """Return the names of lines, each at the height of the last value of the line."""
     scale = range_of(shown)
     return [
         LineEnd(
@@ -106,7 +106,7 @@ def ticks_of(scale: AxisScale) -> list[float]:
 
 
 def _draw_capacity(pen: Pen, name: str, line: MotionLine, time: Floats, look: Look) -> None:
-    """Draw the torque capacity of a shift element on the side of its torque, while it is finite."""
+    """Draw the torque capacity of a shift element, where finite, on the side of the torque."""
     assert line.capacity is not None  # noqa: S101 - callers check
     side = capacity_side(line.values, line.capacity)
     drawn = np.where(np.isfinite(line.capacity), side * line.capacity, np.nan)
@@ -119,7 +119,7 @@ def _draw_capacity(pen: Pen, name: str, line: MotionLine, time: Floats, look: Lo
 
 
 def range_of(shown: MotionPanel) -> AxisScale:
-    """Return the vertical scale of a panel, in its unit; it contains 0, margins, and other runs."""
+    """Return the vertical scale of a panel in the panel's unit, with 0, margins and other runs."""
     ends = [_ends(panel) for panel in (shown, *shown.others)]
     low, high = min(low for low, _ in ends), max(high for _, high in ends)
     room = 0.06 * (high - low) if math.isfinite(high - low) and high > low else 1.0

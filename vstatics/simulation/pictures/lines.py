@@ -16,7 +16,7 @@ from vstatics.pictures.drawing.style import Style
 MOST_LINES = 6
 """Largest number of names in a panel; lines with more names are drawn in further panels."""
 LARGE_PEAK_RATIO = 20.0
-"""Ratio of the largest values of two lines from which they are drawn in separate panels."""
+"""Least ratio of the largest values of two lines in separate panels."""
 LARGE_PART = 0.5
 """Ratio of torque to capacity above which the capacity changes to the side of the torque."""
 PARTS_OF_TIME = 1500
@@ -35,7 +35,7 @@ class MotionLine(NamedTuple):
     capacity: Floats | None = None
     """Torque capacity of a shift element. [N*m]"""
     distinction: str = ""
-    """Word that distinguishes two lines of the same name."""
+    """Word that distinguishes two lines of equal name."""
 
     @property
     def peak(self) -> float:
@@ -44,7 +44,7 @@ class MotionLine(NamedTuple):
 
     @property
     def labels(self) -> list[str]:
-        """Labels at the end of the line: its names with the distinguishing word."""
+        """Labels at the end of the line: names with the distinguishing word."""
         return [f"{name} ({self.distinction})" if self.distinction else name for name in self.names]
 
     def looks(self, style: Style, numbers: Mapping[str, int]) -> list[Look]:
@@ -67,12 +67,12 @@ class MotionPanel(NamedTuple):
     left_out: tuple[str, ...] = ()
     """Names of links or components whose lines are left out."""
     part: int = 1
-    """Number of the panel among the panels of its kind, from 1."""
+    """Number of the panel among the panels of equal kind, from 1."""
     others: tuple[MotionPanel, ...] = ()
-    """Panels of another run that the scale also covers."""
+    """Panels of other runs that the scale also covers."""
 
     def with_scale_of(self, others: Iterable[MotionPanel]) -> MotionPanel:
-        """Return the panel with a scale that also covers the matching panels of another run."""
+        """Return the panel with a scale that also covers matching panels of other runs."""
         names = {name for line in self.lines for name in line.names}
         alike = [panel for panel in others if (panel.kind, panel.text) == (self.kind, self.text)]
         named = [
@@ -129,7 +129,7 @@ def _parts(line: MotionLine) -> list[MotionLine]:
 
 
 def numbers_of(elements: Sequence[str], panels: Iterable[MotionPanel]) -> dict[str, int]:
-    """Return a number for each component other than links, which determines its colour.
+    """Return a colour number for each component other than links.
 
     >>> numbers_of(["A", "B"], [MotionPanel("heat", "", 1.0, (MotionLine(("P1",), None),))])
     {'A': 0, 'B': 1, 'P1': 2}
@@ -165,7 +165,7 @@ def capacity_side(torques: Floats, capacity: Floats) -> Floats:
 
 
 def thinned(time: Floats, values: Floats) -> tuple[Floats, Floats]:
-    """Return fewer points of a line that look the same: ends and extremes of parts of the time.
+    """Reduce a line, without visible change, to ends and extremes of parts of the time.
 
     >>> time = np.linspace(0.0, 1.0, 100_001)
     >>> fewer, values = thinned(time, np.sin(1e4 * time))

@@ -18,9 +18,9 @@ from vstatics.simulation.pictures.gears import GearPiece, Phase, ShiftPhase
 from vstatics.simulation.record.motion import Event
 
 GEAR_ROW_HEIGHT, GEAR_BAR_HEIGHT = 17.0, 12.0
-"""Height of the row of gears, and of its bar. [pt]"""
+"""Height of the row of gears, and of the bar in the row. [pt]"""
 BAR_ROW_HEIGHT, BAR_HEIGHT = 11.0, 6.0
-"""Height of the row of a shift element without events, and of its bar. [pt]"""
+"""Height of the row of a shift element without events, and of the bar in the row. [pt]"""
 WORD_HEIGHT = 11.0
 """Height of the words above a bar. [pt]"""
 ROW_NAME_WIDTH = 76.0
@@ -38,7 +38,7 @@ PHASES: Mapping[Phase, str] = {
 
 
 class RunRow(NamedTuple):
-    """Row of a shift element, or of another part or sequence with events."""
+    """Row of a shift element, or of any other part or sequence with events."""
 
     name: str
     label: str
@@ -154,7 +154,7 @@ def _draw_gears(pen: Pen, low: float, shown: RunRows) -> None:
 
 
 def _box(pen: Pen, span: Span, upright: Span, name: str, look: Look) -> None:
-    """Draw a box from start to end time, titled with them; `upright` is lower edge and height."""
+    """Draw a box titled with name and times; `upright` is the lower edge and height."""
     (low, high), (left, right) = upright, map(pen.across, span)
     start, end = map(number, span)
     title = f"{name}, {start}–{end} {pen.style.text('s')}"

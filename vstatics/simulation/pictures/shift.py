@@ -38,7 +38,7 @@ from vstatics.simulation.pictures.rows import RunRows, draw_rows, name_width, ru
 from vstatics.simulation.record.motion import Motion
 
 BEFORE_SCALE = 3.0
-"""Distance from the title of a scale to its numbers. [pt]"""
+"""Distance between the title and the numbers of a scale. [pt]"""
 TIME_SCALE_HEIGHT = 30.0
 """Height of the time scale. [pt]"""
 MOST_ROWS, MOST_OTHER_ROWS = 14, 6
@@ -74,7 +74,7 @@ class _Content(NamedTuple):
         return SIGN_ROW_HEIGHT * len(rows)
 
     def high(self, panel: MotionPanel, style: Style) -> float:
-        """Return the height of a panel, including the names of its lines [pt]."""
+        """Return the height of a panel, including the names of lines [pt]."""
         if self.over:
             return PANEL_HEIGHT + self.names_high(panel, style)
         return max(PANEL_HEIGHT, height_of(line_ends(panel, style, self.numbers)))
@@ -87,7 +87,7 @@ def draw(
     motion: Motion | None = None,
     others: Sequence[tuple[Results, Motion]] = (),
 ) -> list[Canvas]:
-    """Draw a run of a case on one or several pages, with common scales for other runs.
+    """Draw a run of a case on a page or several pages, with common scales for other runs.
 
     Raises
     ------
@@ -173,7 +173,7 @@ def _pages(content: _Content, name: str, style: Style) -> Iterator[Canvas]:
 def _draw_panels(
     pen: Pen, content: _Content, on_page: slice, heights: Sequence[float], upper: Sequence[Pen]
 ) -> None:
-    """Draw panels below each other, with a common time scale."""
+    """Draw a column of panels with a common time scale."""
     top, time = pen.size[1], _time(content.motion)
     drawn: list[Pen] = []
     for shown, high in zip(content.panels[on_page], heights, strict=True):

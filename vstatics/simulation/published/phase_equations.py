@@ -27,7 +27,7 @@ class ClutchPhase(NamedTuple):
 
 
 class PublishedEquations:
-    """Equations of motion for one phase: equation (12) of the published method."""
+    """Equations of motion for a phase: equation (12) of the published method."""
 
     def __init__(
         self, system: MotionSystem, ends: tuple[int, int], phase: ClutchPhase, end: float

@@ -38,7 +38,7 @@ class TarasikRecord:
     def add(
         self, time: float, speeds: Floats, torque: float, clutch: int | None, state: Floats
     ) -> None:
-        """Add an instant, unless it repeats the last instant without a jump of torque."""
+        """Add an instant, except for a repetition of the last instant without a jump of torque."""
         torques = np.full(len(self.heat), np.nan)
         for index, column in self.column.items():
             if capacity_at(self.system.contacts[index], time) == 0:

@@ -94,7 +94,7 @@ def tarasik(scenario: Scenario, *, step: float | None = None, rtol: float = RTOL
 
 
 class _BoxEnds:
-    """Event function that ends an integration where its value falls through zero."""
+    """Event function that ends an integration where the value falls through zero."""
 
     terminal = True
     direction = -1.0
@@ -108,7 +108,7 @@ class _BoxEnds:
 
 
 class _Run:
-    """Run of the published method, integrated from one change of the clutch to the next."""
+    """Run of the published method, integrated piecewise between changes of the clutch."""
 
     def __init__(
         self, system: MotionSystem, ends: tuple[int, int], speeds: Floats, rtol: float
@@ -121,7 +121,7 @@ class _Run:
         self.speeds = speeds
 
     def through(self, stops: list[float]) -> Problem | None:
-        """Integrate from stop to stop [s]; return the problem that ends the run early, or None."""
+        """Integrate from stop to stop [s]; return the problem that ends the run early, if any."""
         for begin, end in pairwise(stops):
             time = begin
             try:
@@ -138,7 +138,7 @@ class _Run:
         return None
 
     def _begin(self, middle: float, time: float) -> ClutchPhase:
-        """Return the phase at the start of an interval, from the capacities in its middle [s]."""
+        """Return the phase at the start of an interval, from the capacities in the middle [s]."""
         contacts = self.system.contacts
         active = [n for n, contact in enumerate(contacts) if capacity_at(contact, middle) > 0]
         for n in self.stuck:
@@ -168,7 +168,7 @@ class _Run:
         return ClutchPhase(masses, clutch, locked=False, direction=direction)
 
     def _holding(self) -> ClutchPhase:
-        """Return a phase without slip: the last sticking contact that suits is its clutch."""
+        """Return a phase without slip, with the last suitable sticking contact as the clutch."""
         reason: NotTwoError | None = None
         for clutch in reversed(self.stuck):
             others = [n for n in self.stuck if n != clutch]
@@ -232,7 +232,7 @@ class _Run:
     def _breaks_away(
         self, phase: ClutchPhase, equations: PublishedEquations, time: float
     ) -> ClutchPhase:
-        """Return the phase after a clutch breaks away: slip along its torque, or along a drift."""
+        """Return the phase after a clutch breaks away: slip along the torque, or along a drift."""
         assert phase.clutch is not None  # noqa: S101 - for mypy: it was locked
         self.stuck.remove(phase.clutch)
         self._tell(time, phase.clutch, "slips")

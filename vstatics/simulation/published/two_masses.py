@@ -56,7 +56,7 @@ class NotTwoError(ValueError):
 def two_masses(
     system: MotionSystem, ends: tuple[int, int], held: Sequence[int], clutch: int | None
 ) -> TwoMasses:
-    """Reduce a gearbox to two masses while some contacts stick and a clutch joins its ends.
+    """Reduce a gearbox to two masses while some contacts stick and a clutch joins the ends.
 
     Parameters
     ----------

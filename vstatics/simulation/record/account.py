@@ -80,7 +80,7 @@ def energy_account(
 def heat_and_losses(
     equations: Equations, state: Floats
 ) -> tuple[dict[str, Floats], dict[str, Floats]]:
-    """Return heat and losses by name [J], in one state or several; equal names are summed."""
+    """Return heat and losses by name [J], in a single or several states; equal names are summed."""
     system, layout = equations.system, equations.layout
     works = state[equations.works]
     heat: dict[str, Floats] = {}

@@ -16,7 +16,7 @@ Rows: TypeAlias = Sometimes[Mapping[str, Floats]]
 
 
 class AskedAnswer(NamedTuple):
-    """Requested additional tables of a run, each under its name."""
+    """Requested additional tables of a run, by name."""
 
     accelerations: Rows = None
     jerks: Rows = None

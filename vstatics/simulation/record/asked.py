@@ -155,7 +155,7 @@ def _values(word: str, at: Moments, rows: Sequence[str]) -> Floats:
 
 
 class AskedTable(NamedTuple):
-    """Additional table: kind of its rows, unit, and function that calculates the values."""
+    """Additional table: kind of rows, unit, and function that calculates the values."""
 
     kind: Kind
     unit: str

@@ -35,7 +35,7 @@ class PieceMotion(NamedTuple):
         return self._along(times, states, self._accelerations)
 
     def _accelerations(self, times: Floats, states: Floats) -> tuple[Floats, Floats]:
-        """Return accelerations, and the sums of magnitudes of their terms as scales of rounding."""
+        """Return accelerations, and sums of magnitudes of terms as scales of rounding."""
         equations, structure = self.equations, self.equations.structure
         _, torques = equations.acting_at(times, states)
         by_torque = structure.free @ structure.accelerations

@@ -12,7 +12,7 @@ from vstatics.simulation.tolerances import STANDING
 
 
 def turbine(converter: str) -> str:
-    """Return the row name of the torque that the turbine of a converter gives to its link."""
+    """Return the row name of the torque that a converter gives to the link of the turbine."""
     return f"{converter}.turbine"
 
 

@@ -48,7 +48,7 @@ class CurveRanges(NamedTuple):
 def ranges(
     curves: Sequence[Curves], kinds: Sequence[slice], before: CurveRanges | None = None
 ) -> CurveRanges:
-    """Return the ranges of columns; a column with changes negligible in its group is constant.
+    """Return the ranges of columns; a column with changes negligible in the group is constant.
 
     Parameters
     ----------
@@ -144,7 +144,7 @@ class _Turns(NamedTuple):
 
 
 def _turns(curves: Curves, column_ranges: CurveRanges) -> _Turns:
-    """Return the highest and lowest nodes of columns, and turning points of nearly their values."""
+    """Return the highest and lowest nodes of columns, and turning points nearly as high or low."""
     moving, nodes = np.flatnonzero(np.isfinite(column_ranges.size)), np.array(curves.nodes)
     values = curves.values[moving]
     flat = values.reshape(len(values), -1)
@@ -199,7 +199,7 @@ def _finite(values: Floats) -> Floats:
 
 
 def _along(powers: Floats, places: Floats) -> Floats:
-    """Evaluate each polynomial at its place."""
+    """Evaluate each polynomial at the corresponding place."""
     values: Floats = (powers * places[:, None] ** np.arange(powers.shape[1])).sum(axis=1)
     return values
 

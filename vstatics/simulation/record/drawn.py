@@ -31,7 +31,7 @@ _MOST_DRAWN, _MOST_HURRIED = (200_000, 8_000_000), (20_000, 500_000)
 
 
 class _SteppedCourse(NamedTuple):
-    """Consecutive time steps between two events, with their columns as curves."""
+    """Consecutive time steps between two events, with columns as curves."""
 
     piece: int
     steps: Sequence[tuple[TimeStep, float]]
@@ -76,7 +76,7 @@ class DrawnRun:
         self._parts, self._is_thin = 0, False
 
     def add(self, pieces: Sequence[Piece], *, hurried: bool = False) -> None:
-        """Add pieces of the run, with the instants that draw their columns, and extremes.
+        """Add pieces of the run, with the instants that draw the columns, and extremes.
 
         Parameters
         ----------

@@ -29,7 +29,7 @@ class Event(NamedTuple):
     element: str
     event: EventKind
     energy: Annotated[float | None, SOMETIMES] = 0.0
-    """Energy lost in an impact, otherwise 0; None for a step of a sequence. [J]"""
+    """Energy lost in an impact, otherwise 0; undefined for a step of a sequence. [J]"""
     word: str = ""
     """Usual word: dog clutches open and close, freewheels overrun, loads start."""
     step: Annotated[int | None, SOMETIMES] = None
@@ -66,7 +66,7 @@ class Damage(Protocol):
 
     @property
     def repeats(self) -> float | None:
-        """Number of runs to failure; None if unlimited [-]."""
+        """Number of runs to failure, if limited [-]."""
 
 
 class Peak(NamedTuple):
@@ -87,7 +87,7 @@ class Reached(NamedTuple):
     time: float
     """Time; NaN if the speed is not reached. [s]"""
     angle: float
-    """Angle of the link at this time. [rad]"""
+    """Angle of the link at the time `time`. [rad]"""
     distance: float
     """Distance of the vehicle; NaN without a road, or with a varying rolling radius. [m]"""
 

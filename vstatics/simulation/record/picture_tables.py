@@ -71,7 +71,7 @@ def chosen(tables: Tables, selected: Booleans) -> Tables:
 
 
 def _sticks(equations: Equations) -> Iterator[bool]:
-    """Yield a flag for each shift element, True if it sticks."""
+    """Yield a flag for each shift element, True for sticking."""
     system, states = equations.system, equations.states
     contacts = dict(zip(map(id, system.contacts), states.held, strict=True))
     springs = dict(zip(map(id, system.springs), states.springs, strict=True))
@@ -109,7 +109,7 @@ def _capacities(at: Moments) -> Iterator[Floats]:
 
 
 def _of_vehicle(road: Road, acceleration: Floats, turning: Floats) -> Floats:
-    """Convert the acceleration of a link with a road [rad/s^2] to that of the vehicle [m/s^2]."""
+    """Convert the acceleration of a link with a road [rad/s^2] to vehicle acceleration [m/s^2]."""
     if road.wheel is None:
         return road.radius * acceleration
     slope, _ = road.wheel.turning_slopes(road.wheel.velocity(turning))

@@ -39,7 +39,7 @@ from vstatics.simulation.tolerances import (
 )
 
 _MOST_NUMBERS, _OF_A_STEP = 200_000, 300
-"""Number of stored values from which steps are reduced to instants, and allowance for one step."""
+"""Number of stored values from which steps are reduced to instants, and allowance per step."""
 
 
 class Record:
@@ -142,7 +142,7 @@ class Record:
         self.messages.append(Message("W602", text))
 
     def sets(self, time: float, values: Mapping[str, float]) -> None:
-        """Add a note, once for each state, if a sequence step sets it beyond its limits."""
+        """Add a note, once for each state, if a sequence step sets the state beyond limits."""
         for state in self.system.scenario.states:
             beyond = state.beyond(values.get(state.name, state.start))
             if beyond and state.name not in self.cut:
@@ -151,7 +151,7 @@ class Record:
                 self.messages.append(Message("N611", f"{text}; it is kept at this limit"))
 
     def cuts(self, system: MotionSystem, now: tuple[float, Sequence[float]]) -> None:
-        """Add a note, once for each control, if it exceeds a capacity of the case."""
+        """Add a note, once for each control, if the control exceeds a capacity of the case."""
         for device in system.may_slip:
             programme = device.programme
             if programme.look is None or programme.largest is None or device.name in self.cut:
@@ -162,7 +162,7 @@ class Record:
                 self.messages.append(Message("N605", text))
 
     def fits_too(self, time: float, broken: Iterable[int], others: Iterable[int]) -> None:
-        """Add a note, once for each set, that other contacts could break away instead."""
+        """Add a note that other contacts could break away instead, once for each set."""
         if (both := frozenset([*broken, *others])) in self.open:
             return
         self.open.add(both)
@@ -191,7 +191,7 @@ class Record:
         self._store(equations, equations.time, state)
 
     def step(self, step: TimeStep, end: float, state: Floats) -> None:
-        """Record a time step until `end`, which is its end or an event within it [s]."""
+        """Record a time step until `end`: the end of the step, or an event within the step [s]."""
         if self.numbers > _MOST_NUMBERS:
             self._draw()
         piece = self.pieces[-1]
@@ -215,7 +215,7 @@ class Record:
         self.numbers += step.states.size + _OF_A_STEP
 
     def leaves_zero(self, equations: Equations, time: float, state: Floats) -> bool:
-        """Return whether a control value is about to exceed its scale; if so, raise the scale.
+        """Return whether a control value is about to exceed the scale; if so, raise the scale.
 
         A value that leaves 0 cannot be integrated with a small error relative to itself. Its error
         is compared with the magnitude that it soon reaches.
@@ -231,7 +231,7 @@ class Record:
         return False
 
     def _draw(self, *, hurried: bool = False) -> None:
-        """Reduce all pieces to the instants that draw them, and begin a new piece."""
+        """Reduce all pieces to the instants for drawing, and begin a new piece."""
         self.drawn.add(self.pieces, hurried=hurried)
         last = self.pieces[-1]
         self.pieces, self.numbers = [Piece(last.margins, self.time, last.states[-1])], 0

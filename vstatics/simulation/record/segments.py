@@ -21,7 +21,7 @@ from vstatics.simulation.system.matrices import MotionSystem, between
 
 
 class Piece:
-    """Piece of a run in which the same contacts stick, so that the same equations hold."""
+    """Piece of a run between changes of the sticking contacts and thus of the equations."""
 
     def __init__(self, margins: Margins, time: float, state: Floats) -> None:
         self.margins = margins
@@ -38,13 +38,13 @@ class Piece:
         return PieceMotion(self.margins.equations, self.times[0], end)
 
     def add(self, time: float, state: Floats) -> None:
-        """Add an instant with its state to the end of the piece."""
+        """Add an instant and state to the end of the piece."""
         self.times.append(time)
         self.states.append(state)
 
 
 class MotionColumns:
-    """Recorded columns of a run: their order, and their calculation.
+    """Recorded columns of a run: order and calculation.
 
     Parameters
     ----------
@@ -101,7 +101,7 @@ class MotionColumns:
 
 
 def peaks(devices: Sequence[str], times: Floats, torques: Floats) -> Mapping[str, Peak]:
-    """Return the largest torque of each component, with the time at which it first occurs."""
+    """Return the largest torque of each component, with the time of first occurrence."""
     top = first_largest(np.abs(torques))
     return {
         name: Peak(float(torques[place, device]), float(times[place]))

@@ -15,7 +15,7 @@ from vstatics.simulation.tolerances import CLOSED_BALANCE, PRINTED
 
 
 def motion_grids(motion: Motion) -> Iterator[Grid]:
-    """Yield the table of events, and the other tables that are not empty."""
+    """Yield the table of events, and all further tables that are not empty."""
     if motion.stopped is not None:
         why = [[motion.stopped.told]]
         yield grid_of("Stopped before its end", ["why"], why, key="stopped")
@@ -86,7 +86,7 @@ def _events(motion: Motion) -> Grid:
 
 
 def _energy(motion: Motion) -> Grid:
-    """Return the table of the energy balance; the parts of heat and losses follow their sums."""
+    """Return the table of the energy balance; parts of heat and losses follow the sums."""
     energy = motion.energy
     per_area = energy.heat_per_area
     rows: list[Row] = []

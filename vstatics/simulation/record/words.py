@@ -9,7 +9,7 @@ Device = Contact | Elastic | RigidMechanism
 
 
 def event_of(time: float, device: Device, kind: EventKind, energy: float = 0.0) -> Event:
-    """Return an event of a component, with its usual word.
+    """Return an event of a component, with the usual word.
 
     Parameters
     ----------
@@ -22,12 +22,12 @@ def event_of(time: float, device: Device, kind: EventKind, energy: float = 0.0) 
 
 
 def slid_back(event: Event) -> Event:
-    """Return the event with the word for a freewheel that slips backward, beyond its capacity."""
+    """Return the event with the word for a freewheel that slips backward, beyond capacity."""
     return event._replace(word="slips") if event.word == "overruns" else event
 
 
 def released(event: Event) -> Event:
-    """Return the event with the word for a shift element whose control opens it."""
+    """Return the event with the word for a shift element opened by control."""
     return event._replace(word="opens") if event.word == "slips" else event
 
 

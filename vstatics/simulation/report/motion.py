@@ -30,9 +30,9 @@ class RunSection(NamedTuple):
 
     motion: Motion
     course: Drawn | None = None
-    """Picture of the run over time; None without pictures."""
+    """Picture of the run over time, if drawn."""
     plan: Drawn | None = None
-    """Speed plan with the speeds of the run; None without pictures."""
+    """Speed plan with the speeds of the run, if drawn."""
     moves: Markup = NOTHING
     """HTML of the interactive run, which replaces `course` on a screen."""
     in_full: bool = False
@@ -75,7 +75,7 @@ def has_part(case: Transmission, *, runs: bool) -> bool:  # noqa: ARG001
 
 
 def part(request: PartRequest) -> RunSection | None:
-    """Return the section about the run of a request, or None without a run."""
+    """Return the section about the run of a request, if any."""
     motion = request.motion
     if not isinstance(motion, Motion):
         return None

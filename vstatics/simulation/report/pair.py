@@ -18,13 +18,13 @@ from vstatics.simulation.record.tables import motion_grids
 from vstatics.simulation.report.motion import in_figures, marked_events
 
 LabelledRun = tuple[str, Results, Motion | None]
-"""Letter of a case, its results, and its run, if any."""
+"""Letter, results and run (if any) of a case."""
 
 
 def paired_runs(
     both: Sequence[LabelledRun],
 ) -> tuple[list[Markup], Iterator[list[Grid | None]]]:
-    """Return the pictures of two runs side by side, and their tables."""
+    """Return the pictures of two runs side by side, and the tables."""
     return [*_shown(both)], run_grids([motion for _, _, motion in both])
 
 
@@ -91,7 +91,7 @@ def _certain(grid: Grid) -> Grid:
 
 
 def _by_event(grid: Grid) -> Grid:
-    """Move the column of events before the column of times, and put names of parts into it.
+    """Add names of parts to the column of events, and move the column before the times.
 
     >>> from vstatics.core.tables.grid import Column, exact
     >>> columns = [Column("time [s]"), text("element"), text("event")]

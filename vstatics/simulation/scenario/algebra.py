@@ -25,13 +25,13 @@ def parts(tree: Tree) -> Iterator[Tree]:
 
 
 def variables(tree: Tree) -> frozenset[str]:
-    """Return the names of variables in a tree, with their subscripts; pi is a constant."""
+    """Return the names of variables in a tree, with subscripts; pi is a constant."""
     names = (name for name in parts(tree) if isinstance(name, TableName) and name.name != PI)
     return frozenset(name.name + "".join(row.written for row in name.subscripts) for name in names)
 
 
 def number(tree: Tree) -> float | None:
-    """Return the value of a tree without variables, or None for other trees."""
+    """Return the value of a tree if the tree contains no variables."""
     return None if variables(tree) else compiled(tree)(0.0, 0.0, 0.0)
 
 
@@ -88,7 +88,7 @@ _OUTER: Mapping[str, Callable[[Tree, Tree], Tree]] = {
 
 
 def slope(tree: Tree) -> Tree | None:
-    """Return the derivative of a tree with respect to t; None if it is not known, as for ``2^t``.
+    """Return the derivative of a tree with respect to t, if known (not for ``2^t``).
 
     Examples
     --------
@@ -108,7 +108,7 @@ def slope(tree: Tree) -> Tree | None:
 
 
 def _combined(tree: Applied, operands: Sequence[Tree], slopes: Sequence[Tree]) -> Tree | None:  # noqa: PLR0911 - a table
-    """Return the derivative of an operation from the derivatives of its operands."""
+    """Return the derivative of an operation from the derivatives of the operands."""
     first, second, change, last_change = operands[0], operands[-1], slopes[0], slopes[-1]
     match tree.name:
         case "-x":
@@ -148,7 +148,7 @@ class StraightForm(NamedTuple):
     offset: Tree
 
     def plus(self, other: StraightForm, factor: float = 1.0) -> StraightForm:
-        """Return the sum of this form and another form times a factor."""
+        """Return the sum of the form and `other` times `factor`."""
         addend = other.times(factor)
         offset = plus(self.offset, addend.offset)
         return StraightForm(self.speed + addend.speed, self.angle + addend.angle, offset)
@@ -160,7 +160,7 @@ class StraightForm(NamedTuple):
 
 
 def straight(tree: Tree) -> StraightForm | None:  # noqa: PLR0911 - a table
-    """Return a tree that is linear in speed and angle as a linear form, or None for other trees.
+    """Return a tree as a linear form, if linear in speed and angle.
 
     Examples
     --------

@@ -94,7 +94,7 @@ def scenario_problems(scenario: Scenario) -> Iterator[Problem]:
 
 
 def scenario_doubts(scenario: Scenario) -> Iterator[Problem]:
-    """Yield warnings and notes about a scenario, such as for a shift after its end."""
+    """Yield warnings and notes about a scenario, such as for a shift after the end."""
     case = scenario.case
     yield from bare_capacities(case)
     yield from cut_controls(scenario)

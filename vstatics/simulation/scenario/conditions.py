@@ -135,7 +135,7 @@ def _signed(side: Tree) -> Tree:
 
 
 def _of_wheel(side: Any, turning: Callable[[float], float]) -> Any:
-    """Return a side of a comparison; a vehicle speed becomes a wheel speed of the same sign."""
+    """Return a side of a comparison; a vehicle speed becomes a wheel speed of equal sign."""
     if isinstance(side, Velocity):
         return Constant(turning(side.value))
     if isinstance(side, Applied) and isinstance(_signed(side), Velocity):
@@ -182,7 +182,7 @@ def _compares(part: Tree) -> bool:
 
 
 def _parts(tree: Tree) -> Iterator[Tree]:
-    """Yield a condition and all its operands, through `and`, `or` and `not`, from left to right."""
+    """Yield a condition and all operands, through `and`, `or` and `not`, from left to right."""
     yield tree
     if isinstance(tree, Applied) and tree.name in _JOINS:
         for operand in tree.operands:

@@ -38,7 +38,7 @@ _MOST_DEGREE = 8
 """Highest degree of polynomials whose corners are found."""
 
 Polynomial: TypeAlias = tuple[float, ...]
-"""Coefficients of 1, x, x^2, ...; the last coefficient is not 0 unless it is the only one."""
+"""Coefficients of 1, x, x^2, ...; the last of several coefficients is not 0."""
 
 
 def value_at(polynomial: Polynomial, x: float) -> float:
@@ -90,7 +90,7 @@ def _inside(low: float, high: float) -> float:
 
 
 def between(tree: Tree, name: str, low: float, high: float) -> Tree:
-    """Return a formula as it is between two neighbouring jumps; comparisons become numbers.
+    """Restrict a formula to the range between two neighbouring jumps; comparisons become numbers.
 
     Examples
     --------
@@ -105,7 +105,7 @@ def between(tree: Tree, name: str, low: float, high: float) -> Tree:
 
 
 def _decided(tree: Any, name: str, at: float, *, inside: bool = False) -> Any:
-    """Return a tree as it is near a value of the variable; comparisons and `sign` become numbers.
+    """Simplify a tree near a value of the variable: comparisons and `sign` become numbers.
 
     Within other comparisons, `abs`, `min` and `max` are replaced by the operand that they equal.
     """
@@ -132,7 +132,7 @@ def is_polynomial(tree: Tree) -> bool:
 def _polynomial(
     tree: Any, name: str, at: float, met: list[tuple[float, bool]]
 ) -> Polynomial | None:
-    """Return a tree as a polynomial near a value of the variable; append its corners to `met`."""
+    """Return a tree as a polynomial near a value of the variable; append corners to `met`."""
     if not isinstance(tree, Applied):
         return _of_operand(tree, name)
     inner: list[tuple[float, bool]] = []
@@ -175,7 +175,7 @@ def _of_table(
     at: float,
     met: list[tuple[float, bool]],
 ) -> Polynomial | None:
-    """Return a table of one argument as a straight line between two breakpoints."""
+    """Return a table of a single argument as a straight line between two breakpoints."""
     [inner, *others] = operands
     if others or inner is None:
         return None
@@ -191,7 +191,7 @@ def _picked(
     values: Sequence[float],
     minus: Callable[[Any], Any] = lambda operand: Applied("-x", (operand,), 0, 0),
 ) -> Any:
-    """Return the operand, or its negative, that `abs`, `min` or `max` equals at given values."""
+    """Return the possibly negated operand that `abs`, `min` or `max` equals at given values."""
     if tree.name == "abs":
         return minus(operands[0]) if values[0] < 0 else operands[0]
     return operands[values.index((min if tree.name == "min" else max)(values))]
@@ -208,7 +208,7 @@ def _roots(polynomial: Polynomial) -> Iterator[float]:
 
 
 def _sum(polynomial: Polynomial, other: Polynomial, factor: float = 1.0) -> Polynomial:
-    """Return the sum of a polynomial and another polynomial times a factor."""
+    """Return the sum of a polynomial and a second polynomial times a factor."""
     coefficients = [a + factor * b for a, b in zip_longest(polynomial, other, fillvalue=0.0)]
     while len(coefficients) > 1 and not coefficients[-1]:
         coefficients.pop()
@@ -226,7 +226,7 @@ def _product(left: Polynomial, right: Polynomial) -> Polynomial | None:
 
 
 def _applied(name: str, operands: Sequence[Polynomial]) -> Polynomial | None:  # noqa: PLR0911 - a table
-    """Return the result of an operation on polynomials if it is a polynomial, otherwise None."""
+    """Return the result of an operation on polynomials, provided the result is a polynomial."""
     first, second = operands[0], operands[-1]
     match name:
         case "-x":

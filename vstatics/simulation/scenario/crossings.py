@@ -30,11 +30,11 @@ class MeetingParts(NamedTuple):
     first: Tree
     second: Tree
     jumps: bool = False
-    """True if the formula can jump where both terms are equal; otherwise it bends."""
+    """True if the formula can jump where both terms are equal, False if the formula bends."""
 
 
 Pairs: TypeAlias = list[MeetingParts]
-"""Pairs with the same first term; the second terms ascend."""
+"""Pairs with a common first term; the second terms ascend."""
 
 
 def met(tree: Tree) -> Iterator[Pairs]:
@@ -48,7 +48,7 @@ def met(tree: Tree) -> Iterator[Pairs]:
 
 
 def asked(tree: Tree) -> Iterator[Pairs]:
-    """Yield, for each argument of a lookup table, its pairs with all breakpoints, ascending."""
+    """Yield the pairs of each argument of a lookup table with all breakpoints, ascending."""
     for part in parts(tree):
         if isinstance(part, Applied) and isinstance(part.name, TableCall):
             table = part.name.table

@@ -56,12 +56,12 @@ class ScenarioFile(NamedTuple):
 
     scenario: Scenario
     name: str
-    """Value of the key `name`; empty without this key."""
+    """Value of the key `name`; empty without the key."""
     description: str
     samples: AnyMapping[str, Distribution]
     """Distributions of random numbers, by the paths of the numbers."""
     reading: Reading
-    """Case as it was read, with its warnings."""
+    """Case as read, with warnings."""
     spots: Spots
 
     def allowing(self, ids: Sequence[str]) -> ScenarioFile:
@@ -70,7 +70,7 @@ class ScenarioFile(NamedTuple):
         return self._replace(reading=reading, scenario=self.scenario._replace(case=reading.case))
 
     def locate(self, problem: Problem) -> Problem:
-        """Return a problem of the scenario or case with its position in the document."""
+        """Return a problem of the scenario or case with the position in the document."""
         return located(problem, self.spots, self.reading)
 
     @property
@@ -110,7 +110,7 @@ class ScenarioDocument(NamedTuple):
         return ReadError([Problem("E660", reason, ("case",), place)])
 
     def refuse_foreign(self, data: bytes, name: str) -> None:
-        """Reject a file that is not a case, so that messages do not show its content.
+        """Reject a file that is not a case, so that messages do not show the content.
 
         Raises
         ------
@@ -274,12 +274,12 @@ def case_bytes(document: ScenarioDocument, case: str | None = None) -> tuple[byt
 
 
 def load_document(file: str) -> Scenario:
-    """Return a shipped scenario with its case."""
+    """Return a shipped scenario, including the case."""
     return load_scenario_file(file).scenario
 
 
 def document_problems(data: bytes, file: str) -> list[Problem]:
-    """Return warnings and notes about a scenario and its case.
+    """Return warnings and notes about a scenario and case.
 
     Raises
     ------
@@ -332,7 +332,7 @@ def load_scenario(source: FileOrStream, case: FileOrStream | None = None) -> Sce
 
 
 def located(problem: Problem, spots: Spots, reading: Reading) -> Problem:
-    """Return a problem with its position, in the case if its path begins with `case`."""
+    """Return a problem with a position, in the case for a path that begins with `case`."""
     if problem.place is not None:
         return problem
     whole = spots.place(())._replace(line=0, column=0, text="")
@@ -349,7 +349,7 @@ def located(problem: Problem, spots: Spots, reading: Reading) -> Problem:
 
 
 def _own_path(path: Path, case: Transmission, spots: Spots) -> Path:
-    """Convert a path with names of links and components to a path with their numbers."""
+    """Convert names of links and components in a path to numbers."""
     named = 2 if path[0] == "start" and path[1:2] != ("engaged",) else 1
     if len(path) <= named:
         return path

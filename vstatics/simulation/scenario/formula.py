@@ -36,7 +36,7 @@ from vstatics.simulation.scenario.surfaces import JumpSurface, on_side, surfaces
 from vstatics.simulation.scenario.table_call import TableCall
 
 Quantity = Callable[[str, int], Constant | None]
-"""Function that reads a number with a unit at a position in a text; None for an unknown unit."""
+"""Function that reads a number with a known unit, if any, at a position in a text."""
 SHORT_SPEED = "w"
 """Short name, in formulas, of the signed speed of the link on which the formula acts."""
 OF_MOTION = ("speed", "angle", "slip", "twist", "temperature")
@@ -52,7 +52,7 @@ class Vocabulary(NamedTuple):
     """Names that the formulas of a scenario can use in addition to t, speed and angle."""
 
     rows: Mapping[str, Collection[str]] = MappingProxyType({})
-    """Function of the motion -> its possible arguments: `slip` -> names of shift elements."""
+    """Function of the motion -> possible arguments: `slip` -> names of shift elements."""
     numbers: Mapping[str, float] = MappingProxyType({})
     values: Collection[str] = ()
     """Names of control states, and of numbers that sequences set."""
@@ -169,7 +169,7 @@ class Formula(NamedTuple):
         return tuple(place for place, jumps in corners(self.whole, name).items() if jumps)
 
     def between(self, name: str, low: float, high: float) -> Formula:
-        """Return the formula as it is between two neighbouring jumps along a variable."""
+        """Restrict the formula to the range between two neighbouring jumps along a variable."""
         return self._replace(tree=between(self.whole, name, low, high))
 
     @property
@@ -178,7 +178,7 @@ class Formula(NamedTuple):
         return surfaces(self.whole)
 
     def on_side(self, surface: JumpSurface, side: float) -> Formula:
-        """Return the formula as it is above a moving jump (`side` = 1) or below it (-1)."""
+        """Restrict the formula to the region above (`side` = 1) or below (-1) a moving jump."""
         return self._replace(tree=on_side(self.whole, surface, side))
 
     @property
@@ -193,12 +193,12 @@ class Formula(NamedTuple):
 
     @property
     def switches(self) -> bool:
-        """True if the formula compares anything but the time, or takes its sign."""
+        """True if the formula compares, or takes the sign of, anything but the time."""
         return _read(*self).switches
 
     @property
     def along(self) -> Callable[..., Floats]:
-        """Function for an array of times; the other arguments of `function` can be arrays, too."""
+        """Function for an array of times; further arguments of `function` can be arrays, too."""
         return _read(*self).along
 
 

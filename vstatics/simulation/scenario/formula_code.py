@@ -26,11 +26,11 @@ from vstatics.simulation.scenario.table_call import TableCall
 VARIABLES = ("t", "speed", "angle")
 PI = "pi"
 Function: TypeAlias = Callable[..., float]
-"""Function of t, speed and angle, and then of the other quantities in the formula (`Seen`)."""
+"""Function of t, speed and angle, and then of further quantities in the formula (`Seen`)."""
 
 
 class Seen(NamedTuple):
-    """Quantity in a formula other than time, and speed and angle of the link on which it acts."""
+    """Quantity in a formula other than time, and speed and angle of the link with the formula."""
 
     word: str
     """Function of the motion, such as `speed` or `slip`; `value` for a state or setting."""
@@ -39,7 +39,7 @@ class Seen(NamedTuple):
 
 
 def seen_in(part: TableName) -> Seen | None:
-    """Return the quantity that a name in a formula means; None for `VARIABLES` and pi."""
+    """Return the quantity that a name in a formula means, except for `VARIABLES` and pi."""
     if part.subscripts:
         return Seen(part.name, part.subscripts[0].written[1:-1])
     return None if part.name in (*VARIABLES, PI) else Seen("value", part.name)
@@ -103,7 +103,7 @@ _LOGIC = {"and": ast.And, "or": ast.Or}
 
 
 def compiled(tree: Tree, seen: Sequence[Seen] = ()) -> Function:
-    """Compile a tree to a function; its arguments are `VARIABLES`, then the quantities `seen`.
+    """Compile a tree to a function of `VARIABLES` and then of the quantities `seen`.
 
     Examples
     --------

@@ -42,7 +42,7 @@ class GivenLaw(NamedTuple):
 
 
 def exactly_one(*names: str, with_points: Sequence[str] = ()) -> Callable[..., str]:
-    """Return a check that a single key is given, and that some keys accompany `points` only."""
+    """Return a check that a single key is given and some keys accompany `points` only."""
 
     def fault(**values: Any) -> str:
         given = [name for name in names if values.get(name) is not None]

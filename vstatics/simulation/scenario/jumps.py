@@ -58,7 +58,7 @@ class LawPiece(NamedTuple):
 
 
 def split_at_jumps(law: Points | Formula) -> tuple[list[LawJump], list[LawPiece]]:
-    """Find the jumps of a law over speed or angle, and the pieces between them.
+    """Find the jumps of a law over speed or angle, and the pieces between jumps.
 
     Examples
     --------
@@ -107,7 +107,7 @@ def _of_formula(law: Formula) -> tuple[list[LawJump], list[LawPiece]]:
 def _between_surfaces(
     law: Formula, sides_at_jumps: tuple[tuple[int, str], ...], jumps: list[LawJump]
 ) -> Iterator[LawPiece]:
-    """Yield the pieces of a law between its moving jumps, and append these to `jumps`."""
+    """Yield the pieces of a law between moving jumps, and append the jumps to `jumps`."""
     surfaces = law.surfaces
     if len(surfaces) > _MOST_SURFACES:
         surfaces = {}
@@ -161,7 +161,7 @@ def _intervals(places: tuple[float, ...]) -> list[tuple[float, float]]:
 
 
 def _beside(first: int, count: int) -> list[tuple[tuple[int, str], ...]]:
-    """Return the indices of the jumps at both ends of each interval, with its side of each jump."""
+    """Return indices and sides of the jumps at both ends of each interval."""
     return [
         tuple(
             (first + number, side)

@@ -443,7 +443,7 @@ _EVALUATION_KEYS = (
 
 
 def scenario_shape(words: Vocabulary) -> ByKey:
-    """Return the keys of a scenario; its formulas can use the names of a vocabulary."""
+    """Return the keys of a scenario; formulas can use the names of a vocabulary."""
     return ByKey(
         "Scenario",
         "Events and controls of a case over time; numbers without a unit are in SI units.",

@@ -63,7 +63,7 @@ class Points(NamedTuple):
         return bisect_right(self.x, x)
 
     def piece(self, number: int) -> tuple[float, float]:
-        """Return the straight line of a piece: its value at abscissa 0 and its slope."""
+        """Return the straight line of a piece: value at abscissa 0 and slope."""
         if number in (0, len(self.x)):
             return self.y[min(number, len(self.x) - 1)], 0.0
         left, right = self.x[number - 1 : number + 1]
@@ -112,7 +112,7 @@ def bends(curve: Curve, until: float) -> tuple[float, ...]:
 
 
 class Resistance(NamedTuple):
-    """Dry friction of a load: it opposes the speed, and holds the link at rest up to its torque.
+    """Dry friction of a load, which opposes the speed and can hold the link at rest.
 
     Examples
     --------
@@ -167,7 +167,7 @@ class Road(NamedTuple):
 
     @property
     def wheel(self) -> LoadedWheel | None:
-        """Wheel with a variable radius; None with a constant radius."""
+        """Wheel, if the radius is variable."""
         if not self.by_torque or not self.radius:
             return None
         weight = self.mass * GRAVITY
@@ -199,7 +199,7 @@ class Road(NamedTuple):
 
     @property
     def rolling_growth(self) -> Points | None:
-        """Outside torque by rolling resistance beyond its value at rest, over the wheel speed.
+        """Outside torque by rolling resistance beyond the value at rest, over the wheel speed.
 
         None if the rolling resistance is constant, or with a variable radius.
 

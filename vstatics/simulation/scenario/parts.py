@@ -81,7 +81,7 @@ class Dog(NamedTuple):
     """
 
     points: tuple[tuple[float, bool], ...]
-    """Ascending times [s], each with True if the clutch closes and False if it opens."""
+    """Ascending times [s], each with True (clutch closes) or False (clutch opens)."""
 
 
 Control: TypeAlias = Capacity | Dog
@@ -125,24 +125,24 @@ class ControlState(NamedTuple):
 
 
 class SequenceStep(NamedTuple):
-    """Step of a sequence: it acts after its condition becomes true."""
+    """Step of a sequence, which acts after a condition becomes true."""
 
     when: StepCondition | None = None
-    """Condition of the step; None for a step without condition."""
+    """Condition of the step, if any."""
     within: float = math.inf
     """Longest permitted time from the previous step until the condition is true. [s]"""
     wait: float = 0.0
     """Time from the condition to the action. [s]"""
     settings: Mapping[str, Curve] = MappingProxyType({})
-    """Name of a setting or state -> its new value."""
+    """Name of a setting or state -> new value."""
     shift: Shift | None = None
-    """Shift that begins with the action; its time `at` is ignored."""
+    """Shift that begins with the action; the time `at` is ignored."""
     dogs: Mapping[int, bool] = MappingProxyType({})
-    """Number of a dog clutch -> True if the action closes it, False if it opens it."""
+    """Number of a dog clutch -> True for closing, False for opening."""
 
 
 class StepSequence(NamedTuple):
-    """Sequence of steps, one after the other."""
+    """Sequence of consecutive steps."""
 
     name: str
     steps: tuple[SequenceStep, ...]
@@ -227,12 +227,12 @@ class Scenario(NamedTuple):
 
     @property
     def span(self) -> float:
-        """Time scale [s]: the duration, within two limits; near instants are compared with it."""
+        """Time scale [s] for comparison of near instants: the duration, within two limits."""
         return min(max(self.duration, LEAST_DURATION), LONGEST_DURATION)
 
 
 def placed_steps(scenario: Scenario) -> Iterator[tuple[Path, SequenceStep]]:
-    """Yield the steps of all sequences, each with its path in the scenario."""
+    """Yield the paths and steps of all sequences in the scenario."""
     for sequence in scenario.sequences:
         for number, step in enumerate(sequence.steps, 1):
             yield ("sequences", sequence.name, number), step

@@ -45,15 +45,15 @@ class Programme(NamedTuple):
     largest: float | None = None
     """Capacity in the case, at which feedback control is clipped. [N*m or Pa]"""
     given: Curve | None = None
-    """Control over time before it is clipped at the capacity in the case."""
+    """Control over time before clipping at the capacity in the case."""
     look: Look | None = None
-    """Value of a feedback control, which depends on the motion; None for other controls."""
+    """Value that depends on the motion, for a feedback control."""
     table: LookupTable | None = None
     """Coefficients of friction over slip and temperature, if given as a table."""
     rub: Look | None = None
     """Coefficient of friction from `table`, as a function of quantities of the motion."""
     follows: SpringLimit | None = None
-    """Torque limit that grows with the torque of another spring; the curve is its base."""
+    """Torque limit that grows with the torque of a second spring; the curve is the base."""
 
     def seen_at(self, time: float, seen: Sequence[float], *, clipped: bool = True) -> float:
         """Return the capacity under feedback control, which is clipped to 0 to `largest`."""
@@ -136,7 +136,7 @@ def load_torque(case: Transmission) -> float | None:
 
 
 def bare_capacities(case: Transmission) -> Iterator[Problem]:
-    """Yield a note about capacities without a unit if there is no load: they count as N*m."""
+    """Yield a note that capacities without a unit count as N*m if there is no load."""
     bare = [
         number
         for number, element in enumerate(case.shift_elements, 1)
@@ -232,7 +232,7 @@ def bounded(law: Curve, factor: float = 1.0, largest: float | None = None) -> Pr
 
 
 def _scaled(control: Capacity) -> Curve:
-    """Return the law of a control times its scale."""
+    """Return the scaled law of a control."""
     law, scale = control
     if isinstance(law, Points):
         return Points(law.x, tuple(scale * value for value in law.y))

@@ -20,7 +20,7 @@ from vstatics.simulation.tolerances import LARGEST_NUMBER, LEAST_NUMBER, UNLIKE_
 
 
 def size_problems(scenario: Scenario) -> Iterator[Problem]:
-    """Yield a problem for each number of a scenario or its case that is too large or too small.
+    """Yield a problem for each number of a scenario or case that is too large or too small.
 
     Examples
     --------
@@ -61,7 +61,7 @@ def size_problems(scenario: Scenario) -> Iterator[Problem]:
 
 
 def _of_numbers(part: Any, path: Path, least: float = LEAST_NUMBER) -> Iterator[Problem]:
-    """Yield a problem for each number of impossible size in a part, with its path."""
+    """Yield a problem with a path for each number of impossible size in a part."""
     if isinstance(part, float):
         read = part.given if isinstance(part, OfLoad) else part
         size = abs(read)

@@ -58,7 +58,7 @@ def surfaces(tree: Tree) -> dict[JumpSurface, str]:
 
 
 def on_side(tree: Any, surface: JumpSurface, side: float) -> Any:
-    """Return a formula as it is on one side of a surface: above for +1, below for -1."""
+    """Restrict a formula to a side of a surface: above for +1, below for -1."""
     if not isinstance(tree, Applied):
         return tree
     switch, lead = _surface(tree)
@@ -69,7 +69,7 @@ def on_side(tree: Any, surface: JumpSurface, side: float) -> Any:
 
 
 def _surface(tree: Tree) -> tuple[JumpSurface | None, float]:
-    """Return the surface of a comparison or `sign`, and its factor of the speed or angle."""
+    """Return the surface of a comparison or `sign`, and the factor of the speed or angle."""
     if not isinstance(tree, Applied) or tree.name not in JUMPS:
         return None, 0.0
     first = bare(tree.operands[0])

@@ -32,5 +32,5 @@ class TableCall(str):
     __hash__ = str.__hash__
 
     def __getnewargs__(self) -> tuple[Any, ...]:
-        """Return the arguments from which `pickle` rebuilds the name in another process."""
+        """Return the arguments from which `pickle` rebuilds the name in a different process."""
         return str(self), self.table

@@ -32,7 +32,7 @@ def table_of(scenario: str, name: str) -> LookupTable:
 
 
 def _table(rows: list[tuple[int, list[str]]]) -> LookupTable:
-    """Build a table from rows, each with its line number: a heading, then rows of numbers.
+    """Build a table from numbered lines: a heading, then rows of numbers.
 
     The heading contains the quantity of the first column with its unit, then the columns.
 
@@ -70,7 +70,7 @@ def _table(rows: list[tuple[int, list[str]]]) -> LookupTable:
 
 
 def _number(text: str, line: int) -> float:
-    """Read a number, bare or with any unit, and return it in SI units."""
+    """Read a number, bare or with any unit, and convert to SI units."""
     for measure in get_args(Measure):
         try:
             return measured(text.strip(), measure)

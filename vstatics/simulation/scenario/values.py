@@ -166,7 +166,7 @@ class ScenarioValues:
         )
 
     def samples(self, values: Mapping[str, Any]) -> dict[str, Distribution]:
-        """Return the distributions of random numbers by the paths of these numbers."""
+        """Return the distributions of random numbers by path."""
         given = values.get("samples", {})
         return {
             path: Distribution(*map(_plain, distribution)) for path, distribution in given.items()

@@ -209,7 +209,7 @@ def _elements(
 
 
 def _drag_contacts(case: Transmission, dragging: list[DragTorque], rows: Floats) -> list[Contact]:
-    """Return contacts for drags, except those of overrunning freewheels."""
+    """Return contacts for drags, except for overrunning freewheels."""
     contacts = []
     for is_element, number, torque in dragging:
         name, row, while_open = case.link_name(number), unit(number - 1, case.links), None
@@ -353,7 +353,7 @@ class DragTorque(NamedTuple):
 
 
 def drags(case: Transmission, gear: Gear | None) -> Iterator[DragTorque]:
-    r"""Yield the drag torques in a gear; without a gear, those that are equal in all gears.
+    r"""Yield the drag torques in a gear; without a gear, the drag torques common to all gears.
 
     Raises
     ------

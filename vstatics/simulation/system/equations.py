@@ -208,7 +208,7 @@ class Equations:
         return self.system.names[int(np.abs(self.structure.light @ motions).max(axis=1).argmax())]
 
     def light_motions(self, time: float, rates: Floats, state: Floats) -> Floats:
-        """Solve for the speeds of motions without inertia; `rates` are due to the other motions."""
+        """Solve for speeds of motions without inertia; `rates` are due to motions with inertia."""
         structure, ports = self.structure, self.ports
         angles = state[self.angles]
 
@@ -356,7 +356,7 @@ class Equations:
         return powers
 
     def _with_driving(self, torques: Floats) -> Floats:
-        """Return the torques of ports, including those of drivers, shape (ports[, times])."""
+        """Return the torques of ports, including drivers, shape (ports[, times])."""
         if not self.driving:
             return torques
         with_drivers = torques.copy()
@@ -392,7 +392,7 @@ class Equations:
 
     @property
     def _bends_otherwise(self) -> bool:
-        """True if torques are nonlinear in more than their own rates."""
+        """True if torques are nonlinear in more than the rates of the respective ports."""
         by_slope = self.system.varying and self.by_slope.shape[1]
         return bool(self.ports.looks or self.ports.struts or by_slope)
 
@@ -406,7 +406,7 @@ class Equations:
         return self.ports.is_affine or bool(self.springs or self.seeing or self.layout.values)
 
     def slopes_by_rate(self, time: float, state: Floats) -> Floats:
-        """Return the derivative of each torque with respect to the rate of its port [N*m*s/rad].
+        """Return the derivative of each torque with respect to the rate of the port [N*m*s/rad].
 
         Feedback torques are left out; `slopes_by_state` contains their derivatives.
         """
@@ -601,7 +601,7 @@ class Equations:
         return powers
 
     def _growing(self, twisting: Floats, sprung: Floats, twists: Floats, slopes: Floats) -> Floats:
-        """Return the rates of twists; a slipping spring twists by its damper or with its limit.
+        """Return the rates of twists; a slipping spring twists by the damper or with the limit.
 
         The last axis of all arrays is the axis of springs.
         """
@@ -739,7 +739,7 @@ class Affine:
 
 
 def _slope_beside_jumps(function: Callable[[float], Floats], now: Floats, step: float) -> Floats:
-    """Return the derivatives of functions at 0; next to a jump, from the side without it.
+    """Return the derivatives of functions at 0; next to a jump, from the side without the jump.
 
     A difference quotient across a jump grows as its step shrinks.
 

@@ -43,7 +43,7 @@ class FixedPoints:
     def near(
         self, begin: Vector, function: Callable[[Vector], Vector], least: Vector
     ) -> Vector | None:
-        """Return a fixed point whose residual is at most `least`; None if the search fails.
+        """Return a fixed point whose residual is at most `least`, if found.
 
         Of several fixed points, it is usually the nearest to `begin`.
         """
@@ -80,7 +80,7 @@ class FixedPoints:
         return None
 
     def _update(self, change: Vector, moved: Vector) -> None:
-        """Update the slopes, so that they map the change of the residual to the last step."""
+        """Update the slopes to map the change of the residual to the last step."""
         along = _dot(change, moved)
         if not along:
             return

@@ -14,7 +14,7 @@ DISTANCES = (1.0, 16.0, 256.0)
 
 
 class KnownMotion(Protocol):
-    """Equations of motion between two events, as far as their parts use them; see `Equations`."""
+    """Equations of motion between two events, as far as used by parts; see `Equations`."""
 
     system: MotionSystem
     layout: PortLayout

@@ -50,19 +50,19 @@ class Contact(NamedTuple):
     """Coefficient of friction that multiplies the programme, or the law of a drag over speed."""
     static: float = 1.0
     one_way: bool = False
-    """True for a freewheel, which overruns while its slip is positive."""
+    """True for a freewheel, which overruns while the slip is positive."""
     overrun_drag: float = 0.0
     """Drag torque of an overrunning freewheel. [N*m]"""
     element: int | None = None
     """Index of the shift element to which the contact belongs, if any."""
     is_drag: bool = False
-    """True for a drag, which has no events; its energy is a loss unless `beside` is given."""
+    """True for a drag, which has no events; the energy is a loss unless `beside` is given."""
     while_open: int | None = None
-    """Index of a shift element, for a drag that acts only while its capacity is 0."""
+    """Index of a shift element, for a drag that acts only while the capacity is 0."""
     beside: int | None = None
     """Index, among components, of a spring to which the contact is parallel."""
     switch: Switch | None = None
-    """Jump of an outside torque, for a contact that represents this jump and not friction.
+    """Jump of an outside torque, for a contact that represents the jump and not friction.
 
     Its slip is the distance of the motion from the jump. While the contact sticks, the motion
     slides along the jump, with a torque between both sides (Filippov). A link with a given speed is
@@ -110,7 +110,7 @@ class RigidMechanism(NamedTuple):
     planets: Floats
     """Torque on the first link that accelerates planets, per acceleration of links. [kg*m^2]"""
     laws: tuple[float, float] | None = None
-    """Both efficiencies if at least one is a law over speed or torque, otherwise None."""
+    """Both efficiencies, if either is a law over speed or torque."""
 
     @property
     def lossless(self) -> bool:
@@ -166,7 +166,7 @@ class Elastic(NamedTuple):
         return self.curve.side(piece) if isinstance(self.curve, TwistCurve) else 0.0
 
     def carried(self, twist: float, rate: float) -> float:
-        """Return the torque of spring and damper if it had no limit [N*m].
+        """Return the torque of spring and damper without any limit [N*m].
 
         Examples
         --------
@@ -207,7 +207,7 @@ class MovingVariator(NamedTuple):
     change: Curve
     """Derivative of the ratio with respect to time. [1/s]"""
     reference: float
-    """Constant ratio x0 in the row of its contact."""
+    """Constant ratio x0 in the row of the contact."""
     contact: int
     """Index of the contact that enforces the ratio, in `MotionSystem.contacts`."""
     efficiency: float
@@ -225,7 +225,7 @@ class OutsideTorque(NamedTuple):
     """Indices of contacts that represent jumps, each with the side on which the law acts."""
 
     def acts(self, contacts: Sequence[str]) -> bool:
-        """Return whether the torque acts; while a jump contact sticks, both its sides act."""
+        """Return whether the torque acts; while a jump contact sticks, both sides act."""
         return all(contacts[index] in (side, "stick") for index, side in self.when)
 
     @property
@@ -373,7 +373,7 @@ class MotionSystem:
 
 
 def efficiency_at(number: float, speed: float, torque: float) -> float:
-    """Return an efficiency at a speed and torque; it is a number or a law of their magnitudes.
+    """Return an efficiency, given as a number or a law of magnitudes, at a speed and torque.
 
     >>> efficiency_at(0.95, -3.0, 20.0)
     0.95
@@ -404,7 +404,7 @@ def combination(parts: Iterable[tuple[int, float]], links: int) -> Floats:
 
 
 def between(first: int, second: int, links: int) -> Floats:
-    """Return the speed row of a link relative to another link, both given by number.
+    """Return the speed row of a link relative to a second link, both given by number.
 
     Examples
     --------

@@ -33,9 +33,9 @@ from vstatics.simulation.system.sight import following, looking
 from vstatics.simulation.tolerances import STANDING
 
 _FINE = 0.1
-"""Relative change of a slip within which a torque that depends on it is nearly linear."""
+"""Relative change of a slip within which a dependent torque is nearly linear."""
 _FAR = 1e6
-"""Slip above which it counts as far from 0, as a multiple of the rounding error of slips."""
+"""Smallest slip that counts as far from 0, as a multiple of the rounding error of slips."""
 SIGNS_OF_MESHES = ("++", "+-", "-+", "--")
 """States of moving mechanisms with losses; see `MeshStates`."""
 
@@ -257,7 +257,7 @@ class Ports:
         return times
 
     def given_at(self, times: Floats, within: float | None) -> tuple[Floats, Floats]:
-        """Return the terms that depend on time alone, and their derivatives, shape (ports, times).
+        """Return the terms that depend on time alone, and the derivatives, shape (ports, times).
 
         Derivatives of formulas are differences over `within` [s]; without it, they are 0.
         """
@@ -355,7 +355,7 @@ class Ports:
         self.special.append((port, -1, torque, one_by_one(torque)))
 
     def _limited(self, index: int, sign: float, states: States, time: float) -> None:
-        """Set up a spring at its torque limit, which can follow another spring."""
+        """Set up a spring at the torque limit, which can follow a second spring."""
         programme = self.system.springs[index].programme
         if programme.follows:
             pieces = states.pieces[self.layout.curves :]

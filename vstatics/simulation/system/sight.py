@@ -100,7 +100,7 @@ class Compared(NamedTuple):
 
 
 class Corner(NamedTuple):
-    """Corner of a formula or limit: a number at which it bends or jumps."""
+    """Corner: a number at which a formula or limit bends or jumps."""
 
     path: Path
     """Path of the formula in the scenario."""
@@ -213,7 +213,7 @@ def fixed(value: float) -> Look:
 
 
 def with_settings(system: MotionSystem, settings: Mapping[str, float]) -> MotionSystem:
-    """Return the system with new settings, which its controls use."""
+    """Return the system with new settings for the controls."""
     system = replace(system, settings=settings)
     contacts = tuple(
         contact._replace(programme=_seeing(system, contact)) for contact in system.contacts

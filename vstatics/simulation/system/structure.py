@@ -44,7 +44,7 @@ mechanisms at rest last.
 
 
 class Multiplier(NamedTuple):
-    """Identity of a constraint torque: its kind, and the index of mechanism or contact."""
+    """Identity of a constraint torque: kind, and index of mechanism or contact."""
 
     kind: str
     """`mesh` (on the first link of a mechanism), `friction` (in one at rest), or `contact`."""

@@ -55,7 +55,7 @@ class ValueChanges:
         return value_rates
 
     def unheld(self, time: float, state: Floats, rates: Floats, torques: Floats) -> Floats:
-        """Return the rates of control states if they had no limits, then 0 for temperatures."""
+        """Return the rates of control states without limits, then 0 for temperatures."""
         value_rates = np.zeros(len(self.equations.layout.values))
         if self.rates:
             seen, ports = self.seen(time, state, rates, torques), self.equations.ports
@@ -81,7 +81,7 @@ class ValueChanges:
         return self.seen(time, state, *self.equations.acting(time, state))
 
     def hold_limits(self, time: float, state: Floats) -> None:
-        """Hold control states at a limit if their rates point outward now or soon."""
+        """Hold control states at limits where the rates point outward now or soon."""
         states = self.equations.system.scenario.states
         if not states:
             return
@@ -110,7 +110,7 @@ class ValueChanges:
             self.held[inward] = 0  # this can change other rates
 
     def _next_changes(self, time: float, state: Floats) -> Floats:
-        """Return the rates of control states if they had no limits.
+        """Return the rates of control states without limits.
 
         A rate that is 0, or soon changes its sign, is replaced by the rate a little later.
         """
@@ -219,7 +219,7 @@ def _ports_of(equations: KnownMotion, name: str) -> list[int]:
 
 
 def _torque(equations: KnownMotion, name: str) -> Derived:
-    """Return the torque that the first link of a component gives to it."""
+    """Return the torque that a component receives from the first link."""
     system, structure, layout = equations.system, equations.structure, equations.layout
     ports = _ports_of(equations, name)
     by_ports = np.zeros(layout.ports)

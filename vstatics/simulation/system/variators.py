@@ -116,7 +116,7 @@ class VariatorTorques:
         self.lacks = self.is_lawful and not np.isfinite(solution).all()
 
     def _factors(self, torques: Floats, speeds: Floats) -> Floats:
-        """Return ``eta^-s`` of each variator for the torque and speed of its first link."""
+        """Return ``eta^-s`` of each variator for the torque and speed of the first link."""
         factors = np.ones(len(torques))
         for n, (variator, torque, speed) in enumerate(
             zip(self.variators, torques.tolist(), speeds.tolist(), strict=True)

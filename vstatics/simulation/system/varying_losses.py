@@ -25,7 +25,7 @@ _MOST_LOSS_ROUNDS = 12
 
 
 class LosingMesh:
-    """Mechanism with an efficiency over speed or torque, for fixed signs of its speed and torque.
+    """Mechanism with an efficiency over speed or torque, for fixed signs of speed and torque.
 
     Parameters
     ----------
@@ -97,7 +97,7 @@ class VaryingLosses:
         """Mechanism without a solution in the last evaluation, and the reason."""
 
     def fill(self, rates: Floats, torques: Floats, others: Callable[[], None] | None) -> None:
-        """Fill in the torques of the ports; NaN if no efficiencies agree with them.
+        """Fill in the torques of the ports; NaN without consistent efficiencies.
 
         Parameters
         ----------
@@ -141,7 +141,7 @@ class VaryingLosses:
             self.latest, torques[self.places] = agreed, losses
 
     def fill_all(self, rates: Floats, torques: Floats) -> Booleans:
-        """Fill in the torques at several instants; other torques must not depend on them.
+        """Fill in torques that do not influence other torques, at several instants.
 
         Returns
         -------

@@ -46,7 +46,7 @@ class RunNames:
         self.rows_of = rows_of
 
     def selection(self, read: TableName) -> Selection:
-        """Return the table, or the part of a table, that a name selects.
+        """Return the table or part of a table that a name selects.
 
         Raises
         ------
@@ -89,14 +89,14 @@ class RunNames:
         return TABLES[table].kind
 
     def key(self, index: int, rows: Sequence[str]) -> str:
-        """Return a row as it is written in brackets; a step is written as sequence and number."""
+        """Return a row as written in brackets; a step is written as sequence and number."""
         if tuple(rows) != self.rows_of("step"):
             return written(index, rows)
         sequence, _, number = rows[index].rpartition(",")
         return f"{written(0, [sequence])},{number}"
 
     def _row(self, subscript: Subscript, rows: Sequence[str], kind: str) -> int | None:
-        """Return the index of the row in a subscript, by name or by number; None for all rows."""
+        """Return the index of the row in a subscript, by name or by number, unless for all rows."""
         written = subscript.written
         if written == ":":
             return None

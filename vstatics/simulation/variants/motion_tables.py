@@ -20,7 +20,7 @@ from vstatics.simulation.record.row_names import Kind
 from vstatics.sweep.results.meanings import PART_NUMBERS
 
 OfRow: TypeAlias = Callable[[Motion, str, int], float]
-"""Function of a motion, the name of a row and its index, which returns the number in the row."""
+"""Function that returns the number in a row from a motion and the name and index of the row."""
 
 
 class MotionTable(NamedTuple):

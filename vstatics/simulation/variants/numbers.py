@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 
 
 _PLAIN = (1.0, 0.5, 0.0, 100.0)
-"""Trial numbers: wherever a number is allowed, at least one of these is valid."""
+"""Trial numbers, of which at least one is valid wherever a number is allowed."""
 
 
 def number_paths(varied: Sequence[Varied]) -> list[NumberPath]:
@@ -143,7 +143,7 @@ class ScenarioNumbers:
         return self.own.scenario.case
 
     def in_unit(self, varied: Varied, unit: str, place: Place | None) -> NumberPath:
-        """Return a varied number with the unit of its given values.
+        """Return a varied number with the unit of the given values.
 
         Raises
         ------
@@ -164,7 +164,7 @@ class ScenarioNumbers:
         return path
 
     def sampled(self, text: str) -> NumberPath:
-        """Return the number to which a distribution under `samples` belongs, with its SI unit.
+        """Return the number to which a distribution under `samples` belongs, with the SI unit.
 
         The unit is empty if neither the number nor the distribution has a unit.
 
@@ -178,7 +178,7 @@ class ScenarioNumbers:
         return path._replace(unit=in_si(unit)) if unit else path
 
     def written_number(self, path: NumberPath, place: Place | None) -> float:
-        """Return a number as written in the document, in its unit there.
+        """Return a number as written in the document, in the unit there.
 
         Raises
         ------
@@ -197,7 +197,7 @@ class ScenarioNumbers:
         return is_such and written_number(path, self.trees) is None
 
     def check_new(self, paths: Sequence[NumberPath], values: Sequence[float]) -> None:
-        """Check that numbers that the documents do not contain are allowed at their paths.
+        """Check that numbers that the documents do not contain are allowed at the given paths.
 
         Parameters
         ----------
@@ -233,7 +233,7 @@ class ScenarioNumbers:
 
 
 def sampled_numbers(subject: ScenarioNumbers) -> list[Variation]:
-    """Return the numbers under `samples` in a scenario, with their distributions.
+    """Return the numbers under `samples` in a scenario, with distributions.
 
     Raises
     ------

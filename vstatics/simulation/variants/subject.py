@@ -108,7 +108,7 @@ class VariedScenario(ScenarioNumbers, SweptDocument):
                 )
 
     def check_runs(self, targets: Sequence[Varied], values: Sequence[float]) -> None:
-        """Check that scipy is installed, and that the documents allow the varied numbers."""
+        """Check that scipy is installed and the documents allow the varied numbers."""
         require("simulation", "a sweep of a scenario")
         self.check_new(number_paths(targets), values)
 
@@ -121,7 +121,7 @@ class VariedScenario(ScenarioNumbers, SweptDocument):
         return "" if self.base_case.masses else TABLES[table].unit
 
     def asked(self, selections: Iterable[Selection]) -> list[tuple[str, str]]:
-        """Return the additional columns, as (table, row), that expressions need."""
+        """Return the additional columns that expressions need, as (table, row)."""
         asked = {
             row
             for part in selections
@@ -133,7 +133,7 @@ class VariedScenario(ScenarioNumbers, SweptDocument):
     def outcome(
         self, targets: Sequence[Varied], values: Floats, asked: Sequence[tuple[str, str]]
     ) -> RunOutcome:
-        """Run a variant, and return its status, tables and messages."""
+        """Run a variant, and return status, tables and messages."""
         paths, motion, status = number_paths(targets), None, INVALID
         if np.isfinite(values).all():
             with suppress(ReadError, CaseError):
@@ -157,7 +157,7 @@ class VariedScenario(ScenarioNumbers, SweptDocument):
         return [motion.stopped] if motion.stopped else []
 
     def seconds(self, tried: float) -> float:
-        """Return the estimated processor time of a run [s]; 0 if it ends within `tried` seconds."""
+        """Return the estimated processor time of a run [s]; 0 for an end within `tried` seconds."""
         pace = Pace(self.own.scenario.duration, tried)
         with suppress(CaseError):  # variants can start even if this run cannot
             simulate(self.own.scenario, rtol=self.rtol, watch=pace)
@@ -168,7 +168,7 @@ class VariedScenario(ScenarioNumbers, SweptDocument):
 def load_varied(
     file: str | os.PathLike[str], case: str | os.PathLike[str] | None = None
 ) -> VariedScenario:
-    """Read a scenario with its case for a sweep of their numbers by `vstatics.sweep`.
+    """Read a scenario and case for a sweep of numbers by `vstatics.sweep`.
 
     Parameters
     ----------

@@ -76,7 +76,7 @@ elastic_case = gathered("request", OneCase, *CASE_OPTIONS, static_torque)
 
 
 def gear_names(case: Transmission, chosen: Sequence[str]) -> list[str]:
-    """Return the names of the chosen gears without repetitions, or of all gears if none is chosen.
+    """Return the names of the chosen gears without repetitions, or of all gears by default.
 
     Raises
     ------
@@ -87,7 +87,7 @@ def gear_names(case: Transmission, chosen: Sequence[str]) -> list[str]:
 
 
 class WorkingGears(NamedTuple):
-    """Gears, and speed ratios of converters, that options choose."""
+    """Gears, and speed ratios of converters, chosen by options."""
 
     gears: tuple[str, ...]
     ratios: Mapping[str, float]
@@ -144,7 +144,7 @@ def link_name(case: Transmission, link: str, option: str) -> str:
 def located(
     reading: Reading, texts_by_gear: Iterable[tuple[str, str]], identity: str
 ) -> list[Problem]:
-    """Return messages about gears as problems at the positions of these gears.
+    """Return messages about gears as problems at the positions of the gears.
 
     Parameters
     ----------

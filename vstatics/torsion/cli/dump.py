@@ -136,6 +136,6 @@ def json_schema() -> Schema:
 
 
 def _exactly(form: Sequence[str], properties: Schema, free: Sequence[str]) -> Schema:
-    """Return a schema that requires the keys in `form`, and forbids all others except `free`."""
+    """Return a schema that requires the keys in `form`, and forbids further keys except `free`."""
     others = [name for name in properties if name not in {*form, *free}]
     return {"required": [*form], "properties": dict.fromkeys(others, False)}

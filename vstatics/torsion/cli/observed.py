@@ -36,7 +36,7 @@ class Observed(NamedTuple):
     column: str | None = None
 
     def measured(self) -> tuple[float, float | None, Decay | None]:
-        """Return the frequency [rad/s], the decrement [-] and the decay; None for unknown values.
+        """Return the frequency [rad/s], the decrement [-] and the decay, as far as known.
 
         Raises
         ------

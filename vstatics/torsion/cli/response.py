@@ -52,7 +52,7 @@ def speeds_of(text: str) -> Floats:
 
 
 def _rpm(text: str) -> Floats:
-    """Read speeds as a range or list, with or without units, and return them in rpm."""
+    """Read speeds in rpm from a range or list, with or without units."""
     from vstatics.core.readers.named.units import common_unit, quantity
 
     bare, unit = common_unit(text)
@@ -96,7 +96,7 @@ class Exciting(NamedTuple):
 
 
 def drawn_torques(asked: PictureFiles) -> list[Harmonic]:
-    """Read the harmonics of the torque for a picture; return none without a file.
+    """Read the harmonics of the torque for a picture; empty without a file.
 
     Raises
     ------

@@ -64,7 +64,7 @@ class Reducing(NamedTuple):
     merge: Sequence[str] | None
 
     def simplified(self, scheme: TorsionScheme, frequencies: int) -> Simplification:
-        """Simplify a scheme until it has a number of natural frequencies."""
+        """Simplify a scheme to a number of natural frequencies."""
         from vstatics.torsion.reduction.merging import simplify_merging
         from vstatics.torsion.reduction.simplification import simplify
 
@@ -196,7 +196,7 @@ def simplify_command(
 
 
 def _format_of(output: str | None, case: str) -> str:
-    """Return the format of the output file with the scheme, according to its suffix."""
+    """Return the format of the output file with the scheme, according to the suffix."""
     if output is None:
         return ""
     files.spare([case], output)

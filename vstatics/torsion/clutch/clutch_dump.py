@@ -58,7 +58,7 @@ class ClutchDump(NamedTuple):
 
     @classmethod
     def of(cls, case: TransmissionFields) -> ClutchDump | None:
-        """Return the clutch dump of a case, or None if the case has no clutch dump."""
+        """Return the clutch dump of a case, if any."""
         return as_type(case.dump, cls)
 
     @property
@@ -80,7 +80,7 @@ class ClutchDump(NamedTuple):
 
 
 def dump_record(case: TransmissionFields) -> dict[str, Any] | None:
-    """Return the clutch dump of a case as a mapping of its keys, without infinite values."""
+    """Return the clutch dump of a case as a mapping of keys, without infinite values."""
     dump = ClutchDump.of(case)
     if dump is None:
         return None

@@ -36,7 +36,7 @@ V1: the tyres grip. V2: the tyres break away after the clutch. V3: the tyres bre
 Contact = Literal["grip", "clutch"]
 """Contact that sticks or slips: the tyres on the road, or the clutch."""
 Slips = tuple[Contact, ...]
-"""Slipping contacts, in the order in which they began to slip."""
+"""Slipping contacts, sorted by the beginning of slip."""
 
 _CASES: Mapping[tuple[bool, Slips], tuple[DumpCase, DumpCase]] = {
     (False, ("clutch",)): ("A2", "A1"),
@@ -82,9 +82,9 @@ class DumpTorque(NamedTuple):
     tyres_break_at: float
     """Torque of the spring above which the tyres slip; infinite if the tyres always grip. [N*m]"""
     grabs_below: float
-    """Engine speed below which the clutch grabs, so that it sticks at once. [rad/s]"""
+    """Engine speed below which the clutch grabs and sticks at once. [rad/s]"""
     engagement: Sometimes[Engagement] = None
-    """Dynamic factor of a gradual engagement; None without a rate."""
+    """Dynamic factor of a gradual engagement, if a rate is given."""
     messages: tuple[Message, ...] = ()
 
 
@@ -111,7 +111,7 @@ class Swing(NamedTuple):
         return self.level + self._amplitude(torque, speed)
 
     def speed_at(self, limit: float, torque: float, speed: float) -> float | None:
-        """Return the rate of twist [rad/s] when the torque reaches a limit; None if it does not."""
+        """Return the rate of twist [rad/s] when the torque reaches a limit, if ever."""
         rise, amplitude = limit - self.level, self._amplitude(torque, speed)
         radicand = (amplitude - rise) * (amplitude + rise)
         if radicand < 0 or not self.torque_by_speed:

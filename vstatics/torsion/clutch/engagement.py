@@ -19,7 +19,7 @@ from vstatics.core.errors import CaseError, Problem
 from vstatics.torsion.tolerances import LEAST_RATE, SAME_ANGLE
 
 GROWN = 3.0
-"""Value of K t at which the clutch counts as engaged with its final torque. [-]"""
+"""Value of K t at which the clutch counts as engaged with the final torque. [-]"""
 
 
 class Engagement(NamedTuple):

@@ -153,7 +153,7 @@ def _reduced(
     inertias: Mapping[str, float],
     speeds: Sequence[float | None],
 ) -> Dump | str:
-    """Reduce the numbers of a dump to the reference link, or return why this is impossible."""
+    """Reduce the numbers of a dump to the reference link, or return a reason for failure."""
     by_link: dict[int, float] = {}
     for name, links in clutch.masses.items():
         for link in links:

@@ -16,7 +16,7 @@ UNBOUNDED = ("J4", "J5", "M_phi")
 FROM_0 = ("J3", "J4")
 """Names of numbers that can be 0."""
 SLIPPING = 0.8
-"""Torque of a slipping clutch, relative to its breakaway torque, (3.9). [-]"""
+"""Torque of a slipping clutch, relative to the breakaway torque, (3.9). [-]"""
 
 
 class Dump(NamedTuple):
@@ -78,7 +78,7 @@ class Dump(NamedTuple):
 
 
 def dump_problems(given: Dump) -> Iterator[Problem]:
-    """Yield a problem for each number out of its range."""
+    """Yield a problem for each number out of range."""
     for name, value in given._asdict().items():
         must_be_finite, can_be_zero = name not in UNBOUNDED, name in FROM_0
         if not (value > 0 or (can_be_zero and value == 0)) or (

@@ -78,7 +78,7 @@ _LABELS = {
 
 
 def gear_grids(gear: GearDump) -> Iterator[Grid]:
-    """Yield the tables of `grids` and of reduced values, or the reason why these are missing."""
+    """Yield the tables of `grids` and of reduced values, or the reason for missing tables."""
     if gear.made is not None:
         yield from grids(gear.made)
     yield from _reduced([gear])

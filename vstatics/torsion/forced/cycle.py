@@ -63,7 +63,7 @@ def summed(orders: Sequence[float], amplitudes: Sequence[Complex]) -> Sum:
 
 
 def _cycle(orders: Sequence[float]) -> float | None:
-    """Return the number of revolutions after which all orders repeat; None if it is too large."""
+    """Return the number of revolutions after which all orders repeat, unless too large."""
     parts = [Fraction(order).limit_denominator(MOST_REVOLUTIONS) for order in orders]
     if any(
         abs(float(part) - order) > SAME_ORDER * order

@@ -26,13 +26,13 @@ from vstatics.torsion.tolerances import (
 )
 
 _MOST_FRICTION_SWEEPS = 40
-"""Largest number of passes in which the torques of all springs are updated one by one."""
+"""Largest number of passes in which the torques of all springs are updated in turn."""
 _MOST_FRICTION_STEPS = 60
 """Largest number of Newton steps for frequencies at which the passes do not converge."""
 _MOST_NEWTON_HALVINGS = 12
 """Largest number of times that a Newton step is halved."""
 _RATE_SCALES = (1.0, 0.1, 10.0, 0.01, 100.0)
-"""Scales of the rates of twist in Newton's method, tried one after another. [-]"""
+"""Scales of the rates of twist in Newton's method, tried in turn. [-]"""
 
 
 def sliding_torque(spring: Spring) -> float:
@@ -47,7 +47,7 @@ class DryFriction(NamedTuple):
     rows: Floats
     """Matrix from angles of links to twists of the springs, shape (springs, links)."""
     limits: Floats
-    """Amplitude ``4 M/pi`` of the friction torque of each spring while it slides. [N*m]"""
+    """Amplitude ``4 M/pi`` of the friction torque of each spring during sliding. [N*m]"""
 
     @classmethod
     def of(cls, case: Transmission, system: TorsionalSystem) -> DryFriction:
@@ -138,7 +138,7 @@ def friction_torques(free: Complex, receptance: Complex, limits: Floats) -> Comp
 
 
 def _torque_alone(left: Complex, alone: Complex, limit: float) -> Complex:
-    """Return the torque of a spring from its twist without it (`left`) and its receptance."""
+    """Return the torque of a spring from the twist without torque (`left`) and the receptance."""
     stuck = np.abs(left) <= limit * np.abs(alone)
     resisted, size = limit * alone.imag, np.abs(left) ** 2 - (limit * np.abs(alone)) ** 2
     with np.errstate(all="ignore"):
@@ -153,7 +153,7 @@ def _torque_alone(left: Complex, alone: Complex, limit: float) -> Complex:
 def _newton(
     free: Complex, receptance: Complex, limits: Floats, torques: Complex, factor: float
 ) -> Complex:
-    """Return torques by a semismooth Newton method, with NaN where it does not converge.
+    """Return torques by a semismooth Newton method, with NaN without convergence.
 
     A complex torque lies in a disc with its limit as radius. Sliding or stuck, it is the point of
     the disc that is nearest to the torque plus the scaled rate of twist.

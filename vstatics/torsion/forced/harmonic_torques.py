@@ -101,7 +101,7 @@ class GearResponse(NamedTuple):
 
     name: str
     speeds: Floats
-    """Given speeds, and the resonances of damped modes between them. [rpm]"""
+    """Given speeds, and intermediate resonances of damped modes. [rpm]"""
     orders: Sequence[OrderResponse] = ()
     resonances: Sequence[Resonance] = ()
     error: Failure = ""
@@ -248,7 +248,7 @@ def not_excitable(system: TorsionalSystem, split: Coordinates, at: int) -> str:
 
 
 def _are_undamped(system: TorsionalSystem, natural: NaturalModes) -> Booleans:
-    """Return a flag for each mode, True if nothing dissipates energy in it."""
+    """Return a flag for each mode, True without dissipation of energy."""
     resisted = np.zeros(natural.omegas.shape)
     stored = np.zeros(natural.omegas.shape)
     for device in system.elastic:
@@ -263,7 +263,7 @@ def _are_undamped(system: TorsionalSystem, natural: NaturalModes) -> Booleans:
 
 
 def _with_peaks(speeds: Floats, peaks: Sequence[float]) -> Floats:
-    """Insert each peak between successive speeds that enclose it, rising or falling [rpm]."""
+    """Insert each peak between enclosing successive speeds, rising or falling [rpm]."""
     places: list[int] = []
     inserted: list[float] = []
     for speed in set(peaks):

@@ -33,7 +33,7 @@ _WORDS: Mapping[DumpCase, str] = {
 }
 """Course of events in each case of a dump, as printed in the row of a gear."""
 DUMP_ROW, BAR_HEIGHT, THIN_BAR_HEIGHT = 35.0, 9.0, 4.0
-"""Height of the row of a gear, and of its two bars. [pt]"""
+"""Height of the row of a gear, and of the two bars in the row. [pt]"""
 TORQUE_SCALE_HEIGHT = 42.0
 """Height of the scale of torques. [pt]"""
 WORDS_WIDTH = 140.0

@@ -54,7 +54,7 @@ class FirstOrder:
 
 @dataclass(frozen=True)
 class ExcitedGear:
-    """Gear that is excited by a torque on a link, or by a given motion of this link."""
+    """Gear that is excited by a torque on a link, or by a given motion of the link."""
 
     free: TorsionalSystem
     at: int

@@ -178,7 +178,7 @@ def _gear_random(
 
 
 def of_stress(strengths: Mapping[str, Carried]) -> dict[str, Carried]:
-    """Return the fatigue strengths of whole components, without strengths of their members."""
+    """Return the fatigue strengths of whole components, without strengths of members."""
     return {name: given for name, given in strengths.items() if hasattr(given, "endurance")}
 
 

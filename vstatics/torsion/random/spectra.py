@@ -20,7 +20,7 @@ from vstatics.torsion.tolerances import WHOLE
 
 
 class White(NamedTuple):
-    """White noise: the same spectrum at all frequencies.
+    """White noise, with a constant spectrum at all frequencies.
 
     Examples
     --------
@@ -59,7 +59,7 @@ class Correlation(NamedTuple):
     correlation: tuple[tuple[float, float, float], ...]
     """Share [-], a and b [1/s, or 1/m if a speed is given] of each term."""
     speed: float | None = None
-    """Speed of the vehicle on a road with this correlation over distance. [m/s]"""
+    """Speed of the vehicle on a road, for a correlation over distance. [m/s]"""
 
     @property
     def parts(self) -> list[tuple[float, float, float]]:
@@ -84,7 +84,7 @@ class Correlation(NamedTuple):
         return total
 
     def problems(self) -> Iterator[Problem]:
-        """Yield a problem for each number out of its range."""
+        """Yield a problem for each number out of range."""
         if not 0 <= self.variance < math.inf:
             yield Problem(
                 "E528", f"read {self.variance:g}, expected a variance of 0 or more", ("variance",)

@@ -55,7 +55,7 @@ class Driven(NamedTuple):
     """Effect of the input on undamped coordinates, shape (u, u): column k after k integrations."""
 
     def variance(self, signal: Signal | None) -> float:
-        """Return the variance of a signal, NaN if it does not exist."""
+        """Return the variance of a signal, NaN if undefined."""
         if signal is None or signal.at_once or self.sees_undamped(signal.row):
             return math.nan
         row = signal.row @ self.damped
@@ -70,7 +70,7 @@ class Driven(NamedTuple):
         return bool((effects > UNMOVED * sizes).any())
 
     def derivative(self, signal: Signal | None) -> Signal | None:
-        """Return the time derivative of a signal; None if noise acts on the signal directly."""
+        """Return the time derivative of a signal, unless noise acts on the signal directly."""
         if signal is None or signal.at_once:
             return None
         parts = signal.row * self.input
@@ -162,7 +162,7 @@ def _filters(spectrum: Correlation) -> list[tuple[float, _Filter | None]]:
 def _of_part(
     system: FirstOrder, forms: Floats, size: float, noise_filter: _Filter | None
 ) -> Floats:
-    """Calculate the variances of linear forms and of their two derivatives, shape (3, forms).
+    """Calculate the variances of linear forms and of the first two derivatives, shape (3, forms).
 
     The input is white noise, or white noise through a filter.
     """

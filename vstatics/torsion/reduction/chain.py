@@ -28,7 +28,7 @@ class ChainSpring(NamedTuple):
 
 
 class Chain(NamedTuple):
-    """Masses along a path, and the springs between neighbours, one fewer."""
+    """Masses along a path, and the springs between neighbouring masses."""
 
     names: tuple[str, ...]
     """Names of the masses; empty for the housing."""
@@ -38,7 +38,7 @@ class Chain(NamedTuple):
 
 
 class PartialSystem(NamedTuple):
-    """Partial system: mass between springs with all others held, or spring and two masses."""
+    """Partial system: mass between springs, other masses held; or spring and two masses."""
 
     masses: tuple[int, ...]
     """Indices of the mass, or of both masses, along the chain."""
@@ -83,7 +83,7 @@ def one_mass_system(chain: Chain, mass: int) -> PartialSystem:
 
 
 def chain_of(scheme: TorsionScheme) -> Chain | str:
-    """Return a scheme as a chain, or the reason why it is not a chain.
+    """Return a scheme as a chain, or the reason why a chain is impossible.
 
     The chain begins with the end that is first in the scheme. Parallel shafts count as one shaft,
     as do two shafts in series without an inertia between them.

@@ -90,7 +90,7 @@ def _in_series(spring: SchemeSpring, other: SchemeSpring, mass: int) -> SchemeSp
 
 
 def _side_by_side(spring: SchemeSpring, other: SchemeSpring, mass: int) -> SchemeSpring:
-    """Return the spring that, with their series connection, replaces two springs at a mass.
+    """Return the spring that, with the series connection, replaces two springs at a mass.
 
     With the symbols of `_in_series`, the twist is x plus the mean of b1/a1 and b2/a2, weighted by
     the stiffnesses a1^2/E1 and a2^2/E2. The energy of this spring and of the series connection is
@@ -117,7 +117,7 @@ def _weighted_sum(
 
 
 def _parallel_combined(springs: Iterable[SchemeSpring]) -> list[SchemeSpring]:
-    """Combine springs with the same twist, and drop springs whose twist is always 0."""
+    """Combine springs with equal twist, and drop springs whose twist is always 0."""
     different: list[SchemeSpring] = []
     for spring in map(_normal, springs):
         for place, other in enumerate(different):
@@ -137,7 +137,7 @@ def _parallel_combined(springs: Iterable[SchemeSpring]) -> list[SchemeSpring]:
 
 
 def _normal(spring: SchemeSpring) -> SchemeSpring:
-    """Return an equivalent spring; its coefficients are sorted by mass and begin with 1."""
+    """Return an equivalent spring with coefficients sorted by mass, beginning with 1."""
     twist = {mass: a for mass, a in sorted(spring.twist.items()) if a}
     first = next(iter(twist.values()), 1.0)
     twist = {mass: a / first for mass, a in twist.items()}

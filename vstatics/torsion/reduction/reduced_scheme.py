@@ -24,7 +24,7 @@ STIFFNESS_OF_RIGID_SETS = 1e9
 
 @refusing()
 def gear_scheme(case: Transmission, gear: Gear) -> TorsionScheme | str:
-    """Return the scheme of a gear reduced to its input, or the reason why none exists.
+    """Return the scheme of a gear reduced to the input, or the reason for a missing scheme.
 
     Rigidly joined links form a mass with the name of the first link. A rigid gear set whose links
     all have inertia and can move is replaced by a spring far stiffer than all others; as its
@@ -73,7 +73,7 @@ def gear_scheme(case: Transmission, gear: Gear) -> TorsionScheme | str:
 
 
 def _with_stiff_sets(system: TorsionalSystem) -> TorsionalSystem:
-    """Replace rigid gear sets by stiff springs if all their links have inertia and can move.
+    """Replace rigid gear sets whose links all have inertia and can move by stiff springs.
 
     The links of such a set then have independent speeds, and share the inertia of its planets.
     """
@@ -171,7 +171,7 @@ def _spring(
     of_masses: Floats,
     to_input: Scales,
 ) -> SchemeSpring | None:
-    """Reduce an elastic component to the input; return None if no mass twists it."""
+    """Reduce an elastic component to the input, if any mass twists the component."""
     by_mass, *_ = linalg.lstsq(free[firsts].T, form_values(device.twist, free))
     by_mass = by_mass / of_masses
     largest = np.abs(by_mass).max(initial=0.0)

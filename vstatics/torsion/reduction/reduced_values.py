@@ -28,7 +28,7 @@ from vstatics.torsion.system.state import asked_gears, vibrating
 NO_REACTION = "no reaction"
 """Note about a link at rest, such as a casing, without reaction because the ratio is 1."""
 Amounts = Mapping[str, float | None]
-"""Name of a link or component -> reduced value; None if undefined."""
+"""Name of a link or component -> reduced value, if defined."""
 
 
 class GearReduction(NamedTuple):
@@ -145,7 +145,7 @@ def _of_planets(system: TorsionalSystem, of_links: Scales) -> dict[str, float | 
 
 
 def reduced_compliance(device: TorsionalDevice, scale: float | None) -> float | None:
-    """Reduce a compliance by the scale of the first link in its twist [rad/(N*m)]."""
+    """Reduce a compliance by the scale of the first link in the twist [rad/(N*m)]."""
     coefficient = next(iter(device.twist.values()))
     return scale**2 / coefficient**2 / device.rate if scale else None
 
@@ -204,7 +204,7 @@ def scales(system: TorsionalSystem, to: int) -> Scales | str:
 
 
 def _multiple(row: Floats, reference: Floats) -> float | None:
-    """Return the factor between two motions, or None if they are not proportional."""
+    """Return the factor between two motions, if proportional."""
     factor = float(row @ reference / (reference @ reference))
     if np.abs(row - factor * reference).max() > TIE * np.abs(row).max(initial=0.0):
         return None
@@ -212,7 +212,7 @@ def _multiple(row: Floats, reference: Floats) -> float | None:
 
 
 def _reaction(system: TorsionalSystem, link: int, to: int, at_rest: set[int]) -> float | None:
-    """Return ``w_to/w_link`` of a link at rest if it is released while input or output is held.
+    """Return ``w_to/w_link`` of a link at rest after release, with input or output held.
 
     Links that are rigidly joined to it, such as a ring gear in a casing, are released, too.
     """

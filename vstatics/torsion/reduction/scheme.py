@@ -27,7 +27,7 @@ class SchemeSpring(NamedTuple):
 
     name: str
     twist: Mapping[int, float]
-    """Index of a mass (from 0) -> coefficient of its angle in the twist. [-]"""
+    """Index of a mass (from 0) -> coefficient of the angle in the twist. [-]"""
     compliance: float
     """Compliance, reduced to the reference shaft. [rad/(N*m)]"""
     damping: float = 0.0

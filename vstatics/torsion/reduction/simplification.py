@@ -58,9 +58,9 @@ class SimplificationStep(NamedTuple):
     inertias: tuple[float, ...]
     """Inertias of the remaining masses. [kg*m^2]"""
     compliances: tuple[float, ...] | None
-    """Compliances along a chain; None for a branched scheme. [rad/(N*m)]"""
+    """Compliances along a chain; undefined for a branched scheme. [rad/(N*m)]"""
     stiffness: tuple[tuple[float, ...], ...] | None
-    """Stiffness matrix; None for the rule `partial`. [N*m/rad]"""
+    """Stiffness matrix, except for the rule `partial`. [N*m/rad]"""
     omegas: tuple[float, ...]
     """Natural frequencies of the resulting scheme, ascending. [rad/s]"""
 
@@ -252,7 +252,7 @@ def doubts_of(
 
 
 def without_mass(chain: Chain, mass: int) -> Chain:
-    """Remove a mass from a chain, and share its inertia among its neighbours, (П1.4).
+    """Remove a mass from a chain, and share the inertia among the neighbours, (П1.4).
 
     The shares are proportional to the stiffnesses between the mass and its neighbours. At a free
     end the neighbour gets the whole inertia, and the spring is dropped.
@@ -323,7 +323,7 @@ def with_masses_merged(chain: Chain, left: int) -> Chain:
 def _longer(
     spring: ChainSpring, other: ChainSpring, part: float = 1.0, damped: float = 1.0
 ) -> ChainSpring:
-    """Add a part of another spring in series to a spring, with damping by (П1.14).
+    """Add a part of a second spring in series to a spring, with damping by (П1.14).
 
     Both parts of a divided spring dissipate equally at equal torque, (П1.15). With (П1.15) in
     (П1.16), each part adds K/2 times the square of the ratio of the undivided compliance to the
@@ -362,12 +362,12 @@ def one_mass_systems(scheme: TorsionScheme) -> list[PartialSystem]:
 
 
 def acted_on_by_several(scheme: TorsionScheme, mass: int) -> bool:
-    """Return whether several springs act on a mass, so that it is not an end."""
+    """Return whether several springs act on a mass, which is thus not an end."""
     return sum(mass in spring.twist for spring in scheme.springs) > 1
 
 
 def without_branch_mass(scheme: TorsionScheme, mass: int, rule: BranchRule) -> TorsionScheme:
-    """Remove the inertia of a mass, and give shares of it to other masses.
+    """Remove the inertia of a mass, and distribute the inertia to other masses.
 
     If three or more springs meet at the mass, it remains without inertia. The scheme thus still
     shows on which masses each spring acts.

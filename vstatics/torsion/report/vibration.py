@@ -35,7 +35,7 @@ class Vibration(NamedTuple):
     """Kinds of pictures that need not appear elsewhere in the report."""
 
     def shown(self, digits: int | None) -> Iterator[Markup]:
-        """Yield the HTML of the section, or the reason why it is left out."""
+        """Yield the HTML of the section, or the reason for the omission."""
         if self.without:
             yield tag("p", tr("Left out: {why}", why=self.without))
             return
@@ -73,7 +73,7 @@ def has_part(case: Transmission, *, runs: bool = False) -> bool:  # noqa: ARG001
 
 
 def part(request: PartRequest) -> Vibration | None:
-    """Return the section for a request, or None for a case that does not vibrate."""
+    """Return the section for a request, if the case vibrates."""
     case = request.results.case
     if not has_part(case):
         return None

@@ -50,7 +50,7 @@ class WorkingConverter(NamedTuple):
 
 
 class Characteristic(NamedTuple):
-    """Torque ratio and lambda at a speed ratio, with their derivatives (`by_ratio`)."""
+    """Torque ratio and lambda at a speed ratio, with derivatives (`by_ratio`)."""
 
     torque_ratio: float
     factor: float

@@ -15,7 +15,7 @@ from vstatics.core.numerics.motions import Form
 from vstatics.torsion.system.gear_system import TorsionalSystem
 
 MANY = 300
-"""Number of links above which it is faster to calculate only the lowest modes."""
+"""Number of links above which calculating only the lowest modes is faster."""
 
 
 class Coordinates(NamedTuple):
@@ -36,7 +36,7 @@ class Coordinates(NamedTuple):
         return len(self.free.T) - len(self.massless.T) - len(self.rigid.T)
 
     def has_many_more(self, count: int) -> bool:
-        """Return whether it is faster to calculate the `count` lowest modes than all modes."""
+        """Return whether the `count` lowest modes are faster to calculate than all modes."""
         return len(self.free) > MANY and count < self.modes // 2
 
     @property
@@ -53,7 +53,7 @@ class Coordinates(NamedTuple):
 
 
 def coordinates(system: TorsionalSystem) -> Coordinates:
-    """Split the motions of a system that its constraints allow.
+    """Split the motions that the constraints of a system allow.
 
     Motions that neither inertia nor a component resists are held at 0 and take part in no mode.
 

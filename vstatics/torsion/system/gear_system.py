@@ -29,9 +29,9 @@ class TorsionalDevice(NamedTuple):
 
     name: str
     twist: Form
-    """Index of a link (from 0) -> coefficient of its angle in the twist. [-]"""
+    """Index of a link (from 0) -> coefficient of the angle in the twist. [-]"""
     stiffness: float | None = None
-    """Stiffness; None for a rigid component, whose twist is 0. [N*m/rad]"""
+    """Stiffness, unless the component is rigid (twist 0). [N*m/rad]"""
     damping: Damping = NO_DAMPING
 
     @property

@@ -24,7 +24,7 @@ class SpringSlope(NamedTuple):
     """Stiffness at the torque; 0 within the free play, where the spring is open. [N*m/rad]"""
 
     def __str__(self) -> str:
-        """Return the slope and the torque as messages print them."""
+        """Return the slope and the torque as printed in messages."""
         slope = f"{self.slope:.6g} N*m/rad" if self.slope else "in play, so it is open,"
         return f"{slope} at {self.torque:.6g} N*m"
 

@@ -15,7 +15,7 @@ from vstatics.torsion.system.slopes import spring_slopes
 
 
 def vibrating(case: Transmission, gear: Gear) -> TorsionalSystem | str:
-    """Return the torsional system of a gear, or the reason why it cannot vibrate.
+    """Return the torsional system of a gear, or the reason why the gear cannot vibrate.
 
     Freewheels hold if they hold at mean speeds. Free vibration needs no input, so the input can be
     held if any other link can move. Nonlinear springs have the stiffnesses of `spring_slopes`.

@@ -40,7 +40,7 @@ Ratios = Mapping[str, float]
 
 
 class WorkingGear(NamedTuple):
-    """Gear at its operating point, in a case in which mechanisms replace converters."""
+    """Gear at an operating point, in a case with mechanisms instead of converters."""
 
     case: Transmission
     gear: Gear
@@ -57,7 +57,7 @@ Large values are needed because drag can absorb a small torque.
 
 
 def mean_gear(case: Transmission, gear: Gear) -> WorkingGear:
-    """Return a gear at its operating point, or unchanged if this point is unknown."""
+    """Return a gear at the operating point, or unchanged if the point is unknown."""
     try:
         return working_gear(case, gear, {})
     except CaseError:
@@ -96,7 +96,7 @@ class _OnPump(NamedTuple):
     brought: float
     """Torque that the load applies to the pump. [N*m]"""
     able: float
-    """Torque that the pump takes at its speed and speed ratio. [N*m]"""
+    """Torque that the pump takes at the pump speed and speed ratio. [N*m]"""
     at: tuple[float, float]
     """Speed ratio [-] and speed of the pump [rad/s]."""
 
@@ -233,7 +233,7 @@ class _WorkingPoints:
         return _OnPump(brought, torque_of_pump(converter.points, ratio, speed), (ratio, speed))
 
     def _loaded(self, case: Transmission) -> tuple[Transmission, tuple[str, ...]]:
-        """Return the case with the input torque that pumps take, and warnings about its load."""
+        """Return the case with the input torque that pumps take, and warnings about the load."""
         if not self.driving:
             return case, ()
         doubts = []
@@ -249,7 +249,7 @@ class _WorkingPoints:
         return case.with_torque(torque), tuple(doubt + addition for doubt in doubts)
 
     def _input_torque(self, converter: Converter, case: Transmission) -> float | None:
-        """Return the input torque that gives a pump exactly its torque, or None if none does."""
+        """Return the input torque that gives a pump exactly the required torque, if possible."""
 
         def excess(torque: float) -> float:
             return self._on_pump(converter, case.with_torque(torque)).excess

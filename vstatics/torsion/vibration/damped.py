@@ -15,7 +15,7 @@ from vstatics.torsion.vibration.natural import NaturalModes
 
 
 class DampedModes(NamedTuple):
-    """Eigenvalues of a damped system, and their assignment to natural modes.
+    """Eigenvalues of a damped system, assigned to natural modes.
 
     Attributes
     ----------

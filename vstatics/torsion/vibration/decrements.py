@@ -123,7 +123,7 @@ def divided(total: float, shares: ByDevice, ratios: ByDevice) -> dict[str, float
 
 
 def moved(damping: float, compliance: float, to: float) -> float:
-    """Convert a damping parallel to a compliance to another compliance in series, (П1.27).
+    """Convert a damping parallel to a compliance to a second compliance in series, (П1.27).
 
     The energy dissipated in a cycle of the torque remains unchanged. The damping of a whole shaft
     can thus be assigned to a part of it, and dampings of the parts of a chain, converted to the

@@ -49,12 +49,12 @@ class Pencil(NamedTuple):
         return self.modes + self.rigid
 
     def at(self, omegas: Floats) -> Pencils:
-        """Return the matrices at several frequencies, each with ``D`` at its frequency [rad/s]."""
+        """Return the matrices at several frequencies, with ``D`` at each frequency [rad/s]."""
         masses = (np.arange(len(self.stiffness)) < self.massive).astype(float)
         return Pencils(masses, self.stiffness, self.viscous + self.lost / omegas[:, None, None])
 
     def resistance_of_all(self, omegas: Floats) -> Floats:
-        """Return a common ``D`` for all modes; an entry uses the mean frequency of its two modes.
+        """Return a common ``D`` for all modes; an entry uses the mean frequency of the two modes.
 
         Massless motions count with the geometric mean of all natural frequencies.
         """
@@ -132,7 +132,7 @@ def massless_parts(split: Coordinates, damped: Floats, stiff: Floats) -> tuple[F
 
 
 class EigenPairs(NamedTuple):
-    """Eigenvalues of damped vibration, each with its complex shape."""
+    """Eigenvalues of damped vibration, with complex shapes."""
 
     eigenvalues: Complex
     """Eigenvalues with an imaginary part of 0 or more, sorted by modulus. [1/s]"""
@@ -157,7 +157,7 @@ class EigenPairs(NamedTuple):
         return min(first, second), max(first, second)
 
     def of_no_mode(self, modes: int) -> Complex:
-        """Return the eigenvalues that belong to none of the natural modes."""
+        """Return the eigenvalues that belong to no natural mode."""
         taken = {place for mode in range(modes) for place in self.of_mode(mode)}
         return self.eigenvalues[[n for n in range(len(self.eigenvalues)) if n not in taken]]
 

@@ -133,7 +133,7 @@ class GearModes(NamedTuple):
     converters: Sometimes[Mapping[str, WorkingConverter]] = None
 
     def __repr__(self) -> str:
-        """Return the name of the gear and its numbers of rigid and elastic modes."""
+        """Return the name of the gear and the numbers of rigid and elastic modes."""
         counts = f"{self.rigid_modes} rigid, {len(self.modes)} elastic"
         return f"<GearModes {self.name!r}: {self.error or counts}>"
 
@@ -309,7 +309,7 @@ def _named(  # noqa: PLR0913, PLR0917
 
 
 def _largest(amplitudes: Floats) -> Floats:
-    """Return the amplitude of largest magnitude of each mode, with its sign; the first in a tie."""
+    """Return the amplitude of largest magnitude of each mode, with sign; the first in a tie."""
     sizes = np.abs(amplitudes)
     first = np.argmax(sizes >= sizes.max(axis=0) * (1 - TIE), axis=0)
     largest = amplitudes[first, np.arange(amplitudes.shape[1])]

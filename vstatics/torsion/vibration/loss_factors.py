@@ -20,7 +20,7 @@ from vstatics.torsion.vibration.refined import STACKED_NUMBERS, Pencils, Refined
 LIGHTLY_DAMPED = 0.3
 """Damping ratio up to which the squared shares of a mode in all shapes have a sum near 1. [-]"""
 REST = 0.5
-"""Difference of this sum from 1, relative to its largest term, that shows a missing shape. [-]"""
+"""Deviation of squared shares from a sum of 1 for a missing shape, relative to the largest. [-]"""
 SAME_SHAPE = 0.9999
 """Smallest share of a heavily damped mode in a shape that identifies both. [-]"""
 MOST_CANDIDATES = 5
@@ -44,7 +44,7 @@ def pairs_of_modes(pencil: Pencil, omegas: Floats) -> Complex:
 
 
 def _corrected(pencil: Pencil, omegas: Floats, modes: Integers, common: EigenPairs) -> Complex:
-    """Correct the eigenvalues of given modes for their own matrices D; NaN where uncertain."""
+    """Correct the eigenvalues of given modes for individual matrices D; NaN where uncertain."""
     pencils, pairs = pencil.at(omegas), np.full((len(modes), 2), np.nan, np.complex128)
     light = pencils.resistances[np.arange(len(modes)), modes, modes] <= 2 * LIGHTLY_DAMPED * omegas
     candidates_of_modes = [
@@ -81,7 +81,7 @@ def _candidates(common: EigenPairs, mode: int) -> Sequence[int]:
 
 
 def _roots(pencils: Pencils, shapes: Complex) -> Complex:
-    """Return a first eigenvalue for each shape: its complex root, or its smaller real root."""
+    """Return a first eigenvalue for each shape: the complex root, or the smaller real root."""
     slow, fast = pencils.roots(shapes)
     swings = np.abs(slow.imag) > REAL_EIGENVALUE * np.abs(slow)
     return np.where(swings & (fast.imag > slow.imag), fast, slow)
@@ -96,7 +96,7 @@ def _values_and_parts(pencil: Pencil, near: Refined, modes: Integers) -> tuple[C
 
 
 def _are_all(values: Complex, parts: Floats) -> bool:
-    """Return whether all candidates of a mode are complex and different, and none is missing."""
+    """Return whether all candidates of a mode are present, complex and different."""
     if not (values.imag > 0).all():
         return False
     apart = np.abs(values[:, None] - values) + np.diag(np.full(len(values), np.inf))

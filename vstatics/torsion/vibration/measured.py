@@ -28,9 +28,9 @@ class Identified(NamedTuple):
     omega: float
     """Angular frequency of the mode before the correction. [rad/s]"""
     compliances: ByDevice
-    """Corrected compliance of each component, of its twist. [rad/(N*m)]"""
+    """Corrected compliance of the twist of each component. [rad/(N*m)]"""
     dampings: ByDevice
-    """Damping of each component, of its twist; empty without a measured decrement. [N*m*s/rad]
+    """Damping of the twist of each component; empty without a measured decrement. [N*m*s/rad]
     """
 
 
@@ -41,7 +41,7 @@ class Damped(NamedTuple):
     omega: float
     """Angular frequency at which the dampings are valid. [rad/s]"""
     dampings: ByDevice
-    """Damping of each component with a decrement, of its twist. [N*m*s/rad]"""
+    """Damping of the twist of each component with a decrement. [N*m*s/rad]"""
     decrement: float
     """Resulting decrement of the mode. [-]"""
     shares: ByDevice

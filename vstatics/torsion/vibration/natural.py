@@ -99,7 +99,7 @@ def lowest_modes(system: TorsionalSystem, split: Coordinates, count: int) -> Nat
 
 
 def elastic_basis(system: TorsionalSystem, split: Coordinates) -> Floats:
-    """Return motions of modal mass 1, orthogonal in M to each other and to rigid motions.
+    """Return motions of modal mass 1, mutually orthogonal in M and orthogonal to rigid motions.
 
     In these motions, links without inertia are in equilibrium of the elastic torques.
 

@@ -137,7 +137,7 @@ class FollowedMotions(NamedTuple):
 
 
 def followed_motions(equations: Floats, free: int) -> FollowedMotions:
-    """Solve homogeneous equations for many variants of the same rank.
+    """Solve homogeneous equations for many variants of equal rank.
 
     Parameters
     ----------

@@ -26,7 +26,7 @@ STACKED_NUMBERS = 2**20
 
 
 class Pencils(NamedTuple):
-    """Matrices of several systems that differ in their damping.
+    """Matrices of several systems that differ in damping.
 
     Attributes
     ----------

@@ -84,7 +84,7 @@ def squares_with_device(poles: Poles, compliances: Floats, mode: int) -> Floats:
 
 
 _Terms = tuple[Floats, Floats]
-"""Distances of poles from the pole below the root, and the weights of these poles."""
+"""Distances of poles from the pole below the root, and the weights of the poles."""
 
 
 def _beyond(below: _Terms, compliances: Floats, pole: float) -> Floats:
@@ -138,7 +138,7 @@ def _between(below: _Terms, above: _Terms, compliances: Floats, pole: float) -> 
 
 
 def _sums(terms: _Terms, x: Floats) -> tuple[Floats, Floats]:
-    """Return ``sum_j w_j/(x + d_j)`` and the magnitude of its derivative."""
+    """Return ``sum_j w_j/(x + d_j)`` and the magnitude of the derivative."""
     value, slope = np.zeros_like(x), np.zeros_like(x)
     for distance, weight in zip(*terms, strict=True):
         inverse = 1 / (x + distance)

@@ -27,7 +27,7 @@ from vstatics.torsion.vibration.modal_masses import (
 from vstatics.torsion.vibration.secular import Poles, squares_with_device
 
 NUMBERS = 2**17
-"""Largest number of matrix entries that are solved at once, so that they fit into the cache."""
+"""Largest number of matrix entries solved at once, to fit into the cache."""
 SOME = 20
 """Factor in the choice of a method for systems of many links.
 
@@ -137,7 +137,7 @@ def _with_numbers(system: TorsionalSystem, rates: Floats, inertias: Floats) -> T
 
 
 def _alike(inertias: Varied, variants: int) -> Iterator[Integers]:
-    """Yield groups of variants in which the same bodies have an inertia."""
+    """Yield groups of variants that agree in the bodies with inertia."""
     every = np.arange(variants)
     if all(numbers.all() for numbers in inertias.values()):
         yield every
@@ -164,7 +164,7 @@ class _VariedNumbers:
         self.varied = {p: numbers for p, numbers in varied.items() if (numbers != numbers[0]).any()}
 
     def only(self, places: Collection[int]) -> _VariedNumbers:
-        """Restrict the variation to given indices; other numbers are those of the first variant."""
+        """Restrict the variation to given indices; other numbers are from the first variant."""
         restricted = copy(self)
         restricted.varied = {place: n for place, n in self.varied.items() if place in places}
         return restricted
@@ -177,7 +177,7 @@ class _VariedNumbers:
 
 
 class _Alike:
-    """Variants of a system with the same basis of motions."""
+    """Variants of a system with a common basis of motions."""
 
     def __init__(
         self, system: TorsionalSystem, stiff: _VariedNumbers, heavy: _VariedNumbers
@@ -188,7 +188,7 @@ class _Alike:
     def parts(
         self, first: FirstVariant, modes: Sequence[int]
     ) -> Iterator[tuple[_Alike, Sequence[int]]]:
-        """Yield groups of motions that are uncoupled in all variants, with their modes.
+        """Yield groups of motions that are uncoupled in all variants, with modes.
 
         A system of many links is not divided, as only its lowest modes are calculated.
         """
@@ -270,7 +270,7 @@ class WithoutDevice(NamedTuple):
 def without(
     system: TorsionalSystem, split: Coordinates, stiffnesses: Floats, device: int
 ) -> WithoutDevice | None:
-    """Remove a component from a system; return None if it carries no torque in any mode.
+    """Remove a component from a system, if the component carries torque in any mode.
 
     Parameters
     ----------

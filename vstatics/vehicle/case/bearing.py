@@ -50,7 +50,7 @@ class Bearing(NamedTuple):
 
     @property
     def torque_owner(self) -> str | None:
-        """Name of the link or member whose torque loads the bearing; None if it is not given."""
+        """Name of the link or member whose torque loads the bearing, if given."""
         return self.torque_of or (self.on if isinstance(self.on, str) else None)
 
     def completed(self) -> Bearing:

@@ -79,7 +79,7 @@ Flanks = Literal["apart", "together"]
 
 
 class TorqueStrength(NamedTuple):
-    """Fatigue strength of a member under torque, such as the flanks or roots of its teeth.
+    """Fatigue strength of a member under torque, such as of the flanks or roots of teeth.
 
     Parameters
     ----------

@@ -24,7 +24,7 @@ def _strength(**values: Any) -> Fatigue | TorqueStrength:
 
 
 def _strength_fault(**values: Any) -> str:
-    """Return the contradiction between keys for stress and for torque; empty if there is none."""
+    """Return the contradiction, if any, between keys for stress and for torque."""
     of_torque = "torque" in values
     wrong = [name for name in (_OF_STRESS if of_torque else _OF_TORQUE) if name in values]
     wrong = [name for name in wrong if name != "flanks" or values[name] != "together"]

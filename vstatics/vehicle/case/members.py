@@ -32,9 +32,9 @@ class Members(NamedTuple):
     planets: list[str]
     elements: list[str]
     firsts: dict[str, str]
-    """Name of a gear set -> name of its first member."""
+    """Name of a gear set -> name of the first member."""
     still: list[str]
-    """Members on the third link of their gear set, which have no speed relative to this link."""
+    """Members on the third link of a gear set, which have no speed relative to the link."""
     contacts: dict[str, int]
     """Member -> contacts of a tooth in a turn, for gear sets with a known number of planets."""
 
@@ -71,11 +71,11 @@ class Members(NamedTuple):
 
     @property
     def with_torque(self) -> list[str]:
-        """Names of links, members and shift elements; planets have no torque of their own."""
+        """Names of links, members and shift elements; planets have no separate torque."""
         return [*self.links, *self.of_sets, *self.elements]
 
     def resolved(self, name: str, *, turning: bool = False) -> str:
-        """Return the full name of a member; the name of a gear set stands for its first member.
+        """Return the full name of a member; the name of a gear set stands for the first member.
 
         If only the speed is needed (`turning`), a planet with the name of its gear set has
         priority.
@@ -90,7 +90,7 @@ class Members(NamedTuple):
             yield self.fault(name, known, "link or member", path)
 
     def at_rest(self, name: str, path: Path) -> Iterator[Problem]:
-        """Yield an error for a member without speed relative to the third link of its gear set."""
+        """Yield an error for a member without speed relative to the third link of the gear set."""
         if name in self.still:
             message = f"{quoted(name)} does not turn against itself, expected its link"
             yield Problem("E880", f"{message}, or two links", path)

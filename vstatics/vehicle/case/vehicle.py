@@ -25,7 +25,7 @@ EnginePoints = Sequence[tuple[float, float]]
 
 
 class Machine(NamedTuple):
-    """Electric machine with its battery.
+    """Electric machine and battery.
 
     Parameters
     ----------
@@ -152,7 +152,7 @@ class Vehicle(NamedTuple):
 
     @classmethod
     def of(cls, case: TransmissionFields) -> Vehicle | None:
-        """Return the vehicle of a case, or None."""
+        """Return the vehicle of a case, if any."""
         return as_type(case.vehicle, cls)
 
     @classmethod
@@ -182,7 +182,7 @@ class Vehicle(NamedTuple):
         return weight * (self.rolling + slope) + AIR * self.drag_area / 2 * speed**2
 
     def full_torque(self, speed: Any) -> Any:
-        """Return the full-load torque of the engine or the machine [N*m] at its speed [rad/s].
+        """Return the full-load torque of the engine or the machine [N*m] at a speed [rad/s].
 
         Below the first point the torque is constant; beyond the last point it is 0.
 
@@ -258,7 +258,7 @@ def full_load_curves(case: TransmissionFields) -> list[EnginePoints]:
 
 
 def beside_engine(case: TransmissionFields, gear: Gear) -> str:
-    """Return why the engine does not drive a gear alone at a fixed ratio; "" if it does.
+    """Return the reason, if any, why the engine does not drive a gear alone at a fixed ratio.
 
     A vehicle cannot be driven in a gear with such a reason: a case does not describe how other
     machines are controlled, and a slip is unknown if a converter determines the engine speed.
@@ -282,7 +282,7 @@ def beside_engine(case: TransmissionFields, gear: Gear) -> str:
 
 
 def vehicle_record(case: TransmissionFields) -> dict[str, Any] | None:
-    """Return the key `vehicle` of a document, or None for a case without vehicle."""
+    """Return the key `vehicle` of a document, if the case has a vehicle."""
     vehicle = Vehicle.of(case)
     if vehicle is None:
         return None

@@ -96,7 +96,7 @@ def doubts_of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
 
 
 MASS_AGAIN = 0.5
-"""Inertia at the outputs, relative to that of the vehicle mass, that may contain this mass."""
+"""Inertia at the outputs that may contain the vehicle mass, relative to the mass inertia."""
 
 
 def _mass_twice(case: TransmissionFields, vehicle: Vehicle) -> Iterator[Problem]:
@@ -161,7 +161,7 @@ def _losses_at_rest(case: TransmissionFields, vehicle: Vehicle) -> Iterator[Prob
 
 
 def without_vehicle(case: TransmissionFields) -> Iterator[Problem]:
-    """Yield a note that simulation and vibration ignore the mass, unless inertias contain it."""
+    """Yield a note that simulation and vibration ignore a vehicle mass missing in the inertias."""
     vehicle = Vehicle.of(case)
     if vehicle is None:
         return

@@ -39,7 +39,7 @@ _PARTS = {"battery_lost": "lost: battery", "machine_lost": "lost: machine"}
 
 
 def _speed(text: str) -> float:
-    """Parse an engine speed with unit, and return it in rad/s."""
+    """Convert an engine speed with unit to rad/s."""
     from vstatics.core.readers.named.units import quantity
 
     try:
@@ -253,7 +253,7 @@ def _driven(
 
 
 def _placed(problem: Problem, trace: Trace, file: str) -> Problem:
-    """Return a problem with its row in the driving cycle, or, without a path, with a file name."""
+    """Return a problem with the row in the driving cycle, or, without a path, with a file name."""
     row = next(iter(problem.path), None)
     if isinstance(row, int):
         return problem._replace(path=(), place=trace.table.place(row))

@@ -31,11 +31,11 @@ class DutyOptions(NamedTuple):
 
     @property
     def files(self) -> list[str]:
-        """Input files of these options: the duty cycle, if given."""
+        """Input files of the options: the duty cycle, if given."""
         return [] if self.duty is None else [self.duty]
 
     def read(self) -> DutyFile | DutyTable | None:
-        """Read the duty cycle; return None without a file.
+        """Read the duty cycle, if a file is given.
 
         Raises
         ------
@@ -55,7 +55,7 @@ class DutyOptions(NamedTuple):
 
 
 def _classes(text: str) -> Classes:
-    """Parse the number of torque classes, or their upper bounds with a common unit."""
+    """Parse the number of torque classes, or upper bounds with a common unit."""
     from vstatics.core.readers.named.scalars import number
     from vstatics.core.readers.named.units import common_unit, quantity
 
@@ -76,7 +76,7 @@ def _classes(text: str) -> Classes:
 
 
 def drawn_duty(asked: PictureFiles) -> DutyTable:
-    """Read the duty cycle of a picture, with its torque classes.
+    """Read the duty cycle of a picture, with torque classes.
 
     Raises
     ------

@@ -35,9 +35,9 @@ class DeviceDamage(NamedTuple):
     """Fatigue damage of a component under a record of torques."""
 
     damage: float
-    """Damage; the component fails when it reaches `sum` of its fatigue strength. [-]"""
+    """Damage; the component fails at a damage of `sum` of the fatigue strength. [-]"""
     repeats: float | None
-    """Number of repetitions of the record to failure; None for an unlimited number. [-]"""
+    """Number of repetitions of the record to failure, if limited. [-]"""
     largest_stress: float
     """Largest equivalent stress amplitude of all cycles. [Pa]"""
     cycles: Sequence[LoadCycle]

@@ -14,13 +14,13 @@ from vstatics.core.tables.answer import json_keys
 
 @json_keys("range", "mean", count="counted")
 class LoadCycle(NamedTuple):
-    """Cycle of a record, and how often it is counted."""
+    """Cycle of a record, with a count."""
 
     range: float
     """Largest minus smallest value in the cycle, in the unit of the record."""
     mean: float
     counted: float
-    """Number of such cycles; a range that is not closed counts as half a cycle."""
+    """Number of equal cycles; a range that is not closed counts as half a cycle."""
 
     @property
     def amplitude(self) -> float:
@@ -62,7 +62,7 @@ def rainflow(values: Floats) -> list[LoadCycle]:
 
 
 def _counted(turning: Iterable[float]) -> Iterator[tuple[float, float, float]]:
-    """Yield the first and last value of each range, and its count: 1 (closed) or 0.5."""
+    """Yield the first and last value of each range, and the count: 1 (closed) or 0.5."""
     open_: list[float] = []
     for value in turning:
         open_.append(value)

@@ -17,7 +17,7 @@ from vstatics.vehicle.case.fatigue import Fatigue
 from vstatics.vehicle.damage.scatter import LifeSamples, drawn
 
 LARGEST_LOG_OF_LIFE = 700.0
-"""Largest natural logarithm of a result; above it, floating-point numbers overflow."""
+"""Largest natural logarithm of a result without floating-point overflow."""
 
 
 @document("vstatics-rayleigh")
@@ -30,7 +30,7 @@ class RayleighLife(NamedTuple):
     m is the exponent of the S-N curve, and x0 = threshold*endurance/deviation.
     """
     life: float | None
-    """Life in cycles, or in km if cycles per km are given; None for unlimited life."""
+    """Life, if limited, in cycles, or in km if cycles per km are given."""
     samples: Sometimes[LifeSamples] = None
     """Distribution of lives if strength or stress scatter; other fields ignore the scatter."""
 
@@ -85,7 +85,7 @@ def rayleigh_life(fatigue: Fatigue, deviation: float, per_unit: float = 1.0) -> 
 def scattered_life(
     fatigue: Fatigue, deviation: float, per_unit: float, count: int, seed: int = 0
 ) -> RayleighLife:
-    """Return the life, with its distribution for random samples of endurance and deviation.
+    """Return the life, with a distribution for random samples of endurance and deviation.
 
     Parameters
     ----------

@@ -14,7 +14,7 @@ from vstatics.core.tables.answer import Sometimes, document
 SHAFT_EXPONENT = 6.0
 """Exponent of the S-N curve of shafts, from the source. [-]"""
 LARGEST_LOG_OF_DIAMETER_RATIO = 150.0
-"""Largest natural logarithm of a diameter ratio; above it, numbers overflow."""
+"""Largest natural logarithm of a diameter ratio without overflow."""
 
 
 @document("vstatics-resize")

@@ -24,7 +24,7 @@ _CALL = re.compile(r"\s*[A-Za-z]+\s*\(")
 
 
 class Scattered(float):
-    """Random stress; as a number it is the median (lognormal) or the mean (normal) [Pa].
+    """Random stress; the number is the median (lognormal) or the mean (normal) [Pa].
 
     Examples
     --------
@@ -107,7 +107,7 @@ class LifeSamples(NamedTuple):
 
     number: int
     B10: float
-    """Life that 10 % of samples do not reach; like the other lives, infinite if unlimited."""
+    """Life that 10 % of samples do not reach, infinite if unlimited."""
     B50: float
     """Life that 50 % of samples do not reach."""
     mean: float

@@ -32,7 +32,7 @@ class LoadClass(NamedTuple):
     """Bound farther from 0, which belongs to the class; NaN above the last given bound. [N*m]"""
     revolutions: float
     contacts: float
-    """Number of contacts of a tooth: revolutions times its contacts in a turn. [-]"""
+    """Number of contacts of a tooth: revolutions times contacts in a turn. [-]"""
     time: float
     """Duration [s], or share of time [-]."""
     speed: float

@@ -71,7 +71,7 @@ class MemberRows(NamedTuple):
         return float(self.members.contacts.get(self.members.resolved(name), 1))
 
     def turns_between(self, first: str, second: str) -> Floats:
-        """Return the revolutions of a link relative to another link during each point."""
+        """Return the revolutions of a link relative to a second link during each point."""
         places = [["housing", *self.members.links].index(name) for name in (first, second)]
         both = self.speeds[:, places].T
         relative: Floats = rounding_as_zero(np.array([*both, both[0] - both[1]]))[-1]

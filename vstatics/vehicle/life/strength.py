@@ -22,13 +22,13 @@ class MemberLife(NamedTuple):
     """Damage and life of a member over a duty cycle."""
 
     damage: float
-    """Damage by one duty cycle, compared with `sum` of the strength; NaN without a torque. [-]"""
+    """Damage by a duty cycle, compared with `sum` of the strength; NaN without a torque. [-]"""
     contacts: float
-    """Contacts of a tooth under torque in one duty cycle. [-]"""
+    """Contacts of a tooth under torque in a duty cycle. [-]"""
     repeats: float | None
-    """Number of duty cycles to failure; None without damage. [-]"""
+    """Number of duty cycles to failure; undefined without damage. [-]"""
     hours: float | None
-    """Life of the member; None without damage. [h]"""
+    """Life of the member; undefined without damage. [h]"""
 
 
 def lives(case: Transmission, rows: MemberRows) -> dict[str, MemberLife]:
@@ -76,7 +76,7 @@ def _worse(torques: Floats, harm: Floats) -> float:
 
 
 def life_of(damage: float, at_failure: float, duration: float) -> tuple[float | None, float | None]:
-    """Return duty cycles and hours until the damage `at_failure`; None without damage."""
+    """Return duty cycles and hours until the damage `at_failure`; undefined without damage."""
     if not damage > 0:
         return None, None
     repeats = at_failure / damage

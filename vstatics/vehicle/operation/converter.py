@@ -78,7 +78,7 @@ def bare(case: Transmission) -> Transmission:
 
 
 def solved_slips(case: Transmission) -> tuple[Results, Floats]:
-    """Return the results of a bare case without slips in rpm, and the link speeds they add [rad/s].
+    """Return results of a bare case without slips in rpm, and link speeds added by slips [rad/s].
 
     The speed of a link is the product of its relative speed and the engine speed, and its addend.
     """
@@ -124,10 +124,10 @@ class EngineSearch(NamedTuple):
 
 
 class ConverterGear(NamedTuple):
-    """Gear with a free converter, whose speed ratio follows from the torque on its pump."""
+    """Gear with a free converter, whose speed ratio follows from the torque on the pump."""
 
     case: Transmission
-    """Case with this gear only."""
+    """Case with the gear alone."""
     name: str
     """Name of the converter."""
     path: str
@@ -143,7 +143,7 @@ class ConverterGear(NamedTuple):
 
     @classmethod
     def of(cls, case: Transmission, index: int) -> ConverterGear | None:
-        """Return a gear with its free converter; None if its speeds are indeterminate.
+        """Return a gear with a free converter, unless the speeds are indeterminate.
 
         Raises
         ------
@@ -207,7 +207,7 @@ class ConverterGear(NamedTuple):
         return inverse
 
     def taken(self, engine: Floats, output: Floats) -> tuple[Floats, Floats]:
-        """Return the torque that the pump takes [N*m], and the direction in which it turns."""
+        """Return the torque that the pump takes [N*m], and the direction of rotation."""
         pump = self.per_engine[0] * engine + self.per_output[0] * output
         factors = np.interp(self.ratio(engine, output), self.points[:, 0], self.points[:, 2])
         return factors * pump * np.abs(pump), np.sign(pump)
@@ -252,7 +252,7 @@ class ConverterGear(NamedTuple):
     def search(
         self, inverse: Floats, limits: Limits, output: Floats, brought: Brought
     ) -> EngineSearch:
-        """Search for engine speeds at which the pump takes the torque that is supplied to it.
+        """Search for engine speeds at which the pump takes the supplied torque.
 
         Parameters
         ----------
@@ -332,7 +332,7 @@ class ConverterGear(NamedTuple):
         )
 
     def torque_at(self, engine: Floats, output: Floats, brought: Brought) -> Floats:
-        """Return engine torques that supply the pump with the torque that it takes; else NaN [N*m].
+        """Return engine torques that supply the pump with the required torque; else NaN [N*m].
 
         Parameters
         ----------
@@ -384,7 +384,7 @@ def _with_point(points: Floats, ratio: float) -> Floats:
 
 
 def _root(function: Brought, ends: tuple[Floats, Floats], values: tuple[Floats, Floats]) -> Floats:
-    """Return the roots of a function between `ends`, where its values have opposite signs."""
+    """Return the roots of a function between `ends`, where the values have opposite signs."""
     (low, high), (at_low, at_high) = map(np.copy, ends), map(np.copy, values)
     swap = np.abs(at_low) < np.abs(at_high)
     low[swap], high[swap] = high[swap], low[swap]

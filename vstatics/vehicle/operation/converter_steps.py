@@ -31,13 +31,13 @@ class ConverterSteps(NamedTuple):
     converter: ConverterGear
     vehicle: Vehicle
     cases: tuple[Transmission, Transmission]
-    """Case with this gear only, and this case with output and input exchanged."""
+    """Case with the gear alone, and the case with output and input exchanged."""
     further: Sequence[Mapping[str, Floats]]
-    """Path of another number -> values at the steps, for both cases."""
+    """Path of a further number -> values at the steps, for both cases."""
     load: tuple[Floats, Floats]
     """Speeds [rad/s] and torques [N*m] of the output, as the input of the second case."""
     rows: Integers
-    """Indices of these steps in the cycle."""
+    """Indices of the steps in the cycle."""
 
     @property
     def _output(self) -> Floats:

@@ -36,7 +36,7 @@ class GearChoice(NamedTuple):
     """Rule that chooses the gears of a trace without gears."""
 
     least_speed: float | None = None
-    """Least engine speed; each step has the highest gear that reaches it. [rad/s]"""
+    """Least engine speed; each step has the highest gear that reaches the speed. [rad/s]"""
     shifts: Sequence[ShiftSpeed] = ()
     least_loss: bool = False
     """If True, each step has the gear that needs the least energy of engine or battery."""
@@ -53,7 +53,7 @@ class CycleLosses(NamedTuple):
     energies: dict[str, float]
     """Name of a gear set, or ``drag.NAME``, ``slip.NAME``, ``gear.NAME`` -> lost energy. [J]"""
     outside: dict[str, None]
-    """Names of laws that were evaluated outside their points, as keys."""
+    """Names of laws that were evaluated outside the given points, as keys."""
 
     held_torques: Floats
     """Torque magnitudes of engaged shift elements, shape (steps, shift elements). [N*m]"""
@@ -91,7 +91,7 @@ class CycleSteps(NamedTuple):
     engine_speeds: Floats
     """Magnitudes of engine speeds, shape (steps,). [rad/s]"""
     guessed: Sequence[str]
-    """Names of gears that count as forward only because they are written first."""
+    """Names of gears that count as forward only by being written first."""
 
     @classmethod
     def of(
@@ -165,7 +165,7 @@ class CycleSteps(NamedTuple):
         return gears
 
     def powers_of(self, rows: Integers) -> tuple[Integers, Floats]:
-        """Return those of the steps `rows` within full load, with powers of engine or battery [W].
+        """Return the steps of `rows` within full load, with powers of engine or battery [W].
 
         Steps without torques, or beyond the last engine speed, are left out, too.
         """
@@ -195,7 +195,7 @@ class CycleSteps(NamedTuple):
         return rows, powers
 
     def at(self, rows: Integers) -> CycleSteps:
-        """Return the steps `rows`; their trace still contains the whole table."""
+        """Return the steps `rows`; the trace still contains the whole table."""
         complete = self.trace
         trace = complete._replace(
             duration=complete.duration[rows],
@@ -286,7 +286,7 @@ class CycleSteps(NamedTuple):
         }
 
     def _given(self, case: Transmission, rows: Integers, loads: PointLoads) -> Floats:
-        """Return the torques of the outputs of a case on their loads in the steps `rows` [N*m]."""
+        """Return the torques of the outputs of a case on the loads in the steps `rows` [N*m]."""
         torque = loads.taken(loads.results.lossy_output_torque_Nm)
         # A case cannot have a given torque on an output, so its inertia torque is added here.
         for number, gear in enumerate(case.gears):
@@ -351,7 +351,7 @@ class CycleSteps(NamedTuple):
         }
 
     def _slips(self, rows: Integers) -> dict[str, Floats]:
-        """Return relative slips of gears in which another slip is in rpm, by path [rad/s]."""
+        """Return relative slips of gears that also have a slip in rpm, by path [rad/s]."""
         engine = self.engine_speeds[rows]
         return {
             f"gears.{gear.name}.slip.{self.case.shift_elements[number - 1].name}": slip * engine
@@ -372,7 +372,7 @@ class CycleSteps(NamedTuple):
                 yield ConverterSteps(converter, self.vehicle, cases, further, load, places)
 
     def driven(self, rows: Integers) -> DrivenSteps:
-        """Return the steps with engine speeds and torques in `rows`, limited to its overrun torque.
+        """Return the steps with engine speeds and torques in `rows`, limited to the overrun torque.
 
         Raises
         ------
@@ -418,7 +418,7 @@ class CycleSteps(NamedTuple):
     def _with_loss(
         self, rows: Integers, of_gear: Integers, speeds: Floats, torques: Floats
     ) -> Floats:
-        """Return the input torques of a gear, increased by its loss as a whole [N*m]."""
+        """Return the input torques of a gear, increased by the loss of the whole gear [N*m]."""
         loss = self.case.gears[self.gears[rows[of_gear[0]]]].loss if of_gear.size else None
         if loss is None:
             return torques[of_gear]
@@ -460,7 +460,7 @@ class CycleSteps(NamedTuple):
         return float(power @ here.trace.duration)
 
     def braked(self, rows: Integers, engine: Floats, lost: CycleLosses) -> float:
-        """Add the losses of steps in which brakes absorb an excess, and return its energy [J]."""
+        """Add the losses of steps with excess power, and return the energy taken by brakes [J]."""
         here = self.at(rows)
         has_loss = np.array([gear.loss is not None for gear in self.case.gears])[here.gears]
         entering = engine[rows] + np.where(has_loss, self._input_inertia(rows), 0.0)
@@ -480,7 +480,7 @@ class DrivenSteps(NamedTuple):
     torques: Floats
     """Engine torques, shape (steps,). [N*m]"""
     limited: Booleans
-    """True in steps whose wheels are driven too much or braked too little; brakes correct this."""
+    """True in steps in which brakes correct too much drive or too little braking of wheels."""
 
 
 def turned(case: Transmission, ratios: Floats) -> Transmission:

@@ -54,7 +54,7 @@ class CycleEnergy(NamedTuple):
     """
 
     engine: Sometimes[float]
-    """Energy supplied by the engine; None with an electric machine."""
+    """Energy supplied by the engine; undefined with an electric machine."""
     wheels: float
     """Energy of road resistance and acceleration of the vehicle mass."""
     inertias: float
@@ -78,7 +78,7 @@ class CycleEnergy(NamedTuple):
 
 
 class BatteryEnergy(NamedTuple):
-    """Energies that leave a battery (`out`) and return to it in a driving cycle [J]."""
+    """Energies that leave (`out`) and re-enter a battery in a driving cycle [J]."""
 
     out: float
     returned: float
@@ -203,17 +203,17 @@ def _per_distance(energy: float, distance: float) -> float:
 
 
 class ElectricSupply(NamedTuple):
-    """Powers of an electric machine and its battery in each step, in W."""
+    """Powers of an electric machine and battery in each step, in W."""
 
     mechanical: Floats
     electric: Floats
     battery: Floats
     is_outside: bool
-    """True if the efficiency was evaluated outside its map."""
+    """True if the efficiency was evaluated outside the map."""
 
     @classmethod
     def of(cls, machine: Machine, speeds: Floats, torques: Floats) -> ElectricSupply:
-        """Return the powers at speeds [rad/s] and torques in their direction [N*m].
+        """Return the powers at speeds [rad/s] and torques in the direction of the speeds [N*m].
 
         Raises
         ------

@@ -29,14 +29,14 @@ from vstatics.vehicle.life.strength import MemberLife, life_grid, lives
 from vstatics.vehicle.operation.point_loads import DutyPoints, PointLoads, at_rows
 
 EXPONENT = 3.0
-"""Exponent of equivalent torques, close to that of roller bearings (10/3). [-]"""
+"""Exponent of equivalent torques, close to the exponent of roller bearings (10/3). [-]"""
 
 LARGEST_DUTY = 1e30
 """Largest speed, torque or time of a point in SI units, which keeps energies and sums finite."""
 
 
 class LargestValue(NamedTuple):
-    """Value with the largest magnitude, and number of its operating point from 1; 0 if unknown."""
+    """Value with the largest magnitude, and number of the operating point from 1; 0 if unknown."""
 
     largest: float
     row: int
@@ -76,11 +76,11 @@ class Spectrum(NamedTuple):
     efficiency: float
     members: Mapping[str, MemberLoad]
     messages: Sequence[Message]
-    """Warnings about laws evaluated outside their points, and about overloaded shift elements."""
+    """Warnings about laws evaluated outside given points, and about overloaded shift elements."""
     are_shares: bool
     """True if points have shares; energies are then powers, and revolutions are per second."""
     damage: Mapping[str, DeviceDamage]
-    """Component name -> fatigue damage by its torques at the points, taken as a record."""
+    """Component name -> fatigue damage by torques at the points, taken as a record."""
     exponent: float
     """Exponent of the equivalent torques. [-]"""
     spectrum: Asked[Mapping[str, MemberSpectrum]] = None
@@ -251,7 +251,7 @@ def _doubts(case: Transmission, loads: PointLoads, moving: Integers) -> Iterator
 def _member(
     torques: Floats, speeds: Floats, weights: Floats, exponent: float, places: Integers
 ) -> MemberLoad:
-    """Return the load of a member by its torques [N*m] and speeds [rad/s] at points `places`."""
+    """Return the load of a member by torques [N*m] and speeds [rad/s] at points `places`."""
     sizes = np.abs(torques)
     turned = np.nan_to_num(np.abs(speeds)) * weights
     total = float(turned.sum())
@@ -302,7 +302,7 @@ def _weighing(numbers: Mapping[str, Sequence[float]]) -> str:
 
 
 def wrong_numbers(numbers: Mapping[str, Sequence[float]]) -> list[Problem]:
-    """Return the problems of the columns of a duty cycle, by name, at their rows."""
+    """Return the problems of the columns of a duty cycle, by name, with rows."""
     kind = _weighing(numbers)
     problems = [
         Problem("E425", f"{kind}: read {value:g}, expected 0 or more", (row,))

@@ -55,7 +55,7 @@ def at_rows(error: CaseError, rows: Integers) -> CaseError:
 
 
 class PointLoads(NamedTuple):
-    """Results of operating points, each in its gear; arrays have the shape (points, ...)."""
+    """Results of operating points in the respective gears; arrays have the shape (points, ...)."""
 
     case: Transmission
     points: DutyPoints
@@ -108,14 +108,14 @@ class PointLoads(NamedTuple):
 
     @property
     def input_torques(self) -> Floats:
-        """Input torques; while the case coasts, they are opposite to the speeds [N*m]."""
+        """Input torques, opposite to the speeds while the case coasts [N*m]."""
         assert self.results.points is not None  # noqa: S101 - loads vary
         units = self.taken(self.results.points.scales["Nm"])
         return np.where(self.points.torques == 0, 0.0, units)
 
     @property
     def outside(self) -> list[str]:
-        """Names of laws that are evaluated outside their range at some point."""
+        """Names of laws that are evaluated out of range at some point."""
         assert self.results.points is not None  # noqa: S101 - loads vary
         return [law for law, at in self.results.points.outside.items() if self.taken(at).any()]
 
@@ -151,7 +151,7 @@ class PointLoads(NamedTuple):
         return np.where(holds, self.taken(sizes)[:, : holds.shape[1]], 0.0)
 
     def device_torques(self) -> dict[str, Floats]:
-        """Return shift element, mechanism or spring -> torques on its first link [N*m].
+        """Return shift element, mechanism or spring -> torques on the first link [N*m].
 
         A gear set has the torque of its mechanism, or torques of the mechanisms of its meshes, as
         in simulations.
@@ -191,7 +191,7 @@ class PointLoads(NamedTuple):
         return by_member
 
     def _ratios(self, number: int) -> Floats:
-        """Return the ratios of a mechanism at the points, as given or by its speeds [-]."""
+        """Return the ratios of a mechanism at the points, as given or by speeds [-]."""
         mechanism, speeds = self.case.mechanisms[number], self.speeds
         by_gear = [self.case.gear_ratios(gear)[number] for gear in self.case.gears]
         given = np.array(by_gear, dtype=float)[self.points.gears]
@@ -202,7 +202,7 @@ class PointLoads(NamedTuple):
         return np.where(np.isfinite(turned), turned, given)
 
     def _loss_factor(self, number: int, on_first: Floats) -> Floats:
-        """Return ``1 - loss/power`` of a mechanism, with the power at its first link [-]."""
+        """Return ``1 - loss/power`` of a mechanism, with the power at the first link [-]."""
         mechanism, speeds = self.case.mechanisms[number], self.speeds
         power = on_first * (speeds[:, mechanism.first] - speeds[:, mechanism.third])
         lost = list(self.losses().values())[number]
@@ -278,7 +278,7 @@ class PointLoads(NamedTuple):
         return {slip_name(elements[number - 1]): powers[:, number - 1] for number in slipping}
 
     def _gear_losses(self) -> dict[str, Floats]:
-        """Return ``gear.NAME`` -> power lost by a gear as a whole; 0 at points of others [W]."""
+        """Return ``gear.NAME`` -> power lost by a whole gear; 0 at points of other gears [W]."""
         if all(gear.loss is None for gear in self.case.gears):
             return {}
         powers = 1e3 * np.nan_to_num(np.abs(self.taken(self.results.gear_losses_kW)))

@@ -64,7 +64,7 @@ def read_shifts(text: str) -> list[ShiftSpeed]:
 
 
 def _two_speeds(text: str) -> tuple[float | None, float | None]:
-    """Parse two speeds separated by a slash; their units can contain slashes, too [m/s]."""
+    """Parse two speeds separated by a slash; units can contain slashes, too [m/s]."""
     for at, letter in enumerate(text):
         if letter == "/":
             try:

@@ -62,7 +62,7 @@ class GearPerformance(NamedTuple):
 
 
 class Performance(NamedTuple):
-    """Performance of a vehicle at full load of its engine.
+    """Performance of a vehicle at full engine load.
 
     Examples
     --------
@@ -82,7 +82,7 @@ class Performance(NamedTuple):
 
     @classmethod
     def of(cls, summary: Summary) -> Performance | None:
-        """Return the performance in a summary; None if the case has no vehicle with an engine."""
+        """Return the performance in a summary, if the case has a vehicle with an engine."""
         return as_type(summary.vehicle, cls)
 
     def grids(self) -> Iterator[Grid]:
@@ -95,7 +95,7 @@ class Performance(NamedTuple):
 
 
 def vehicle_section(case: Transmission) -> Performance | None:
-    """Return the performance of a case; None without a vehicle that has a full-load curve."""
+    """Return the performance of a case, if the vehicle has a full-load curve."""
     vehicle = Vehicle.of(case)
     return performance(case) if vehicle and vehicle.full_load else None
 

@@ -22,13 +22,13 @@ DRIVE_PANEL_HEIGHT = 250.0
 BELOW_SPEEDS = 24.0
 """Distance from the panel to the title of the axis of road speed. [pt]"""
 ROOM_OVER_LINES = 0.04
-"""Margin beyond the largest value of an axis, relative to this value. [-]"""
+"""Margin beyond the largest value of an axis, relative to the value. [-]"""
 NAME_CLEARANCE = 3.0
 """Additional width for the name of a gear on a line. [pt]"""
 
 
 class DrivenGear(NamedTuple):
-    """Gear that is drawn because it drives the vehicle."""
+    """Drawn gear that drives the vehicle."""
 
     place: int
     """Index of the gear in the case."""
@@ -52,7 +52,7 @@ class DrivenVehicle(NamedTuple):
 
 
 def driven(results: Results, shown: Sequence[int], style: Style) -> DrivenVehicle:
-    """Return the vehicle of a case, with all gears that drive it, or those numbered in `shown`.
+    """Return the vehicle of a case, with all driving gears, or the gears numbered in `shown`.
 
     Raises
     ------
@@ -114,7 +114,7 @@ def speed_panel(  # noqa: PLR0913 PLR0917 - a panel has these
 
 
 def name_on_line(pen: Pen, places: Iterable[Point], name: str, taken: Taken) -> None:
-    """Write a name at the first of `places` where it covers no other name, if there is one."""
+    """Write a name at the first of `places` that is free of other names, if any."""
     long, tall = width(name) + NAME_CLEARANCE, LINE_HEIGHT * SIZE
     place = first_free(places, long, tall, pen.size, taken)
     if place:

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 
 class StepLaw(NamedTuple):
-    """Ratios of gears by a law of their steps."""
+    """Ratios of gears by a law of steps."""
 
     ratios: Sequence[float]
     growth: float

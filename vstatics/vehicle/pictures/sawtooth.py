@@ -117,7 +117,7 @@ def _forward(results: Results, vehicle: DrivenVehicle) -> list[DrivenGear]:
 
 
 def _teeth(pen: Pen, vehicle: DrivenVehicle, gears: Sequence[DrivenGear]) -> Iterator[list[Point]]:
-    """Yield the points of each tooth: from the upshift into a gear to its last engine speed."""
+    """Yield the points of each tooth: from the upshift into a gear to the last engine speed."""
     speed = 0.0
     for gear in gears:
         yield _course(pen, vehicle, gear, speed)

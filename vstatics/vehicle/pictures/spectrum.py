@@ -100,7 +100,7 @@ def _bar(style: Style, *, is_open: bool) -> Look:
 
 
 def _ends(each: LoadClass, classes: Sequence[LoadClass]) -> tuple[float, float]:
-    """Return the bounds of a bar; without an upper bound, it is as wide as the bar before [N*m]."""
+    """Return the bounds of a bar, as wide as the bar before if without upper bound [N*m]."""
     if not math.isnan(each.to):
         return each.from_, each.to
     wide = next(

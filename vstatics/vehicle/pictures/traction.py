@@ -33,7 +33,7 @@ POINTS_OF_LINE = 240
 KILO = 1000.0
 """Factor from N to kN, and from W to kW."""
 NAME_PLACES = (0.5, 0.6, 0.4, 0.7, 0.3, 0.8, 0.2, 0.9, 0.1)
-"""Possible positions of the name of a gear along its line, relative to its length. [-]"""
+"""Possible positions of the name of a gear along the line, relative to the line length. [-]"""
 
 
 def draw(
@@ -121,7 +121,7 @@ def _fastest(style: Style) -> Look:
 def _ends(
     vehicle: DrivenVehicle, fastest: float, largest: float, style: Style
 ) -> tuple[list[LineEnd], list[Label]]:
-    """Return labels of the lines of slopes: at the right edge of the panel, and at its upper edge.
+    """Return labels of the lines of slopes: at the right edge and at the upper edge of the panel.
 
     Parameters
     ----------

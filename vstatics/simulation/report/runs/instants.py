@@ -23,7 +23,7 @@ class ChosenInstants(NamedTuple):
     mask: Booleans
     """True for the chosen instants."""
     off: float
-    """Largest deviation of the lines from a column, relative to its range. [-]"""
+    """Largest deviation of the lines from a column, relative to the range of the column. [-]"""
 
 
 def chosen_instants(
@@ -78,7 +78,7 @@ def chosen_instants(
 
 
 _Gap = tuple[float, int, int, int]
-"""Interval: negative largest deviation from its line; indices of first, farthest, last instant."""
+"""Interval: negative largest deviation from the line; indices of first, farthest, last instant."""
 
 
 def _gaps(chosen: Integers, times: Floats, values: Floats) -> Iterator[_Gap]:

@@ -82,7 +82,7 @@ def _lever(case: Transmission, cell: LeverCell) -> Markup:
 def _point(
     case: Transmission, link: int, row: LeverRow, top: float, across: tuple[float, float]
 ) -> Markup:
-    """Return the line from the name of a link to its point on the lever, and its speed."""
+    """Return the line from the name of a link to the point on the lever, and the speed."""
     (at, wide), y, point = across, _length(top - row.y), _length(top - row.at)
     texts = row.name.split("\n")
     lines = [

@@ -47,7 +47,7 @@ class _RunColumns:
         self._places: dict[bytes, int] = {}
 
     def add(self, table: str, values: Floats) -> int:
-        """Add a column of a table, and return its index."""
+        """Add a column of a table, and return the index of the column."""
         place = self._places.setdefault(values.tobytes(), len(self.values))
         if place == len(self.values):
             self.values.append(values)
@@ -55,7 +55,7 @@ class _RunColumns:
         return place
 
     def moving(self) -> Iterator[Floats]:
-        """Yield the columns that change by more than rounding noise of their table."""
+        """Yield the columns that change by more than the rounding noise of the table."""
         peaks = [float(np.fmax.reduce(np.abs(values))) for values in self.values]
         largest: dict[str, float] = {}
         for table, peak in zip(self._tables, peaks, strict=True):
@@ -70,7 +70,7 @@ class PageRun(NamedTuple):
 
     motion: Motion
     off: float
-    """Largest deviation of straight lines from a column, relative to its range. [-]"""
+    """Largest deviation of straight lines from a column, relative to the column range. [-]"""
 
 
 def page_run(results: Results, motion: Motion) -> PageRun:
@@ -98,7 +98,7 @@ def page_run(results: Results, motion: Motion) -> PageRun:
 
 
 def recorded(results: Results, motion: Motion) -> dict[str, Any]:
-    """Return a run with its panels as JSON data; columns are in SI units without loss of digits.
+    """Return a run with panels as JSON data; columns are in SI units without loss of digits.
 
     Parameters
     ----------
@@ -223,7 +223,7 @@ def _heading(table: str, name: str, motion: Motion) -> str:
 
 
 def _look(look: Look) -> dict[str, Any]:
-    """Return the name of the colour of a line, and its dash pattern, shifted to begin at 0 [pt].
+    """Return colour name and dash pattern of a line; the pattern is shifted to begin at 0 [pt].
 
     >>> _look({"color": Style().colour(1), "linestyle": (10.0, (5.0, 10.0))})
     {'colour': 'colour1', 'dash': (0.0, 5.0, 5.0, 5.0)}

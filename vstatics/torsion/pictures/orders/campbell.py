@@ -80,7 +80,7 @@ def _signs(sheet: CampbellSheet) -> list[Meaning]:
 
 
 def _pages(sheet: CampbellSheet) -> Iterator[Canvas]:
-    """Draw a page with the panel and the tables that fit, then pages with the other tables."""
+    """Draw a page with the panel and the tables that fit, then pages with the remaining tables."""
     style, across = sheet.style, sheet.style.width
     text, room = title(sheet.case, style.text("Campbell diagram")), across - 2 * MARGIN
     tables = resonance_tables(
@@ -170,7 +170,7 @@ def _draw_scales(pen: Pen, sheet: CampbellSheet) -> None:
 
 
 def _draw_lines(pen: Pen, sheet: CampbellSheet) -> None:
-    """Draw the lines of modes, and on top of these the lines of orders."""
+    """Draw the lines of modes, and on top the lines of orders."""
     style, (wide, _) = sheet.style, pen.size
     for mode in sheet.shared:
         if mode.frequency <= sheet.top:

@@ -62,12 +62,12 @@ class CampbellSheet(NamedTuple):
         return list(meetings(self.modes, self.orders, self.fastest, self.slowest))
 
     def hertz(self, frequency: float) -> str:
-        """Return the text of a frequency with its unit."""
+        """Return the text of a frequency, including the unit."""
         return f"{number(frequency)} {self.style.text('Hz')}"
 
     @property
     def order_ends(self) -> list[LineEnd]:
-        """Names of orders, each with a sample of its line."""
+        """Names of orders, each with a sample of the line."""
         top = self.orders[-1].number
         return [
             LineEnd(order.number / top, (order.name,), (order_look(order, self.style),))

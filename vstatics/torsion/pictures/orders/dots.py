@@ -31,14 +31,14 @@ def dot_size(participation: float) -> float:
 
 
 def dot_fill(damping_ratio: float, colour: str, style: Style) -> str:
-    """Return the fill of a dot: the colour of its order, a faint colour, or the colour of paper."""
+    """Return the fill of a dot: the colour of the order, a faint colour, or the colour of paper."""
     if damping_ratio >= MUCH_DAMPED:
         return style.paper
     return style.faint if damping_ratio >= LITTLE_DAMPED else colour
 
 
 def dot_look(met: Meeting, style: Style) -> Look:
-    """Return the style of the dot of a resonance, in the colour of its order."""
+    """Return the style of the dot of a resonance, in the colour of the order."""
     return _look(met.mode.participation, met.mode.damping_ratio, style, fires=met.order.fires)
 
 

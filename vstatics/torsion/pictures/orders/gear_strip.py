@@ -24,7 +24,7 @@ HALF_MARK = 0.36
 
 
 class GearStrip(NamedTuple):
-    """Strip with a column for each gear, and marks at its natural frequencies."""
+    """Strip with a column for each gear, and marks at natural frequencies."""
 
     gears: Sequence[str]
     modes: Sequence[GearMode]
@@ -39,7 +39,7 @@ class GearStrip(NamedTuple):
 
     @property
     def wide(self) -> float:
-        """Width of the strip, including the numbers of modes at its right edge [pt]."""
+        """Width of the strip, including the numbers of modes at the right edge [pt]."""
         return self.across + width_of(self._ends)
 
     @property
@@ -49,7 +49,7 @@ class GearStrip(NamedTuple):
 
     @property
     def _ends(self) -> list[LineEnd]:
-        """Numbers of modes at the right edge, at their frequencies in the last gear."""
+        """Numbers of modes at the right edge, at the frequencies in the last gear."""
         lasts = [(number, modes[-1].frequency) for number, modes in self._by_mode.items()]
         return [LineEnd(last / self.top, (str(number),)) for number, last in lasts]
 

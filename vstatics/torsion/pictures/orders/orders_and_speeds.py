@@ -27,12 +27,12 @@ PER_MINUTE = 60.0
 
 
 class Order(NamedTuple):
-    """Order of an excitation: number of its periods per revolution."""
+    """Order of an excitation: number of periods per revolution."""
 
     number: float
     """Number of periods per revolution."""
     fires: bool
-    """True for the firing order of the cylinders and its multiples."""
+    """True for multiples of the firing order of the cylinders."""
 
     @property
     def name(self) -> str:
@@ -100,7 +100,7 @@ def running_speeds(case: Transmission, gears: Iterable[Gear], asked: Excitation)
 
 @runtime_checkable
 class HasEngine(Protocol):
-    """Part of a vehicle that this module reads: its engine."""
+    """Part of a vehicle that is read here: the engine."""
 
     @property
     def engine(self) -> Sequence[tuple[float, float]]:

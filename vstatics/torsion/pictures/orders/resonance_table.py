@@ -35,7 +35,7 @@ class TableCell(NamedTuple):
 
 
 class TableRow(NamedTuple):
-    """Row of a mode, for all gears in which its printed values are equal."""
+    """Row of a mode, for all gears with equal printed values."""
 
     mode: str
     """Number of the mode."""
@@ -60,7 +60,7 @@ class ResonanceTable(NamedTuple):
 
     headings: Sequence[str]
     fires: Sequence[bool]
-    """For each column of an order, True if it is a firing order."""
+    """Flag for each column of an order, True for a firing order."""
     rows: Sequence[TableRow]
     style: Style
 
@@ -107,7 +107,7 @@ class ResonanceTable(NamedTuple):
 
 
 class TableParts(NamedTuple):
-    """Tables with some of their rows, drawn below each other."""
+    """Tables with some of the rows, arranged in a column."""
 
     parts: Sequence[tuple[ResonanceTable, Sequence[TableRow]]]
 
@@ -118,7 +118,7 @@ class TableParts(NamedTuple):
         return sum(highs) or MARGIN
 
     def fitting(self, room: float, least: int = 0) -> tuple[TableParts, TableParts]:
-        """Split the rows: those that fit into `room` [pt], but at least `least`, and the others."""
+        """Split rows that fit into `room` [pt], but at least `least`, from the remaining rows."""
         for place, (table, rows) in enumerate(self.parts):
             room -= HEADING_HEIGHT + MARGIN
             for count, row in enumerate(rows):

@@ -51,7 +51,7 @@ class Meeting(NamedTuple):
 
 
 def gear_modes(gears: Sequence[GearModes], inputs: Sequence[str]) -> list[GearMode]:
-    """Return the modes of gears, with the participation of their input links (names)."""
+    """Return the modes of gears, with the participation of input links (names)."""
     return [
         GearMode(
             gear.name,

@@ -238,7 +238,7 @@ def _draw_scales(pen: Pen, sheet: _ResponseSheet, *, is_lowest: bool) -> None:
 
 
 def _draw_peak(pen: Pen, line: ResponseLine, mode: GearMode, sheet: _ResponseSheet) -> None:
-    """Draw the dot of a resonance on its line, if its amplitude is within the scale."""
+    """Draw the dot of a resonance on the line, if the amplitude is within the scale."""
     speed = line.order.speed(mode.frequency)
     at = int(np.argmin(np.abs(line.speeds - speed)))
     value = _logs(line.amplitudes[at : at + 1])[0]

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 EVEN_SPEEDS = 400
 """Number of evenly spaced speeds of a line, to which speeds at and near resonances are added."""
 ABOUT_PEAK = (0.3, 0.6, 1.0, 1.7, 3.0, 6.0)
-"""Distances of added speeds from a resonance, relative to its speed times the damping ratio."""
+"""Distances of added speeds from a resonance, relative to resonant speed times damping ratio."""
 
 
 class ResponseLine(NamedTuple):
@@ -93,7 +93,7 @@ def _panel(
     excited: ExcitedSpeeds,
     harmonics: Mapping[float, Harmonic],
 ) -> ResponsePanel:
-    """Calculate the response of a gear; each order has its own speeds."""
+    """Calculate the response of a gear, with separate speeds for each order."""
     from vstatics.torsion.forced.harmonic_torques import Harmonic, response
 
     gear, link = names

@@ -26,7 +26,7 @@ LEVEL_PITCH = 19.0
 GROUND_HEIGHT = 24.0
 """Height of the sign of the housing above a link. [pt]"""
 LEGEND_SIGN = 22.0
-"""Distance from the left end of a sign to its text in the legend. [pt]"""
+"""Distance from the left end of a sign to the text in the legend. [pt]"""
 _ELASTIC = "rigid", "elastic, by number"
 _HEAVY = "without inertia", "with inertia"
 """Texts of the legend for dots of links, from bottom to top."""
@@ -59,7 +59,7 @@ def least_width(links: ModeLinks) -> float:
 
 
 def springs(links: ModeLinks) -> list[str]:
-    """Return the names of elastic components in the order of their printed numbers."""
+    """Return the names of elastic components in the order of printed numbers."""
     return [device.name for device in links.devices if device.elastic]
 
 
@@ -101,7 +101,7 @@ def draw_links(axis: Axis, low: float, links: ModeLinks) -> None:
 
 
 def _write_names(axis: Axis, low: float, names: Sequence[tuple[int, str]]) -> None:
-    """Write vertical names, each with a line to its link."""
+    """Write vertical names, each with a line to the link."""
     wanted = [axis.at(place) for place, _ in names]
     sizes = [height(name) + LABEL_GAP for _, name in names]
     row = axis.left, axis.left + sum(sizes)
@@ -114,7 +114,7 @@ def _write_names(axis: Axis, low: float, names: Sequence[tuple[int, str]]) -> No
 
 
 def _draw_device(axis: Axis, y: float, device: ModeDevice, mark: str) -> None:
-    """Draw a component on the row, below it with lines to its links, or at the housing."""
+    """Draw a component on the row, below the row with lines to links, or at the housing."""
     pen = axis.pen
     colour, wide = (pen.style.ink, 1.2) if device.elastic else (pen.style.faint, 0.9)
     look: Look = {"color": colour, "width": wide, "title": device.name}

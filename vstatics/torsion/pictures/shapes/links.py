@@ -22,7 +22,7 @@ class ModeDevice(NamedTuple):
 
     name: str
     members: tuple[int, ...]
-    """Indices of its links in the row, ascending."""
+    """Indices of the links in the row, ascending."""
     elastic: bool
     level: int = 0
     """Number of levels below the row; 0 is on the row.
@@ -47,7 +47,7 @@ class ModeLinks(NamedTuple):
     numbers: tuple[int, ...]
     names: tuple[str, ...]
     heavy: tuple[bool, ...]
-    """For each link, True if it has inertia."""
+    """Flag for each link, True for a link with inertia."""
     devices: tuple[ModeDevice, ...]
     """Components, elastic components first, beginning at the input."""
     resting: tuple[str, ...]
@@ -137,7 +137,7 @@ def _loaded(
 
 
 def _row(links: AbstractSet[int], first: int, joined: Sequence[Sequence[int]]) -> list[int]:
-    """Sort links by the number of components between them and the first link, then by number."""
+    """Sort links by the number of components from the first link, then by number."""
     distance: dict[int, int] = {}
     reached = links & {first}
     for level in range(len(links)):
@@ -161,7 +161,7 @@ def _levelled(devices: Sequence[ModeDevice]) -> Iterator[ModeDevice]:
 
 
 def _cover(device: ModeDevice, other: ModeDevice) -> bool:
-    """Return whether two components at the same level would overlap."""
+    """Return whether two components at a common level would overlap."""
     if device.is_grounded or other.is_grounded or device.level == 0:
         return (device.level, device.members) == (other.level, other.members)
     apart = device.members[-1] < other.members[0] or other.members[-1] < device.members[0]

@@ -63,7 +63,7 @@ GEAR_GAP = 30.0
 
 
 class _ModeRow(NamedTuple):
-    """Mode with its caption, and the bars at the side of its shape."""
+    """Mode with caption, and with bars at the side of the shape."""
 
     mode: Mode
     said: Sequence[str]
@@ -73,7 +73,7 @@ class _ModeRow(NamedTuple):
 
 
 class _GearModesPart(NamedTuple):
-    """Gear with all or some of its modes; without modes, its note gives the reason."""
+    """Gear with all or some modes; without modes, a note gives the reason."""
 
     head: str
     note: str
@@ -116,7 +116,7 @@ class _ModeColumns(NamedTuple):
         return self.ends[1] + MARGIN
 
     def caption(self, row: _ModeRow) -> str:
-        """Return the caption of a mode, wrapped to the width that bars or their title leave."""
+        """Return the caption of a mode, wrapped to the width left by the bars or title."""
         line = PART_GAP.join(row.said)
         if self._fits_beside_title(line):
             return line
@@ -127,16 +127,16 @@ class _ModeColumns(NamedTuple):
         return width(line) <= self.ends[0] - self.named - MODE_GAP - MARGIN
 
     def drop(self, row: _ModeRow) -> float:
-        """Return the distance from the top of a mode down to its bars."""
+        """Return the distance from the top of a mode down to the bars."""
         is_beside = self._fits_beside_title(PART_GAP.join(row.said))
         return 0.0 if is_beside else self.caption_height(row)
 
     def caption_height(self, row: _ModeRow) -> float:
-        """Return the height of the caption of a mode, with the gap below it."""
+        """Return the height of the caption of a mode, including the gap below."""
         return height(self.caption(row)) + SAID_GAP
 
     def high(self, row: _ModeRow) -> float:
-        """Return the height of a mode, with the gap below it."""
+        """Return the height of a mode, including the gap below."""
         bars = [shares_height(shares) for shares in (row.elastic, row.kinetic)]
         if self.stacked:
             right = sum(bars) + 2 * height("") + BETWEEN_SHARES
@@ -151,7 +151,7 @@ def _spaced(parts: str) -> str:
 
 
 def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Canvas]:
-    """Draw the natural modes of gears below each other, on pages.
+    """Draw the natural modes of gears in a column, on pages.
 
     If a single page without a given height is requested, only the first gear is drawn by default.
 
@@ -217,7 +217,7 @@ def _row(
 
 
 def _columns(parts: Sequence[_GearModesPart], style: Style) -> _ModeColumns:
-    """Choose widths: bars side by side if the links have room, otherwise below each other."""
+    """Choose widths: bars side by side if the links have room, otherwise stacked."""
     rows = [row for part in parts for row in part.rows]
     links = [part.links for part in parts if part.links]
     captions = widest(PART_GAP.join(row.said) for row in rows) - AMPLITUDE_SCALE_WIDTH

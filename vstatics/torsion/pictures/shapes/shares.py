@@ -19,7 +19,7 @@ PERCENT_WIDTH = 26.0
 BAR_GAP = 5.0
 """Gap between a name and a bar, and between a bar and a number. [pt]"""
 SHARE_BAR_WIDTH = FULL_BAR + BAR_GAP + PERCENT_WIDTH
-"""Width of a full bar with its number. [pt]"""
+"""Width of a full bar with the number. [pt]"""
 MOST_BARS = 5
 """Largest number of bars, in addition to a bar for all other shares."""
 LEAST_SHARE = 0.01

@@ -19,7 +19,7 @@ class _Diameter(NamedTuple):
 
 
 def _diameter(text: str) -> _Diameter:
-    """Parse a diameter, and keep its unit, if any."""
+    """Parse a diameter, and keep the unit, if any."""
     from vstatics.core.readers.named.arithmetic import calculated
     from vstatics.core.readers.named.si_units import measured
 
