@@ -70,7 +70,7 @@ def _letters(word: str, places: Sequence[int]) -> str:
 
 
 def nearest(word: str, known: Iterable[str]) -> str:
-    """Return a hint with the known word most similar to a mistyped word; empty without similarity.
+    """Return a hint with the known word most similar to a mistyped word, if any; else empty.
 
     If known words contain the mistyped word, the shortest of them is suggested.
 

@@ -41,7 +41,7 @@ WITH_LANGUAGES = ("run", "flow", "summary", "explain", "plot", "report", "serve"
 
 
 _ELSEWHERE = {"--lang": WITH_LANGUAGES, "--gear": ("flow", "explain", "plot")}
-"""Options that users expect in all commands, and the commands that have them."""
+"""Options that users expect in all commands, each with the commands that have the option."""
 
 
 class Commands(LazyGroup):
@@ -54,7 +54,7 @@ class Commands(LazyGroup):
         return {name: (command.module, command.help) for name, command in ordered}
 
     def module(self, name: str) -> str:
-        """Return the module of a command; annexes are searched only if not a core command."""
+        """Return the module of a command, from the core or, if not there, from an annex."""
         return CORE.commands[name].module if name in CORE.commands else super().module(name)
 
     def make_context(self, *values: Any, **named: Any) -> click.Context:

@@ -34,7 +34,7 @@ TEMPLATES = (
 
 
 def template(name: str, suffix: str = ".yaml") -> str:
-    """Return the text of a template or shipped case; with a suffix `.dat`, the deck if existing.
+    """Return the text of a template or shipped case; with a suffix `.dat`, a deck if available.
 
     >>> template("ravigneaux").splitlines()[0]
     '# A Ravigneaux set: the small sun meshes with the short planets, these with the long planets,'

@@ -135,7 +135,7 @@ def percent(deviation: float) -> str:
 
 
 def shown_values(old: Any, new: Any) -> tuple[str, str]:
-    """Return two values of a case as texts, shortened to `LONGEST_VALUE`; None means no key."""
+    """Return two values of a case, or `NOT_THERE` without a key, as texts up to `LONGEST_VALUE`."""
     texts = [
         value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
         for value in (tr(NOT_THERE) if value is None else value for value in (old, new))

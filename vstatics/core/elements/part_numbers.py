@@ -77,7 +77,7 @@ def part_numbers(case: Transmission) -> dict[str, PartNumber]:
 
 
 def _numbers(case: Transmission) -> Iterator[tuple[Keys, Leaf]]:
-    """Yield the key and the declaration of every number of a part."""
+    """Yield the key and the declaration of every number of the parts."""
     for key, parts in _tree(case).items():
         if key == "mesh_efficiency":
             yield from numbers_below(MESH_EFFICIENCY, parts, (key,)) if drawing_of(case) else ()

@@ -308,7 +308,7 @@ def _together(on_links: OwnLinks, gear: Gear, bodies: Structure) -> Iterator[Tog
 
 
 def _pieces(on_links: OwnLinks, structure: Structure) -> tuple[list[str], list[str]]:
-    """Return the names of gear sets and mechanisms: rotating as a block, and at rest.
+    """Return the names of gear sets and mechanisms that rotate as a block, or are at rest.
 
     A mechanism with the housing as a link can be a block only at rest.
     """

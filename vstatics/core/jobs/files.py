@@ -188,7 +188,7 @@ def _exchange(new: str, path: str, expected: bytes) -> None:
 
 
 def _swapped(new: str, old: str) -> bool:
-    """Exchange two files in a single step; return False without support by the system."""
+    """Exchange two files in a single step; return False if unsupported by the system."""
     import ctypes  # costs start-up time
 
     rename = getattr(ctypes.CDLL(None), "renameat2", None) if os.name == "posix" else None

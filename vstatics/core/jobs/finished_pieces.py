@@ -123,7 +123,7 @@ class FinishedPieces:
         raise ReadError([of_file("E032", self.directory, message)])
 
     def finished(self) -> list[int]:
-        """Return the numbers of the existing pieces, written by current or earlier processes."""
+        """Return the numbers of existing pieces, written by the current or an earlier process."""
         return sorted(int(name) for name in self.folder.names() if name.isdigit())
 
     def _check(

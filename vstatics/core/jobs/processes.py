@@ -227,7 +227,7 @@ def _serve(
 
 
 def _end_with_parent() -> None:
-    """Ensure that the current process ends with the parent process, even amid an item."""
+    """Ensure that the current process ends with the parent process, even within an item."""
     from multiprocessing import connection, parent_process
 
     parent = parent_process()

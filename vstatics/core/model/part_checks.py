@@ -255,9 +255,7 @@ def _of_kind(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
 def of_characteristic(
     points: Sequence[tuple[float, ...]], path: Path, numbers: int = 2
 ) -> Iterator[Problem]:
-    """Check the points of a converter: speed ratio, torque ratio and (everywhere or nowhere)
-    lambda.
-    """
+    """Check the points of a converter: speed ratio, torque ratio and (always or never) lambda."""
     if not points:
         yield Problem("E219", "read no points, expected at least one", path)
     before = -math.inf

@@ -18,7 +18,7 @@ Keys: TypeAlias = tuple[str, ...]
 """Keys of a path, without quotes."""
 
 PARTS = ("shift_elements", "elements", "mechanisms", "springs")
-"""Keys of a case that a path omits, beginning with the name of a part under the key."""
+"""Keys of a case that a path omits: the path begins with the name of a part."""
 BODIES = ("inertias", "masses")
 """Keys of a case with a number for each link, under a path such as `LINK.inertia`."""
 OWNERS: Mapping[str, int] = {"load": 1, "gears": 2, "drag": 1, "mesh_efficiency": 1}

@@ -29,7 +29,7 @@ from vstatics.core.numerics.tolerances import LEAST_INPUT
 from vstatics.core.numerics.traced import Magnitude, Number, Traced
 
 FEW_VARIANTS = 4
-"""Initial number of variants up to which variants are calculated individually, without a plan.
+"""Initial largest number of variants that are calculated individually, without a plan.
 
 `Plans.few` starts with this number and grows by it after each plan that serves no more variants.
 """

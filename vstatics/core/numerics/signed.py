@@ -350,7 +350,7 @@ def is_below(left: Interval, right: Interval) -> bool | None:
 
 
 def _lies_below(left: Interval, right: Interval) -> bool:
-    """Return whether an interval is below a second; with a margin for finite ends other than 0."""
+    """Return whether `left` is below `right`, with a margin unless an end is 0 or infinite."""
     end, start = left[1], right[0]
     if start == math.inf or end == -math.inf or (0 in (end, start) and end < start):
         return True

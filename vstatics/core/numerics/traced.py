@@ -126,7 +126,7 @@ _ROUNDED = float, int, Traced, Signed
 
 
 def is_nothing_beside(number: Number, other: Number, part: float) -> bool:
-    """Return whether a magnitude is at most `part` times a second; a fraction must be exactly 0.
+    """Return whether a magnitude is at most `part` times a reference; a fraction must be exactly 0.
 
     >>> is_nothing_beside(1e-12, 1.0, 1e-9), is_nothing_beside(1e-6, 1.0, 1e-9)
     (True, False)

@@ -214,7 +214,7 @@ def _conflict_messages(case: Transmission, gear: Gear) -> Iterator[Said]:
 
 
 def _missed_freewheels(results: Results, number: int, gear: Gear) -> list[int]:
-    """Return the numbers of freewheels that would drive the output when holding."""
+    """Return the numbers of freewheels that would drive the output if engaged."""
     case = results.case
     output = case.gear_output(gear) - 1
     free = [n for n in case.freewheels if n not in gear.engaged]

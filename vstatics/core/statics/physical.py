@@ -78,7 +78,7 @@ def lacking_load(name: str, unit: str) -> str:
 
 
 class _PhysicalArray:
-    """Descriptor that converts an array to the unit that ends a name, such as ``_rpm``."""
+    """Descriptor that converts an array to the unit in the attribute's suffix, such as ``_rpm``."""
 
     def __set_name__(self, owner: type, name: str) -> None:
         self.array, _, self.unit = name.rpartition("_")
@@ -175,7 +175,7 @@ class PhysicalResults(ResultFields):
         return np.where(np.isfinite(values), values + 0.0, np.nan)
 
     def in_own_unit(self, name: str) -> Floats:
-        """Return an array relative to the input torque, or to 1 N*m in gears without input."""
+        """Return an array relative to the input torque, or to 1 N*m without an input torque."""
         if name.endswith("output_torque"):
             return self.in_own_unit(name.replace("output_torque", "torques"))[..., -1]
         array: Floats = ResultFields.__dict__[name].__get__(self)

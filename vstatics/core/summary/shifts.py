@@ -43,7 +43,7 @@ class Transition(NamedTuple):
 
     @property
     def word(self) -> str:
-        """Kind of transition: `single` if a shift element is replaced, `double` for two, etc.
+        """Kind of transition: `single` for a replaced shift element, `double` for two, etc.
 
         >>> Transition("1", "2", "", ["A", "B"], ["C"], {}, {}).word
         'double'

@@ -145,7 +145,7 @@ def _drag_by_gear(case: Transmission) -> dict[str, Any]:
 
 
 def _link_words(case: Transmission) -> list[int | str]:
-    """Return how links are written, housing first: by name, or by number if without names."""
+    """Return how links are written, housing first: by name or, without names, by number."""
     own_links = case.own_links
     if list(case.link_names[:own_links]) == [str(number) for number in range(1, own_links + 1)]:
         return ["housing", *range(1, case.links + 1)]

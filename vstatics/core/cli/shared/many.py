@@ -253,7 +253,7 @@ def _follow(
     beside_stdout: bool = False,
     parts: FinishedParts | None = None,
 ) -> Iterator[texts.Part]:
-    """Report and count the outcome of each case; store and yield the output of the case."""
+    """Report and count the outcome of each case; store and yield the part of the output."""
     quiet, telling = telling.quiet, telling._replace(notes=True)
     with progress(count.total, "cases", beside_stdout=beside_stdout, quiet=quiet) as advance:
         advance(count.finished_before)

@@ -59,7 +59,7 @@ class CaseAnswer(NamedTuple):
     failed: bool = False
     """True if the command fails although no problem is an error."""
     write: Callable[[], bool] | None = None
-    """Function that writes a further file, and returns whether the file is complete."""
+    """Function that writes a further file, and returns whether the writing was complete."""
 
 
 class OneCase(NamedTuple):

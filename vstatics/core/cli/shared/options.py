@@ -27,7 +27,7 @@ PROCESSING = "Processing"
 MESSAGES = "Messages"
 HELP = "Help"
 _LAST = (CALCULATION, OUTPUT, PROCESSING, MESSAGES, HELP)
-"""Headings that follow the input options and the headings of a command, in order."""
+"""Headings after the input options and the headings of a command, in displayed order."""
 _FEW = 7
 """Largest number of options that are listed together under the heading "Options"."""
 _HEADING = "heading"

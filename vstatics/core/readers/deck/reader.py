@@ -287,7 +287,7 @@ class KnownDeck:
 
     @cached_property
     def numbers(self) -> Mapping[int, tuple[str, Sequence[int]]]:
-        """Attribute and indices of mechanisms for each line that contains only mechanism numbers."""
+        """Attribute and indices of mechanisms for each line with mechanism numbers only."""
         every = range(len(self.case.mechanisms))
         known = {}
         for key, part, owners in (

@@ -38,7 +38,7 @@ _BINDING = tuple(
 
 
 class UnitError(ValueError):
-    """Error in the unit of a number that can be read otherwise."""
+    """Error in the unit of an otherwise readable number."""
 
 
 class LeadingNumber(NamedTuple):

@@ -71,7 +71,7 @@ class TableColumn(NamedTuple):
         return f"{self.name} [{UNIT_OF[self.measure]}]" if self.measure else self.name
 
     def size(self, unit: str | None) -> float:
-        """Return the factor from a unit, if given in the heading, to SI.
+        """Return the factor from a unit to SI, for a heading with or without a unit.
 
         Raises
         ------

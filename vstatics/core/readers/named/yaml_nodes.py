@@ -26,7 +26,7 @@ MOST_VALUES = 200_000
 """Maximum number of values of a document with all aliases expanded."""
 
 _READ_AHEAD = "exceeded maximum nesting depth"
-"""Message of libyaml about more than 1000 levels, sometimes before any event."""
+"""Message of libyaml about more than 1000 levels, sometimes raised before any event."""
 
 _UNPRINTABLE = re.compile("[^\t\n\r -~\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 _TEXT_WITH_BRACKETS = re.compile(r"[^\s,:'\"{}[\]]\[")

@@ -272,7 +272,7 @@ def _roots(
 
 
 def _roots_alone(ratio: SoughtRatio, slow: Results, fast: Results) -> Roots:
-    """Return the roots of a converter that alone connects two sides, from two trial solutions.
+    """Return the roots of a converter that alone connects the two sides, from two trial solutions.
 
     The torque on the pump and the speed of the pump are equal at all speed ratios at which torques
     exist, and lambda is linear between the points, so no iteration is needed.
