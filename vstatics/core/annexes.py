@@ -95,7 +95,7 @@ class PictureKind(NamedTuple):
     refused: Mapping[str, str] = _NOTHING
     """Common options that the kind does not support, each with the reason."""
     reads: str = ""
-    """Name of the function that reads further files for the picture; empty if there are none."""
+    """Name of the function that reads further files for the picture, or an empty text."""
     plots: str = ""
     """Name of the function that draws a document; empty for pictures of a case."""
     least_width: float = 0.0
@@ -108,7 +108,7 @@ class DocumentKind(NamedTuple):
     """Kind of document other than cases."""
 
     note: str
-    """Message if a document of this kind is given where a case is required."""
+    """Message if a document of the kind is given where a case is required."""
     functions: Mapping[str, str] = _NOTHING
     """Modules of the functions with which commands process the document, by function name."""
 
@@ -136,7 +136,7 @@ class ReportPart(NamedTuple):
     is_printed: bool = True
     """True if the section is part of a page by default."""
     scripts: str = ""
-    """Module with `SCRIPTS` and `STYLE` for a page with a simulation; empty if there are none."""
+    """Module with `SCRIPTS` and `STYLE` for a page with a simulation; empty if not provided."""
 
 
 class Annex(NamedTuple):
@@ -148,13 +148,13 @@ class Annex(NamedTuple):
     name: str
     """Name of the package in `vstatics`."""
     needs: tuple[str, ...] = ()
-    """Names of annexes from which this annex imports."""
+    """Names of the annexes from which the annex imports."""
     commands: Mapping[str, Command] = _NOTHING
     """Commands of `vstatics`, by name."""
     names: Mapping[str, str] = _NOTHING
     """Modules that define the names which the annex adds to `vstatics`, by name."""
     methods: Mapping[str, str] = _NOTHING
-    """Modules that define functions which the core or another annex calls by name."""
+    """Modules whose functions the core or other annexes call by name."""
     groups: Mapping[str, Mapping[str, tuple[str, str]]] = _NOTHING
     """Sub-commands of each command: module and line of help, by name."""
     own_names: Mapping[str, str] = _NOTHING
@@ -197,7 +197,7 @@ def module(name: str) -> ModuleType:
 
 
 def _first(tables: Iterable[Mapping[str, Entry]], name: str) -> Entry | None:
-    """Return the entry for a name in the first table that contains it; None if there is none."""
+    """Return the entry for a name in the first table that contains the name, if any."""
     return next((table[name] for table in tables if name in table), None)
 
 
@@ -232,17 +232,17 @@ def picture_options() -> Mapping[str, str]:
 
 
 def document_kind(kind: str) -> DocumentKind | None:
-    """Return the declaration of a kind of document; None if no installed annex declares it."""
+    """Return the declaration of a kind of document, if an installed annex declares the kind."""
     return _first((annex.documents for annex in annexes()), kind)
 
 
 def module_of_key(key: str) -> str:
-    """Return the module that declares a key of a case; empty if its annex is missing."""
+    """Return the module that declares a key of a case; empty if the annex is missing."""
     return _first((annex.keys for annex in annexes()), key) or ""
 
 
 def module_of_type(name: str) -> str:
-    """Return the module that defines a type in a record; empty if its annex is missing."""
+    """Return the module that defines a type in a record; empty if the annex is missing."""
     return _first((annex.types for annex in annexes()), name) or ""
 
 

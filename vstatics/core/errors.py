@@ -18,7 +18,7 @@ Path = tuple[str | int, ...]
 
 Severity = Literal["error", "warning", "note"]
 SEVERITIES: dict[str, Severity] = {"E": "error", "W": "warning", "N": "note"}
-"""Severity of a message, by the first letter of its id."""
+"""Severity of a message, by the first letter of the id."""
 
 
 class Place(NamedTuple):
@@ -69,7 +69,7 @@ class CellPlace(Place):
 
 
 def excerpt(place: Place) -> tuple[str, str]:
-    """Return the part of a line around a place that fits a terminal, and a caret below it.
+    """Return the part of a line around a place that fits a terminal, and a caret below.
 
     >>> excerpt(Place("a.yaml", 2, 4, "B1: [rign, housing]"))
     ('B1: [rign, housing]', '   ^')
@@ -112,7 +112,7 @@ class Problem(NamedTuple):
 
     @property
     def told(self) -> str:
-        """Message followed by its id."""
+        """Message followed by the id."""
         return f"{self.message} [{self.id}]"
 
     def __str__(self) -> str:
@@ -149,7 +149,7 @@ def of_file(identity: str, file: str, message: str) -> Problem:
 
 
 class VstaticsError(Exception):
-    """Base class of all errors that this package raises intentionally."""
+    """Base class of all errors that vstatics raises intentionally."""
 
 
 class CaseError(VstaticsError):
@@ -243,7 +243,7 @@ def plural(noun: str, count: int) -> str:
 
 
 def count_of(noun: str, count: int) -> str:
-    """Return a number with its noun.
+    """Return a number followed by a noun.
 
     >>> count_of("gear", 1), count_of("gear", 2)
     ('1 gear', '2 gears')
@@ -252,7 +252,7 @@ def count_of(noun: str, count: int) -> str:
 
 
 def typed_number(text: str, last: int) -> int | None:
-    """Return the number from 1 to `last` given by a text; None for other texts.
+    """Return the number that a text gives, if between 1 and `last`.
 
     >>> typed_number("02", 3), typed_number("4", 3), typed_number("x", 3), typed_number("9" * 99, 3)
     (2, None, None, None)

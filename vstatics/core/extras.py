@@ -31,7 +31,7 @@ EXTRAS = {
 }
 """Main package that each extra (group of optional dependencies) installs."""
 _IN_ROOMS = {"damage": "torsion"}
-"""Extra for each subpackage whose name is not that of its extra."""
+"""Extra for each subpackage whose name differs from the name of the extra."""
 BESIDES = {"boxes": ("networkx",), "plot": ("networkx",)}
 """Further packages that an extra installs."""
 
@@ -117,7 +117,7 @@ def higher(function: str, purpose: str = "") -> Any:
 
 @cache
 def build(*holding: bytes) -> str:
-    """Return a hash of all source files of this package, which identifies its build.
+    """Return a hash of all source files of the package, which identifies the build.
 
     Builds with equal hashes calculate equal results. Because every file is read, the hash is used
     only where builds could be mixed: for `--resume`, workers of a cluster and cached machine code.
@@ -149,7 +149,7 @@ def build(*holding: bytes) -> str:
 
 
 def missing(extra: str, purpose: str) -> str:
-    """Return the message about a package that a purpose needs; empty if it is installed.
+    """Return the message about a package that a purpose needs; empty if installed.
 
     >>> missing("formula", "the formula") in (
     ...     "", 'the formula needs the package sympy: '

@@ -16,13 +16,13 @@ _LATIN = {
     "Cyrillic": ("АВЕКМНОРСТУХІЈЅԚԜаеорсухіјѕ", "ABEKMHOPCTYXIJSQWaeopcyxijs"),
     "Greek": ("ΑΒΕΖΗΙΚΜΝΟΡΤΥΧοιν", "ABEZHIKMNOPTYXoiv"),
 }
-"""Letters of other scripts, and Latin letters that look the same."""
+"""Letters of other scripts, and the Latin letters of identical appearance."""
 _SCRIPTS = {letter: script for script, (letters, _) in _LATIN.items() for letter in letters}
 _LOOKS = str.maketrans(dict(pair for pairs in _LATIN.values() for pair in zip(*pairs, strict=True)))
 
 
 def lookalike(word: str, known: Iterable[str]) -> str:
-    """Return a hint with a known word that looks the same in another script; empty if none does.
+    """Return a hint with a known word of identical appearance in a different script; else empty.
 
     >>> lookalike("\u0421_1", ["B", "C_1"])
     '; did you mean `C_1`? Letter 1, `\u0421`, is Cyrillic in what was read, but Latin in this name'
@@ -44,7 +44,7 @@ def lookalike(word: str, known: Iterable[str]) -> str:
 
 
 def mixed_letters(word: str) -> str:
-    """Return a hint on Cyrillic or Greek letters in a Latin word; empty for words in one script.
+    """Return a hint on Cyrillic or Greek letters in a Latin word; empty without mixed scripts.
 
     >>> mixed_letters("k\u0435g"), mixed_letters("kg"), mixed_letters("\u0442\u043e\u043d")
     ('; letter 2, `\u0435`, is Cyrillic', '', '')
@@ -70,7 +70,7 @@ def _letters(word: str, places: Sequence[int]) -> str:
 
 
 def nearest(word: str, known: Iterable[str]) -> str:
-    """Return a hint with the known word most similar to a mistyped word; empty if none is similar.
+    """Return a hint with the known word most similar to a mistyped word, if any; else empty.
 
     If known words contain the mistyped word, the shortest of them is suggested.
 
@@ -99,7 +99,7 @@ def nearest(word: str, known: Iterable[str]) -> str:
 
 
 def why_not_allowed(identity: str) -> str:
-    """Return the reason why messages with an id cannot be suppressed; empty if they can.
+    """Return the reason why messages with an id cannot be suppressed; empty if allowed.
 
     >>> why_not_allowed("E234"), why_not_allowed("W999")
     ('`E234` is an error, expected a warning or a note', 'there is no message `W999`')

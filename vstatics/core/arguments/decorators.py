@@ -71,7 +71,7 @@ def refusing(**classes: str) -> Callable[[Callable[Asked, Given]], Callable[Aske
 
 
 def refuse_fields(what: str, fields: object, types: Mapping[str, object], **classes: str) -> None:
-    """Raise an error for fields of a dataclass whose values have another type than declared.
+    """Raise an error for fields of a dataclass whose values are not of the declared type.
 
     Parameters
     ----------
@@ -89,7 +89,7 @@ def refuse_fields(what: str, fields: object, types: Mapping[str, object], **clas
 
 
 def naming(function: Callable[Asked, Given]) -> Callable[Asked, Given]:
-    """Decorate a function so that its problems name Python arguments instead of options.
+    """Decorate a function so that problems name Python arguments instead of options.
 
     Examples
     --------

@@ -37,11 +37,11 @@ from vstatics.core.suggestions import nearest
 click.UsageError.exit_code = WRONG_USE
 
 WITH_LANGUAGES = ("run", "flow", "summary", "explain", "plot", "report", "serve")
-"""Commands with the option --lang, because their output is available in several languages."""
+"""Commands with the option --lang, whose output is available in several languages."""
 
 
 _ELSEWHERE = {"--lang": WITH_LANGUAGES, "--gear": ("flow", "explain", "plot")}
-"""Options that users expect in all commands, and the commands that have them."""
+"""Options that users expect in all commands, each with the commands that have the option."""
 
 
 class Commands(LazyGroup):
@@ -54,11 +54,11 @@ class Commands(LazyGroup):
         return {name: (command.module, command.help) for name, command in ordered}
 
     def module(self, name: str) -> str:
-        """Return the module of a command; annexes are searched only if the core lacks it."""
+        """Return the module of a command, from the core or, if not there, from an annex."""
         return CORE.commands[name].module if name in CORE.commands else super().module(name)
 
     def make_context(self, *values: Any, **named: Any) -> click.Context:
-        """Return the context of click; its error messages are made safe to print."""
+        """Return the context of click, with error messages made safe to print."""
         try:
             with _safe_usage_errors():
                 return super().make_context(*values, **named)
@@ -67,7 +67,7 @@ class Commands(LazyGroup):
             raise click.exceptions.Exit(FAILED) from None
 
     def invoke(self, ctx: click.Context) -> Any:
-        """Run a command and exit with its status, also after an error or a signal."""
+        """Run a command, then exit with the resulting status, also after an error or a signal."""
         try:
             with stoppable() as stop, _safe_usage_errors():
                 status = self._status(ctx, stop)
@@ -109,7 +109,7 @@ def _safe_usage_errors() -> Iterator[None]:
 
 
 def installed(names: Sequence[str]) -> list[str]:
-    """Return those of the named commands that are installed."""
+    """Return the installed commands among the named commands."""
     listed = main.listed()
     return [name for name in names if name in listed]
 

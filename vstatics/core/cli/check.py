@@ -38,7 +38,7 @@ class ProblemRecord(NamedTuple):
     file: str
     """Name of the file as given, or `<stdin>` for standard input."""
     line: Annotated[int, Words(minimum=1)] | None
-    """Line number, from 1; None for the file as a whole."""
+    """Line number, from 1, unless the message concerns the file as a whole."""
     column: Annotated[int, Words(minimum=1)] | None
     severity: Severity
     message: str
@@ -118,7 +118,7 @@ def constraints(file: str, results: Results) -> Grid:
 
 
 _ALL = "all"
-"""Value of `--explain` for all messages; also its default value."""
+"""Value of `--explain` for all messages; also the default value."""
 
 
 def _ids() -> list[str]:
@@ -223,7 +223,7 @@ def _explained(asked: str, form: str) -> str:
 
 
 CheckedFile: TypeAlias = tuple[str, list[Problem], bool, Grid | None]
-"""Name of a checked file, its problems, a flag for failure, and the table of constraints."""
+"""Name of a checked file, with the problems, a flag for failure, and the table of constraints."""
 
 
 def _calculated(cases: Sequence[str], options: CaseOptions) -> Iterator[CheckedFile]:
@@ -241,7 +241,7 @@ def _calculated(cases: Sequence[str], options: CaseOptions) -> Iterator[CheckedF
 
 
 def _of_document(file: str) -> Callable[[str, CaseOptions], CheckedFile] | None:
-    """Return the function of an annex that checks a document; None for a case."""
+    """Return the function of an annex that checks a document, unless the document is a case."""
     check_document: Callable[[str, CaseOptions], CheckedFile] | None = None
     if file != files.STDIN:
         with contextlib.suppress(ReadError):

@@ -30,11 +30,11 @@ TEMPLATES = (
     "input_split",
     "worm",
 )
-"""Names of templates, simplest first; they differ from the names of shipped cases."""
+"""Names of templates, simplest first, all different from the names of shipped cases."""
 
 
 def template(name: str, suffix: str = ".yaml") -> str:
-    """Return the text of a template or shipped case; with a suffix `.dat`, as a deck if it exists.
+    """Return the text of a template or shipped case; with a suffix `.dat`, a deck if available.
 
     >>> template("ravigneaux").splitlines()[0]
     '# A Ravigneaux set: the small sun meshes with the short planets, these with the long planets,'

@@ -25,7 +25,7 @@ ANSWERS = {
     "explain": ("Gears explained, of vstatics explain", ExplanationAnswer),
     "exercise": ("A gear as an exercise, of vstatics explain --solution", SolvedExercise),
 }
-"""Title and type of each schema, by file name, for output with one document per case."""
+"""Title and type of each schema, by file name, for output with a document for each case."""
 OTHERS = {
     "check": ("Problems of cases, by vstatics check", Sequence[ProblemRecord]),
     "compare": ("What changed between results, of vstatics compare", Verdict),
@@ -56,7 +56,7 @@ def _of_annex(name: str, declared: Schema) -> dict[str, Any]:
 
 
 def text(schema: dict[str, Any]) -> str:
-    """Return a schema as the text of its file."""
+    """Return the text of a schema file."""
     return json.dumps(schema, indent=2, ensure_ascii=False) + "\n"
 
 

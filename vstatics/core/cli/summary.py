@@ -187,7 +187,7 @@ def _summarized(
     output_torque: float,
     reserve: float | None,
 ) -> Summary:
-    """Return the summary of a case; too many combinations are a problem of its file."""
+    """Return the summary of a case; too many combinations are a problem of the file."""
     from vstatics.core.summary import summarize
 
     try:

@@ -13,7 +13,7 @@ from vstatics.core.writers.named import mapping
 
 
 class CaseChange(NamedTuple):
-    """Changed value of a case; the expected or actual value is None if the key is missing."""
+    """Changed value of a case, without the expected or the actual value if the key is missing."""
 
     path: str
     expected: Any
@@ -51,7 +51,7 @@ def case_changes(actual: Transmission, expected: Transmission) -> Iterator[CaseC
 
 
 def _ports(case: Transmission, other: Transmission) -> dict[str, str]:
-    """Return the names of the input and output links that exist in the other case, too."""
+    """Return the names of the input and output links that exist in both cases."""
     ports = {"input": case.link_name(case.input)}
     if not (case.outputs or other.outputs):
         ports["output"] = case.link_name(case.output)

@@ -23,7 +23,7 @@ from vstatics.core.tables.written_results import WrittenResult, WrittenSweep
 Content = list[WrittenResult] | WrittenSweep
 """Content of a compared file: results or a sweep."""
 SUFFIXES = known(("listing", "json", "jsonl", "csv", "parquet", "npz"))
-"""Suffixes of files that are compared if they are in a directory."""
+"""Suffixes of the files that are compared in a directory."""
 SEPARATORS = re.compile(r"[/\\]")
 """Pattern of the separator of folders in paths of any operating system."""
 
@@ -111,7 +111,7 @@ def _sweeps_compared(
 
 
 def _called(result: WrittenResult, way: str = "") -> str:
-    """Return the name of a result: its file without suffix, or the name of its case.
+    """Return the name of a result: the file name without suffix, or the name of the case.
 
     Parameters
     ----------
@@ -131,11 +131,11 @@ def file_stem(file: str) -> str:
 
 
 _Key = tuple[str, int]
-"""Key of a result: name of the file or case, and the number of its occurrence."""
+"""Key of a result: name of the file or case, and the number of the occurrence."""
 
 
 def _counted(name: str, time: int) -> str:
-    """Return the name of a result, with its occurrence number if the name is repeated.
+    """Return the name of a result, with an occurrence number if the name is repeated.
 
     >>> _counted("box", 1), _counted("box", 2), _counted("box", 3)
     ('box', 'box (there twice)', 'box (there 3 times)')

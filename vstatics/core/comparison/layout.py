@@ -64,7 +64,7 @@ def markdown(verdict: CaseVerdict, *, all_numbers: bool = False) -> list[str]:
 
 
 def _rows(verdict: CaseVerdict, *, all_numbers: bool) -> tuple[list[Cells], list[str]]:
-    """Return the rows to show, and lines below them: number of omitted rows, or further errors.
+    """Return the rows to show, and the lines below: number of omitted rows, or further errors.
 
     Ratios, steps and efficiencies are shown first; differences of other tables are shown only if
     all of them agree. For a sweep, differences of all columns are shown.
@@ -109,7 +109,7 @@ def _cells(difference: Difference, *, is_sweep: bool) -> Cells:
 
 
 def _numbers(old: float, new: float) -> tuple[str, str]:
-    """Return two numbers as texts with enough digits to show their difference."""
+    """Return two numbers as texts with enough digits to show the difference."""
     if old != old or new != new:  # noqa: PLR0124 - NaN
         first, second = (shown(x) if x != x else rounded(x) for x in (old, new))  # noqa: PLR0124
         return first, second
@@ -121,7 +121,7 @@ def _numbers(old: float, new: float) -> tuple[str, str]:
 
 
 def percent(deviation: float) -> str:
-    """Return a deviation in % with its sign; empty for NaN.
+    """Return a deviation in % with a sign; empty for NaN.
 
     >>> percent(0.0065), percent(-1.5), percent(1e-9), percent(float("nan"))
     ('+0.65 %', '-150.00 %', '+1.0e-07 %', '')
@@ -135,7 +135,7 @@ def percent(deviation: float) -> str:
 
 
 def shown_values(old: Any, new: Any) -> tuple[str, str]:
-    """Return two values of a case as texts, shortened to `LONGEST_VALUE`; None means no key."""
+    """Return two values of a case, or `NOT_THERE` without a key, as texts up to `LONGEST_VALUE`."""
     texts = [
         value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
         for value in (tr(NOT_THERE) if value is None else value for value in (old, new))

@@ -24,7 +24,7 @@ class _JoiningPart(NamedTuple):
     name: str
     links: Sequence[int]
     data: object
-    """Data that distinguish the part from other parts on the same links."""
+    """Data that distinguish the part from other parts on identical links."""
     rows: Sequence[str]
     """Names of the rows and columns for the part in tables, including members of a gear set."""
 
@@ -141,7 +141,7 @@ def _same(
 
 
 def _pairs(left: Sequence[Sequence[Key]], looks: Sequence[Mapping[Key, int]]) -> dict[Key, str]:
-    """Return pairs of links and parts with equal, unique hashes; else one pair of equal hashes."""
+    """Return pairs of links and parts with equal, unique hashes; else a pair with equal hashes."""
     counts = [Counter(look[key] for key in keys) for keys, look in zip(left, looks, strict=True)]
     alike = [(new, old) for new in left[0] for old in left[1] if looks[0][new] == looks[1][old]]
     sure = [pair for pair in alike if all(count[looks[0][pair[0]]] == 1 for count in counts)]

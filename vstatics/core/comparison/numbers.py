@@ -144,7 +144,7 @@ def _rows(
 
 
 def _named(result: WrittenResult, quantity: Quantity) -> Sequence[str]:
-    """Return the row names of a table according to the case; empty if their number differs."""
+    """Return the row names of a table according to the case; empty if the row count differs."""
     case = None if result.is_of_source else result.case
     names = row_names(case, quantity.rows) if case else ()
     return names if len(names) == len(result.tables[quantity.name]) else ()
@@ -180,7 +180,7 @@ def _same_devices(
 def _lacking(
     quantity: Quantity, actual: WrittenResult, expected: WrittenResult
 ) -> Iterator[Difference]:
-    """Yield a difference for a table that only one result has.
+    """Yield a difference for a table that either result lacks.
 
     An empty table is ignored, because it is not printed. A published listing contains only the
     tables of the published report, so other tables do not count as missing.

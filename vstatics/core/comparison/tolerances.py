@@ -20,7 +20,7 @@ class Tolerances(NamedTuple):
 
 
 def tolerance(number: float) -> float:
-    """Return a tolerance after checking it.
+    """Check and return a tolerance.
 
     Raises
     ------
@@ -33,7 +33,7 @@ def tolerance(number: float) -> float:
 
 
 def left_out(names: str | Iterable[str]) -> frozenset[str]:
-    """Return the names of excluded tables, given one or several names or deck names.
+    """Return the names of excluded tables from names or deck names.
 
     Raises
     ------

@@ -32,7 +32,7 @@ class NumberRecord(NamedTuple):
     gear: str | None
     """Name of the gear (of a step ratio, the lower gear), or of a device (distribution matrix)."""
     expected: float | str | None
-    """Expected number, or a text if a whole table or row differs; None for a missing number."""
+    """Expected number, if present, or a text if a whole table or row differs."""
     actual: float | str | None
     deviation: float | None
     """Deviation relative to the magnitude of the expected number. [-]"""
@@ -45,7 +45,7 @@ class CaseVerdict(NamedTuple):
     name: str
     state: State
     changes: Sequence[CaseChange] | None = ()
-    """Changes of the case; None if a result does not contain its case."""
+    """Changes of the case, if each result contains a case."""
     differences: Sequence[Difference] = ()
     """Numbers that differ, with the largest differences of each table first."""
     counts: Mapping[str, int] = {}
@@ -148,7 +148,7 @@ class Verdict(NamedTuple):
 
     @property
     def some_unreadable(self) -> Sometimes[int]:
-        """Number of unreadable results; None instead of 0."""
+        """Number of unreadable results, if any."""
         return self.unreadable or None
 
     @property
@@ -160,7 +160,7 @@ class Verdict(NamedTuple):
 
 
 def verdict(cases: Sequence[CaseVerdict]) -> Verdict:
-    """Return the verdict on many results, with counts of their states.
+    """Return the verdict on many results, with the number of results in each state.
 
     >>> verdict([CaseVerdict("a", "same"), CaseVerdict("b", "gone", differs=True)])
     <Verdict: 1 same, 0 changed, 0 added, 1 gone>
@@ -183,7 +183,7 @@ def unreadable(name: str, problems: Sequence[Problem]) -> CaseVerdict:
 def compared(
     name: str, actual: WrittenResult | None, expected: WrittenResult | None, how: Tolerances
 ) -> CaseVerdict:
-    """Return the verdict on a result and its expected result; either can be missing (None)."""
+    """Return the verdict on a result and the expected result, either of which can be missing."""
     if actual is None or expected is None:
         return CaseVerdict(name, "gone" if actual is None else "added", differs=True)
     if actual.is_of_source != expected.is_of_source and (actual.has_own or expected.has_own):

@@ -73,7 +73,7 @@ def hints(drawing: DrawingFields) -> Iterator[Problem]:
 
 
 def _alike(group: PlanetGroup, path: Path) -> Iterator[Problem]:
-    """Report pairs of central gears that rotate at equal speeds, because their ratio is 1."""
+    """Report pairs of central gears with a ratio of 1, which rotate at equal speeds."""
     for train in group.trains:
         seen: dict[Fraction, str] = {}
         for wheel in group.wheels_of(train):
@@ -143,7 +143,7 @@ def _problems(element: Element, path: Path) -> Iterator[Problem]:
 
 
 def _friction(drawing: DrawingFields) -> Iterator[Problem]:
-    """Report rings with too few teeth to calculate their efficiency from friction."""
+    """Report rings with too few teeth to calculate the efficiency from friction."""
     for number, element in enumerate(drawing.elements, 1):
         losses = mesh_losses(drawing.mesh_efficiency, element.mesh_efficiency)
         if losses.friction is None or "internal" in losses.given or element.efficiency is not None:
@@ -232,7 +232,7 @@ def _missing(element: Element, kind: Kind, path: Path) -> Iterator[Problem]:
 
 
 def _apart(element: Element, kind: Kind, path: Path) -> Iterator[Problem]:
-    """Report members on the same link, which would be locked up or immobile."""
+    """Report members on a common link, which would be locked up or immobile."""
     if element.kind == GROUP:
         return  # two gears on the same link can mesh with planets of different trains
     seen: dict[int, str] = {}

@@ -55,7 +55,7 @@ class Drawing(DrawingFields):
         return lowered.ratio_range(element) if element else (-math.inf, math.inf)
 
     def problems(self) -> Iterator[Problem]:
-        """Yield every error of the gear sets, in their order."""
+        """Yield every error of the gear sets, in the order of the gear sets."""
         from vstatics.core.elements.checks import problems  # the import costs start-up time
 
         return problems(self)
@@ -128,7 +128,7 @@ def transmission(
 
 
 def drawing_of(case: Transmission) -> Drawing | None:
-    """Return the drawing of a case; None for a case without gear sets."""
+    """Return the drawing of a case, if the case has gear sets."""
     return case.drawing if isinstance(case.drawing, Drawing) else None
 
 

@@ -168,7 +168,7 @@ class Element:
 
 @dataclass(frozen=True)
 class DrawingFields:
-    """Fields of `Drawing`: gear sets of a case and its further mechanisms.
+    """Fields of `Drawing`: gear sets and further mechanisms of a case.
 
     Parameters
     ----------

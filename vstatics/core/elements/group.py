@@ -54,7 +54,7 @@ class PlanetGroup:
 
     @cached_property
     def trains(self) -> list[dict[str, Fraction]]:
-        """Trains of planets that mesh directly or through others, with relative speeds.
+        """Trains of planets that mesh directly or through other planets, with relative speeds.
 
         Each train is a mapping of planets to their speeds relative to the carrier, if the first
         planet has speed 1.
@@ -107,7 +107,7 @@ class PlanetGroup:
         return train[self.planet_of[wheel.rim]] * self.mesh_ratio(wheel)
 
     def mesh_ratio(self, wheel: CentralWheel) -> Fraction:
-        """Return the speed of a central gear divided by the speed of its planet, carrier held."""
+        """Return the speed of a central gear divided by the planet speed, carrier held."""
         ratio = self.teeth(wheel.rim) / wheel.teeth
         return ratio if wheel.internal else -ratio
 

@@ -80,7 +80,7 @@ def wheel_path(element: Element, wheel: CentralWheel) -> Path:
 
 
 def whole(element: Element, path: Path) -> Iterator[Problem]:
-    """Report errors that concern a whole group: its speeds, meshes and efficiency."""
+    """Report errors that concern a whole group: speeds, meshes and efficiency."""
     group = group_of(element)
     if len(group.planets) > MOST_PLANET_KINDS:
         message = f"read {len(group.planets)} planets, expected at most {MOST_PLANET_KINDS}"

@@ -289,7 +289,7 @@ def _masses(element: Element) -> Mapping[str, PlanetMass] | PlanetMass | None:
 
 
 def element_of(name: str, record: Mapping[str, Any], link_names: Sequence[str]) -> Element:
-    """Return the gear set of a record; gears of a planet group are named after their links."""
+    """Return the gear set of a record; gears of a planet group are named after the links."""
     kind = record["kind"]
     efficiency, back = record.get("efficiency"), record.get("back_efficiency")
     if isinstance(efficiency, dict):
@@ -315,7 +315,7 @@ def element_of(name: str, record: Mapping[str, Any], link_names: Sequence[str]) 
 
 
 def _wheels(record: Mapping[str, Any], link_names: Sequence[str]) -> Iterator[CentralWheel]:
-    """Yield suns, then rings, named after their links, with suffixes to make names unique."""
+    """Yield suns, then rings, named after the links, with suffixes to make names unique."""
     gears = [(wheel, internal) for key, internal in _WHEELS for wheel in record.get(key, ())]
     links = Counter(wheel["link"] for wheel, _ in gears)
     taken = {"carrier", *record.get("rims", ())}

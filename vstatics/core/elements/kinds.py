@@ -174,6 +174,6 @@ KINDS: Mapping[str, Kind] = {
     ),
     "held": Simple("A link that is held for good.", ("link",)),
 }
-"""All kinds of gear sets, by their name in a case."""
+"""All kinds of gear sets, by name in a case."""
 
 GROUP, RAVIGNEAUX = "planet_group", "ravigneaux"

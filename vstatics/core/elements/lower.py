@@ -45,7 +45,7 @@ class Lowered(NamedTuple):
 
 
 class DrawnPart(NamedTuple):
-    """Gear set with the mechanisms derived from it, or a mechanism given directly by the case."""
+    """Gear set with derived mechanisms, or a mechanism given directly by the case."""
 
     name: str
     element: Element | None
@@ -91,7 +91,7 @@ def at_meshes(element: Element, group: PlanetGroup, drawing: DrawingFields) -> b
 
 
 def part_of(element: Element, drawing: DrawingFields, last: int) -> DrawnPart:
-    """Return a gear set with its mechanisms; links of planets are numbered after `last`."""
+    """Return a gear set with mechanisms; links of planets are numbered after `last`."""
     per_mesh = mesh_losses(drawing.mesh_efficiency, element.mesh_efficiency)
     if isinstance(element.shape, Simple):
         return DrawnPart(element.name, element, (_simple(element, element.shape, per_mesh),), {})
@@ -140,7 +140,7 @@ def simple_ratio(element: Element, kind: Simple) -> Fraction:
 
 
 def reduced_pairs(group: PlanetGroup) -> Iterator[tuple[CentralWheel, CentralWheel]]:
-    """Yield each central gear with the reference gear of its train, for a reduced mechanism."""
+    """Yield each central gear with the reference gear of the train, for a reduced mechanism."""
     for train in group.trains:
         wheels = group.wheels_of(train)
         if len(wheels) < 2:
@@ -152,7 +152,7 @@ def reduced_pairs(group: PlanetGroup) -> Iterator[tuple[CentralWheel, CentralWhe
 
 
 def _reduced(element: Element, group: PlanetGroup, per_mesh: MeshLosses) -> Iterator[Lowered]:
-    """Yield the reduced mechanisms, from each central gear of a train to its reference gear."""
+    """Yield the reduced mechanisms, from each central gear of a train to the reference gear."""
     pairs = [*reduced_pairs(group)]
     for wheel, reference in pairs:
         single = len(pairs) == len(group.trains) == 1
@@ -182,7 +182,7 @@ def _reduced(element: Element, group: PlanetGroup, per_mesh: MeshLosses) -> Iter
 
 
 def _to_planet(group: PlanetGroup, wheel: CentralWheel, ratio: Fraction) -> float | None:
-    """Return the speed ratio of a central gear to its planet; None if teeth are unknown.
+    """Return the speed ratio of a central gear to the planet, if the teeth are known.
 
     The ratio is also None for a single planet between a sun and a ring, because the solver derives
     it from the ratio of the set, even if a sweep varies that ratio.
@@ -241,7 +241,7 @@ def _efficiency_of_planets(
 
 
 def _teeth(group: PlanetGroup, rim: str) -> float | None:
-    """Return the teeth of a rim, given or derived from a sun and a ring; None if unknown."""
+    """Return the teeth of a rim, given or derived from a sun and a ring, if known."""
     if group.is_known(group.planet_of[rim]):
         return float(group.teeth(rim))
     suns, rings = (

@@ -21,7 +21,7 @@ from vstatics.core.elements.element import MeshEfficiency
 PRESSURE_ANGLE = math.radians(20)
 """Pressure angle of standard teeth. [rad]"""
 LEAST_RING = 34
-"""Smallest number of teeth of a ring whose tips are outside its base circle."""
+"""Smallest number of teeth of a ring whose tips are outside the base circle."""
 
 
 class MeshLosses(NamedTuple):

@@ -27,7 +27,7 @@ from vstatics.core.numerics.arrays import Booleans, Floats
 _ELSEWHERE = (
     *("ratio", "efficiency", "stiffness", "compliance", "damping", "inertia", "speed_ratio"),
 )
-"""Keys of numbers that are left out, because they can vary without creating a new case."""
+"""Keys of numbers that can vary without creating a new case, and so are left out."""
 _TORQUE = "relative_torque"
 
 
@@ -37,11 +37,11 @@ class PartNumber(NamedTuple):
     keys: Keys
     """Keys of the number in a case file, such as `("elements", "P1", "teeth", "sun")`."""
     kind: str
-    """Kind of the number, as declared for its key."""
+    """Kind of the number, as declared for the key."""
 
     @property
     def measure(self) -> Measure | None:
-        """Measure (and so unit) of the number; None for a number without a unit."""
+        """Measure (and so unit) of the number, if the number has a unit."""
         if self.kind == _TORQUE:
             return "si_torque"
         return self.kind if self.kind in get_args(Measure) else None  # type: ignore[return-value] # as it says
@@ -57,7 +57,7 @@ class PartNumber(NamedTuple):
         return wrong | (values != np.rint(values)) if self.kind == "count" else wrong
 
     def written(self, value: float) -> float:
-        """Convert a value in SI units to the unit in which the part stores it."""
+        """Convert a value in SI units to the unit in which the part stores the value."""
         if self.kind == _TORQUE:
             return OfLoad(value, 1.0)
         return int(value) if self.kind == "count" else value
@@ -77,7 +77,7 @@ def part_numbers(case: Transmission) -> dict[str, PartNumber]:
 
 
 def _numbers(case: Transmission) -> Iterator[tuple[Keys, Leaf]]:
-    """Yield the keys of all numbers of parts, with their declarations."""
+    """Yield the key and the declaration of every number of the parts."""
     for key, parts in _tree(case).items():
         if key == "mesh_efficiency":
             yield from numbers_below(MESH_EFFICIENCY, parts, (key,)) if drawing_of(case) else ()
@@ -96,14 +96,14 @@ def _shape(key: str, part: Any) -> Shape:
 
 
 def own_part_number(case: Transmission, number: PartNumber) -> float | None:
-    """Return the number that a case gives; None if the number is omitted."""
+    """Return the number that a case gives, unless omitted."""
     parts: Any = _tree(case)
     value: float | None = reduce(value_at, number.keys, parts)
     return value
 
 
 def _tree(case: Transmission) -> dict[str, Any]:
-    """Return the parts of a case by their keys in a case file; gear sets are mappings (records)."""
+    """Return the parts of a case by key in a case file; gear sets are mappings (records)."""
     drawing = drawing_of(case) or Drawing(case.links, (), case.mechanisms)
     return {
         "shift_elements": {element.name: element for element in case.shift_elements},
@@ -116,7 +116,7 @@ def _tree(case: Transmission) -> dict[str, Any]:
 def with_part_numbers(
     case: Transmission, numbers: Sequence[PartNumber], values: Sequence[float]
 ) -> Transmission:
-    """Return the case with other values for numbers of its parts.
+    """Return the case with other values for numbers of the parts.
 
     Parameters
     ----------
@@ -174,7 +174,7 @@ def _element(name: str, record: Mapping[str, Any], link_names: Sequence[str]) ->
 
 
 def _put(part: Any, keys: Keys, number: float) -> Any:
-    """Return a part with another number under the given, possibly nested keys."""
+    """Return a part with a new number under the given, possibly nested keys."""
     if not keys:
         return number
     key, *others = keys

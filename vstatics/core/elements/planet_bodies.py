@@ -34,7 +34,7 @@ Shares = Mapping[int, float]
 
 
 def planet_bodies(case: Transmission) -> Iterator[tuple[Body, Shares]]:
-    """Yield bodies for planets with inertia or mass: their spin, then their orbit with the carrier.
+    """Yield bodies for planets with inertia or mass: the spin, then the orbit with the carrier.
 
     Each body comes with the inertias on links that replace it. With these inertias, the torques of
     mechanisms follow from the equations of motion of the links alone.

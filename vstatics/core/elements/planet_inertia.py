@@ -38,7 +38,7 @@ class PlanetInertia(NamedTuple):
 
 
 def planet_inertias(drawing: DrawingFields) -> Iterator[PlanetInertia]:
-    """Yield the inertias of planets: about their pins, and of their mass about the carrier axis.
+    """Yield the inertias of planets: about the pins, and of the planet mass about the carrier axis.
 
     The drawing must have passed the checks, which exclude planet masses in elastic gear sets. For a
     planet whose axis is parallel to the axis of the gear set, the speed is absolute; for a bevel
@@ -70,7 +70,7 @@ def planet_inertias(drawing: DrawingFields) -> Iterator[PlanetInertia]:
 
 
 def _by_wheel(element: Element, planet: str) -> tuple[str, int, Fraction]:
-    """Return a central gear, its link, and planet speed divided by gear speed, carrier held."""
+    """Return a central gear, the link, and planet speed divided by gear speed, carrier held."""
     if not isinstance(element.shape, Planetary):
         first = element.shape.toothed[0]
         ratio = Fraction(element.teeth[first]) / Fraction(element.teeth[planet])

@@ -15,16 +15,16 @@ from vstatics.core.numerics.elimination import RIGHT, Equation
 from vstatics.core.statics import matrix
 
 GOLDEN = 0.6180339887498949
-"""Golden ratio minus 1; its multiples modulo 1 are evenly distributed, as shifts of ratios."""
+"""Golden ratio minus 1, whose multiples modulo 1 are evenly distributed, as shifts of ratios."""
 SHIFTED = 0.05
 """Largest relative shift of ratios in the test for coincidences. [-]"""
 
 
 class Structure(NamedTuple):
-    """Bodies of a gear, and the mechanisms and springs that determine its speeds."""
+    """Bodies of a gear, and the mechanisms and springs that determine the speeds."""
 
     body: Sequence[int]
-    """Body of each link, the housing first, identified by its smallest link number."""
+    """Body of each link, the housing first, identified by the smallest link number of the body."""
     needed: Sequence[int]
     """Indices of mechanisms with independent equations."""
     springs: Sequence[int]
@@ -32,11 +32,11 @@ class Structure(NamedTuple):
 
 
 class OwnLinks(NamedTuple):
-    """Case without planets as links; its speeds are equal to the original case, its losses not."""
+    """Case without planets as links, with the speeds but not the losses of the original case."""
 
     case: Transmission
     parts: Sequence[DrawnPart]
-    """Gear sets with their derived mechanisms, and directly given mechanisms."""
+    """Gear sets with derived mechanisms, and directly given mechanisms."""
     variators: Collection[str] = ()
     """Names of gear pairs that represent variators."""
 
@@ -76,7 +76,7 @@ def as_solved(case: Transmission) -> Transmission:
 
 
 def on_own_links(case: Transmission) -> OwnLinks:
-    """Return the case without planets as links; its mechanisms are between central gears."""
+    """Return the case without planets as links, with mechanisms between central gears."""
     drawing = drawing_of(case)
     if drawing is None:
         return OwnLinks(case, parts_of(case))

@@ -41,7 +41,7 @@ IN_UNITS = {
 }
 """Tables that replace relative torques and powers in gears without an input torque."""
 MORE = ("power_balance",)
-"""Tables that also get blanks if the other tables have fewer than `LEAST`."""
+"""Tables that also get blanks if other tables have fewer than `LEAST`."""
 LEAST = 10
 """Number of blanks below which a worksheet gets further blanks."""
 LINE = "____"
@@ -170,7 +170,7 @@ class GearExercise(NamedTuple):
         return shown(grids(self, solved=False))
 
     def document(self) -> dict[str, Any]:
-        """Return the solution as plain data; its key `case` contains a case that can be run."""
+        """Return the solution as plain data, with a case that can be run under the key `case`."""
         case = result_json.document(self.results)["case"]
         solved = SolvedExercise(case, self.gear, self.seed, self.blanks)
         data: dict[str, Any] = plain_data(solved)
@@ -260,7 +260,7 @@ def _blanks(
 
 
 def grids(sheet: GearExercise, *, solved: bool) -> Iterator[Grid]:
-    """Yield the given data of the case, then the tables with their blanks.
+    """Yield the given data of the case, then the tables with blanks.
 
     Parameters
     ----------

@@ -38,11 +38,11 @@ from vstatics.core.tables.html import shown
 
 
 class Together(NamedTuple):
-    """Links that rotate together, whatever the ratios of mechanisms are."""
+    """Links that rotate together, for any ratios of the mechanisms."""
 
     links: Sequence[str]
     stands: bool
-    """True if the links are at rest, because they are joined to the housing."""
+    """True if the links are joined to the housing and so at rest."""
     elements: Sequence[str]
     """Engaged shift elements and shafts (springs) that join the links."""
 
@@ -57,17 +57,17 @@ class Explanation(NamedTuple):
     """Freewheels that hold."""
     not_engaged: Sequence[str]
     rows: Sequence[str]
-    """Names of the links; they include planets if losses are calculated at meshes."""
+    """Names of the links, including planets if losses are calculated at meshes."""
     columns: Sequence[str]
     """Devices that can carry torque: engaged shift elements, mechanisms and springs."""
     matrix: Annotated[Floats, Words(schema(Sequence[Sequence[Known]]))]
     """Structural-distribution matrix, (rows, columns). [-]"""
     speeds: System
     torques: System | None
-    """Torque equations; None for a gear that is tied up or has a freewheel conflict."""
+    """Torque equations, unless the gear is tied up or has a freewheel conflict."""
     signs: Sequence[PowerSign]
     lossy: System | None
-    """Torque equations with losses; None if no solution exists."""
+    """Torque equations with losses, if a solution exists."""
     input_torque: Known
     """Input torque: 1, the reference of torques; 0 if the load has no torque (torques in N*m)."""
     coasts: bool
@@ -91,9 +91,9 @@ class Explanation(NamedTuple):
     messages: Sequence[str]
     """Messages about the gear."""
     balance: Sometimes[MachineBalance] = None
-    """Battery balance of electric machines, if the gear has one."""
+    """Battery balance of electric machines, if given for the gear."""
     tried: Sometimes[Sequence[TriedSigns]] = None
-    """Combinations of power signs, each with its contradiction, for a self-locking gear."""
+    """Combinations of power signs, each with a contradiction, for a self-locking gear."""
     slipping: Sometimes[Sequence[str]] = None
     """Shift elements with a given slip, if any."""
     converters: Sometimes[Sequence[ConverterPoint]] = None
@@ -217,7 +217,7 @@ def _variators(case: Transmission) -> list[str]:
 
 
 def _with_pairs(results: Results, number: int) -> tuple[Transmission, Results]:
-    """Return the case with gear pairs instead of variators and converters, and its results.
+    """Return the case with gear pairs instead of variators and converters, and the results.
 
     A gear pair has the speed equation of a converter, but not its torque ratio, so the results are
     those of the case with converters. A case without variators and converters is returned
@@ -280,7 +280,7 @@ def _torques(state: GearState, names: Names, matrix: Floats) -> tuple[System | N
 def _formula(
     state: GearState, names: Names, symbols: Sequence[Symbol], on_links: OwnLinks, bodies: Structure
 ) -> tuple[RatioFormula | None, str]:
-    """Return the formula if its value is the calculated ratio, else the reason for no formula."""
+    """Return the formula if the value is the calculated ratio, else the reason for no formula."""
     try:
         ratio = formula(on_links, state.gear, names, symbols, bodies)
     except NoFormula as none:
@@ -308,7 +308,7 @@ def _together(on_links: OwnLinks, gear: Gear, bodies: Structure) -> Iterator[Tog
 
 
 def _pieces(on_links: OwnLinks, structure: Structure) -> tuple[list[str], list[str]]:
-    """Return the names of gear sets and mechanisms that rotate as a block, and of those at rest.
+    """Return the names of gear sets and mechanisms that rotate as a block, or are at rest.
 
     A mechanism with the housing as a link can be a block only at rest.
     """

@@ -21,7 +21,7 @@ class Notation(NamedTuple):
     times: str = " "
     power: str = "^"
     joined: str = ""
-    """Multiplication sign between two factors in brackets; empty for none."""
+    """Multiplication sign between two factors in brackets; empty to omit the sign."""
 
 
 def python(count: int) -> Notation:
@@ -30,7 +30,7 @@ def python(count: int) -> Notation:
 
 
 class _Written(NamedTuple):
-    """Expression as text, and whether it needs brackets in a product or quotient."""
+    """Expression as text, and whether brackets are needed in a product or quotient."""
 
     text: str
     is_sum: bool = False
@@ -163,7 +163,7 @@ def _inverse(above: Factored, below: Factored) -> tuple[Factored, Factored, Powe
 
 
 def _turned(above: Factored, below: Factored) -> tuple[Factored, Factored]:
-    """Return a fraction without minus sign: it is absorbed by a factor that reads as well negated.
+    """Return a fraction without minus sign, absorbed by a factor that reads as well negated.
 
     If there is no such factor, the fraction is unchanged.
     """
@@ -178,7 +178,7 @@ def _turned(above: Factored, below: Factored) -> tuple[Factored, Factored]:
 
 
 def _by_terms(value: Fraction, notation: Notation) -> _Written | None:
-    """Return a fraction as a sum of terms, or None unless its denominator is a single term."""
+    """Return a fraction as a sum of terms, if the denominator is a single term."""
     if len(value.denom) > 1 or len(value.numer) < 2:
         return None
     field = value.parent()
@@ -191,7 +191,7 @@ def _by_terms(value: Fraction, notation: Notation) -> _Written | None:
 
 
 def _one_and_rest(value: Fraction, notation: Notation) -> _Written | None:
-    """Return a fraction as 1 plus or minus a factored remainder; None if this is not simpler."""
+    """Return a fraction as 1 plus or minus a factored remainder, if simpler."""
     remainder = value - 1
     if not remainder or len(remainder.numer) == len(value.numer) == 1:
         return None
@@ -265,7 +265,7 @@ Polynomial = Any
 """Polynomial with integer coefficients, `sympy.polys.rings.PolyElement`."""
 
 Powers = list[tuple[Polynomial, int]]
-"""Factors of a polynomial, each with its power."""
+"""Factors of a polynomial, with exponents."""
 
 
 class Factored(NamedTuple):

@@ -33,20 +33,20 @@ class Symbol(NamedTuple):
 
     name: str
     meaning: str
-    """Name of the mechanism, or the members of a gear set that it connects."""
+    """Name of the mechanism, or the members of a gear set that the mechanism connects."""
     value: float
     """Value of the ratio. [-]"""
 
 
 class NumberedSymbol(NamedTuple):
-    """Symbol of a ratio with its name in `expression`, such as u1."""
+    """Symbol of a ratio, with the name in `expression`, such as u1."""
 
     symbol: str
     meant: Flat[Symbol]
 
 
 class NumberedSpeed(NamedTuple):
-    """Given speed with its name in `expression`, such as w1."""
+    """Given speed, with the name in `expression`, such as w1."""
 
     symbol: str
     name: str
@@ -62,7 +62,7 @@ class NumberedSpeed(NamedTuple):
     shared_text="shared_text",
 )
 class RatioFormula(NamedTuple):
-    """Formula of a ratio or output speed in symbols, with its value."""
+    """Formula of a ratio or output speed in symbols, with the value."""
 
     left: str
     """Left side of the formula: ``i``, or the symbol of the output speed."""
@@ -78,9 +78,9 @@ class RatioFormula(NamedTuple):
     value: float
     """Value of the formula. [-]"""
     shared: Mapping[str, Sequence[str]]
-    """Symbols with equal values, by the common symbol that replaces them in `shared_text`."""
+    """Symbols with equal values, by the common replacement in `shared_text`."""
     shared_text: str
-    """Shorter formula with common symbols for equal ratios; empty if there is none."""
+    """Shorter formula with common symbols for equal ratios, if any; else empty."""
 
     @property
     def numbered_symbols(self) -> list[NumberedSymbol]:
@@ -208,7 +208,7 @@ def _of_speed(
 def _in_occurring(
     values: Sequence[Any], symbols: Sequence[Symbol]
 ) -> tuple[list[Symbol], list[Any]]:
-    """Return the symbols that occur, and the fractions in terms of these symbols."""
+    """Return the symbols that occur, and the fractions in terms of the symbols."""
     polynomials = [part for value in values for part in (value.numer, value.denom)]
     terms = [powers for part in polynomials for powers in part.monoms()]
     occurring = sorted({place for powers in terms for place, power in enumerate(powers) if power})

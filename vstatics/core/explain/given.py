@@ -253,7 +253,7 @@ def _idle(state: GearState) -> Grid:
 
 
 def told_signs(state: GearState) -> list[bool]:
-    """Return, for each mechanism, whether its sign must be given, because no rule determines it."""
+    """Return, for each mechanism, whether no rule determines the sign, which must be given."""
     return [
         idle or turned is True
         for idle, turned in zip(state.search.idle, state.search.turned, strict=True)

@@ -28,7 +28,7 @@ UNREAD = frozenset(
         *("converters", "planet", *KEYS),
     )
 )
-"""Keys of a case and its parts that do not affect any blank; they include other gears."""
+"""Keys of a case and of parts that do not affect any blank, including other gears."""
 _TOLD = frozenset(
     (
         *("kind", "teeth", "diameters", "planets", "suns", "rings", "rims", "meshes"),
@@ -160,7 +160,7 @@ def mechanisms(case: Transmission, gear: Gear) -> Grid:
 
 
 def _points(mechanism: Mechanism) -> str:
-    """Return the points of a converter; with lambda if the load determines its speed ratio."""
+    """Return the points of a converter; with lambda if the load determines the speed ratio."""
     count = 3 if mechanism.can_be_open and math.isnan(mechanism.ratio) else 2
     points = ", ".join(
         f"({', '.join(f'{x:.6g}' for x in point[:count])})" for point in mechanism.points

@@ -23,13 +23,13 @@ MOST_FORMULA_TERMS = 400
 """Largest number of terms of a formula; longer formulas are useless and slow to derive."""
 
 Body = int
-"""Body of links, identified by its smallest link number."""
+"""Body of links, identified by the smallest link number."""
 Row = dict[Body, Any]
 """Coefficients of an equation by body, as fractions of polynomials."""
 
 
 class NoFormula(Exception):  # noqa: N818 - not an error of the case
-    """Exception raised if there is no formula; its text is the reason."""
+    """Exception raised if there is no formula, with the reason as text."""
 
 
 def shares(

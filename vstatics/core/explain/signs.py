@@ -19,7 +19,7 @@ from vstatics.core.texts import tr
 
 
 class PowerSign(NamedTuple):
-    """Sign of the power of a mechanism, which changes its ratio to ``ratio x efficiency**sign``."""
+    """Sign of the power of a mechanism, which changes the ratio to ``ratio x efficiency**sign``."""
 
     mechanism: str
     torque: float
@@ -88,11 +88,11 @@ class TriedSigns(NamedTuple):
     output_torque: Known
     """Resulting torque that the output gives to the load. [-]"""
     against: str
-    """Mechanism whose power flow contradicts its sign; empty if power enters at the output."""
+    """Mechanism whose power flow contradicts the sign; empty if power enters at the output."""
 
 
 def tried_signs(state: GearState) -> list[TriedSigns]:
-    """Return all combinations of signs of a self-locking gear, each with its contradiction.
+    """Return all combinations of signs of a self-locking gear, each with a contradiction.
 
     The list is empty for other gears, and for more than `MOST_TRIED` moving mechanisms.
 

@@ -58,7 +58,7 @@ class Equation(NamedTuple):
 
 @defined("system")
 class System(NamedTuple):
-    """System of equations with its solution."""
+    """System of equations with the solution."""
 
     equations: Sequence[Equation]
     values: Mapping[str, float]

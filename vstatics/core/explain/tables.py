@@ -94,7 +94,7 @@ def _signs(explanation: Explanation) -> Grid:
 
 
 def _tried(explanation: Explanation) -> Grid:
-    """Return the table of sign combinations of a self-locking gear, each with its contradiction."""
+    """Return the table of sign combinations of a self-locking gear, each with a contradiction."""
     rows: list[Values] = [
         (name, whole(sign), tried.lossy_ratios[name], tried.output_torque, speaks_against(tried))
         for tried in explanation.tried or ()
@@ -121,7 +121,7 @@ def _machines(explanation: Explanation) -> Grid:
 
 
 def _ratio(explanation: Explanation) -> Grid:
-    """Return the table of the formula and the values of its symbols."""
+    """Return the table of the formula and the values of the symbols."""
     ends = [typeset.symbol(name) for name in (explanation.input, explanation.output)]
     ratio = Cell(
         f"{explanation.input}/{explanation.output}", math=rf"\frac{{{ends[0]}}}{{{ends[1]}}}"

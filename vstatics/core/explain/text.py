@@ -124,7 +124,7 @@ COASTING = (
 
 
 def rule(*, coasts: bool, drags: bool) -> str:
-    """Return the rule that gives the sign of a mechanism from its torque."""
+    """Return the rule that gives the sign of a mechanism from the torque."""
     return tr(COASTING if coasts else LOSSES) + tr(", M with drag") * drags
 
 
@@ -249,7 +249,7 @@ def _drags(explanation: Explanation) -> bool:
 
 
 def _sign(sign: PowerSign, digits: int | None) -> Iterator[str]:
-    """Yield lines about a mechanism: power at its first link, sign, and ratio with losses."""
+    """Yield lines about a mechanism: power at the first link, sign, and ratio with losses."""
     label = f"{INDENT}{sign.mechanism}: "
     if sign.efficiency == 1 and sign.lossy_ratio == sign.ratio:
         yield f"{label}{sign.told}, u = {short(sign.ratio, digits)}"

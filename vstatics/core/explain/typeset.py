@@ -17,7 +17,7 @@ _LETTER = re.compile(r"(eta|u|k|v|w|M|T)(?:_(?P<word>\w+)|\[(?P<name>.*)\]|(?P<n
 _RATIO = re.compile(r"\b(?:eta|u|k)(?:_\w+|\d+)")
 _PLAIN = re.compile(r"[A-Za-z0-9 .]+")
 LONGEST_WITH_BARS = 60
-"""Length in characters above which a formula has no fraction bars, so that it can be broken."""
+"""Length in characters above which a formula has no fraction bars, to allow line breaks."""
 
 
 def symbol(name: str) -> str:
@@ -55,7 +55,7 @@ _IN_PROSE = re.compile(
     r"|i = w_\w+/w_\w+|i = 0|u = 1/i|-K M|M w_\w+ \(1 - K i\)|\(i, K\)"
     r"|(?<![\w.])[uMKib](?![\w.]))"
 )
-"""Pattern of formulas in sentences about an exercise; they are equal in every language."""
+"""Pattern of formulas in sentences about an exercise, equal in every language."""
 
 
 def prose(sentence: str) -> str:
@@ -106,7 +106,7 @@ def _powers(text: str) -> str:
 
 
 def formula(ratio_formula: RatioFormula) -> str:
-    """Return the right-hand side of a formula in LaTeX, with fraction bars if it is short."""
+    """Return the right-hand side of a formula in LaTeX, with fraction bars if short."""
     names = [*(each.name for each in ratio_formula.symbols), *ratio_formula.speeds]
     if len(ratio_formula.text) > LONGEST_WITH_BARS:
         return _named(ratio_formula.text, names)
@@ -117,7 +117,7 @@ def formula(ratio_formula: RatioFormula) -> str:
 
 
 def _with_bars(part: ast.expr, names: Mapping[str, str]) -> str:
-    r"""Return an expression with fraction bars; the order of its terms is unchanged.
+    r"""Return an expression with fraction bars and an unchanged order of terms.
 
     >>> tree = ast.parse("1 - (u1 - 1)*u2**2/-u1", mode="eval").body
     >>> print(_with_bars(tree, {"u1": "a", "u2": "b"}))

@@ -26,7 +26,7 @@ class Node(NamedTuple):
 
     kind: NodeKind
     number: int
-    """Number among the nodes of its kind, from 1; for ports and drag, the number of the link."""
+    """Number among nodes of equal kind, from 1; for ports and drag, the number of the link."""
     name: str
 
     def __str__(self) -> str:
@@ -36,7 +36,7 @@ class Node(NamedTuple):
 
 @json_keys(from_="source", to="target", power="power")
 class Edge(NamedTuple):
-    """Power (above 0) from a node to another node."""
+    """Power (above 0) from a first node to a second node."""
 
     source: Node
     target: Node
@@ -45,7 +45,7 @@ class Edge(NamedTuple):
 
 
 class CommonLinks(NamedTuple):
-    """Two mechanisms that could share planets, and the links they have in common."""
+    """Two mechanisms that could share planets, and the common links."""
 
     first: str
     second: str
@@ -55,7 +55,7 @@ class CommonLinks(NamedTuple):
 
 @json_keys("power", "nodes", "note")
 class Loop(NamedTuple):
-    """Cycle of power: its nodes in the direction of power, each once, and its power."""
+    """Cycle of power: the nodes in the direction of power, each once, and the power."""
 
     nodes: tuple[Node, ...]
     power: float
@@ -69,7 +69,7 @@ class Loop(NamedTuple):
         return self.told(partial(translated, language="en"))
 
     def told(self, text: Callable[..., str]) -> str:
-        """Return the note in another language, given the function that translates texts."""
+        """Return the translated note, given the function that translates texts."""
         reasons = [
             text(
                 "{first} and {second} share {links}",
@@ -93,7 +93,7 @@ class Cancelled(NamedTuple):
 
 
 def cancel(edges: Sequence[Edge], order: Sequence[Node] = ()) -> Cancelled:
-    """Remove directed cycles one after the other, subtracting the smallest power along each cycle.
+    """Remove directed cycles in turn, subtracting the smallest power along each cycle.
 
     Parameters
     ----------
@@ -149,7 +149,7 @@ def _shortest_cycle(
 def _without_ends(
     powers: Mapping[tuple[Node, Node], float],
 ) -> Mapping[tuple[Node, Node], float]:
-    """Return the edges without dead ends, because these cannot be on a cycle."""
+    """Return the edges without dead ends, which cannot be on a cycle."""
     while True:
         sources = {source for source, _ in powers}
         targets = {target for _, target in powers}
@@ -168,7 +168,7 @@ def _is_before(cycle: Loop, earlier: Loop) -> bool:
 def _shortest_cycle_through(
     start: Node, following: Mapping[Node, Iterable[tuple[Node, float]]]
 ) -> Loop | None:
-    """Return the shortest cycle through a node; of equally short cycles, that with most power."""
+    """Return the shortest cycle through a node, with the most power among equally short cycles."""
     layer = {start: Loop((start,), math.inf)}
     seen = {start}
     while layer:

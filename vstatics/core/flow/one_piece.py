@@ -30,7 +30,7 @@ def pieces_of(state: GearState) -> dict[Node, int]:
 
 
 def _in_pieces(state: GearState) -> Iterator[tuple[Node, Sequence[int]]]:
-    """Yield each device that rotates as a block, with its links."""
+    """Yield each device that rotates as a block, with the links of the device."""
     case = state.case
     for number in state.engaged:
         element = case.shift_elements[number - 1]

@@ -29,7 +29,7 @@ from vstatics.core.tables.ports import port_table
 
 
 class Exchange(NamedTuple):
-    """Power that a link gives to a member of another node; negative if the link receives it."""
+    """Power that a link gives to a member of a node; negative if the link receives power."""
 
     node: Node
     member: str
@@ -185,7 +185,7 @@ def _by_link(
 def _throughput(
     powers: Mapping[tuple[Node, Node], float], nodes: Sequence[Node]
 ) -> dict[Node, float]:
-    """Return the power that enters each node; for a port, the power that passes it."""
+    """Return the power that enters each node; for a port, the power that passes the port."""
     entering = dict.fromkeys(nodes, 0.0)
     for (node, link), power in powers.items():
         if not power < 0 or node.kind == "port":

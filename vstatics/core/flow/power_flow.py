@@ -125,7 +125,7 @@ class PowerFlow(NamedTuple):
 
     @property
     def node_losses(self) -> list[NodeLoss]:
-        """Losses with their shares, as a list."""
+        """Losses with shares, as a list."""
         return [NodeLoss(*item, self.shares[item[0]]) for item in self.losses.items()]
 
     @property
@@ -159,9 +159,9 @@ class GearFlow(NamedTuple):
 
     gear: str
     ideal: PowerFlow | None
-    """Flow without losses; None if speeds or torques are contradictory."""
+    """Flow without losses, unless speeds or torques are contradictory."""
     lossy: PowerFlow | None
-    """Flow with losses; None if `ideal` is None or the gear is self-locking."""
+    """Flow with losses, if `ideal` exists and the gear is not self-locking."""
     ports: Flat[PortTable]
     """Speed, torque and power of the ports where power enters and leaves."""
     status: Status

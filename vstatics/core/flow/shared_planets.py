@@ -73,7 +73,7 @@ def _sets(case: Transmission) -> dict[int, tuple[int, ...]]:
 def _joining(
     numbers: Sequence[int], given: Mapping[int, Sequence[int]]
 ) -> list[tuple[int, int, list[int]]]:
-    """Return pairs of mechanisms with two common links, which together connect all of them."""
+    """Return pairs of mechanisms with two common links, which together connect all mechanisms."""
     pairs = []
     joined, others = list(numbers[:1]), list(numbers[1:])
     while others:

@@ -69,7 +69,7 @@ def power_grid(flow: GearFlow) -> Grid:
 
 
 def remarks(flow: GearFlow, digits: int | None = None, *, balanced: bool = True) -> Iterator[str]:
-    """Yield remarks: nodes without power, the balance, and recirculating power with its loops.
+    """Yield remarks: nodes without power, the balance, and loops of recirculating power.
 
     Parameters
     ----------
@@ -171,7 +171,7 @@ def _of_members(flow: GearFlow, node: Node) -> Iterator[_Line]:
 
 
 def _of_teeth(flow: GearFlow, node: Node) -> Iterator[_Line]:
-    """Yield rows with the rolling power of a mechanism, and of each of its meshes with the loss."""
+    """Yield rows with the rolling power of a mechanism, and of each mesh with the loss."""
     assert flow.ideal is not None  # noqa: S101 - for mypy
     ideal = [tooth_power for tooth_power in flow.ideal.teeth if tooth_power.device == node]
     lossy = (
@@ -209,7 +209,7 @@ def _row(
     *,
     mark: str = "",
 ) -> Row:
-    """Return a row: powers without and with losses, loss, and its share; empty if missing."""
+    """Return a row: powers without and with losses, loss, and share of loss; empty if missing."""
     (ideal, lossy), (loss, share), unit = powers, losses, flow.kilowatts
     load = not math.isnan(unit)
     return [

@@ -100,7 +100,7 @@ def _narrow(grid: Grid, heading: str, digits: int | None) -> Grid:
 
 
 def _field(name: str, cell: Cell, digits: int | None) -> str:
-    """Return the text of a number; an indeterminate number fills its field with asterisks."""
+    """Return the text of a number; an indeterminate number fills the field with asterisks."""
     if cell.value is None:
         return ""
     if name == "share, %":

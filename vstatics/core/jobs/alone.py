@@ -47,7 +47,7 @@ class Workers(ABC):
     def each(
         self, function: Work[Item, Result], items: Iterable[Item], *, ordered: bool = False
     ) -> Iterator[tuple[Item, Result]]:
-        """Yield each item with its result, in the order of the items if `ordered`.
+        """Yield each item with the result, in the order of the items if `ordered`.
 
         Raises
         ------
@@ -64,7 +64,7 @@ class Rules(NamedTuple):
     ahead: int = 2
     """Largest number of unfinished items and waiting results per process while an item is slow."""
     tries: int = 3
-    """Number of processes that may die while processing an item before it is abandoned."""
+    """Number of processes that may die while processing an item before the item is abandoned."""
     lost: Callable[[Any], Any] | None = None
     """Function that returns a result for an abandoned item; by default an error is raised."""
     here: Callable[[Any], bool] = lambda item: False  # noqa: ARG005

@@ -15,7 +15,7 @@ from vstatics.core.extras import __version__, build
 from vstatics.core.jobs.alone import Describe, Item, Result, Work, Workers, failure
 
 SCHEDULER_SECONDS = 10
-"""Longest time to wait for a scheduler, and again for its first worker. [s]"""
+"""Longest time to wait for a scheduler, and again for the first worker. [s]"""
 RETRIES = 3
 LOST = ("CommClosedError", "CancelledError", "FutureCancelledError")
 """Names of Dask errors that mean the loss of the scheduler or of all workers with the state."""
@@ -134,7 +134,7 @@ class Cluster(Workers):
             raise self._loss(error) from None
 
     def _result(self, future: Any, item: object) -> Any:
-        """Return the result of a Dask future, which must come from the same build.
+        """Return the result of a Dask future, which must come from an equal build.
 
         A worker with another build can join after the first comparison of builds.
 
@@ -165,7 +165,7 @@ class Cluster(Workers):
 
 
 async def _answers(client: Any) -> bool:
-    """Return whether the scheduler answers; the client may notice its loss only later."""
+    """Return whether the scheduler answers; the client may notice a loss only later."""
     request = asyncio.ensure_future(client.scheduler.ncores(workers=None))
     end = time.monotonic() + SCHEDULER_SECONDS
     while client.status == "running" and not request.done() and time.monotonic() < end:
@@ -199,7 +199,7 @@ def _call(function: Work[Item, Result], held: _Held, item: Item) -> _Answer:
 
 
 def _reason(error: Exception) -> str:
-    """Return the reason why a cluster cannot be reached, in one line."""
+    """Return the reason why a cluster cannot be reached, in a single line."""
     if isinstance(error, ValueError):
         return f"is not the address of a scheduler, expected tcp://HOST:PORT ({error})"
     if "worker" in str(error).lower():

@@ -49,7 +49,7 @@ def unwritable(output: str | None, error: OSError) -> Problem:
 
 
 def missing_folder(output: str) -> Problem | None:
-    """Return the problem that the directory of an output is missing; None if it exists.
+    """Return a problem if the directory of an output is missing.
 
     >>> str(missing_folder("nowhere/new.csv"))
     'nowhere/new.csv: error: cannot be written: there is no directory nowhere; create it [E030]'
@@ -62,7 +62,7 @@ def missing_folder(output: str) -> Problem | None:
 
 
 def opened(output: str) -> contextlib.AbstractContextManager[Write]:
-    """Open an existing stream for writing; a redirected file continues at its current position."""
+    """Open an existing stream for writing; a redirected file continues at the current position."""
     standard = re.fullmatch(r"/dev/std(?:(out)|err)|(?:/dev|/proc/self)/fd/(\d{1,9})", output)
     if standard is None:
         handle = os.open(output, os.O_WRONLY | os.O_APPEND)
@@ -130,7 +130,7 @@ def whole_file(  # noqa: PLR0913
     target: int | None = None,
     expected: bytes | None = None,
 ) -> Iterator[Write]:
-    """Write a new file, and rename it to a path when the block ends without error.
+    """Write a new file, renamed to a path when the block ends without error.
 
     Parameters
     ----------
@@ -167,7 +167,7 @@ def whole_file(  # noqa: PLR0913
 
 
 class ChangedFileError(Exception):
-    """Error for a file that another process has changed since it was read."""
+    """Error for a file changed by a different process after reading."""
 
 
 def _exchange(new: str, path: str, expected: bytes) -> None:
@@ -188,7 +188,7 @@ def _exchange(new: str, path: str, expected: bytes) -> None:
 
 
 def _swapped(new: str, old: str) -> bool:
-    """Exchange two files in a single step; return False if the system does not support it."""
+    """Exchange two files in a single step; return False if unsupported by the system."""
     import ctypes  # costs start-up time
 
     rename = getattr(ctypes.CDLL(None), "renameat2", None) if os.name == "posix" else None
@@ -214,7 +214,7 @@ def sync(path: str) -> None:
 
 
 def set_aside(path: str) -> str:
-    """Rename an earlier regular file with the suffix `OLD`; return its new name, or ""."""
+    """Rename an earlier regular file with the suffix `OLD`; return the new name, or ""."""
     with contextlib.suppress(FileNotFoundError):
         if stat.S_ISREG(os.lstat(path).st_mode):
             os.replace(path, path + OLD)  # noqa: PTH105
@@ -230,7 +230,7 @@ def hash_of(case: bytes) -> str:
 
 
 def hash_of_file(name: str) -> str | None:
-    """Return the SHA-256 hash of a file; None for a stream or an unreadable file."""
+    """Return the SHA-256 hash of a file, if regular and readable."""
     try:
         if stat.S_ISREG(os.stat(name).st_mode):  # noqa: PTH116
             with open(name, "rb") as file:  # noqa: PTH123
@@ -241,7 +241,7 @@ def hash_of_file(name: str) -> str | None:
 
 
 def is_temporary(name: str) -> bool:
-    """Return whether a file name is that of a temporary, unfinished file."""
+    """Return whether a file name denotes a temporary, unfinished file."""
     return name.startswith(PREFIX) or name.endswith(".tmp")  # the suffix of earlier versions
 
 
@@ -273,7 +273,7 @@ def write_all(handle: int, data: bytes | memoryview) -> None:
 
 
 def _mode(path: str) -> int | None:
-    """Return type and permissions of a file, None if missing; raise an error for a directory."""
+    """Return type and permissions of a file, if existing; raise an error for a directory."""
     try:
         mode = os.stat(path).st_mode  # noqa: PTH116
     except FileNotFoundError:

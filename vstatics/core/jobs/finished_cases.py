@@ -53,7 +53,7 @@ def sealed(text: bytes) -> bytes:
 
 
 def unsealed(line: bytes) -> bytes | None:
-    """Return the text of a line of a record (without line end); None if damaged."""
+    """Return the text of a line of a record (without line end), if undamaged."""
     text = line[_SEAL + 1 :]
     return text if sealed(text) == line + b"\n" else None
 
@@ -69,7 +69,7 @@ def why_not_taken(
     path: str,
     anew: str = "calculate all cases again without --resume",
 ) -> str:
-    """Return the reason why finished work cannot be reused, or "" if it can.
+    """Return the reason why finished work cannot be reused, or "" if reusable.
 
     Parameters
     ----------
@@ -111,13 +111,13 @@ class CaseMark(NamedTuple):
     """Hashes of the files that the case names."""
 
     def is_of(self, file: str) -> bool:
-        """Return whether a case file and all files that it names are unchanged."""
+        """Return whether a case file and all files named in the case are unchanged."""
         hashes = {file: self.case, **self.named_files}
         return all(hash_of_file(name) == known for name, known in hashes.items())
 
 
 def case_mark(data: bytes, named_files: Iterable[str]) -> CaseMark:
-    """Return the hashes of a case, from its bytes, and of the files that the case names.
+    """Return the hashes of a case, from the bytes, and of the files that the case names.
 
     >>> case_mark(b"links: 2", ["nowhere.csv"]).named_files
     {'nowhere.csv': None}
@@ -136,7 +136,7 @@ class _Entry(NamedTuple):
 
 
 class FinishedCases:
-    """Results of a run in a directory, to which only one run at a time may write."""
+    """Results of a run in a directory, to which only a single run at a time may write."""
 
     def __init__(self, folder: str, suffix: str, options: Description) -> None:
         self.folder = folder
@@ -151,7 +151,7 @@ class FinishedCases:
         self._record: int | None = None
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return the attributes for pickling; another process opens the record itself."""
+        """Return the attributes for pickling; the receiving process reopens the record."""
         return vars(self) | {"_record": None}
 
     def __enter__(self) -> Self:
@@ -240,7 +240,7 @@ class FinishedCases:
         *,
         failed: bool,
     ) -> None:
-        """Write a result, and record the hashes of the case and of the files that it names.
+        """Write a result, and record the hashes of the case and of the files named in the case.
 
         Parameters
         ----------

@@ -72,7 +72,7 @@ class FinishedParts:
         return self
 
     def __exit__(self, *error: object) -> None:
-        """Release the lock; parts are removed unless an error occurred or they are still needed."""
+        """Release the lock; parts are removed, except after an error or if still needed."""
         if self._file is not None:
             with contextlib.suppress(OSError):  # a part that is lost is calculated again
                 os.close(self._file)
@@ -82,7 +82,7 @@ class FinishedParts:
         unlock(self._lock)
 
     def _leave(self, *, is_over: bool) -> None:
-        """Remove the parts or leave them; mark a completed run, in contrast to a stopped run."""
+        """Remove or leave the parts; mark a completed run, in contrast to a stopped run."""
         if (self._parts or self._added) and (self.stays or not is_over):
             if is_over:
                 with contextlib.suppress(OSError):
@@ -101,7 +101,7 @@ class FinishedParts:
         return len(self._parts)
 
     def exists(self) -> bool:
-        """Return whether the directory of parts, or a file of the same name, exists."""
+        """Return whether the directory of parts, or a file of equal name, exists."""
         return self.folder.exists()
 
     def open(self, *, resume: bool) -> str:
@@ -181,7 +181,7 @@ class FinishedParts:
 
 
 def _whole_parts(file: IO[bytes]) -> Iterator[tuple[str, _Stretch]]:
-    """Yield the undamaged parts after the first line, each with the file name of its case.
+    """Yield the undamaged parts after the first line, each with the file name of the case.
 
     Reading stops at a truncated or damaged line, because the start of the next part is unknown.
     """

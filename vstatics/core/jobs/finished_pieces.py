@@ -66,11 +66,11 @@ class FinishedPieces:
         return self.folder.file(name)
 
     def exists(self) -> bool:
-        """Return whether the directory of pieces, or a file of the same name, exists."""
+        """Return whether the directory of pieces, or a file of equal name, exists."""
         return self.folder.exists()
 
     def open(self, description: Description, pieces: int, *, resume: bool) -> str:
-        """Create the directory or load the pieces; return "", or the reason why this is impossible.
+        """Create the directory or load the pieces; return the reason for a failure, or "".
 
         Parameters
         ----------
@@ -123,7 +123,7 @@ class FinishedPieces:
         raise ReadError([of_file("E032", self.directory, message)])
 
     def finished(self) -> list[int]:
-        """Return the numbers of the existing pieces, written by this or an earlier process."""
+        """Return the numbers of existing pieces, written by the current or an earlier process."""
         return sorted(int(name) for name in self.folder.names() if name.isdigit())
 
     def _check(
@@ -175,7 +175,7 @@ class FinishedPieces:
         self.unlock()
 
     def _remove(self) -> None:
-        """Remove the directory, its description last, so that resuming stays possible."""
+        """Remove the directory, the description last, so that resuming stays possible."""
         for name in sorted(self.folder.names(), key=(PLAN, LOCK).__contains__):
             self.folder.remove(name)
         self.folder.drop()

@@ -25,7 +25,7 @@ KINDS = {
 }
 """Names of the kinds of files in messages, by the type bits of the file mode."""
 AT_ONCE = getattr(os, "O_NONBLOCK", 0)
-"""Flag to open a FIFO without waiting for the process at its other end."""
+"""Flag to open a FIFO without waiting for a process at the opposite end."""
 _STREAM_PIECE = 2**20
 """Size of the parts in which a stream is read. [bytes]"""
 Data = TypeVar("Data", str, bytes)
@@ -48,7 +48,7 @@ class TooLargeError(OSError):
 
 
 class NotRegularError(OSError):
-    """Error for a pipe or device where a regular file is required, because it could block."""
+    """Error for a pipe or device, which could block, where a regular file is required."""
 
     def __init__(self, mode: int, file: str) -> None:
         kind = KINDS.get(stat.S_IFMT(mode), "not a file")
@@ -106,7 +106,7 @@ def opened(file: str | os.PathLike[str], *, regular: bool = False) -> BinaryIO:
 
 
 def _at_once(name: str, flags: int) -> int:
-    """Open a file without waiting for another process that writes to it."""
+    """Open a file without waiting for a writing process."""
     return os.open(name, flags | AT_ONCE)
 
 

@@ -17,7 +17,7 @@ LOCK_TENTHS = 10
 
 
 def lock(folder: StateFolder, name: str, what: str) -> int | None:
-    """Create a folder if necessary, lock it, and return the descriptor of the lock file.
+    """Create a folder if necessary, lock the folder, and return the descriptor of the lock file.
 
     The descriptor is the argument of `unlock`; it is None on systems without locks.
 

@@ -16,7 +16,7 @@ from vstatics.core.errors import ReadError, of_file
 from vstatics.core.jobs.files import replacing, set_aside
 
 PAGE_KEY = "data-page"
-"""Attribute of an SVG, or text key of a PNG, that contains the number of a further page."""
+"""Attribute of an SVG, or text key of a PNG, with the number of a further page."""
 _MARK = re.compile(rb'(?:<svg\b[^>]*? data-page="|tEXtdata-page\0)([1-9]\d{0,5})')
 _LOOKED_AT = 2000
 """Number of bytes at the beginning of a file in which the mark is searched for."""
@@ -34,7 +34,7 @@ def page_name(path: str, number: int) -> str:
 
 
 def replace_pages(path: str, pages: Sequence[bytes], mark: str = "") -> None:
-    """Write all pages of a picture or none, and remove further pages of an earlier picture.
+    """Write all pages of a picture or no page, and remove further pages of an earlier picture.
 
     Parameters
     ----------

@@ -63,9 +63,9 @@ class Account(NamedTuple):
     """Number of variants by status, including variants that have no row in the output."""
     segments: tuple[Segment, ...]
     removed: tuple[int, ...] = ()
-    """Numbers of variants removed by each part of the filter condition, in its order."""
+    """Numbers of variants removed by each part of the filter condition, in order."""
     outside: tuple[str, ...] = ()
-    """Names of laws that were evaluated outside their points."""
+    """Names of laws that were evaluated outside the given points."""
     noticed: tuple[Noticed, ...] = ()
     """Messages of the variants."""
     work: str = ""
@@ -83,7 +83,7 @@ class Account(NamedTuple):
 
 
 class Copy(NamedTuple):
-    """Part of a piece to be copied: offsets in its file and in the output, in bytes."""
+    """Part of a piece to be copied: offsets in the piece file and in the output, in bytes."""
 
     piece: int
     source: int
@@ -133,7 +133,7 @@ def write_piece(directory: str, piece: int, buffers: Sequence[Any]) -> None:
 
 
 def read_account(directory: str, piece: int, work: str = "") -> Account | None:
-    """Return the account of a piece; None if the file is missing or damaged."""
+    """Return the account of a piece, unless the file is missing or damaged."""
     try:
         with StateFolder(directory).reading(piece_name(piece)) as file:
             size = file.seek(0, os.SEEK_END)

@@ -25,9 +25,9 @@ if TYPE_CHECKING:
 QUEUED = 2
 """Number of items queued per process, so that processes need not wait for items."""
 END_SECONDS = 5
-"""Time between closing the pipe of a process and killing the process if it still runs. [s]"""
+"""Time between closing the pipe of a process and killing the process if still running. [s]"""
 TELLING = "telling"
-"""Name of the thread that prints progress; it holds locks only while printing."""
+"""Name of the thread that prints progress, which holds locks only while printing."""
 
 
 class Processes(Workers):
@@ -100,7 +100,7 @@ class Processes(Workers):
         return min(self._processes, key=lambda process: len(process.items))
 
     def _gather(self, coming: _Coming, done: dict[int, Any]) -> None:
-        """Wait for results; if a process has died, queue its items again."""
+        """Wait for results; queue the items of dead processes again."""
         from multiprocessing.connection import wait
 
         ready = set(wait([process.connection for process in self._processes]))
@@ -118,7 +118,7 @@ class Processes(Workers):
             done[number] = process.items.pop(number), result
 
     def _again(self, entries: list[tuple[int, Any]], coming: _Coming, done: dict[int, Any]) -> None:
-        """Queue the items of a dead process again; its first item is counted as the cause."""
+        """Queue the items of a dead process again; the first item is counted as the cause."""
         if entries and coming.dies(entries[0][0]) >= self.rules.tries:
             number, item = entries.pop(0)
             if self.rules.lost is None:
@@ -156,7 +156,7 @@ class _Coming:
 
 
 class _Process:
-    """Process with its pipe and its queued items."""
+    """Process with a pipe and queued items."""
 
     def __init__(self, state: object, describe: Describe, others: Iterable[_Process]) -> None:
         import multiprocessing
@@ -227,7 +227,7 @@ def _serve(
 
 
 def _end_with_parent() -> None:
-    """Ensure that this process ends with its parent, even in the middle of an item."""
+    """Ensure that the current process ends with the parent process, even within an item."""
     from multiprocessing import connection, parent_process
 
     parent = parent_process()

@@ -17,7 +17,7 @@ PREFIX = "vstatics-table-"
 
 
 class Spool:
-    """Rows of doubles in a temporary file, written by one process and readable by all.
+    """Rows of doubles in a temporary file, written by a single process and readable by all.
 
     The original object owns the file, which is deleted by `close`, with the object, or at the end
     of the process. A pickled copy can read the file on the same machine while the owner exists, and
@@ -90,7 +90,7 @@ class Spool:
         return np.frombuffer(data).reshape(stop - start, self.columns)
 
     def close(self) -> None:
-        """Remove the file, if this object owns it."""
+        """Remove the file, if owned by the object."""
         if self._remove is not None:
             self._remove()
 

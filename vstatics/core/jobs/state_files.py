@@ -44,7 +44,7 @@ class StateFolder(NamedTuple):
         return os.path.join(self.path, name)  # noqa: PTH118
 
     def exists(self) -> bool:
-        """Return whether the folder, or a file of the same name, exists."""
+        """Return whether the folder, or a file of equal name, exists."""
         return os.path.lexists(self.path)
 
     def make(self) -> None:
@@ -82,7 +82,7 @@ class StateFolder(NamedTuple):
             return sum(os.lstat(name, dir_fd=folder).st_size for name in names)
 
     def open(self, name: str, flags: int) -> int:
-        """Open a file, and return its descriptor, which the caller must close.
+        """Open a file, and return the descriptor, which the caller must close.
 
         Raises
         ------
@@ -117,7 +117,7 @@ class StateFolder(NamedTuple):
         return descriptor_writing(self.open(name, os.O_WRONLY | os.O_APPEND | os.O_CREAT))
 
     def writing(self, name: str) -> IO[bytes]:
-        """Open a new file for writing, after removing an earlier file of this name."""
+        """Open a new file for writing, after removing an earlier file of equal name."""
         self.check(name)
         self.remove(name)
         return open(self.open(name, os.O_RDWR | os.O_CREAT | os.O_EXCL), "r+b")  # noqa: PTH123
@@ -137,12 +137,12 @@ class StateFolder(NamedTuple):
 
     @contextlib.contextmanager
     def replacing_output(self, path: str) -> Iterator[Write]:
-        """Write a file in the folder, and move it to a path when the block ends."""
+        """Write a file in the folder, and move the file to a path when the block ends."""
         with self._opened() as folder, replacing(path, folder=folder) as write:
             yield write
 
     def put_for_good(self, name: str, path: str) -> None:
-        """Move a file to a path, and wait until it is on the disk.
+        """Move a file to a path, and wait until the file is on the disk.
 
         Raises
         ------
@@ -162,7 +162,7 @@ class StateFolder(NamedTuple):
             os.unlink(name, dir_fd=folder)
 
     def forget(self, mark: str = "") -> None:
-        """Remove unfinished files with a mark; no process may be writing such a file."""
+        """Remove unfinished files with a mark, which no process may be writing."""
         for name in self.names():
             if re.fullmatch(rf"{re.escape(front(mark))}\d+-\d+", name):
                 self.remove(name)
@@ -174,7 +174,7 @@ class StateFolder(NamedTuple):
 
     @contextlib.contextmanager
     def _opened(self) -> Iterator[int]:
-        """Open the folder as a context, and yield its descriptor.
+        """Open the folder as a context, and yield the descriptor.
 
         Raises
         ------

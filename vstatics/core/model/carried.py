@@ -20,13 +20,13 @@ def _nothing(_: TransmissionFields) -> Iterator[Problem]:
 
 
 class CaseKey(NamedTuple):
-    """Key of a case that an annex provides; the module of the annex defines it as `KEY`."""
+    """Key of a case that an annex provides, defined as `KEY` in the module of the annex."""
 
     shape: KeyShape
     type: object
     """Type of the field of the case, for messages about wrong arguments."""
     record: Callable[[TransmissionFields], Any]
-    """Function that returns the data of a case as they are written in a document."""
+    """Function that returns the data of a case as written in a document."""
     problems: Callable[[TransmissionFields], Iterator[Problem]]
     doubts: Callable[[TransmissionFields], Iterator[Problem]] = _nothing
     left_out: Callable[[TransmissionFields], Iterator[Problem]] = _nothing
@@ -36,7 +36,7 @@ class CaseKey(NamedTuple):
 
 
 def as_type(data: object, kind: type[Data]) -> Data | None:
-    """Return data of an annex after checking that they have the type declared by the annex.
+    """Return data of an annex, checked to have the type that the annex declares.
 
     Raises
     ------

@@ -111,7 +111,7 @@ def _cylinders(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _moves(case: TransmissionFields) -> bool:
-    """Return whether a case has springs, inertias or masses, so it needs no gears."""
+    """Return whether a case has springs, inertias or masses, and so needs no gears."""
     return bool(case.springs or case.inertias or case.masses)
 
 
@@ -232,7 +232,7 @@ def _sizes(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _first_gear(case: TransmissionFields) -> str:
-    """Return an example of a gear, as text, that engages the required number of shift elements."""
+    """Return an example, as text, of a gear that engages the required number of shift elements."""
     named = zip(case.shift_elements, element_names(case.shift_elements), strict=True)
     names = [name for element, name in named if not element.is_freewheel]
     count = max(case.links - len(case.mechanisms) - 1, 1)

@@ -102,7 +102,7 @@ def numbers_below(shape: Shape, part: Any, keys: Keys = ()) -> Iterator[tuple[Ke
 
 
 def value_at(part: Any, key: str) -> Any:
-    """Return the value of a part under a key or item number (from 1); None if omitted."""
+    """Return the value of a part under a key or item number (from 1), unless omitted."""
     if hasattr(part, "_fields"):
         return getattr(part, key, None)
     if isinstance(part, Sequence):

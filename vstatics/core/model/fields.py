@@ -46,7 +46,7 @@ class AnyDrawing(Protocol):
 
     @property
     def links(self) -> int:
-        """Number of links of the case; links of planets are numbered after them."""
+        """Number of links of the case, after which links of planets are numbered."""
 
     @property
     def mechanisms(self) -> Sequence[Mechanism]:
@@ -75,7 +75,7 @@ class Carried(Protocol):
 
 @dataclass(frozen=True)
 class TransmissionFields:
-    """Fields of a `Transmission`; see its docstring for their meaning."""
+    """Fields of a `Transmission`, explained in the docstring of `Transmission`."""
 
     links: int
     shift_elements: Sequence[ShiftElement]
@@ -120,7 +120,7 @@ class TransmissionFields:
         return {}
 
     def derived(self, derive: Callable[[Self], Value]) -> Value:
-        """Return the value that a function derives from the case; it is calculated only once.
+        """Return the value that a function derives from the case, calculated only once.
 
         Cases that differ only in ratios, efficiencies and planet ratios share the value. The
         function must therefore not read these numbers.
@@ -162,7 +162,7 @@ class TransmissionFields:
         return [_own_device(number, mechanism) for number, mechanism in enumerate(self.mechanisms)]
 
     def ratio_range(self, index: int) -> tuple[float, float]:
-        """Return the bounds of a mechanism's basic ratio; infinite if it is not from a gear set."""
+        """Return the bounds of a mechanism's basic ratio; infinite without a gear set."""
         return self.drawing.ratio_range(index) if self.drawing else (-math.inf, math.inf)
 
     def gear_number(self, asked: int | str) -> int:
@@ -240,7 +240,7 @@ class TransmissionFields:
         return load._replace(torque=-load.torque, power=power)
 
     def gear_coast(self, gear: Gear) -> bool | None:
-        """Return the `coast` setting of a gear, by default that of the case; None if not given."""
+        """Return the `coast` setting of a gear, by default the setting of the case, if given."""
         return self.coast if gear.coast is None else gear.coast
 
     def coasts(self, gear: Gear) -> bool:
@@ -271,7 +271,7 @@ class TransmissionFields:
         return [n for n, gear in enumerate(self.gears) if not self.input_torque(gear)]
 
     def input_turns(self, gear: Gear) -> Direction | Literal[""]:
-        """Return the direction of rotation of a gear's input; empty if it is not given."""
+        """Return the direction of rotation of a gear's input; empty if not given."""
         if gear.input_turns:
             return gear.input_turns
         load = self.gear_load(gear)
@@ -435,7 +435,7 @@ class TransmissionFields:
 
     @cached_property
     def gears_with_drag(self) -> Sequence[Gear]:
-        """Gears that include the drag torques given by the case and by its shift elements."""
+        """Gears that include the drag torques given by the case and by the shift elements."""
         return [
             gear._replace(drag=self.gear_drag(gear), open_drag=self.gear_open_drag(gear))
             for gear in self.gears
@@ -487,13 +487,13 @@ class TransmissionFields:
 
     @property
     def among_devices(self) -> slice:
-        """Slice of the mechanisms in `devices`; they are between shift elements and springs."""
+        """Slice of the mechanisms in `devices`, between shift elements and springs."""
         elements = len(self.shift_elements)
         return slice(elements, elements + len(self.mechanisms))
 
 
 def gear_place(text: str, names: Sequence[str]) -> int | None:
-    """Return the number of a gear from a text such as ``#3``; None for other texts.
+    """Return the number of a gear from a text such as ``#3``, if possible.
 
     Without ``#`` a text is a number only if no name contains a digit. So with gears 1 to 8 and R,
     `9` does not mean R, the ninth gear.
@@ -508,7 +508,7 @@ def gear_place(text: str, names: Sequence[str]) -> int | None:
 
 
 def numbered_gear(text: str, names: Sequence[str]) -> str:
-    """Return a hint that names the gear, if its number was given instead of its name.
+    """Return a hint that names the gear, if a number was given instead of the name.
 
     >>> numbered_gear("3", ["1", "2", "R"]), numbered_gear("4", ["1", "2", "R"])
     ('; #3 is R', '')

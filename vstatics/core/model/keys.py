@@ -166,14 +166,14 @@ def _law(over: Any, points: Any) -> Any:
 
 
 def _map(columns: Any = (), rows: Any = (), unit: Any = "", **others: Any) -> Any:
-    """Return a map from its values, or the values themselves if a file contains the map."""
+    """Return a map from values, or the plain values if a file contains the map."""
     from vstatics.core.model.laws import MapLaw  # costs start-up time
 
     return others if "file" in others else MapLaw(columns, rows, unit)
 
 
 def _map_fault(file: str | None = None, **others: object) -> str:
-    """Return the reason why a map is given twice; empty if it is given once."""
+    """Return the reason why a map is given twice; empty if given once."""
     beside = [quoted(name) for name in ("columns", "rows", "unit") if name in others]
     if file is None or not beside:
         return ""
@@ -236,7 +236,7 @@ def _map_keys(values: str, head: str, of: str, *others: KeyShape) -> ByKey:
 
 
 MAP = "[speed, torque]"
-"""Value of the key `over` for a map; its rows begin with a speed."""
+"""Value of the key `over` for a map whose rows begin with a speed."""
 
 
 def _map_alone(values: str, head: str, of: str, *others: KeyShape) -> ByKind:

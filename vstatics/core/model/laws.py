@@ -26,7 +26,7 @@ LossUnit = Literal["", "W", "kW", "N*m"]
 
 
 class PointLaw(Law):
-    """Law given by points: linear interpolation between them, constant values outside.
+    """Law given by points: interpolated linearly between points, constant outside.
 
     Parameters
     ----------
@@ -75,7 +75,7 @@ class PointLaw(Law):
 
 
 class MapLaw(Law):
-    """Law given by a map: bilinear interpolation between its points, constant values outside.
+    """Law given by a map: bilinear interpolation between points, constant values outside.
 
     Parameters
     ----------
@@ -228,7 +228,7 @@ def _ascending(numbers: Sequence[float], noun: str, least: float, path: Path) ->
 
 
 def of_balances(case: TransmissionFields) -> Iterator[Problem]:
-    """Check battery balances: their links and efficiencies, and a link with an unknown torque."""
+    """Check battery balances: links and efficiencies, and a link with an unknown torque."""
     for number, gear in enumerate(case.gears, 1):
         if gear.balance is None:
             continue

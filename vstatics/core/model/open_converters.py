@@ -59,7 +59,7 @@ def with_needed_ratios(case: Transmission) -> Transmission:
 def with_mechanisms(
     case: Transmission, mechanisms: Sequence[Mechanism], **changes: Any
 ) -> Transmission:
-    """Return a case with its directly given mechanisms replaced, and with further changes."""
+    """Return a case with replacements for the directly given mechanisms, and further changes."""
     if case.drawing is None:
         return case.replace(mechanisms=mechanisms, **changes)
     drawing: Any = case.drawing

@@ -35,7 +35,7 @@ from vstatics.core.numerics.tolerances import SAME_POWER
 
 
 def called(case: TransmissionFields, link: int) -> str:
-    """Return the name of a link, or its number if it has no name."""
+    """Return the name of a link, or the number of a link without a name."""
     if link == HOUSING:
         return "0 (the housing)"
     return case.link_names[link - 1] if 0 < link <= len(case.link_names) else str(link)
@@ -140,7 +140,7 @@ def of_friction(friction: Friction, path: Path) -> Iterator[Problem]:
 def _of_temperatures(
     table: CoefficientTable, heat_capacity: float | None, path: Path
 ) -> Iterator[Problem]:
-    """Check that a table has ascending temperatures and a coefficient for each of them."""
+    """Check that a table has ascending temperatures and a coefficient for each temperature."""
     if heat_capacity is None:
         message = "the coefficient depends on temperature, expected a `heat_capacity` as well"
         yield Problem("E261", message, path)
@@ -187,7 +187,7 @@ def of_drag(torque: float, element: ShiftElement | None, path: Path) -> Iterator
 
 
 def _kind(element: ShiftElement, path: Path) -> Iterator[Problem]:
-    """Check that the kind of a shift element exists and agrees with its links."""
+    """Check that the kind of a shift element exists and agrees with the links."""
     to_housing = HOUSING in (element.first, element.second)
     if element.kind not in ELEMENT_KINDS:
         kinds = ", ".join(f"`{kind}`" for kind in ELEMENT_KINDS)
@@ -255,7 +255,7 @@ def _of_kind(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
 def of_characteristic(
     points: Sequence[tuple[float, ...]], path: Path, numbers: int = 2
 ) -> Iterator[Problem]:
-    """Check the points of a converter: speed ratio, torque ratio and (in all or none) lambda."""
+    """Check the points of a converter: speed ratio, torque ratio and (always or never) lambda."""
     if not points:
         yield Problem("E219", "read no points, expected at least one", path)
     before = -math.inf
@@ -398,7 +398,7 @@ def _efficiencies(law: Law, path: Path) -> Iterator[Problem]:
 def sets_side_by_side(
     sets: Iterable[tuple[int, str, int, Iterable[int]]],
 ) -> Iterator[tuple[int, str]]:
-    """Yield gear sets that share their carrier and a central gear with an earlier gear set.
+    """Yield gear sets that share the carrier and a central gear with an earlier gear set.
 
     Each item is the number of the gear set and the name of the earlier one. `sets` contains
     numbers, names, carriers and central gears.
@@ -583,7 +583,7 @@ def _engaged(
 
 
 def _slipping(elements: Sequence[ShiftElement], gear: Gear, path: Path) -> Iterator[Problem]:
-    """Check the shift elements that slip under torque, and their slips."""
+    """Check the shift elements that slip under torque, and the slips."""
     for number, slip in gear.slip.items():
         inner = (*path, number)
         if wrong := of_number("E243", number, "a shift element", len(elements), inner):

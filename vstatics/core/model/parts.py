@@ -173,7 +173,7 @@ class Friction(NamedTuple):
 
     @property
     def table(self) -> CoefficientTable | None:
-        """Table of the coefficient of friction if it depends on temperature, else None."""
+        """Table of the coefficient of friction, if dependent on temperature."""
         return self.coefficient if isinstance(self.coefficient, CoefficientTable) else None
 
     @property
@@ -255,12 +255,12 @@ class ShiftElement(NamedTuple):
 
     @property
     def pack(self) -> Friction | None:
-        """Friction pack if the capacity depends on a pressure, else None."""
+        """Friction pack, if the capacity depends on a pressure."""
         return self.friction if self.friction and self.friction.coefficient else None
 
     @property
     def heat_store(self) -> Friction | None:
-        """Friction pack if the heat capacity is known, else None."""
+        """Friction pack, if the heat capacity is known."""
         friction = self.friction
         return friction if friction and friction.heat_capacity is not None else None
 
@@ -422,7 +422,7 @@ class Load(NamedTuple):
 
     @property
     def torque_size(self) -> float:
-        """Reference of relative torques [N*m]: ``|torque|``, 1 if it is 0, and 0 if not given.
+        """Reference of relative torques [N*m]: ``|torque|``, 1 for 0, and 0 if not given.
 
         >>> Load(torque=-300).torque_size, Load(torque=0).torque_size, Load().torque_size
         (300, 1.0, 0.0)
@@ -430,7 +430,7 @@ class Load(NamedTuple):
         return 0.0 if self.torque is None else abs(self.torque) or 1.0
 
     def or_else(self, other: Load) -> Load:
-        """Return the operating point, with omitted values taken from another operating point.
+        """Return the operating point, with omitted values taken from a second operating point.
 
         >>> Load(speed=1000).or_else(load_of(speed=2000, power=50)).torque
         477.4648292756861
@@ -522,7 +522,7 @@ class OfLoad(float):
     whole: float
 
     def __new__(cls, given: float, whole: float) -> Self:
-        """Create the relative number, and store the given value and the reference with it."""
+        """Create the relative number, together with the given value and the reference."""
         number = super().__new__(cls, given / whole)
         number.given, number.whole = given, whole
         return number
@@ -532,7 +532,7 @@ class OfLoad(float):
         return self.given, self.whole
 
     def by(self, whole: float | None) -> OfLoad:
-        """Return the number for a new reference; unchanged if the reference is None or 0."""
+        """Return the number for a new reference; unchanged if the reference is missing or 0."""
         return OfLoad(self.given, whole) if whole else self
 
 
@@ -608,7 +608,7 @@ def as_float(number: float) -> float:
 
 
 class SpeedOf(NamedTuple):
-    """Given speed that is a multiple of another link's speed, as for wheels on a curve.
+    """Given speed that is a multiple of the speed of a reference link, as for wheels on a curve.
 
     Parameters
     ----------
@@ -778,7 +778,7 @@ def element_names(elements: Sequence[ShiftElement]) -> list[str]:
 
 
 def mechanism_name(number: int) -> str:
-    """Return the default name of a mechanism: D and its number."""
+    """Return the default name of a mechanism: D and the number of the mechanism."""
     return f"D{number}"
 
 
@@ -795,7 +795,7 @@ class Member(NamedTuple):
     name: str
     link: int
     places: tuple[tuple[int, int], ...]
-    """Index of each mechanism and its link at the member: 0 first, 1 second, 2 third."""
+    """Index of each mechanism, and of the link at the member: 0 first, 1 second, 2 third."""
 
 
 class WheelOfPlanet(NamedTuple):
@@ -809,13 +809,13 @@ class WheelOfPlanet(NamedTuple):
 
 
 class Planet(NamedTuple):
-    """Planet, with the data for its speed relative to the carrier."""
+    """Planet, with the data for the speed relative to the carrier."""
 
     name: str
     mechanism: int = -1
     """Index of the mechanism that determines the speed of the planet, or -1."""
     ratio: float = 0.0
-    """Ratio of the mechanism according to its teeth; `wheels` do not apply to other ratios. [-]"""
+    """Ratio of the mechanism according to the teeth; `wheels` do not apply to other ratios. [-]"""
     wheels: tuple[WheelOfPlanet, ...] = ()
     """Central gears of the planet; empty if the mechanism's `planet_ratio` applies."""
     carrier: int = 0
@@ -833,7 +833,8 @@ class OwnDevice(NamedTuple):
     planets: tuple[Planet, ...]
     meshes: tuple[bool, ...] = ()
     """Flag for each mechanism that is a mesh of planets: True if the torque of the mesh is known,
-    because the teeth of its first gear are known."""
+    because the teeth of the first gear are known.
+    """
 
     @property
     def meshes_by_index(self) -> list[tuple[int, bool]]:

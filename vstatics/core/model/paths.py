@@ -18,11 +18,11 @@ Keys: TypeAlias = tuple[str, ...]
 """Keys of a path, without quotes."""
 
 PARTS = ("shift_elements", "elements", "mechanisms", "springs")
-"""Keys of a case that a path omits, because it begins with the name of a part under them."""
+"""Keys of a case that a path omits: the path begins with the name of a part."""
 BODIES = ("inertias", "masses")
-"""Keys of a case with a number for each link; the path of such a number is `LINK.inertia`."""
+"""Keys of a case with a number for each link, under a path such as `LINK.inertia`."""
 OWNERS: Mapping[str, int] = {"load": 1, "gears": 2, "drag": 1, "mesh_efficiency": 1}
-"""Keys of a case with which a path can begin, and the number of keys that identify its owner."""
+"""Keys of a case with which a path can begin, and the number of keys that identify the owner."""
 MOST_PATH_PARTS = 16
 """Largest number of keys in a path; the keys of documents are nested less deeply."""
 
@@ -110,7 +110,7 @@ def plain(text: str) -> str:
 
 
 def plain_keys(text: str) -> list[str]:
-    """Return a typed path, split at every point after removal of its quotes."""
+    """Return a typed path, split at every point after removal of quotes."""
     return plain(text).split(".")
 
 
@@ -136,7 +136,7 @@ def owner_and_number(path: str) -> tuple[Keys, Keys]:
 
 
 def with_unit(text: str) -> tuple[str, str | None]:
-    """Return a typed path and the unit in brackets, or None without brackets.
+    """Return a typed path and the unit in brackets, if any.
 
     >>> with_unit("load.speed [rpm]"), with_unit("load.speed")
     (('load.speed', 'rpm'), ('load.speed', None))

@@ -98,7 +98,7 @@ UNITS: Mapping[str, str] = {"speed": "rpm", "torque": "N*m", "power": "kW"}
 """Units of speeds, torques and powers that are given without a unit but are not relative."""
 
 Limits: TypeAlias = Mapping[str, Any]
-"""Limits of a number as keywords of JSON Schema; the program itself checks them elsewhere."""
+"""Limits of a number as keywords of JSON Schema; the program's own checks are elsewhere."""
 NO_LIMITS: Limits = MappingProxyType({})
 
 
@@ -114,20 +114,20 @@ class Leaf(NamedTuple):
 
 
 class InUnit(float):
-    """Number in SI units, with the quantity of the unit in which it was written."""
+    """Number in SI units, with the quantity of the written unit."""
 
     measure: Measure | None
-    """Quantity of the unit; None for a number that was written without a unit."""
+    """Quantity of the unit, if the number was written with a unit."""
 
     def __new__(cls, value: float, measure: Measure | None) -> Self:
-        """Create a number that stores the quantity of its unit."""
+        """Create a number that stores the quantity of the unit."""
         number = super().__new__(cls, value)
         number.measure = measure
         return number
 
 
 class Links(NamedTuple):
-    """Declaration of links: their number, or a list of their names."""
+    """Declaration of links: the number of links, or a list of names."""
 
 
 class Ends(NamedTuple):
@@ -150,7 +150,7 @@ class Shares(NamedTuple):
 
 
 class KeyShape(NamedTuple):
-    """Declaration of a key, with the shape of its value; the attribute has the same name.
+    """Declaration of a key, with the shape of the value; the attribute has an equal name.
 
     `default` is set if the default applies to the document only, not to the class of the model.
     """
@@ -163,7 +163,7 @@ class KeyShape(NamedTuple):
     limits: Limits = NO_LIMITS
     examples: tuple[Any, ...] = ()
     unless: str = ""
-    """Name of another key whose presence makes this required key optional."""
+    """Name of a key whose presence makes the declared required key optional."""
 
     def leaves_out(self, value: Any) -> bool:
         """Return whether a value is the default, so that a document can omit the key.
@@ -181,9 +181,9 @@ class ByKey(NamedTuple):
     description: str
     keys: tuple[KeyShape, ...]
     make: Callable[..., Any] = dict
-    """Function that creates the part of the model; its keyword arguments are the values."""
+    """Function that creates the part of the model from the values as keyword arguments."""
     fault: Callable[..., str] = lambda **_: ""
-    """Function that returns a message about contradictory values; empty if they are valid."""
+    """Function that returns a message about contradictory values; empty for valid values."""
 
     @property
     def required(self) -> list[str]:
@@ -192,7 +192,7 @@ class ByKey(NamedTuple):
 
 
 class Either(NamedTuple):
-    """Declaration of a mapping that can be shortened to the value of its most important key."""
+    """Declaration of a mapping that can be shortened to the value of the most important key."""
 
     short: Ends | ListOf | Leaf
     key: str
@@ -233,7 +233,7 @@ class RowOf(NamedTuple):
     optional: tuple[Shape, ...] = ()
     """Shapes of optional further values."""
     more: Shape | None = None
-    """Shape of any number of values after the others."""
+    """Shape of any number of further values at the end."""
 
     def shapes(self, count: int) -> tuple[Shape, ...]:
         """Return the shapes of a list of `count` values, or fewer if the list must be shorter."""
@@ -252,7 +252,7 @@ class ByPoints(NamedTuple):
 
     @property
     def scalar(self) -> Shape:
-        """Shape of the constant number, equal to that of the second number of a point."""
+        """Shape of the constant number, equal to the shape of the second number of a point."""
         return self.row.items[1]
 
 
@@ -264,7 +264,7 @@ class Parsed(NamedTuple):
     """Function from text to value; raises ValueError (expectation) or ReadError (with a column)."""
     stand_in: Any
     unit: str = ""
-    """Unit of numbers written without a unit, unless it depends on other keys."""
+    """Unit of numbers written without a unit, unless dependent on other keys."""
 
 
 class ByForm(NamedTuple):
@@ -286,7 +286,7 @@ class ByLaw(NamedTuple):
     """Declaration of a number or a law; a law is a text, a list of points or a mapping."""
 
     scalar: Leaf | None
-    """Shape of a number or text; None for a law that is a mapping."""
+    """Shape of a number or text, unless the law is a mapping."""
     mapping: ByKey | ByKind
     row: RowOf | None = None
     """Shape of a point in a list of points."""
@@ -302,7 +302,7 @@ class Balances(NamedTuple):
 
 
 class ByKind(NamedTuple):
-    """Declaration of a mapping whose keys depend on the value of one key, such as `kind`.
+    """Declaration of a mapping whose keys depend on the value of a single key, such as `kind`.
 
     The value can also be a list of words such as `[speed, torque]`, under which the keys are
     declared.

@@ -36,7 +36,7 @@ class TwistCurve(NamedTuple):
         return self.twists[1:-1]
 
     def piece(self, number: int) -> tuple[float, float]:
-        """Return the line of a piece: its torque at zero twist [N*m] and its slope [N*m/rad]."""
+        """Return the line of a piece: torque at zero twist [N*m] and slope [N*m/rad]."""
         left, right = self.twists[number : number + 2]
         below, above = self.torques[number : number + 2]
         slope = (above - below) / (right - left)
@@ -85,7 +85,7 @@ class TwistCurve(NamedTuple):
         return energy if twist > 0 else -energy
 
     def twist_at(self, torque: float) -> float | None:
-        """Return the twist nearest 0 with a given torque [rad]; None without a solution.
+        """Return the twist nearest 0 with a given torque [rad], if a solution exists.
 
         Examples
         --------
@@ -132,7 +132,7 @@ def straight_curve(stiffness: float) -> TwistCurve:
 
 
 class SpringLimit(NamedTuple):
-    """Torque limit that grows with the torque of another spring, as tyre grip with wheel load.
+    """Torque limit that grows with the torque of a second spring, as tyre grip with wheel load.
 
     Parameters
     ----------
@@ -258,7 +258,7 @@ def between(first: int, second: int = HOUSING) -> Twist:
 
 
 def ends(twist: Mapping[int, float] | Twist) -> tuple[int, int] | None:
-    """Return the links of the shaft with a given twist; None if the twist is not that of a shaft.
+    """Return the links of the shaft with a given twist, if the twist belongs to a shaft.
 
     >>> ends(between(2)), ends({1: 1, 2: -1, 3: -1})
     ((2, 0), None)
@@ -305,7 +305,7 @@ def spring_record(spring: Spring) -> dict[str, Any]:
 
 
 def spring_name(number: int) -> str:
-    """Return the default name of a spring: S and its number."""
+    """Return the default name of a spring: S and the number of the spring."""
     return f"S{number}"
 
 

@@ -124,7 +124,7 @@ class StrutCurve(NamedTuple):
         return stored
 
     def twist_at(self, force: float) -> float | None:
-        """Find the extension at a force [m] by bisection; None without a solution."""
+        """Find the extension at a force [m] by bisection, if a solution exists."""
         low, high = self.strut.reach
         if math.isinf(high):
             if force >= self.strut.chambers[0][0]:

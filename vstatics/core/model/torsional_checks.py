@@ -127,7 +127,7 @@ def _beside(key: str, spring: Spring, path: Path) -> Iterator[Problem]:
 
 
 def _of_units(case: TransmissionFields, spring: Spring, path: Path) -> Iterator[Problem]:
-    """Check that the units of a spring suit its links, which rotate or move along a line."""
+    """Check that the units of a spring suit the links, which rotate or move along a line."""
     straight = [link for link in spring.form if link in case.masses]
     named = f"{called(case, straight[0])}, which is in" if straight else "no link of"
     numbers: list[tuple[Path, Any]] = [
@@ -187,7 +187,7 @@ def _of_strut(case: TransmissionFields, spring: Spring, path: Path) -> Iterator[
 
 
 def _of_followed(case: TransmissionFields, limit: SpringLimit, path: Path) -> Iterator[Problem]:
-    """Check a limit that grows with the torque of another spring.
+    """Check a limit that grows with the torque of a second spring.
 
     The other spring must have neither a limit nor friction.
     """
@@ -237,7 +237,7 @@ def of_elastic(
 
 
 def above_0(number: float, what: str, path: Path) -> Iterator[Problem]:
-    """Check that a number and its inverse are finite and above 0."""
+    """Check that a number x and 1/x are finite and above 0."""
     if not 0 < number < math.inf:
         yield Problem("E255", f"read {number:g}, expected {what} above 0", path)
     elif 1 / number == math.inf:

@@ -141,7 +141,7 @@ class Transmission(TransmissionFields):
         return replace(self, **changes)
 
     def with_coast(self, coast: bool | None) -> Transmission:  # noqa: FBT001
-        """Return the transmission with `coast` set for all gears; unchanged for None."""
+        """Return the transmission with `coast`, if given, set for all gears."""
         if coast is None:
             return self
         gears = [gear._replace(coast=None) for gear in self.gears]
@@ -149,7 +149,7 @@ class Transmission(TransmissionFields):
         return replace(self, coast=coast, gears=gears) if unlike else self
 
     def with_torque(self, torque: float | None) -> Transmission:
-        """Return the transmission with an input torque for all gears [N*m]; unchanged for None."""
+        """Return the transmission with an input torque, if given, for all gears [N*m]."""
         if torque is None:
             return self
         loads = (gear.load and Load(torque=torque).or_else(gear.load) for gear in self.gears)
@@ -157,7 +157,7 @@ class Transmission(TransmissionFields):
         return replace(self, load=Load(torque=torque).or_else(self.load or NO_LOAD), gears=gears)
 
     def as_pairs(self, gear: Gear) -> Transmission | None:
-        """Return the case with each variator replaced by a gear pair, for the ratios of one gear.
+        """Return the case with variators replaced by gear pairs, for the ratios of a single gear.
 
         The result is None if a converter carries torque in the gear, or a variator has the speed
         ratio 0.
@@ -329,7 +329,7 @@ def _spring(spring: Spring, number: int) -> Spring:
 
 
 def _gear(case: Transmission, gear: Gear, number: int) -> Gear:
-    """Return a completed gear; its numbers with a unit are made relative to the operating point."""
+    """Return a completed gear, whose numbers with a unit are relative to the operating point."""
     load, torque = case.gear_load(gear), case.torque_unit(gear)
     return gear._replace(
         engaged=tuple(gear.engaged),

@@ -83,7 +83,7 @@ def largest(values: np.ndarray[Any, np.dtype[np.inexact[Any]]]) -> float:
 
 
 def rounding_as_zero(values: Floats) -> Floats:
-    """Return values with 0 for values that are negligible relative to the largest of their column.
+    """Return values with 0 for values that are negligible relative to the column's largest value.
 
     >>> rounding_as_zero(np.array([[3.0, np.nan], [1e-15, 1e-15]])).tolist()
     [[3.0, nan], [0.0, 1e-15]]
@@ -114,7 +114,7 @@ def counted(lengths: Integers) -> tuple[Integers, Integers]:
 
 
 def portions(lengths: Integers, most: int) -> Iterator[slice]:
-    """Yield slices that group lists in order, each with at most `most` items or one longer list.
+    """Yield slices that group lists in order, each with at most `most` items or a longer list.
 
     >>> list(portions(np.array([2, 0, 3, 9, 1]), 5))
     [slice(0, 3, None), slice(3, 4, None), slice(4, 5, None)]

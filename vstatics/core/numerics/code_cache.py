@@ -15,7 +15,7 @@ CACHE_TROUBLE: list[str] = []
 
 
 def _cache() -> str:
-    """Return a folder for machine code in which no other user can write; "" if none is safe.
+    """Return a folder for machine code in which no other user can write; "" if no folder is safe.
 
     The path is resolved once and its folders are checked from the root downwards, so that no other
     user can replace a folder after its check. The name of the folder depends on the source files

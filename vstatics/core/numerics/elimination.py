@@ -61,11 +61,11 @@ from vstatics.core.numerics.traced import (
 )
 
 Entry = tuple[Number, Any]
-"""Value of an entry and its size (a float, or a `LaterSize` for numbers of any sign)."""
+"""Value of an entry and the size (a float, or a `LaterSize` for numbers of any sign)."""
 Row = dict[int, Entry]
 """Entries of an equation by column."""
 Coefficient = Number | tuple[Number, ...]
-"""Coefficient of an equation: a number, or terms whose sum it is."""
+"""Coefficient of an equation: a number, or the terms of a sum."""
 Equation = Mapping[int, Coefficient]
 """Coefficients of ``sum(a_j x_j) = b`` by column; b has the column `RIGHT`."""
 RIGHT = -1
@@ -76,12 +76,12 @@ EXACTLY_ONE: Entry = (1.0, 0.0)
 
 
 class Solution(NamedTuple):
-    """Solution of a system, as far as the system determines it."""
+    """Solution of a system, as far as determined by the system."""
 
     values: list[Number]
     """Values of the unknowns, then of the requested sums; NaN if not unique."""
     consistent: bool
-    """True if no equation contradicts the others."""
+    """True if the equations are consistent."""
     missing: int
     """Number of constraints that the unknowns lack: number of unknowns minus rank."""
     excess: int
@@ -94,7 +94,7 @@ def solve(
     sums: Sequence[Mapping[int, Number]] = (),
     arithmetic: Arithmetic | None = None,
 ) -> Solution:
-    """Solve a system for all unknowns, and sums of unknowns, that are unique.
+    """Solve a system for all unique unknowns and sums of unknowns.
 
     Parameters
     ----------
@@ -141,7 +141,7 @@ def solve_with_certainty(
 
 
 def _has_digits(entry: Entry) -> bool:
-    """Return whether a number keeps digits after rounding, according to its size.
+    """Return whether a number keeps digits after rounding, according to the size.
 
     NaN, for a value that does not exist, counts as True.
     """
@@ -150,7 +150,7 @@ def _has_digits(entry: Entry) -> bool:
 
 
 def arithmetic_of(equations: Iterable[Equation]) -> Arithmetic:
-    """Return the arithmetic for equations: that of the first number other than float or int."""
+    """Return the arithmetic for equations, from the first number other than float or int."""
     for equation in equations:
         for coefficient in equation.values():
             for term in coefficient if isinstance(coefficient, tuple) else (coefficient,):
@@ -250,7 +250,7 @@ class _Elimination:
         return known
 
     def values(self, unknowns: int, sums: Sequence[Mapping[int, Number]]) -> list[Entry]:
-        """Return each unknown and each sum; NaN if it depends on a free unknown."""
+        """Return each unknown and each sum; NaN if dependent on a free unknown."""
         known = self.by_free_unknowns(unknowns)
         totals = [known[column] for column in range(unknowns)]
         for terms in sums:
@@ -474,7 +474,7 @@ def _signed_less(entry: Entry, factor: Entry, term: Entry) -> Entry:
 
 
 def _of_all_variants(entry: Entry) -> tuple[Either, Callable[[], Either]]:
-    """Return the magnitude of an entry in all variants, and a function for its size."""
+    """Return the magnitude of an entry in all variants, and a function for the size."""
     number, size = entry
     later = size.of_all if isinstance(size, LaterSize) else lambda: size
     return size_of(of_any_sign(number)), later
@@ -503,7 +503,7 @@ SIGNED = Arithmetic(_signed_entry, _signed_quotient, _signed_less, _signed_enoug
 
 
 def _exact(number: Any) -> Any:
-    """Return a number as a fraction; a float as the fraction of its shortest decimals."""
+    """Return a number as a fraction; a float as the fraction of the shortest decimals."""
     if is_exact(number):
         return number
     from fractions import Fraction  # the import costs start-up time

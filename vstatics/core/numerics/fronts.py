@@ -14,9 +14,9 @@ from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 LEAF = 128
 """Largest number of points for which all pairs are compared."""
 BLOCK = 256
-"""Number of points in a block that is compared with other points at the same time."""
+"""Number of points in a block that is compared with other points at once."""
 PIVOTS = 16
-"""Number of good points that are compared with all others before sorting."""
+"""Number of good points that are compared with all other points before sorting."""
 
 
 def non_dominated(objectives: Floats) -> Integers:

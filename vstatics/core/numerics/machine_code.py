@@ -43,7 +43,7 @@ class _CachedCode(FunctionCache):
 
     @contextmanager
     def _guard_against_spurious_io_errors(self) -> Iterator[None]:
-        """Ignore faults while a cache file is read or written, and record them for the user."""
+        """Ignore, but record for the user, faults while a cache file is read or written."""
         try:
             with private():
                 yield
@@ -59,7 +59,7 @@ class SharedType(types.NamedTuple):
     """Numba type of a named tuple that compiled functions receive by address."""
 
     def __init__(self, fields: Sequence[Any], cls: type) -> None:
-        """Create the type with a short name, because function names contain it."""
+        """Create the type with a short name, because function names contain the name."""
         super().__init__(fields, cls)
         self.name = f"{cls.__name__}{crc32(self.name.encode()):08x}"
 
@@ -71,7 +71,7 @@ class SharedType(types.NamedTuple):
 
 @register_default(SharedType)
 class SharedModel(PrimitiveModel):
-    """Numba data model of a shared tuple: the address of its fields."""
+    """Numba data model of a shared tuple: the address of the fields."""
 
     def __init__(self, models: Any, shared: SharedType) -> None:
         """Determine the data models of the fields."""
@@ -105,19 +105,19 @@ def shared(cls: Shared) -> Shared:
 
 
 class _WholeCode(JITCodeLibrary):
-    """Machine code of a function and of all parts (functions for compiled code) that it calls."""
+    """Machine code of a function and of all called parts (functions for compiled code)."""
 
     def add_linking_library(self, library: CodeLibrary) -> None:
-        """Add the code of a called function, including all parts that it calls."""
+        """Add the code of a called function, including all parts called in turn."""
         for code in (library, *getattr(library, "parts", ())):
             super().add_linking_library(code)
 
     def add_llvm_module(self, ll_module: Any) -> None:
-        """Add the code of a module without optimising it."""
+        """Add the code of a module without optimisation."""
         self._final_module.link_in(ll_module)
 
     def finalize(self) -> None:
-        """Link parts first, because the linker omits other functions until a part calls them."""
+        """Link parts first, because the linker omits functions not yet called by a part."""
         self._linking_libraries.sort(key=lambda code: not isinstance(code, _PartCode))
         super().finalize()
 
@@ -141,7 +141,7 @@ class _PartCode(_WholeCode):
 
     @property
     def parts(self) -> list[CodeLibrary]:
-        """Code of all functions that this part calls, directly or indirectly."""
+        """Code of all functions that the part calls, directly or indirectly."""
         return list(self._linking_libraries)
 
     def finalize(self) -> None:
@@ -159,7 +159,7 @@ class _LowerWhole(NativeLowering):
     _name = "lower_whole"
 
     def run_pass(self, state: Any) -> bool:
-        """Translate a function, link its parts and generate machine code."""
+        """Translate a function, link the parts and generate machine code."""
         state.library = _WholeCode(state.targetctx.codegen(), state.func_id.func_qualname)
         state.library.enable_object_caching()
         return bool(super().run_pass(state))
@@ -172,7 +172,7 @@ class _LowerPart(NativeLowering):
     _name = "lower_part"
 
     def run_pass(self, state: Any) -> bool:
-        """Translate a function, and register it for its callers."""
+        """Translate a function, and register the translation for callers."""
         state.library = _PartCode(state.targetctx.codegen(), state.func_id.func_qualname)
         state.flags.no_compile = True
         super().run_pass(state)
@@ -210,7 +210,7 @@ class _PartCompiler(_WholeCompiler):
 
 
 def compiled(function: Compiled) -> Compiled:
-    """Return a function that is compiled, or loaded from the cache, at its first call."""
+    """Return a function that is compiled, or loaded from the cache, at the first call."""
     dispatcher = _compiled(function, _WholeCompiler)
     before = numba.config.CACHE_DIR  # type: ignore[attr-defined]
     numba.config.CACHE_DIR = CACHE  # type: ignore[attr-defined]

@@ -34,7 +34,7 @@ class Layout(NamedTuple):
 
 
 class Rows:
-    """Rows of all tables for one gear; each row is an array over the variants."""
+    """Rows of all tables for a gear; each row is an array over the variants."""
 
     def __init__(self, arrays: Sequence[Any]) -> None:
         self.arrays = arrays
@@ -60,7 +60,7 @@ class Rows:
         return known is not self and (known == value or (known != known and value != value))  # noqa: PLR0124
 
     def alike(self, variants: int, layout: Layout) -> Rows:
-        """Return empty rows of the same types for `variants` variants, without constant values."""
+        """Return empty rows of equal types for `variants` variants, without constant values."""
         rows = Rows([np.empty(variants, dtype=row.dtype) for row in self.arrays])
         rows._layout = layout
         return rows
@@ -74,14 +74,14 @@ class Rows:
                 self.vary(row)[places] = value
 
     def put_variant(self, variant: int, values: Sequence[Any]) -> None:
-        """Write the values of all rows for one variant."""
+        """Write the values of all rows for a variant."""
         self.holds.clear()
         self._layout = None
         for row, value in zip(self.arrays, values, strict=True):
             row[variant] = value
 
     def vary(self, row: int) -> Any:
-        """Return the array of a row for writing, and forget its constant."""
+        """Return the array of a row for writing, and forget the constant of the row."""
         self.holds.pop(row, None)
         self._layout = None
         return self.arrays[row]

@@ -58,7 +58,7 @@ def values_of(forms: Sequence[Form], unknowns: int) -> Floats:
 
 
 class _Tree:
-    """Trees of unknowns joined by equations with two unknowns; one unknown alone must be 0."""
+    """Trees of unknowns joined by equations with two unknowns; an unknown alone must be 0."""
 
     def __init__(self, unknowns: int) -> None:
         self.parent: list[int] = list(range(unknowns))
@@ -79,7 +79,7 @@ class _Tree:
         return unknown, factor
 
     def takes(self, form: Form) -> bool:
-        """Add an equation to the trees; return False if it closes a loop, for `elimination`."""
+        """Add an equation to the trees; return False for a closed loop, left to `elimination`."""
         terms = [(unknown, part) for unknown, part in form.items() if part]
         if len(terms) == 1:
             root, _ = self.root(terms[0][0])

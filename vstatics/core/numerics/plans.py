@@ -29,16 +29,16 @@ from vstatics.core.numerics.tolerances import LEAST_INPUT
 from vstatics.core.numerics.traced import Magnitude, Number, Traced
 
 FEW_VARIANTS = 4
-"""Initial number of variants up to which no plan is recorded: they are calculated individually.
+"""Initial largest number of variants that are calculated individually, without a plan.
 
 `Plans.few` starts with this number and grows by it after each plan that serves no more variants.
 """
 WORTH = 12
 """Cost of recording a plan, as a number of individually calculated variants."""
 STEPS_LIKE_ONE_VARIANT = 250
-"""Number of steps of a plan that cost as much as one individually calculated variant."""
+"""Number of steps of a plan that cost as much as an individually calculated variant."""
 LEAST_SERVED = 1 / 64
-"""Smallest share of variants that a plan is expected to serve in its next run."""
+"""Smallest share of variants that a plan is expected to serve in the next run."""
 MOST_PLANS = 256
 """Largest number of plans of a calculation; further variants are calculated individually."""
 TRIALS = 6
@@ -71,7 +71,7 @@ class Plans:
         self.few = FEW_VARIANTS
 
     def run(self, inputs: Inputs, rows: Rows) -> None:
-        """Calculate all variants, and write each result to its row of `rows`."""
+        """Calculate all variants, and write each result to a row of `rows`."""
         total = inputs.values.shape[1]
         if total == 1:
             for plan in self.plans:
@@ -146,7 +146,7 @@ class Plans:
         return bool(passed.mean() > SERVED_PART)
 
     def _run(self, plan: Plan, inputs: Inputs, rows: Rows, chosen: Integers) -> Integers:
-        """Run a plan on those chosen variants whose inputs suit it; return the others."""
+        """Run a plan on the chosen variants with suitable inputs; return the remaining variants."""
         everybody = chosen.size == inputs.values.shape[1]
         part = inputs if everybody else prepared(inputs.values[:, chosen])
         passed = plan.suits(part)
@@ -183,7 +183,7 @@ efficiencies stay near or below 1.
 
 
 Function = Callable[[Sequence[Number]], Sequence[Number | Residual | Truth]]
-"""Calculation of one variant: returns the results for given input numbers."""
+"""Calculation of a variant: returns the results for given input numbers."""
 
 
 class Range(NamedTuple):
@@ -194,7 +194,7 @@ class Range(NamedTuple):
 
 
 class Inputs(NamedTuple):
-    """Input numbers of shape (inputs, variants), with their magnitudes and ranges."""
+    """Input numbers of shape (inputs, variants), with magnitudes and ranges."""
 
     values: Floats
     magnitudes: Floats
@@ -211,7 +211,7 @@ def prepared(values: Floats) -> Inputs:
 
 
 class Plan:
-    """Recorded calculation with the ranges of inputs for which it is valid."""
+    """Recorded calculation with the valid ranges of inputs."""
 
     def __init__(self, ranges: Sequence[Range], replay: Replay, *, signed: bool) -> None:
         self.ranges = ranges
@@ -229,7 +229,7 @@ class Plan:
         return len(self.replay.steps)
 
     def numbers(self, inputs: Inputs) -> Floats:
-        """Return the inputs with their signs for a plan of any sign, else their magnitudes."""
+        """Return the inputs, signed for a plan of any sign, else as magnitudes."""
         return inputs.values if self.signed else inputs.magnitudes
 
     def suits(self, inputs: Inputs) -> Booleans:
@@ -263,7 +263,7 @@ class Plan:
 
 
 def plan_of_one_sign(function: Function, inputs: Inputs, place: int, widening: float) -> Plan:
-    """Return the plan recorded for a variant, valid for inputs with the signs of this variant.
+    """Return the plan recorded for a variant, valid for inputs with the signs of the variant.
 
     Raises
     ------

@@ -47,7 +47,7 @@ ARRAYS: Mapping[str, Callable[..., Any]] = {
     "choose": _choose,
     "minimum": _minimum,
 }
-"""Array functions for operations of a tape without a NumPy function of the same name."""
+"""Array functions for operations of a tape without a NumPy function of equal name."""
 
 PLAIN: Mapping[str, Callable[..., float]] = {
     "add": operator.add,
@@ -83,27 +83,27 @@ def _working_arrays(count: int, guards: int, variants: int) -> tuple[Floats, Boo
 
 
 class Step(NamedTuple):
-    """Operation of a replay: functions for arrays and for floats, and the cells of its operands."""
+    """Operation of a replay: functions for arrays and for floats, and the cells of the operands."""
 
     function: Callable[..., Any]
     plain: Callable[..., float]
     first: int
     second: int
     result: int | None
-    """Cell of the result; None for a guard, which only marks variants."""
+    """Cell of the result, except for a guard, which only marks variants."""
     third: int | None = None
-    """Cell of the third operand; only choices have one."""
+    """Cell of the third operand of a choice."""
 
 
 PlainStep = tuple[Callable[..., float], int, int, int | None]
-"""Operation on floats: function, cells of two operands, and cell of the result (None for a guard).
+"""Operation on floats: function, cells of two operands, cell of the result (except for a guard).
 
 Python unpacks a tuple in a fraction of the time of a named tuple.
 """
 
 
 class Replay(NamedTuple):
-    """Steps that calculate results from inputs; their operands are numbered cells.
+    """Steps that calculate results from inputs, with numbered cells as operands.
 
     The cells are the inputs, the varying results and the working arrays, in this order. Constants
     follow in reverse order, so that negative numbers count them from the end.
@@ -259,7 +259,7 @@ class _Cells:
         return -1 - self.plain.index(operand)
 
     def taken(self, slot: int, copies: Mapping[int, Sequence[tuple[int, float]]]) -> int:
-        """Return a cell for a new slot: the cell of its result, or a working array."""
+        """Return a cell for a new slot: the cell of the result, or a working array."""
         result = next((cell for cell, sign in copies.get(slot, ()) if sign > 0), None)
         if result is None and not self._free:
             self._free.append(self._first_working + self.working)
@@ -274,7 +274,7 @@ class _Cells:
     def copied(
         self, slot: int, copies: Mapping[int, Sequence[tuple[int, float]]]
     ) -> Iterator[Step]:
-        """Yield steps that copy a slot to the other results that equal it."""
+        """Yield steps that copy a slot to all other equal results."""
         for cell, sign in copies.get(slot, ()):
             if cell != self._cells[slot]:
                 yield Step(_store, operator.mul, self._cells[slot], self.of(Plain(sign)), cell)

@@ -10,7 +10,7 @@ import numpy as np
 from vstatics.core.numerics.arrays import Booleans, Floats
 
 Sided: TypeAlias = Callable[[Floats], tuple[Floats, Floats]]
-"""Function of an array of places; returns the values, and the magnitudes up to which they are 0."""
+"""Function of an array of places; returns values, and the magnitudes up to which values are 0."""
 
 _PLACES = 2**15 + 1
 """Number of places at which a function is evaluated first."""

@@ -125,7 +125,7 @@ class Signed:
 
 
 Either = float | Signed
-"""A float, or a number of any sign; both have the same operators."""
+"""A float, or a number of any sign, with a common set of operators."""
 
 
 class Truth:
@@ -201,7 +201,7 @@ def bounds_of(number: Either) -> Interval:
 
 
 def upright(tape: Tape, number: Either) -> Operand:
-    """Return the operand of a number with its sign, recording a negation if needed."""
+    """Return the signed operand of a number, recording a negation if needed."""
     if not isinstance(number, Signed):
         return Plain(float(number))
     return tape.note("multiply", number.slot, Plain(-1.0)) if number.negated else number.slot
@@ -225,7 +225,7 @@ def is_nothing(number: Either) -> bool:
 
 
 def _operand(number: Either) -> tuple[Operand, bool]:
-    """Return the tape operand that represents a number, and whether its sign is reversed."""
+    """Return the tape operand that represents a number, and whether the sign is reversed."""
     if isinstance(number, Signed):
         return number.slot, number.negated
     return Plain(float(abs(number))), number < 0
@@ -263,7 +263,7 @@ def _quotient(tape: Tape, dividend: Either, divisor: Either) -> Either:
 
 
 def _compared(tape: Tape, name: str, left: Either, right: Either) -> Condition:
-    """Return a comparison, or a boolean if the bounds decide it for all variants."""
+    """Return a comparison, or a boolean if the bounds decide the comparison for all variants."""
     if is_nan(left) or is_nan(right):
         return False
     below = is_below(bounds_of(left), bounds_of(right))
@@ -350,7 +350,7 @@ def is_below(left: Interval, right: Interval) -> bool | None:
 
 
 def _lies_below(left: Interval, right: Interval) -> bool:
-    """Return whether an interval is below another, with a margin unless an end is 0 or infinite."""
+    """Return whether `left` is below `right`, with a margin unless an end is 0 or infinite."""
     end, start = left[1], right[0]
     if start == math.inf or end == -math.inf or (0 in (end, start) and end < start):
         return True
@@ -358,7 +358,7 @@ def _lies_below(left: Interval, right: Interval) -> bool:
 
 
 def guarded_sum(first: Either, second: Either, part: float) -> Either:
-    """Return a sum, guarded so that its magnitude exceeds `part` of the magnitude of its terms."""
+    """Return a sum, guarded so that the magnitude exceeds `part` of the magnitude of the terms."""
     total = first + second
     if not isinstance(total, Signed):
         return total
@@ -370,7 +370,7 @@ def guarded_sum(first: Either, second: Either, part: float) -> Either:
 
 
 def guard_equal(number: Either, reference: Either, rounding: Either, part: float) -> None:
-    """Require that two numbers differ at most by `rounding` and by `part` of their magnitude."""
+    """Require that two numbers differ at most by `rounding` and by `part` of the magnitude."""
     if (
         isinstance(number, Signed)
         and isinstance(reference, Signed)

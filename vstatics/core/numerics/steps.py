@@ -50,7 +50,7 @@ class Steps:
         return self.number
 
     def __getitem__(self, indices: Integers) -> Floats:
-        """Return the numbers at some indices, in an array of the same shape."""
+        """Return the numbers at some indices, in an array of equal shape."""
         if self._whole is not None:
             first, step, divisor = self._whole
             numbers: Floats = indices * np.float64(step)
@@ -62,7 +62,7 @@ class Steps:
 
     @cached_property
     def _whole(self) -> tuple[float, float, float] | None:
-        """Start, step and common divisor as whole numbers; None if a number would be too large."""
+        """Start, step and common divisor as whole numbers, unless too large."""
         start = _exact(self.start)
         step = (_exact(self.stop) - start) / max(self.number - 1, 1)
         divisor = lcm(start.denominator, step.denominator)

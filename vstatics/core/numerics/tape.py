@@ -7,15 +7,15 @@ from typing import NamedTuple, Never
 MOST_OPERATIONS = 20_000
 """Largest number of operations on a tape; recording a longer calculation is not worthwhile."""
 GUARDS = frozenset({"less", "less_equal", "equal", "not_equal"})
-"""Names of comparisons; a tape is valid only for variants in which all its comparisons are true."""
+"""Names of comparisons; a tape is valid only for variants in which all comparisons are true."""
 
 
 class Untraceable(Exception):  # noqa: N818
-    """Error: the recorded variant is a special case, so it cannot represent other variants."""
+    """Error: the recorded variant is a special case, and so cannot represent other variants."""
 
 
 class Plain(NamedTuple):
-    """Constant as an operand, to distinguish it from the number of a slot."""
+    """Constant as an operand, as distinct from the number of a slot."""
 
     number: float
 
@@ -60,7 +60,7 @@ class Tape:
         self._slots: dict[Operation, int] = {}
 
     def note(self, name: str, first: Operand, second: Operand, third: Operand | None = None) -> int:
-        """Record an operation, unless it is on the tape already, and return the slot of its result.
+        """Record an operation, unless already on the tape, and return the slot of the result.
 
         Raises
         ------

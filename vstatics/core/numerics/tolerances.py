@@ -12,12 +12,12 @@ EPSILON = 2.0**-52
 # Arithmetic of linear systems. "Fixed sign" and "any sign" are the two kinds of recorded
 # calculations (plans): for variants of equal signs, and for variants whose signs differ.
 ZERO = EPSILON
-"""Largest difference that counts as 0, relative to the size that bounds its rounding error.
+"""Largest difference that counts as 0, relative to the size that bounds the rounding error.
 
 Such a difference must also be below `TRACED_REAL`.
 """
 TRACED_REAL = 2.0**-20
-"""Largest difference that counts as 0, relative to the larger of its two terms."""
+"""Largest difference that counts as 0, relative to the larger of the two terms."""
 TRACED_SAME = 32 * EPSILON
 """Fixed sign: largest difference that counts as 0 in a variant, relative to the larger term."""
 TRACED_DIFFERENCE = 1 / 64
@@ -35,7 +35,7 @@ factor.
 SIGNED_SAME = 2.0**-36
 """Any sign: relative difference above which two terms differ, for any estimated rounding error."""
 PIVOT = 0.1
-"""Smallest pivot relative to the largest entry of its row, to limit the growth of rows."""
+"""Smallest pivot relative to the largest entry of the row, to limit the growth of rows."""
 SIGNED_PIVOT = 1 / 256
 """Any sign: smallest relative pivot, in the first variant; low because sums are guarded."""
 
@@ -49,24 +49,24 @@ NEAR_ONE = 1e-4
 CLOSED = 1e-9
 """Error of the power balance, relative to the input power, above which a plan is rejected."""
 NO_POWER = 1e-12
-"""Largest power, relative to the largest power of the gear, that counts as rounding.
+"""Largest power that counts as rounding, relative to the largest power of the gear.
 
 It is also the smallest reference value for relative errors of speeds and torques.
 """
 CYCLE = 1e-9
-"""Largest power of a cycle, relative to the largest power of the gear, that counts as rounding."""
+"""Largest power of a cycle that counts as rounding, relative to the largest power of the gear."""
 STANDS_STILL = 1e-13
 """Change of an efficiency per iteration below which the iteration has converged."""
 SAME_SOLUTION = 1e-10
 """Difference below which two efficiencies are equal; larger than the error after convergence."""
 BALANCED = 1e-9
-"""Largest error of a battery's power, relative to all powers, that counts as balanced."""
+"""Largest error of a battery's power that counts as balanced, relative to all powers."""
 
 # Geometry and ratios: ratios of gears, rays of a speed plan, tips of teeth.
 SAME_RATIO = 1e-9
 """Relative difference below which ratios of gears, or rays of a speed plan, are equal."""
 TIP_CLEARANCE = 1e-9
-"""Largest clearance between toothed gears, in modules, that counts as rounding."""
+"""Largest clearance between toothed gears that counts as rounding, in modules."""
 
 # Arrays of variants, and the plans that calculate them.
 LAST_BITS = 1e-12
@@ -98,9 +98,9 @@ ATOL = 1e-12
 RTOL = 1e-9
 """Default relative tolerance of a comparison of results."""
 SAME_FORMULA = 1e-6
-"""Largest relative difference between the value of a ratio formula and the ratio of its gear."""
+"""Largest relative difference between the value of a ratio formula and the ratio of the gear."""
 SAME_TRIAL = 1e-12
-"""Relative distance of trial numbers in a search below which they are not separated further."""
+"""Relative distance below which trial numbers in a search are not separated further."""
 SAME_PUMP_TORQUE = 1e-12
 """Largest difference of the torques on the pump of a converter that counts as equal.
 

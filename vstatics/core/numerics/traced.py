@@ -108,7 +108,7 @@ class Traced:
 
 
 Number = float | Traced | Signed
-"""A float, or a number that represents all variants; all types have the same operators."""
+"""A float, or a number that represents all variants, with a common set of operators."""
 
 
 def is_traced(number: Number | Residual | Truth) -> TypeGuard[Traced | Signed]:
@@ -126,7 +126,7 @@ _ROUNDED = float, int, Traced, Signed
 
 
 def is_nothing_beside(number: Number, other: Number, part: float) -> bool:
-    """Return whether a magnitude is at most `part` times another; a fraction must be exactly 0.
+    """Return whether a magnitude is at most `part` times a reference; a fraction must be exactly 0.
 
     >>> is_nothing_beside(1e-12, 1.0, 1e-9), is_nothing_beside(1e-6, 1.0, 1e-9)
     (True, False)
@@ -206,7 +206,7 @@ def _quotient(tape: Tape, dividend: Number, divisor: Number) -> Number:
 
 
 def _total(tape: Tape, left: Number, right: Number) -> Number:
-    """Return a sum; for a difference of magnitudes, a guard fixes which of them is larger."""
+    """Return a sum; for a difference of magnitudes, a guard fixes the larger magnitude."""
     for number, remaining in ((left, right), (right, left)):
         if _is_nothing(number):
             return number if number != number else remaining  # noqa: PLR0124 - NaN
@@ -242,7 +242,7 @@ def _tape(first_number: Number, second_number: Number) -> Tape:
 
 
 def guard_same(number: Number, reference: Number, part: float) -> None:
-    """Require that two positive numbers, at least one of them traced, are equal within `part`."""
+    """Require that two positive numbers, at least one traced, are equal within `part`."""
     tape = _tape(number, reference)
     if _magnitude(number).operand != _magnitude(reference).operand:
         _compare(tape, "less_equal", number, reference * (1 + part))
@@ -287,7 +287,7 @@ def _equal(tape: Tape, left: Number, right: Any) -> bool:
 
 
 def operand_of(number: Number) -> tuple[Operand, int, float]:
-    """Return the tape operand of a number, its sign, and its value in the first variant."""
+    """Return the tape operand, the sign, and the value in the first variant of a number."""
     if isinstance(number, Signed):
         return number.slot, -1 if number.negated else 1, number.value
     return _magnitude(number).operand, _sign(number), _sign(number) * first(number)

@@ -62,13 +62,13 @@ _PACKED = b"PK\x03\x04"
 
 
 def format_of_name(file: str) -> Format | None:
-    """Return the format of a file, given by the suffix of its name; None if unknown."""
+    """Return the format of a file from the suffix of the name, if known."""
     suffix = splitext(file)[1]  # noqa: PTH122 (importing pathlib costs as much as a solve)
     return SUFFIXES.get(suffix.lower())
 
 
 def format_of(file: str, data: bytes) -> Format:
-    """Return the format of a case, from the suffix of its file or else from its content."""
+    """Return the format of a case, from the suffix of the file, or else from the content."""
     by_name = format_of_name(file)
     if by_name is not None:
         return by_name

@@ -19,7 +19,7 @@ class CaseDocument(NamedTuple):
     source: Source
 
     def reading(self, root: Node) -> Reading:
-        """Read the case given by a modified tree of this document.
+        """Read the case given by a modified tree of the document.
 
         Raises
         ------

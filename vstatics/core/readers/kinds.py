@@ -17,11 +17,11 @@ KEYS: Mapping[str, str] = {
     "sweep file": "vary variants",
     "case": "links mechanisms elements springs inertias masses gears shift_elements dump",
 }
-"""Keys, separated by blanks, that identify a kind of document; the first match counts."""
+"""Keys that identify a kind of document, separated by blanks; the first match counts."""
 
 
 def kind_of(root: Node) -> str | None:
-    """Return the kind of a document in YAML or JSON; None if no key is known."""
+    """Return the kind of a document in YAML or JSON, if a key is known."""
     from vstatics.core.readers.named import nodes
 
     keys = {key.text for key, _ in root.entries} if isinstance(root, nodes.Mapping) else set()
@@ -29,7 +29,7 @@ def kind_of(root: Node) -> str | None:
 
 
 def is_foreign(data: bytes, file: str) -> bool:
-    """Return whether a file contains no key of a case, so that messages must not quote it.
+    """Return whether a file contains no key of a case, and so must not be quoted in messages.
 
     >>> is_foreign(b"root:x:0:0::/root:/bin/sh", "/etc/passwd"), is_foreign(b"{links: 2}", "a.yaml")
     (True, False)
@@ -65,7 +65,7 @@ def is_of_kind(kind: str, data: bytes, file: str) -> bool:
 
 
 def document_function(name: str, data: bytes, file: str) -> Any:
-    """Return the function of an annex that handles a kind of document; None for a case.
+    """Return the function of an annex that handles a kind of document, except for a case.
 
     Raises
     ------

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 class Source:
-    """Text of a file, with methods for places in it."""
+    """Text of a file, with methods for places in the text."""
 
     def __init__(self, file: str, text: str) -> None:
         self.file = file
@@ -33,7 +33,7 @@ class Source:
 
     @cached_property
     def lines(self) -> list[str]:
-        """Lines of the text, for any line ending; cached, so readers of long tables delete them."""
+        """Lines of the text, for any line ending; cached, and deleted by readers of long tables."""
         return self.text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
 
     def place(self, line: int, column: int = 1) -> Place:
@@ -58,7 +58,7 @@ class Reading(NamedTuple):
         return self._replace(case=case, warnings=not_allowed(self.warnings, ids))
 
     def located_messages(self, results: Results, *, each_gear: bool) -> Iterator[Problem]:
-        """Yield the messages of results with their places; equal messages of gears are merged.
+        """Yield the messages of results with places; equal messages of gears are merged.
 
         Messages that differ only in the gear are merged, too, unless `each_gear` is True.
         """
@@ -116,7 +116,7 @@ def finish(
 
 
 def certain(unreadable: Iterable[Path]) -> Callable[[Path], bool]:
-    """Return a function that accepts paths which neither contain a stand-in nor are inside one.
+    """Return a function that accepts paths neither containing nor inside a stand-in.
 
     The function needs one set lookup per level of the path, for any number of stand-ins.
 

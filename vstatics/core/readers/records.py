@@ -50,7 +50,7 @@ class RecordedColumns(NamedTuple):
 
 
 def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) -> RecordedColumns:
-    """Read those requested columns that the file contains.
+    """Read the requested columns that the file contains.
 
     Parameters
     ----------
@@ -110,7 +110,7 @@ def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) ->
 def _places(
     headings: Sequence[str], wanted: Mapping[str, Measure | None], head: Place
 ) -> dict[str, tuple[int, float]]:
-    """Return the index of each requested column, and the factor from its unit to SI."""
+    """Return the index of each requested column, and the factor from the unit to SI."""
     places = {}
     for place, heading in enumerate(headings):
         name = _wanted(heading, wanted)
@@ -131,6 +131,6 @@ def _places(
 
 
 def _wanted(heading: str, wanted: Container[str]) -> str:
-    """Return the name in a heading: the full heading if it is requested, else without the unit."""
+    """Return the name in a heading: the full heading if requested, else without the unit."""
     name, _ = with_unit(heading)
     return name if name in wanted and heading not in wanted else heading

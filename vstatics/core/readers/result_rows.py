@@ -126,7 +126,7 @@ def _made(results: dict[str, _Cells], file: str) -> list[WrittenResult]:
 
 
 def checked(result: WrittenResult, file: str, line: int = 0) -> WrittenResult:
-    """Return a result after checking that tables with one value per gear have a single row.
+    """Return a result after checking that tables with a value per gear have a single row.
 
     Raises
     ------

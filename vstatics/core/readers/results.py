@@ -151,13 +151,13 @@ def _no_tables(document: Mapping[str, Any], number: int) -> str:
 
 
 def _file(document: Mapping[str, Any]) -> str:
-    """Return the file name in a result; empty if it is missing."""
+    """Return the file name in a result; empty if missing."""
     file = document.get("case" if "errors" in document else "file")
     return file if isinstance(file, str) else ""
 
 
 def _row_names(given: Mapping[str, Any], tables: Mapping[str, Figures]) -> dict[str, list[str]]:
-    """Return the row names of each table, if their number agrees with its rows."""
+    """Return the row names of each table, if equal in number to the rows."""
     named = ((plain_name(key), names) for key, names in given.items())
     return {
         table: [str(name) for name in names]
@@ -173,7 +173,7 @@ def _from_json(value: Any) -> Figure:
 
 
 def _case(text: str, kind: Format) -> Transmission | None:
-    """Return the case contained in a result; None if it is missing."""
+    """Return the case contained in a result, if any."""
     try:
         return read(text.encode(), "", format=kind).case
     except ReadError:
@@ -217,7 +217,7 @@ def _read_listing(text: str, file: str) -> list[WrittenResult]:
 
 
 def _with_case(result: WrittenResult, lines: Sequence[str]) -> WrittenResult:
-    """Return a listing with the case in its head, or only the names if the case has springs.
+    """Return a listing with the case in the head, or only the names if the case has springs.
 
     The head is a deck, which cannot contain springs, so such a case cannot be read back.
     """
@@ -239,7 +239,7 @@ def _with_case(result: WrittenResult, lines: Sequence[str]) -> WrittenResult:
 
 
 def _figures(words: Sequence[str]) -> list[Figure] | None:
-    """Return the numbers of a printed row; None if the row contains words."""
+    """Return the numbers of a printed row, unless the row contains words."""
     figures = []
     for word in words:
         if set(word) == {"*"}:

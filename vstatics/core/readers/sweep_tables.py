@@ -193,7 +193,7 @@ def _expect_different(names: Sequence[str]) -> None:
 
 
 def _workbook(data: bytes, file: str) -> dict[str, Column]:
-    """Read the sheet of variants of a workbook, or its only sheet."""
+    """Read the sheet of variants of a workbook, or the only sheet."""
     from vstatics.core.readers.workbook.cells import read_sheets
 
     names = [sheet.name for sheet in read_sheets(data, file, ())]
@@ -324,7 +324,7 @@ def _of_columns(columns: Mapping[str, Column]) -> WrittenSweep:
 
 
 def _without_points(columns: Mapping[str, Column]) -> Mapping[str, Column]:
-    """Return the columns of the time steps of a driving cycle, without its duty-cycle points."""
+    """Return the columns of the time steps of a driving cycle, without the duty-cycle points."""
     names = list(columns)
     points = names.index(DURATION) if DURATION in names else len(names)
     return {name: columns[name] for name in names[:points]} if GEAR in names[points:] else columns

@@ -18,7 +18,7 @@ from vstatics.core.statics.speeds import is_tie
 
 
 def turning_as_one(case: Transmission, gear: Gear, speeds: Sequence[Number]) -> Bodies:
-    """Return the bodies of a gear, detected from the speeds of its links.
+    """Return the bodies of a gear, detected from the speeds of the links.
 
     Engaged shift elements join their links, and so do devices and springs without internal motion.
     A link that is held to the housing stays a body by itself.
@@ -40,7 +40,7 @@ def is_one_piece(device: OwnDevice, speeds: Sequence[Number]) -> bool:
 
 
 def turns_as_one(spring: Spring, speeds: Sequence[Number]) -> bool:
-    """Return whether the links of a spring rotate at equal speeds, so that its twist is constant.
+    """Return whether the links of a spring rotate at equal speeds, so that the twist is constant.
 
     >>> between_three = Spring({1: 1, 2: -0.5, 3: -0.5}, stiffness=1)
     >>> turns_as_one(between_three, [2.0, 2.0, 2.0]), turns_as_one(between_three, [2.0, 3.0, 1.0])

@@ -38,7 +38,7 @@ def larger_torques(torques: Floats, lossy_torques: Floats) -> Floats:
 
 
 def carried_torques(results: Results, common: float) -> tuple[Floats, Booleans]:
-    """Return the torques on the shift elements of a case, and marks of those that carry torque.
+    """Return the torques on shift elements, and marks of shift elements that carry torque.
 
     Both arrays have the shape (gears, shift elements). Torques are relative to `common`, an input
     torque [N*m]; if it is 0, torques of each gear are relative to its own input torque.
@@ -104,7 +104,7 @@ def pump_factor(points: Sequence[tuple[float, ...]], speed_ratio: Size) -> Size:
 
 
 def out_of_balance(results: Results) -> Iterator[tuple[int, str]]:
-    """Yield the gears in which the pump of a converter cannot take the torque that it receives.
+    """Yield the gears in which the pump of a converter cannot take the incoming torque.
 
     Each item is the index of a gear and the text of a message. A converter is checked at its given
     speed ratio if its points contain lambda and the load has a speed and a torque.
@@ -134,7 +134,7 @@ def disagree(brought: float, able: float) -> bool:
 
 
 def disagreement(name: str, brought: float, able: float, at: tuple[float, float]) -> str:
-    """Return the text of a message about a converter that cannot take its torque.
+    """Return the text of a message about a converter that cannot take the torque.
 
     Parameters
     ----------

@@ -122,7 +122,7 @@ def _open_converters(case: Transmission, gear: Gear) -> Iterator[Said]:
 
 
 def outside_message(names: Sequence[str]) -> Message:
-    """Return the note that laws of the named parts are evaluated outside their points."""
+    """Return the note that laws of the named parts are evaluated outside the given points."""
     return Message(
         "N414", f"outside the points of {spoken(names)}, the value of the nearest end point applies"
     )
@@ -214,7 +214,7 @@ def _conflict_messages(case: Transmission, gear: Gear) -> Iterator[Said]:
 
 
 def _missed_freewheels(results: Results, number: int, gear: Gear) -> list[int]:
-    """Return the numbers of freewheels that would drive the output if they held."""
+    """Return the numbers of freewheels that would drive the output if engaged."""
     case = results.case
     output = case.gear_output(gear) - 1
     free = [n for n in case.freewheels if n not in gear.engaged]
@@ -327,7 +327,7 @@ def _too_free(results: Results, number: int, gear: Gear, missing: int) -> Said:
 
 
 def _overrunning(case: Transmission, state: GearState, numbers: Sequence[int]) -> tuple[str, str]:
-    """Return a clause about overrunning freewheels, and the advice to swap links if it helps."""
+    """Return a clause about overrunning freewheels, and the advice to swap links if helpful."""
     if not numbers:
         return "", ""
     names = [element.name for element in case.elements_at(numbers)]
@@ -380,7 +380,7 @@ def undriven_gears(results: Results) -> Iterator[Problem]:
 
 
 def _speed_ratios(results: Results, number: int, gear: Gear) -> dict[str, float]:
-    """Return the speed ratios of variators and converters [-]; NaN if the load determines them."""
+    """Return the speed ratios of variators and converters [-]; NaN if determined by the load."""
     case = results.case
     calculated = results.points.gears[number] if results.points else gear
     ratios = zip(case.mechanisms, case.gear_ratios(calculated), strict=True)
@@ -672,7 +672,7 @@ REGULAR = {
 
 
 def regular_gears(results: Results) -> Iterator[bool]:
-    """Yield, for each gear, whether its speeds and torques exist, agree and are unique.
+    """Yield, for each gear, whether speeds and torques exist, agree and are unique.
 
     >>> from vstatics import Mechanism, ShiftElement, Transmission, solve
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)],

@@ -69,7 +69,7 @@ def direction_of(case: Transmission, gear: Gear) -> int:
 
 
 def gaining(variant: Variant, direction: int, speeds: Speeds, torques: Torques) -> list[str]:
-    """Return the names of converters that would deliver more power than they receive.
+    """Return the names of converters whose output power would exceed the input power.
 
     Such a state is impossible. A converter whose speed ratio is unknown (NaN) counts as well.
     """
@@ -94,7 +94,7 @@ def _gains(variant: Variant, place: int, speeds: Speeds, torques: Torques, direc
 
 
 def slip_losses(ideal: IdealGear, columns: Sequence[Column], torques: Torques) -> list[Number]:
-    """Return the power that each shift element loses by its given slip, 0 without a slip [-]."""
+    """Return the power that each shift element loses by the given slip, 0 without a slip [-]."""
     slips, gear = ideal.speeds.slips, ideal.gear
     if not gear.slip:
         return [0.0] * len(slips)
@@ -157,7 +157,7 @@ def is_nothing(ideal: IdealGear, columns: Sequence[Column], torques: Torques, nu
 
 
 _OnLink = tuple[int, Number]
-"""Index of a device, or `OUTSIDE`, and the magnitude of its torque on a link."""
+"""Index of a device, or `OUTSIDE`, and the magnitude of the torque on a link."""
 
 
 def _is_nothing(by_link: Sequence[Sequence[_OnLink]], device: int, links: Sequence[int]) -> bool:

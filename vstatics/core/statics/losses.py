@@ -34,8 +34,9 @@ class LossyTorques(NamedTuple):
     signs: Signs
     torques: Torques
     directions: Signs
-    """Resulting direction of power in each mechanism: sign of the power that enters by its first
-    link, +1, 0, -1 or NaN."""
+    """Resulting direction of power in each mechanism: sign of the power that enters by the first
+    link, +1, 0, -1 or NaN.
+    """
     losses: Sequence[Number]
     """Power lost in each mechanism. [-]"""
     slip_losses: Sequence[Number]
@@ -68,7 +69,7 @@ def torques_for_signs(ideal: IdealGear, signs: Signs) -> LossyTorques:
 def check_signs(
     ideal: IdealGear, signs: Signs, lossy_columns: Sequence[Column], torques: Torques
 ) -> LossyTorques:
-    """Return torques with their losses and efficiency, and whether the signs are admissible.
+    """Return torques, losses, efficiency, and whether the signs are admissible.
 
     Signs are admissible if the sign of every mechanism with losses equals the direction of its
     power (or either is 0), no converter or slipping shift element produces power, and the
@@ -134,7 +135,7 @@ def no_solution(ideal: IdealGear, signs: Signs) -> LossyTorques:
 
 
 def _losses(by_first_link: Sequence[Number], ideal: IdealGear, signs: Signs) -> Iterator[Number]:
-    """Yield the power lost in each mechanism, by equation (2), from the power by its first link."""
+    """Yield the power lost in each mechanism, by equation (2), from the power by the first link."""
     variant = ideal.variant
     mechanisms = variant.case.mechanisms
     for place, (entering, x) in enumerate(zip(by_first_link, signs, strict=True)):

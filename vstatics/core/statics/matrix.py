@@ -40,7 +40,7 @@ Column = Mapping[int, Coefficient]
 
 
 class Variant(NamedTuple):
-    """Transmission with the numbers of its mechanisms, as floats or traced for many variants."""
+    """Transmission with numbers for the mechanisms, as floats or traced for many variants."""
 
     case: Transmission
     ratios: Sequence[Number]

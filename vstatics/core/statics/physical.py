@@ -46,7 +46,7 @@ def scales(case: Transmission) -> dict[str, Floats]:
 
 
 def gear_scales(case: Transmission) -> list[dict[str, float]]:
-    """Return the factors of `scales` for each gear, for powers in their real direction.
+    """Return the factors of `scales` for each gear, for powers in the real direction.
 
     The factor to kW is positive even when coasting, because `GearState.powers`, ports and flows
     already contain reversed powers.
@@ -78,7 +78,7 @@ def lacking_load(name: str, unit: str) -> str:
 
 
 class _PhysicalArray:
-    """Descriptor that converts an array to the unit at the end of its name, such as ``_rpm``."""
+    """Descriptor that converts an array to the unit in the attribute's suffix, such as ``_rpm``."""
 
     def __set_name__(self, owner: type, name: str) -> None:
         self.array, _, self.unit = name.rpartition("_")
@@ -175,7 +175,7 @@ class PhysicalResults(ResultFields):
         return np.where(np.isfinite(values), values + 0.0, np.nan)
 
     def in_own_unit(self, name: str) -> Floats:
-        """Return an array relative to the input torque, or to 1 N*m in gears without one."""
+        """Return an array relative to the input torque, or to 1 N*m without an input torque."""
         if name.endswith("output_torque"):
             return self.in_own_unit(name.replace("output_torque", "torques"))[..., -1]
         array: Floats = ResultFields.__dict__[name].__get__(self)

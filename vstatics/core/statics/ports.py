@@ -24,7 +24,7 @@ class Port(NamedTuple):
     speed: float
     """Speed of the link. [-]"""
     torque: float
-    """Torque that an output gives to the load; on another link, the external torque. [-]
+    """Torque that an output gives to the load; on any other link, the external torque. [-]
 
     NaN if indeterminate.
     """

@@ -16,7 +16,7 @@ the loss of the gear as a whole."""
 
 
 class LinkPower(NamedTuple):
-    """Power that a link gives to a member of a device; negative if the link receives it."""
+    """Power that a link gives to a member of a device; negative if the link receives power."""
 
     kind: DeviceKind
     number: int
@@ -36,7 +36,7 @@ power = times
 def port_powers(
     case: Transmission, gear: Gear, speeds: Sequence[Number], torques: Torques
 ) -> Iterator[LinkPower]:
-    """Yield the power that leaves by external torques and by the load; negative if it enters."""
+    """Yield the power that leaves by external torques and by the load; negative if entering."""
     external: dict[int, Number] = {**external_torques(case, gear)}
     for link in held_links(case, gear):
         external[link] = external.get(link, 0.0) + torques.holding[link]

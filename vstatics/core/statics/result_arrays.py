@@ -57,7 +57,7 @@ class Message(NamedTuple):
 
 
 Outside: TypeAlias = Mapping[str, Booleans]
-"""Marks of laws evaluated outside their points, (variants, gears), by name of the part."""
+"""Marks of laws evaluated outside the given points, (variants, gears), by name of the part."""
 NOWHERE: Outside = MappingProxyType({})
 
 
@@ -83,7 +83,7 @@ class OperatingPoints(NamedTuple):
     of a converter: 6 none agrees with the load, 7 no torques exist at any speed ratio.
     """
     outside: Outside = NOWHERE
-    """Marks of laws that are evaluated outside their points."""
+    """Marks of laws that are evaluated outside the given points."""
     other_ratios: Mapping[int, Sequence[float]] = MappingProxyType({})
     """Smaller speed ratios at which a converter agrees with the load of a single point, by gear."""
 
@@ -141,7 +141,7 @@ class ResultFields(_NamedFields):
     gear_losses: Floats
     """Power that gears lose as a whole, negative when coasting, ``(..., gears)``. [-]"""
     slip_losses: Floats
-    """Power that shift elements lose by their given slip, ``(..., gears, shift elements)``. [-]"""
+    """Power that shift elements lose by a given slip, ``(..., gears, shift elements)``. [-]"""
 
     consistent: Booleans
     """Gears with torques with losses that agree with the directions of power, ``(..., gears)``."""
@@ -157,11 +157,11 @@ class ResultFields(_NamedFields):
     """Number of possible combinations of power directions in mechanisms, ``(..., gears)``."""
 
     tied_up: Booleans
-    """Gears whose constraints on the speeds contradict each other, ``(..., gears)``."""
+    """Gears with contradictory constraints on the speeds, ``(..., gears)``."""
     missing: Integers
     """Number of constraints that the speeds lack, ``(..., gears)``."""
     excess: Integers
-    """Number of constraints that others imply or contradict, ``(..., gears)``."""
+    """Number of constraints that other constraints imply or contradict, ``(..., gears)``."""
     balanced: Booleans
     """Gears for which torques without losses exist, ``(..., gears)``."""
 
@@ -186,7 +186,7 @@ class ResultFields(_NamedFields):
     """Messages about the gears of a case; empty for arrays of variants."""
 
     points: OperatingPoints | None = None
-    """Operating points and gears of the variants; None if only ratios and efficiencies vary."""
+    """Operating points and gears of the variants, unless only ratios and efficiencies vary."""
 
     @property
     def output_torque(self) -> Floats:

@@ -133,7 +133,7 @@ class Results(PhysicalResults):
         return dataset
 
     def to_json(self, file: str = "") -> str:
-        """Return the results as JSON text, as `vstatics run -f json` prints them.
+        """Return the results as JSON text, equal to the output of `vstatics run -f json`.
 
         Parameters
         ----------
@@ -241,7 +241,7 @@ class Results(PhysicalResults):
         return self.gear_at(self.case.gear_number(gear) - 1)
 
     def gear_at(self, index: int) -> GearState:
-        """Return the state of a gear of a single case, by index; it is calculated only once."""
+        """Return the state of a gear of a single case, by index, calculated only once."""
         state = _state_of(_CaseAtPoints(self.case, self.points), index)
         if self.points and self.undecided[index] and not state.search.undecided:
             # No torques of the gear agree with efficiencies that depend on torque.
@@ -311,7 +311,7 @@ class Results(PhysicalResults):
 
 
 class _CaseAtPoints:
-    """Key for a cache: a case and its operating points, compared by identity for speed."""
+    """Key for a cache: a case and operating points, compared by identity for speed."""
 
     __slots__ = ("case", "points")
 

@@ -96,7 +96,7 @@ def _may_turn(links: Sequence[int]) -> bool:
 
 
 def device_torques(case: Transmission, torques: Sequence[float]) -> Iterator[list[float]]:
-    """Yield the torques of each device from an array row: on its first link, or on its members."""
+    """Yield the torques of each device from an array row: on the first link, or on the members."""
     behind_elements = iter(torques[len(case.shift_elements) :])
     for device in case.own_devices:
         yield list(islice(behind_elements, 1 if case.drawing is None else len(device.members)))

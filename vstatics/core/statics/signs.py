@@ -150,7 +150,7 @@ class Admissible(NamedTuple):
     """Signs that agree with the resulting power flow; the most efficient if there are several."""
 
     lossy: LossyTorques | None = None
-    """Torques for these signs; None if the gear is self-locking or the search was cut short."""
+    """Torques for the signs, unless the gear is self-locking or the search was cut short."""
     choices: int = 0
     """Number of admissible combinations of signs."""
     cut_short: bool = False
@@ -327,7 +327,7 @@ def _possible(ideal: IdealGear, signs: Signs) -> Signs:
 
 
 def _decided(x: Number) -> float:
-    """Return a sign as a float; for a traced sign, its value in the first variant."""
+    """Return a sign as a float; for a traced sign, the value in the first variant."""
     if is_traced(x):
         return 1.0 if x > 0 else -1.0
     return plain(x)
@@ -344,7 +344,7 @@ def _worst_turned(ideal: IdealGear, signs: Signs, turned: Signs, lossy: LossyTor
 
 
 def _overcome(ideal: IdealGear, start: IdealSigns) -> Admissible:
-    """Return the signs of a gear if power may enter at its output to overcome drag.
+    """Return the signs of a gear if power may enter at the output to overcome drag.
 
     The gear must have admissible signs without drag; otherwise friction in meshes alone locks it.
     """
@@ -354,7 +354,7 @@ def _overcome(ideal: IdealGear, start: IdealSigns) -> Admissible:
 
 
 def _is_dragged(ideal: IdealGear, lossy: LossyTorques) -> bool:
-    """Return whether power enters at the output to overcome drag but none leaves at the input."""
+    """Return whether power enters at the output to overcome drag without leaving at the input."""
     if not ideal.drag.external or not (ideal.overcome or is_nan(lossy.efficiency)):
         return False
     case, gear, direction = ideal.case, ideal.gear, ideal.direction

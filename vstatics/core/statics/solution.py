@@ -31,7 +31,7 @@ def solution(  # noqa: PLR0913
     idle: IdleConvention | None = None,
     vary: Mapping[str, ArrayLike] | None = None,
 ) -> Results:
-    """Return the results of `solve` without checking the types of its arguments."""
+    """Return the results of `solve` without checking the types of the arguments."""
     if case.depends:
         from vstatics.core.model.laws import (
             of_sought_ratios,

@@ -143,7 +143,7 @@ class GearState(NamedTuple):
 
     @property
     def tied_up(self) -> bool:
-        """True if the constraints on the speeds contradict each other."""
+        """True if the constraints on the speeds are contradictory."""
         return not self.ideal.speeds.consistent
 
     @property
@@ -170,7 +170,7 @@ class GearState(NamedTuple):
 
     @property
     def statuses(self) -> list[Status]:
-        """All statuses of the gear, causes before their effects."""
+        """All statuses of the gear, causes before effects."""
         return statuses(
             tied_up=self.tied_up,
             conflict=self.conflict,
@@ -189,7 +189,7 @@ class GearState(NamedTuple):
 
     @property
     def unloaded(self) -> list[str]:
-        """Names of links whose speeds are indeterminate because nothing loads or drives them.
+        """Names of links whose speeds are indeterminate for lack of a load and a drive.
 
         Such links are free on purpose, such as the race between an open brake and a freewheel, or
         an engine with its generator behind an open clutch. The list is empty if the freedom points
@@ -213,7 +213,7 @@ class GearState(NamedTuple):
 
     @property
     def bodies(self) -> Bodies:
-        """Body of each link, the housing first, identified by its smallest link number."""
+        """Body of each link, the housing first, identified by the body's smallest link number."""
         return turning_as_one(self.case, self.gear, self.speeds)
 
     def powers(self, *, lossy: bool = True) -> list[LinkPower]:
@@ -277,7 +277,7 @@ class GearState(NamedTuple):
 
 Numbers = Sequence[Number]
 Values = Mapping[str, Number | Residual | Condition | Sequence[Number | Residual | Condition]]
-"""Values of a gear, by the name of their array in `Results`.
+"""Values of a gear, by the name of the array in `Results`.
 
 The values are floats, or traced numbers while the solver's arithmetic is being recorded.
 """
@@ -388,7 +388,7 @@ def _torques(state: GearState, *, lossy: bool) -> list[Number] | list[Number | R
 
 
 def _mesh_torques(state: GearState, torques: Numbers) -> Iterator[Number]:
-    """Yield the torque on the first gear of each mesh, NaN if its teeth are unknown."""
+    """Yield the torque on the first gear of each mesh, NaN if the teeth are unknown."""
     elements = len(state.case.shift_elements)
     for device in state.case.own_devices:
         for index, is_known in device.meshes_by_index:

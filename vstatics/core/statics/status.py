@@ -85,7 +85,7 @@ def statuses(  # noqa: PLR0913
     dragged: bool = False,
     missing: int = 1,
 ) -> list[Status]:
-    """Return the statuses of a gear, causes before their effects; names as in `Results`.
+    """Return the statuses of a gear, causes before effects; names as in `Results`.
 
     Parameters
     ----------

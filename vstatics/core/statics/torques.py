@@ -68,7 +68,7 @@ class Torques(NamedTuple):
     certain: bool = True
     """True if the pivots of the equations keep correct digits after rounding."""
     of_columns: list[Number] | None = None
-    """Values of `factors` if they differ from `on_first_link`."""
+    """Values of `factors` if different from `on_first_link`."""
 
     @property
     def factors(self) -> list[Number]:
@@ -120,7 +120,7 @@ def solve_torques(
 
 
 def times(first: Number, second: Number) -> Number:
-    """Return a product, which is 0 if either factor is 0, even if the other factor is NaN."""
+    """Return a product, which is 0 if either factor is 0, even for 0 times NaN."""
     return 0.0 if first == 0 or second == 0 else first * second
 
 
@@ -192,7 +192,7 @@ def acting_torques(
 def drag_torques(
     case: Transmission, gear: Gear, speeds: Sequence[Number], slips: Sequence[Number]
 ) -> Drag:
-    """Return the drag of a gear; it is 0 where the speed is 0 or indeterminate.
+    """Return the drag of a gear, 0 where the speed is 0 or indeterminate.
 
     Parameters
     ----------
@@ -250,7 +250,7 @@ def drag_torques(
 
 
 def _direction(speed: Number) -> Number:
-    """Return +1 for a positive speed, -1 for a negative speed; 0 if it is 0 or indeterminate."""
+    """Return +1 for a positive, -1 for a negative, and 0 for a zero or indeterminate speed."""
     return 0.0 if is_nan(speed) else sign(speed)
 
 

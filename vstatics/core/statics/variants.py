@@ -238,7 +238,7 @@ WITHOUT_EFFECT: dict[type, frozenset[str]] = {
     ),
     Gear: frozenset({"name", "load", "balance", "loss"}),
 }
-"""Fields of a case left out of the cache key of plans, because no result depends on their values.
+"""Fields of a case that affect no result, left out of the cache key of plans.
 
 A drawing affects results only through its devices, and a load only through its sign.
 """

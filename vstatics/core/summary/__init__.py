@@ -68,7 +68,7 @@ class Summary(NamedTuple):
     combinations: Sequence[Combination] | None = None
     """Further combinations of shift elements, if requested."""
     cycle: CycleSection | None = None
-    """Results over a duty cycle, if one is given."""
+    """Results over a duty cycle, if given."""
     inertias: Sequence[GearInertia] = ()
     """Inertias of the gears, reduced to the input; empty if the case has no inertia."""
     vehicle: Section | None = None

@@ -31,7 +31,7 @@ LARGEST = {
     TORQUES: "largest torque",
     LOSSY_TORQUES: "largest torque with losses",
 }
-"""Names of the largest values, by the name of their table."""
+"""Names of the largest values, by the name of the table."""
 
 
 def letters(count: int) -> list[str]:
@@ -103,7 +103,7 @@ def _inertias(summaries: Sequence[Summary]) -> Grid:
 
 
 def _in_order(first: Sequence[str], second: Sequence[str]) -> list[str]:
-    """Return two merged lists of gears; a gear of only the second list follows its predecessor.
+    """Return two merged lists of gears; a gear of only the second list follows the predecessor.
 
     >>> _in_order(["1", "2", "R"], ["1", "2", "3", "R"])
     ['1', '2', '3', 'R']
@@ -122,7 +122,7 @@ def _in_order(first: Sequence[str], second: Sequence[str]) -> list[str]:
 
 
 Fact = tuple[Value, str]
-"""Value, and the shift element, gear or shift to which it belongs."""
+"""Value, and the shift element, gear or shift to which the value belongs."""
 
 
 def _mean_efficiency(summary: Summary) -> float:

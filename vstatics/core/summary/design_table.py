@@ -22,7 +22,7 @@ class GearLine(NamedTuple):
     gear: str
     ratio: float
     next: str
-    """Gear of the same direction with the next smaller ratio; empty for the last gear."""
+    """Gear of equal direction with the next smaller ratio; empty for the last gear."""
     step: float
     """Step ratio: ratio of the gear divided by the ratio of the next gear. [-]"""
     efficiency: float

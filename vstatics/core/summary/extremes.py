@@ -24,7 +24,7 @@ PLANETS, SLIPS, TORQUES, LOSSY_TORQUES = (
 
 
 def quantity(name: str, *, loaded: bool) -> Quantity:
-    """Return the quantity with a name; if `loaded`, its version in rpm or N*m."""
+    """Return the quantity with a name; if `loaded`, the version in rpm or N*m."""
     return in_unit(BY_NAME[name]) if loaded else BY_NAME[name]
 
 
@@ -35,7 +35,7 @@ class Largest(NamedTuple):
     value: float
     """Signed value; NaN if the row has no value in any gear."""
     gear: str
-    """First gear with this value; empty if the value is 0 or NaN."""
+    """First gear with the value; empty if the value is 0 or NaN."""
 
 
 def largest(results: Results) -> dict[str, list[Largest]]:
@@ -80,7 +80,7 @@ def _joined(results: Results) -> Booleans:
 
 
 def overall(lines: Sequence[Largest]) -> Largest | None:
-    """Return the largest value of all rows; None if there are no values."""
+    """Return the largest value of all rows, if any."""
     known = [line for line in lines if not math.isnan(line.value)]
     return max(known, key=lambda line: abs(line.value)) if known else None
 
@@ -150,8 +150,9 @@ class Needed(NamedTuple):
 
     element: str
     capacity: float
-    """Largest torque times reserve, relative to the input torque of the case, or to the largest
-    input torque of the gears if the case has none. [-]"""
+    """Largest torque times reserve, relative to the input torque of the case, or else to the
+    largest input torque of the gears. [-]
+    """
     gear: str
     """First gear with the largest torque; empty if the shift element never carries torque."""
     capacity_Nm: float  # noqa: N815

@@ -163,7 +163,7 @@ def _speed_ratios(results: Results, number: int) -> list[float]:
 
 
 def _ports(results: Results) -> Grid:
-    """Return the table of ports, with the name of a gear only in its first row."""
+    """Return the table of ports, with the name of a gear only in the first row of the gear."""
     grid = ports_grid(port_tables(results))
     names = [row[0].text for row in grid.cells]
     rows = [
@@ -221,7 +221,7 @@ def _column(table: Table, number: int) -> Iterator[tuple[str, float]]:
 
 
 def _largest(values: Iterable[tuple[str, float]], decimals: int, digits: int | None) -> Cell:
-    """Return a cell with the largest magnitude and its name; empty without numbers."""
+    """Return a cell with the largest magnitude and the name; empty without numbers."""
     known = [(abs(value), name) for name, value in values if not math.isnan(value)]
     if not known:
         return Cell("")
@@ -327,7 +327,7 @@ def _inverses(results: Results, digits: int | None) -> Iterator[str]:
 
 
 def results_html(results: Results) -> str:
-    """Return the gears of a case as an HTML table; for many variants, a line about them.
+    """Return the gears of a case as an HTML table; for many variants, a line about the variants.
 
     Examples
     --------

@@ -54,7 +54,7 @@ class CycleOptions(Protocol):
         """Names of the files to read."""
 
     def read(self) -> GivenCycle | None:
-        """Return the duty cycle; None if none is given."""
+        """Return the duty cycle, if given."""
 
 
 def doubts(cycle: CycleSection | None, file: str) -> list[Problem]:

@@ -90,8 +90,9 @@ EFFICIENCY_DIFFERENCE = 1e-3
 With this step, finite differences of fourth order are accurate to about ten digits.
 """
 NEARLY_LOSSLESS = 1 - 1e-13
-"""Substitute for an efficiency of 1, because lossless variants have another structure and could
-not be calculated together with the others. [-]"""
+"""Substitute for an efficiency of 1, because lossless variants differ in structure and could not be
+calculated together with other variants. [-]
+"""
 BACKWARD = (25 / 12, -4.0, 3.0, -4 / 3, 1 / 4)
 """Weights of the values at 0, -1, -2, -3, -4 steps for the first derivative (Fornberg 1988)."""
 
@@ -129,7 +130,7 @@ def efficiency_sensitivities(results: Results) -> Floats:
 
 
 def _at_load(results: Results) -> list[tuple[Mechanism, ...]]:
-    """Return the mechanisms of each gear, with laws replaced by their values."""
+    """Return the mechanisms of each gear, with laws replaced by values."""
     case, points = results.case, results.points
 
     def plain(given: Any, there: float) -> Any:

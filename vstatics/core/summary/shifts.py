@@ -30,8 +30,9 @@ class Transition(NamedTuple):
     released: Sequence[str]
     engaged: Sequence[str]
     slip_power: Mapping[str, float]
-    """Slip power of each oncoming shift element, relative to the input power: torque after the
-    shift times slip before it. Elements in `released` are oncoming in the downshift. [-]"""
+    """Slip power of each oncoming shift element, relative to the input power: torque after times
+    slip before the shift. Elements in `released` are oncoming in the downshift. [-]
+    """
     slip_power_kW: Mapping[str, float]  # noqa: N815
     """Slip power at the operating point before the shift [kW]; NaN without an operating point."""
 
@@ -42,7 +43,7 @@ class Transition(NamedTuple):
 
     @property
     def word(self) -> str:
-        """Kind of transition: `single` if one shift element is replaced, `double` for two, etc.
+        """Kind of transition: `single` for a replaced shift element, `double` for two, etc.
 
         >>> Transition("1", "2", "", ["A", "B"], ["C"], {}, {}).word
         'double'

@@ -19,7 +19,7 @@ SHOWN_STATES = {
     **{status.name: status.english for status in (NEUTRAL, LOCKED, DRAGGED)},
     OUTPUT_STANDS.name: "output at rest",
 }
-"""Displayed words for states of gears, where they differ from the names in data."""
+"""Displayed words for states of gears, where different from the names in data."""
 WITH_LOAD = " with load"
 """Suffix of the keys of tables in rpm, N*m or kW, in contrast to relative numbers."""
 
@@ -70,7 +70,7 @@ def summary_grids(summary: Summary, ports: Sequence[PortTable] | None = None) ->
 
 
 def state(name: str) -> Cell:
-    """Return the cell with a gear's state; its value is the name of the state in data.
+    """Return the cell with a gear's state, whose value is the name of the state in data.
 
     >>> state("open").text, state("open").datum, state("tied up").text
     ('neutral', 'open', 'tied up')

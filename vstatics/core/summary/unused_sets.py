@@ -30,7 +30,7 @@ class Combination(NamedTuple):
     ratio: float
     efficiency: float
     gear: str
-    """Gear of the case with an equal ratio; empty if there is none."""
+    """Gear of the case with an equal ratio; empty without a match."""
     state: str
     """State of the combination, as in the design table."""
 

@@ -59,15 +59,15 @@ SOMETIMES, ASKED, FLAT, FAILURE, UNFAILED = _MARKS = (
     *("sometimes", "asked", "flat", "failure", "unfailed"),
 )
 Sometimes = Annotated[T | None, SOMETIMES]
-"""Type of a key that is omitted if its value is None or an empty mapping."""
+"""Type of a key that is omitted if null or an empty mapping."""
 Asked = Annotated[T | None, ASKED]
-"""Type of a key that is omitted if its value is None, but not if it is an empty mapping."""
+"""Type of a key that is omitted if null, but not if an empty mapping."""
 Flat = Annotated[T, FLAT]
 """Type of a record whose keys are merged into the surrounding record."""
 Failure = Annotated[str, FAILURE]
-"""Type of an error message; unless it is empty, only it and the first key are written."""
+"""Type of an error message; if not empty, only the message and the first key are written."""
 Unfailed = Annotated[T | None, UNFAILED]
-"""Type of a key whose value is None only in records with a `Failure`."""
+"""Type of a key whose value is null only in records with a `Failure`."""
 Count = Annotated[int, Words(minimum=0)]
 Known = Annotated[float, Words(type="number")]
 """Type of a number that is never null."""
@@ -120,7 +120,7 @@ def defined(name: str) -> Callable[[T], T]:
 
 
 def json_keys(*names: str, **attributes: str) -> Callable[[T], T]:
-    """Return a decorator that declares which attributes of a record are its keys.
+    """Return a decorator that declares attributes of a record as keys.
 
     Parameters
     ----------
@@ -211,7 +211,7 @@ def _of_record(record: Any) -> dict[str, Any]:
 
 
 def with_file(answer: Answer, file: str, *, folders: bool = False) -> dict[str, Any]:
-    """Return a document as plain data, with the file of its case under the key `file`.
+    """Return a document as plain data, with the file of the case under the key `file`.
 
     Data without the key `format` are returned unchanged. The document of a case in error already
     contains the key `file`, whose value is replaced.
@@ -308,7 +308,7 @@ def _of_parts(kind: Any, of: Callable[[Any], Schema]) -> Schema:
 
 
 def _of_marked(kind: Any, mark: Any, of: Callable[[Any], Schema]) -> Schema:
-    """Return the schema of an annotated type; it accepts nothing if its annex is missing."""
+    """Return the schema of an annotated type, which accepts nothing if the annex is missing."""
     if isinstance(mark, Provided):
         declaring = module_of_type(mark)
         return of(getattr(module(declaring), mark)) if declaring else {"not": {}}
@@ -338,7 +338,7 @@ def _of_keys(kind: Any, definitions: Schema | None) -> Schema:
 
 
 def head(form: str) -> dict[str, Any]:
-    """Return the first keys of every document: format, its version, and the program.
+    """Return the first keys of every document: format, format version, and program.
 
     >>> head("vstatics-result")
     {'format': 'vstatics-result', 'version': 2, 'program': 'vstatics 0.1.0'}
@@ -353,7 +353,7 @@ def head_schema(form: str) -> Schema:
 
 
 def of_file(name: str, title: str, content: Schema) -> Schema:
-    """Return the schema of a file, given the schema of its content."""
+    """Return the schema of a file, given the schema of the content."""
     start = {"$schema": "https://json-schema.org/draft/2020-12/schema"}
     return {**start, "$id": f"{name}.schema.json", "title": title, **content}
 

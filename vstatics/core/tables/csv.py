@@ -18,7 +18,7 @@ Leading apostrophes are included, so that `unguarded` removes only an added apos
 
 
 def guarded(text: str) -> str:
-    """Return a text, with an apostrophe before it if a spreadsheet would take it for a formula.
+    """Return a text, preceded by an apostrophe if a spreadsheet would read the text as a formula.
 
     Examples
     --------
@@ -55,7 +55,7 @@ def lines(rows: Iterable[Iterable[str]], *, raw: bool = False) -> str:
 def write(
     cases: Iterable[tuple[str, Sequence[Grid]]], *, several: bool, raw: bool = False
 ) -> Iterator[str]:
-    """Yield the CSV text of each case: its tables in sequence, with all digits.
+    """Yield the CSV text of each case: the tables in sequence, with all digits.
 
     Each row begins with the name of its table, which for several cases follows the file of the
     case. A row of headings is written whenever the headings change.

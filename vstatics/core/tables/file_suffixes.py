@@ -56,7 +56,7 @@ def known(formats: Sequence[str]) -> list[str]:
 
 
 def mismatch(form: str | None, file: str) -> str:
-    """Return the message about a format that contradicts the suffix; empty if it does not.
+    """Return the message about a format that contradicts the suffix; empty if consistent.
 
     >>> mismatch("csv", "a.json"), mismatch("csv", "a.csv"), mismatch("csv", "a")
     ('csv is not the format of a.json: expected .csv', '', '')

@@ -30,7 +30,7 @@ class Column(NamedTuple):
     is_sign: bool = False
     """True for a column of single signs, which is narrow at a terminal."""
     over: str = ""
-    """Heading above the heading, in HTML; adjacent columns with equal text share it."""
+    """Heading above the heading, in HTML, shared by adjacent columns with equal text."""
     is_name: bool = False
     """True if the heading is a name from the case, which is not translated.
 
@@ -39,7 +39,7 @@ class Column(NamedTuple):
 
 
 Datum = float | int | bool | str | None
-"""Value of a cell; None for a missing value."""
+"""Value of a cell, unless missing."""
 
 
 class Cell(NamedTuple):
@@ -47,7 +47,7 @@ class Cell(NamedTuple):
 
     text: str
     value: float | None = None
-    """Number before rounding, NaN if missing; for words, their sorting key."""
+    """Number before rounding, NaN if missing; for words, the sorting key."""
     says: str = ""
     """Meaning of a sign, for screen readers."""
     style: str = ""
@@ -59,7 +59,7 @@ class Cell(NamedTuple):
     is_said: bool = False
     """True for a word of the program, which is translated; False for a name from the case."""
     written_as: str = ""
-    """Word in data formats; empty if it is equal to the text."""
+    """Word in data formats; empty if equal to the text."""
     look: str = ""
     """Additional class of the cell in HTML."""
     math: str = ""
@@ -87,7 +87,7 @@ Row = list[Cell | str]
 
 
 class Grid(NamedTuple):
-    """Table of cells; its first column contains the names of the rows."""
+    """Table of cells, with the names of the rows in the first column."""
 
     title: str
     columns: Sequence[Column]
@@ -99,7 +99,7 @@ class Grid(NamedTuple):
     group: str = ""
     """Name of a sheet that several tables of a workbook share; empty if not shared."""
     prose: str = ""
-    """LaTeX text of a table that is only a sentence (its title), with formulas in math mode."""
+    """LaTeX text of a table that is only a sentence (the title), with formulas in math mode."""
 
     @property
     def cells(self) -> list[list[Cell]]:
@@ -153,7 +153,7 @@ class Grid(NamedTuple):
         return self._replace(rows=[list(map(change, row)) for row in self.cells])
 
     def with_digits(self, digits: int | None) -> Grid:
-        """Return the table with the given number of decimals; unchanged for None.
+        """Return the table with the given number of decimals, if any.
 
         Blank cells stay blank, and words before a number stay.
         """
@@ -171,7 +171,7 @@ class Grid(NamedTuple):
 
 
 Value = Cell | Datum | Sequence[str]
-"""Value for a new cell; `exact`, `whole` or `sign` converts it."""
+"""Value for a new cell, converted by `exact`, `whole` or `sign`."""
 Values = Sequence[Value]
 """Values of a new row."""
 
@@ -271,7 +271,7 @@ def exact(
 
 
 def whole(value: float) -> Cell:
-    """Return a cell with a whole number, such as a count or a sign +1; NaN if it does not exist.
+    """Return a cell with a whole number, such as a count or a sign +1; NaN if undefined.
 
     >>> whole(-1.0)[:2], whole(-1.0).datum
     (('-1', -1.0), -1)

@@ -13,7 +13,7 @@ from vstatics.core.tables.numbers import typeset
 
 
 class Markup(str):
-    """Text that is HTML already, so it is not escaped."""
+    """Text that is HTML already, and so is not escaped."""
 
     __slots__ = ()
 
@@ -63,7 +63,7 @@ def joined(*parts: str) -> Markup:
 
 
 def filled(text: str, **places: str) -> Markup:
-    """Return a text with its placeholders replaced by texts or HTML.
+    """Return a text with placeholders replaced by texts or HTML.
 
     >>> filled("{spread} > {first}", spread="7 < 8", first=tag("b", "1"))
     '7 &lt; 8 &gt; <b>1</b>'
@@ -114,7 +114,7 @@ def _in_print(text: str) -> str:
 
 
 def terms(entries: Iterable[tuple[str, str]]) -> Markup:
-    """Return an HTML list of terms with their descriptions.
+    """Return an HTML list of terms with descriptions.
 
     >>> terms([("input", "sun")])
     '<dl><dt>input</dt><dd>sun</dd></dl>'
@@ -123,7 +123,7 @@ def terms(entries: Iterable[tuple[str, str]]) -> Markup:
 
 
 def table(grid: Grid, *, headed: bool = True, level: int = 3) -> Markup:
-    """Return a scrollable HTML table with a title; a table without rows is only its title.
+    """Return a scrollable HTML table with a title; a table without rows is only a title.
 
     The attribute ``data-value`` contains all digits of a number.
 
@@ -243,5 +243,5 @@ def _text(cell: Cell) -> str:
 
 
 def _kind(column: Column) -> str | bool:
-    """Return the HTML class of the cells of a column; numbers, the usual kind, have none."""
+    """Return the HTML class of the cells of a column; numbers, the usual kind, have no class."""
     return "words" if not column.is_number else "sign" if column.is_sign else False

@@ -163,7 +163,7 @@ def _broken(grid: Grid, lengths: Sequence[int]) -> tuple[int, dict[int, float]]:
 
 
 def _heading(text: str) -> str:
-    """Return a heading above numbers, with one word per line."""
+    """Return a heading above numbers, with a word on each line."""
     words = escaped(text).split()
     stacked = r"\\ ".join(words)
     return rf"\shortstack[r]{{{stacked}}}" if len(words) > 1 else stacked

@@ -66,7 +66,7 @@ def plain_names(text: str) -> str:
 
 
 def nearest_quantity(name: str, others: Iterable[str] = ()) -> str:
-    """Return a hint with the most similar quantity or other name; empty if none is similar.
+    """Return a hint with the most similar quantity or other name; empty if no name is similar.
 
     >>> nearest_quantity("W_Nm"), nearest_quantity("ETA_kW"), nearest_quantity("speed")
     ('; did you mean `W_rpm`?', '; did you mean `ETA`?', '; did you mean `speeds`?')
@@ -123,7 +123,7 @@ def rows_called(name: str, kind: Rows, case: Transmission) -> list[int]:
 
 
 def _owners(kind: Rows, case: Transmission) -> list[str]:
-    """Return, for each row, the name of the drawn gear set to which it belongs, or ""."""
+    """Return, for each row, the name of the drawn gear set to which the row belongs, or ""."""
     devices = case.own_devices
     if case.drawing is None:
         return []  # rows are mechanisms, found by their own names
@@ -197,7 +197,7 @@ _DIGITS = re.compile(r"[0-9]+")
 
 
 def table_rows(name: str, case: Transmission) -> Sequence[str]:
-    """Return the names of the rows of a table; empty for a table with one value per gear.
+    """Return the names of the rows of a table; empty for a table with a value per gear.
 
     Examples
     --------
@@ -282,7 +282,7 @@ def by_name(results: Results, key: Any) -> Any:
 
 
 def _selected(results: Results, name: str, selection: list[Any]) -> Any:
-    """Return a table, or the part of it selected by the names of row and gear."""
+    """Return a table, or the part selected by the names of row and gear."""
     quantity = quantity_named(name)
     if quantity.columns == "devices":
         array, wanted = structural_matrix(results.case), "its name: it is of no gear"

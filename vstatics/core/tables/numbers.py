@@ -134,7 +134,7 @@ def rounded(value: float, decimals: int = 3, digits: int | None = None) -> str:
 
 
 def exponent(value: float) -> str:
-    """Format a number for a deck in E format, with four digits or as many as make it exact.
+    """Format a number for a deck in E format, with four digits, or more for an exact value.
 
     Examples
     --------

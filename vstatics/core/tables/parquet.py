@@ -8,7 +8,7 @@ from typing import TypeVar
 T = TypeVar("T")
 
 GROUP = 262_144
-"""Intended number of rows of a row group; the last table of a group can exceed it."""
+"""Intended number of rows of a row group, which the last table of a group can exceed."""
 
 
 def row_groups(tables: Iterable[T], rows: Callable[[T], int]) -> Iterator[list[T]]:

@@ -16,11 +16,11 @@ from vstatics.core.tables.grid import Cell, Grid, exact, grid_of, word
 from vstatics.core.tables.quantities import UNITS, headed
 
 MEASURES = (("speed", "rpm"), ("torque", "Nm"), ("power", "kW"))
-"""Quantities of a port, each with its physical unit."""
+"""Quantities of a port, each with a physical unit."""
 
 
 class NamedPort(NamedTuple):
-    """Port of a gear, with its quantities also in physical units if the gear has a load."""
+    """Port of a gear, with quantities also in physical units if the gear has a load."""
 
     link: str
     way: str | None
@@ -49,7 +49,7 @@ class PortTable(NamedTuple):
     rows: Sequence[tuple[str, Port]]
     """Name of the link, and the port, for each port."""
     losses: Sequence[tuple[str, float]]
-    """Name of each loss, as in `LostPower`, and its relative power. [-]"""
+    """Name of each loss, as in `LostPower`, and the relative power of the loss. [-]"""
     scales: dict[str, float]
     """Factors to physical units, by unit; see `gear_scales`."""
     input_torque: float
@@ -84,7 +84,7 @@ class PortTable(NamedTuple):
         return number if self.input_torque else math.nan
 
     def _with_units(self, values: Sequence[float]) -> list[float | None]:
-        """Return the quantities of `MEASURES` in physical units; None if unknown."""
+        """Return the quantities of `MEASURES` in physical units, if known."""
         pairs = zip(values, [self.scales[unit] for _, unit in MEASURES], strict=True)
         return [None if math.isnan(scale) else value * scale for value, scale in pairs]
 
@@ -96,7 +96,7 @@ def port_tables(results: Results) -> list[PortTable]:
 
 
 def port_table(state: GearState, by_unit: dict[str, float]) -> PortTable:
-    """Return the ports of a gear, given its factors from `gear_scales`."""
+    """Return the ports of a gear, given the factors from `gear_scales`."""
     case, of_gear = state.case, ports(state)
     rows = [(case.link_name(port.link), port) for port in of_gear.ports]
     losses = {f"{kind}s": loss for kind, loss in of_gear.by_kind.items()}

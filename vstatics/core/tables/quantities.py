@@ -27,13 +27,13 @@ class Quantity(NamedTuple):
     name: str
     """Name in JSON, CSV, sweeps and Python; most quantities are attributes of `Results`."""
     deck_name: str
-    """Name in listings and decks, or a name in their style; users can type it as well."""
+    """Name in listings and decks, or a name in a similar style, which users can type as well."""
     heading: str
     """Heading in a listing, without the colon."""
     own_title: str = ""
-    """Title in a report; empty if it is equal to the heading."""
+    """Title in a report; empty if equal to the heading."""
     members: tuple[str, str] | None = None
-    """Headings of the second part of a table of torques; None for a table with a single part.
+    """Headings of the second part of a table of torques, if the table has two parts.
 
     The first heading is for mechanisms, the second for members of gear sets in a drawn case.
     """
@@ -45,17 +45,17 @@ class Quantity(NamedTuple):
     published: bool = False
     """True for a table of the published report."""
     exists: Callable[[Results], bool] | None = None
-    """Condition under which the table is written; None if it is always written."""
+    """Condition, if any, under which the table is written."""
     decimals: int = 3
     """Decimals in a report."""
     with_load: str = ""
-    """Unit of a further table for a case with an operating point; empty for no such table."""
+    """Unit of a further table for a case with an operating point; empty without a further table."""
     brief: str = ""
-    """Heading of the table in the unit `with_load`; empty if it is the usual heading."""
+    """Heading of the table in the unit `with_load`; empty for the usual heading."""
     unit: str = ""
-    """Unit of the numbers; empty if they are relative to the input."""
+    """Unit of the numbers; empty if relative to the input."""
     of: str = ""
-    """Name of the relative quantity from which this quantity in `unit` is calculated; else ""."""
+    """Name of the relative quantity from which the quantity in `unit` is calculated; else ""."""
 
     @property
     def printed(self) -> str:
@@ -69,7 +69,7 @@ class Quantity(NamedTuple):
 
     @property
     def rows(self) -> Rows:
-        """Kind of rows of the table; `one` means one value per gear."""
+        """Kind of rows of the table; `one` means a single value per gear."""
         return self.own_rows or ARRAYS[self.name].rows
 
     @property
@@ -113,7 +113,7 @@ UNITS = {
 
 
 def headed(name: str, unit: str) -> str:
-    """Return the heading of a column with its unit; an empty unit means relative to the input.
+    """Return the heading of a column with the unit; an empty unit means relative to the input.
 
     >>> headed("slip", "rpm"), headed("torque", "Nm"), headed("slip", "")
     ('slip, rpm', 'torque, N*m', 'slip')
@@ -379,7 +379,7 @@ WITH_UNITS = (
 """Physical quantities of a case with an operating point, ordered by unit and kind of rows."""
 
 QUANTITIES = RELATIVE + WITH_UNITS
-"""All written quantities, in the order of their tables."""
+"""All written quantities, in the order of the tables."""
 
 ASKED = _ASKED + tuple(in_unit(quantity) for quantity in _ASKED if quantity.with_load)
 """Quantities that are output only if requested by name.
@@ -388,7 +388,7 @@ They include the output torque, which is also the last row of the tables of torq
 """
 
 PRINTED = {quantity.printed: quantity for quantity in QUANTITIES}
-"""Quantities by their names in a listing; such a name also ends the deck before it."""
+"""Quantities by name in a listing; each name also ends the preceding deck."""
 
 BY_NAME = {
     name: quantity

@@ -26,7 +26,7 @@ _UNIT = re.compile(rf"(?:(?<=\[)|(?<=, ))(?:{_ANY})(?=\]|$)|(?:{_SPEEDS})rad/s(?
 
 
 def in_both_units(case: Transmission, grids: Iterable[Grid]) -> Iterator[Grid]:
-    """Yield tables whose headings also give units of straight motion, if the case has such links.
+    """Yield tables whose headings also give units of straight motion, if links move straight.
 
     Examples
     --------

@@ -83,7 +83,7 @@ def lines(
 
 
 def broken(parts: Sequence[str], width: int = TABLE_WIDTH, indent: str = 2 * INDENT) -> list[str]:
-    """Return the lines of a text that may be broken only between its parts.
+    """Return the lines of a text that may be broken only between the parts.
 
     Examples
     --------
@@ -113,7 +113,7 @@ def _pieces(grid: Grid, widths: Sequence[int], room: int, gap: int) -> Iterator[
 
 
 def _inseparable(grid: Grid) -> list[list[int]]:
-    """Return the groups of columns, after the first column, that must stay together.
+    """Return the groups of columns that must stay together, after the first column.
 
     Columns of numbers, or pairs of a number and a word, can be separated; other tables are not
     split.

@@ -75,7 +75,7 @@ WORDS = {
     "mechanisms and output": "mechanisms, springs and output",
     "the elements and of the output": "the elements, of springs and of the output",
 }
-"""Phrases in headings, and their replacements for a case with springs."""
+"""Phrases in headings, and the replacements for a case with springs."""
 
 
 def among_springs(quantity: Quantity) -> Quantity:

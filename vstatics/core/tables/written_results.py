@@ -13,15 +13,15 @@ GEAR_NUMBER = "gear number"
 
 
 class Figure(NamedTuple):
-    """Number as written in a result; NaN if it has no value."""
+    """Number as written in a result; NaN without a value."""
 
     value: float
     slack: float = 0.0
-    """Largest rounding error of a number in a listing: half a unit of its last digit."""
+    """Largest rounding error of a number in a listing: half a unit of the last digit."""
 
 
 Figures = list[list[Figure]]
-"""Rows of a table; a table with one value per gear has a single row."""
+"""Rows of a table; a table with a value per gear has a single row."""
 
 
 class WrittenResult(NamedTuple):
@@ -29,19 +29,19 @@ class WrittenResult(NamedTuple):
 
     tables: dict[str, Figures]
     case: Transmission | None
-    """Case of the result, which gives the names of rows and gears; None if unknown."""
+    """Case of the result, which gives the names of rows and gears, if known."""
     printed: bool
     """True if the result was read from a listing."""
     errors: bool = False
     """True if the case failed."""
     rows: Mapping[str, Sequence[str]] = MappingProxyType({})
-    """Names of the rows of each table, if the file contains them (for a drawn case, or in CSV)."""
+    """Names of the rows of each table, if contained in the file (for a drawn case, or in CSV)."""
     file: str = ""
-    """File of the case, with folders if they are written; empty if unknown."""
+    """File of the case, with folders if written; empty if unknown."""
     gears: Sequence[str] = ()
-    """Names of the gears, if the file contains them without the case."""
+    """Names of the gears, if the file contains names without the case."""
     devices: Sequence[str] = ()
-    """Names of the devices, if the file contains them without the case."""
+    """Names of the devices, if the file contains names without the case."""
 
     @property
     def is_of_source(self) -> bool:

@@ -87,7 +87,7 @@ class _Book:
         self.titles: dict[str, str] = {}
 
     def add(self, file: str, grid: Grid) -> None:
-        """Add a table, below the other tables of its sheet."""
+        """Add a table, below the earlier tables of the sheet."""
         name = grid.group or grid.key or grid.title
         if name not in self.sheets:
             sheet = sheet_name(name, self.names)
@@ -125,7 +125,7 @@ class _Worksheet:
         self.rows = 0
 
     def add(self, front: Sequence[str], headings: list[str], rows: Sequence[Sequence[Any]]) -> None:
-        """Add rows, preceded by headings if these differ from the last headings."""
+        """Add rows, preceded by headings if different from the last headings."""
         from openpyxl.styles import Font
 
         bold = Font(bold=True)
@@ -161,7 +161,7 @@ class _Worksheet:
 
 
 def sheet_name(name: str, taken: set[str]) -> str:
-    """Return a valid, unused name for a sheet, and add it to `taken`.
+    """Return a valid, unused name for a sheet, and add the name to `taken`.
 
     >>> taken = set()
     >>> sheet_name("Gear 1/2: [low]", taken), sheet_name("gear 1 2  (low)", taken)
@@ -179,7 +179,7 @@ def sheet_name(name: str, taken: set[str]) -> str:
 
 
 def _without_dates(written: io.BytesIO) -> bytes:
-    """Return a workbook without the time of its creation, so that equal tables give equal bytes."""
+    """Return a workbook without the time of creation, so that equal tables give equal bytes."""
     dateless = io.BytesIO()
     with (
         zipfile.ZipFile(written) as old,

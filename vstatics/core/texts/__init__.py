@@ -29,7 +29,7 @@ FORMS = "|"
 
 @contextmanager
 def speaking(language: Language) -> Iterator[None]:
-    """Run the block with a language for all texts that are translated in it."""
+    """Run the block with a language for all texts that are translated in the block."""
     before = _SPOKEN.set(language)
     try:
         yield
@@ -110,7 +110,7 @@ def heading(text: str) -> str:
 
 
 def title(text: str) -> str:
-    """Return the translated title of a table, except a JSON key in brackets at its end.
+    """Return the translated title of a table, except a JSON key in brackets at the end.
 
     >>> with speaking("ru"):
     ...     title("Power lost in the mechanisms [losses]")
@@ -123,7 +123,7 @@ def title(text: str) -> str:
 
 
 def labelled(text: str) -> str:
-    """Return a translated text; without a translation, only the label before its colon is.
+    """Return a translated text; without a translation, only the label before the colon is.
 
     >>> with speaking("ru"):
     ...     labelled("sun: ring"), labelled("lost: meshes")

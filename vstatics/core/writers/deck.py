@@ -34,7 +34,7 @@ DECK_KEYS = {
 
 
 def write(case: Transmission, lang: Language = "en") -> str:
-    """Return a case as a deck; reading it gives an equal case, except for parts listed by `lost`.
+    """Return a case as a deck that reads back as an equal case, except for parts listed by `lost`.
 
     A case with speeds that are multiples of other links' speeds must first be converted by
     `Results.with_numbers_only`. Springs are written under a heading that marks them as unreadable;
@@ -118,7 +118,7 @@ def lost(case: Transmission) -> list[str]:
 
 
 def _unkept(part: object, shape: ByKey) -> Iterator[str]:
-    """Yield the keys of a part that have no field in a deck and differ from their defaults."""
+    """Yield the keys of a part that have no field in a deck and differ from the defaults."""
     for key in shape.keys:
         if key.name not in DECK_KEYS and not key.leaves_out(getattr(part, key.name, None)):
             yield key.name

@@ -45,7 +45,7 @@ def check_deck(case: Transmission) -> None:
 
 
 def _unheld(case: Transmission) -> Iterator[tuple[str, list[str]]]:
-    """Yield each used key that has no field in a deck, with the names of the parts that use it."""
+    """Yield each used key that has no field in a deck, with the names of the parts concerned."""
     parts: list[ShiftElement | Mechanism] = [*case.shift_elements, *case.mechanisms]
     drawing = drawing_of(case)
     elements = drawing.elements if drawing else ()
@@ -96,7 +96,7 @@ def check_published_listing(results: Results) -> None:
 
 
 def _unprinted_parts(case: Transmission) -> Iterator[tuple[str, dict[str, Path]]]:
-    """Yield each kind of part for which the listing has no field, with their paths by name."""
+    """Yield each kind of part for which the listing has no field, with paths by name."""
     yield "springs", {spring.name: ("springs", n) for n, spring in enumerate(case.springs, 1)}
     yield "speed ratios", _mechanisms(case, "kind", lambda part: bool(part.kind))
     yield (
@@ -122,7 +122,7 @@ def _unprinted_parts(case: Transmission) -> Iterator[tuple[str, dict[str, Path]]
 
 
 def _unprinted_gears(results: Results) -> Iterator[tuple[str, dict[str, Path]]]:
-    """Yield each key of gears for which the listing has no field, with its paths by gear name."""
+    """Yield each key of gears for which the listing has no field, with paths by gear name."""
     case = results.case
     yield "slip in gears", _gears(case, "slip", lambda gear: bool(gear.slip))
     yield "losses of gears as a whole", _gears(case, "loss", lambda gear: gear.loss is not None)
@@ -177,7 +177,7 @@ def _differs(case: Transmission, port: Callable[[Gear], int]) -> Callable[[Gear]
 
 
 def _load_path(index: int, key: str, of_gear: object) -> Path:
-    """Return the path of a key of the gear, or of the case if the gear inherits its value."""
+    """Return the path of a key of the gear, or of the case if the gear inherits the value."""
     return (key,) if of_gear is None else ("gears", index + 1, key)
 
 

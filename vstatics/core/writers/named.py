@@ -40,7 +40,7 @@ _WORD = re.compile(r"[^\W\d]\w*")
 
 
 class _OnOneLine(dict[str, Any]):
-    """Mapping that is written in YAML on one line, in braces."""
+    """Mapping that is written in YAML on a single line, in braces."""
 
 
 def mapping(case: Transmission, *, units: bool = True) -> dict[str, Any]:
@@ -145,7 +145,7 @@ def _drag_by_gear(case: Transmission) -> dict[str, Any]:
 
 
 def _link_words(case: Transmission) -> list[int | str]:
-    """Return how links are written, housing first: by name, or by number if they have no names."""
+    """Return how links are written, housing first: by name or, without names, by number."""
     own_links = case.own_links
     if list(case.link_names[:own_links]) == [str(number) for number in range(1, own_links + 1)]:
         return ["housing", *range(1, case.links + 1)]
@@ -153,7 +153,7 @@ def _link_words(case: Transmission) -> list[int | str]:
 
 
 def _as_written(case: ByKey) -> ByKey:
-    """Return the declaration of a case with its keys in the order of writing."""
+    """Return the declaration of a case with the keys in the order of writing."""
     keys = {key.name: key for key in case.keys}
     load = keys.pop("load")
     position = [*keys].index("coast") + 1
@@ -174,7 +174,7 @@ class _Writer(NamedTuple):
     elements: Sequence[str]
     mechanisms: Sequence[str]
     wholes: Collection[float]
-    """Speeds and torques of operating points; values relative to one of them keep their unit."""
+    """Speeds and torques of operating points; values relative to a quantity keep the given unit."""
 
     def by_key(self, part: Any, shape: ByKey) -> dict[str, Any]:
         """Return the keys of a part or mapping, without default values."""
@@ -289,7 +289,7 @@ _WRITERS: Mapping[type, Callable[[_Writer, Any, Any], Any]] = {
     ByLaw: _Writer.by_law,
     Balances: _Writer.balance,
 }
-"""Method that writes a value, by the type of its shape."""
+"""Method that writes a value, by the type of the shape."""
 
 _PLAIN: Mapping[str, Callable[[Any], Any]] = {
     **dict.fromkeys(

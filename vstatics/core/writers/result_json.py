@@ -114,7 +114,7 @@ def _braced(entries: Iterable[tuple[str, str]], indent: str = "") -> str:
 
 
 def _value(key: str, value: Any) -> str:
-    """Format a value: tables, mappings and lists of messages on several lines, others on one."""
+    """Format a value on several lines (tables, mappings, lists of messages) or on a single line."""
     if value is CONVENTIONS:
         return _conventions()
     if isinstance(value, dict) and value:
@@ -133,7 +133,7 @@ def _mapping(value: dict[str, Any]) -> str:
 
 @cache
 def _conventions() -> str:
-    """Format the conventions; cached, because they are equal for all results."""
+    """Format the conventions; cached, because equal for all results."""
     return _mapping(CONVENTIONS)
 
 

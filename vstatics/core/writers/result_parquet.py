@@ -39,7 +39,7 @@ def rows(file: str, results: Results) -> bytes:
 
 
 def joined(parts: Iterable[bytes]) -> Iterator[bytes]:
-    """Yield, in pieces, a Parquet file of all results; its metadata contain the program.
+    """Yield, in pieces, a Parquet file of all results, with the program in the metadata.
 
     Parameters
     ----------
@@ -59,7 +59,7 @@ def joined(parts: Iterable[bytes]) -> Iterator[bytes]:
 
 
 class _Drained(io.RawIOBase):
-    """File object in memory whose content can be taken out while it is being written."""
+    """File object in memory whose content can be taken out during writing."""
 
     def __init__(self) -> None:
         self.pieces: list[bytes] = []

@@ -86,7 +86,7 @@ GIVEN = {
 }
 """Russian headings by the headings of a deck; values of given speeds have no heading."""
 BELOW = ("NNM(", "KFRI(", "KWZ(", "KMZ(")
-"""Lists whose numbers are below the name of the list; in a deck they are on the same line."""
+"""Lists whose numbers are below the name of the list (in a deck on the line of the name)."""
 
 SECTIONS = {
     "W": "А. Скоростной расчет",
@@ -119,7 +119,7 @@ HEADINGS = {
         "(указывает направление мощностного потока):"
     ),
 }
-"""Russian headings of tables, or parts of tables, by their index lists."""
+"""Russian headings of tables, or parts of tables, by index list."""
 
 
 NO_FOLLOWING = (
@@ -248,7 +248,7 @@ def write(
 
 
 def _given(case: Transmission) -> Iterator[str]:
-    """Yield the fields of the deck, each below its Russian heading."""
+    """Yield the fields of the deck, each below a Russian heading."""
     for line in deck.template(case):
         name, colon, numbers = line.partition(": ")
         if line.startswith(BELOW):

@@ -28,7 +28,7 @@ from vstatics.core.writers.named import mapping
 
 _Row = list[Any]
 _Values = Iterator[tuple[Path, Any]]
-"""Paths with their values."""
+"""Paths with values."""
 
 
 def write(case: Transmission) -> bytes:
@@ -130,7 +130,7 @@ def _gears(gears: Mapping[str, Any], names: Sequence[str]) -> list[_Row]:
 
 
 def _in_order(names: Sequence[str], engaged: Sequence[Sequence[str]]) -> list[str]:
-    """Return the shift elements, sorted by their order within the gears as far as possible."""
+    """Return the shift elements, sorted by the order within the gears as far as possible."""
     best, known = list(names), set[tuple[str, str]]()
     for elements in engaged:
         pairs = known | {*pairwise(elements)}
@@ -158,7 +158,7 @@ def _sorted(names: Sequence[str], pairs: Collection[tuple[str, str]]) -> list[st
 
 
 def _flat(value: Mapping[str, Any], path: Path = ()) -> _Values:
-    """Yield the paths of plain data, each with the content of its cell."""
+    """Yield the paths of plain data, each with the content of the cell."""
     for key, item in value.items():
         yield from _flat_value(item, (*path, str(key)))
 

@@ -19,7 +19,7 @@ TABULAR = known(("listing", "text", "json", "csv"))
 
 
 class CaseTask(NamedTuple):
-    """Case and the file for its result; None if results are written to a stream."""
+    """Case, with a result file unless results are written to a stream."""
 
     file: str
     target: str | None = None
@@ -28,7 +28,7 @@ class CaseTask(NamedTuple):
 def tasks(
     cases: Sequence[str], folder: str, suffix: str, others: Sequence[str] = ()
 ) -> list[CaseTask]:
-    """Return each case with its result file: name of the case with the suffix, in the folder.
+    """Return each case with a result file: name of the case with the suffix, in the folder.
 
     Parameters
     ----------

@@ -70,7 +70,7 @@ def _named_files(case: CalculatedCase) -> set[str]:
 def _shown_of_case(
     job: Job, case: CalculatedCase
 ) -> tuple[CalculatedCase, texts.CaseOutput | None]:
-    """Return the outcome and the output of a case; None, and a failure, if there is no output."""
+    """Return the outcome and the output of a case; a case without output is a failure."""
     if case.results is None:
         return case, None
     try:

@@ -171,7 +171,7 @@ class RequiredUnless(RenamedOption):
         return next((option for option in options if option.name == self.unless), None)
 
     def value_is_missing(self, value: Any) -> bool:
-        """Return whether both the option and its alternative are missing."""
+        """Return whether both the option and the alternative option are missing."""
         context = click.get_current_context()
         is_given = context.get_parameter_source(self.unless) not in (None, ParameterSource.DEFAULT)
         other = is_given and context.params.get(self.unless)
@@ -230,7 +230,7 @@ class CalculatedCase(NamedTuple):
     """Function that adds the place in the file to a problem of the model."""
 
     def located(self, error: CaseError) -> ReadError:
-        """Return an error with its problems located in the file of the case."""
+        """Return an error whose problems are located in the file of the case."""
         problems = error.problems if self.locate is None else map(self.locate, error.problems)
         return ReadError(each if each.place else each.in_file(self.file) for each in problems)
 
@@ -247,7 +247,7 @@ class CalculatedCase(NamedTuple):
 
 
 class CaseOptions(NamedTuple):
-    """Options for reading and calculating cases; None means the value given by the case."""
+    """Options for reading and calculating cases; omitted options keep the values of the case."""
 
     input_format: readers.Format | None = None
     coast: bool | None = None
@@ -307,7 +307,7 @@ def gear_indices(case: Transmission, asked: Sequence[str], option: str = "--gear
 
 
 def calculate(cases: Sequence[str], settings: CaseOptions) -> Iterator[CalculatedCase]:
-    """Calculate each case and print its problems; other cases are calculated even if one fails."""
+    """Calculate every case, even after failures, and print the problems."""
     check_streams(cases)
     for file in cases:
         outcome = calculate_one(file, settings)
@@ -316,7 +316,7 @@ def calculate(cases: Sequence[str], settings: CaseOptions) -> Iterator[Calculate
 
 
 def outside_notes(names: Sequence[str], case: Transmission, file: str) -> list[Problem]:
-    """Return the note about laws evaluated outside their points, unless the case suppresses it."""
+    """Return the note about laws evaluated outside the points, unless suppressed by the case."""
     from vstatics.core.statics.diagnosis import outside_message
 
     messages = not_allowed([outside_message(names)] if names else [], case.untold)
@@ -442,7 +442,7 @@ def _solved(reading: Reading, settings: CaseOptions, *, opens: bool) -> Results:
 def read_data(
     data: bytes, name: str, input_format: readers.Format | None, telling: Telling
 ) -> Reading:
-    """Read a case and print its warnings, for a command that calculates no results.
+    """Read a case and print the warnings, for a command that calculates no results.
 
     Raises
     ------

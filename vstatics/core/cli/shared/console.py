@@ -27,7 +27,7 @@ class SafeConsole(Console):
     def render(
         self, renderable: RenderableType, options: ConsoleOptions | None = None
     ) -> Iterable[Segment]:
-        """Yield the segments of rich, with control characters in their texts escaped."""
+        """Yield the segments of rich, with control characters escaped in the texts."""
         for text, style, control in super().render(renderable, options):
             shown = text if control else printable(text, lines=True)
             yield Segment(shown, style, control)

@@ -36,7 +36,7 @@ class DocumentOfCase(Protocol):
         """Return the document with further ids of messages suppressed."""
 
     def locate(self, problem: Problem) -> Problem:
-        """Return a problem of the document or the case with its place in the file."""
+        """Return a problem of the document or the case, located in the file."""
 
 
 def is_a(kind: str, data: bytes, name: str) -> bool:
@@ -54,7 +54,7 @@ def is_a(kind: str, data: bytes, name: str) -> bool:
 
 
 def no_case(data: bytes, name: str, taken: str = "") -> list[Problem]:
-    """Return problems if a command cannot use a document as a case; empty if it can.
+    """Return problems, if a command cannot use a document as a case.
 
     Documents of a kind can be used if their annex declares a function named `taken` for the kind.
     """

@@ -116,7 +116,7 @@ def check_room(size: float, output: str | None, expected: str) -> None:
 
 
 def free_room(output: str | None) -> int | None:
-    """Return the free disk space for an output file [bytes]; None for a stream."""
+    """Return the free disk space for an output file [bytes], unless the output is a stream."""
     from shutil import disk_usage
 
     # A failure is ignored here, because it is reported when the output is written.

@@ -44,7 +44,7 @@ MOST_SHOWN_PROBLEMS = 100
 MOST_SEARCHED = 1000
 """Largest number of files in a folder among which a similar name is searched for."""
 ALIKE, SHORT = 0.75, 0.66
-"""Smallest similarity (0 to 1) of a suggested name, and its lower value for short names."""
+"""Smallest similarity (0 to 1) of a suggested name, and the lower value for short names."""
 CLOSED = "it is closed"
 
 
@@ -56,7 +56,7 @@ def file_name(file: str) -> str:
 def read_input(
     file: str, most: int = DOCUMENT_BYTES, *, regular: bool = False
 ) -> tuple[bytes, str]:
-    """Return the bytes of a file or of standard input, and its name for messages.
+    """Return the bytes of a file or of standard input, and the name of the source for messages.
 
     Parameters
     ----------
@@ -91,7 +91,7 @@ def read_input(
 
 @contextlib.contextmanager
 def problems_of_file(file: str, hint: str = "") -> Iterator[None]:
-    """Run the block; raise its problems with only the file as place, and with a hint.
+    """Run the block; raise problems with only the file as place, and with a hint.
 
     Raises
     ------
@@ -106,7 +106,7 @@ def problems_of_file(file: str, hint: str = "") -> Iterator[None]:
 
 
 def _pattern(folder: str) -> str:
-    """Return the pattern of the cases in a folder, with the most frequent of their suffixes."""
+    """Return the pattern of the cases in a folder, with the most frequent suffix."""
     with contextlib.suppress(OSError), os.scandir(folder) as entries:
         names = [entry.name for entry in itertools.islice(entries, MOST_SEARCHED)]
         suffixes = Counter(os.path.splitext(name)[1] for name in names if format_of_name(name))  # noqa: PTH122
@@ -142,7 +142,7 @@ def _stem(name: str) -> str:
 
 
 def _shipped(file: str) -> str:
-    """Return a hint with the command that writes the shipped case of this name.
+    """Return a hint with the command that writes the shipped case of a given name.
 
     >>> _shipped("../tarasik-box.yaml"), _shipped("mine.yaml")
     ('; `vstatics new ../tarasik-box.yaml -t tarasik-box` writes the shipped case', '')
@@ -321,7 +321,7 @@ def encoded(text: str, *, as_is: bool = False) -> bytes:
 
 
 def read_names(file: str) -> list[str]:
-    r"""Return the names in a list of files, one per line or each ended by NUL (`find -print0`).
+    r"""Return the names in a list of files, each on a line or ended by NUL (`find -print0`).
 
     Blanks around a line are removed; empty lines and lines that begin with # are ignored.
 

@@ -25,7 +25,7 @@ READ_BY_PEOPLE = ("text", "listing", "markdown", "latex", "html")
 FULL = ("json", "jsonl", "csv", "parquet")
 """Formats with all digits of a number."""
 STREAMS = ("jsonl", "parquet")
-"""Formats with all cases in one file, for which --resume is possible."""
+"""Formats with all cases in a single file, for which --resume is possible."""
 
 
 class TextStyle(NamedTuple):
@@ -34,11 +34,11 @@ class TextStyle(NamedTuple):
     lang: Language | Literal["source"] = "en"
     """Language of the words; "source", an alias of a format, is resolved by `run`."""
     digits: int | None = None
-    """Number of decimals; None for a number of digits that suits each value."""
+    """Number of decimals; by default, each number has suitable digits."""
     raw: bool = False
     """True to omit the apostrophe that keeps spreadsheets from taking a text for a formula."""
     own_tables: bool = False
-    """True if a published listing is followed by the tables that only this program has."""
+    """True if a published listing is followed by the additional tables of vstatics."""
 
 
 class Destination(NamedTuple):
@@ -51,7 +51,7 @@ class Destination(NamedTuple):
 
     @property
     def suffix(self) -> str:
-        """Suffix of files in this format."""
+        """Suffix of files in the format."""
         return SUFFIXES[self.form][0]
 
     @property
@@ -78,7 +78,7 @@ class OutputOptions(NamedTuple):
     def destination(
         self, inputs: Sequence[str], *, several: bool = False, together: bool = False
     ) -> Destination:
-        """Return the output and its format, checked before any calculation.
+        """Return the output and the format of the output, checked before any calculation.
 
         Parameters
         ----------

@@ -34,7 +34,7 @@ class LazyGroup(click.Group):
         return list(self.listed())
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:  # noqa: ARG002
-        """Return the command with a name, after importing its module."""
+        """Return the command with a name, after importing the module of the command."""
         module = self.module(cmd_name)
         if not module:
             return None
@@ -54,6 +54,6 @@ class LazyGroup(click.Group):
         raise click.UsageError(f"there is no command {quoted(name)}{hint}", ctx)
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:  # noqa: ARG002
-        """Write the list of commands without importing their modules."""
+        """Write the list of commands without importing the modules of the commands."""
         with formatter.section("Commands"):
             formatter.write_dl([(name, summary) for name, (_, summary) in self.listed().items()])

@@ -69,7 +69,7 @@ class _Count:
 
 
 def _failure(done: Done) -> str:
-    """Return a phrase for a failed case: its first error or warning, and the number of others."""
+    """Return a phrase for a failed case: first error or warning, and number of further problems."""
     causes = [problem for problem in done.problems if problem.severity == "error"]
     causes = causes or [problem for problem in done.problems if problem.severity == "warning"]
     first = str(causes[0]) if causes else "failed"
@@ -122,7 +122,7 @@ def to_directory(
 
 
 def _tell_others(folder: str, suffix: str, planned: Sequence[CaseTask]) -> None:
-    """Report results in the directory that do not belong to any case of this run."""
+    """Report results in the directory that do not belong to any case of the run."""
     expected = {os.path.basename(str(task.target)) for task in planned}  # noqa: PTH119
     present = {name for name in os.listdir(folder) if name.endswith(suffix) and name[0] != "."}  # noqa: PTH208
     if others := sorted(present - expected):
@@ -253,7 +253,7 @@ def _follow(
     beside_stdout: bool = False,
     parts: FinishedParts | None = None,
 ) -> Iterator[texts.Part]:
-    """Report and count the outcome of each case; store and yield its part of the output."""
+    """Report and count the outcome of each case; store and yield the part of the output."""
     quiet, telling = telling.quiet, telling._replace(notes=True)
     with progress(count.total, "cases", beside_stdout=beside_stdout, quiet=quiet) as advance:
         advance(count.finished_before)

@@ -27,7 +27,7 @@ from vstatics.core.tables.grid import Grid
 
 @contextmanager
 def problems_of(reading: Reading) -> Iterator[None]:
-    """Run the block; add the places in the file to the problems of a case raised in it.
+    """Run the block; add the places in the file to problems of a case that the block raises.
 
     Raises
     ------
@@ -42,7 +42,7 @@ def problems_of(reading: Reading) -> Iterator[None]:
 
 
 def _placed(problem: Problem, reading: Reading) -> Problem:
-    """Return a problem with its place in the file; without a path, the place is the whole file."""
+    """Return a problem with a place in the file: the whole file for a problem without a path."""
     located = reading.locate(problem)
     if problem.path or located.place is None:
         return located
@@ -59,7 +59,7 @@ class CaseAnswer(NamedTuple):
     failed: bool = False
     """True if the command fails although no problem is an error."""
     write: Callable[[], bool] | None = None
-    """Function that writes a further file, and returns whether it could be written completely."""
+    """Function that writes a further file, and returns whether the writing was complete."""
 
 
 class OneCase(NamedTuple):
@@ -70,12 +70,12 @@ class OneCase(NamedTuple):
     input_format: readers.Format | None
     telling: Telling
     coast: bool | None = None
-    """True if power enters at the output; None to use the direction given by the case."""
+    """True if power enters at the output; by default, the case gives the direction."""
     static_torque: float | None = None
-    """Torque at the input; None to use the torque given by the case. [N*m]"""
+    """Torque at the input, by default the torque given by the case. [N*m]"""
 
     def destination(self, *others: str) -> Destination:
-        """Return the destination of the output, which must not be the case or another input.
+        """Return the destination of the output, which must not be the case or any other input.
 
         Raises
         ------
@@ -86,7 +86,7 @@ class OneCase(NamedTuple):
         return one_text(self.wanted, inputs)
 
     def read(self, *given: tuple[bytes, str]) -> Reading:
-        """Read the case from its file, or from the given text, and print the warnings.
+        """Read the case from the file or the given text, and print the warnings.
 
         Raises
         ------

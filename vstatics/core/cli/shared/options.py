@@ -27,11 +27,11 @@ PROCESSING = "Processing"
 MESSAGES = "Messages"
 HELP = "Help"
 _LAST = (CALCULATION, OUTPUT, PROCESSING, MESSAGES, HELP)
-"""Headings that follow the input options and the headings of a command, in this order."""
+"""Headings after the input options and the headings of a command, in displayed order."""
 _FEW = 7
 """Largest number of options that are listed together under the heading "Options"."""
 _HEADING = "heading"
-"""Attribute of an option that contains its heading in the help text."""
+"""Attribute that contains the heading of an option in the help text."""
 _PARAMETERS = "__click_params__"
 """Attribute of a function in which decorators of click collect options."""
 _WIDTH = 28
@@ -152,7 +152,7 @@ class RenamedOption(click.Option):
         self.former = tuple(former)
 
     def add_to_parser(self, parser: Any, ctx: click.Context) -> None:
-        """Add the option to the parser under all of its names."""
+        """Add the option to the parser under every name of the option."""
         names = self.opts
         self.opts = [*names, *self.former]
         super().add_to_parser(parser, ctx)
@@ -160,10 +160,10 @@ class RenamedOption(click.Option):
 
 
 class HeadedCommand(click.Command):
-    """Command whose help text lists options under headings, if it has more than a few."""
+    """Command whose help text groups more than a few options under headings."""
 
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """Write the options by heading, in the order of their declaration."""
+        """Write the options by heading, in the order of declaration."""
         listed: dict[str, list[tuple[str, str]]] = {}
         for option in self.get_params(ctx):
             if isinstance(option, click.Option) and (record := option.get_help_record(ctx)):
@@ -181,7 +181,7 @@ class HeadedCommand(click.Command):
 
 
 def command(function: Callable[..., Any]) -> click.Command:
-    """Return the command for a function `NAME_command`; its docstring is the help text.
+    """Return the command for a function `NAME_command`, with the docstring as the help text.
 
     The suffix `_command` distinguishes the function from a function of the Python interface, such
     as `sweep`.

@@ -145,7 +145,7 @@ def _bar(unit: str) -> Progress:
     from vstatics.core.cli.shared.console import SafeConsole
 
     class Rate(parts.ProgressColumn):
-        """Column of the progress bar with units per second; the column before it names the unit."""
+        """Column of the progress bar with units per second; the previous column names the unit."""
 
         def render(self, task: parts.Task) -> Text:
             speed = task.finished_speed or task.speed

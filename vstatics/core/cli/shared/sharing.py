@@ -90,7 +90,7 @@ class Sharing(NamedTuple):
 def going_on_later(
     output: str, store: FinishedPieces, remains: Callable[[], str]
 ) -> Iterator[None]:
-    """Run the block; if it is stopped or cannot write, report the stored work and exit.
+    """Run the block; if stopped or unable to write, report the stored work and exit.
 
     Raises
     ------

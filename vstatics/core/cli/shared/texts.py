@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 class CaseOutput(NamedTuple):
-    """Output of a command for a case; its parts are calculated only when needed."""
+    """Output of a command for a case, with parts that are calculated only when needed."""
 
     titles: Sequence[str]
     """Titles above the tables."""
@@ -52,7 +52,7 @@ class CaseTables(NamedTuple):
 
 
 Part = bytes | CaseTables
-"""Part of a stream: the text of a case, or its tables, to be combined with other cases."""
+"""Part of a stream: the text or the tables of a case, to be combined with other cases."""
 
 
 class Frame(NamedTuple):
@@ -171,7 +171,7 @@ def _of_grids(cases: Iterable[CaseTables], to: Destination, *, several: bool) ->
 
 
 def _json(file: str, shown: CaseOutput, to: Destination, *, folders: bool = False) -> str:
-    """Return the output of a case as JSON, on several lines or on one, with a final line break."""
+    """Return the output of a case as JSON, on a single line or several, with a final line break."""
     from vstatics.core.tables.answer import as_json, with_file
 
     assert shown.answer is not None  # noqa: S101 - the command has this format
@@ -187,7 +187,7 @@ def _bytes(text: str | bytes, to: Destination) -> bytes:
 
 
 class Job(NamedTuple):
-    """Command with its options, to be applied to each case."""
+    """Command with options, to be applied to each case."""
 
     command: str
     """Name of the command."""
@@ -196,10 +196,10 @@ class Job(NamedTuple):
     show: Callable[[CalculatedCase, Results], CaseOutput]
     """Function that returns the output of the command for a case with results."""
     own_frame: Frame | None = None
-    """Texts around the parts of several cases, for a format that only this command has."""
+    """Texts around the parts of several cases, for a format specific to the command."""
     finished: FinishedCases | None = None
     """Record of finished results, if results are written to a directory."""
     marked: bool = False
-    """True if the output of each case is stored for `--resume`, with the hashes of its files."""
+    """True if the output of each case is stored for `--resume`, with hashes of the case's files."""
     folders: bool = False
     """True if JSON contains file names with folders, because some names are equal."""

@@ -22,7 +22,7 @@ Value = TypeVar("Value")
 Given = TypeVar("Given")
 
 FILE = click.Path(readable=False)
-"""Name of a file; a file that cannot be read is reported like a missing one, by the reader."""
+"""Name of a file; the reader reports an unreadable file like a missing file."""
 
 
 @contextmanager
@@ -53,7 +53,7 @@ def wrong_value(option: str | None = None) -> Iterator[None]:
 def value(
     read: Callable[[Given], Value], option: str | None = None
 ) -> Callable[[click.Context, click.Parameter, Given], Value | Given]:
-    """Return a callback that parses the value of an option by a function; None remains None."""
+    """Return a callback that parses an option's value by a function, if the option has a value."""
 
     def callback(_context: click.Context, _option: click.Parameter, given: Given) -> Value | Given:
         with wrong_value(option):
@@ -248,7 +248,7 @@ def named(
 def wrong_use(
     options: Sequence[str], spelled: Mapping[str, str] = MappingProxyType({})
 ) -> Iterator[None]:
-    """Run the block; report problems whose path begins with an option as wrong use of it.
+    """Run the block; report problems whose path begins with an option as wrong use of the option.
 
     `spelled` contains the names of options on the command line that differ from the names in paths.
 
@@ -300,7 +300,7 @@ def separated(texts: Iterable[str]) -> list[str]:
 
 
 def _unquoted(quoted: str | None) -> str:
-    """Return a name without its enclosing double quotes; doubled quotes become single quotes."""
+    """Return a name without enclosing double quotes; doubled quotes become single quotes."""
     return (quoted or "").replace('""', '"')
 
 

@@ -16,7 +16,7 @@ from vstatics.core.numerics.arrays import Floats
 UNCUT, UNCUT_SHIFTED = 17, 14
 """Smallest number of teeth without undercut: standard profile, and shifted profile."""
 INSIDE = 8
-"""Smallest difference of teeth between a ring and the gear inside it."""
+"""Smallest difference of teeth between a ring and the gear inside."""
 TEETH_BETWEEN_TIPS = 4
 """Gap between two pitch circles, in half modules, at which tips just touch: two addenda."""
 TIPS = 2
@@ -96,7 +96,7 @@ def crossing_distance(first: Amount, second: Amount, apart: Amount, turn: Amount
 
 
 def passing_room(span: Amount, teeth: Amount, passed: Amount, *, internal: bool) -> Amount:
-    """Return twice the clearance between a planet and a gear that it passes without mesh [modules].
+    """Return twice the clearance between a planet and a gear passed without mesh [modules].
 
     >>> passing_room(40, 20, 66, internal=True), passing_room(40, 20, 16, internal=False)
     (2, 0)

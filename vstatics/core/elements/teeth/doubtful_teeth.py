@@ -23,7 +23,7 @@ from vstatics.core.errors import Path, Problem
 HALF_A_TOOTH = "N311"
 """Identifier of the note about a planet that would need half a tooth."""
 TOUCHING = "N315"
-"""Identifier of the note about gears whose tips would touch in the same plane."""
+"""Identifier of the note about gears whose tips would touch in a common plane."""
 USUAL_PLANETS = range(3, 7)
 """Usual numbers of planets; at least one must fit if the gear set states no number."""
 _PAIRS = ("gear_pair", "internal_pair", "idler")
@@ -100,7 +100,7 @@ def _doubts(element: Element) -> Iterator[Doubt]:
 
 
 def _subject(element: Element) -> Subject | None:
-    """Return the teeth of a gear set for the checks; None if its kind or teeth are not checked."""
+    """Return the teeth of a gear set for the checks, if the kind and the teeth are checked."""
     if not _whole(element) or element.ratios:
         return None
     if isinstance(element.shape, Planetary):

@@ -14,7 +14,7 @@ from vstatics.core.elements.element import CentralWheel, Element
 from vstatics.core.elements.group import PlanetGroup
 
 Key = str | int
-"""Key of a toothed gear: its name, or the index of a central gear in its group."""
+"""Key of a toothed gear: the name, or the index of a central gear in the group."""
 
 Teeth = Mapping[Key, int]
 """Number of teeth by key."""
@@ -32,13 +32,13 @@ class Doubt(NamedTuple):
 
 @dataclass(frozen=True)
 class AxisLayout:
-    """Planets around an axis: gear set, and its group of planets with given or other teeth."""
+    """Planets around an axis: gear set, and the group of planets with given or other teeth."""
 
     element: Element
     group: PlanetGroup
 
     def teeth(self, rim: str) -> Fraction | None:
-        """Return the number of teeth of a rim; None if unknown."""
+        """Return the number of teeth of a rim, if known."""
         return self.group.planets[self.group.planet_of[rim]][rim]
 
     def around(self, rim: str) -> list[CentralWheel]:
@@ -65,7 +65,7 @@ class AxisLayout:
         return wheel.teeth - teeth if wheel.internal else wheel.teeth + teeth
 
     def axis(self, rim: str) -> tuple[Fraction, CentralWheel] | None:
-        """Return twice the distance of a rim from the axis, in modules, and the gear that sets it.
+        """Return twice the distance of a rim from the axis, in modules, and the decisive gear.
 
         A rim that meshes only with planets takes the distance from the other rims of its planet.
         """

@@ -44,7 +44,7 @@ class Mesh(NamedTuple):
 
 
 def undercut(wheels: Iterable[Toothed]) -> Iterator[Doubt]:
-    """Report external gears with so few teeth that the tool undercuts them."""
+    """Report external gears with few teeth, undercut by the tool."""
     for wheel in wheels:
         if wheel.internal:
             continue
@@ -61,7 +61,7 @@ def undercut(wheels: Iterable[Toothed]) -> Iterator[Doubt]:
 
 
 def interfering(meshes: Sequence[Mesh]) -> Iterator[Doubt]:
-    """Report interference of tips in a ring that is hardly larger than the gear inside it."""
+    """Report interference of tips in a ring that is hardly larger than the gear inside."""
     for ring, wheel in meshes:
         more = ring.teeth - wheel.teeth
         if ring.internal and more <= 0:

@@ -19,7 +19,7 @@ from vstatics.core.elements.teeth.conditions import SHIFT
 from vstatics.core.elements.teeth.layout import Key, Teeth, ratio_pairs
 
 TEETH_PER_RATIO = 100
-"""Weight of a relative change of ratio: a change of 1 % counts as much as a change of one tooth."""
+"""Weight of a relative change of ratio: a change of 1 % counts as much as a single tooth."""
 
 FARTHEST_RATIO = 0.3
 """Largest change of a ratio in the search, as the natural logarithm of the quotient of ratios."""
@@ -112,7 +112,7 @@ def _distance(space: Space, logs: Mapping[Key, float], teeth: Teeth) -> float:
 
 @lru_cache
 def _steps(moves: int, times: int) -> list[tuple[int, ...]]:
-    """Return all combinations of steps, one per move, whose magnitudes sum to the reach at most."""
+    """Return all combinations of a step per move whose magnitudes sum to at most the reach."""
     reach = times * REACH.get(moves, 2 if moves <= FAR_MOVES else 1)
     partial: list[tuple[tuple[int, ...], int]] = [((), reach)]
     for _ in range(moves):
@@ -169,7 +169,7 @@ def space_of(group: PlanetGroup, given_rims: Sequence[str]) -> Space:
 
 
 def _axis_steps(spans: Mapping[str, int]) -> dict[str, int]:
-    """Return by how many units each rim of a planet moves when its axis moves outwards.
+    """Return by how many units each rim of a planet moves when the planet axis moves outwards.
 
     Rims of equal modules (within profile shift) move by 1 each. Rims of different modules keep the
     ratio of their modules, if it is a ratio of small whole numbers.

@@ -28,7 +28,7 @@ PASSING = {
 
 
 def of_planets(layout: AxisLayout) -> Iterator[Doubt]:
-    """Yield the doubts about the positions of planets, one condition after the other."""
+    """Yield the doubts about the positions of planets, condition by condition."""
     hopeless = [
         Doubt(
             "W311",
@@ -52,7 +52,7 @@ def of_planets(layout: AxisLayout) -> Iterator[Doubt]:
 
 
 def _coaxial(layout: AxisLayout) -> Iterator[Doubt]:
-    """Report central gears that mesh with the same planet gear at different centre distances."""
+    """Report central gears in mesh with a common planet gear at different centre distances."""
     for rim in layout.group.planet_of:
         wheels, teeth = layout.around(rim), layout.teeth(rim)
         if not wheels or teeth is None:
@@ -129,7 +129,7 @@ def _triangles(layout: AxisLayout) -> Iterator[Doubt]:
 
 
 def _sides(layout: AxisLayout, rim: str, partner: str) -> tuple[float, float, float] | None:
-    """Return the radii of two planet axes, and their distance in mesh, in modules."""
+    """Return the radii of two planet axes, and the distance of the axes in mesh, in modules."""
     first, second = layout.axis(rim), layout.axis(partner)
     teeth = (layout.teeth(rim), layout.teeth(partner))
     if first is None or second is None or teeth[0] is None or teeth[1] is None:
@@ -138,7 +138,7 @@ def _sides(layout: AxisLayout, rim: str, partner: str) -> tuple[float, float, fl
 
 
 def _clear_wheels(layout: AxisLayout) -> Iterator[Doubt]:
-    """Report planets that touch a central gear although they do not mesh with it.
+    """Report planets that touch a central gear without meshing.
 
     In a Ravigneaux set the ring is next to the short planets, above the large sun, and long planets
     can end before the small sun. Contact with the small sun is therefore only a note.
@@ -204,7 +204,7 @@ def _crossing(layout: AxisLayout, rim: str, partner: str, count: int) -> Iterato
 
 
 def counts(subject: Subject) -> str:
-    """Return a phrase with the numbers of planets, closest to the given number, that fit."""
+    """Return a phrase with the possible numbers of planets closest to the given number."""
     count = subject.element.planets or 1
     if not isinstance(subject, OfPlanets):
         return ""
@@ -214,7 +214,7 @@ def counts(subject: Subject) -> str:
 
 
 def fitting_numbers(layout: AxisLayout, numbers: Iterable[int]) -> list[int]:
-    """Return those numbers of planets that can be assembled without contact."""
+    """Return the numbers of planets that can be assembled without contact."""
     trains = [placements(layout.group, train) for train in layout.group.trains]
     return [
         number

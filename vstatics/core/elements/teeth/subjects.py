@@ -39,7 +39,7 @@ class Subject(ABC):
     @property
     @abstractmethod
     def pairs(self) -> Sequence[tuple[Key, Key]]:
-        """Pairs of keys of gears in mesh; a ring comes before its mating gear."""
+        """Pairs of keys of gears in mesh; a ring comes before the mating gear."""
 
     @abstractmethod
     def known(self) -> Teeth:
@@ -70,7 +70,7 @@ class Subject(ABC):
         return [Mesh(wheels[a], wheels[b]) for a, b in self.pairs if a in wheels and b in wheels]
 
     def is_hunting(self, teeth: Teeth) -> bool:
-        """Return whether every tooth meets every tooth of its mating gears, in all meshes."""
+        """Return whether every tooth meets every tooth of the mating gears, in all meshes."""
         return all(
             math.gcd(teeth[a], teeth[b]) == 1 for a, b in self.pairs if a in teeth and b in teeth
         )
@@ -105,7 +105,7 @@ class OfPlanets(Subject):
         return AxisLayout(self.element, with_teeth(self.given.group, teeth))
 
     def known(self) -> Teeth:
-        """Return the teeth of central gears, and of rims if they are known."""
+        """Return the teeth of central gears, and of rims, if known."""
         group = self.given.group
         known: dict[Key, int] = {place: wheel.teeth for place, wheel in enumerate(group.wheels)}
         for rim in group.planet_of:

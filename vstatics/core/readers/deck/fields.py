@@ -25,7 +25,7 @@ class Fields:
     """Reader of fields that collects errors, places and stand-ins."""
 
     def __init__(self, scan: Scan, capacity: int) -> None:
-        """Start with the fields of a scanned deck; `capacity` is the length of its text."""
+        """Start with the fields of a scanned deck; `capacity` is the length of the text."""
         self.scan = scan
         self.capacity = capacity
         """Number of characters of the text, an upper bound on every size and count."""
@@ -51,7 +51,7 @@ class Fields:
         return size if size is not None and self._fits(key, size) else None
 
     def or_guess(self, size: int | None, key: str, part: str) -> int:
-        """Return a size; if unknown, the number of values found in a list of this size."""
+        """Return a size; if unknown, the number of values in a list to which the size applies."""
         if size is not None:
             return size
         guess = min(loose_count(self.scan, key), self.capacity)

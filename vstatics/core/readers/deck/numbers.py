@@ -143,7 +143,7 @@ def token_lines(scan: Scan, field: Field) -> Iterator[list[Token]]:
 
 
 def plain_numbers(text: str, parse: Parse[Number]) -> tuple[Number, ...] | None:
-    """Return the blank-separated numbers of a text; None if it contains anything else."""
+    """Return the blank-separated numbers of a text, unless the text contains anything else."""
     try:
         return tuple(map(parse, text.split()))
     except NotANumberError:

@@ -24,7 +24,7 @@ WHOLE = {
     "name": "NAME T",
 }
 IN_DECK = {"`planet_ratio`": "`UAQ`", "`kind: neutral`": "`--allow W414`"}
-"""Keys of YAML in remedies, and what a user of decks writes instead."""
+"""Keys of YAML in remedies, and the replacements for users of decks."""
 KINDS = {"link_names": "J", "shift_elements": "F", "mechanisms": "D", "gears": "P"}
 
 
@@ -53,7 +53,7 @@ class Places:
         return self._spots
 
     def locate(self, problem: Problem) -> Problem:
-        """Return a problem of the model with its place and the name of the field."""
+        """Return a problem of the model with the place and the name of the field."""
         if problem.place is not None or not problem.path:
             return problem
         spots = self.spots

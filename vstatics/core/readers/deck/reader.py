@@ -287,7 +287,7 @@ class KnownDeck:
 
     @cached_property
     def numbers(self) -> Mapping[int, tuple[str, Sequence[int]]]:
-        """Attribute and indices of mechanisms for each line that contains only their numbers."""
+        """Attribute and indices of mechanisms for each line with mechanism numbers only."""
         every = range(len(self.case.mechanisms))
         known = {}
         for key, part, owners in (
@@ -306,7 +306,7 @@ class KnownDeck:
         return known
 
     def variant(self, lines: Sequence[str]) -> Transmission | None:
-        """Return the case of a deck with the given lines; None if it must be read in full.
+        """Return the case of a deck with the given lines, unless the deck must be read in full.
 
         The deck must be read in full if other lines differ or if there are warnings.
         """

@@ -39,4 +39,4 @@ FIELDS = {
     "INP(I)": DeckList("gears", "input", "NP", "Input link in each gear (0: that of the case):"),
     "IOUT(I)": DeckList("gears", "output", "NP", "Output link in each gear (0: that of the case):"),
 }
-"""Lists by their names in messages, in the order of a template; lists for gears are optional."""
+"""Lists by name in messages, in the order of a template; lists for gears are optional."""

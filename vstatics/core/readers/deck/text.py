@@ -45,7 +45,7 @@ WORD = re.compile(r"[^\s,;()]+")
 
 
 class Field(NamedTuple):
-    """Field of a deck, and the place of its values."""
+    """Field of a deck, and the place of the values."""
 
     key: str
     line: int
@@ -218,7 +218,7 @@ def _only_report(result: Scan, first: int) -> None:
 
 
 def _opening(line: str) -> tuple[str, str, int]:
-    """Return the kind of a line, its first word, and the offset of the sign after this word.
+    """Return the kind of a line, the first word, and the offset of the sign after the word.
 
     The kinds are ``scalar``, ``list``, ``result`` and an empty text.
     """
@@ -302,7 +302,7 @@ def _list(line: str, start: int, name: str) -> tuple[str, Any]:
 
 
 def _name_line(line: str) -> tuple[str, str, str] | None:
-    """Return kind, number and name of a line such as ``NAME F3: C1``; None for other lines."""
+    """Return kind, number and name of a line such as ``NAME F3: C1``, if possible."""
     before, colon, name = line.partition(":")
     short = colon and len(before) < 40 and before.lstrip()[:1] in ("N", "n")
     match = re.fullmatch(NAME_LINE, latin(before)) if short else None

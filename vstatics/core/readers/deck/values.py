@@ -53,7 +53,7 @@ class Wanted(NamedTuple):
 
     name: str
     label: Callable[[int], str]
-    """Function that returns the label of a value, such as ``IAB(1)``, given its position from 0."""
+    """Function that returns the label of a value, such as ``IAB(1)``, given the position from 0."""
     need: int
     why: str
     """Name of the field that prescribes the number of values, such as ``KG``."""
@@ -68,7 +68,7 @@ def take(scan: Scan, field: Field, wanted: Wanted, parse: Parse[Number]) -> Valu
 def _take_with_care(
     scan: Scan, field: Field, wanted: Wanted, parse: Parse[Number]
 ) -> Values[Number]:
-    """Read a field token by token, because it has faults or repeat counts."""
+    """Read a field token by token, because of faults or repeat counts."""
     ending = partial(_ending, scan, field)
     taker = _ValueReader(scan, (field.line, field.value + 1), wanted, parse, ending)
     return taker.take(token_lines(scan, field))
@@ -132,7 +132,7 @@ _cached_plain_numbers = lru_cache(maxsize=2000)(plain_numbers)
 def _plain(
     scan: Scan, field: Field, need: int, parse: Parse[Number]
 ) -> tuple[Values[Number], list[int]] | None:
-    """Read a field of plain numbers quickly; return its values and the number of values per line.
+    """Read a field of plain numbers quickly; return the values and the number of values per line.
 
     The result is None unless the field contains exactly `need` plain numbers, followed only by
     prose on later lines. Otherwise each token must be checked.
@@ -222,7 +222,7 @@ class _ValueReader(Generic[Number]):
         """Line on which the field is complete, if mistyped values are counted."""
 
     def take(self, lines: Iterable[list[Token]]) -> Values[Number]:
-        """Read all values, and check their number."""
+        """Read all values, and check the number of values."""
         for tokens in lines:
             later = tokens[0].line > self.start[0]
             if later and self.total >= self.need and not numbers_alone(tokens):

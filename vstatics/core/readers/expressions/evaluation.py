@@ -95,7 +95,7 @@ def _of_numbers(
 
 
 def _extreme(propagating: np.ufunc, ignoring: np.ufunc) -> Function:
-    """Return a function for the smallest or largest of its operands.
+    """Return a function for the smallest or largest of the operands.
 
     The function reduces a single operand over all gears and rows. The NumPy function `propagating`
     is fast, but returns NaN if any value is NaN; `ignoring` skips NaN.

@@ -28,7 +28,7 @@ class Excerpt(NamedTuple):
         return self.text[self.start : self.end]
 
     def end_of(self, pattern: re.Pattern[str], at: int) -> int:
-        """Return the offset after a match of a pattern at `at`; `at` itself without a match."""
+        """Return the offset after a match of a pattern at `at`; `at` without a match."""
         match = pattern.match(self.text, at, self.end)
         return match.end() if match else at
 

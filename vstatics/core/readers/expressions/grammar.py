@@ -44,7 +44,7 @@ _POWERS = ("**", "^")
 _LEVELS = (("or",), ("and",), ("not",), _COMPARISONS, ("+", "-"), ("*", "/"), ("-x",), _POWERS)
 _BINDS = {sign: level for level, signs in enumerate(_LEVELS) for sign in signs}
 _PREFIXES = {"not": "not", "-": "-x", "+": "-x"}
-"""Signs that can precede an operand, each with the operator that gives its precedence."""
+"""Signs that can precede an operand, each with the operator that gives the precedence."""
 _BINARY = _BINDS.keys() - set(_PREFIXES.values())
 _WORD_SIGNS = (*_LOGIC, "not")
 _SIGN = re.compile(r"\*\*|<>|[<>=!]=|//|&&|\|\||[-+*/<>(),=!&|^≤≥≠−–×·÷]")
@@ -59,7 +59,7 @@ class Applied(NamedTuple):
     name: str
     """Symbol of an operator, `and`, `or`, `not`, `-x`, or name of a function."""
     operands: tuple[Any, ...]
-    """Trees of the operands; leaves are names, or their meanings once they are resolved."""
+    """Trees of the operands; leaves are names, or meanings after resolution."""
     at: int
     depth: int
     """Number of nested levels."""
@@ -71,7 +71,7 @@ Tree: TypeAlias = Constant | TableName | DottedName | Applied
 
 
 class Language(NamedTuple):
-    """Functions and operands that formulas for one purpose can contain, described for messages.
+    """Functions and operands that formulas for a purpose can contain, described for messages.
 
     Parameters
     ----------
@@ -96,7 +96,7 @@ class Language(NamedTuple):
     caret: bool = False
     of_names: Collection[str] = ()
     quantity: Callable[[str, int], Constant | None] = lambda _text, _at: None
-    """Function that returns a number with a unit, such as ``20 km/h``; None if not possible."""
+    """Function that returns a number with a unit, such as ``20 km/h``, if possible."""
 
 
 def parse(source: Excerpt, language: Language) -> Tree:
@@ -144,7 +144,7 @@ class _Parser:
         self.take("", source.start)
 
     def take(self, read: str, end: int) -> None:
-        """Advance beyond a text and the blanks after it."""
+        """Advance beyond a text and the following blanks."""
         self.before, self.end_of_before = read, end
         self.at = self.source.end_of(_BLANK, end)
 
@@ -209,7 +209,7 @@ class _Parser:
         raise self.source.error(no_operator(self.source, self.at, sign, self.before), self.at)
 
     def operand(self, least: int, depth: int) -> Tree:
-        """Read an operand with its preceding signs."""
+        """Read an operand with preceding signs."""
         self.check_depth(depth, self.at)
         name = self.matched(NAME)
         sign = name if name in _WORD_SIGNS else self.matched(_SIGN)
@@ -231,7 +231,7 @@ class _Parser:
         return tree
 
     def quantity(self) -> tuple[Constant, int] | None:
-        """Return a number with a unit and the offset after it; None if the unit is unknown."""
+        """Return a number with a unit and the end offset, if the unit is known."""
         end = quantity_end(self.source, self.at)
         known = self.language.quantity(self.source.text[self.at : end], self.at)
         return None if known is None else (known, end)

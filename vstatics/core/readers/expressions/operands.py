@@ -18,7 +18,7 @@ _QUANTITY = re.compile(rf"{_NUMBER.pattern} *[^\W\d_]+(?: */ *[^\W\d_]+)?(?!\w)"
 _ANY_NAME = re.compile(rf"\"[^\"]*\"|'[^']*'|#[0-9]+(?!\w)|{NAME.pattern}")
 _WORD = re.compile(r"\w*")
 _MORE = re.compile(r"(?:\.(?:\w+|\*(?=\.)|\"[^\"]*\"|'[^']*'))+|\.")
-"""Pattern of the parts of a name from its first point on: `.ratio`, `.*.torques.x`."""
+"""Pattern of the parts of a name from the first point on: `.ratio`, `.*.torques.x`."""
 _UNTIL_NEXT = re.compile(r"\"[^\"]*\"|'[^']*'|[^,\]\"']*")
 _BLANK = re.compile(r"\s*")
 _SUBSCRIPT = re.compile(rf"\"[^\"]*\"|'[^']*'|:|#?[0-9]+|{DOTTED.pattern}")
@@ -33,14 +33,14 @@ class Constant(NamedTuple):
 
 
 class Velocity(Constant):
-    """Speed of a vehicle [m/s], to be converted once the link is known to which it applies."""
+    """Speed of a vehicle [m/s], to be converted once the link is known."""
 
     at: int = 0
     written: str = ""
 
     @classmethod
     def of(cls, value: float, written: str, at: int) -> Velocity:
-        """Return a vehicle speed [m/s], with its text and its offset in the formula.
+        """Return a vehicle speed [m/s], with the text and the offset in the formula.
 
         >>> Velocity.of(5.0, "18 km/h", 3).written
         '18 km/h'
@@ -74,7 +74,7 @@ class DottedName(NamedTuple):
 
 
 def read_number(source: Excerpt, at: int) -> tuple[Constant, int] | None:
-    """Return an unsigned number and the offset after it; None without a number.
+    """Return an unsigned number with the end offset, if any.
 
     Raises
     ------
@@ -106,7 +106,7 @@ def read_number(source: Excerpt, at: int) -> tuple[Constant, int] | None:
 
 
 def quantity_end(source: Excerpt, at: int) -> int:
-    """Return the offset after a number with a unit; `at` itself without such a number.
+    """Return the offset after a number with a unit; `at` without a number.
 
     >>> quantity_end(Excerpt("36 km/h and t > 2", "when"), 0)
     7
@@ -115,7 +115,7 @@ def quantity_end(source: Excerpt, at: int) -> int:
 
 
 def read_dotted(source: Excerpt, at: int) -> tuple[DottedName, int] | None:
-    """Return a name that contains a point, and the offset after it; None for other texts.
+    """Return a name that contains a point, with the end offset, if any.
 
     Raises
     ------

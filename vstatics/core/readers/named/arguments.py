@@ -56,7 +56,7 @@ def arguments(values: dict[str, Any], walk: Walk) -> dict[str, Any]:
 
 
 def _or_none(load: Load | None) -> Load | None:
-    """Return a load; None for a load without values."""
+    """Return a load, if any value is given."""
     return None if load == Load() else load
 
 
@@ -71,7 +71,7 @@ def read_with_stand_ins(unreadable: list[Path]) -> list[Path]:
 
 
 _ByPart = dict[int, tuple[float, Path]]
-"""Value and its path in the document, by number of the link or shift element."""
+"""Value and path in the document, by number of the link or shift element."""
 
 
 class Common(NamedTuple):
@@ -79,7 +79,7 @@ class Common(NamedTuple):
 
     load: Load
     whole: float
-    """Reference torque; without a load, infinity if none is needed, else 0 (an error)."""
+    """Reference torque; without a load, infinity if not needed, else 0 (an error)."""
 
 
 def in_gears(

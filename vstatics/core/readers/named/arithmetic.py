@@ -38,11 +38,11 @@ _BINDING = tuple(
 
 
 class UnitError(ValueError):
-    """Error in the unit of a number; the number itself can be read."""
+    """Error in the unit of an otherwise readable number."""
 
 
 class LeadingNumber(NamedTuple):
-    """Number, and the text after it without surrounding blanks: `Nm`, `/min`, `*FL`."""
+    """Number, and the following text without surrounding blanks: `Nm`, `/min`, `*FL`."""
 
     value: float
     behind: str

@@ -169,7 +169,7 @@ def read_points(walk: ReadsShapes, spot: Spot, shape: ByPoints) -> Any:
 
 
 def read_parsed(walk: ReadsShapes, spot: Spot, shape: Parsed) -> Any:
-    """Read a text with the parser declared by its shape."""
+    """Read a text with the parser declared by the shape."""
     node = spot.node
     if not isinstance(node, Scalar) or is_null(node):
         return walk.refuse(spot, shape, f"expected {shape.expected}")
@@ -206,7 +206,7 @@ def read_form(walk: ReadsShapes, spot: Spot, shape: ByForm) -> Any:
 
 
 def read_one_or_many(walk: ReadsShapes, spot: Spot, shape: OneOrMany) -> Any:
-    """Read a list of items; a single item is read as a list of one item."""
+    """Read a list of items; a single item is read as a list, too."""
     node = spot.node
     if not isinstance(node, Listing) or all(
         isinstance(row, Listing) and all(isinstance(item, Scalar) for item in row.items)

@@ -39,7 +39,7 @@ def noted_files() -> Iterator[set[str]]:
 
 @contextmanager
 def no_files() -> Iterator[None]:
-    """Refuse to read files named in documents within the block, because they may be untrusted.
+    """Refuse to read files named in possibly untrusted documents within the block.
 
     >>> with no_files():
     ...     csv_rows(Path("/etc/passwd"), 100, bool)
@@ -61,7 +61,7 @@ def are_read() -> bool:
 def csv_rows(
     file: Path, most: int, is_heading: Callable[[str], bool]
 ) -> list[tuple[int, list[str]]]:
-    """Return the rows of a file from the headings onwards, each with its line number.
+    """Return the rows of a file from the headings onwards, each with a line number.
 
     Parameters
     ----------

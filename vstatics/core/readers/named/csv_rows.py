@@ -64,7 +64,7 @@ class Decimals:
         """First line and number in doubt, by the sign that may separate thousands."""
 
     def with_points(self, cell: str, line: int) -> str:
-        """Return a cell with a decimal point if it is a number with a comma; else unchanged."""
+        """Return a cell, with a point instead of the decimal comma of a number."""
         if self._separator == "," or not _CALCULATION.fullmatch(cell):
             return cell
         if self._separator == "\t" and (thousands := _COMMA_THOUSANDS.search(cell)):
@@ -79,7 +79,7 @@ class Decimals:
 
     @property
     def doubt(self) -> tuple[int, str] | None:
-        """Line and message of the first ambiguous number; None if all numbers are clear."""
+        """Line and message of the first ambiguous number, if any."""
         if "," in self._doubts and (self._are_points or not self.are_commas):
             line, text = self._doubts[","]
             whole, point = text.replace(",", ""), text.replace(",", ".")
@@ -175,7 +175,7 @@ def expect_cells(cells: Sequence[str], expected: int, separator: str) -> None:
 
 
 def numbered_rows(lines: Iterable[str]) -> Iterator[tuple[int, list[str]]]:
-    """Yield the non-empty rows of a table, each with the number of its last line.
+    """Yield the non-empty rows of a table, each with the number of the last line.
 
     The first row contains the headings, and no other row is longer. Numbers have decimal points.
 

@@ -84,7 +84,7 @@ def _planets_called_like_links(drawing: Drawing, names: Sequence[str]) -> Iterat
 
 
 def _locator(spots: Spots, drawing: Drawing) -> Callable[[Problem], Problem]:
-    """Return a function that locates a problem of a mechanism at its gear set."""
+    """Return a function that locates a problem of a mechanism at the gear set."""
     paths = []
     for number, part in enumerate(drawing.parts, 1):
         count = number - len(drawing.elements)

@@ -54,9 +54,9 @@ class TableColumn(NamedTuple):
     meaning: str = ""
     """Hint that ends the message about a wrong unit."""
     sizes: Mapping[str, float] | None = None
-    """Permitted units and their factors to SI, for a column without a measure."""
+    """Permitted units and factors to SI, for a column without a measure."""
     aliases: Mapping[str, str] = MappingProxyType({})
-    """Alternative names in lower case, each with the unit it implies (or an empty text)."""
+    """Alternative names in lower case, each with the implied unit (or an empty text)."""
 
     @property
     def heading(self) -> str:
@@ -71,7 +71,7 @@ class TableColumn(NamedTuple):
         return f"{self.name} [{UNIT_OF[self.measure]}]" if self.measure else self.name
 
     def size(self, unit: str | None) -> float:
-        """Return the factor from a unit to SI; None means a heading without a unit.
+        """Return the factor from a unit to SI, for a heading with or without a unit.
 
         Raises
         ------
@@ -125,7 +125,7 @@ class Heading(NamedTuple):
     place: int
     """Index of the column in a row."""
     unit: str | None
-    """Unit in the heading; None without a unit."""
+    """Unit in the heading, if any."""
 
     @property
     def size(self) -> float:
@@ -149,7 +149,7 @@ class HeadingError(ValueError):
     """Error in the headings, with the line number."""
 
     def __init__(self, message: str, line: int) -> None:
-        """Create the error with its message and line number."""
+        """Create the error with a message and a line number."""
         super().__init__(message)
         self.line = line
 
@@ -248,7 +248,7 @@ class _ExpectedTable(NamedTuple):
         return [heading for heading in headings if heading]
 
     def heading(self, cell: str, place: int) -> Heading | None:
-        """Return the heading in a cell; None for an unknown name."""
+        """Return the heading in a cell, if the name is known."""
         name, unit = with_unit(cell)
         known = self.named(name)
         if known is None and unit is None and "_" in name:

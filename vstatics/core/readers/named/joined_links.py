@@ -55,7 +55,7 @@ def is_listed(root: nodes.Mapping) -> bool:
 
 
 def gathered_links(root: nodes.Mapping, walk: Walk) -> list[str]:
-    """Return the names of links in the order of the components, and register them for references.
+    """Return the names of links in the order of the components, registered for references.
 
     If there are no components, the links are collected from the inertias.
     """
@@ -68,7 +68,7 @@ def gathered_links(root: nodes.Mapping, walk: Walk) -> list[str]:
 
 
 def _as_meant(root: nodes.Mapping, document: DocumentText) -> nodes.Mapping:
-    """Return a document in which mistyped keys are replaced by the keys they probably mean."""
+    """Return a document in which mistyped keys are replaced by the probably intended keys."""
     known = [key.name for key in with_elements(CASE).keys]
     entries = []
     for key, value in root.entries:

@@ -50,7 +50,7 @@ class _Scanner:
         return self.document.place(self.at)
 
     def skip(self, signs: int = 0) -> None:
-        """Advance beyond a number of characters and the blanks after them."""
+        """Advance beyond a number of characters and the following blanks."""
         blanks = _BLANKS.match(self.text, self.at + signs)
         self.at = blanks.end() if blanks else self.at + signs
 

@@ -20,11 +20,11 @@ from vstatics.core.readers.expressions.operands import DottedName, TableName
 from vstatics.core.suggestions import nearest
 
 SPEED, TORQUE = "w", "T"
-"""Names of speed [rad/s] and torque [N*m] in a formula; usually their magnitudes."""
+"""Names of speed [rad/s] and torque [N*m] in a formula; usually the magnitudes."""
 OF_SPEED: Mapping[str, str] = MappingProxyType({SPEED: "speed", "speed": "speed"})
-"""Names in formulas of drag, with their quantity; in a scenario the speed has a sign."""
+"""Names in formulas of drag, with quantities; in a scenario the speed has a sign."""
 OF_BOTH: Mapping[str, str] = MappingProxyType({**OF_SPEED, TORQUE: "torque", "torque": "torque"})
-"""Names in formulas of efficiency, with their quantity."""
+"""Names in formulas of efficiency, with quantities."""
 FUNCTIONS = ("abs", "min", "max", "sqrt", "exp", "tanh")
 
 
@@ -32,7 +32,7 @@ class _LawFormula(Law):
     """Law given by a formula of speed, or of speed and torque."""
 
     quantities: ClassVar[Mapping[str, str]]
-    """Names permitted in the formula, with their quantity."""
+    """Names permitted in the formula, with quantities."""
 
     def __new__(cls, text: str) -> Self:
         """Parse and store the text."""

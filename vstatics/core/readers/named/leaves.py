@@ -51,7 +51,7 @@ def _in_si(text: str, measure: Measure) -> float:
 
 
 def either_way(text: str, measure: Any) -> float:
-    """Read a quantity of rotation or of straight motion; the result states its measure."""
+    """Read a quantity of rotation or of straight motion; the result states the measure."""
     from vstatics.core.readers.named.si_units import of_either  # costs start-up time
 
     return of_either(text, measure)
@@ -64,7 +64,7 @@ _FORMULA = re.compile(
 
 
 def _drag(text: str) -> float:
-    """Read a drag torque, or its formula of the speed."""
+    """Read a drag torque, or a formula of drag torque versus speed."""
     try:
         return units.relative(text, "torque")
     except ValueError as error:
@@ -160,6 +160,6 @@ def stand_in(shape: Shape) -> Any:  # noqa: PLR0911, C901 - a table
 
 
 def values_before(shape: ByKey) -> dict[str, Any]:
-    """Return the defaults of a record's optional keys, and stand-ins for its required keys."""
+    """Return the defaults of a record's optional keys, and stand-ins for required keys."""
     defaults = {key.name: key.default for key in shape.keys if key.default is not None}
     return {key.name: stand_in(key.shape) for key in shape.keys if key.required} | defaults

@@ -32,7 +32,7 @@ def keys_of(node: Node) -> list[str]:
 
 
 def child(node: Node, key: str) -> Node | None:
-    """Return the node under a key or item number; None if missing."""
+    """Return the node under a key or item number, if any."""
     match node:
         case Mapping():
             return next((value for name, value in node.entries if name.text == key), None)
@@ -43,7 +43,7 @@ def child(node: Node, key: str) -> Node | None:
 
 
 def find_node(root: Node, parts: Sequence[PathPart]) -> Node | None:
-    """Return the node at a path; None if only the last key of the path is missing.
+    """Return the node at a path, unless only the last key of the path is missing.
 
     Raises
     ------
@@ -79,7 +79,7 @@ def _missing(node: Node, name: str, before: str) -> str:
 
 
 class WrittenNumber(NamedTuple):
-    """Number as written in a document, with its unit; empty without a unit."""
+    """Number as written in a document, with the unit, if any."""
 
     value: float
     unit: str

@@ -35,7 +35,7 @@ BYTE_ORDER_MARKS = (  # UTF-32 first: its little-endian mark begins with that of
     (codecs.BOM_UTF16_LE, "utf-16", "utf-16-le"),
     (codecs.BOM_UTF16_BE, "utf-16", "utf-16-be"),
 )
-"""Byte order marks, each with the encoding of a text with and without its mark."""
+"""Byte order marks, each with the encoding of a text with and without the mark."""
 
 
 class Scalar(NamedTuple):
@@ -67,7 +67,7 @@ Node: TypeAlias = Scalar | Listing | Mapping
 
 
 class DocumentText:
-    """Text of a document, and up to `MOST_PROBLEMS` problems in it."""
+    """Text of a document, and up to `MOST_PROBLEMS` problems in the text."""
 
     def __init__(self, source: Source) -> None:
         self.source = source
@@ -75,7 +75,7 @@ class DocumentText:
 
     @cached_property
     def text(self) -> str:
-        """Text with uniform line feeds; created on demand, because long tables do not need it."""
+        """Text with uniform line feeds, created on demand to save work for long tables."""
         return "\n".join(self.source.lines)
 
     @cached_property
@@ -225,7 +225,7 @@ class Spots:
         self._spots: dict[Path, Spot] = {}
 
     def keep(self, spot: Spot, node: Node | None = None) -> None:
-        """Store a spot unless its path is known; `node` replaces its node as the place."""
+        """Store a spot unless the path is known; `node` replaces the spot's node as the place."""
         self._spots.setdefault(spot.path, spot._replace(node=node or spot.node))
 
     def has(self, path: Path) -> bool:
@@ -233,7 +233,7 @@ class Spots:
         return path in self._spots
 
     def keys(self, path: Path) -> list[str]:
-        """Return the keys of a mapping that was read; empty if there is none."""
+        """Return the keys of a mapping that was read; empty without a mapping."""
         node = self._spots[path].node if path in self._spots else None
         return [key.text for key, _ in node.entries] if isinstance(node, Mapping) else []
 
@@ -246,17 +246,17 @@ class Spots:
         self.document.add(text, at.line, at.column, spot.path, identity)
 
     def refuse(self, spot: Spot, message: str, identity: str = SHAPE) -> None:
-        """Add an error at a spot, and mark its value as unreadable."""
+        """Add an error at a spot, and mark the value as unreadable."""
         self.complain(spot, message, identity=identity)
         self.unreadable.append(spot.path)
 
     def tell(self, path: Path, message: str) -> None:
-        """Add an error at a part of the model; checks of the model then ignore this part."""
+        """Add an error at a part of the model; checks of the model then ignore the part."""
         self.document.problems.append(self.locate(Problem("E109", message, path)))
         self.unreadable.append(path)
 
     def missing(self, spot: Spot, key: str) -> None:
-        """Add an error for a missing key, located at the start of its mapping."""
+        """Add an error for a missing key, located at the start of the mapping."""
         self.complain(self._spots[spot.path], f"`{key}` is missing", identity=MISSING)
         self.unreadable.append((*spot.path, key))
 
@@ -266,7 +266,7 @@ class Spots:
         return self.document.source.place(node.line, node.column)
 
     def locate(self, problem: Problem) -> Problem:
-        """Return a problem of the model with its place in the document and its label."""
+        """Return a problem of the model with the place in the document and the label."""
         if problem.place is not None:
             return problem
         known = problem.path

@@ -67,7 +67,7 @@ def read_yaml(data: bytes, file: str) -> Reading:
 
 
 def read_json(data: bytes, file: str) -> Reading:
-    """Read a case in JSON, with the same keys as in YAML; see `read_yaml`."""
+    """Read a case in JSON, with the keys of a YAML case; see `read_yaml`."""
     document = decode(data, file)
     return read_case_tree(_tree(document, "json"), document)
 
@@ -174,14 +174,14 @@ def _mapping(root: Node, document: DocumentText, expected: str) -> Mapping:
 
 
 def _case(root: Mapping) -> Mapping:
-    """Return the case itself; a JSON result or solution contains it under a key."""
+    """Return the case, which a JSON result or solution contains under a key."""
     entries = {key.text: value for key, value in root.entries}
     inner = entries.get("case")
     return inner if entries.keys() & {"format", "blanks"} and isinstance(inner, Mapping) else root
 
 
 def read_document(data: bytes, file: str, shape: ByKey, expected: str) -> tuple[Any, Spots]:
-    """Read a document in YAML, and return the values with their places.
+    """Read a document in YAML, and return the values with places.
 
     Parameters
     ----------

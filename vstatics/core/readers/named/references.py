@@ -26,7 +26,7 @@ class UnknownNameError(ValueError):
 
 
 class References:
-    """Numbers of links and components, by their names in a document.
+    """Numbers of links and components, by name in a document.
 
     Attributes
     ----------
@@ -105,7 +105,7 @@ class References:
         raise UnknownNameError(f"expected a link number from 1 to {self._links} or `housing`{hint}")
 
     def speed_of(self, text: str) -> SpeedOf | None:
-        """Return a speed such as `FL`, `1.05*FL` or `1.05*link 3`; None for other texts.
+        """Return the speed that a text such as `FL`, `1.05*FL` or `1.05*link 3` gives, if any.
 
         Raises
         ------
@@ -133,7 +133,7 @@ class References:
         return None
 
     def _number(self, link: str) -> int | None:
-        """Return the number of a link, given alone or after the word `link`; None if unknown."""
+        """Return the number of a link, given alone or after the word `link`, if known."""
         name = link.removeprefix("link ").strip()
         if self.link_names:
             return self._link_numbers.get(name if name in self._link_numbers else link)

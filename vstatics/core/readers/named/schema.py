@@ -69,7 +69,7 @@ _GEARS: tuple[Words, ...] = (
     {"required": ["gears"], "properties": {"gears": {**_GIVEN, **_NOT_EMPTY}}},
     {"properties": {"shift_elements": {"maxProperties": 0}}},
 )
-"""Conditions on the gears: at least one gear, or no shift elements (which implies one gear)."""
+"""Conditions on the gears: at least one gear, or no shift elements (and so a single gear)."""
 _ENOUGH: tuple[Words, ...] = (
     {"required": ["elements"], "properties": {"links": _TWO_LINKS}, "anyOf": [*_GEARS]},
     {

@@ -54,7 +54,7 @@ _BASES: dict[str, tuple[_Dimension, float]] = {
     "speed": ((0, 0, -1, 1, 0), math.pi / 30),
     "power": ((1, 2, -3, 0, 0), 1000),
 }
-"""Dimension of each kind of factor in `units`, and the factor from its base unit to SI."""
+"""Dimension of each kind of factor in `units`, and the factor from the base unit to SI."""
 _STANDARD_GRAVITY = 9.80665
 _GRAMS = {
     "g": _Base(_MASS, 1, 1000),
@@ -88,7 +88,7 @@ _VELOCITIES = {
 }
 """Units of vehicle speed in a single word; upper and lower case are equivalent."""
 _POUNDS = frozenset(("lb", "lbs", "pound", "pounds", "oz", "ounce", "ounces"))
-"""Units that are a force in `units`, but a mass if the measure requires it."""
+"""Units that are a force in `units`, but a mass if required by the measure."""
 _MILLISECONDS = frozenset(("ms", "msec", "мс"))
 """Units that are metres per second in `units`, but milliseconds if the measure is a time."""
 _QUANTITIES: dict[Measure, Quantity] = {"si_speed": "speed", "si_torque": "torque"}
@@ -192,7 +192,7 @@ def _dimensions() -> dict[str, list[_Dimension]]:
 
 
 def _unit(text: str, *, of_words: bool) -> tuple[_Dimension, float, float]:
-    """Return the dimension of a unit and its factor to SI as a quotient; `_NOTHING` if unknown.
+    """Return the dimension of a unit and the factor to SI as a quotient; `_NOTHING` if unknown.
 
     Parameters
     ----------
@@ -217,7 +217,7 @@ def _unit(text: str, *, of_words: bool) -> tuple[_Dimension, float, float]:
 
 
 def _powers(text: str) -> Iterator[tuple[str, int]]:
-    """Yield the words of a unit with their exponents; brackets after `/` divide as a whole."""
+    """Yield the words of a unit with exponents; brackets after `/` divide as a whole."""
     if len(text) > LONGEST_UNIT:
         raise ValueError
     at, signs, sign = 0, [1], 1
@@ -247,7 +247,7 @@ def _powers(text: str) -> Iterator[tuple[str, int]]:
 
 
 def _bases(word: str, *, of_words: bool) -> list[_Base]:
-    """Return the units whose product is a word, last unit first: an exponent applies to it."""
+    """Return the units whose product is a word, the last unit (with any exponent) first."""
     if of_words and word.casefold() in _POUNDS:
         [(_, above, below)] = factors(word)
         return [_Base(_MASS, above / _STANDARD_GRAVITY, below)]

@@ -20,7 +20,7 @@ from vstatics.core.suggestions import mixed_letters, nearest
 Quantity = Literal["speed", "torque", "power"]
 
 _Factor = tuple[str, int, float]
-"""Kind of a factor of a unit, and its size in N, m, turns, min or kW as a fraction of integers."""
+"""Kind of a factor of a unit, and the size in N, m, turns, min or kW as a fraction of integers."""
 _LB, _FT, _G = (45359237, 10**8), (3048, 10**4), (980665, 10**5)
 """Numerator and denominator of the pound in kg, the foot in m (International Yard and Pound,
 1959) and standard gravity in m/s^2
@@ -83,7 +83,7 @@ _KINDS: dict[str, tuple[Quantity, int]] = {
     "power": ("power", 1),
     "/time force length": ("power", 60_000),  # N*m/min
 }
-"""Quantity of each combination of kinds of factors, and the divisor to its base unit."""
+"""Quantity of each combination of kinds of factors, and the divisor to the base unit."""
 
 _SIGNS = str.maketrans("·⋅×⁻−¹", "***--1")
 _FACTOR = re.compile(r" *([*./-]?) *(1(?= */)|[^\W\d_]+|°)(?:(?:\^|\*\*)?(-?1)(?![0-9]))?")
@@ -293,7 +293,7 @@ def relative(text: str, kind: Quantity) -> float:
 
 
 def common_unit(text: str) -> tuple[str, str]:
-    """Return the values of `--vary` with their unit replaced by blanks, and the common unit.
+    """Return the values of `--vary` with units replaced by blanks, and the common unit.
 
     Raises
     ------

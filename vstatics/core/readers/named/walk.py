@@ -187,7 +187,7 @@ class Walk:
         return first, *(second or [HOUSING])
 
     def _either(self, spot: Spot, shape: Either) -> Any:
-        """Read a record (mapping with declared keys), or its short form, the value of the main key.
+        """Read a record (mapping with declared keys), or the short form: the value of the main key.
 
         If the main key is unreadable, problems of the model about the record are hidden.
         """
@@ -240,7 +240,7 @@ class Walk:
         return values
 
     def _is_behind_comma(self, spot: Spot, key: Scalar, value: Node) -> bool:
-        """Report a key that is the rest of a number with decimal comma, as in `{a: 0,2 kg*m^2}`."""
+        """Report a key that is the end of a number with decimal comma, as in `{a: 0,2 kg*m^2}`."""
         if not (is_null(value) and key.text.partition(" ")[0].isdigit()):
             return False
         message = f"read {what(key)} without a value; in a number, {NO_COMMA}"
@@ -344,7 +344,7 @@ class Walk:
 
 
 def _joined(node: Node, known: Iterable[str]) -> Node:
-    """Return a list of words as a single word, as `ByKind` declares it (`[speed, torque]`)."""
+    """Return a list of words as a single word, as in `ByKind` (`[speed, torque]`)."""
     if not isinstance(node, Listing) or not all(isinstance(item, Scalar) for item in node.items):
         return node
     if not any(name.startswith("[") for name in known):

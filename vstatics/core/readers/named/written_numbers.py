@@ -20,7 +20,7 @@ _PROPERTIES = re.compile(r"(?:[&!][^\s,\[\]{}]*\s+)*")
 
 
 class NumberSpot(NamedTuple):
-    """Number of a document, with its start and end in the text."""
+    """Number of a document, with start and end in the text."""
 
     value: float
     unit: str
@@ -29,7 +29,7 @@ class NumberSpot(NamedTuple):
 
 
 def number_spots(text: str, root: Node) -> dict[Keys, NumberSpot]:
-    r"""Return the numbers of a document with their places in the text, by path.
+    r"""Return the numbers of a document with places in the text, by path.
 
     Numbers that are written with escape sequences or on several lines are omitted.
 

@@ -15,24 +15,24 @@ import yaml
 from vstatics.core.readers.named.nodes import DocumentText, Listing, Mapping, Node, Scalar, shown
 
 _BRACKETS = {"flow sequence": ("list", "]"), "flow mapping": ("mapping", "}")}
-"""Name of a bracketed value in parser messages, with its plain name and closing bracket."""
+"""Name of a bracketed value in parser messages, with the plain name and closing bracket."""
 _BLOCKS = {
     "block mapping": ("mapping", "a key"),
     "block collection": ("list", "`- `"),
     "block sequence": ("list", "`- `"),
 }
-"""Name of an unbracketed value in parser messages, with its plain name and kind of entry."""
+"""Name of an unbracketed value in parser messages, with the plain name and kind of entry."""
 MOST_VALUES = 200_000
 """Maximum number of values of a document with all aliases expanded."""
 
 _READ_AHEAD = "exceeded maximum nesting depth"
-"""Message of libyaml about more than 1000 levels, which it can raise before any event."""
+"""Message of libyaml about more than 1000 levels, sometimes raised before any event."""
 
 _UNPRINTABLE = re.compile("[^\t\n\r -~\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 _TEXT_WITH_BRACKETS = re.compile(r"[^\s,:'\"{}[\]]\[")
 """Pattern of a text that contains `[`, which YAML reads as the start of an inner list."""
 _SPACED_RATIO = re.compile(r"(-?\d*\.?\d+)[ \t]+:[ \t]*(\d*\.?\d+)")
-"""Pattern of a ratio with blanks around its colon, which YAML reads as the end of a key."""
+"""Pattern of a ratio with blanks around the colon, which YAML reads as the end of a key."""
 _STANDARD = "tag:yaml.org,2002:"
 _TAGS = {
     Scalar: {"!", *(_STANDARD + kind for kind in ("str", "int", "float", "bool", "null"))},
@@ -59,7 +59,7 @@ def yaml_tree(document: DocumentText) -> Node:
 
 
 class _Builder:
-    """Builder of nodes from parser events; it counts the values that aliases repeat."""
+    """Builder of nodes from parser events, which counts the values that aliases repeat."""
 
     def __init__(self, document: DocumentText, loader: Any) -> None:
         self.document = document

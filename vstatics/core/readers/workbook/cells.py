@@ -71,7 +71,7 @@ def _no_workbook(file: str, error: Exception, sheet: str = "") -> ReadError:
 
 
 class _SheetElements:
-    """Handler of the XML elements of a sheet that collects its cells."""
+    """Handler of the XML elements of a sheet that collects the cells."""
 
     def __init__(self, place: CellPlace, parts: PackedParts, problems: list[Problem]) -> None:
         self.rows: list[list[ReadCell]] = []

@@ -7,7 +7,7 @@ from vstatics.core.readers.workbook.sheets import Part
 
 
 class GrownNode:
-    """Mapping or list under construction; its place is that of its first cell."""
+    """Mapping or list under construction, located at the first cell."""
 
     def __init__(self, line: int, column: int) -> None:
         self.line, self.column = line, column
@@ -16,7 +16,7 @@ class GrownNode:
         """First value of each key."""
 
     def below(self, part: Part) -> GrownNode | Node | None:
-        """Return the value under a key or item number; None if missing."""
+        """Return the value under a key or item number, if any."""
         return self._values.get(part)
 
     def add(self, part: Part, value: GrownNode | Node) -> None:
@@ -45,7 +45,7 @@ class GrownNode:
 
 
 def moved(node: Node, line: int, column: int) -> Node:
-    """Return a copy of a tree in which all nodes have the same place."""
+    """Return a copy of a tree in which all nodes are at a single place."""
     if isinstance(node, Scalar):
         return node._replace(line=line, column=column)
     if isinstance(node, Listing):

@@ -149,7 +149,7 @@ class PackedParts:
             return value
 
     def _part(self, kind: str) -> str:
-        """Return the path of a part, by its kind; empty if it is missing."""
+        """Return the path of a part, by kind; empty if missing."""
         paths = [path for of, path in self._related.values() if of == kind]
         return next((path for path in paths if path in self._packed.NameToInfo), "")
 

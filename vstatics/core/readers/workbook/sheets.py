@@ -43,10 +43,10 @@ _ITEM = re.compile(rf"(.*?)((?:\[\d{{1,{LONGEST_NUMBER}}}\])+)\Z", re.DOTALL)
 
 
 class PartSheet(NamedTuple):
-    """Declaration of a sheet with a row for each part; the first column contains its name."""
+    """Declaration of a sheet with a row for each part; the first column contains the name."""
 
     first: dict[str, Path]
-    """Headings that always come first, each with its path."""
+    """Headings that always come first, each with a path."""
     known: frozenset[str]
     """Keys with which the path of a heading can begin."""
 
@@ -120,7 +120,7 @@ def path_cell(parts: Sequence[Part]) -> str:
 
 
 def quoted_path_cell(parts: Sequence[Part]) -> str:
-    """Return a path as a cell; its first key is quoted to distinguish it from a shift element.
+    """Return a path as a cell; the first key is quoted, to differ from a shift element.
 
     >>> quoted_path_cell(("speeds", "C1"))
     '"speeds".C1'
@@ -147,7 +147,7 @@ def path_parts(text: str) -> Path:
 
 
 def _with_items(part: PathPart, text: str) -> Path:
-    """Return the key of a part of a path, followed by its item numbers in brackets."""
+    """Return the key of a part of a path, followed by item numbers in brackets."""
     items = None if text[part.at] in "\"'" else _ITEM.fullmatch(part.name)
     if items is None:
         return (part.name,)

@@ -103,7 +103,7 @@ class TreeOfSheets:
         self.document.add(message, line, column, identity="E118")
 
     def _below_heading(self, name: str) -> list[list[ReadCell]]:
-        """Return the rows of a sheet below its headings, the first of which must be `name`."""
+        """Return the rows of a sheet below the headings, the first of which must be `name`."""
         rows = self.sheets[name]
         if not rows:
             return []

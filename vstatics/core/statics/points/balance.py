@@ -78,11 +78,11 @@ class OpenBalance:
         return powers
 
     def at(self, points: Integers) -> OpenBalance:
-        """Return the balance restricted to chosen points, given by their indices."""
+        """Return the balance restricted to chosen points, given by indices."""
         return replace(self, battery=self.battery[points])
 
     def machine(self, results: Results, link: int, power: Floats) -> tuple[Floats, Floats]:
-        """Return the magnitude of a machine's speed [rad/s], and its torque along the speed [N*m].
+        """Return the magnitude of a machine's speed [rad/s], and the torque along the speed [N*m].
 
         The torque follows from the power given to the machine [W]; it is 0 at rest.
         """
@@ -143,7 +143,7 @@ def balanced(
 
 
 def _outside(case: Transmission, balances: Sequence[OpenBalance], results: Results) -> Outside:
-    """Return marks of points at which a machine is outside its efficiency map, by its link."""
+    """Return marks of points at which a machine is outside the efficiency map, by link."""
     outside: dict[str, Booleans] = {}
     for balance in balances:
         for link, law in balance.efficiencies:
@@ -189,7 +189,7 @@ def without_balances(case: Transmission) -> tuple[Transmission, list[OpenBalance
 
 
 def _sought(case: Transmission, index: int) -> tuple[int, tuple[int, ...] | None]:
-    """Return the link with the unknown torque in a gear, and links whose torques follow from it.
+    """Return the link with the unknown torque in a gear, and the links with dependent torques.
 
     The torque of a machine on a separate gear train follows from the equilibrium of this train. The
     unknown is then the torque of another machine, even if the speed of that machine is given.

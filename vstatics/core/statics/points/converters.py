@@ -64,7 +64,8 @@ class SoughtRatio:
     """Index of the converter on the last axis of the arrays `torques` and `speed_ratio`."""
     is_alone: bool
     """True if nothing but the converter connects the two sides, so that the speed ratio does not
-    change the speed of the pump nor the torque of the gear on it."""
+    change the speed of the pump nor the torque of the gear on the pump.
+    """
 
     @property
     def number(self) -> CaseNumber:
@@ -108,7 +109,7 @@ class SoughtRatio:
         return np.where(agrees, 0.0, left)
 
     def size(self, results: Results) -> Floats:
-        """Return the larger of the torque on the pump and the largest torque it can take [N*m]."""
+        """Return the larger of the actual and the largest possible torque on the pump [N*m]."""
         brought, speed = self.on_pump(results)
         most = max(abs(point[2]) for point in self.converter.points)
         size: Floats = np.maximum(np.abs(brought), most * speed**2)
@@ -116,12 +117,12 @@ class SoughtRatio:
 
     @property
     def slow(self) -> float:
-        """Low speed ratio at which a converter driven by its pump certainly loses power [-]."""
+        """Low speed ratio at which a converter driven by the pump certainly loses power [-]."""
         return min(self.ends[1], LOSSY_SPEED_RATIO)
 
     @property
     def fast(self) -> float:
-        """High speed ratio at which a converter driven by its turbine certainly loses power [-]."""
+        """High speed ratio at which a converter driven by the turbine certainly loses power [-]."""
         last, torque_ratio = self.converter.points[-1][:2]
         return 2 * max(last, 1.0, 1 / torque_ratio if torque_ratio else 0.0)
 
@@ -129,7 +130,7 @@ class SoughtRatio:
         return results.speed_ratio[:, self.gear, self.rows[1]]
 
     def on_pump(self, results: Results) -> tuple[Floats, Floats]:
-        """Return the torque that the gear gives to the pump [N*m], and its speed [rad/s]."""
+        """Return the torque that the gear gives to the pump [N*m], and the pump speed [rad/s]."""
         speeds = results.speeds_rpm[:, self.gear, self.converter.first - 1]
         return results.lossy_torques_Nm[:, self.gear, self.rows[0]], speeds * RAD_PER_RPM
 
@@ -170,7 +171,7 @@ def without_sought(case: Transmission, given: Columns) -> tuple[Transmission, li
 
 
 def _is_alone(case: Transmission, gear: Gear, place: int) -> bool:
-    """Return whether only a converter connects the input, on its pump side, with its turbine."""
+    """Return whether only a converter connects the input, on the pump side, with the turbine."""
     bodies = list(range(case.links + 1))
     drag, freewheels = case.gear_open_drag(gear), case.freewheels
     joining: list[Iterable[int]] = [
@@ -271,7 +272,7 @@ def _roots(
 
 
 def _roots_alone(ratio: SoughtRatio, slow: Results, fast: Results) -> Roots:
-    """Return the roots of a converter that alone connects its two sides, from two trial solutions.
+    """Return the roots of a converter that alone connects the two sides, from two trial solutions.
 
     The torque on the pump and the speed of the pump are equal at all speed ratios at which torques
     exist, and lambda is linear between the points, so no iteration is needed.
@@ -311,7 +312,7 @@ def _mark_gaining(
     follow: Follow,
     state: Integers,
 ) -> None:
-    """Set the state NO_RATIO for gears that lack torques only because of their converter.
+    """Set the state NO_RATIO for gears that lack torques only because of the converter.
 
     Such a converter would gain power at every speed ratio of its points, as in a gear that coasts.
     At a larger speed ratio it would lose power, and the gear would have torques.
@@ -347,7 +348,7 @@ def _without_ratios(results: Results, other: Results, state: Integers) -> Result
 
 
 def unknown_ratio(gear: Gear, settled: Gear) -> Gear:
-    """Return the solved gear, with NaN for the speed ratio that its load does not determine."""
+    """Return the solved gear, with NaN for the speed ratio that the load does not determine."""
     owners = settled.speed_ratios.keys() - gear.speed_ratios.keys()
     unknown = dict.fromkeys(owners, math.nan)
     return settled._replace(speed_ratios={**settled.speed_ratios, **unknown})

@@ -34,7 +34,7 @@ MOST_EXTRAPOLATED_STEPS = 40
 MOST_FREEWHEEL_PASSES = 8
 """Largest number of passes until the states of freewheels settle."""
 SCAN_POINTS = 17
-"""Number of trial values of an efficiency if it alone depends on torque in its gear."""
+"""Number of trial values of the only efficiency of a gear that depends on torque."""
 MOST_ROOTS = 3
 """Largest number of sign changes in which a root is searched for."""
 ROOT_BISECTIONS = 60
@@ -350,7 +350,7 @@ class _Search:
         return results, columns, state
 
     def _scan(self, best: dict[CaseNumber, Floats], state: Integers) -> None:
-        """Scan the range of efficiencies for all solutions, if one mechanism of a gear has laws."""
+        """Scan the range of efficiencies for all solutions, if a single mechanism has laws."""
         single = [
             number
             for numbers in self.of_gear.values()

@@ -9,7 +9,7 @@ from vstatics.core.numerics.arrays import Floats
 
 
 def machine_efficiency(law: Law, speed: Floats, torque: Floats) -> Floats:
-    """Return the efficiency of a machine from its map or formula.
+    """Return the efficiency of a machine from a map or formula.
 
     Parameters
     ----------
@@ -46,7 +46,7 @@ def efficiency_at(given: float, speed: Floats, torque: Floats, power: Floats) ->
 
 
 def battery_power(power: Floats, efficiency: Floats | float) -> Floats:
-    """Return the charging power of a battery, from the shaft power given to its machine.
+    """Return the charging power of a battery, from the shaft power given to the machine.
 
     >>> battery_power(np.array([2.0, -2.0]), 0.8).tolist()
     [1.6, -2.5]

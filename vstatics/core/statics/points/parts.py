@@ -27,7 +27,7 @@ class CaseOfPoints(NamedTuple):
     case: Transmission
 
     def columns(self, columns: Columns) -> Columns:
-        """Return the columns restricted to the points of this case."""
+        """Return the columns restricted to the points of the case."""
         return {number: column[self.chosen] for number, column in columns.items()}
 
 

@@ -36,7 +36,7 @@ class CaseNumber(NamedTuple):
     """Identification of a number of a case that varies."""
 
     gear: int | None
-    """Index of the gear; None for the operating point of the case."""
+    """Index of the gear, except for the operating point of the case."""
     quantity: OfLoads | OfGear | OfMechanism | Literal["battery", "relative_slip"]
     owner: int = 0
     """Number of the link or shift element, or index of the mechanism; 0 for an operating point."""
@@ -129,7 +129,7 @@ def numbers_of(case: Transmission) -> dict[str, tuple[CaseNumber, ...]]:
 
 
 def measure_of(quantity: str) -> Measure | Literal["power"] | None:
-    """Return the measure of a quantity; None for a number without a unit.
+    """Return the measure of a quantity, if the number has a unit.
 
     >>> measure_of("speeds"), measure_of("efficiency")
     ('si_speed', None)

@@ -35,12 +35,12 @@ RPM = 30 / math.pi
 
 
 class GearLoad(NamedTuple):
-    """Operating points of a gear, arrays of shape (points,); None if not given."""
+    """Operating points of a gear, arrays of shape (points,), if given."""
 
     speed: Floats | None
     """Input speed. [rad/s]"""
     torque: Floats | None
-    """Input torque; `turned` gives it the sign required by `coast`. [N*m]"""
+    """Input torque; `turned` sets the sign required by `coast`. [N*m]"""
     coast: bool | None = None
 
     def turned(self) -> GearLoad:
@@ -51,7 +51,7 @@ class GearLoad(NamedTuple):
 
     @property
     def _way(self) -> Floats:
-        """Sign of the torque: that of the speed, or the opposite when coasting."""
+        """Sign of the torque: the sign of the speed, or the opposite when coasting."""
         way: Floats = np.sign(np.ones(1) if self.speed is None else self.speed)
         return -way if self.coast else way
 

@@ -24,7 +24,7 @@ EDGE_STEPS = 50
 MOST_ROOT_STEPS = 100
 """Largest number of iterations for a root."""
 MOST_POINTS_AT_ONCE = 100_000
-"""Largest number of points calculated at the same time, to limit memory."""
+"""Largest number of points calculated at once, to limit memory."""
 
 Follow = Callable[[Columns, int], Followed]
 """Function that solves a number of points, given columns of varied numbers, including laws."""
@@ -48,7 +48,7 @@ class Unknown(Protocol):
         """Return the reference magnitude for a relative surplus, shape (points,)."""
 
     def at(self, points: Integers) -> Self:
-        """Return the unknown restricted to chosen points, given by their indices."""
+        """Return the unknown restricted to chosen points, given by indices."""
 
 
 U = TypeVar("U", bound=Unknown)
