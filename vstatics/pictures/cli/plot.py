@@ -71,8 +71,8 @@ def plot_command(
     \b
     KINDS
 
-    For a scenario, `shift` and `plan` draw the simulation; all other kinds draw the case.
-    Two cases to one FILE are drawn in one picture, with common axes or as panels A and B.
+    For a scenario, --kind shift and --kind plan draw the simulation; all other kinds draw the
+    case. Two cases to one FILE are drawn in one picture, with common axes or as panels A and B.
     The CASE - is standard input.
 
     Text has a size of 8 pt. A picture that is wider than the page continues below, and a
