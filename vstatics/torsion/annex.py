@@ -86,8 +86,8 @@ ANNEX = Annex(
     pictures={
         "modes": PictureKind(
             "vstatics.torsion.pictures.shapes.modes",
-            "natural modes of one gear, by default of the first: shapes over\n"
-            "the links, and shares of the energy",
+            "natural modes of one gear, by default of the first gear: shapes\n"
+            "over the links, and shares of the energy",
             70,
             "Natural modes",
             "vibration",
@@ -105,7 +105,7 @@ ANNEX = Annex(
         "response": PictureKind(
             "vstatics.torsion.pictures.orders.response",
             "amplitude of the input over its speed in each gear, a line for\n"
-            "each order, under 1 N*m or the orders of --torque",
+            "each order, under 1 N*m or the torques of --torque",
             90,
             "Response",
             "vibration",

@@ -49,7 +49,7 @@ def convert_command(
       xlsx      has a sheet for each kind of part.
       matrices  are two tables in CSV with a row for each link: the first has a
                 column for each member of a planetary gear set, the second for
-                each shift element. They cannot be read.
+                each shift element. These tables cannot be read.
 
     Everything that the format cannot keep is listed, and the exit status is 1.
 

@@ -85,7 +85,7 @@ def new_command(target: str, name: str) -> None:
 
     A template is a small case that explains its keys in comments; a shipped case is a
     gearbox from the literature. The MZKT 7922 exists also as a deck of Visual-Statics. To
-    list all names, press Tab after --template (with completion, see `vstatics --help`).
+    list all names, press Tab after --template (needs completion, see `vstatics --help`).
 
     \b
     Examples:

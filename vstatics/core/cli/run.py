@@ -98,7 +98,7 @@ def run_command(
     The default format is a listing with the tables of Visual-Statics; -f source reproduces
     the published listing character by character. Quoted patterns are expanded by the
     program; ** stands for any folders. In a directory, each result has the name of its case.
-    A case that fails does not stop the others.
+    A case that fails does not stop the other cases.
 
     \b
     Exit status 1: a case has an error, or a gear is tied up or in conflict.

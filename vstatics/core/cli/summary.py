@@ -77,11 +77,11 @@ def summary_command(
 ) -> int:
     """Summarize each CASE: ratios, step ratios, spread, shifts and largest values.
 
-    Step ratios and shifts are between neighbouring gears of one direction. The largest
-    values are taken over all gears. A sensitivity is the change of a ratio in % when the
-    basic ratio of a mechanism changes by 1 %. Several cases are shown side by side as A, B
-    and C; -o DIRECTORY/ writes a separate summary of each. Instead of cases
-    you can give the gearboxes found by `synth box -f json`. The CASE - is standard input.
+    Step ratios and shifts are between neighbouring gears of one direction. The largest values
+    are taken over all gears. A sensitivity is the change of a ratio in % when the basic ratio
+    of a mechanism changes by 1 %. Several cases are shown side by side as A, B and C; -o
+    DIRECTORY/ writes a separate summary of each case. Instead of cases you can give the
+    gearboxes found by `synth box -f json`. The CASE - is standard input.
 
     \b
     Examples:

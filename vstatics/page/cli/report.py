@@ -110,12 +110,13 @@ def report_command(
     overview, gears, power flow, efficiency, largest values, and vibration and simulation if
     the case has them. --all prints everything, --sections a selection.
 
-    A page of two cases has additional tools: units (rpm, N*m and kW, or US units), a filter
-    by link, and buttons that save pictures, tables and results. `vstatics serve` has them
+    A page of two cases has additional tools: units (rpm, N*m and kW, or US units), a filter by
+    link, and buttons that save pictures, tables and results. `vstatics serve` has these tools
     for one case, with sliders for its numbers and for the time of a simulation.
 
     Pictures need matplotlib and networkx, the vibration section needs scipy: pip install
-    ".[plot,torsion]" in the source folder. Without them these parts are left out.
+    ".[plot,torsion]" in the source folder. If these packages are missing, the pictures
+    and the vibration section are left out.
 
     \b
     Examples:

@@ -155,13 +155,13 @@ options = gathered(
         click.option(
             "--merge",
             is_flag=True,
-            help="Draw two gear sets with two common links as one lever.",
+            help="For --kind lever: draw two gear sets with two common links as one lever.",
         ),
         click.option(
             "--ratios",
             metavar="U,...",
             callback=value(numbers("ratios of gears such as 2.6,1.7,-4", -math.inf)),
-            help="Ratios of the gears of a plan that is drawn without a case.",
+            help="Gear ratios for a kinematic plan (--kind plan) that is drawn without a case.",
         ),
         *_of_kinds(
             "out",
@@ -169,7 +169,8 @@ options = gathered(
                 "--out",
                 metavar="LIST",
                 default="",
-                help="Additional panels of shift, such as heat; see `vstatics simulate --help`.",
+                help="For --kind shift: additional panels, such as heat; see --out of `vstatics "
+                "simulate --help`.",
             ),
         ),
         *_of_kinds(
@@ -178,8 +179,8 @@ options = gathered(
                 "--orders",
                 metavar="N,...",
                 callback=value(numbers("an order above 0", math.ulp(0.0)), "--orders"),
-                help="Orders of the speed for campbell and response.  [default: orders of the "
-                "engine]",
+                help="For --kind campbell or response: orders of the speed.  "
+                "[default: orders of the engine]",
             ),
         ),
         *_of_kinds(
@@ -188,8 +189,9 @@ options = gathered(
                 "--duty",
                 metavar="FILE",
                 default="",
-                help="CSV file of a duty cycle, or of the time steps of a driving cycle: for a "
-                "spectrum, and for operating points on a map over load.speed and load.torque.",
+                help="For --kind spectrum, and for operating points in --kind map over load.speed "
+                "and load.torque: CSV file of a duty cycle, or of the time steps of a driving "
+                "cycle.",
             ),
         ),
         *_of_kinds(
@@ -198,7 +200,8 @@ options = gathered(
                 "--spectrum",
                 "classes",
                 metavar="CLASSES",
-                help="Classes of torque of a spectrum, as of `vstatics summary`.  [default: 10]",
+                help="For --kind spectrum: classes of torque, as in `vstatics summary`.  "
+                "[default: 10]",
             ),
         ),
         *_of_kinds(
@@ -207,8 +210,8 @@ options = gathered(
                 "--torque",
                 metavar="FILE",
                 default="",
-                help="CSV file of the exciting torque by orders for response, as in `vstatics "
-                "torsion response`.  [default: 1 N*m for each order]",
+                help="For --kind response: CSV file with the exciting torque of each order, as in "
+                "`vstatics torsion response`.  [default: 1 N*m for each order]",
             ),
         ),
         *_of_kinds(
@@ -217,21 +220,21 @@ options = gathered(
                 "--levels",
                 metavar="LEVELS",
                 callback=value(_levels),
-                help="Levels of a map: an approximate number, such as 10, or a list such as "
-                "0.9,0.95,0.97.",
+                help="For --kind map: contour levels, as an approximate number such as 10, or a "
+                "list such as 0.9,0.95,0.97.",
             ),
             click.option(
                 "--limits",
                 metavar="CASE",
                 default="",
-                help="Draw the full-load curve of the vehicle in this case on a map over "
-                "load.speed and load.torque.",
+                help="For --kind map over load.speed and load.torque: draw the full-load curve of "
+                "the vehicle in this case.",
             ),
             click.option(
                 "--best-gear",
                 is_flag=True,
-                help="Mark the region in which each gear has the largest efficiency (or --z), "
-                "for a sweep --by gear.",
+                help="For --kind map of a sweep --by gear: mark the region in which each gear has "
+                "the largest efficiency, or the largest value of --z.",
             ),
         ),
         *_of_kinds(
@@ -240,7 +243,7 @@ options = gathered(
                 "--speed",
                 metavar="A:B",
                 callback=value(told(shown_speeds), "--speed"),
-                help="Range of speeds for campbell and response, in rpm or with units.",
+                help="For --kind campbell or response: range of speeds, in rpm or with units.",
             ),
         ),
         *_of_kinds(
@@ -249,7 +252,7 @@ options = gathered(
                 "--at",
                 metavar="LINK",
                 default="",
-                help="Link whose response is drawn.  [default: input]",
+                help="For --kind response: link whose response is drawn.  [default: input]",
             ),
         ),
     ),
@@ -264,15 +267,17 @@ options = gathered(
                 "--y",
                 metavar="COLUMN",
                 multiple=True,
-                help="Column of the vertical axis of a map; columns of curves or histograms. "
-                "Repeatable.",
+                help="For --kind map: column of the vertical axis. For --kind curves or histogram: "
+                "columns to draw. Repeatable.",
             ),
-            click.option("--z", metavar="COLUMN", default="", help="Column of the contours."),
+            click.option(
+                "--z", metavar="COLUMN", default="", help="For --kind map: column of the contours."
+            ),
             click.option(
                 "--by",
                 metavar="COLUMN",
                 default="",
-                help="Column, or gear, with a line, map or histogram for each of its values.",
+                help="Column, or gear: a line, map or histogram is drawn for each of its values.",
             ),
         ),
     ),

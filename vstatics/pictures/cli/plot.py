@@ -71,8 +71,8 @@ def plot_command(
     \b
     KINDS
 
-    For a scenario, `shift` and `plan` draw the simulation; all other kinds draw the case.
-    Two cases to one FILE are drawn in one picture, with common axes or as panels A and B.
+    For a scenario, --kind shift and --kind plan draw the simulation; all other kinds draw the
+    case. Two cases to one FILE are drawn in one picture, with common axes or as panels A and B.
     The CASE - is standard input.
 
     Text has a size of 8 pt. A picture that is wider than the page continues below, and a
@@ -99,9 +99,9 @@ def plot_command(
       vstatics plot losses.csv --kind map --z 'efficiency[1]' -o map.svg
       cat gearbox.yaml | vstatics plot - --kind efficiency -o losses.png --dark
 
-    Pictures need matplotlib and networkx: pip install ".[plot]" in the source
-    folder. The kinds modes, campbell, response and dump, and scenarios, also need scipy:
-    pip install ".[plot,torsion,simulation]".
+    Pictures need matplotlib and networkx: pip install ".[plot]" in the source folder. --kind
+    modes, campbell, response and dump, and pictures of scenarios, also need scipy: pip install
+    ".[plot,torsion,simulation]".
 
     Exit status 1: a case has an error, a gear is tied up, or there is nothing to draw.
     """

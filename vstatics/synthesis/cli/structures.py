@@ -90,7 +90,7 @@ def _links(text: str) -> int:
         "--format",
         "form",
         type=click.Choice(FORMATS),
-        help="Format of the output. A list of structures is JSON lines in both.",
+        help="Format of the output. A list of structures is JSON lines in both formats.",
     ),
     click.option("-o", "--output", type=FILE, help=WHOLE_OUTPUT),
 )

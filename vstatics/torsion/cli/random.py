@@ -49,7 +49,7 @@ if TYPE_CHECKING:
     "--omega",
     metavar="A:B:N",
     callback=value(speeds_of, "--omega"),
-    help="Frequencies of the calculated spectra, in rad/s: N from A to B, or a list.",
+    help="Frequencies of the calculated spectra, in rad/s: N frequencies from A to B, or a list.",
 )
 @working_options()
 @gathered("request", OneCase, *CASE_OPTIONS)

@@ -29,7 +29,7 @@ def reduce_command(request: OneCase, to: str, gears: tuple[str, ...]) -> int:
     J (w_link/w_to)^2, a compliance E becomes E (w_to/w_link)^2. A link at rest, such as a
     casing on its mounting, is scaled by its reaction torque instead, with J/(1 - i)^2 and
     E (1 - i)^2; the value is left out for i = 1. Rigidly connected links are one entry under the
-    name of the first. The CASE - is standard input.
+    name of the first link. The CASE - is standard input.
 
     \b
     Examples:

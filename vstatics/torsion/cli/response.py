@@ -165,8 +165,8 @@ def _stuck_springs(case: Transmission, gear: GearResponse) -> str:
         "--orders",
         metavar="N,...",
         callback=value(numbers("an order above 0", math.ulp(0.0)), "--orders"),
-        help="Orders per revolution of LINK, with 1 N*m each; with --torque a selection from the "
-        "table.",
+        help="Orders per revolution of LINK, each with a torque of 1 N*m. If --torque is given: "
+        "orders to select from its table.",
     ),
     click.option(
         "--speed",

@@ -83,8 +83,9 @@ def _choice(
         "--least-speed",
         callback=value(_speed),
         metavar="SPEED",
-        help="Engage the highest gear with at least this engine speed, such as '1200 rpm', or "
-        "without such a gear the lowest gear that does not overspeed the engine.",
+        help="Engage the highest gear in which the engine has at least this speed, such as "
+        "'1200 rpm'. If no such gear exists, engage the lowest gear that does not overspeed the "
+        "engine.",
     ),
     click.option(
         "--shift",
@@ -123,19 +124,20 @@ def cycle_command(
 ) -> int:
     """Drive the vehicle of CASE through a driving cycle: energies, losses and fuel.
 
-    TRACE is a table with the columns `time [s]` and `speed [km/h]`, and optionally `gear`,
-    and `slope` (sine of the angle) or `grade` (rise divided by horizontal distance).
-    Published files of driving cycles can be used without changes. In a time step, between
-    two rows, the speed is the mean of the rows, the acceleration is constant, and gear and
-    slope are taken from the first row. Without the column `gear`, give --least-speed,
-    --shift or --strategy.
+    TRACE is a table with the columns `time [s]` and `speed [km/h]`, and optionally `gear`, and
+    `slope` (sine of the angle) or `grade` (rise divided by horizontal distance). Published
+    files of driving cycles can be used without changes. In a time step, between two rows, the
+    speed is the mean of the rows, the acceleration is constant, and gear and slope are taken
+    from the first row. If the column `gear` is missing, give --least-speed, --shift or
+    --strategy.
 
     The engine supplies the power of wheels, inertias, losses and drag torques. If it cannot
     brake enough (`overrun`), the brakes supply the rest. A warning lists the time steps in
     which the engine would exceed its full load or its largest speed. The engine must drive
     alone: a gear with a balance, given torques or given speeds other than 0 is an error. Fuel
-    needs a map in the vehicle: `fuel: {file: fuel.csv}`. With `machine` instead of `engine` the
-    vehicle is electric: energy of the battery, consumption, and recuperation.
+    needs a map in the vehicle: `fuel: {file: fuel.csv}`. A vehicle with a `machine` instead of
+    an `engine` is electric: the results are the energy of the battery, the consumption and the
+    recuperation.
 
     \b
     Examples:

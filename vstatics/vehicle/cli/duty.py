@@ -112,14 +112,14 @@ duty_options = gathered(
         type=click.FloatRange(min=0, min_open=True, max=100),
         callback=value(above_0),  # FloatRange accepts NaN
         metavar="P",
-        help="Exponent of the equivalent torque of a duty cycle in CSV.  [default: 3]",
+        help="Exponent of the equivalent torque, if --duty is a CSV file.  [default: 3]",
     ),
     click.option(
         "--spectrum",
         "classes",
         callback=value(_classes),
         metavar="CLASSES",
-        help="Add the load spectrum of each member over a duty cycle in CSV. Give the number of "
+        help="Add the load spectrum of each member, if --duty is a CSV file. Give the number of "
         "equal classes of torque, or their upper bounds, such as '50,100,200 N*m'.",
     ),
 )

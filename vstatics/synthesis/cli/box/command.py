@@ -60,9 +60,9 @@ def box_command(
     The gearboxes are listed by the mean loss of their forward gears. Gearboxes with equal
     ratios in all gears are a family.
 
-    -o DIR writes each gearbox as a case with its stick diagram, and tables and a page for
-    all. Files of an earlier search in DIR are replaced. If you have edited one of these files,
-    the command stops and replaces nothing.
+    -o DIR writes each gearbox as a case with its stick diagram, and for all gearboxes together
+    the tables and an HTML page. Files of an earlier search in DIR are replaced. If you have
+    edited one of these files, the command stops and replaces nothing.
 
     \b
     Examples:

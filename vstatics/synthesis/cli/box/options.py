@@ -289,7 +289,8 @@ options = gathered(
             multiple=True,
             callback=value(free_parts, "--free"),
             metavar="shift-elements=N",
-            help="Largest number of shift elements of the case of --keep that can be left out.",
+            help="Largest number of shift elements of the --keep case that a found gearbox may "
+            "lack.",
         ),
     ),
     under(

@@ -24,7 +24,7 @@ class DamageCommands(LazyGroup):
 def damage_command() -> None:
     """Calculate fatigue damage and life under varying torque.
 
-    Without the name of a command, `vstatics damage CASE RECORD.csv` is `record`.
+    `vstatics damage CASE RECORD.csv` is short for `vstatics damage record CASE RECORD.csv`.
 
     \b
     Examples:
