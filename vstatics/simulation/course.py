@@ -110,7 +110,10 @@ class EventRun:
         self.length: float | None = None
         """Length of the last step. [s]"""
         self.parts: int | None = None
-        """Largest number of parts of the next stretch that is solved in closed form."""
+        """Largest number of equal parts in the next stretch of time that is solved in closed form.
+
+        Initially None.
+        """
         self.meetings = CornerMeetings(self.span)
         self.watched: list[tuple[CornerPlace, Awaited]] = []
         """Nearest corners of formulas, each with the comparison whose sign changes there."""
@@ -354,7 +357,7 @@ class EventRun:
         )
 
     def _jump_of(self, choices: Collection[tuple[Kind, int]]) -> Corner | None:
-        """Return a jump of a formula that is reached now, or was reached by a part in `choices`."""
+        """Return a jump of a formula that is reached now, or before by a component in `choices`."""
         now = self.meetings.latest(self.at.time)
         earlier = [place for place in self.meetings.times if place not in now]
         paths = {self._path_of(*choice) for choice in choices}

@@ -163,15 +163,15 @@ NO_SENSE = 1e-30
 STRAIGHT_BALANCE = 1e-12
 """Largest component of a nonlinear torque along a motion that counts as 0."""
 
-# stretches in closed form
+# stretches of time, solved in closed form
 SHORTEST_PART = 2.0**-14
 """Smallest factor on the length of a part when nonlinear torques do not fit."""
 FITTING_TORQUE = 1e-12
 """Error of polynomials of torques, relative to the largest torque."""
 
-# the published method
+# Tarasik's published method
 PUBLISHED_RTOL = 1e-12
-"""Smallest tolerance of the published method."""
+"""Lower limit on the relative tolerance of integration in Tarasik's published method."""
 NO_COEFFICIENT = 1e-9
 """Coefficient of a motion that counts as 0, relative to the largest coefficient."""
 

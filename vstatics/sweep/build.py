@@ -111,7 +111,10 @@ def plan(
 def _variants(
     subject: Subject, options: SweepOptions, arrays: Mapping[str, ArrayLike | str]
 ) -> tuple[Variants, Sequence[Place | None]]:
-    """Return the variants, and the place of the text of each varied number."""
+    """Return the variants, and for messages the places where varied numbers are written.
+
+    The place is None for a number that varies by an array.
+    """
     if options.variants is not None:
         listed = load_table(options.variants, subject)
         return listed, [Place(options.variants, 1, 1)] * len(listed.targets)

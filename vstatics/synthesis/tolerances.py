@@ -24,7 +24,7 @@ TINY_RATIO = 1e-4
 NO_SQUARES = 1e-30
 """Sum of squares below which only rounding errors are left. [-]"""
 LEAST_FIT_STEP = 1e-13
-"""Smallest step of a fit; the inverse is the damping above which no step helps. [-]"""
+"""Step at or below which a fit ends; a fit also ends when the damping exceeds the inverse. [-]"""
 EQUAL_SUM_OF_SQUARES = 1e-14
 """Relative growth of a sum of squares near the minimum with which a step is still accepted. [-]"""
 LEAST_DAMPING = 1e-13

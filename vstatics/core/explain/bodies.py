@@ -167,7 +167,10 @@ def _rows(case: Transmission, gear: Gear, ratios: Sequence[float]) -> list[Equat
 
 
 def _independent(rows: Sequence[Equation], mechanisms: int) -> list[int]:
-    """Return the indices of independent equations; equations of mechanisms are omitted first."""
+    """Return the indices of independent equations.
+
+    Of dependent equations, those of mechanisms are dropped first.
+    """
     numbers = list(range(len(rows)))
     while True:
         dependency = next(elimination.dependencies([rows[number] for number in numbers]), None)

@@ -63,7 +63,7 @@ class FinishedParts:
         self.stays = False
         """True if parts stay after a completed run."""
         self._parts: dict[str, _Stretch] = {}
-        """Parts of the resumed run."""
+        """Positions of the parts of the earlier run, by file name of the case."""
         self._added = False
         self._lock: int | None = None
         self._file: int | None = None
@@ -97,7 +97,7 @@ class FinishedParts:
 
     @property
     def count(self) -> int:
-        """Number of parts of the resumed run."""
+        """Number of parts taken from the earlier run."""
         return len(self._parts)
 
     def exists(self) -> bool:
@@ -177,7 +177,8 @@ class FinishedParts:
         assert self._file is not None  # noqa: S101 - it was opened
         entry = [file, *mark, len(part), hash_of(part)]
         write_all(self._file, sealed(json.dumps(entry).encode()) + part)
-        self._added = True  # new parts are read from the file, not from memory
+        # a flag is enough: `_parts` has no new parts; a resumed run reads them from the file
+        self._added = True
 
 
 def _whole_parts(file: IO[bytes]) -> Iterator[tuple[str, _Stretch]]:

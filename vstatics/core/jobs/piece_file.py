@@ -1,4 +1,4 @@
-"""File with a finished piece of a sweep.
+"""File with a finished piece (a range of variants) of a sweep.
 
 The file is written under another name and then renamed, so it is complete or absent. It begins with
 the data, which can be copied unchanged into the output. Then follow a JSON description of the data
@@ -133,7 +133,10 @@ def write_piece(directory: str, piece: int, buffers: Sequence[Any]) -> None:
 
 
 def read_account(directory: str, piece: int, work: str = "") -> Account | None:
-    """Return the account of a piece, unless the file is missing or damaged."""
+    """Return the account (counts, messages, data layout) of a finished piece.
+
+    The result is None if the file is missing, damaged, or from another piece or other `work`.
+    """
     try:
         with StateFolder(directory).reading(piece_name(piece)) as file:
             size = file.seek(0, os.SEEK_END)

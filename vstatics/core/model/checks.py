@@ -117,7 +117,7 @@ def _moves(case: TransmissionFields) -> bool:
 
 def doubts(case: TransmissionFields) -> Iterator[Problem]:
     """Yield warnings about a case without errors."""
-    for number, mechanism in _not_drawn(case):
+    for number, mechanism in _own_mechanisms(case):
         yield from doubtful(mechanism, ("mechanisms", number))
     for key in carried_keys(case):
         yield from key.doubts(case)
@@ -169,7 +169,7 @@ def hints(case: TransmissionFields) -> Iterator[Problem]:
     """Yield notes about possibly shared planets, an assumed input direction, and ignored data."""
     sets = (
         (number, mechanism.name or mechanism_name(number), mechanism.third, mechanism.links[:2])
-        for number, mechanism in _not_drawn(case)
+        for number, mechanism in _own_mechanisms(case)
         if mechanism.efficiency != 1
     )
     for number, other in sets_side_by_side(sets):
@@ -197,8 +197,8 @@ def _turning(case: TransmissionFields) -> Iterator[Problem]:
             )
 
 
-def _not_drawn(case: TransmissionFields) -> list[tuple[int, Mechanism]]:
-    """Return the number and mechanism of each directly given mechanism."""
+def _own_mechanisms(case: TransmissionFields) -> list[tuple[int, Mechanism]]:
+    """Return each mechanism that the case gives directly, not by a gear set, with its number."""
     return list(enumerate(case.mechanisms, 1))[case.own_mechanisms]
 
 

@@ -20,8 +20,8 @@ from vstatics.core.statics.speeds import is_tie
 def turning_as_one(case: Transmission, gear: Gear, speeds: Sequence[Number]) -> Bodies:
     """Return the bodies of a gear, detected from the speeds of the links.
 
-    Engaged shift elements join their links, and so do devices and springs without internal motion.
-    A link that is held to the housing stays a body by itself.
+    Engaged shift elements join their links, and so do components and springs without internal
+    motion. A link that is held to the housing stays a body by itself.
     """
     bodies = list(range(case.links + 1))
     joined: list[tuple[int, ...]] = [element.links for element in case.elements_at(gear.joining)]
@@ -34,7 +34,7 @@ def turning_as_one(case: Transmission, gear: Gear, speeds: Sequence[Number]) -> 
 
 
 def is_one_piece(device: OwnDevice, speeds: Sequence[Number]) -> bool:
-    """Return whether all members of a device rotate at equal speeds."""
+    """Return whether all links of a component rotate at equal speeds."""
     with_housing = [0.0, *speeds]
     return _are_equal([with_housing[link] for link in _links(device)])
 
@@ -96,7 +96,8 @@ def _locked_up(case: Transmission, mechanisms: Iterable[int], bodies: Sequence[i
         bodies_joined = frozenset(ends)
         if len(bodies_joined) == 3:
             apart.setdefault(bodies_joined, []).append(index)
-        elif ends[0] != ends[1] or mechanism.ratio != 1:  # with a ratio of 1 the third link is free
+        # first and second joined, ratio 1: the third link stays free
+        elif ends[0] != ends[1] or mechanism.ratio != 1:
             locked_up.add(index)
     for first, *others in apart.values():
         for other in others:

@@ -15,7 +15,7 @@ from vstatics.core.statics.speeds import Speeds
 from vstatics.core.statics.torques import NO_DRAG, Drag, Torques, drag_torques, solve_torques, times
 
 OUTSIDE = -1
-"""Index of external torques in lists of torques that are sorted by index of the device."""
+"""Index of an external torque, where other torques have the index of a component."""
 
 
 class IdealGear(NamedTuple):
@@ -157,7 +157,9 @@ def is_nothing(ideal: IdealGear, columns: Sequence[Column], torques: Torques, nu
 
 
 _OnLink = tuple[int, Number]
-"""Index of a device, or `OUTSIDE`, and the magnitude of the torque on a link."""
+"""Index of a component (such as a shift element or mechanism), or `OUTSIDE`, and the magnitude of
+the torque on a link.
+"""
 
 
 def _is_nothing(by_link: Sequence[Sequence[_OnLink]], device: int, links: Sequence[int]) -> bool:

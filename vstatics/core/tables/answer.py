@@ -308,7 +308,10 @@ def _of_parts(kind: Any, of: Callable[[Any], Schema]) -> Schema:
 
 
 def _of_marked(kind: Any, mark: Any, of: Callable[[Any], Schema]) -> Schema:
-    """Return the schema of an annotated type, which accepts nothing if the annex is missing."""
+    """Return the schema of an annotated type.
+
+    The schema accepts nothing if the annex that defines the type is not installed.
+    """
     if isinstance(mark, Provided):
         declaring = module_of_type(mark)
         return of(getattr(module(declaring), mark)) if declaring else {"not": {}}

@@ -48,7 +48,7 @@ class Studio:
         self._case: tuple[Calculated, Material] | None = None
 
     def part(self, texts: Texts, name: str) -> str | None:
-        """Return the part of the page with a name as HTML, if the part exists."""
+        """Return the named part of the page as HTML, or None if it does not exist."""
         with speaking(self._language):
             return self._part(texts, name)
 
@@ -79,7 +79,7 @@ class StudioProcess:
         self._processes = Processes(studio, str, 1, Rules(tries=1))
 
     def part(self, texts: Texts, name: str) -> str | None:
-        """Return the part of the page with a name as HTML, if the part can be drawn."""
+        """Return the named part of the page as HTML, or None if it cannot be drawn."""
         try:
             [(_, part_html)] = self._processes.each(_part_of, [(dict(texts), name)])
         except CaseError:  # the process ended or raised an error

@@ -47,7 +47,10 @@ class LeverRow(NamedTuple):
 
 
 PointRows = Mapping[int, LeverRow]
-"""Horizontal lines of the points of a lever except a gear-pair housing, by index of the point."""
+"""Horizontal line of each drawn point of a lever, by index of the point.
+
+The housing point of a gear pair is not drawn.
+"""
 
 
 def middle_of(rows: PointRows) -> float:

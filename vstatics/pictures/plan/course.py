@@ -53,7 +53,11 @@ class PlanCourse(NamedTuple):
         return bool(both.any())
 
     def masked(self, values: Floats, *, on_plan: bool) -> Floats:
-        """Return the values on or off the plan, NaN elsewhere; both curves meet at transitions."""
+        """Return the values where the run is on the plan (or off the plan), NaN elsewhere.
+
+        Values off the plan include the neighbouring instants on the plan, so that the two curves
+        meet.
+        """
         mask = self.on_plan if on_plan else ~self.on_plan
         if not on_plan:
             mask = mask | np.r_[mask[1:], False] | np.r_[False, mask[:-1]]

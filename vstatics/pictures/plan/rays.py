@@ -45,7 +45,10 @@ class Ray(NamedTuple):
 
 
 class Mark(NamedTuple):
-    """Point of the horizontal axis with the gears, which differ only in elements without torque."""
+    """Point on the horizontal axis, with the gears that have this output speed.
+
+    These gears differ only in shift elements without torque.
+    """
 
     gears: tuple[int, ...]
     """Numbers of the gears, from 1."""

@@ -63,7 +63,7 @@ class Watch(NamedTuple):
     of: int
     """Index of the contact, mechanism, spring, law or other part to which the margin belongs."""
     side: int = 1
-    """Sign of the torque at the limit, or of the step to the next piece of a law."""
+    """Sign of the torque at the limit, or of the step to the next linear piece of a law."""
 
 
 class LargeSizes(NamedTuple):
@@ -260,10 +260,14 @@ class Margins:
         return self.equations.states.pieces[self.equations.layout.curves + spring]
 
     def _pieces(self) -> None:
-        """Add margins of the corners of laws over speed, angle or twist, and of converters."""
+        """Watch for corners (breakpoints) of piecewise-linear curves.
+
+        The curves are outside torques over speed or angle, friction over slip, springs over twist,
+        and converters over speed ratio.
+        """
         equations = self.equations
         self.corners: list[tuple[int, bool, float, float]] = []
-        """Corners: row, true if of the state and not of the port speeds, value, and side."""
+        """Corners: row, True for a row of the state (else of the port speeds), value, and side."""
         for index, load in enumerate(equations.system.outside):
             law = load.law
             if not isinstance(law, Points) or law.over == "time":
@@ -302,7 +306,7 @@ class Margins:
     def _ends(
         self, index: int, corners: Sequence[float], *, torque: bool = False
     ) -> Iterator[tuple[float, float]]:
-        """Add margins of the ends of the active piece of a law, and yield each corner and side."""
+        """Add margins of the ends of the active linear piece; yield each corner and side."""
         piece = self.equations.states.pieces[index]
         for place, step in ((piece - 1, -1), (piece, 1)):
             if 0 <= place < len(corners):

@@ -35,7 +35,10 @@ class PieceMotion(NamedTuple):
         return self._along(times, states, self._accelerations)
 
     def _accelerations(self, times: Floats, states: Floats) -> tuple[Floats, Floats]:
-        """Return accelerations, and sums of magnitudes of terms as scales of rounding."""
+        """Return accelerations, and for each the scale of the rounding error.
+
+        The scale is the sum of the magnitudes of the terms.
+        """
         equations, structure = self.equations, self.equations.structure
         _, torques = equations.acting_at(times, states)
         by_torque = structure.free @ structure.accelerations

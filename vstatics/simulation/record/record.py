@@ -276,7 +276,7 @@ class Record:
         }
         messages = [*self.messages, *empty_columns(asked)]
         damages: Mapping[str, Damage] = {}
-        if system.case.fatigue:  # the annex `vehicle` calculates damage
+        if system.case.fatigue:  # calculated by the annex `vehicle`
             by_device = dict(zip(table.devices, torques.T, strict=True))
             damages = higher("damages")(system.case, by_device)
         return Motion(
@@ -352,7 +352,7 @@ class Record:
 
 
 def _different(times: Floats, columns: Floats) -> Booleans:
-    """Return a mask without the second of two equal instants at which no column jumps."""
+    """Return a mask that leaves out the second of two equal times if no column jumps there."""
     distinct = np.ones(len(times), dtype=bool)
     for number in np.flatnonzero(np.diff(times) == 0) + 1:
         before, after = columns[:, number - 1], columns[:, number]

@@ -22,7 +22,11 @@ def event_of(time: float, device: Device, kind: EventKind, energy: float = 0.0) 
 
 
 def slid_back(event: Event) -> Event:
-    """Return the event with the word for a freewheel that slips backward, beyond capacity."""
+    """Return the event with the word `slips` instead of `overruns`.
+
+    The word applies to a freewheel that slips in the locking direction because the capacity is
+    exceeded.
+    """
     return event._replace(word="slips") if event.word == "overruns" else event
 
 

@@ -3,8 +3,8 @@
 ``M dw/dt = T - A m`` for speeds w, inertia matrix M, outside torques T and torques m of components;
 A is the structural-distribution matrix of statics. The columns of mechanisms are constraints, the
 columns of shift elements carry friction, and the columns of springs carry elastic torques. A port
-is a place at which a torque acts that is known from the motion: the product of its speed row and
-the speeds of links is its rate, and the torque acts along this row.
+is a place where a torque acts that follows from the motion. Its speed row times the speeds of the
+links is the port speed; its torque acts on the links along the same row.
 """
 
 from __future__ import annotations
@@ -199,7 +199,7 @@ class MovingVariator(NamedTuple):
 
     name: str
     device: int
-    """Index of the variator among the devices."""
+    """Index of the variator among the components."""
     first: int
     """Index of the first link of the variator."""
     ratio: Curve
@@ -318,7 +318,7 @@ class MotionSystem:
 
     @property
     def may_slip(self) -> tuple[Contact | Elastic, ...]:
-        """All contacts, then all springs: the parts with a programme of capacity."""
+        """All contacts, then all springs: each has a programme of the torque limit."""
         return (*self.contacts, *self.springs)
 
     @cached_property

@@ -59,6 +59,9 @@ def read_asked(text: str, scenario: Scenario) -> list[tuple[str, str]]:
 
 
 def asked_rows(part: Selection, rows: Sequence[str]) -> list[tuple[str, str]]:
-    """Return pairs of table and selected row; a table of a single number has an empty row name."""
+    """Return pairs of table and row: the selected row, otherwise all rows.
+
+    The row name is empty for a table of a single number.
+    """
     names = rows or [""] if part.row is None else [rows[part.row]]
     return [(part.table, row) for row in names]

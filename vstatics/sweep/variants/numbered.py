@@ -173,7 +173,7 @@ class VariantTable:
 
 
 class VariantPart:
-    """Range of variants of a table with the values, for a computer without the table.
+    """Values of a range of variants of a table, for a computer without the table.
 
     >>> from vstatics.sweep.variants.targets import Target
     >>> table = VariantTable([Target("D1.ratio", 0, "ratio")], np.array([[-2.0], [-3.0], [-4.0]]))
@@ -188,7 +188,10 @@ class VariantPart:
         self.values = whole.block(start, stop)
 
     def block(self, start: int, stop: int) -> Floats:
-        """Return the values of a block within a range of variants; see `Variants`."""
+        """Return the values of variants `start` up to, but excluding, `stop`; see `Variants`.
+
+        All these variants must lie within the part.
+        """
         end = self.start + len(self.values)
         if not self.start <= start <= stop <= end:
             raise IndexError(f"variants {start} to {stop} of a part from {self.start} to {end}")

@@ -100,7 +100,10 @@ def _shafts(box: FoundBox) -> Iterator[dict[int, int]]:
 
 
 def _numbers(links: dict[int, int], members: tuple[int, int, int]) -> tuple[int, ...]:
-    """Return the new numbers of the links of a gear set; a new link gets the next number."""
+    """Return the new numbers of the links of a gear set.
+
+    A link without a new number gets the next free number.
+    """
     fresh = iter(range(len(links), len(links) + len(members)))
     return tuple(links[link] if link in links else next(fresh) for link in members)
 

@@ -178,7 +178,10 @@ def combinations_command(
 
 
 def _chosen(names: Sequence[str], asked: Iterable[str]) -> list[str]:
-    """Return names of shift elements, separated by commas unless quoted or part of a name."""
+    """Split texts at commas into names of shift elements.
+
+    A text that is itself a name, or a name in quotes, is not split.
+    """
     return [name for text in asked for name in ([text] if text in names else separated([text]))]
 
 

@@ -30,7 +30,7 @@ from vstatics.synthesis.structures.json_lines import lines
 
 FORMATS = ("json", "jsonl")
 LONG = 60
-"""Estimated time above which the estimate is printed before the list. [s]"""
+"""Estimated time above which the estimate is printed before the list or count. [s]"""
 WIDEST_NAME = len("10 links")
 QUICK_SETS = 3
 """Largest number of gear sets for which listing takes less time than estimating."""

@@ -63,9 +63,9 @@ class Fit(NamedTuple):
     """
     problem: FitProblem
     free: Sequence[str]
-    """Names of mechanisms whose ratios do not follow from the wanted ratios.
+    """Names of mechanisms whose ratios the wanted ratios do not determine.
 
-    These ratios are as near as possible to the ratios of the case.
+    The ratios of these mechanisms stay as near as possible to those in the case.
     """
     warnings: Sequence[str]
     """Further remarks on the result."""

@@ -134,7 +134,7 @@ def batches(search: StructureSearch) -> Iterator[SchemeBatch]:
 
 
 def _grown(search: StructureSearch, batch: SchemeBatch) -> Iterator[SchemeBatch]:
-    """Yield the schemes with all gear sets that grow from a batch, depth first."""
+    """Yield batches of complete schemes (all sets placed) that grow from a batch, depth first."""
     if batch.codes.shape[1] == MEMBERS * search.sets:
         if len(batch.codes):
             yield batch
@@ -151,7 +151,7 @@ def rows_at_once(search: StructureSearch, codes: Codes, most: int = SCHEMES_AT_O
 
 
 def next_batch(search: StructureSearch, codes: Codes) -> SchemeBatch:
-    """Return the schemes with a further gear set that grow from codes."""
+    """Return the schemes that grow from codes by a further gear set."""
     apart = search.classes == "none"
     which, grown = arrays.grown(codes, apart=apart)
     to_come = search.sets - grown.shape[1] // MEMBERS

@@ -153,10 +153,10 @@ def _torque_alone(left: Complex, alone: Complex, limit: float) -> Complex:
 def _newton(
     free: Complex, receptance: Complex, limits: Floats, torques: Complex, factor: float
 ) -> Complex:
-    """Return torques by a semismooth Newton method, with NaN without convergence.
+    """Return torques by a semismooth Newton method; NaN where the method does not converge.
 
-    A complex torque lies in a disc with its limit as radius. Sliding or stuck, it is the point of
-    the disc that is nearest to the torque plus the scaled rate of twist.
+    A complex torque T lies in a disc whose radius is its limit. Sliding or stuck, T is the point of
+    the disc nearest to T plus the scaled rate of twist.
     """
     count = len(limits)
     sizes = np.abs(np.diagonal(receptance, axis1=1, axis2=2))

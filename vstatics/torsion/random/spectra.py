@@ -44,7 +44,7 @@ class White(NamedTuple):
 
 
 class Correlation(NamedTuple):
-    """Input with the correlation function ``variance sum share exp(-a |t|) cos(b t)``.
+    """Random input with correlation ``variance * sum(share * exp(-a |t|) * cos(b t))``.
 
     Examples
     --------

@@ -1,8 +1,9 @@
-"""Scheme of a torsional system on a reference shaft: masses and springs without rigid constraints.
+"""Equivalent model of a torsional system: masses and springs, without rigid constraints.
 
-The twist of a spring is a linear form of angles, with the coefficients 1 and -1 for a shaft between
-two masses, 1 for a support on the housing, and 1, -i and i - 1 for an elastic gear set of ratio i
-between three links (Tsitovich, Algin, Vehicle dynamics, 1981, chapter 1).
+The model (scheme) is reduced to a reference shaft. The twist of a spring is a linear form of
+angles, with the coefficients 1 and -1 for a shaft between two masses, 1 for a support on the
+housing, and 1, -i and i - 1 for an elastic gear set of ratio i between three links (Tsitovich,
+Algin, Vehicle dynamics, 1981, chapter 1).
 """
 
 from __future__ import annotations

@@ -182,7 +182,9 @@ class TorsionalSystem(NamedTuple):
 def torsional_system(
     case: Transmission, gear: Gear, slopes: Mapping[str, float] = MappingProxyType({})
 ) -> TorsionalSystem:
-    """Build the torsional system of a gear, whose engaged elements include freewheels that hold.
+    """Build the torsional system of a gear.
+
+    `gear.engaged` must already include the freewheels that hold.
 
     `slopes` are the stiffnesses of nonlinear springs, by name [N*m/rad]. Springs with a slope of 0,
     and converters, transmit no torque.

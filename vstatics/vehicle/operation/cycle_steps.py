@@ -338,7 +338,10 @@ class CycleSteps(NamedTuple):
             raise at_rows(error, rows) from None
 
     def _speed_ratios(self, rows: Integers) -> dict[str, Floats]:
-        """Return path -> speed ratios of a free converter in the steps `rows` [-]."""
+        """Return the speed ratios of each gear's free converter in the steps `rows`, by path [-].
+
+        Steps in other gears get the `free_ratio` of the converter.
+        """
         here = self.at(rows)
         output = np.abs(here.output_speeds)
         return {

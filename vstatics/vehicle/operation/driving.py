@@ -71,7 +71,7 @@ def cycle(  # noqa: PLR0913
     >>> round(cycle(case, trace).energy.engine, 6)
     62500.0
     """
-    Vehicle.needed(case)  # before the files are read
+    Vehicle.needed(case)  # fails before any file is read if the case has no vehicle
     trace_read = trace if isinstance(trace, Trace) else read_trace(*_read(trace))
     fuel_map = fuel if fuel is None or isinstance(fuel, FuelMap) else read_fuel_map(*_read(fuel))
     choice = GearChoice(least_speed, read_shifts(shifts) if shifts else (), strategy is not None)

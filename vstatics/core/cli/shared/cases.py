@@ -236,7 +236,10 @@ class CalculatedCase(NamedTuple):
 
     @property
     def failed(self) -> bool:
-        """True if the case has an error, a gear is tied up, or warnings are fatal."""
+        """True if the case has an error, or a warning counts as an error.
+
+        A gear that is tied up or has a freewheel conflict is an error, too, unless `is_run`.
+        """
         if self.results is None or (self.results.failed and not self.is_run):
             return True
         return self.telling.fails(self.problems)

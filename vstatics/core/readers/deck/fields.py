@@ -22,7 +22,7 @@ from vstatics.core.suggestions import nearest
 
 
 class Fields:
-    """Reader of fields that collects errors, places and stand-ins."""
+    """Reader of fields, which collects errors and places, and replaces unreadable values."""
 
     def __init__(self, scan: Scan, capacity: int) -> None:
         """Start with the fields of a scanned deck; `capacity` is the length of the text."""
@@ -31,9 +31,12 @@ class Fields:
         """Number of characters of the text, an upper bound on every size and count."""
         self.places = Places(scan.source)
         self.hidden: list[Path] = []
-        """Paths of the model that contain stand-ins."""
+        """Paths in the model at which stand-ins replace unreadable values.
+
+        Problems of the model at these paths are not reported.
+        """
         self.unreadable: set[str] = set()
-        """Labels of values that are stand-ins."""
+        """Labels of unreadable values, which stand-ins replace."""
 
     def error(self, label: str, message: str) -> None:
         """Add an error, located at a value that was read."""
@@ -97,7 +100,7 @@ class Fields:
     def rows(
         self, key: str, counts: Sequence[int], counted: str, parse: Parse[Number]
     ) -> tuple[list[list[Number]], set[int]]:
-        """Return the values of each gear, and the indices of gears that contain stand-ins."""
+        """Return the values of each gear, and the indices of gears with unreadable values."""
         gears = len(counts)
         if min(counts, default=0) < 0:
             return [[] for _ in counts], set(range(1, gears + 1))
@@ -119,7 +122,7 @@ class Fields:
         return [values.numbers[start:end] for start, end in pairwise(ends)], unreadable
 
     def _list(self, key: str, need: int, why: str, parse: Parse[Number]) -> Values[Number]:
-        """Read a list, and hide problems of the model at the stand-ins."""
+        """Read a list, and hide problems of the model at values that could not be read."""
         field = self.scan.fields.get(key)
 
         def label(position: int) -> str:

@@ -1,4 +1,4 @@
-"""Reader of the parts of a workbook file, with limits on size: sheets, texts, date formats."""
+"""Reader of the parts (files) inside a workbook, with limits on size: sheets, texts, formats."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ def parse(
 
 
 class PackedParts:
-    """Parts of a workbook.
+    """Parts (files) inside a workbook.
 
     Raises
     ------
@@ -103,7 +103,7 @@ class PackedParts:
             self.sheets[name] = path if kind == "worksheet" else ""
 
     def parse(self, path: str, start: Start, end: End = lambda _: None, text: Any = None) -> None:
-        """Parse the elements of a part."""
+        """Parse the XML elements of a file inside the workbook."""
         with self._open(path) as part:
             parse(part, start, end, text)
 

@@ -127,7 +127,10 @@ def find_roots(  # noqa: PLR0913
 
 
 def _surpluses(grids: Mapping[U, Floats], columns: Columns, follow: Follow) -> dict[U, Floats]:
-    """Return the surplus of each unknown at all trials, shape (trials, points)."""
+    """Return the surplus (0 at a root) of each unknown for all trial numbers.
+
+    The shape of each surplus is (trials, points).
+    """
     trials, variants = next(iter(grids.values())).shape
     at_once = max(1, MOST_POINTS_AT_ONCE // variants)
     surpluses: dict[U, list[Floats]] = {unknown: [] for unknown in grids}

@@ -38,7 +38,7 @@ class RatioCells(NamedTuple):
     """Lower bounds of ring teeth divided by sun teeth, shape (cells, sets). [-]"""
     high: Floats
     reach: Integers
-    """Targets that each gear ratio can meet in a cell, as bits, shape (cells, ratios)."""
+    """Bit mask of the targets that each gear ratio can meet in a cell, shape (cells, ratios)."""
     stages: Integers
     """Number of stages of `solving.SPREADS` at which fits have been tried, shape (cells,)."""
     known: Booleans
@@ -51,8 +51,8 @@ class RatioCells(NamedTuple):
     """Start and end of the cell along each gear-set ratio, in shares of the bounds, (sets, 2). [-]
     """
     left: Floats
-    """Start and end of the part of the cell in which all targets can be met, in shares of the cell,
-    shape (sets, 2). [-]
+    """Start and end of the part of the cell in which all targets can be met, in fractions of the
+    cell's width, shape (sets, 2). [-]
     """
     slack: Floats
     """Two polynomials that are not negative where a target is met, at the corners, (2, corners).
@@ -208,9 +208,9 @@ def _leaves(part: Floats, least: float, most: float, cells: RatioCells) -> bool:
 
 @compiled_part
 def _positive(slack: Floats, bit: int) -> tuple[float, float]:
-    """Return the range along a gear-set ratio in which a polynomial can be non-negative.
+    """Return the range of a gear-set ratio in a cell where a polynomial can be non-negative.
 
-    The range is given in shares of the cell; it is (1, 0) if the polynomial is negative everywhere.
+    The range is in fractions of the cell's width; (1, 0) if the polynomial is negative everywhere.
     """
     here = there = -math.inf
     for block in range(0, len(slack), 2 * bit):

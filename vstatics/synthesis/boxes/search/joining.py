@@ -25,7 +25,10 @@ NO_END = 2**62
 
 @shared
 class SetRoom(NamedTuple):
-    """Work arrays of the search for element sets; the depth is the number of additions."""
+    """Work arrays of the search for element sets; the depth is the number of additions.
+
+    Sets of elements or targets given "as bits" are bit masks.
+    """
 
     lists: Integers
     """Shift elements of the combinations that reach each target, as bits, (targets, combinations).
@@ -71,9 +74,11 @@ class SetRoom(NamedTuple):
     ratios: Integers
     """Indices of the different ratios of the chosen elements, shape (combinations of a set,)."""
     reach: Integers
-    """Targets that each of the `ratios` reaches, as bits, shape (combinations of a set,)."""
+    """Bit mask of the targets that each of the `ratios` reaches, shape (combinations of a set,)."""
     targets: Integers
-    """Targets that each combination of a set reaches, as bits, shape (combinations of a set,)."""
+    """Bit mask of the targets that each combination in an element set reaches, shape (combinations
+    of a set,).
+    """
     seen: Integers
     """Number of the last evaluated set in which each ratio occurred, shape (ratios,)."""
     match: MatchRoom
@@ -124,9 +129,9 @@ def choose(table: Combinations, room: SetRoom, depth: int, held: int, there: int
         Work arrays; `chosen` contains the elements of the partial set.
     depth : int
     held : int
-        Targets that these elements reach, as bits.
+        Targets that these elements reach, as a bit mask.
     there : int
-        All possible shift elements, as bits.
+        All possible shift elements, as a bit mask.
     """
     left = room_left(room, depth)
     members = len(room.chosen) - left
@@ -161,7 +166,7 @@ def _ways_to_join(room: SetRoom, before: int, target: int, left: int, most: int)
 
 @compiled_part
 def _last_elements(table: Combinations, room: SetRoom, members: int, there: int, held: int) -> int:
-    """Return the elements that complete a set, as bits, with all targets and enough ratios.
+    """Return the elements that complete a set, with all targets and enough ratios, as a bit mask.
 
     Most combinations lock up the gearbox and have a common ratio, so that often too few different
     ratios remain.

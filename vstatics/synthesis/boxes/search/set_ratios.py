@@ -63,23 +63,21 @@ class FitRoom(NamedTuple):
     """Work arrays for a fit of gear-set ratios."""
 
     logs: Floats
-    """Logarithms of ring teeth divided by sun teeth, at the start and then the end, shape (sets,).
-    [-]
-    """
+    """Logarithms of ring teeth divided by sun teeth at the current point, shape (sets,). [-]"""
     errors: Floats
-    """Errors ln(i/target)/width at the end, shape (targets,). [-]"""
+    """Errors ln(i/target)/width at the point `logs`, shape (targets,). [-]"""
     jacobian: Floats
     """Derivatives of the errors with respect to the logarithms, shape (targets, sets). [-]"""
     tried: Floats
-    """Logarithms after the next step, shape (sets,). [-]"""
+    """Logarithms after a trial step from `logs`, shape (sets,). [-]"""
     trial: Floats
-    """Errors after the next step, shape (targets,). [-]"""
+    """Errors at the point `tried`, shape (targets,). [-]"""
     pulls: Floats
     """Additional pull on an error beyond the width of the target, shape (targets,). [-]"""
     forces: Floats
-    """First derivatives from `_weigh_errors`, shape (targets,). [-]"""
+    """Half the first derivative of the sum of squares by each error, shape (targets,). [-]"""
     weights: Floats
-    """Second derivatives from `_weigh_errors`, shape (targets,). [-]"""
+    """Half the second derivative of the sum of squares by each error, shape (targets,). [-]"""
     corner_weights: Floats
     """Weights of the corners in interpolation, with sum 1, shape (corners,). [-]"""
     slopes: Floats
@@ -338,7 +336,7 @@ def damped_step(room: FitRoom, least: float, most: float, damping: float) -> flo
 
 @compiled_part
 def _weigh_errors(room: FitRoom, stiffness: float) -> None:
-    """Calculate half of both derivatives of the sum of squares with respect to each error."""
+    """Calculate half the first and second derivatives of the sum of squares by each error."""
     for target in range(len(room.errors)):
         error = room.errors[target]
         beyond = abs(error) - 1.0 + room.pulls[target]

@@ -27,7 +27,7 @@ class Moves(NamedTuple):
 
     train: CoaxialTrain
     crossing: int = 0
-    """Bits of the components that may cross bars."""
+    """Components that may cross bars (lines of links), as a bit mask; 0 for no component."""
     is_ordered: bool = False
     """True to keep the given order of gear sets."""
 

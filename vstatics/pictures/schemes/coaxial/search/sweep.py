@@ -114,7 +114,10 @@ def swept(train: CoaxialTrain, *, is_ordered: bool = False, effort: SweepEffort 
 def _with_crossings(
     train: CoaxialTrain, effort: SweepEffort, *, is_planar: bool, is_ordered: bool
 ) -> _FoundSteps | None:
-    """Return the cheapest arrangement with few crossings or, failing that, with any crossings."""
+    """Return the cheapest arrangement with few crossings or, failing that, the first with any.
+
+    With `effort.is_first`, the first arrangement with few crossings is returned.
+    """
     tried = (
         _SweepSearch(Moves(train, crossing, is_ordered), weight).found(most)
         for crossing in _crossing(train, is_planar=is_planar)
@@ -132,7 +135,7 @@ def _with_crossings(
 
 
 def _crossing(train: CoaxialTrain, *, is_planar: bool) -> list[int]:
-    """Return choices of the fewest components that leave a planar remainder, as sums of bits."""
+    """Return choices of the fewest components that leave a planar remainder, as bit masks."""
     bits = [*train.pair_bits, *train.top_bits]
     for number in range(1, MOST_CROSSING + 1):
         ways = (sum(way) for way in combinations(bits, number))
