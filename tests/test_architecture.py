@@ -24,7 +24,7 @@ from vstatics.core.annexes import annexes
 
 
 def test_architecture_shows_the_rooms_in_their_order() -> None:
-    text = (PACKAGE.parent / "docs" / "architecture.md").read_text(encoding="utf-8")
+    text = (PACKAGE.parent / "docs" / "architecture.md").read_text("utf-8")
     assert f"```\n{order()}\n```" in text
 
 
