@@ -42,13 +42,15 @@ def each_seed(usual: int, nightly: int = 0) -> pytest.MarkDecorator:
     return pytest.mark.parametrize("seed", range(count(usual, nightly or usual)))
 
 
-def first_seeds(few: int, usual: int, nightly: int = 0) -> pytest.MarkDecorator:
+def seeds_with_slow(few: int, usual: int, nightly: int = 0) -> pytest.MarkDecorator:
     """Parametrise a test by seeds; all but a few first ones carry the mark `slow`."""
     more = range(few, count(usual, nightly or usual))
     return pytest.mark.parametrize("seed", with_slow(range(few), more))
 
 
-def seed_ranges(few: int | range, usual: int, nightly: int, start: int = 0) -> pytest.MarkDecorator:
+def ranges_with_slow(
+    few: int | range, usual: int, nightly: int, start: int = 0
+) -> pytest.MarkDecorator:
     """Parametrise a test by a range of seeds, and by one of further seeds, which is slow."""
     first = range(few) if isinstance(few, int) else few
     more = range(start or first.stop, start + count(usual, nightly))

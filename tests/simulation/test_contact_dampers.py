@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from tests.chance import each_seed, first_seeds, seeded
+from tests.chance import each_seed, seeded, seeds_with_slow
 from tests.simulation.control.written import simulated, written
 from tests.simulation.test_closed_forms import links
 from vstatics import CaseError, Spring
@@ -172,7 +172,7 @@ def random_chain(rng: Random) -> Chain:
     )
 
 
-@first_seeds(4, 60, 600)
+@seeds_with_slow(4, 60, 600)
 def test_random_gears_with_play_agree_with_events_of_scipy(seed: int) -> None:
     chain = random_chain(seeded(seed))
     motion = simulate(chain.scenario)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from tests.chance import count, first_seeds, seeded, with_slow
+from tests.chance import count, seeded, seeds_with_slow, with_slow
 from tests.simulation.test_closed_forms import links, run
 from vstatics import CaseError, ShiftElement, Spring
 from vstatics.core.model.parts import Damping
@@ -201,7 +201,7 @@ def test_random_chains_agree_with_an_independent_integrator(seed: int) -> None:
     assert motion.speeds[-1] == pytest.approx(integrated(scenario, lines), rel=1e-6, abs=1e-6)
 
 
-@first_seeds(2, 8, 100)
+@seeds_with_slow(2, 8, 100)
 def test_the_energy_of_random_chains_with_friction_closes(seed: int) -> None:
     rng = seeded(100 + seed)
     scenario, _ = random_chain(rng)

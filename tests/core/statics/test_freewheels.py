@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.chance import each_seed, seed_ranges, seeded
+from tests.chance import each_seed, ranges_with_slow, seeded
 from tests.core.statics.batches import (
     large_train,
     plainly,
@@ -322,7 +322,7 @@ def check_state(case: Transmission, results: Results, number: int) -> None:
     )
 
 
-@seed_ranges(6, 120, 400)
+@ranges_with_slow(6, 120, 400)
 def test_the_state_of_random_trains_is_one_that_trying_them_all_finds(seeds: range) -> None:
     """About one of 300 has a set of freewheels that turns the output, but can't balance it."""
     for seed in seeds:

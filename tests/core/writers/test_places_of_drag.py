@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import yaml
 
-from tests.chance import seed_ranges, seeded
+from tests.chance import ranges_with_slow, seeded
 from tests.commands import vstatics
 from tests.core.statics.batches import ARRAYS
 from tests.dragging import random_case
@@ -49,7 +49,7 @@ def alike(there: Path, here: Path) -> None:
         np.testing.assert_array_equal(getattr(one, name), getattr(other, name), err_msg=name)
 
 
-@seed_ranges(4, 150, 1500)
+@ranges_with_slow(4, 150, 1500)
 def test_each_drag_and_efficiency_keeps_its_place(seeds: range, tmp_path: Path) -> None:
     for seed in seeds:
         folder = tmp_path / str(seed)

@@ -12,7 +12,7 @@ import networkx as nx
 import pytest
 
 import vstatics
-from tests.chance import each_seed, first_seeds, seeded, with_slow
+from tests.chance import each_seed, seeded, seeds_with_slow, with_slow
 from tests.commands import CASES
 from tests.installed import needs
 from tests.pictures.measured import measured
@@ -237,7 +237,7 @@ def drawn(case: Transmission) -> tuple[bytes, str]:
 
 
 @needs("synthesis")
-@first_seeds(4, 40)
+@seeds_with_slow(4, 40)
 def test_random_boxes_cross_where_the_title_says_so(seed: int) -> None:
     from vstatics.synthesis import box_is_planar
 

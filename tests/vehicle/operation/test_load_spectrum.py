@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.chance import each_seed, first_seeds, seeded
+from tests.chance import each_seed, seeded, seeds_with_slow
 from tests.commands import vstatics
 from tests.trains import random_train
 from vstatics import (
@@ -122,7 +122,7 @@ def test_drag_of_a_link_is_what_its_torques_leave() -> None:
     assert made.members["mid"].torque.largest == pytest.approx(40)
 
 
-@first_seeds(8, 25)
+@seeds_with_slow(8, 25)
 def test_random_trains_lose_what_enters_and_does_not_leave(seed: int) -> None:
     """Each point is that of the case with this load; energies are sums over points."""
     rng = seeded(2750 + seed)

@@ -11,7 +11,7 @@ from random import Random
 import numpy as np
 import pytest
 
-from tests.chance import each_seed, first_seeds, seeded
+from tests.chance import each_seed, seeded, seeds_with_slow
 from tests.commands import process
 from tests.core.readers.named.test_signs_of_print import spoilt
 from vstatics import Gear, Mechanism, ReadError, Transmission
@@ -115,7 +115,7 @@ class Layout:
         return text.encode(rng.choice(["utf-8", "utf-8-sig", "utf-16"]))
 
 
-@first_seeds(1, 8, 100)
+@seeds_with_slow(1, 8, 100)
 def test_layouts_of_published_cycles(seed: int) -> None:
     """Distance by exact fractions; work at the wheels by the equation of motion, row by row."""
     for number in range(30):

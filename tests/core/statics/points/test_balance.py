@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from tests.chance import count, seed_ranges, seeded
+from tests.chance import count, ranges_with_slow, seeded
 from tests.core.writers.again import is_read_again
 from vstatics import CaseError, ReadError, solve
 from vstatics.core.numerics.arrays import Floats
@@ -162,7 +162,7 @@ def random_trip(rng: Random) -> RoundTrip:
     return RoundTrip(u, eta, of, *speeds, rng.uniform(-200, 200), rng.uniform(-25e3, 25e3))
 
 
-@seed_ranges(range(14, 21), 60, 300, start=100)
+@ranges_with_slow(range(14, 21), 60, 300, start=100)
 def test_a_balance_is_that_of_all_sets_of_directions(seeds: range) -> None:
     """Also beside torques at which friction locks the gear, and where there are none, or two."""
     counts = set()

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.chance import seed_ranges, seeded
+from tests.chance import ranges_with_slow, seeded
 from tests.core.writers.again import is_read_again
 from tests.oracle.drag import solve_gear
 from tests.oracle.systems import Speeds
@@ -185,7 +185,7 @@ def exact_gear(case: Transmission, gear: Gear, speed: float, torque: float) -> A
     )
 
 
-@seed_ranges(4, 24, 200)
+@ranges_with_slow(4, 24, 200)
 def test_points_of_random_trains_agree_with_all_sets_of_signs(seeds: range) -> None:
     """From torques that drag takes in all up to large ones: dragged, locked and ordinary."""
     states = set()
