@@ -42,7 +42,7 @@ test-slow: ## the slow tests: test-beside, then test-alone
 
 # Only files with a mark are collected for it, without doctests, which are all fast.
 MARKED = $(BIN)/pytest -q -o addopts="--strict-markers --strict-config"
-with_mark = $$(grep -rl --include='test_*.py' 'mark\.$(1)' tests)
+with_mark = $$(grep -rl --include='test_*.py' 'mark\.$(1)\|with_$(1)(' tests)
 test-beside: .venv/dev.stamp ## the slow tests that others do not disturb, on all cores
 	$(MARKED) -n $(TEST_JOBS) -m "slow and not alone" $(call with_mark,slow)
 

@@ -50,8 +50,8 @@ def main() -> None:
     if given.page:
         command = "make bench BOXES=1" if given.boxes else "make bench"
         origin = f"{machine()}, {dt.datetime.now(tz=dt.UTC).date()}, `{command}`:"
-        page = given.page.read_text(encoding="utf-8")
-        given.page.write_text(with_table(page, f"{origin}\n\n{text}"), encoding="utf-8")
+        page = given.page.read_text("utf-8")
+        given.page.write_text(with_table(page, f"{origin}\n\n{text}"), "utf-8")
 
 
 if __name__ == "__main__":

@@ -37,7 +37,7 @@ def _search(setting: Setting, known: str, same_size: str, *options: str) -> Race
     one_gear = Peer(setting, case).timer(count, count * len(case.gears))
 
     def all_gears() -> float:
-        found = json.loads(output.read_text(encoding="utf-8"))
+        found = json.loads(output.read_text("utf-8"))
         assert known in [box["known"] for box in found["boxes"][:FIRST]]  # noqa: S101
         return float(found["searched"]) * one_gear()
 

@@ -144,7 +144,7 @@ def many_decks(setting: Setting, output: tuple[str, ...]) -> Race:
         ratios = [round(one.ratio * rng.uniform(0.9, 1.1), 4) for one in case.mechanisms]
         pairs = zip(case.mechanisms, ratios, strict=True)
         variant = case.replace(mechanisms=[one._replace(ratio=ratio) for one, ratio in pairs])
-        (folder / f"{number:04}.dat").write_text(deck.write(variant), encoding="utf-8")
+        (folder / f"{number:04}.dat").write_text(deck.write(variant), "utf-8")
         (folder / f"{number:04}.num").write_text(numeric(variant), encoding="ascii")
     (folder / "list").write_text("".join(f"{number:04}.dat\n" for number in range(count)))
 

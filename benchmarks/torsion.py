@@ -83,7 +83,7 @@ def varied_stiffness(setting: Setting, masses: int, springs: int) -> Race:
     text, each = chain(masses), round(setting.some(100_000) ** (1 / springs))
     count = each**springs
     case, output = setting.folder / f"{masses}.yaml", setting.folder / "frequencies.npz"
-    case.write_text(text, encoding="utf-8")
+    case.write_text(text, "utf-8")
     varied = [f"--vary=s{number}.stiffness=500:50000:{each}" for number in range(springs)]
     words = ["sweep", str(case), *varied, "--out=omega[1,1]", f"-o{output}", "-q"]
 

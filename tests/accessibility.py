@@ -9,7 +9,7 @@ import pytest
 def serious_faults(window: Any) -> dict[str, list[str]]:
     """Rules of which a break is serious or critical, each with places where it is broken."""
     axe = pytest.importorskip("axe_core_python")
-    rules = Path(axe.__file__).with_name("axe.min.js").read_text(encoding="utf-8")
+    rules = Path(axe.__file__).with_name("axe.min.js").read_text("utf-8")
     window.evaluate(rules)
     found = window.evaluate("axe.run({ resultTypes: ['violations'] })")["violations"]
     return {

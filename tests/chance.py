@@ -32,18 +32,26 @@ def some(cases: Sequence[Each]) -> Sequence[Each]:
     return cases[:: count(3, 1)]
 
 
-def with_marked(
-    plain: Iterable[object], others: Iterable[object], mark: pytest.MarkDecorator
-) -> list[Any]:
-    """Return parameters of a test: plain ones, then others that carry a mark."""
-    return [*plain, *(pytest.param(each, marks=mark) for each in others)]
+def with_slow(quick: Iterable[object], slow: Iterable[object]) -> list[Any]:
+    """Return parameters of a test: quick ones, then others that carry the mark `slow`."""
+    return [*quick, *(pytest.param(each, marks=pytest.mark.slow) for each in slow)]
 
 
-def each_seed(seeds: range, more: range, mark: pytest.MarkDecorator) -> pytest.MarkDecorator:
-    """Parametrise a test by seeds, of which further ones carry a mark."""
-    return pytest.mark.parametrize("seed", with_marked(seeds, more, mark))
+def each_seed(usual: int, nightly: int = 0) -> pytest.MarkDecorator:
+    """Parametrise a test by seeds, of which `make nightly` may try more."""
+    return pytest.mark.parametrize("seed", range(count(usual, nightly or usual)))
 
 
-def seed_ranges(seeds: range, more: range, mark: pytest.MarkDecorator) -> pytest.MarkDecorator:
-    """Parametrise a test by a range of seeds, and by a further one that carries a mark."""
-    return pytest.mark.parametrize("seeds", with_marked([seeds], [more], mark))
+def seeds_with_slow(few: int, usual: int, nightly: int = 0) -> pytest.MarkDecorator:
+    """Parametrise a test by seeds; all but a few first ones carry the mark `slow`."""
+    more = range(few, count(usual, nightly or usual))
+    return pytest.mark.parametrize("seed", with_slow(range(few), more))
+
+
+def ranges_with_slow(
+    few: int | range, usual: int, nightly: int, start: int = 0
+) -> pytest.MarkDecorator:
+    """Parametrise a test by a range of seeds, and by one of further seeds, which is slow."""
+    first = range(few) if isinstance(few, int) else few
+    more = range(start or first.stop, start + count(usual, nightly))
+    return pytest.mark.parametrize("seeds", with_slow([first], [more]))

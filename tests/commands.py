@@ -66,6 +66,14 @@ class Said(NamedTuple):
         """The document on stdout."""
         return json.loads(self.out)
 
+    def is_without_messages(self) -> bool:
+        """Return whether the call succeeds: status 0, an empty stderr."""
+        return (self.status, self.err) == (0, "")
+
+    def is_silent(self) -> bool:
+        """Return whether the call succeeds and prints nothing."""
+        return self.is_without_messages() and not self.out
+
     def is_wrong_use(self, *words: str) -> bool:
         """Return whether the call is rejected: status 2, all words on stderr, an empty stdout."""
         return (self.status, self.out) == (2, "") and self._reports(words)
@@ -97,6 +105,11 @@ def vstatics(*arguments: object, stdin: bytes = b"") -> Said:
 def json_answer(*arguments: object, stdin: bytes = b"") -> Any:
     """Call a command with `-f json`, and return the document that it prints."""
     return vstatics(*arguments, "-f", "json", stdin=stdin).json
+
+
+def json_file(path: Path) -> Any:
+    """Read a document from a file."""
+    return json.loads(path.read_text("utf-8"))
 
 
 def environment(**variables: str) -> dict[str, str]:

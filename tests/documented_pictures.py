@@ -59,7 +59,7 @@ class DocumentedPicture(NamedTuple):
 def documented() -> Iterator[DocumentedPicture]:
     """The pictures of all documents."""
     for document in DOCUMENTS:
-        for found in IMAGE.finditer(document.read_text(encoding="utf-8")):
+        for found in IMAGE.finditer(document.read_text("utf-8")):
             assert found["asked"], f"{document.name}: {found[0]} has no line `<!-- picture: -->`"
             file = (document.parent / found["file"]).resolve()
             yield DocumentedPicture(document, file, found["asked"])

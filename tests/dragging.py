@@ -50,7 +50,7 @@ def random_drag(chance: Random, folder: Path) -> GivenDrag:
         return a * min(speed, 200) / 200
 
     part, name = round(a / 100, 4), f"drag{len([*folder.iterdir()])}.csv"
-    (folder / name).write_text(f"speed [rad/s],torque [N*m]\n0,0\n200,{a}\n", encoding="utf-8")
+    (folder / name).write_text(f"speed [rad/s],torque [N*m]\n0,0\n200,{a}\n", "utf-8")
     forms: tuple[tuple[Any, Torque], ...] = (
         (f"{a} N*m", lambda *_: a),
         (part, lambda _, torque: part * torque),
@@ -114,7 +114,7 @@ def random_case(chance: Random, folder: Path) -> DraggedCase:
             )
             lost[gear.name] = math.fsum(one.at(slip, torque) * slip for slip, one in slips) / 1000
     file = folder / "case.yaml"
-    file.write_text(yaml.safe_dump(data), encoding="utf-8")
+    file.write_text(yaml.safe_dump(data), "utf-8")
     return DraggedCase(file, load(file), lost)
 
 

@@ -96,7 +96,7 @@ def _python(block: Block, variables: dict[str, object]) -> str:
 
 def rewritten(document: Path, folder: Path) -> str:
     """Return the text of a document with the outputs that its examples have now."""
-    text = document.read_text(encoding="utf-8")
+    text = document.read_text("utf-8")
     for other in FILES_OF.findall(text):
         for block in blocks(document.parent / other):
             write_file(block, folder)
@@ -122,6 +122,6 @@ if __name__ == "__main__":
             place = prepared(Path(name))
             with contextlib.chdir(place):
                 new = rewritten(page, place)
-        if new != page.read_text(encoding="utf-8"):
-            page.write_text(new, encoding="utf-8")
+        if new != page.read_text("utf-8"):
+            page.write_text(new, "utf-8")
             sys.stdout.write(f"rewrote {os.path.relpath(page, ROOT)}\n")

@@ -100,9 +100,9 @@ def of_annexes() -> dict[str, Kind]:
 @cache
 def kinds() -> dict[str, Kind]:
     """All kinds, with shipped cases and what is made of them as good inputs."""
-    decks = [MZKT.read_text(encoding="utf-8")]
+    decks = [MZKT.read_text("utf-8")]
     paths = sorted(CASES.glob("*.yaml"))
-    yamls = [path.read_text(encoding="utf-8") for path in paths]
+    yamls = [path.read_text("utf-8") for path in paths]
     yamls += [
         "links: [e, FL, FR]\noutputs: [FL, FR]\nload: {speed: 3000 1/min, torque: 1.3*400 Nm}\n"
         "shift_elements: {C: [e, FL]}\n"

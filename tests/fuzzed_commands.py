@@ -121,10 +121,10 @@ def _folder() -> Path:
         from tests.simulation.variants.scenarios import CASE
 
         (folder / "set.yaml").write_bytes(CASE)
-    (folder / "shafts.yaml").write_text(SHAFTS, encoding="utf-8")
-    (folder / "box.yaml").write_text(BOX, encoding="utf-8")
-    (folder / "plant.yaml").write_text(PLANT, encoding="utf-8")
-    (folder / "warming.yaml").write_text(WARM, encoding="utf-8")
+    (folder / "shafts.yaml").write_text(SHAFTS, "utf-8")
+    (folder / "box.yaml").write_text(BOX, "utf-8")
+    (folder / "plant.yaml").write_text(PLANT, "utf-8")
+    (folder / "warming.yaml").write_text(WARM, "utf-8")
     return folder
 
 

@@ -33,7 +33,7 @@ def children(process: int) -> list[int]:
     for folder in Path("/proc").iterdir():
         if folder.name.isdigit():
             try:
-                text = (folder / "stat").read_text(encoding="utf-8")
+                text = (folder / "stat").read_text("utf-8")
             except OSError:
                 continue
             if int(text.rpartition(")")[2].split()[1]) == process:

@@ -77,7 +77,7 @@ def tree(path: Path) -> ast.Module:
     All trees stay to the end: without `freeze` the collector of garbage would go through them
     again and again, which takes longer than the parser.
     """
-    parsed = ast.parse(path.read_text(encoding="utf-8"))
+    parsed = ast.parse(path.read_text("utf-8"))
     gc.freeze()
     return parsed
 

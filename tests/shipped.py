@@ -1,13 +1,12 @@
 """Results of the shipped cases, and the printed tables of one of them."""
 
-import json
 from typing import Any
 
-from tests.commands import CASES, ROOT
+from tests.commands import CASES, ROOT, json_file
 from vstatics import Results, load, solve
 
 PUBLISHED = ROOT / "tests/published"
-PRINTED: dict[str, Any] = json.loads((PUBLISHED / "mzkt7922.json").read_text(encoding="utf-8"))
+PRINTED: dict[str, Any] = json_file(PUBLISHED / "mzkt7922.json")
 """Printed tables of the MZKT-7922, from its publication."""
 
 

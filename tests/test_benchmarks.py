@@ -38,7 +38,7 @@ def cells(line: str) -> list[str]:
 
 
 def test_the_page_has_the_rows_of_the_benchmarks() -> None:
-    found = PLACE.search((ROOT / "docs" / "performance.md").read_text(encoding="utf-8"))
+    found = PLACE.search((ROOT / "docs" / "performance.md").read_text("utf-8"))
     assert found
     lines = [line for line in found[0].splitlines() if line.startswith("|")]
     assert "\n".join(lines[:2]) == heading()

@@ -13,7 +13,7 @@ import yaml
 from tests.commands import CASES, NEUTRAL, ROOT
 from tests.test_readme import prepared
 
-PAGE = (ROOT / "docs" / "ci.md").read_text(encoding="utf-8")
+PAGE = (ROOT / "docs" / "ci.md").read_text("utf-8")
 JOBS: dict[str, Any] = {
     block.partition("\n")[0].removeprefix("# "): yaml.safe_load(block)
     for block in re.findall(r"^```\n(# \.git.*?)^```$", PAGE, re.MULTILINE | re.DOTALL)
@@ -73,8 +73,8 @@ def test_a_job_is_green_until_a_gear_cannot_drive_or_a_number_changes(
     subprocess.run(command, cwd=folder, env={**os.environ, "PYTHONPATH": str(ROOT)}, check=True)
     assert status(folder, system) == 0
     other = folder / "boxes" / "other.yaml"
-    other.write_text(NEUTRAL, encoding="utf-8")
+    other.write_text(NEUTRAL, "utf-8")
     assert status(folder, system) == 1
     other.unlink()
-    box.write_text(box.read_text("utf-8").replace("ring: 73", "ring: 75"), encoding="utf-8")
+    box.write_text(box.read_text("utf-8").replace("ring: 73", "ring: 75"), "utf-8")
     assert status(folder, system) == 1

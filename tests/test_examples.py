@@ -27,6 +27,6 @@ def test_outputs_are_replaced_and_their_ellipses_kept(
 def test_a_page_has_the_outputs_of_the_program(tmp_path: Path) -> None:
     page = tmp_path / "page.md"
     text = "```console\n$ echo one; echo two\nTWO\n$ cd elsewhere\nleft\n```\n"
-    page.write_text(f"{text}```python\n>>> 1 + 1\n3\n```\n", encoding="utf-8")
+    page.write_text(f"{text}```python\n>>> 1 + 1\n3\n```\n", "utf-8")
     right = text.replace("TWO\n", "one\ntwo\n")
     assert rewritten(page, prepared(tmp_path)) == f"{right}```python\n>>> 1 + 1\n2\n```\n"

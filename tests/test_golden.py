@@ -46,11 +46,11 @@ def changes(name: str, new: str, old: str) -> list[str]:
 def judged(name: str, new: str, golden: Path, *, regenerate: bool) -> None:
     """Compare with the golden file; write it where it is missing or to be written anew."""
     if not golden.exists():
-        golden.write_text(new, encoding="utf-8")
+        golden.write_text(new, "utf-8")
         pytest.fail(f"{golden.name} was missing and is written now: read it before you keep it")
-    found = changes(name, new, golden.read_text(encoding="utf-8"))
+    found = changes(name, new, golden.read_text("utf-8"))
     if found and regenerate:
-        golden.write_text(new, encoding="utf-8")
+        golden.write_text(new, "utf-8")
     if found:
         what = "is rewritten" if regenerate else "differs (make golden rewrites it)"
         pytest.fail("\n".join([f"{golden.name} {what}:", *found]))
@@ -78,7 +78,7 @@ def test_a_missing_file_is_written_and_fails(tmp_path: Path) -> None:
 
 def test_a_change_fails_once_when_rewritten_and_always_when_not(tmp_path: Path) -> None:
     golden = tmp_path / "old.lst"
-    golden.write_text("1.000\n", encoding="utf-8")
+    golden.write_text("1.000\n", "utf-8")
     for _ in range(2):
         with pytest.raises(pytest.fail.Exception, match="differs"):
             judged("old.lst", "2.000\n", golden, regenerate=False)

@@ -28,7 +28,7 @@ def test_files_of_tests_import_what_is_installed_where_they_run() -> None:
     for path in TESTS.rglob("*.py"):
         name = path.relative_to(TESTS).as_posix()
         own = name.split("/")[0]
-        used = {*imported_at_once(ast.parse(path.read_text(encoding="utf-8")))}
+        used = {*imported_at_once(ast.parse(path.read_text("utf-8")))}
         if others := used - NEEDS.get(own, set()):
             more[name] = tuple(annex for annex in ANNEXES if annex in others)
     removed = {name for name in FILES if name.split("/")[0] not in HERE}

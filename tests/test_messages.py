@@ -36,7 +36,7 @@ gears: {low: [B], free: []}
 
 @pytest.fixture(autouse=True)
 def _files(folder: Path) -> None:
-    (folder / "box.yaml").write_text(CASE, encoding="utf-8")
+    (folder / "box.yaml").write_text(CASE, "utf-8")
 
 
 @cache
@@ -112,7 +112,7 @@ def test_every_example_is_of_an_id() -> None:
 
 @pytest.mark.parametrize("one", EXAMPLES, ids=lambda one: one.id)
 def test_an_example_tells_its_message(one: ExplainedMessage) -> None:
-    Path("example.yaml").write_text(str(one.example), encoding="utf-8")
+    Path("example.yaml").write_text(str(one.example), "utf-8")
     keys = re.findall(r"^(\w+):", str(one.example), re.MULTILINE)
     absent = missing(KEYS[key] for key in keys if key in KEYS)
     if absent or (missing(ANNEXES) and one.id not in ids_in_code()):
@@ -196,7 +196,7 @@ def test_a_warning_is_allowed_by_option_and_by_key(command: str) -> None:
     assert "[W201]" in said()
     assert "[W201]" not in said("--allow", "W201")
     assert said("--allow", "W201", "--allow", "W414") == ""
-    Path("box.yaml").write_text(f"{CASE}allow: [W201, W414]\n", encoding="utf-8")
+    Path("box.yaml").write_text(f"{CASE}allow: [W201, W414]\n", "utf-8")
     assert said("--strict") == ""
 
 
@@ -209,7 +209,7 @@ def test_an_allowed_message_is_in_no_document_and_makes_nothing_fail() -> None:
 
 
 def test_conversion_keeps_what_is_allowed() -> None:
-    Path("box.yaml").write_text(f"{CASE}allow: [W201]\n", encoding="utf-8")
+    Path("box.yaml").write_text(f"{CASE}allow: [W201]\n", "utf-8")
     for file in ("other.json", "other.yaml"):
         assert vstatics("convert", "box.yaml", file).status == 0
         assert list(readers.load(file).allow) == ["W201"]
@@ -229,7 +229,7 @@ def test_what_cannot_be_allowed_is_wrong_use_and_in_the_case_an_error(
 ) -> None:
     said = vstatics("run", "box.yaml", "--allow", identity)
     assert said.is_wrong_use(f"Invalid value for '--allow': {why}")
-    Path("box.yaml").write_text(f"{CASE}allow: [W201, {identity}]\n", encoding="utf-8")
+    Path("box.yaml").write_text(f"{CASE}allow: [W201, {identity}]\n", "utf-8")
     said = vstatics("run", "box.yaml")
     assert said.status == 1
     assert said.err.startswith(f"box.yaml:6:15: error: allow[2]: {why}")
@@ -240,7 +240,7 @@ def test_a_belt_without_an_efficiency_is_told_by_check_alone(kind: str) -> None:
     sizes = "diameters" if kind == "belt" else "teeth"
     element = f"{{kind: {kind}, first: a, second: b, {sizes}: {{first: 20, second: 40}}}}"
     text = f"input: a\noutput: b\nelements: {{E: {element}}}\ngears: {{1: []}}\n"
-    Path("drive.yaml").write_text(text, encoding="utf-8")
+    Path("drive.yaml").write_text(text, "utf-8")
     said = vstatics("check", "drive.yaml").err
     assert said.startswith("drive.yaml:3:12: note: elements.E: `efficiency` is missing: belts")
     assert vstatics("run", "drive.yaml").err == ""

@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from tests.commands import ROOT
+from tests.commands import ROOT, json_file
 from tests.installed import skip_without, used_in
 
 NOTEBOOK = ROOT / "docs" / "notebook.ipynb"
@@ -25,10 +25,10 @@ SHOWN = {
 
 
 def test_the_notebook_shows_what_it_says(folder: Path, request: pytest.FixtureRequest) -> None:
-    skip_without(*used_in(NOTEBOOK.read_text(encoding="utf-8")))
+    skip_without(*used_in(NOTEBOOK.read_text("utf-8")))
     for extra in ("matplotlib", "pandas", "sympy", "xarray", "scipy", "numba"):
         pytest.importorskip(extra)
-    document = json.loads(NOTEBOOK.read_text(encoding="utf-8"))
+    document = json_file(NOTEBOOK)
     names: dict[str, Any] = {}
     ran = 0
     for cell in document["cells"]:
@@ -42,7 +42,7 @@ def test_the_notebook_shows_what_it_says(folder: Path, request: pytest.FixtureRe
     assert list(folder.iterdir()) == []
     if request.config.getoption("--regenerate"):
         written = json.dumps(document, indent=1, ensure_ascii=False) + "\n"
-        NOTEBOOK.write_text(written, encoding="utf-8")
+        NOTEBOOK.write_text(written, "utf-8")
 
 
 test_the_notebook_shows_what_it_says = pytest.mark.slow(test_the_notebook_shows_what_it_says)
@@ -85,5 +85,5 @@ def texts(found: list[dict[str, Any]]) -> list[Any]:
 
 
 def test_the_notebook_has_no_path_of_this_machine() -> None:
-    text = NOTEBOOK.read_text(encoding="utf-8")
+    text = NOTEBOOK.read_text("utf-8")
     assert os.fspath(ROOT) not in text

@@ -45,7 +45,7 @@ def test_every_name_of_the_package_is_there() -> None:
 @needs(*ANNEXES)
 def test_checkers_of_types_know_all_public_names() -> None:
     """They read a list that is written; the program asks the records of annexes."""
-    tree = ast.parse(Path(vstatics.__file__).read_text(encoding="utf-8"))
+    tree = ast.parse(Path(vstatics.__file__).read_text("utf-8"))
     [written] = [
         ast.literal_eval(node.value)
         for node in ast.walk(tree)
@@ -93,7 +93,7 @@ def test_a_case_comes_from_a_path_a_stream_a_text_or_plain_data() -> None:
     assert vstatics.load(str(MZKT)) == case
     with MZKT.open("rb") as stream:
         assert vstatics.load(stream) == case
-    text = MZKT.read_text(encoding="utf-8")
+    text = MZKT.read_text("utf-8")
     assert vstatics.load(io.StringIO(text)) == vstatics.loads(text) == case
     assert vstatics.loads(text.encode()) == case
     own = Transmission.from_dict(PAIR)
@@ -130,7 +130,7 @@ def test_a_number_of_plain_data_that_is_none_is_told_by_its_keys(ratio: float) -
 
 def test_a_text_reads_no_files_but_beside_a_name_with_a_folder(tmp_path: Path) -> None:
     drag = tmp_path / "drag.csv"
-    drag.write_text("speed [rpm],torque [N*m]\n0,1\n", encoding="utf-8")
+    drag.write_text("speed [rpm],torque [N*m]\n0,1\n", "utf-8")
     load = {"speed": "900 rpm", "torque": "40 N*m"}
     data = {**PAIR, "load": load, "drag": {"out": {"file": str(drag)}}}
     text = json.dumps(data)
@@ -145,7 +145,7 @@ def test_a_text_reads_no_files_but_beside_a_name_with_a_folder(tmp_path: Path) -
             read()
     beside = text.replace(str(drag), "drag.csv")
     case = tmp_path / "case.yaml"
-    case.write_text(beside, encoding="utf-8")
+    case.write_text(beside, "utf-8")
     with case.open(encoding="utf-8") as stream:
         assert (
             vstatics.loads(beside, name=str(case)) == vstatics.load(stream) == vstatics.load(case)
@@ -436,7 +436,7 @@ def test_a_picture_of_a_sweep_refuses_columns_at_once(
 def test_a_report_is_written_whole(tmp_path: Path) -> None:
     path = tmp_path / "box.html"
     vstatics.write_report(vstatics.solve(vstatics.load(MZKT)), path)
-    assert path.read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
+    assert path.read_text("utf-8").startswith("<!DOCTYPE html>")
     assert list(tmp_path.iterdir()) == [path]
     with pytest.raises(ValueError, match="the page is HTML"):
         vstatics.write_report(vstatics.solve(vstatics.load(MZKT)), tmp_path / "box.pdf")

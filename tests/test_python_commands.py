@@ -30,11 +30,11 @@ WRITTEN = "written.json"
         TIED_UP,
         TIED_UP + "allow: [W101]\n",
         NEUTRAL.replace("gears:", "allow: [W414]\ngears:"),
-        (CASES / "wolfrom.yaml").read_text(encoding="utf-8"),
+        (CASES / "wolfrom.yaml").read_text("utf-8"),
     ],
 )
 def test_check_tells_what_the_command_tells(text: str) -> None:
-    Path("box.yaml").write_text(text, encoding="utf-8")
+    Path("box.yaml").write_text(text, "utf-8")
     told = commands.json_answer("check", "box.yaml")
     found = vstatics.check("box.yaml")
     assert [(one.id, one.message) for one in found] == [(one["id"], one["message"]) for one in told]
@@ -42,8 +42,8 @@ def test_check_tells_what_the_command_tells(text: str) -> None:
 
 @needs("simulation")
 def test_a_scenario_is_checked_with_its_case() -> None:
-    Path("box.yaml").write_text(BAD, encoding="utf-8")
-    Path("run.yaml").write_text("{case: box.yaml, duration: 1}", encoding="utf-8")
+    Path("box.yaml").write_text(BAD, "utf-8")
+    Path("run.yaml").write_text("{case: box.yaml, duration: 1}", "utf-8")
     assert [one.id for one in vstatics.check("run.yaml")] == ["E190"]
     assert vstatics.check(CASES / "scenarios/tarasik-set-upshift.yaml") == []
     with pytest.raises(OSError, match="nowhere"):
@@ -51,7 +51,7 @@ def test_a_scenario_is_checked_with_its_case() -> None:
 
 
 def test_a_text_is_checked_as_its_file_is_and_opens_none() -> None:
-    Path("box.yaml").write_text(TIED_UP, encoding="utf-8")
+    Path("box.yaml").write_text(TIED_UP, "utf-8")
     told, of_file = vstatics.check(io.StringIO(TIED_UP)), vstatics.check("box.yaml")
     assert [one.id for one in told] == [one.id for one in of_file] != []
     assert [(one.message, one.place and one.place[1:]) for one in told] == [
@@ -63,7 +63,7 @@ def test_a_text_is_checked_as_its_file_is_and_opens_none() -> None:
     assert (refused.id, "cannot name a file" in refused.message) == ("E660", True)
     with pytest.raises(vstatics.ReadError, match="E660"):
         vstatics.load_scenario(io.StringIO(run))
-    Path("run.yaml").write_text(run, encoding="utf-8")
+    Path("run.yaml").write_text(run, "utf-8")
     scenario = vstatics.load_scenario("run.yaml", case=io.StringIO(NEUTRAL))
     assert scenario.case == vstatics.loads(NEUTRAL)
     assert vstatics.load_scenario(io.StringIO(run), case="box.yaml").case == vstatics.load(
@@ -73,7 +73,7 @@ def test_a_text_is_checked_as_its_file_is_and_opens_none() -> None:
 
 def test_the_first_problem_of_a_case_that_cannot_be_is_an_error() -> None:
     """Not a note on teeth that stand before it."""
-    text = (CASES / "allison-6speed.yaml").read_text(encoding="utf-8")
+    text = (CASES / "allison-6speed.yaml").read_text("utf-8")
     with pytest.raises(vstatics.ReadError) as told:
         vstatics.loads(text.replace("[C1, C5]", "[C1, Q]"))
     kinds = [one.severity for one in told.value.problems]
@@ -84,8 +84,8 @@ def test_the_first_problem_of_a_case_that_cannot_be_is_an_error() -> None:
 @pytest.mark.parametrize("line", ["user{}:*:::\n", "user{}:x:0:0::/home:/bin/sh\n"])
 def test_of_a_file_of_other_matters_nothing_is_told(line: str) -> None:
     """A scenario may name any file as its case."""
-    Path("users").write_text("".join(map(line.format, range(300))), encoding="utf-8")
-    Path("run.yaml").write_text("{case: users, duration: 1}", encoding="utf-8")
+    Path("users").write_text("".join(map(line.format, range(300))), "utf-8")
+    Path("run.yaml").write_text("{case: users, duration: 1}", "utf-8")
     (told,) = vstatics.check("run.yaml")
     assert (told.id, told.message) == ("E660", "users is not a case: it has no key of a case")
     assert told.place is not None
@@ -111,7 +111,7 @@ def test_a_transmission_says_what_it_takes(changes: dict[str, Any], why: str) ->
 
 
 def test_check_allows_as_the_command_does() -> None:
-    Path("box.yaml").write_text(NEUTRAL, encoding="utf-8")
+    Path("box.yaml").write_text(NEUTRAL, "utf-8")
     assert [one.id for one in vstatics.check("box.yaml")] == ["E453", "W414"]
     assert vstatics.check("box.yaml", allow=["W414"]) == []
     with pytest.raises(ValueError, match="`E190` is an error"):
@@ -164,7 +164,7 @@ def test_a_missing_or_broken_package_is_told_as_commands_tell_it(text: str, word
     """In each function that cannot do without; a package that fails on import is none of ours."""
     if text:
         Path("shadow/scipy").mkdir(parents=True)
-        Path("shadow/scipy/__init__.py").write_text(text, encoding="utf-8")
+        Path("shadow/scipy/__init__.py").write_text(text, "utf-8")
     scenario = str(CASES / "scenarios/tarasik-set-upshift.yaml")
     call = [sys.executable, "-c", WITHOUT_SCIPY, scenario]
     said = subprocess.run(call, env=commands.environment(), capture_output=True, check=True)
@@ -255,8 +255,8 @@ def test_what_is_public_tells_its_arguments_results_errors_and_an_example(
 def test_the_page_names_every_command() -> None:
     from vstatics.core.cli import main
 
-    page = (ROOT / "docs/python.md").read_text(encoding="utf-8")
-    lines = (ROOT / "docs/how-to/commands-in-python.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs/python.md").read_text("utf-8")
+    lines = (ROOT / "docs/how-to/commands-in-python.md").read_text("utf-8")
     section = page.partition("\n## Every command\n")[2].partition("\n## ")[0]
     named = {
         word

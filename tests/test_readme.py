@@ -51,7 +51,7 @@ class Block(NamedTuple):
 
 
 def blocks(document: Path) -> Iterator[Block]:
-    text = document.read_text(encoding="utf-8")
+    text = document.read_text("utf-8")
     for match in FENCE.finditer(text):
         line = text.count("\n", 0, match.start("text")) + 1
         yield Block(match["kind"], match["file"], match["text"], line)
@@ -125,7 +125,7 @@ def write_file(block: Block, folder: Path) -> None:
     if block.file:
         target = folder / block.file
         target.parent.mkdir(parents=True, exist_ok=True)
-        target.write_text(block.text, encoding="utf-8")
+        target.write_text(block.text, "utf-8")
 
 
 def made(block: Block) -> set[str]:
@@ -177,14 +177,14 @@ def check_python(block: Block, name: str, variables: dict[str, object]) -> Itera
     [pytest.param(name, marks=[pytest.mark.slow] * (name != "README.md")) for name in NAMES],
 )
 def test_examples_print_what_they_show(name: str, folder: Path) -> None:
-    if "synthesis" in HERE and "$ vstatics synth box" in (ROOT / name).read_text(encoding="utf-8"):
+    if "synthesis" in HERE and "$ vstatics synth box" in (ROOT / name).read_text("utf-8"):
         from vstatics.synthesis.boxes.batches.found import prepare
         from vstatics.synthesis.boxes.box import BoxSearch
 
         prepare(BoxSearch(1, 2, 1, (3.0, 1.0)))  # to compile it takes longer than a command may
     wrong: list[str] = []
     variables: dict[str, object] = {}
-    for other in FILES_OF.findall((ROOT / name).read_text(encoding="utf-8")):
+    for other in FILES_OF.findall((ROOT / name).read_text("utf-8")):
         skip_without(*used_in(os.path.normpath(Path(name).parent / other)))
         for block in blocks((ROOT / name).parent / other):
             write_file(block, folder)
@@ -210,10 +210,8 @@ def test_every_block_is_of_a_kind_that_is_run(name: str) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_targets_of_make_exist(name: str) -> None:
-    made = set(
-        re.findall(r"^([a-z-]+):", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE)
-    )
-    text = (ROOT / name).read_text(encoding="utf-8")
+    made = set(re.findall(r"^([a-z-]+):", (ROOT / "Makefile").read_text("utf-8"), re.MULTILINE))
+    text = (ROOT / name).read_text("utf-8")
     named = set(re.findall(r"(?:`|^\$ )make ([a-z-]+)", text, re.MULTILINE))
     assert named <= made
 
@@ -223,7 +221,7 @@ def anchors(document: Path) -> set[str]:
 
     The site adds a heading for each id to the page of messages.
     """
-    prose = FENCE.sub("", document.read_text(encoding="utf-8"))
+    prose = FENCE.sub("", document.read_text("utf-8"))
     titles = re.findall(r"^#+ (.*)$", prose, re.MULTILINE)
     found = {re.sub(r"[^\w -]", "", title.lower()).replace(" ", "-") for title in titles}
     return found | {identity.lower() for identity in known_ids() if document.name == "messages.md"}
@@ -231,7 +229,7 @@ def anchors(document: Path) -> set[str]:
 
 def broken_links(document: Path) -> Iterator[str]:
     """Links to files and headings that are not there."""
-    for link in LINK.findall(FENCE.sub("", document.read_text(encoding="utf-8"))):
+    for link in LINK.findall(FENCE.sub("", document.read_text("utf-8"))):
         path, _, heading = link.partition("#")
         if "://" in link or missing(used_in(os.path.relpath(document.parent / path, ROOT))):
             continue
@@ -252,7 +250,7 @@ def test_broken_links_are_found(tmp_path: Path) -> None:
         "[a](page.md) [b](#a-title-with-marks) [c](https://example.org/none)\n"
         "[d](none.md) [e](page.md#none) [f](#comment)\n"
         "```text\n# comment\n[g](none)\n```\n",
-        encoding="utf-8",
+        "utf-8",
     )
     assert list(broken_links(page)) == ["none.md", "page.md#none", "#comment"]
 
@@ -271,13 +269,13 @@ LISTS = (
 def test_every_document_is_listed_in_the_readme_or_the_menu() -> None:
     linked: set[str] = set()
     for name in LISTS:
-        folder, text = name.rpartition("/")[0], (ROOT / name).read_text(encoding="utf-8")
+        folder, text = name.rpartition("/")[0], (ROOT / name).read_text("utf-8")
         linked |= {os.path.normpath(f"{folder or '.'}/{page}") for page in LINK.findall(text)}
     assert {*NAMES} - {link.partition("#")[0] for link in linked} == set()
 
 
 def test_the_menu_orders_pages_by_need() -> None:
-    needs_of_readers = re.findall(r"^## (.*)$", MENU.read_text(encoding="utf-8"), re.MULTILINE)
+    needs_of_readers = re.findall(r"^## (.*)$", MENU.read_text("utf-8"), re.MULTILINE)
     assert needs_of_readers == ["Learn", "Do a task", "Look up", "Understand", "Contribute"]
 
 
@@ -285,14 +283,14 @@ def test_deck_reference_names_every_field() -> None:
     from vstatics.core.readers.deck.text import LISTS, SCALARS
     from vstatics.core.tables.quantities import PRINTED
 
-    text = (ROOT / "docs" / "deck.md").read_text(encoding="utf-8")
+    text = (ROOT / "docs" / "deck.md").read_text("utf-8")
     named = set(re.findall(r"[A-Z]+", "".join(re.findall(r"`[^`]*`", text))))
     assert (SCALARS | LISTS | PRINTED.keys()) - named == set()
 
 
 def named_keys(document: str) -> set[str]:
     """Return the words in code of the prose of a document."""
-    text = FENCE.sub("", (ROOT / document).read_text(encoding="utf-8"))
+    text = FENCE.sub("", (ROOT / document).read_text("utf-8"))
     return set(re.findall(r"\w+", "".join(re.findall(r"`[^`]*`", text))))
 
 
@@ -327,7 +325,7 @@ def test_references_of_the_vehicle_name_every_key() -> None:
 def test_units_of_the_reference_are_understood() -> None:
     from vstatics.core.readers.named.units import unit
 
-    text = (ROOT / "docs" / "units.md").read_text(encoding="utf-8")
+    text = (ROOT / "docs" / "units.md").read_text("utf-8")
     for quantity, units in re.findall(
         r"^\| (speed|torque|power) \| (`.*`) \|$", text, re.MULTILINE
     ):
@@ -347,7 +345,7 @@ MOST_WORDS_OF_README = 900
 
 def test_readme_is_short_and_comes_to_the_point() -> None:
     """The first screen says what the program is, for whom, how it differs, and how it starts."""
-    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    text = (ROOT / "README.md").read_text("utf-8")
     assert len(text.split()) <= MOST_WORDS_OF_README
     head = "\n".join(text.splitlines()[:60])
     for wanted in ("engineers", "does not", "Simscape", "KISSsys", "spreadsheet", "zf-8hp70-flow"):
@@ -357,10 +355,10 @@ def test_readme_is_short_and_comes_to_the_point() -> None:
 
 
 def test_make_run_prints_the_first_table_of_the_readme() -> None:
-    makefile = (ROOT / "Makefile").read_text(encoding="utf-8")
+    makefile = (ROOT / "Makefile").read_text("utf-8")
     [case] = re.findall(r"^CASE \?= (.*)$", makefile, re.MULTILINE)
     [options] = re.findall(r'^\t@\$\(BIN\)/vstatics run "\$\(CASE\)" (.*)$', makefile, re.MULTILINE)
-    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    text = (ROOT / "README.md").read_text("utf-8")
     assert f"$ vstatics run {case} {options}\n" in "\n".join(text.splitlines()[:60])
 
 
@@ -370,7 +368,7 @@ OF_SOURCES = ["docs/sources.md", *(name for name in NAMES if name.startswith("do
 COMMANDS_OF_SOURCES = dict.fromkeys(
     command
     for name in OF_SOURCES
-    for command in SPAN.findall(FENCE.sub("", (ROOT / name).read_text(encoding="utf-8")))
+    for command in SPAN.findall(FENCE.sub("", (ROOT / name).read_text("utf-8")))
 )
 
 
@@ -390,7 +388,7 @@ def test_commands_of_the_sources_are_whole() -> None:
     """A command without its program is not one that runs as printed."""
     names = "|".join(main.list_commands(click.Context(main)))
     for name in OF_SOURCES:
-        text = FENCE.sub("", (ROOT / name).read_text(encoding="utf-8"))
+        text = FENCE.sub("", (ROOT / name).read_text("utf-8"))
         bare = re.findall(rf"`(?:{names}) [^`]*(?:CASE|cases/|--)[^`]*`", text)
         assert bare == [], name
 
@@ -410,7 +408,7 @@ def options_of(words: list[str]) -> set[str]:
 @pytest.mark.parametrize("name", NAMES[:1] + NAMES[2:])
 def test_a_command_within_a_sentence_has_its_options(name: str) -> None:
     """Those are not run; the list of changes tells of what was."""
-    for command in SPAN.findall((ROOT / name).read_text(encoding="utf-8")):
+    for command in SPAN.findall((ROOT / name).read_text("utf-8")):
         if missing(used_in(command)):
             continue
         words = command.split()[1:]

@@ -2,7 +2,6 @@
 
 import html
 import inspect
-import json
 import re
 import subprocess
 import sys
@@ -16,6 +15,7 @@ from urllib.parse import unquote
 import pytest
 
 import vstatics
+from tests.commands import json_file
 from tests.installed import ANNEXES, needs
 from vstatics.core.cli import main
 from vstatics.core.cli.schemas import schemas
@@ -79,7 +79,7 @@ def pages(site: Path) -> dict[str, Read]:
     found = {}
     for path in site.glob("**/*.html"):
         reader = Reader()
-        reader.feed(path.read_text(encoding="utf-8"))
+        reader.feed(path.read_text("utf-8"))
         name = path.relative_to(site).as_posix()
         found[name] = Read(reader.anchors, reader.links, reader.words)
     return found
@@ -87,14 +87,14 @@ def pages(site: Path) -> dict[str, Read]:
 
 @pytest.fixture(scope="module")
 def told(site: Path) -> list[dict[str, str]]:
-    read: list[dict[str, str]] = json.loads((site / "pages.json").read_text(encoding="utf-8"))
+    read: list[dict[str, str]] = json_file(site / "pages.json")
     return read
 
 
 def test_each_page_is_told_with_its_kind(site: Path, told: list[dict[str, str]]) -> None:
     assert {one["kind"] for one in told} == {*KINDS}
     for one in told:
-        text = (site / one["page"]).read_text(encoding="utf-8")
+        text = (site / one["page"]).read_text("utf-8")
         assert re.search(r"<h1>(.*?)<a class", text, re.DOTALL), one
         assert one["title"], one
 
@@ -102,7 +102,7 @@ def test_each_page_is_told_with_its_kind(site: Path, told: list[dict[str, str]])
 def test_nothing_is_told_of_the_machine_that_builds(site: Path) -> None:
     places = {str(documents.ROOT), str(Path.home()), str(site.parent)}
     for path in [*site.glob("**/*.html"), *site.glob("**/*.js*")]:
-        text = path.read_text(encoding="utf-8")
+        text = path.read_text("utf-8")
         assert [one for one in places if f"{one}/" in text] == [], path
 
 
@@ -114,7 +114,7 @@ def plain(text: str) -> str:
 def test_sentences_of_attributes_are_whole(site: Path) -> None:
     """What stands before a colon is no type."""
     for module in public.MODULES:
-        text = (site / f"api/{module}.html").read_text(encoding="utf-8")
+        text = (site / f"api/{module}.html").read_text("utf-8")
         assert ">Type<" not in text
         shown = plain(html.unescape(re.sub(r"<[^>]*>", "", text)))
         for name in public.names(module):
@@ -149,9 +149,9 @@ def broken(site: Path, pages: dict[str, Read]) -> Iterator[tuple[str, str]]:
 def test_nothing_is_loaded_from_elsewhere(site: Path) -> None:
     loaded = re.compile(r"""<(?:script|img|iframe|link)\b[^>]*?(?:src|href)="https?:[^"]*\"""")
     for path in site.glob("**/*.html"):
-        assert not loaded.search(path.read_text(encoding="utf-8")), path
+        assert not loaded.search(path.read_text("utf-8")), path
     for path in site.glob("**/*.css"):
-        assert not re.search(r"url\([\"']?https?:|@import", path.read_text(encoding="utf-8")), path
+        assert not re.search(r"url\([\"']?https?:|@import", path.read_text("utf-8")), path
 
 
 def test_pages_to_start_with_are_short(pages: dict[str, Read], told: list[dict[str, str]]) -> None:

@@ -29,10 +29,10 @@ def typed(page: str) -> str:
 def test_the_examples_of_the_pages_pass_a_strict_check_of_types(tmp_path: Path) -> None:
     """In the way of one who has the package installed: only their own lines are looked at."""
     for number, page in enumerate(PAGES):
-        (tmp_path / f"page{number}.py").write_text(typed(page), encoding="utf-8")
+        (tmp_path / f"page{number}.py").write_text(typed(page), "utf-8")
     wrong = 'import vstatics\nresults = vstatics.solve(vstatics.example("simpson"))\n'
     wrong += 'results["ratio", "1"].round(3)\nvstatics.simulate(results)\n'
-    (tmp_path / "wrong.py").write_text(wrong, encoding="utf-8")
+    (tmp_path / "wrong.py").write_text(wrong, "utf-8")
     call = [sys.executable, "-m", "mypy", "--strict", "--follow-imports=silent"]
     call += ["--cache-dir", str(ROOT / ".mypy_cache/pages"), "--config-file=", str(tmp_path)]
     said = subprocess.run(call, cwd=ROOT, capture_output=True, text=True, check=False)

@@ -23,7 +23,7 @@ from vstatics.core.annexes import picture_kinds
 from vstatics.core.cli.new import TEMPLATES
 from vstatics.core.extras import BESIDES, EXTRAS, __version__
 
-PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
 
 DUMPED = "{J1: 3, J2: .06, J3: .4, J4: .4, J5: 12, E: 71e-5, M_C0: 1020, M_phi: 1080, omega1: 135}"
 """A clutch."""
@@ -182,7 +182,7 @@ class Fresh:
                 "import vstatics\ncase = vstatics.load('case.yaml')\n"
                 f"try:\n    {command[2:]}\n"
                 "except vstatics.CaseError as error:\n    raise SystemExit(error)\n",
-                encoding="utf-8",
+                "utf-8",
             )
             command = "python expression.py"
         environment = {name: text for name, text in os.environ.items() if "PYTHON" not in name}
@@ -230,7 +230,7 @@ def test_extras_are_those_of_the_project_and_are_tried() -> None:
     assert extras == given.keys() - {"all", "docs", "dev"}
     assert set(re.findall(r"\w+", given["all"][0])) == {"vstatics", *extras}
     assert extras == REFUSED.keys() | LESS.keys()
-    text = (ROOT / "docs" / "commands.md").read_text(encoding="utf-8")
+    text = (ROOT / "docs" / "commands.md").read_text("utf-8")
     section = text.partition("\n## Extras\n")[2].partition("\n## ")[0]
     assert extras == set(re.findall(r"^\| `(\w+)` \|", section, re.MULTILINE))
 

@@ -22,5 +22,5 @@ def test_another_name_is_told_with_the_nearest() -> None:
 
 
 def test_the_citation_is_of_this_version() -> None:
-    text = (ROOT / "CITATION.cff").read_text(encoding="utf-8")
+    text = (ROOT / "CITATION.cff").read_text("utf-8")
     assert f"\nversion: {vstatics.__version__}\n" in text

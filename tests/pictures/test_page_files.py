@@ -84,7 +84,7 @@ def test_python_saves_pages_of_a_width(folder: Path) -> None:
     assert names(folder) == ["box-2.svg", "box-3.svg", "box.svg"]
     assert wide(Path("box.svg").read_text("utf-8")) == pytest.approx(100 / 25.4 * 72, abs=0.01)
     assert 'data-page="3"' in Path("box-3.svg").read_text("utf-8")
-    Path("own-2.svg").write_text("mine", encoding="utf-8")
+    Path("own-2.svg").write_text("mine", "utf-8")
     with pytest.raises(ReadError, match=r"own-2\.svg: error: exists already and would be page 2"):
         made.save("own.svg")
     for wrong in (79.0, 1201.0, float("nan"), float("inf")):

@@ -11,7 +11,7 @@ Row = dict[str, str]
 
 def rows(page: str, heading: str, number: int = 0) -> list[Row]:
     """A table below a heading of a page, by its number there from 0."""
-    text = (SOURCES / f"{page}.md").read_text(encoding="utf-8")
+    text = (SOURCES / f"{page}.md").read_text("utf-8")
     below = text.split(f"\n## {heading}\n", 1)[1].split("\n## ", 1)[0]
     lines = re.findall(r"(?:^\|.*\n)+", below, re.MULTILINE)[number].splitlines()
     head, _, *cells = [[cell.strip() for cell in line[1:-1].split("|")] for line in lines]

@@ -5,7 +5,6 @@ the closed form that gives them. None was made by this program.
 """
 
 import ast
-import json
 import operator
 from collections.abc import Callable
 from dataclasses import replace
@@ -15,6 +14,7 @@ from typing import Any
 import pytest
 
 import vstatics
+from tests.commands import json_file
 from vstatics.core.numerics.traced import plain
 from vstatics.core.statics.result_arrays import ARRAYS, row_names
 from vstatics.core.statics.results import Results
@@ -24,7 +24,7 @@ CASES = HERE.parents[1] / "cases"
 WITH_OWN_TEST = {"mzkt7922"}
 
 DOCUMENTS: dict[str, Any] = {
-    path.stem: json.loads(path.read_text(encoding="utf-8"))
+    path.stem: json_file(path)
     for path in sorted(HERE.glob("*.json"))
     if path.stem not in WITH_OWN_TEST
 }

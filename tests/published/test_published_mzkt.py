@@ -77,7 +77,7 @@ def report(*options: str) -> bytes:
 
 
 def deck() -> str:
-    return MZKT.read_text(encoding="utf-8")
+    return MZKT.read_text("utf-8")
 
 
 WAYS: dict[str, Callable[[], bytes]] = {
@@ -111,7 +111,7 @@ def test_there_are_264_numbers() -> None:
 @pytest.mark.parametrize("way", WAYS)
 def test_every_digit_is_the_published_one(way: str, lang: str) -> None:
     said = vstatics("run", "-", "--lang", lang, stdin=WAYS[way]())
-    assert (said.status, said.err) == (0, "")
+    assert said.is_without_messages()
     tables = printed(said.out)
     for table in COUNTS:
         expected = [[as_printed(table, n) for n in row] for row in rows_of(PRINTED, table)]

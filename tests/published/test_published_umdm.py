@@ -175,14 +175,18 @@ def test_4_speed_of_the_carrier_from_two_wheels(of: Speeds) -> None:
             assert n["5"] == pytest.approx((n[a] - n[b] * i) / (1 - i), abs=1e-10)
 
 
+def of_meshes() -> list[Fraction]:
+    """i_12, i_23, i_34, i_38, i_26 and i_37, without signs."""
+    meshes = ("1", "2"), ("2'", "3"), ("3'", "4"), ("3'", "8"), ("2", "6"), ("3", "7")
+    return [Fraction(Z[b], Z[a]) for a, b in meshes]
+
+
 def test_5_to_8_ratios_from_1_to_8(of: Speeds) -> None:
     """With 5 stopped i_18, with q = 4, 6 or 7 stopped (1 - i_1q)/(1 - i_8q).
 
     Put right: (7) prints `i_1-4^7` for i_1-8^7, and (8) `1 + i_8-7` for 1 + abs(i_84).
     """
-    z = {key: Fraction(teeth) for key, teeth in Z.items()}
-    i12, i23, i34, i38 = z["2"] / z["1"], z["3"] / z["2'"], z["4"] / z["3'"], z["8"] / z["3'"]
-    i26, i37 = z["6"] / z["2"], z["7"] / z["3"]
+    i12, i23, i34, i38, i26, i37 = of_meshes()
     expected = {
         "5": (-i12) * (-i23) * i38,  # (5)
         "6": (1 - (-i12) * i26) / (1 - (1 / i38) * (-1 / i23) * i26),  # (6)
@@ -483,7 +487,7 @@ def test_26_to_28_torques_by_the_constructive_parameter(
     Upper signs for i > 0. The minus-plus sign is lost in print.
     """
     name, sign = gear("1", k, "5"), 1 if upper else -1
-    m_out = -float(solution.output_torque[list(ratios(solution)).index(name)])
+    m_out = -output_torque(solution, name)
     m_carrier = -torque(solution, name, "T5")
     assert m_out == close(-sign * constructive)
     assert m_carrier == close(-(1 - sign * constructive))
@@ -508,9 +512,7 @@ def table_4() -> dict[str, tuple[Fraction, Fraction]]:
 
     Put right: in the last entry print has i_75 for i_73.
     """
-    z = {key: Fraction(teeth) for key, teeth in Z.items()}
-    i12, i23, i34, i38 = z["2"] / z["1"], z["3"] / z["2'"], z["4"] / z["3'"], z["8"] / z["3'"]
-    i26, i37 = z["6"] / z["2"], z["7"] / z["3"]
+    i12, i23, i34, i38, i26, i37 = of_meshes()
     i83, i32, i43, i62, i73 = 1 / i38, 1 / i23, 1 / i34, 1 / i26, 1 / i37
     i18 = (-i12) * (-i23) * i38
     return {

@@ -114,9 +114,8 @@ def test_speed_reached_on_a_road() -> None:
     motion = run(links(90.0), 30.0, {1: 0.0}, ((1, constant(500)), (1, road)), targets={1: (50.0,)})
     [reached] = motion.reached
     time = 50 / (net / 90)
-    assert reached.time == pytest.approx(time, rel=EXACT)
-    assert reached.angle == pytest.approx(25 * time, rel=EXACT)
-    assert reached.distance == pytest.approx(0.3 * 25 * time, rel=EXACT)
+    found = [reached.time, reached.angle, reached.distance]
+    assert found == pytest.approx([time, 25 * time, 0.3 * 25 * time], rel=EXACT)
 
 
 REDUCED = 0.4 * 0.6 / (0.4 + 0.6)

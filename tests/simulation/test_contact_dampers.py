@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from tests.chance import count, each_seed, seeded
+from tests.chance import each_seed, seeded, seeds_with_slow
 from tests.simulation.control.written import simulated, written
 from tests.simulation.test_closed_forms import links
 from vstatics import CaseError, Spring
@@ -172,7 +172,7 @@ def random_chain(rng: Random) -> Chain:
     )
 
 
-@each_seed(range(4), range(4, count(60, 600)), pytest.mark.slow)
+@seeds_with_slow(4, 60, 600)
 def test_random_gears_with_play_agree_with_events_of_scipy(seed: int) -> None:
     chain = random_chain(seeded(seed))
     motion = simulate(chain.scenario)
@@ -242,7 +242,7 @@ springs:
 DAMPER = "links: [a, b]\ninertias: {a: %r, b: %r}\nsprings: {visc: {links: [a, b], %s}}\n"
 
 
-@pytest.mark.parametrize("seed", range(count(20, 500)))
+@each_seed(20, 500)
 @pytest.mark.parametrize("written_as", ["damping: %r", "stiffness: 0, damping: {viscous: %r}"])
 def test_a_damper_alone_slows_what_turns_otherwise(seed: int, written_as: str) -> None:
     """The difference of speeds falls by exp(-d (1/J1 + 1/J2) t), towards T/(J1 d (1/J1 + 1/J2))."""

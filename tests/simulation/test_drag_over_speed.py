@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.chance import seeded
+from tests.chance import each_seed, seeded
 from tests.simulation.boxes import capacity
 from tests.simulation.test_closed_forms import EXACT, links, run
 from tests.simulation.test_golden import happened
@@ -27,7 +27,7 @@ def joined(element: ShiftElement, *inertias: float) -> Transmission:
     return replace(links(*inertias), shift_elements=[element], load=LOAD)
 
 
-@pytest.mark.parametrize("seed", range(6))
+@each_seed(6)
 def test_coast_down_by_a_constant_and_a_slope(seed: int) -> None:
     """J dw/dt = -a - b w: w + a/b = (w0 + a/b) exp(-b t/J) until it rests, backward as forward."""
     random = seeded(seed)

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from tests.chance import count, seeded
+from tests.chance import each_seed, seeded
 from tests.simulation.control.written import simulated
 from vstatics.core.numerics.arrays import Floats
 
@@ -127,7 +127,7 @@ def trial(rng: Random) -> tuple[str, Wheel, list[str], Floats]:
     return case, Wheel(mass, row, drag, capacity), names, free
 
 
-@pytest.mark.parametrize("seed", range(count(12, 1000)))
+@each_seed(12, 1000)
 def test_freewheels_that_drag_against_solve_ivp(seed: int) -> None:
     """Between two shafts, and at the ring of a set; torques of two links go up and down."""
     rng = seeded(seed)

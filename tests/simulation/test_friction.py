@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from tests.chance import count, seeded
+from tests.chance import each_seed, seeded
 from tests.simulation.control.written import simulated, written
 from tests.simulation.test_closed_forms import links, run
 from tests.simulation.test_golden import closes
@@ -177,7 +177,7 @@ def integrated(columns: list[float], rows: list[list[float]], cooling: float) ->
     return np.asarray(found.y[:2, -1])
 
 
-@pytest.mark.parametrize("seed", range(count(6, 60)))
+@each_seed(6, 60)
 def test_random_tables_agree_with_an_independent_integrator(seed: int) -> None:
     rng = seeded(seed)
     columns, rows = random_table(rng)

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from tests.chance import count, each_seed, seeded
+from tests.chance import seeded, seeds_with_slow
 from tests.simulation.boxes import held, planetary_set, points
 from tests.simulation.test_closed_forms import EXACT, links, run
 from tests.simulation.test_golden import happened
@@ -222,7 +222,7 @@ def random_switch(rng: Random) -> Switch:
     return Switch(*(round(rng.uniform(*one), 3) for one in ranges))
 
 
-@each_seed(range(3), range(3, count(18, 150)), pytest.mark.slow)
+@seeds_with_slow(3, 18, 150)
 def test_slides_are_what_a_smooth_switch_tends_to(seed: int) -> None:
     """Two links and a damped spring: the same by an integrator that knows no jumps."""
     rng = seeded(seed)

@@ -10,7 +10,7 @@ import pytest
 from scipy.integrate import quad, solve_ivp
 from scipy.optimize import brentq
 
-from tests.chance import count, seeded
+from tests.chance import each_seed, seeded
 from tests.simulation.control.written import faults, simulated
 from tests.simulation.test_golden import closes
 from vstatics.core.numerics.arrays import Floats
@@ -188,7 +188,7 @@ def random_tyre(rng: Random) -> Tyre:
     )
 
 
-@pytest.mark.parametrize("seed", range(count(6, 60)))
+@each_seed(6, 60)
 def test_random_tyres_agree_with_an_independent_integrator(seed: int) -> None:
     tyre = random_tyre(seeded(seed))
     made = simulated(*tyre.text(0.8))

@@ -4,7 +4,7 @@ from random import Random
 
 import pytest
 
-from tests.chance import count, seeded
+from tests.chance import each_seed, seeded
 from tests.simulation.runs import random_capacity, random_torque
 from tests.simulation.test_closed_forms import links, run
 from vstatics import CaseError, ShiftElement, Spring
@@ -87,11 +87,11 @@ def test_an_elastic_clutch_begins_to_slip_either_way() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("number", range(count(25, 400)))
-def test_energy_of_any_chain_closes(number: int) -> None:
+@each_seed(25, 400)
+def test_energy_of_any_chain_closes(seed: int) -> None:
     """Also of a run that had to stop: what could not be chosen is no loss of energy."""
     try:
-        motion = simulate(random_chain(seeded(number)))
+        motion = simulate(random_chain(seeded(seed)))
     except CaseError:  # the start, or a link, is open
         return
     energy = motion.energy

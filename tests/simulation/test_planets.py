@@ -4,7 +4,7 @@ from random import Random
 
 import pytest
 
-from tests.chance import seeded
+from tests.chance import each_seed, seeded
 from vstatics import Transmission, loads
 from vstatics.simulation import Motion, Scenario, Start, constant, simulate
 
@@ -51,10 +51,10 @@ def random_torques(rng: Random) -> dict[str, float]:
 
 
 @pytest.mark.parametrize("kind", SETS)
-@pytest.mark.parametrize("number", range(10))
-def test_what_a_wheel_gives_to_planets_is_what_its_link_loses(kind: str, number: int) -> None:
+@each_seed(10)
+def test_what_a_wheel_gives_to_planets_is_what_its_link_loses(kind: str, seed: int) -> None:
     """``M = T - J dw/dt`` of a link on which nothing else acts."""
-    rng = seeded(number)
+    rng = seeded(seed)
     case = heavy_set(kind, rng, more="" if kind == "bevel" else "losses: reduced\n")
     torques = {one: torque for one, torque in random_torques(rng).items() if one in case.link_names}
     motion = speed_up(case, torques)

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import vstatics
-from tests.chance import seeded, with_marked
+from tests.chance import each_seed, seeded, with_slow
 from tests.commands import CASES
 from tests.simulation.boxes import held, planetary_set
 from tests.simulation.test_closed_forms import links
@@ -24,14 +24,14 @@ from vstatics.simulation.examples import ScenarioName
 from vstatics.simulation.record.record import Record
 
 
-@pytest.mark.parametrize("number", range(40))
-def test_a_steady_run_closes(number: int) -> None:
+@each_seed(40)
+def test_a_steady_run_closes(seed: int) -> None:
     """Torques that take what others give leave rounding alone, of any size."""
-    rng = seeded(number)
+    rng = seeded(seed)
     torque = rng.uniform(0.1, 1000) * 10 ** rng.uniform(-3, 3)
     speed, parts, engaged, controls = rng.uniform(-1000, 1000), [1.0, -1.0], 1, None
     case = links(0.3, 7.0, elements=(ShiftElement(1, 2, "C"),))
-    if number % 2:  # a planetary set as one piece
+    if seed % 2:  # a planetary set as one piece
         case, parts, engaged, controls = planetary_set(), [1, -0.3, -0.7], 2, {2: held(1e9)}
     torques = tuple((link, constant(part * torque)) for link, part in enumerate(parts, 1))
     start = Start(speeds={1: speed}, engaged=(engaged,))
@@ -83,7 +83,7 @@ SHIFTS = {
 """First events of automatics: what is released slips, then what is engaged locks."""
 
 
-@pytest.mark.parametrize("name", with_marked(QUICK, sorted({*NAMES} - {*QUICK}), pytest.mark.slow))
+@pytest.mark.parametrize("name", with_slow(QUICK, sorted({*NAMES} - {*QUICK})))
 def test_a_scenario_runs_to_its_end_and_its_energy_closes(name: str) -> None:
     motion = run(name)
     assert closes(motion)

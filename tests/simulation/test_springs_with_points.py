@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from tests.chance import count, each_seed, seeded
+from tests.chance import count, seeded, seeds_with_slow, with_slow
 from tests.simulation.test_closed_forms import links, run
 from vstatics import CaseError, ShiftElement, Spring
 from vstatics.core.model.parts import Damping
@@ -190,9 +190,7 @@ def integrated(scenario: Scenario, lines: list[Line]) -> Floats:
     return np.asarray(state[:number])
 
 
-@pytest.mark.parametrize(
-    "seed", [2, *(pytest.param(n, marks=pytest.mark.slow) for n in (0, *range(3, count(6, 60))))]
-)
+@pytest.mark.parametrize("seed", with_slow([2], [0, *range(3, count(6, 60))]))
 def test_random_chains_agree_with_an_independent_integrator(seed: int) -> None:
     rng = seeded(seed)
     scenario, lines = random_chain(rng)
@@ -203,7 +201,7 @@ def test_random_chains_agree_with_an_independent_integrator(seed: int) -> None:
     assert motion.speeds[-1] == pytest.approx(integrated(scenario, lines), rel=1e-6, abs=1e-6)
 
 
-@each_seed(range(2), range(2, count(8, 100)), pytest.mark.slow)
+@seeds_with_slow(2, 8, 100)
 def test_the_energy_of_random_chains_with_friction_closes(seed: int) -> None:
     rng = seeded(100 + seed)
     scenario, _ = random_chain(rng)

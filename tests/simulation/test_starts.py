@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.linalg import null_space
 
-from tests.chance import count, each_seed, seeded
+from tests.chance import seeded, seeds_with_slow
 from tests.simulation.control.written import faults, simulated
 from tests.simulation.reference import mechanism_column
 from tests.simulation.runs import random_box
@@ -34,7 +34,7 @@ def free_links(columns: np.ndarray, rng: Random) -> list[int]:
     return chosen
 
 
-@each_seed(range(8), range(8, count(25, 2000)), pytest.mark.slow)
+@seeds_with_slow(8, 25, 2000)
 def test_the_links_of_any_train_follow_the_given_speeds(seed: int) -> None:
     """By the null space of the mechanisms."""
     rng = seeded(seed)
@@ -62,7 +62,7 @@ shift_elements:
 
 
 @pytest.mark.parametrize("by", ["gear", "speeds"])
-@each_seed(range(4), range(4, count(12, 1000)), pytest.mark.slow)
+@seeds_with_slow(4, 12, 1000)
 def test_a_brake_behind_freewheels_stops_a_shaft_in_one_direction(seed: int, by: str) -> None:
     """Closed form: only backward it brakes, by its capacity from an instant on; then it holds."""
     rng = seeded(seed)

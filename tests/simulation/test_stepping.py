@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.chance import count, seeded
+from tests.chance import each_seed, seeded
 from tests.simulation.control.written import simulated, written
 from vstatics import CaseError
 from vstatics.simulation import Motion, SteppedRun, begin
@@ -144,7 +144,7 @@ def test_a_run_that_has_no_way_on_stays_where_it_was() -> None:
     assert told(run) == [("s", "step")]
 
 
-@pytest.mark.parametrize("seed", range(count(4, 60)))
+@each_seed(4, 60)
 def test_random_loops_are_stepped_as_they_run(seed: int) -> None:
     """A loop with integral and lag, advanced by random times."""
     rng = seeded(seed)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from tests.chance import count, each_seed, seeded
+from tests.chance import seeded, seeds_with_slow
 from tests.simulation.control.written import simulated
 from vstatics.simulation.record.motion import Event
 
@@ -128,7 +128,7 @@ def random_pair(rng: Random) -> Lossy:
     )
 
 
-@each_seed(range(4), range(4, count(12, 300)), pytest.mark.slow)
+@seeds_with_slow(4, 12, 300)
 def test_a_random_gear_sticks_and_moves_when_an_integrator_says_so(seed: int) -> None:
     pair = random_pair(seeded(seed))
     motion = simulated(RUN.format(**pair._asdict()), PAIR.format(**pair._asdict()))

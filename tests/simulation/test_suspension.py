@@ -9,7 +9,7 @@ import pytest
 from scipy.integrate import quad, solve_ivp
 from scipy.optimize import brentq
 
-from tests.chance import count, generator
+from tests.chance import each_seed, generator
 from tests.simulation.control.written import simulated
 from tests.simulation.test_closed_forms import links
 from vstatics import CaseError, Spring, Transmission
@@ -84,7 +84,7 @@ def test_a_strut_that_nearly_bottoms_is_exact() -> None:
     assert abs(motion.energy.balance) < 1e-7 * given
 
 
-@pytest.mark.parametrize("seed", range(count(4, 60)))
+@each_seed(4, 60)
 def test_any_strut_moves_as_its_gas(seed: int) -> None:
     random = generator(416, seed)
     p, q = random.uniform(1e6, 6e6), random.uniform(1e5, 2e6)

@@ -9,5 +9,5 @@ from tests.sweep.sweeps import CASE_TEXT, small_pieces
 
 def prepare_sweeps(monkeypatch: pytest.MonkeyPatch) -> None:
     """Write a case into the current folder; eight variants are calculated at once."""
-    Path("box.yaml").write_text(CASE_TEXT, encoding="utf-8")
+    Path("box.yaml").write_text(CASE_TEXT, "utf-8")
     small_pieces(monkeypatch)

@@ -1,6 +1,5 @@
 """A Dask cluster of processes on this machine; a worker is killed in the middle."""
 
-import json
 import re
 import shutil
 import subprocess
@@ -13,7 +12,7 @@ from typing import Any
 import pytest
 
 import vstatics
-from tests.commands import environment
+from tests.commands import environment, json_file
 from tests.processes import end, names, wait_for
 from tests.sweep.sweeps import CASE_TEXT, begin, finished
 from vstatics.core.extras import build
@@ -42,13 +41,13 @@ class Cluster:
 
     def __init__(self, folder: Path) -> None:
         """Start them."""
-        (folder / "box.yaml").write_text(CASE_TEXT, encoding="utf-8")
+        (folder / "box.yaml").write_text(CASE_TEXT, "utf-8")
         self.folder = folder
         file = folder / "scheduler.json"
         options = ("--host", "127.0.0.1", "--port", 0, "--scheduler-file", file)
         self.scheduler = started("distributed.cli.dask_scheduler", *options, cwd=folder)
-        wait_for(lambda: file.exists() and file.read_text(encoding="utf-8").endswith("}"))
-        self.address = json.loads(file.read_text(encoding="utf-8"))["address"]
+        wait_for(lambda: file.exists() and file.read_text("utf-8").endswith("}"))
+        self.address = json_file(file)["address"]
         self.workers = [self.worker() for _ in range(2)]
 
     def worker(self, **variables: str) -> Any:
@@ -90,9 +89,9 @@ def test_a_table_and_the_best_come_from_a_cluster(cluster: Cluster) -> None:
     """The workers do not see the file of the table."""
     folder = cluster.folder
     assert end(begin(*SWEEP, "--out", "ratio[low]", "-o", "one.csv", cwd=folder))[0] == 0
-    lines = (folder / "one.csv").read_text(encoding="utf-8").splitlines()
+    lines = (folder / "one.csv").read_text("utf-8").splitlines()
     table = "\n".join(",".join(line.split(",")[1:3]) for line in lines)
-    (folder / "own.csv").write_text(table, encoding="utf-8")
+    (folder / "own.csv").write_text(table, "utf-8")
     options = ("box.yaml", "--variants", "own.csv", "--max", "efficiency[low]", "--best", 5)
     assert end(cluster.begin(*options, "-o", "two.csv"))[0] == 0
     assert end(begin(*options, "-o", "three.csv", cwd=folder))[0] == 0
@@ -171,7 +170,7 @@ def test_who_was_lost_is_asked_where_dask_does_not_know_it_yet(cluster: Cluster)
     ],
 )
 def test_a_scheduler_that_is_not_there_is_told(address: str, words: str, tmp_path: Path) -> None:
-    (tmp_path / "box.yaml").write_text(CASE_TEXT, encoding="utf-8")
+    (tmp_path / "box.yaml").write_text(CASE_TEXT, "utf-8")
     sweep = ("box.yaml", "--vary", "D.ratio=-4:-2:1000", "-o", "o.csv", "--scheduler", address)
     status, said = end(begin(*sweep, cwd=tmp_path))
     assert (status, said.startswith(f"{address}: error: {words}")) == (1, True)

@@ -83,7 +83,7 @@ def test_what_is_wrong_is_told_with_its_place() -> None:
 
 
 def test_what_is_wrong_in_a_text_is_told_with_its_place_in_the_file(folder: Path) -> None:
-    (folder / "box.yaml").write_text(CASE_TEXT, encoding="utf-8")
+    (folder / "box.yaml").write_text(CASE_TEXT, "utf-8")
     for text, place in {
         "vary: [D.ratio=1, D.ratoi=2]": (2, 21),
         "vary: [D.ratio=1, 'D.ratio=-4:-2:x']": (2, 34),
@@ -99,7 +99,7 @@ def test_what_is_wrong_in_a_text_is_told_with_its_place_in_the_file(folder: Path
         "vary: {D.ratio: 1:30}": (2, 8),
         "vary: [D.ratio=2]\nwhere: >-\n  ratio[low] > 3 and\n  ratio[lwo] > 3": (3, 8),
     }.items():
-        (folder / "sweep.yaml").write_text(f"case: box.yaml\n{text}\n", encoding="utf-8")
+        (folder / "sweep.yaml").write_text(f"case: box.yaml\n{text}\n", "utf-8")
         said = vstatics("sweep", "--file", "sweep.yaml")
         line, column = place
         first, shown, caret = said.err.splitlines()[:3]
@@ -109,14 +109,14 @@ def test_what_is_wrong_in_a_text_is_told_with_its_place_in_the_file(folder: Path
 
 
 def test_a_sweep_file_gives_what_the_options_give(folder: Path) -> None:
-    (folder / "box.yaml").write_text(CASE_TEXT, encoding="utf-8")
+    (folder / "box.yaml").write_text(CASE_TEXT, "utf-8")
     file = folder / "sub/sweep.yaml"
     file.parent.mkdir()
     text = "case: ../box.yaml\nvary: {D.ratio: '-4:-2:5'}\nout: ratio\noutput: out.csv\n"
-    file.write_text(text, encoding="utf-8")
+    file.write_text(text, "utf-8")
     assert vstatics("sweep", "--file", "sub/sweep.yaml").status == 0
     said = vstatics("sweep", "box.yaml", "--vary", "D.ratio=-4:-2:5", "--out", "ratio")
-    assert (folder / "sub/out.csv").read_text(encoding="utf-8") == said.out
+    assert (folder / "sub/out.csv").read_text("utf-8") == said.out
     said = vstatics("sweep", "--file", "sub/sweep.yaml", "--vary", "D.ratio=-3", "-o", "-")
     assert said.out == "variant,D.ratio,status,ratio[direct],ratio[low]\n0,-3,ok,1,4\n"
     for command in ("check", "run", "explain"):

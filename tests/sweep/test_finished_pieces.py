@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 
 from tests.chance import count, seeded
-from tests.commands import environment
+from tests.commands import environment, json_file
 from tests.processes import names
 from tests.sweep.sweeps import plan
 from vstatics.core.errors import ReadError
@@ -119,10 +119,10 @@ def test_pieces_that_are_not_asked_for_are_not_lost(tmp_path: Path) -> None:
         assert names(folder) == before
     (tmp_path / "a.csv.parts").mkdir()
     letter = tmp_path / "a.csv.parts/letter.txt"
-    letter.write_text("dear", encoding="utf-8")
+    letter.write_text("dear", "utf-8")
     with pytest.raises(ReadError, match="contains no sweep"):
         store(tmp_path / "a.csv", resume=True)
-    assert letter.read_text(encoding="utf-8") == "dear"
+    assert letter.read_text("utf-8") == "dear"
     with pytest.raises(IsADirectoryError):
         store(tmp_path)
 
@@ -133,9 +133,9 @@ def test_pieces_of_another_build_are_calculated_again_with_a_word(tmp_path: Path
     for build in ({"build": "0123456789ab"}, {}):
         written = finished(tmp_path / "out.csv", resume=True)
         file = Path(written.store.path("plan.json"))
-        known = {**json.loads(file.read_text(encoding="utf-8")), "fingerprint": "other"}
+        known = {**json_file(file), "fingerprint": "other"}
         known.pop("build")
-        file.write_text(json.dumps({**known, **build}), encoding="utf-8")
+        file.write_text(json.dumps({**known, **build}), "utf-8")
         with FinishedPieces(str(tmp_path / "out.csv")) as opened:
             with pytest.raises(ReadError, match=r"of this sweep, .*--resume"):
                 opened.open(description(made, "csv"), made.pieces, resume=False)
@@ -216,4 +216,4 @@ def test_a_piece_that_does_not_fit_on_the_disk_leaves_nothing(tmp_path: Path) ->
         assemble(written)
     assert piece_file.ASSEMBLED not in names(folder)
     assemble(written)
-    assert len((tmp_path / "out.csv").read_text(encoding="utf-8").splitlines()) == 31
+    assert len((tmp_path / "out.csv").read_text("utf-8").splitlines()) == 31

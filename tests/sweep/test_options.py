@@ -33,12 +33,12 @@ def test_the_command_line_wins() -> None:
 
 def test_what_excludes_one_another_is_named_as_where_it_was_given(folder: Path) -> None:
     """With quotes as a key of the file, with dashes as an option of the command line."""
-    (folder / "box.yaml").write_text(CASE_TEXT, encoding="utf-8")
+    (folder / "box.yaml").write_text(CASE_TEXT, "utf-8")
     text = "case: box.yaml\nvary: [D.ratio=-4:-2]\nzip: true\nsample: 3\n"
-    (folder / "sweep.yaml").write_text(text, encoding="utf-8")
+    (folder / "sweep.yaml").write_text(text, "utf-8")
     said = vstatics("sweep", "--file", "sweep.yaml")
     assert said.is_wrong_use("`zip` and `sample` exclude one another.")
-    (folder / "best.yaml").write_text("case: box.yaml\nvary: [D.ratio=2]\n", encoding="utf-8")
+    (folder / "best.yaml").write_text("case: box.yaml\nvary: [D.ratio=2]\n", "utf-8")
     said = vstatics("sweep", "--file", "best.yaml", "--best", "3")
     assert "--best needs --min or --max: the best by what?" in said.err
     said = vstatics("sweep", "box.yaml", "--vary", "D.ratio=1:2", "--zip", "--sample", "3")

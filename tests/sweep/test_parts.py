@@ -45,7 +45,7 @@ def case() -> vstatics.Transmission:
 
 @pytest.fixture
 def file(tmp_path: Path) -> Path:
-    (tmp_path / "case.json").write_text(json.dumps(CASE), encoding="utf-8")
+    (tmp_path / "case.json").write_text(json.dumps(CASE), "utf-8")
     return tmp_path / "case.json"
 
 

@@ -1,10 +1,10 @@
 """Schemes with the parameters of printed tables, which stand in the JSON files beside this one."""
 
-import json
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from tests.commands import json_file
 from vstatics.torsion.reduction.chain import Chain, ChainSpring
 from vstatics.torsion.reduction.scheme import SchemeSpring, TorsionScheme
 
@@ -13,7 +13,7 @@ TENTH = 0.1
 
 
 def table(name: str) -> Any:
-    return json.loads((Path(__file__).parent / f"{name}.json").read_text(encoding="utf-8"))
+    return json_file(Path(__file__).parent / f"{name}.json")
 
 
 def chain(inertias: Sequence[float], compliances: Sequence[float], unit: float = 1e-5) -> Chain:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.linalg import eigh
 
-from tests.chance import count, generator
+from tests.chance import each_seed, generator
 from vstatics.core import readers
 from vstatics.core.errors import CaseError
 from vstatics.core.model.springs import Spring, SpringLimit
@@ -106,7 +106,7 @@ def case_of(mass: Floats, stiffness: Floats, straight: range) -> Transmission:
     return Transmission(len(mass), [], [], [], springs=springs, inertias=turning, masses=moving)
 
 
-@pytest.mark.parametrize("seed", range(count(10, 200)))
+@each_seed(10, 200)
 def test_any_forms_vibrate_by_their_matrices(seed: int) -> None:
     """Masses that move straight beside links that turn, as in (4.1), (5.2) and (5.3)."""
     random = generator(29, seed)

@@ -157,10 +157,10 @@ def test_life_of_members_and_bearings_sums_up_by_rows() -> None:
             turns, force = rows.turns(turning)[moving], per * np.abs(rows.of[owner][0])[moving]
             damage = float(((force / rating) ** p @ turns) / 1e6)
             equivalent = (force**p @ turns / turns.sum()) ** (1 / p)
-            assert bearings[name].damage == pytest.approx(damage, rel=1e-9)
-            assert bearings[name].revolutions == pytest.approx(turns.sum(), rel=1e-9)
-            assert bearings[name].equivalent_load == pytest.approx(equivalent, rel=1e-9)
-            assert bearings[name].hours == pytest.approx(total / 3600 / damage, rel=1e-9)
+            own = bearings[name]
+            values = [own.damage, own.revolutions, own.equivalent_load, own.hours]
+            expected = [damage, turns.sum(), equivalent, total / 3600 / damage]
+            assert values == pytest.approx(expected, rel=1e-9)
 
 
 def test_a_torque_at_a_bound_belongs_below_it() -> None:
@@ -217,7 +217,7 @@ gears: {{"1": []}}
 fatigue: {{D.first: {strength}}}
 bearings: {{b: {{on: [a, b], torque_of: D.third, load_per_torque: 1, dynamic: 9}}}}
 """
-    Path("case.yaml").write_text(text, encoding="utf-8")
+    Path("case.yaml").write_text(text, "utf-8")
     assert vstatics("synth", "teeth", "case.yaml", "--write", "teeth.yaml").status == 0
     made = load("teeth.yaml")
     assert [*made.fatigue] == ["D.sun"]
@@ -326,9 +326,9 @@ vehicle: {mass: 1500, radius: 0.3, engine: [[0, 900], [2000, 900]], overrun: [[0
 @pytest.mark.usefixtures("folder")
 def test_steps_of_a_cycle_are_points_of_a_duty_cycle() -> None:
     """The torque of the input is that of the engine less J dw/dt; a stop is time."""
-    Path("car.yaml").write_text(CAR, encoding="utf-8")
+    Path("car.yaml").write_text(CAR, "utf-8")
     trace = "time [s],speed [m/s]\n0,0\n10,8\n16,2\n18,0\n25,0\n"
-    Path("trace.csv").write_text(trace, encoding="utf-8")
+    Path("trace.csv").write_text(trace, "utf-8")
     answer = json_answer("cycle", "car.yaml", "trace.csv", "--steps", "steps.csv", "-f", "json")
     said = vstatics(
         *("summary", "car.yaml", "--duty", "steps.csv", "--spectrum", "2", "-f", "json")
@@ -352,7 +352,7 @@ def test_steps_of_a_cycle_are_points_of_a_duty_cycle() -> None:
     )
     assert first["idle"] == {"revolutions": 0, "time": 7}
     assert energy["lost"]["p"] == pytest.approx(duty["energy"]["lost"]["p"], rel=1e-9)
-    Path("car.yaml").write_text(f"{CAR}coast: true\n", encoding="utf-8")
+    Path("car.yaml").write_text(f"{CAR}coast: true\n", "utf-8")
     coasting = json_answer("summary", "car.yaml", "--duty", "steps.csv", "-f", "json")["duty"]
     assert coasting["energy"] == duty["energy"]
 
@@ -376,7 +376,7 @@ def test_classes_that_cannot_be_are_wrong_use(classes: str, said: str) -> None:
 def test_a_deck_holds_neither_bearings_nor_losses_of_gears() -> None:
     loss = "{over: [speed, torque], columns: [0, 9], rows: [[0, 1, 1], [9, 1, 1]]}"
     text = (CASE % STRENGTH).replace('"1": []', f'"1": {{loss: {loss}}}')
-    Path("case.yaml").write_text(text + "load: {speed: 9 rpm, torque: 9 N*m}\n", encoding="utf-8")
+    Path("case.yaml").write_text(text + "load: {speed: 9 rpm, torque: 9 N*m}\n", "utf-8")
     said = vstatics("convert", "case.yaml", "case.dat")
     for what in ("loss of gear of 1", "bearing of pin, main, out", "fatigue strength of P1.sun"):
         assert what in said.err
@@ -387,19 +387,19 @@ def test_a_deck_holds_neither_bearings_nor_losses_of_gears() -> None:
 
 @pytest.mark.usefixtures("folder")
 def test_points_are_read_below_a_comment_beside_other_speeds_and_stand_in_no_gear() -> None:
-    Path("case.yaml").write_text(CASE % STRENGTH, encoding="utf-8")
+    Path("case.yaml").write_text(CASE % STRENGTH, "utf-8")
     rows = "speed [km/h],duration [s],gear,speed [rpm],torque [N*m]\n9,10,1,900,50\n0,5,,0,0\n"
     answers = []
     for text in (rows, "\ufeff" + rows, "# steps\n" + rows):
-        Path("d.csv").write_text(text, encoding="utf-8")
+        Path("d.csv").write_text(text, "utf-8")
         answers.append(json_answer("summary", "case.yaml", "--duty", "d.csv", "-f", "json")["duty"])
     assert answers == 3 * answers[:1]
     assert answers[0]["members"]["s"]["revolutions"] == pytest.approx(150)
     for changed in (rows.replace(" [s]", ""), rows.replace("5,,0,0", "5,N,0,9")):
-        Path("d.csv").write_text(changed, encoding="utf-8")
+        Path("d.csv").write_text(changed, "utf-8")
         again = json_answer("summary", "case.yaml", "--duty", "d.csv", "-f", "json")["duty"]
         assert again == answers[0]
-    Path("d.csv").write_text(rows.replace(",10,", ",-1,"), encoding="utf-8")
+    Path("d.csv").write_text(rows.replace(",10,", ",-1,"), "utf-8")
     said = vstatics("summary", "case.yaml", "--duty", "d.csv")
     assert "duration: read -1, expected 0 or more" in said.err
 

@@ -143,7 +143,7 @@ def test_what_behaves_like_a_number_a_row_or_a_path_is_one() -> None:
 
 
 def _cycle(trace: str) -> None:
-    Path("trace.csv").write_text(trace, encoding="utf-8")
+    Path("trace.csv").write_text(trace, "utf-8")
     vstatics.cycle(CASE.replace(vehicle=vstatics.Vehicle(1000, 0.3)), "trace.csv")
 
 

@@ -17,7 +17,7 @@ def files(folder: Path) -> Path:
     """A folder, the current one, with a case of each kind."""
     texts = {"neutral": NEUTRAL, "tied": TIED_UP, "locked": LOCKED, "bad": BAD, "open": OPEN}
     for name, text in texts.items():
-        (folder / f"{name}.yaml").write_text(text, encoding="utf-8")
+        (folder / f"{name}.yaml").write_text(text, "utf-8")
     return folder
 
 

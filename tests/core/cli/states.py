@@ -94,7 +94,7 @@ def prepare(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Make a folder with all inputs the current one, with small pieces of work."""
     monkeypatch.chdir(folder)
     for number, name in enumerate(CASES):
-        Path(name).write_text(NEUTRAL.replace("-2.5", f"-2.{number + 1}"), encoding="utf-8")
+        Path(name).write_text(NEUTRAL.replace("-2.5", f"-2.{number + 1}"), "utf-8")
     if "sweep" in HERE:
         from tests.sweep.states import prepare_sweeps
 

@@ -154,7 +154,7 @@ def test_format_is_told_by_suffix_then_by_content(name: str, folder: Path) -> No
     path = folder / name
     suffix = {".dat": "deck", ".yml": "yaml"}.get(path.suffix, path.suffix.lower()[1:])
     for kind in FORMATS:
-        path.write_text(vstatics("convert", MZKT, "-", "--to", kind).out, encoding="utf-8")
+        path.write_text(vstatics("convert", MZKT, "-", "--to", kind).out, "utf-8")
         is_other = suffix in FORMATS and suffix != kind
         is_readable = not is_other or (suffix, kind) == ("yaml", "json")  # JSON is YAML
         assert vstatics("check", path).status == (0 if is_readable else 1)

@@ -45,7 +45,7 @@ def test_a_build_is_told_by_the_files_of_the_package(tmp_path: Path) -> None:
         return process("--version", cwd=tmp_path, PYTHONPATH=str(tmp_path))[1]
 
     assert told() == process("--version")[1]
-    (copy / "core" / "cli" / "templates" / "simpson_train.yaml").write_text("#", encoding="utf-8")
+    (copy / "core" / "cli" / "templates" / "simpson_train.yaml").write_text("#", "utf-8")
     assert told() != process("--version")[1]
 
 
@@ -116,7 +116,7 @@ def test_closed_streams_are_told_but_results_come_even_where_messages_cannot() -
 
 @pytest.mark.parametrize("encoding", ["ascii", "cp1251"])
 def test_results_are_utf_8_whatever_python_is_told(encoding: str, tmp_path: Path) -> None:
-    (tmp_path / "ru.yaml").write_text(RUSSIAN, encoding="utf-8")
+    (tmp_path / "ru.yaml").write_text(RUSSIAN, "utf-8")
     for arguments in (["run", "--lang", "ru"], ["run", "-f", "json"], ["run", "-f", "csv"]):
         _, out, err = process(*arguments, "ru.yaml", cwd=tmp_path, PYTHONIOENCODING=encoding)
         assert "низшая" in out.decode()
@@ -124,8 +124,8 @@ def test_results_are_utf_8_whatever_python_is_told(encoding: str, tmp_path: Path
     _, out, _ = process("check", "ru.yaml", cwd=tmp_path, PYTHONIOENCODING=encoding)
     assert "gear низшая" in out.decode()
     process("run", "ru.yaml", "-f", "json", "-o", "a.json", cwd=tmp_path)
-    text = (tmp_path / "a.json").read_text(encoding="utf-8")
-    (tmp_path / "b.json").write_text(text.replace("[null, 3.5]", "[null, 3]"), encoding="utf-8")
+    text = (tmp_path / "a.json").read_text("utf-8")
+    (tmp_path / "b.json").write_text(text.replace("[null, 3.5]", "[null, 3]"), "utf-8")
     status, out, _ = process("compare", "a.json", "b.json", cwd=tmp_path, PYTHONIOENCODING=encoding)
     assert status == 1
     assert any(one.split()[:2] == ["ratio", "низшая"] for one in out.decode().splitlines())
@@ -133,7 +133,7 @@ def test_results_are_utf_8_whatever_python_is_told(encoding: str, tmp_path: Path
 
 def test_a_name_of_a_file_may_be_any_bytes(tmp_path: Path) -> None:
     name = os.fsdecode(b"\xff.yaml")
-    (tmp_path / name).write_text(NEUTRAL, encoding="utf-8")
+    (tmp_path / name).write_text(NEUTRAL, "utf-8")
     assert process("check", name, cwd=tmp_path)[1].startswith(b"\\udcff.yaml: 3 links")
     status, out, err = process("run", os.fsdecode(b"\xfe"), name, "-f", "json", cwd=tmp_path)
     assert (status, b"Traceback" in err) == (1, False)

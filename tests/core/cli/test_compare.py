@@ -38,7 +38,7 @@ def test_unreadable_results_of_directories_are_counted_in_every_format(tmp_path:
         folder.mkdir()
         for name in ("neutral", "locked", "open"):
             results(str(folder / f"{name}.json"), f"{name}.yaml")
-    (new / "locked.json").write_text("{", encoding="utf-8")
+    (new / "locked.json").write_text("{", "utf-8")
     (golden / "open.json").write_bytes(b"\xff")
     for form in ("text", "markdown", "text --summary"):
         said = vstatics("compare", *both, "-f", *form.split())
@@ -60,7 +60,7 @@ def test_unreadable_results_of_directories_are_counted_in_every_format(tmp_path:
 @pytest.mark.parametrize("broken", [0, 1])
 def test_one_file_that_cannot_be_read_fails_in_every_format(broken: int) -> None:
     names = [results(f"{name}.json", "neutral.yaml") for name in ("new", "golden")]
-    Path(names[broken]).write_text("{", encoding="utf-8")
+    Path(names[broken]).write_text("{", "utf-8")
     suite = ET.fromstring(vstatics("compare", *names, "-f", "junit").out)[0]  # noqa: S314 - our own
     assert (suite.get("tests"), suite.get("failures")) == ("1", "1")
     document = json_answer("compare", *names)
@@ -206,7 +206,7 @@ def test_a_golden_result_of_python_is_that_of_the_command(tmp_path: Path) -> Non
     said = vstatics("run", "neutral.yaml", "-q", "-f", "json")
     made = library.solve(library.load("neutral.yaml"))
     assert made.to_json("neutral.yaml") == said.out
-    (tmp_path / "golden.json").write_text(made.to_json(), encoding="utf-8")
+    (tmp_path / "golden.json").write_text(made.to_json(), "utf-8")
     assert library.compare(made, tmp_path / "golden.json", leave_out="ratio").same == 1
 
 
@@ -215,7 +215,7 @@ def test_a_listing_of_the_source_has_gears_by_number_and_mechanisms_for_rows() -
     for name, is_drawn in (("umdm.yaml", True), ("mzkt7922.dat", False), ("simpson.yaml", False)):
         case = CASES / name
         said = vstatics("run", case, "-q", "-f", "source")
-        Path("source.lst").write_text(said.out, encoding="utf-8")
+        Path("source.lst").write_text(said.out, "utf-8")
         for form in ("json", "csv"):
             other = results(f"x.{form}", case, "--unloaded", "published")
             said = vstatics("compare", "source.lst", other)
@@ -285,8 +285,8 @@ def test_sweeps_are_the_same_in_every_format() -> None:
     expected = sweep("b.csv")
     for form in ("csv", "jsonl", "npz", "parquet"):
         assert lines(sweep(f"a.{form}"), expected) == []
-    text = Path("a.csv").read_text(encoding="utf-8")  # empty lines are no variants
-    Path("a.csv").write_text(text.replace("\n", "\n\n", 2), encoding="utf-8")
+    text = Path("a.csv").read_text("utf-8")  # empty lines are no variants
+    Path("a.csv").write_text(text.replace("\n", "\n\n", 2), "utf-8")
     assert lines("a.csv", expected) == []
 
 

@@ -1,6 +1,5 @@
 """Cases from one format to another: nothing is lost without a word."""
 
-import json
 from dataclasses import replace
 from pathlib import Path
 
@@ -9,7 +8,7 @@ from hypothesis import given, settings
 
 import vstatics as library
 from tests.chance import count, some
-from tests.commands import MZKT, NEUTRAL, SHIPPED, vstatics
+from tests.commands import MZKT, NEUTRAL, SHIPPED, json_file, vstatics
 from tests.strategies import ANY_NUMBER, transmissions
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers import read
@@ -62,14 +61,14 @@ def test_a_shipped_case_goes_round_all_formats(path: Path, tmp_path: Path) -> No
 @pytest.mark.parametrize("form", SUFFIXES)
 def test_a_stream_is_written_in_the_format_asked_for(form: str) -> None:
     said = vstatics("convert", "-", "-", "--to", form, stdin=MZKT.read_bytes())
-    assert (said.status, said.err) == (0, "")
+    assert said.is_without_messages()
     assert read(said.out.encode(), "", form).case == library.load(MZKT)  # type: ignore[arg-type]
 
 
 def test_the_option_is_above_the_suffix(tmp_path: Path) -> None:
     target = tmp_path / "case.dat"
     assert vstatics("convert", MZKT, target, "--to", "json").status == 0
-    assert json.loads(target.read_text(encoding="utf-8"))["links"] == 6
+    assert json_file(target)["links"] == 6
     said = vstatics("convert", target, tmp_path / "back.dat")
     assert said.fails("case.dat:1:1: error")
     assert vstatics("convert", target, tmp_path / "back.dat", "--from", "json").status == 0

@@ -68,7 +68,7 @@ def kind(request: pytest.FixtureRequest, folder: Path) -> str:
             opened.truncate(3 * 10**9)
     for suffix in (".csv", ".xlsx"):
         (folder / f"hostile{suffix}").symlink_to("hostile")
-    (folder / "box.yaml").write_text(CASE, encoding="utf-8")
+    (folder / "box.yaml").write_text(CASE, "utf-8")
     (folder / "trace.csv").write_text("time [s],speed [km/h],gear\n0,0,drive\n9,9,drive\n")
     return str(request.param)
 

@@ -15,7 +15,7 @@ from typing import Any
 
 import pytest
 
-from tests.chance import seeded
+from tests.chance import seeded, with_slow
 from tests.commands import Said
 from tests.core.cli.states import COMMANDS, RECORD, StatedCommand, prepare
 
@@ -148,7 +148,7 @@ class FullDisk:
 
 @pytest.mark.usefixtures("prepared")
 @pytest.mark.parametrize("name", COMMANDS_ONCE)
-@pytest.mark.parametrize("all_calls", [False, pytest.param(True, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("all_calls", with_slow([False], [True]))
 def test_a_call_that_fails_for_a_full_disk_is_told_by_the_output(
     name: str, all_calls: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -27,7 +27,7 @@ COMMANDS = main.list_commands(Context(main))
 def _files(folder: Path) -> None:
     """A case with a name of that kind, a good one, a result of it, and a folder."""
     for name in (CASE, "box.yaml"):
-        Path(name).write_text(NEUTRAL, encoding="utf-8")
+        Path(name).write_text(NEUTRAL, "utf-8")
     vstatics("run", "box.yaml", "-f", "json", "-o", "box.json")
     (folder / f"{ATTACK}.d").mkdir()
 
@@ -135,7 +135,7 @@ def test_a_case_is_told_escaped(form: str) -> None:
     for text in TEXTS[form]:
         for command in ("run", "check"):
             assert ": error: " in told(command, "-", "--from", form, stdin=text), text
-    told("run", "-", stdin=MZKT.read_text(encoding="utf-8").replace("=", f"={ATTACK}", 3))
+    told("run", "-", stdin=MZKT.read_text("utf-8").replace("=", f"={ATTACK}", 3))
 
 
 SWEEP_FILES = (
@@ -182,7 +182,7 @@ def test_another_document_is_told_escaped(command: tuple[str, ...]) -> None:
 
 @pytest.mark.parametrize("suffix", ["csv", "jsonl", "txt"])
 def test_a_table_is_told_escaped(suffix: str) -> None:
-    Path("shaft.yaml").write_text(SPRING, encoding="utf-8")
+    Path("shaft.yaml").write_text(SPRING, "utf-8")
     response = ("torsion", "response", "shaft.yaml", "--at", "2", "--speed", "1", "--torque")
     variants = ("sweep", "box.yaml", "--variants")
     for call, texts in {
@@ -190,13 +190,13 @@ def test_a_table_is_told_escaped(suffix: str) -> None:
         response: (f"{ATTACK}\n1\n", f"order,amplitude\n{ATTACK},1\n"),
     }.items():
         for text in texts:
-            Path(f"own.{suffix}").write_text(text, encoding="utf-8")
+            Path(f"own.{suffix}").write_text(text, "utf-8")
             assert "rror: " in told(*call, f"own.{suffix}"), text
 
 
 def test_rows_of_results_are_compared_escaped() -> None:
     """Whoever wrote the result, it may have any names of rows and gears."""
-    text = Path("box.json").read_text(encoding="utf-8")
+    text = Path("box.json").read_text("utf-8")
     for name in ('"low"', '"B"', '"D"', '"speeds"', '"case"', "null"):
         forged = text.replace(name, json.dumps(ATTACK))
         told("compare", "-", "box.json", stdin=forged)

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 import vstatics
-from tests.chance import seeded
+from tests.chance import seeded, with_slow
 from tests.commands import NEUTRAL, environment
 from tests.installed import skip_without_command
 from tests.processes import names, wait_for
@@ -29,7 +29,7 @@ COMMANDS = (
 @pytest.fixture(autouse=True)
 def _files(folder: Path) -> None:
     """A case, and a pipe at which a command waits."""
-    (folder / "box.yaml").write_text(NEUTRAL, encoding="utf-8")
+    (folder / "box.yaml").write_text(NEUTRAL, "utf-8")
     os.mkfifo("pipe")
 
 
@@ -46,9 +46,7 @@ def running(*arguments: str, **variables: str) -> Iterator[subprocess.Popen[byte
 
 
 @pytest.mark.parametrize(("sent", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
-@pytest.mark.parametrize(
-    "command", [COMMANDS[0], *(pytest.param(one, marks=pytest.mark.slow) for one in COMMANDS[1:])]
-)
+@pytest.mark.parametrize("command", with_slow(COMMANDS[:1], COMMANDS[1:]))
 def test_a_command_that_is_stopped_says_so(command: str, sent: signal.Signals, status: int) -> None:
     skip_without_command(command.split(maxsplit=1)[0])
     with running(*command.split()) as process:
@@ -77,7 +75,7 @@ import {module}
 def test_an_import_that_is_stopped_leaves_no_trace(module: str, said: bytes) -> None:
     """The package imports `inspect` at once, and NumPy and YAML when they are needed."""
     Path("shadow").mkdir()
-    Path("shadow", f"{module}.py").write_text(SHADOW.format(module=module), encoding="utf-8")
+    Path("shadow", f"{module}.py").write_text(SHADOW.format(module=module), "utf-8")
     path = f"shadow{os.pathsep}{environment()['PYTHONPATH']}"
     with running("run", "box.yaml", PYTHONPATH=path) as process:
         wait_for(Path("begun").exists)

@@ -77,17 +77,17 @@ def prepare(folder: Path) -> None:
     if "sweep" in HERE:
         from tests.sweep.sweeps import CASE_TEXT
 
-        (folder / "box.yaml").write_text(CASE_TEXT, encoding="utf-8")
+        (folder / "box.yaml").write_text(CASE_TEXT, "utf-8")
     if "simulation" in HERE:
         from tests.simulation.variants.states import write_scenario
 
         write_scenario(folder)
-    text = MZKT.read_text(encoding="utf-8")
+    text = MZKT.read_text("utf-8")
     assert ".9500Е+00" in text
     for number in range(CASES):
         varied = text.replace(".9500Е+00", f".9{number:03}Е+00")
-        (folder / f"case{number}.dat").write_text(varied, encoding="utf-8")
-    (folder / "list").write_text("".join(f"case{n}.dat\n" for n in range(CASES)), encoding="utf-8")
+        (folder / f"case{number}.dat").write_text(varied, "utf-8")
+    (folder / "list").write_text("".join(f"case{n}.dat\n" for n in range(CASES)), "utf-8")
 
 
 def begin(work: Work, folder: Path, *more: str) -> subprocess.Popen[bytes]:

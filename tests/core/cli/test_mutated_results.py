@@ -10,14 +10,14 @@ import pyarrow as pa  # type: ignore[import-untyped]
 import pyarrow.parquet as pq  # type: ignore[import-untyped]
 import pytest
 
-from tests.chance import FRESH, count, seeded
+from tests.chance import FRESH, count, seeded, with_slow
 from tests.commands import CASES, vstatics
 from tests.mutated_results import tried
 
 CASE = CASES / "simpson.yaml"
 
 
-@pytest.mark.parametrize("part", [0, pytest.param(1, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("part", with_slow([0], [1]))
 def test_mutated_results_end_in_an_answer_or_in_words(part: int) -> None:
     first = int(FRESH or 0) + 100_000 * part
     for number in range(first, first + (count(2000, 20_000) if part else 60)):
@@ -38,9 +38,9 @@ def test_an_npz_of_ones_own_is_a_table_of_variants_as_the_same_csv(folder: Path)
         table |= {"variant": [*map(float, rows)]} if "variant" in names else {}
         lines = [*zip(*table.values(), strict=True)]
         csv = [",".join(table), *(",".join(map(repr, row)) for row in lines)]
-        Path("own.csv").write_text("\n".join(csv), encoding="utf-8")
+        Path("own.csv").write_text("\n".join(csv), "utf-8")
         jsonl = [json.dumps(dict(zip(table, row, strict=True))) for row in lines]
-        Path("own.jsonl").write_text("\n".join(jsonl), encoding="utf-8")
+        Path("own.jsonl").write_text("\n".join(jsonl), "utf-8")
         pq.write_table(pa.table(table), folder / "own.parquet")
         arrays: Any = {name: np.array(column) for name, column in table.items()}
         np.savez(folder / "own.npz", **arrays)
@@ -75,7 +75,7 @@ ARRAYS: tuple[tuple[str, dict[str, Any]], ...] = (
 
 def test_json_lines_are_told_by_line_and_key(folder: Path) -> None:
     for text, words in JSON_LINES.items():
-        (folder / "v.jsonl").write_text(text, encoding="utf-8")
+        (folder / "v.jsonl").write_text(text, "utf-8")
         begin = time.process_time()
         told = vstatics("sweep", CASE, "--variants", "v.jsonl", "--out", "ratio")
         assert time.process_time() - begin < 5
@@ -97,7 +97,7 @@ def test_arrays_and_columns_that_are_no_table_are_told(folder: Path) -> None:
 
 def test_results_and_boxes_nested_too_deeply_are_reported_so(folder: Path) -> None:
     text = '{"searched": 1, "boxes": ' + "[" * 100_000
-    (folder / "deep.json").write_text(text, encoding="utf-8")
+    (folder / "deep.json").write_text(text, "utf-8")
     for line, words in (
         ("compare deep.json deep.json", "the file is not JSON that can be read"),
         ("plot -k boxes deep.json -o a.svg", "the JSON cannot be read"),

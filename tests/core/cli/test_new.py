@@ -16,9 +16,9 @@ from vstatics.core.examples import example_files
 def test_a_template_is_a_case_without_faults(name: str, tmp_path: Path) -> None:
     file = tmp_path / "new.yaml"
     assert vstatics("new", file, "--template", name) == (0, "", "")
-    assert file.read_text(encoding="utf-8") == template(name)
+    assert file.read_text("utf-8") == template(name)
     said = vstatics("run", file, "-f", "json")
-    assert (said.status, said.err) == (0, "")
+    assert said.is_without_messages()
     document = said.json
     assert not any(ratio is None for ratio in document["ratio"])
     assert document["case"]["elements"]
@@ -39,9 +39,9 @@ def test_a_name_means_one_file() -> None:
 
 def test_new_does_not_overwrite(tmp_path: Path) -> None:
     file = tmp_path / "mine.yaml"
-    file.write_text("mine", encoding="utf-8")
+    file.write_text("mine", "utf-8")
     assert vstatics("new", file).fails("already exists")
-    assert file.read_text(encoding="utf-8") == "mine"
+    assert file.read_text("utf-8") == "mine"
 
 
 def test_another_suffix_tells_how_such_a_file_is_made(tmp_path: Path) -> None:
@@ -65,5 +65,5 @@ def test_a_scenario_that_lacks_its_case_tells_how_to_write_it(tmp_path: Path) ->
     (command,) = re.findall(r"`vstatics (new [^`]*)`", said.err)
     assert vstatics(*shlex.split(command)).status == 0
     said = vstatics("check", file)
-    assert (said.status, said.err) == (0, "")
+    assert said.is_without_messages()
     assert " ".join(said.out.split()) == f"{file}: 6 s, 4 controls, 2 torques"

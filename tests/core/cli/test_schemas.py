@@ -10,7 +10,8 @@ from typing import Any
 import pytest
 from jsonschema import Draft202012Validator
 
-from tests.commands import BAD, CASES, ROOT, SHIPPED, TIED_UP, json_answer, vstatics
+from tests.chance import with_slow
+from tests.commands import BAD, CASES, ROOT, SHIPPED, TIED_UP, json_answer, json_file, vstatics
 from tests.installed import ANNEXES, needs
 from vstatics.core.cli.schemas import schemas, text
 
@@ -20,7 +21,7 @@ OF_COMMAND = {"run": "result", "flow": "flow", "summary": "summary", "explain": 
 
 def validator(name: str) -> Draft202012Validator:
     """Of the file alone: a reference to another one would fail."""
-    return Draft202012Validator(json.loads((SCHEMAS / f"{name}.schema.json").read_text("utf-8")))
+    return Draft202012Validator(json_file(SCHEMAS / f"{name}.schema.json"))
 
 
 VALIDATORS = {command: validator(name) for command, name in OF_COMMAND.items()}
@@ -40,12 +41,12 @@ def test_a_schema_is_valid_and_its_file_up_to_date(name: str) -> None:
     Draft202012Validator.check_schema(made)
     assert set(re.findall(r'"#/\$defs/(\w+)"', json.dumps(made))) <= set(made.get("$defs", ()))
     file = SCHEMAS / f"{name}.schema.json"
-    assert file.read_text(encoding="utf-8") == text(made), "write them: make schema"
+    assert file.read_text("utf-8") == text(made), "write them: make schema"
 
 
 @needs(*ANNEXES)
 def test_the_page_of_results_leads_to_every_schema() -> None:
-    page = (ROOT / "docs/results.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs/results.md").read_text("utf-8")
     rows = "".join(line for line in page.splitlines() if line.startswith("| "))
     linked = re.findall(r"\(\.\./schemas/([a-z]+)\.schema\.json\)", rows)
     assert sorted(linked) == sorted(schemas())
@@ -54,14 +55,14 @@ def test_the_page_of_results_leads_to_every_schema() -> None:
 
 def test_what_changed_between_results_fits(tmp_path: Path) -> None:
     """A number, a gear that is gone, a case that is new, one that can't be read."""
-    case = (CASES / "simpson.yaml").read_text(encoding="utf-8")
+    case = (CASES / "simpson.yaml").read_text("utf-8")
     for folder, own in (("old", case), ("new", case.replace("-73/35", "-75/35", 1))):
         (tmp_path / folder).mkdir()
-        (tmp_path / f"{folder}.yaml").write_text(own, encoding="utf-8")
+        (tmp_path / f"{folder}.yaml").write_text(own, "utf-8")
         vstatics("run", tmp_path / f"{folder}.yaml", "-o", tmp_path / folder / "box.json")
     (tmp_path / "new/other.json").write_bytes((tmp_path / "new/box.json").read_bytes())
-    (tmp_path / "new/broken.json").write_text("{", encoding="utf-8")
-    (tmp_path / "old/broken.json").write_text("{", encoding="utf-8")
+    (tmp_path / "new/broken.json").write_text("{", "utf-8")
+    (tmp_path / "old/broken.json").write_text("{", "utf-8")
     written = json_answer("compare", tmp_path / "new", tmp_path / "old")
     assert {one["state"] for one in written["cases"]} == {"changed", "added", "unreadable"}
     assert [*validator("compare").iter_errors(written)] == []
@@ -70,7 +71,7 @@ def test_what_changed_between_results_fits(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("command", OF_COMMAND)
-@pytest.mark.parametrize("cases", [SHIPPED[:4], pytest.param(SHIPPED[4:], marks=pytest.mark.slow)])
+@pytest.mark.parametrize("cases", with_slow([SHIPPED[:4]], [SHIPPED[4:]]))
 def test_what_is_written_of_shipped_cases_fits(command: str, cases: list[Path]) -> None:
     written = json_answer(command, *cases)
     assert len(written) == len(cases)
@@ -83,7 +84,7 @@ def test_what_is_written_of_shipped_cases_fits(command: str, cases: list[Path]) 
 @pytest.mark.parametrize("command", OF_COMMAND)
 def test_gears_without_results_and_cases_in_error_fit(command: str, tmp_path: Path) -> None:
     for name, case in (("tied.yaml", TIED_UP), ("bad.yaml", BAD)):
-        (tmp_path / name).write_text(case, encoding="utf-8")
+        (tmp_path / name).write_text(case, "utf-8")
     given = [tmp_path / "tied.yaml", tmp_path / "bad.yaml"]
     written = json_answer(command, *given)
     assert complaints(command, written) == []
@@ -106,7 +107,7 @@ def test_solutions_of_exercises_fit() -> None:
 
 def test_what_a_summary_is_asked_for_fits(tmp_path: Path) -> None:
     duty = tmp_path / "duty.yaml"
-    duty.write_text("energy: {'1': 1, '2': 2}\n", encoding="utf-8")
+    duty.write_text("energy: {'1': 1, '2': 2}\n", "utf-8")
     asked = ("summary", CASES / "simpson.yaml", "--combinations", "--duty", duty, "-f", "json")
     written = vstatics(*asked).json
     assert {"duty", "combinations"} <= written.keys()

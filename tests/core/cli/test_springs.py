@@ -70,7 +70,7 @@ FORMATS = {
 @pytest.fixture(autouse=True)
 def _cases(folder: Path) -> None:
     for name, text in CASES.items():
-        (folder / f"{name}.yaml").write_text(text, encoding="utf-8")
+        (folder / f"{name}.yaml").write_text(text, "utf-8")
 
 
 @pytest.mark.parametrize(
@@ -120,7 +120,7 @@ def test_a_listing_names_springs_and_is_compared_but_not_read_as_a_deck(name: st
     vstatics("run", f"{name}.yaml", "-o", "case.json")
     for lang in ("en", "ru"):
         said = vstatics("run", f"{name}.yaml", "--lang", lang).out
-        Path("case.lst").write_text(said, encoding="utf-8")
+        Path("case.lst").write_text(said, "utf-8")
         for words in (f"\nKSPR= {count}\n", "KLG = KL + KG + KSPR", "KLG1"):
             assert words in said
         assert vstatics("check", "case.lst").fails(
@@ -181,7 +181,7 @@ def test_a_sweep_over_ratios_has_torques_of_springs() -> None:
 def test_a_report_has_tables_of_springs_and_inertias(name: str) -> None:
     done = vstatics("report", "-q", f"{name}.yaml", "-o", "page.html")
     assert (done.status, done.out) == (int(name in TIED_UP), "")
-    page = Path("page.html").read_text(encoding="utf-8")
+    page = Path("page.html").read_text("utf-8")
     assert ">Springs<" in page
     if name == "box":
         for said in (">Inertias<", "carrier − prop", "stiffness, N*m/rad"):

@@ -32,7 +32,7 @@ def written(folder: Path) -> Write:
         for old, new in replaced:
             assert old in text
             text = text.replace(old, new, 1)
-        path.write_text(text, encoding="utf-8")
+        path.write_text(text, "utf-8")
         return path
 
     return write
@@ -189,7 +189,7 @@ def test_rows_of_a_renamed_element_are_the_same_where_the_case_tells_it(
     form: str, written: Write
 ) -> None:
     """CSV has no case, so the rows of one name are gone, and those of the other are new."""
-    case = (CASES / "wheel-hub.yaml").read_text(encoding="utf-8")
+    case = (CASES / "wheel-hub.yaml").read_text("utf-8")
     name = next(line for line in case.splitlines() if "kind: " in line).split(":")[0].strip()
     actual = written(result(case, "-f", form))
     renamed = written(result(case.replace(f"  {name}:", "  other:"), "-f", form))
@@ -220,7 +220,7 @@ def test_several_results_are_paired_by_the_names_of_their_cases(written: Write) 
 
 def test_a_failed_case_equals_a_failed_case_only(written: Write) -> None:
     case = Path("case.yaml")
-    case.write_text(BAD, encoding="utf-8")
+    case.write_text(BAD, "utf-8")
     failed = written(vstatics("run", MZKT, case, "-f", "json").out)
     case.write_bytes(SPLIT.read_bytes())
     good = written(vstatics("run", MZKT, case, "-f", "json").out)

@@ -8,7 +8,7 @@ from xml.etree import ElementTree as ET
 
 import pytest
 
-from tests.commands import CASES, NEUTRAL, json_answer, vstatics
+from tests.commands import CASES, NEUTRAL, json_answer, json_file, vstatics
 
 ZF = (CASES / "zf-8hp70.yaml").read_text("utf-8")
 TEETH = 86
@@ -67,7 +67,7 @@ def test_json_has_every_number_that_differs(files: tuple[Path, Path]) -> None:
     [case] = made["cases"]
     assert (case["name"], case["state"]) == ("zf-8hp70", "changed")
     assert case["case"] == [{"path": "P4.teeth.ring", "expected": 85, "actual": TEETH}]
-    new, old = (json.loads(file.read_text()) for file in files)
+    new, old = (json_file(file) for file in files)
     pairs = zip(numbers_in(new), numbers_in(old), strict=True)
     different = [pair for pair in pairs if pair[0] != pytest.approx(pair[1], rel=1e-9, abs=1e-12)]
     steps = [one for one in case["numbers"] if one["table"] == "step"]

@@ -19,7 +19,7 @@ NAMED = ("mechanisms", "elements", "shift_elements", "springs", "gears")
 def written(data: dict[str, Any], path: Path, form: str) -> Path:
     """The results of a case as JSON or CSV."""
     case = path.with_suffix(".yaml")
-    case.write_text(yaml.safe_dump(data, sort_keys=False), encoding="utf-8")
+    case.write_text(yaml.safe_dump(data, sort_keys=False), "utf-8")
     made = path.with_suffix(f".{form}")
     assert vstatics("run", case, "-q", "-o", made).status == 0
     return made
@@ -29,7 +29,7 @@ def parts(name: str) -> dict[str, Any]:
     """A shipped case as plain data, with its ports named."""
     path = CASES / f"{name}.yaml"
     case = load(path)
-    data: dict[str, Any] = yaml.safe_load(path.read_text(encoding="utf-8"))
+    data: dict[str, Any] = yaml.safe_load(path.read_text("utf-8"))
     ports = {"input": case.link_name(case.input), "output": case.link_name(case.output)}
     return {**ports, **data}
 

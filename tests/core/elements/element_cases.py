@@ -135,6 +135,13 @@ def has_the_speeds_of_single_meshes(
                 assert np.isnan(speed), (gear, link)
 
 
+def with_speeds_of_single_meshes(document: Document) -> Results:
+    """Solve a case, whose speeds are checked against fractions."""
+    results = solved(document)
+    has_the_speeds_of_single_meshes(document, results)
+    return results
+
+
 @st.composite
 def simple_teeth(draw: st.DrawFn) -> dict[str, int]:
     """A sun, planets and a ring on one axis."""

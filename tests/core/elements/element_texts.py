@@ -23,7 +23,7 @@ gears:
 """
 
 
-AOD = (CASES / "ravigneaux-aod.yaml").read_text(encoding="utf-8")
+AOD = (CASES / "ravigneaux-aod.yaml").read_text("utf-8")
 
 
 def changed(before: str, after: str, text: str = SET) -> str:

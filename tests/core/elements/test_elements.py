@@ -66,7 +66,7 @@ def test_mechanisms_may_stand_beside_elements() -> None:
 
 
 def test_every_kind_has_a_template_or_a_case() -> None:
-    texts = [path.read_text(encoding="utf-8") for path in CASES.glob("*.yaml")]
+    texts = [path.read_text("utf-8") for path in CASES.glob("*.yaml")]
     texts += map(template, TEMPLATES)
     unused = {kind for kind in KINDS if not any(f"kind: {kind}" in text for text in texts)}
     assert unused == {"internal_pair", "belt"}

@@ -26,7 +26,6 @@ from tests.core.elements.element_cases import (
     bevel_teeth,
     double_teeth,
     efficiencies,
-    has_the_speeds_of_single_meshes,
     link_speeds,
     pair_case,
     ratios,
@@ -35,6 +34,7 @@ from tests.core.elements.element_cases import (
     simple_teeth,
     solved,
     stepped_teeth,
+    with_speeds_of_single_meshes,
 )
 from tests.oracle.single_meshes import ContradictionError, speeds
 from vstatics import ReadError, loads, solve
@@ -86,8 +86,7 @@ def assert_turns_as_willis_says(
     members = [*internal, "C"]
     for losses in LOSSES:
         document = set_case(element, members, losses=losses)
-        results = solved(document)
-        has_the_speeds_of_single_meshes(document, results)
+        results = with_speeds_of_single_meshes(document)
         found = ratios(results)
         for gear in all_held(members):
             expected = willis(internal, gear)
@@ -290,9 +289,7 @@ def test_pairs_of_wheels(mode: dict[str, str], teeth: Teeth) -> None:
     for kind, sign in signs.items():
         sizes = "diameters" if kind == "belt" else "teeth"
         element = {"kind": kind, "first": "A", "second": "B", sizes: dict(teeth)}
-        document = pair_case(element, "A", "B", **mode)
-        results = solved(document)
-        has_the_speeds_of_single_meshes(document, results)
+        results = with_speeds_of_single_meshes(pair_case(element, "A", "B", **mode))
         ratio = sign * teeth["second"] / teeth["first"]
         expected = {"forth": ratio, "back": 1 / ratio}
         assert ratios(results) == pytest.approx(expected, rel=PRECISION)
@@ -302,9 +299,7 @@ def test_pairs_of_wheels(mode: dict[str, str], teeth: Teeth) -> None:
 @EXAMPLES
 def test_an_idler_turns_the_sense_and_leaves_the_ratio(teeth: Teeth) -> None:
     element = {"kind": "idler", "first": "A", "second": "B", "teeth": dict(teeth)}
-    document = pair_case(element, "A", "B")
-    results = solved(document)
-    has_the_speeds_of_single_meshes(document, results)
+    results = with_speeds_of_single_meshes(pair_case(element, "A", "B"))
     assert ratios(results)["forth"] == pytest.approx(teeth["second"] / teeth["first"], rel=1e-12)
 
 
@@ -318,9 +313,7 @@ def test_a_worm_turns_once_for_each_start_of_the_wheel(threads: int, wheel: int)
         "teeth": {"worm": threads, "wheel": wheel},
         "efficiency": {"worm": 0.8, "wheel": 0.7},
     }
-    document = pair_case(element, "A", "B")
-    results = solved(document)
-    has_the_speeds_of_single_meshes(document, results)
+    results = with_speeds_of_single_meshes(pair_case(element, "A", "B"))
     assert ratios(results)["forth"] == pytest.approx(wheel / threads, rel=PRECISION)
     assert efficiencies(results) == pytest.approx({"forth": 0.8, "back": 0.7}, rel=1e-9)
 
@@ -340,9 +333,7 @@ def test_a_gear_set_can_lose_more_backward() -> None:
 
 def test_a_shaft_turns_both_ends_alike_and_loses_what_it_says() -> None:
     element = {"kind": "shaft", "first": "A", "second": "B", "efficiency": 0.97}
-    document = pair_case(element, "A", "B")
-    results = solved(document)
-    has_the_speeds_of_single_meshes(document, results)
+    results = with_speeds_of_single_meshes(pair_case(element, "A", "B"))
     assert ratios(results) == pytest.approx({"forth": 1, "back": 1}, rel=PRECISION)
     assert efficiencies(results) == pytest.approx({"forth": 0.97, "back": 0.97}, rel=PRECISION)
 
@@ -354,10 +345,8 @@ def test_a_ring_that_stands_for_good(losses: str) -> None:
     held = {"P": ring, "H": {"kind": "held", "link": "R"}}
     for links, elements in (("SRC", held), ("SC", {"P": ring | {"ring": "housing"}})):
         document = {"links": [*links], "elements": elements, "gears": {"only": {}}}
-        document["losses"] = losses
-        results = solved(document)
-        has_the_speeds_of_single_meshes(document, results)
-        assert ratios(results)["only"] == pytest.approx(3.6, rel=PRECISION)
+        found = ratios(with_speeds_of_single_meshes(document | {"losses": losses}))
+        assert found["only"] == pytest.approx(3.6, rel=PRECISION)
 
 
 CHAINED = (

@@ -72,7 +72,7 @@ def test_a_blank_has_the_value_that_run_gives(
     assert loads(json.dumps(made)) == loads(json.dumps(made["case"]))
     assert [one["number"] for one in made["blanks"]] == [*range(1, len(made["blanks"]) + 1)]
     written = tmp_path / "case.json"
-    written.write_text(json.dumps(made["case"]), encoding="utf-8")
+    written.write_text(json.dumps(made["case"]), "utf-8")
     result = json_answer("run", str(written))
     place = result["gears"].index(gear)
     rows = result.get("rows") or rows_of(load(written))

@@ -126,7 +126,7 @@ def test_maps_and_formulas_stand_on_the_sheet() -> None:
 
 def test_what_changes_a_blank_stands_on_the_sheet(tmp_path: Path) -> None:
     file = tmp_path / "laws.yaml"
-    file.write_text(LAWFUL, encoding="utf-8")
+    file.write_text(LAWFUL, "utf-8")
     case = load(file)
     assert {"lossy_torques", "losses", "efficiency"} <= {
         one.table for one in worksheet(solve(case), 0).blanks

@@ -12,7 +12,7 @@ from dataclasses import replace
 
 import pytest
 
-from tests.chance import count, each_seed, seeded
+from tests.chance import seeded, seeds_with_slow
 from tests.commands import json_answer, vstatics
 from tests.core.flow.worked import only, sides
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, loads
@@ -173,7 +173,7 @@ def test_loops_are_real_where_no_carrier_can_be_common(
     assert shared(many(*sets), around(*loop.split())) == found
 
 
-@each_seed(range(60), range(60, count(60, 200)), pytest.mark.slow)
+@seeds_with_slow(60, 60, 200)
 def test_every_loop_between_the_mechanisms_of_one_set_is_marked(seed: int) -> None:
     """Toothed gears on one carrier, each written with any of those before it; one link is held.
 

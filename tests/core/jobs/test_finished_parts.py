@@ -9,7 +9,7 @@ from vstatics.core.jobs.finished_parts import FinishedParts
 def test_a_first_part_that_was_cut_is_never_filled_by_the_next(tmp_path: Path) -> None:
     files = [str(tmp_path / name) for name in ("a", "b")]
     for file in files:
-        Path(file).write_text("links: 2", encoding="utf-8")
+        Path(file).write_text("links: 2", "utf-8")
     first, second = files
     whole = b"of the first case\n"
     output = str(tmp_path / "all.jsonl")

@@ -11,7 +11,7 @@ import openpyxl
 import pytest
 import yaml
 
-from tests.chance import count, seeded
+from tests.chance import count, each_seed, seeded
 from tests.commands import vstatics
 from tests.trains import random_train
 from vstatics import ReadError, Transmission, load, loads, solve
@@ -40,7 +40,7 @@ def test_a_workbook_may_go_without_its_sheet_of_gears(tmp_path: Path) -> None:
     case.write_text(
         "input: cam\noutput: out\nelements: {c: {kind: stepped, ring: housing, ring2: out, "
         "carrier: cam, teeth: {ring: 9, planet: 8, planet2: 7, ring2: 8}}}",
-        encoding="utf-8",
+        "utf-8",
     )
     assert solve(load(case)).ratio == pytest.approx([64])
     vstatics("convert", case, tmp_path / "case.xlsx")
@@ -69,7 +69,7 @@ def test_the_gears_that_a_message_shows_can_be_written() -> None:
         assert len(case.gears[0].engaged) == min(needed, len(train.shift_elements))
 
 
-@pytest.mark.parametrize("seed", range(count(12, 300)))
+@each_seed(12, 300)
 def test_bodies_without_gears_need_no_shift_element(seed: int) -> None:
     """Links with inertias or masses, some geared in pairs: free by count, noted and not warned of.
 

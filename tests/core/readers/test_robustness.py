@@ -36,8 +36,8 @@ def shared(number: int) -> str:
 
 
 MANY = ", ".join(f"e{n}" for n in range(20_000))
-DECK = MZKT.read_text(encoding="utf-8")
-YAML = (CASES / "differential.yaml").read_text(encoding="utf-8")
+DECK = MZKT.read_text("utf-8")
+YAML = (CASES / "differential.yaml").read_text("utf-8")
 HOSTILE: dict[str, tuple[str, str | bytes]] = {
     "huge count of links": ("deck", DECK.replace("KJG= 6", "KJG=1000000000")),
     "huge count of elements": ("deck", DECK.replace("KL= 5", "KL=1000000000")),

@@ -13,7 +13,7 @@ from random import Random
 
 import pytest
 
-from tests.chance import count, seed_ranges, seeded
+from tests.chance import ranges_with_slow, seeded
 from tests.oracle import gears as oracle
 from tests.oracle.cases import NASTY
 from tests.oracle.gears import OracleGear
@@ -112,7 +112,7 @@ KINDS: dict[str, Callable[[Random, Transmission], Transmission]] = {
 
 
 @pytest.mark.parametrize("kind", KINDS)
-@seed_ranges(range(50), range(1000, 1000 + count(120, 500)), pytest.mark.slow)
+@ranges_with_slow(50, 120, 500, start=1000)
 def test_every_number_is_that_of_exact_arithmetic(seeds: range, kind: str) -> None:
     """Every other train has one input, one output and the right count of conditions."""
     for seed in seeds:

@@ -7,7 +7,7 @@ from itertools import product
 import numpy as np
 import pytest
 
-from tests.chance import count, seed_ranges, seeded
+from tests.chance import count, ranges_with_slow, seeded
 from tests.core.statics.test_dragged import much_drag
 from tests.core.statics.test_freewheels import with_freewheels
 from tests.oracle.drag import solve_gear as exact_with_drag
@@ -81,7 +81,7 @@ def test_the_efficiency_of_several_ports_is_by_their_flows_with_losses() -> None
     assert results.efficiency[1] == pytest.approx(ratio[1], rel=1e-9)
 
 
-@seed_ranges(range(5), range(5, count(25, 400)), pytest.mark.slow)
+@ranges_with_slow(5, 25, 400)
 def test_all_quadrants_with_drag_are_those_of_exact_fractions(seeds: range) -> None:
     """The load's signs alone tell it here; the oracle, which tries all signs, is told by a flag."""
     seen = 0

@@ -6,7 +6,7 @@ from fractions import Fraction
 
 import pytest
 
-from tests.chance import count, seed_ranges, seeded
+from tests.chance import ranges_with_slow, seeded
 from tests.core.statics.test_against_oracle import _disagreements as differences
 from tests.oracle import gears as oracle
 from tests.oracle import linear, losses, systems
@@ -58,7 +58,7 @@ def test_the_rounding_of_a_ratio_counts_too() -> None:
     assert reduced(1e-15)[0].startswith("1 digit of")
 
 
-@seed_ranges(range(15), range(15, count(60, 400)), pytest.mark.slow)
+@ranges_with_slow(15, 60, 400)
 def test_every_wrong_speed_is_told(seeds: range) -> None:
     """Random trains whose ratios are nearly 1, against exact fractions of their decimals."""
     wrong = 0
@@ -105,7 +105,7 @@ def nearly_singular(seed: int) -> Transmission:
 
 
 @pytest.mark.usefixtures("as_doubles")
-@seed_ranges(range(8), range(8, count(40, 320)), pytest.mark.slow)
+@ranges_with_slow(8, 40, 320)
 def test_every_number_is_that_of_exact_arithmetic(seeds: range) -> None:
     for seed in seeds:
         case = nearly_singular(seed)
@@ -135,7 +135,7 @@ def of_one_ratio(seed: int) -> Transmission:
 
 
 @pytest.mark.usefixtures("as_doubles")
-@seed_ranges(range(376, 386), range(1000, 1000 + count(400, 4000)), pytest.mark.slow)
+@ranges_with_slow(range(376, 386), 400, 4000, start=1000)
 def test_speeds_and_torques_of_nearly_one_ratio_are_those_of_fractions(seeds: range) -> None:
     """But for speeds of some units in the last place of the input's, which are those of ratios."""
     for seed in seeds:

@@ -8,20 +8,18 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.chance import generator, seeded
+from tests.chance import seeded
 from tests.core.statics.batches import (
     ARRAYS,
-    KINDS,
-    disagreements,
-    efficiencies,
     large_train,
     plainly,
-    ratios,
+    random_disagreements,
     same,
 )
+from tests.core.writers.again import is_read_again
 from tests.trains import random_train
 from vstatics import Gear, Mechanism, ReadError, Results, ShiftElement, Transmission, solve
-from vstatics.core.readers.named.reader import read_json, read_yaml
+from vstatics.core.readers.named.reader import read_yaml
 from vstatics.core.statics.solve import distribution_matrix
 from vstatics.core.writers import deck, named
 
@@ -147,10 +145,7 @@ def check(case: Transmission, held: Transmission, results: Results, seed: int) -
         values = (results.speeds[number], results.lossy_torques[number], results.power_sign[number])
         if not any(np.isnan(one).any() for one in values):
             check_equilibrium(known, int(number))
-    numbers = generator(seed)
-    u = ratios(numbers, case, 12, KINDS[seed % len(KINDS)])
-    assert not disagreements(case, u, None, range(4))
-    assert not disagreements(case, u, efficiencies(numbers, case, 12, "any"), range(4))
+    assert not random_disagreements(case, seed)
     return int(np.count_nonzero(np.nan_to_num(results.drag_losses)))
 
 
@@ -214,8 +209,7 @@ def test_what_is_written_is_read_again() -> None:
     assert case.shift_elements[0] == ShiftElement(1, 2, "C", "clutch", 0.02)
     assert case.gears[0].drag == {2: 0.01}
     assert case.gears[0].open_drag == {1: 0.03, 2: 0.01}
-    assert read_yaml(named.write_yaml(case).encode(), "").case == case
-    assert read_json(named.write_json(case).encode(), "").case == case
+    assert is_read_again(case)
     assert named.mapping(case)["shift_elements"] == {
         "C": {"kind": "clutch", "links": ["in", "out"], "drag": 0.02},
         "B": ["out", "housing"],

@@ -7,7 +7,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from tests.chance import count, generator, seed_ranges, seeded
+from tests.chance import generator, ranges_with_slow, seeded
 from tests.core.statics.batches import KINDS, disagreements, efficiencies, plainly, ratios
 from tests.oracle.drag import solve_gear
 from tests.oracle.drag_of_ports import GearOfPorts, Solution
@@ -102,14 +102,14 @@ def checked(case: Transmission) -> tuple[int, int]:
     return int(results.dragged.sum()), int(results.locked.sum())
 
 
-@seed_ranges(range(25, 40), range(40, count(100, 340)), pytest.mark.slow)
+@ranges_with_slow(range(25, 40), 100, 340)
 def test_random_trains_agree_with_all_sets_of_signs(seeds: range) -> None:
     dragged, locked = map(sum, zip(*(checked(much_drag(seed)) for seed in seeds), strict=True))
     assert dragged > len(seeds) / 2
     assert locked
 
 
-@seed_ranges(range(4), range(50, 50 + count(10, 40)), pytest.mark.slow)
+@ranges_with_slow(4, 10, 40, start=50)
 def test_variants_are_dragged_as_each_alone(seeds: range) -> None:
     for seed in seeds:
         case, numbers = much_drag(seed), generator(seed)
@@ -175,7 +175,7 @@ def compared(case: Transmission) -> Counter[str]:
     return states
 
 
-@seed_ranges(range(4), range(4, count(60, 600)), pytest.mark.slow)
+@ranges_with_slow(4, 60, 600)
 def test_random_trains_of_several_ports_agree_with_all_sets_of_signs(seeds: range) -> None:
     states = sum((compared(much_drag_of_ports(seed)) for seed in seeds), Counter[str]())
     assert states["dragged"] * 8 > states["passing"] > 0

@@ -10,14 +10,15 @@ from random import Random
 import numpy as np
 import pytest
 
-from tests.chance import generator, seeded
+from tests.chance import each_seed, generator, seeded
 from tests.core.statics.batches import ARRAYS, disagreements, large_train, plainly, same
+from tests.core.writers.again import is_read_again
 from tests.trains import random_train
 from vstatics import Gear, Mechanism, ReadError, ShiftElement, Transmission, solve
 from vstatics.core.numerics.traced import plain
-from vstatics.core.readers.named.reader import read_json, read_yaml
+from vstatics.core.readers.named.reader import read_yaml
 from vstatics.core.statics.efficiency import Efficiency, is_possible, lossy_ratio
-from vstatics.core.writers import deck, named
+from vstatics.core.writers import deck
 
 
 def worm(back: float | None, forward: float = 0.8) -> Transmission:
@@ -76,7 +77,7 @@ def with_backs(rng: Random, case: Transmission) -> Transmission:
     return replace(case, mechanisms=made)
 
 
-@pytest.mark.parametrize("seed", range(12))
+@each_seed(12)
 def test_random_trains(seed: int) -> None:
     """Power is balanced, losses are none below 0, variants are what they are alone."""
     rng, numbers = seeded(seed), generator(seed)
@@ -107,8 +108,7 @@ gears: {"1": {}}
 def test_yaml_and_json_keep_it_and_a_deck_cannot() -> None:
     case = read_yaml(TEXT.encode(), "case.yaml").case
     assert case.mechanisms[0].back_efficiency == 0.7
-    assert read_yaml(named.write_yaml(case).encode(), "").case == case
-    assert read_json(named.write_json(case).encode(), "").case == case
+    assert is_read_again(case)
     assert deck.lost(case) == ["back_efficiency of mechanism W"]
     with pytest.raises(ReadError) as caught:
         read_yaml(TEXT.replace("0.7", "7").encode(), "case.yaml")

@@ -9,22 +9,20 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.chance import count, generator, seed_ranges, seeded
+from tests.chance import each_seed, ranges_with_slow, seeded
 from tests.core.statics.batches import (
-    KINDS,
-    disagreements,
-    efficiencies,
     large_train,
     plainly,
-    ratios,
+    random_disagreements,
     same,
 )
+from tests.core.writers.again import is_read_again
 from tests.trains import random_train
 from vstatics import CaseError, Gear, Mechanism, ReadError, Results, ShiftElement, Transmission
 from vstatics import solve as solved
 from vstatics.core.model.checks import hints
 from vstatics.core.model.parts import Load
-from vstatics.core.readers.named.reader import read_json, read_yaml
+from vstatics.core.readers.named.reader import read_yaml
 from vstatics.core.writers import deck, named
 
 U = -73 / 35
@@ -324,7 +322,7 @@ def check_state(case: Transmission, results: Results, number: int) -> None:
     )
 
 
-@seed_ranges(range(6), range(6, count(120, 400)), pytest.mark.slow)
+@ranges_with_slow(6, 120, 400)
 def test_the_state_of_random_trains_is_one_that_trying_them_all_finds(seeds: range) -> None:
     """About one of 300 has a set of freewheels that turns the output, but can't balance it."""
     for seed in seeds:
@@ -334,12 +332,9 @@ def test_the_state_of_random_trains_is_one_that_trying_them_all_finds(seeds: ran
             check_state(case, results, number)
 
 
-@pytest.mark.parametrize("seed", range(6))
+@each_seed(6)
 def test_variants_hold_as_each_alone(seed: int) -> None:
-    case, numbers = with_freewheels(seed), generator(seed)
-    u = ratios(numbers, case, 12, KINDS[seed % len(KINDS)])
-    assert not disagreements(case, u, None, range(4))
-    assert not disagreements(case, u, efficiencies(numbers, case, 12, "any"), range(4))
+    assert not random_disagreements(with_freewheels(seed), seed)
 
 
 def test_yaml_and_json_keep_freewheels_and_a_deck_cannot() -> None:
@@ -348,8 +343,7 @@ def test_yaml_and_json_keep_freewheels_and_a_deck_cannot() -> None:
         ShiftElement(4, 0, "D", "freewheel"),
         ShiftElement(4, 0, "E", "brake"),
     )
-    assert read_yaml(named.write_yaml(case).encode(), "").case == case
-    assert read_json(named.write_json(case).encode(), "").case == case
+    assert is_read_again(case)
     written = named.mapping(case)["shift_elements"]
     assert written["A"] == ["input", "ring 1"]
     assert written["D"] == {"kind": "freewheel", "links": ["carrier 2", "housing"]}

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tests.chance import seeded
+from tests.chance import each_seed, seeded
 from tests.commands import MZKT
 from tests.core.statics.differential import SET, train
 from tests.shipped import PRINTED
@@ -50,7 +50,7 @@ def test_the_published_matrix() -> None:
     assert distribution_matrix(load(MZKT)) == pytest.approx(printed, abs=1e-12)
 
 
-@pytest.mark.parametrize("seed", range(8))
+@each_seed(8)
 def test_the_housing_has_no_row_and_takes_what_is_left(seed: int) -> None:
     case = random_train(seeded(seed))
     matrix = distribution_matrix(case)

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.chance import seeded, with_marked
+from tests.chance import seeded, seeds_with_slow
 from tests.commands import json_answer, vstatics
 from tests.core.statics.batches import with_numbers
 from tests.trains import random_train
@@ -80,7 +80,7 @@ def test_a_standing_input_stays_an_error() -> None:
         Transmission(2, [], [Mechanism(1, 2, 0, 2)], [Gear()], load=Load(0, 10))
 
 
-@pytest.mark.parametrize("seed", with_marked(range(6), range(6, 12), pytest.mark.slow))
+@seeds_with_slow(6, 12)
 def test_next_to_nothing_is_nearly_nothing(seed: int) -> None:
     """And plans for arrays do as each variant alone."""
     rng = seeded(seed)

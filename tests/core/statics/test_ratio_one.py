@@ -5,7 +5,7 @@
 
 import pytest
 
-from tests.chance import count, generator, seed_ranges, seeded
+from tests.chance import generator, ranges_with_slow, seeded
 from tests.core.statics.batches import disagreements, ratios
 from tests.core.statics.test_against_oracle import with_ones
 from tests.trains import random_train
@@ -52,7 +52,7 @@ def test_wheels_that_turn_alike_get_a_note() -> None:
     )
 
 
-@seed_ranges(range(5), range(5, count(20, 60)), pytest.mark.slow)
+@ranges_with_slow(5, 20, 60)
 def test_variants_go_through_1_as_they_go_alone(seeds: range) -> None:
     for seed in seeds:
         rng, numbers = seeded(seed), generator(seed)

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tests.chance import count, generator, seeded
+from tests.chance import count, each_seed, generator, seeded
 from tests.core.statics.batches import disagreements
 from tests.trains import on_springs, random_train, trains
 from vstatics import (
@@ -134,7 +134,7 @@ def test_a_spring_that_ties_a_gear_up_is_named() -> None:
     )
 
 
-@pytest.mark.parametrize("seed", range(8))
+@each_seed(8)
 def test_variants_together_are_variants_alone(seed: int) -> None:
     rng = seeded(seed)
     case = random_train(rng)

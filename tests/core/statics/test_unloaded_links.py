@@ -9,7 +9,7 @@ from random import Random
 
 import pytest
 
-from tests.chance import count, seed_ranges, seeded
+from tests.chance import ranges_with_slow, seeded
 from tests.oracle import gears as oracle
 from tests.trains import random_ratio, random_train, shown
 from vstatics import Mechanism, ShiftElement, Transmission, solve
@@ -129,7 +129,7 @@ def is_unloaded(case: Transmission, exact: oracle.OracleGear) -> bool:
     return idle and exact.ideal_torques_exist and case.gear_output(gear) not in free
 
 
-@seed_ranges(range(40), range(1000, 1000 + count(600, 3000)), pytest.mark.slow)
+@ranges_with_slow(40, 600, 3000, start=1000)
 def test_unloaded_links_are_those_of_exact_arithmetic(seeds: range) -> None:
     counts = Counter[str]()
     for seed in seeds:

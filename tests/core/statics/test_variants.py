@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 import vstatics
-from tests.chance import count, generator, seeded, some
+from tests.chance import count, each_seed, generator, seeded, some
 from tests.commands import CASES, SHIPPED
 from tests.core.statics.batches import (
     ARRAYS,
@@ -214,7 +214,7 @@ def test_calls_in_any_order_give_the_same() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(6))
+@each_seed(6)
 def test_singles_that_come_often_stay_the_same(seed: int) -> None:
     """After a few calls a plan serves them; messages and numbers are those of the first."""
     case, _, _ = random_case(seed)

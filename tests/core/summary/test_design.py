@@ -1,16 +1,15 @@
 """The design table: ratios, steps and spread."""
 
-import json
 import math
 from itertools import pairwise
 
 import pytest
 
-from tests.commands import LOCKED, NEUTRAL, ROOT, json_answer, vstatics
+from tests.commands import LOCKED, NEUTRAL, ROOT, json_answer, json_file, vstatics
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
 from vstatics.core.summary import Summary, summarize
 
-PUBLISHED = json.loads((ROOT / "tests" / "published" / "zf-8hp70.json").read_text())["ratio"]
+PUBLISHED = json_file(ROOT / "tests" / "published" / "zf-8hp70.json")["ratio"]
 
 
 def test_steps_and_spread_are_those_of_the_published_ratios(zf: Summary) -> None:

@@ -9,12 +9,12 @@ import pytest
 from tests.commands import json_answer, vstatics
 from tests.core.summary.capacities import CASE, case
 from tests.core.summary.gearboxes import assert_largest, differential, summary_of
+from tests.core.writers.again import is_read_again
 from vstatics import CaseError, Gear, Load, ReadError, solve
-from vstatics.core.readers.named.reader import read_json, read_yaml
 from vstatics.core.summary import summarize
 from vstatics.core.summary.extremes import margins, needed_capacities
 from vstatics.core.summary.tables import summary_grids
-from vstatics.core.writers import deck, named
+from vstatics.core.writers import deck
 
 LOAD = "load: {speed: 1000 rpm, torque: 200 N*m}\n"
 
@@ -63,8 +63,7 @@ def test_a_capacity_is_above_0() -> None:
 
 def test_capacities_are_written_and_read_again() -> None:
     own = case()
-    assert read_yaml(named.write_yaml(own).encode(), "again.yaml").case == own
-    assert read_json(named.write_json(own).encode(), "again.json").case == own
+    assert is_read_again(own)
     assert "capacity of shift element C" in deck.lost(own)
 
 

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from tests.chance import count, seeded
+from tests.chance import count, each_seed, seeded
 from tests.core.summary.gearboxes import differential
 from tests.oracle.gears import solve_gear
 from tests.shipped import shipped_results
@@ -47,7 +47,7 @@ def test_sensitivities_agree_with_finite_differences(name: str) -> None:
     assert sensitivities(results) == pytest.approx(expected, abs=1e-6, rel=1e-5, nan_ok=True)
 
 
-@pytest.mark.parametrize("seed", range(24))
+@each_seed(24)
 def test_sensitivities_of_random_gears_agree_with_differences(seed: int) -> None:
     """Of any inputs and outputs, with speeds given or by those of others, torques, too many."""
     results = solve(random_train(seeded(seed), regular=False))
@@ -188,7 +188,7 @@ gears:
         assert found[gear] == pytest.approx([n1 * n2 / eta] * 2, rel=1e-9)
 
 
-@pytest.mark.parametrize("seed", range(8))
+@each_seed(8)
 def test_efficiencies_of_random_gears_answer_as_exact_ones_do(seed: int) -> None:
     """A hundred-millionth less of one efficiency, in fractions; where no sign turns by that."""
     case = random_train(seeded(seed), regular=True)

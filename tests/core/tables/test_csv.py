@@ -30,7 +30,7 @@ gears: {{{json.dumps(NAMES[2])}: {{engaged: [{json.dumps(NAMES[1])}]}}}}
 @pytest.fixture
 def case(tmp_path: Path) -> Path:
     path = tmp_path / "box.yaml"
-    path.write_text(HOSTILE, encoding="utf-8")
+    path.write_text(HOSTILE, "utf-8")
     return path
 
 
@@ -67,7 +67,7 @@ def test_what_is_no_number_for_a_spreadsheet_is_text(text: str) -> None:
 def test_names_of_a_case_are_no_formulas(command: str, case: Path) -> None:
     """In the CSV of one case or of several, and in a workbook."""
     two = case.with_name("two.yaml")
-    two.write_text(HOSTILE, encoding="utf-8")
+    two.write_text(HOSTILE, "utf-8")
     for cases in ([case], [case, two]):
         said = vstatics(command, *cases, "-f", "csv")
         found = [one for one in cells(said.out) if one[:1] in {*"=+-@\t\r"}]
@@ -86,7 +86,7 @@ def test_headings_of_a_sweep_are_no_formulas(tmp_path: Path, case: Path) -> None
     asked: tuple[Any, ...] = ("sweep", case, "--vary", "@now.ratio=-2,-3", "--out", "-ratio[#1]")
     said = vstatics(*asked, "-o", tmp_path / "new.csv")
     assert said.status == 0, said.err
-    lines = (tmp_path / "new.csv").read_text(encoding="utf-8").splitlines()
+    lines = (tmp_path / "new.csv").read_text("utf-8").splitlines()
     assert lines[0] == "variant,'@now.ratio,status,'-ratio[#1]"
     assert vstatics(*asked, "--raw").out.splitlines()[0] == "variant,@now.ratio,status,-ratio[#1]"
     assert vstatics(*asked, "--raw", "-o", tmp_path / "new.npz").status == 2
@@ -95,7 +95,7 @@ def test_headings_of_a_sweep_are_no_formulas(tmp_path: Path, case: Path) -> None
 def test_a_table_of_variants_is_read_with_apostrophes_and_without(case: Path) -> None:
     table = case.with_name("variants.csv")
     for heading in ("@now.ratio", "'@now.ratio"):
-        table.write_text(f"{heading}\n-2.5\n-96/39\n'-96/39\n", encoding="utf-8")
+        table.write_text(f"{heading}\n-2.5\n-96/39\n'-96/39\n", "utf-8")
         said = vstatics("sweep", case, "--variants", table, "--out", "ratio[#1]", "-f", "jsonl")
         values = [json.loads(line)["@now.ratio"] for line in said.out.splitlines()]
         assert values == pytest.approx([-2.5, -96 / 39, -96 / 39])

@@ -76,7 +76,7 @@ WORDS: dict[Rows, str] = {
 
 
 def test_the_documentation_lists_every_name_with_deck_name_rows_and_unit() -> None:
-    text = (ROOT / "docs" / "results.md").read_text(encoding="utf-8")
+    text = (ROOT / "docs" / "results.md").read_text("utf-8")
     found = re.findall(r"^\| `(\w+)` \| `(\w+)` \|(.*?)\|.*\|(.*?)\|$", text, re.MULTILINE)
     listed = [one for one in QUANTITIES + ASKED if not one.of]
     assert [(name, deck_name, rows.strip()) for name, deck_name, rows, _ in found] == [

@@ -28,7 +28,7 @@ MADE = (
 
 
 SCRIPTS = {
-    path.name: path.read_text(encoding="utf-8")
+    path.name: path.read_text("utf-8")
     for room in ("page", "simulation/report")
     for path in sorted((PACKAGE / room).rglob("*.js"))
     if ".min." not in path.name
@@ -237,7 +237,7 @@ GLOSSARY = Path(__file__).parents[3] / "docs" / "glossary.md"
 
 def cells_of_the_glossary() -> Iterator[dict[str, str]]:
     """The first word of each language, by row."""
-    for line in GLOSSARY.read_text(encoding="utf-8").splitlines():
+    for line in GLOSSARY.read_text("utf-8").splitlines():
         row = [cell.strip() for cell in line.split("|")[1:-1]]
         if len(row) == 3 and row[0] not in {"English", "---"}:
             words = (cell.partition(",")[0].lower() for cell in row[:2])

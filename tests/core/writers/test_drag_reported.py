@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from tests.chance import count, seeded
+from tests.chance import count, seeded, with_slow
 from tests.commands import vstatics
 from tests.dragging import random_case
 from vstatics import Transmission, loads, solve
@@ -146,9 +146,7 @@ def of_python(case: Transmission) -> dict[str, Sums]:
     return {gear.name: Sums(*map(float, row)) for gear, row in zip(case.gears, rows, strict=True)}
 
 
-@pytest.mark.parametrize(
-    "seeds", [range(1, 4), pytest.param([0, *range(4, count(300, 3000))], marks=pytest.mark.slow)]
-)
+@pytest.mark.parametrize("seeds", with_slow([range(1, 4)], [[0, *range(4, count(300, 3000))]]))
 def test_the_powers_of_every_format_close_and_the_drag_is_that_of_its_laws(
     seeds: Sequence[int], tmp_path: Path
 ) -> None:

@@ -41,7 +41,7 @@ gears: {"1": {}}
 def matrices(*case: object, stdin: str = "") -> list[list[list[str]]]:
     """The rows of the two tables, with their headings."""
     said = vstatics("convert", *case, "-", "--to", "matrices", stdin=stdin.encode())
-    assert (said.status, said.err) == (0, "")
+    assert said.is_without_messages()
     return [[*csv.reader(io.StringIO(table))] for table in said.out.split("\n\n")]
 
 

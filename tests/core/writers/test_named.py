@@ -7,10 +7,10 @@ import yaml
 from hypothesis import example, given, settings
 
 from tests.chance import count
+from tests.core.writers.again import is_read_again
 from tests.strategies import ANY_NUMBER, ODD_NAMES, transmissions
 from vstatics.core.model.parts import Load
 from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Transmission
-from vstatics.core.readers.named.reader import read_json, read_yaml
 from vstatics.core.writers.named import mapping, write_json, write_yaml
 
 
@@ -33,8 +33,7 @@ def differential(**other: object) -> Transmission:
 @example(differential(gears=[Gear([1], speeds={2: 1e-05, 3: 1e300}, torques={1: 5e-324})]))
 @example(differential(gears=[Gear(name="long " * 60 + "name")]))
 def test_what_is_written_is_read_again(case: Transmission) -> None:
-    assert read_yaml(write_yaml(case).encode(), "case.yaml").case == case
-    assert read_json(write_json(case).encode(), "case.json").case == case
+    assert is_read_again(case)
 
 
 @pytest.mark.parametrize("name", ODD_NAMES)
@@ -46,8 +45,7 @@ def test_odd_names_stay_what_they_are(name: str) -> None:
         mechanisms=[Mechanism(1, 2, 3, -2.5, name=name)],
         gears=[Gear([1], speeds={2: 0.5}, name=name), Gear([1, 2], torques={2: 1.5}, name="other")],
     )
-    assert read_yaml(write_yaml(case).encode(), "case.yaml").case == case
-    assert read_json(write_json(case).encode(), "case.json").case == case
+    assert is_read_again(case)
 
 
 def test_defaults_are_left_out() -> None:

@@ -9,10 +9,9 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import pytest
 import yaml
 
-from tests.chance import count, seed_ranges, seeded
+from tests.chance import ranges_with_slow, seeded
 from tests.commands import vstatics
 from tests.core.statics.batches import ARRAYS
 from tests.dragging import random_case
@@ -50,25 +49,25 @@ def alike(there: Path, here: Path) -> None:
         np.testing.assert_array_equal(getattr(one, name), getattr(other, name), err_msg=name)
 
 
-@seed_ranges(range(4), range(4, count(150, 1500)), pytest.mark.slow)
+@ranges_with_slow(4, 150, 1500)
 def test_each_drag_and_efficiency_keeps_its_place(seeds: range, tmp_path: Path) -> None:
     for seed in seeds:
         folder = tmp_path / str(seed)
         folder.mkdir()
         case = random_case(seeded(seed), folder).file
-        data = yaml.safe_load(case.read_text(encoding="utf-8"))
+        data = yaml.safe_load(case.read_text("utf-8"))
         twin = folder / "twin.yaml"
-        twin.write_text(yaml.safe_dump(with_twin(data), sort_keys=False), encoding="utf-8")
+        twin.write_text(yaml.safe_dump(with_twin(data), sort_keys=False), "utf-8")
         sheet, made = folder / "made.xlsx", {}
         for target in (folder / "made.yaml", folder / "made.json", sheet):
             assert vstatics("convert", case, target).status == 0
         assert vstatics("convert", sheet, folder / "sheet.yaml").status == 0
         for path in (folder / "made.yaml", folder / "made.json", folder / "sheet.yaml"):
-            text = path.read_text(encoding="utf-8")
+            text = path.read_text("utf-8")
             made = json.loads(text) if path.suffix == ".json" else yaml.safe_load(text)
             assert places(made) == places(data), (seed, path)
             assert load(path) == load(case)
-            path.write_text(json.dumps(with_twin(made)), encoding="utf-8")
+            path.write_text(json.dumps(with_twin(made)), "utf-8")
             alike(twin, path)
 
 

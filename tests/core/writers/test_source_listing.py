@@ -35,7 +35,7 @@ AS_TEXT = {"1.806 1.806": "1.086 1.086", "-4.182 -2": "4.182 -2", "-1 1 -1 1 1":
 
 def source_listing(*arguments: object, stdin: str = "") -> str:
     said = vstatics("run", "-f", "source", *arguments, stdin=stdin.encode())
-    assert (said.status, said.err) == (0, "")
+    assert said.is_without_messages()
     return said.out
 
 
@@ -50,11 +50,11 @@ def test_every_line_is_the_printed_one_but_for_four_cells(name: str) -> None:
     for right, misprint in AS_TEXT.items():
         assert text.count(right) == 1
         text = text.replace(right, misprint)
-    assert text.splitlines() == with_single_blanks(PRINTED.read_text(encoding="utf-8"))[1:]
+    assert text.splitlines() == with_single_blanks(PRINTED.read_text("utf-8"))[1:]
 
 
 def test_compare_finds_the_four_cells(tmp_path: Path) -> None:
-    (tmp_path / "here.lst").write_text(source_listing(MZKT), encoding="utf-8")
+    (tmp_path / "here.lst").write_text(source_listing(MZKT), "utf-8")
     said = vstatics("compare", tmp_path / "here.lst", PRINTED)
     assert (said.status, set(said.out.splitlines())) == (1, MISPRINTS)
 
@@ -264,7 +264,7 @@ def test_fields_of_decks_that_the_source_does_not_have() -> None:
 
 
 def test_help_and_the_readme_name_it_and_lang_source_is_an_alias() -> None:
-    screen = (CASES.parent / "README.md").read_text(encoding="utf-8").splitlines()[:60]
+    screen = (CASES.parent / "README.md").read_text("utf-8").splitlines()[:60]
     assert "`vstatics run -f source`" in "\n".join(screen)
     assert "-f source" in vstatics("run", "--help").out
     assert vstatics("run", "--lang", "source", MZKT).out == source_listing(MZKT)
@@ -275,7 +275,7 @@ def test_several_cases_give_a_listing_each_where_they_can(tmp_path: Path) -> Non
     said = vstatics("run", "-q", "-f", "source", *cases, "-o", f"{tmp_path}/")
     assert said.fails("outputs of single gears: right")
     assert sorted(path.name for path in tmp_path.glob("*.lst")) == ["mzkt7922.lst", "umdm.lst"]
-    assert (tmp_path / "mzkt7922.lst").read_text(encoding="utf-8") == source_listing(MZKT)
+    assert (tmp_path / "mzkt7922.lst").read_text("utf-8") == source_listing(MZKT)
 
 
 @pytest.mark.parametrize(

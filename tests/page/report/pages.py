@@ -115,7 +115,7 @@ def value(cell: Element) -> float | None:
 
 def write(folder: Path, text: str) -> Path:
     file = folder / "case.yaml"
-    file.write_text(text, encoding="utf-8")
+    file.write_text(text, "utf-8")
     return file
 
 

@@ -51,7 +51,7 @@ class Opened:
 def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("small")
     made = folder / "out.html"
-    made.write_text(report(write(folder, NASTY_CASE)), encoding="utf-8")
+    made.write_text(report(write(folder, NASTY_CASE)), "utf-8")
     return made
 
 
@@ -71,7 +71,7 @@ def reports(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     class Made(dict[str, Path]):
         def __missing__(self, case: str) -> Path:
             self[case] = folder / f"{case}.html"
-            self[case].write_text(report(CASES / case), encoding="utf-8")
+            self[case].write_text(report(CASES / case), "utf-8")
             return self[case]
 
     return Made()

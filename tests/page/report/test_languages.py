@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 
+from tests.chance import with_slow
 from tests.commands import CASES, vstatics
 from tests.core.texts.test_pages import SHOWN, left, names, of_case, words_of
 from tests.page.serve.windows import Program, Window
@@ -31,9 +32,7 @@ def page_of(case: str, *options: str) -> str:
     return vstatics("report", case, *options, "-o", "-", "-q").out
 
 
-@pytest.mark.parametrize(
-    "case", [SHOWN[0], *(pytest.param(CASES / name, marks=pytest.mark.slow) for name in OTHERS)]
-)
+@pytest.mark.parametrize("case", with_slow(SHOWN[:1], (CASES / name for name in OTHERS)))
 def test_a_page_has_no_english_words(case: object) -> None:
     page = page_of(str(case), "--lang", "ru")
     assert '<html lang="ru">' in page
@@ -63,12 +62,12 @@ def test_a_page_that_is_served_has_no_english_words(browser: Any, tmp_path: Path
     here = Window(browser, running)
     here.until("document.querySelector('[data-awaited]:not(.pale) svg')")
     text = file.read_text("utf-8")
-    file.write_text(text.replace("-73/35", "-74/35", 1), encoding="utf-8")
+    file.write_text(text.replace("-73/35", "-74/35", 1), "utf-8")
     here.until("document.documentElement.dataset.revision > 1")
     assert here.page.locator("main [data-changed]").count() > 0
     here.page.evaluate("document.getElementById('equations').scrollIntoView()")
     here.until("document.querySelector('#equations [data-awaited]:not(.pale) pre')")
-    file.write_text(text.replace("gears:", "gaers:"), encoding="utf-8")
+    file.write_text(text.replace("gears:", "gaers:"), "utf-8")
     here.state("error")
     assert "simpson.yaml:" in (told := here.page.inner_text("#errors"))
     assert "error: unknown" in told

@@ -92,7 +92,7 @@ def test_a_page_tells_as_many_notes_as_check_does_and_prints_none(tmp_path: Path
         "elements:\n  P: {kind: planetary, sun: a, ring: b, carrier: c, "
         "teeth: {sun: 30, ring: 66, planet: 18}, planets: 3}\n"
         "links: [a, b, c]\nshift_elements: {B: [b, housing]}\ngears: {low: [B]}\n",
-        encoding="utf-8",
+        "utf-8",
     )
     counts = []
     for allow in ((), ("--allow", "N318")):

@@ -1,7 +1,6 @@
 """The report: one page that shows the numbers of the results and nothing else."""
 
 import importlib.util
-import json
 import math
 import re
 import shutil
@@ -10,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.commands import CASES, LOCKED, MZKT, NEUTRAL, TIED_UP, json_answer, vstatics
+from tests.commands import CASES, LOCKED, MZKT, NEUTRAL, TIED_UP, json_answer, json_file, vstatics
 from tests.installed import needs
 from tests.page.report.pages import NASTY, NASTY_CASE, Page, number, report, value, write
 from tests.shipped import shipped_results
@@ -72,7 +71,7 @@ def test_numbers_by_gear_are_those_of_the_result(zf: Page) -> None:
     assert [value(row["ratio"]) for row in gears.values()] == zf.data["ratio"]
     assert [value(row["efficiency"]) for row in gears.values()] == zf.data["efficiency"]
     # ZF 8HP70 as printed to three digits behind the point; see tests/published
-    published = json.loads(Path("tests/published/zf-8hp70.json").read_text(encoding="utf-8"))
+    published = json_file(Path("tests/published/zf-8hp70.json"))
     for gear, ratio in published["ratio"].items():
         assert number(gears[gear]["ratio"]) == pytest.approx(ratio, abs=1e-3)
     # first gear 1 + 85/23 (see the case), eighth the printed .667, which is 2/3
@@ -240,7 +239,7 @@ def test_gears_without_numbers_say_why(tmp_path: Path) -> None:
     ):
         said = vstatics("report", write(tmp_path, text), "-o", tmp_path / "out.html")
         assert said.status == status
-        shown = Page((tmp_path / "out.html").read_text(encoding="utf-8"))
+        shown = Page((tmp_path / "out.html").read_text("utf-8"))
         assert any(words in one.text for one in shown.elements if one.tag in ("p", "li"))
         messages = [one.text for one in shown.all("li") if one.attributes.get("class")]
         assert messages == shown.data["messages"]
@@ -280,9 +279,9 @@ def test_a_page_carries_the_result(zf: Page) -> None:
 @pytest.mark.usefixtures("without_pictures")
 def test_warnings_of_the_reader_come_with_their_line_and_without_the_file(tmp_path: Path) -> None:
     """A deck without its last field, KMZ, may have been cut."""
-    lines = MZKT.read_text(encoding="utf-8").splitlines()
+    lines = MZKT.read_text("utf-8").splitlines()
     file = tmp_path / "cut.dat"
-    file.write_text("\n".join(lines[:-3]), encoding="utf-8")
+    file.write_text("\n".join(lines[:-3]), "utf-8")
     said = vstatics("report", file, "-o", "-")
     [message] = [one.text for one in Page(said.out).all("li") if "KMZ" in one.text]
     assert message.startswith("warning: line ")

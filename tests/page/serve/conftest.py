@@ -22,7 +22,7 @@ def _ended() -> Iterator[None]:
 @pytest.fixture
 def program(tmp_path: Path) -> Program:
     file = tmp_path / "box.yaml"
-    file.write_text(BOX, encoding="utf-8")
+    file.write_text(BOX, "utf-8")
     return Program(file)
 
 

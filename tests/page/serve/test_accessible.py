@@ -98,7 +98,7 @@ def test_all_can_be_done_by_keys(program: Program, window: Callable[[], Window])
     keys.press("Enter")
     here.until("document.getElementById('save').hidden")
     assert float(here.field("P1.efficiency")) == value
-    program.file.write_text(BOX, encoding="utf-8")
+    program.file.write_text(BOX, "utf-8")
     here.until(
         "document.querySelector('input.field[data-path=\"P1.efficiency\"]').value === '0.97'"
     )

@@ -18,8 +18,8 @@ TEN_MEGABYTES = 10_000_000
 @pytest.fixture(scope="module")
 def served(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ServedCase]:
     file = tmp_path_factory.mktemp("case") / "box.yaml"
-    file.write_text(BOX, encoding="utf-8")
-    (file.parent / "other.yaml").write_text("secret: 1", encoding="utf-8")
+    file.write_text(BOX, "utf-8")
+    (file.parent / "other.yaml").write_text("secret: 1", "utf-8")
     with serving(file) as running:
         yield running
 

@@ -116,18 +116,18 @@ def test_a_file_that_is_saved_is_shown_without_losing_the_place(
     here.page.evaluate("document.getElementById('tables').scrollIntoView()")
     here.page.wait_for_timeout(300)
     before = here.top("tables")
-    program.file.write_text(BOX.replace("-78/30", "-2"), encoding="utf-8")
+    program.file.write_text(BOX.replace("-78/30", "-2"), "utf-8")
     here.has_ratio(3)
     here.page.wait_for_timeout(300)
     assert abs(here.top("tables") - before) < 40
     assert here.page.evaluate("location.hash") == "#gear=direct"
     assert here.page.get_attribute(".chooser [aria-current]", "data-choose") == "direct"
     assert float(here.field("P1.ratio")) == -2
-    program.file.write_text(BOX.replace("gears:", "gaers:"), encoding="utf-8")
+    program.file.write_text(BOX.replace("gears:", "gaers:"), "utf-8")
     here.state("error")
     assert "box.yaml:6:1: error: " in here.page.inner_text("#errors")
     assert here.ratio() == 3
-    program.file.write_text(BOX.replace("direct:", "top:"), encoding="utf-8")
+    program.file.write_text(BOX.replace("direct:", "top:"), "utf-8")
     here.page.wait_for_selector(".chooser [data-choose=top]")  # another page
     here.state("good")
 
@@ -152,7 +152,7 @@ def test_a_file_that_somebody_else_changed_meanwhile_loses_nothing(
     here.type("P1.ratio", "-3")
     here.has_ratio(4)
     newer = BOX.replace("0.97", "0.9") + "# new\n"
-    program.file.write_text(newer, encoding="utf-8")
+    program.file.write_text(newer, "utf-8")
     here.state("conflict")
     assert {"conflict", "keep-mine", "take-file"} <= here.shows(
         "conflict", "keep-mine", "take-file"
@@ -242,7 +242,7 @@ def test_sections_come_and_go_with_a_number_without_a_new_page(
 def test_a_run_is_on_the_page_of_its_scenario(browser: Any, tmp_path: Path) -> None:
     """The brake locks where its capacity and the outside torques stop the ring; later with less."""
     text = (CASES / "scenarios/tarasik-set-lock.yaml").read_text("utf-8").replace("../", "")
-    (tmp_path / "lock.yaml").write_text(text, encoding="utf-8")
+    (tmp_path / "lock.yaml").write_text(text, "utf-8")
     shutil.copy(CASES / "tarasik-set.yaml", tmp_path)
     running = Program(tmp_path / "lock.yaml")
     here = Window(browser, running)
@@ -304,7 +304,7 @@ def test_units_and_the_link_stay_when_the_file_is_saved_and_the_page_loaded_agai
     rest = "document.querySelector('td[data-result=\"speeds\"][data-row=\"sun\"]').closest('tr').hidden"
     for ratio, load in ((-3, 3000), (-4, 1500)):
         text = BOX.replace("-78/30", str(ratio)).replace("3000 rpm", f"{load} rpm")
-        program.file.write_text(text, encoding="utf-8")
+        program.file.write_text(text, "utf-8")
         here.until(f"Math.abs(Number({cell}.dataset.number) - 1 / (1 - {ratio})) < 1e-9")
         here.until(f"{cell}.textContent === '{load / (1 - ratio):.1f}' && {rest}")
     here.page.reload()

@@ -54,7 +54,7 @@ def test_the_page_follows_its_file_whatever_it_becomes(tmp_path: Path) -> None:
             assert served.save({"P1.ratio": -3}).status == 422, kind
             assert time.monotonic() - begin < SECONDS, kind
             remove(served.file)
-            served.file.write_text(BOX, encoding="utf-8")
+            served.file.write_text(BOX, "utf-8")
             wait_for(lambda: served.ask("shown").told["state"] == "good")
             assert said not in served.ask("").body.decode()
             assert time.monotonic() - begin < SECONDS, kind
@@ -79,7 +79,7 @@ def test_an_editor_that_writes_when_the_new_file_appears_loses_nothing(
         made = new_file(*given)
         texts.append(BOX + f"# by the editor: {rng.random()}\n")
         other = file.with_name("box.yaml~") if by_rename else file
-        other.write_text(texts[-1], encoding="utf-8")
+        other.write_text(texts[-1], "utf-8")
         if by_rename:
             other.replace(file)
         return made

@@ -33,7 +33,7 @@ def test_a_page_that_follows_its_file_is_as_one_that_is_made_anew(
 
     def is_as_new(text: str, units: str = "relative") -> None:
         revision = here.page.get_attribute("html", "data-revision")
-        file.write_text(text, encoding="utf-8")
+        file.write_text(text, "utf-8")
         here.until(f"document.documentElement.dataset.revision > {revision}")
         here.page.wait_for_selector("html[data-ready]")
         here.page.select_option("#units", units)

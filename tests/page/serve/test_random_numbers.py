@@ -33,7 +33,7 @@ FACTORS = st.one_of(st.floats(0.5, 2), st.just(1.0), st.just(-1.0))
 @pytest.fixture(scope="module")
 def served(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ServedCase]:
     file = tmp_path_factory.mktemp("case") / "box.yaml"
-    file.write_text(BOX, encoding="utf-8")
+    file.write_text(BOX, "utf-8")
     with serving(file) as running:
         yield running
 

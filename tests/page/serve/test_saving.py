@@ -61,7 +61,7 @@ def test_numbers_go_into_a_newer_file_only_if_somebody_says_so(tmp_path: Path) -
     with serving(write(tmp_path)) as served:
         digest = served.ask("shown").told["digest"]
         newer = BOX.replace("0.97", "0.95") + "# by somebody else\n"
-        served.file.write_text(newer, encoding="utf-8")
+        served.file.write_text(newer, "utf-8")
         refused = served.save({"P1.ratio": -3}, **{"If-Match": f'"{digest}"'})
         assert refused.status == 412
         assert served.file.read_text("utf-8") == newer
@@ -72,7 +72,7 @@ def test_numbers_go_into_a_newer_file_only_if_somebody_says_so(tmp_path: Path) -
 def test_a_file_in_error_is_told_with_its_place_and_takes_no_numbers(tmp_path: Path) -> None:
     with serving(write(tmp_path)) as served:
         wrong = BOX.replace("carrier, ratio", "carier, ratio")
-        served.file.write_text(wrong, encoding="utf-8")
+        served.file.write_text(wrong, "utf-8")
         until(lambda: served.ask("shown").told["state"] == "error")
         told = served.ask("shown").told
         line = wrong.split("\n")[4]
@@ -115,7 +115,7 @@ def test_a_scenario_and_its_case_both_take_their_numbers(tmp_path: Path) -> None
 
 def test_who_listens_hears_of_a_change_of_the_case_and_of_what_it_names(tmp_path: Path) -> None:
     points = tmp_path / "drag.csv"
-    points.write_text("speed [rad/s],torque [N*m]\n0,0\n300,3\n", encoding="utf-8")
+    points.write_text("speed [rad/s],torque [N*m]\n0,0\n300,3\n", "utf-8")
     text = BOX + "drag: {ring: {file: drag.csv}}\n"
     with serving(write(tmp_path, text)) as served, served.connect() as line:
         line.sendall(f"GET /{TOKEN}/events HTTP/1.1\r\nHost: {served.host}\r\n\r\n".encode())
@@ -126,7 +126,7 @@ def test_who_listens_hears_of_a_change_of_the_case_and_of_what_it_names(tmp_path
 
             first = next_one()
             assert first["state"] == "good"
-            points.write_text("speed [rad/s],torque [N*m]\n0,0\n300,4\n", encoding="utf-8")
+            points.write_text("speed [rad/s],torque [N*m]\n0,0\n300,4\n", "utf-8")
             second = next_one()
             assert second["number"] > first["number"]
             assert second["digest"] == first["digest"]
@@ -202,7 +202,7 @@ def test_a_file_behind_a_link_that_others_replace_is_followed(tmp_path: Path) ->
     link.symlink_to(real)
     with serving(link) as served:
         other = real.with_name("other")
-        other.write_text(BOX.replace("-78/30", "-2"), encoding="utf-8")
+        other.write_text(BOX.replace("-78/30", "-2"), "utf-8")
         other.replace(real)
         until(lambda: served.ask("shown").told["fields"]["P1.ratio"] == -2)
         assert served.save({"P1.ratio": -3}).status == 200

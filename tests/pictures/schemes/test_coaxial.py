@@ -12,7 +12,7 @@ import networkx as nx
 import pytest
 
 import vstatics
-from tests.chance import count, seeded, with_marked
+from tests.chance import each_seed, seeded, seeds_with_slow, with_slow
 from tests.commands import CASES
 from tests.installed import needs
 from tests.pictures.measured import measured
@@ -44,7 +44,7 @@ CROSSED = {"umdm": 2}
 """A group of four planets on one carrier."""
 IN_ROWS = {"tarasik-truck"}
 """Links that go on in another row are drawn in two pieces."""
-every_case = pytest.mark.parametrize("name", with_marked(FAST, SLOW, pytest.mark.slow))
+every_case = pytest.mark.parametrize("name", with_slow(FAST, SLOW))
 Line = tuple[float, float, float, float]
 
 
@@ -237,7 +237,7 @@ def drawn(case: Transmission) -> tuple[bytes, str]:
 
 
 @needs("synthesis")
-@pytest.mark.parametrize("seed", with_marked(range(4), range(4, 40), pytest.mark.slow))
+@seeds_with_slow(4, 40)
 def test_random_boxes_cross_where_the_title_says_so(seed: int) -> None:
     from vstatics.synthesis import box_is_planar
 
@@ -255,7 +255,7 @@ def test_random_boxes_cross_where_the_title_says_so(seed: int) -> None:
         assert ("through the housing" in title) == (not is_planar)
 
 
-@pytest.mark.parametrize("count", [5, pytest.param(30, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", with_slow([5], [30]))
 def test_planar_boxes_are_drawn_without_crossings(count: int) -> None:
     for case in planar_boxes(count):
         svg, title = drawn(case)
@@ -280,7 +280,7 @@ def test_a_carrier_at_the_output_goes_down_to_the_axis_and_never_up() -> None:
 
 
 @pytest.mark.parametrize("width", ["half", "narrow"])
-@pytest.mark.parametrize("names", [FAST, pytest.param(SLOW, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("names", with_slow([FAST], [SLOW]))
 def test_letters_can_be_read_beside_one_another(names: list[str], width: str, browser: Any) -> None:
     """On the width of a page all are looked at by tests/pictures/test_pages.py."""
     style = {"half": HALF, "narrow": Style(width=320.0, wheels=True)}[width]
@@ -374,7 +374,7 @@ def test_sets_stand_in_the_order_of_the_case_on_demand() -> None:
     assert all(at[one] < at[other] for one, other in pairwise(names))
 
 
-@pytest.mark.parametrize("seed", range(count(5, 100)))
+@each_seed(5, 100)
 def test_random_boxes_keep_the_order_of_their_sets_or_say_why_not(seed: int) -> None:
     """By the places of the mechanisms in SVG; crossings are better than another order."""
     case = next_box(seeded(seed))

@@ -77,7 +77,7 @@ def overlaps(figure: Figure, rounded: float = 0.5) -> list[tuple[str, str]]:
 @pytest.mark.slow
 def test_pairs_of_every_kind_can_be_read_and_are_joined(tmp_path: Path) -> None:
     path = tmp_path / "pairs.yaml"
-    path.write_text(PAIRS, encoding="utf-8")
+    path.write_text(PAIRS, "utf-8")
     results = vstatics.solve(vstatics.load(path))
     scheme = scheme_of(results.case)
     kinds = {device.kind for device in scheme.devices}

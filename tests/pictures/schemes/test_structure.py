@@ -17,7 +17,7 @@ import networkx as nx
 import pytest
 
 import vstatics
-from tests.chance import seeded, some
+from tests.chance import seeded, some, with_slow
 from tests.commands import SHIPPED
 from tests.pictures.schemes.test_coaxial import SVG, Line, bridges, crossings, lines_of, touch
 from tests.pictures.schemes.test_schemes import PAIRS, overlaps, ring
@@ -141,10 +141,7 @@ def test_a_structure_joins_what_its_case_joins(path: Path) -> None:
 
 @pytest.mark.parametrize(
     "seeds",
-    [
-        (0, 3, 4, 5),
-        *(pytest.param(range(n, n + 20), marks=pytest.mark.slow) for n in range(6, 206, 20)),
-    ],
+    with_slow([(0, 3, 4, 5)], (range(n, n + 20) for n in range(6, 206, 20))),
 )
 def test_structures_of_random_cases_join_what_these_join(seeds: Sequence[int]) -> None:
     for seed in seeds:
@@ -173,14 +170,14 @@ def test_a_chain_has_rows_of_boxes() -> None:
     assert {"input", "output"} <= {*ports}
 
 
-@pytest.mark.parametrize("count", [30, pytest.param(100, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", with_slow([30], [100]))
 def test_many_mechanisms_are_drawn(count: int) -> None:
     check(ring(count))
 
 
 def test_pictures_use_no_random_numbers() -> None:
     for path in (Path(vstatics.__file__).parent / "pictures").rglob("*.py"):
-        text = path.read_text(encoding="utf-8")
+        text = path.read_text("utf-8")
         assert not re.search(r"^\s*(from|import) .*\brandom\b", text, re.MULTILINE), path
 
 

@@ -3,7 +3,6 @@
 A mass of 1 kg*m^2 on 100 N*m/rad swings 1.6 times a second, for 1e9 s.
 """
 
-import json
 import signal
 import subprocess
 import sys
@@ -14,7 +13,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.commands import environment, vstatics
+from tests.commands import environment, json_file, vstatics
 from vstatics import VariedScenario
 from vstatics.core.cli.shared import progress
 from vstatics.simulation import bounds, load_scenario, simulate
@@ -31,13 +30,13 @@ LONG, SHORT = "1e9", "2"
 
 @pytest.fixture(autouse=True)
 def _files(folder: Path) -> None:
-    (folder / "mass.yaml").write_text(CASE, encoding="utf-8")
+    (folder / "mass.yaml").write_text(CASE, "utf-8")
     for name, duration in (("long.yaml", LONG), ("short.yaml", SHORT)):
-        (folder / name).write_text(SCENARIO.replace("DURATION", duration), encoding="utf-8")
+        (folder / name).write_text(SCENARIO.replace("DURATION", duration), "utf-8")
 
 
 def document() -> Any:
-    return json.loads(Path("out.json").read_text(encoding="utf-8"))
+    return json_file(Path("out.json"))
 
 
 def is_right(found: Any) -> None:
@@ -80,7 +79,7 @@ def test_long_runs_say_how_far_they_are(monkeypatch: pytest.MonkeyPatch) -> None
     assert progress.FIRST_WORD < 10
     monkeypatch.setattr(progress, "FIRST_WORD", 0.05)
     few = ", samples: {duration: {uniform: [1e9, 2e9]}}}"
-    Path("few.yaml").write_text(SCENARIO.replace("DURATION", LONG)[:-1] + few, encoding="utf-8")
+    Path("few.yaml").write_text(SCENARIO.replace("DURATION", LONG)[:-1] + few, "utf-8")
     sweep = ("sweep", "long.yaml", "--vary", "duration=2e9", "--out", "work")
     for command, said in (
         (("simulate", "long.yaml", "-o", "out.json"), " left\n"),

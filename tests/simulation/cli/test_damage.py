@@ -26,8 +26,8 @@ samples: {start.speeds.a: {uniform: [9, 11]}}
 
 @pytest.fixture(autouse=True)
 def _files(folder: Path) -> None:
-    (folder / "case.yaml").write_text(CASE, encoding="utf-8")
-    (folder / "run.yaml").write_text(SCENARIO, encoding="utf-8")
+    (folder / "case.yaml").write_text(CASE, "utf-8")
+    (folder / "run.yaml").write_text(SCENARIO, "utf-8")
 
 
 def test_of_a_run() -> None:
@@ -51,7 +51,7 @@ def test_a_record_of_the_run_says_the_same() -> None:
 
 def test_of_samples_and_sweeps() -> None:
     """Damage grows with the third power of the speed at the start, if all cycles count."""
-    Path("case.yaml").write_text(CASE.replace("1e6", "1e6, threshold: 0"), encoding="utf-8")
+    Path("case.yaml").write_text(CASE.replace("1e6", "1e6, threshold: 0"), "utf-8")
     words = ("simulate", "run.yaml", "--samples", "5")
     told = json_answer(*words, "--damage")["results"]
     assert told["damage[shaft]"]["variants"] == 5
@@ -66,7 +66,7 @@ def test_of_samples_and_sweeps() -> None:
 
 
 def test_samples_without_friction_tell_what_there_is() -> None:
-    Path("case.yaml").write_text(CASE.partition("fatigue")[0], encoding="utf-8")
+    Path("case.yaml").write_text(CASE.partition("fatigue")[0], "utf-8")
     told = json_answer("simulate", "run.yaml", "--samples", "3")["results"]
     assert {*told} == {"abs(peaks)[shaft]", "kinetic", "elastic"}
 
@@ -75,7 +75,7 @@ def test_what_tells_no_damage() -> None:
     damage = ("simulate", "run.yaml", "--damage")
     for more in (["--method", "tarasik"], ["-o", "run.csv"]):
         assert vstatics(*damage, *more).is_wrong_use("--damage is")
-    Path("case.yaml").write_text(CASE.partition("fatigue")[0], encoding="utf-8")
+    Path("case.yaml").write_text(CASE.partition("fatigue")[0], "utf-8")
     for more in ([], ["--samples", "3"]):
         found = vstatics(*damage, *more)
         assert found.status == 1

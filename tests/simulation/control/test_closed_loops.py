@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from tests.chance import count, each_seed, seeded
+from tests.chance import seeded, seeds_with_slow
 from tests.simulation.control.written import simulated, steps_of, written
 from vstatics.simulation import simulate
 
@@ -224,7 +224,7 @@ def independent(given: dict[str, float]) -> tuple[float, float, np.ndarray]:
     return times[0], times[1], np.array([end, end])
 
 
-@each_seed(range(1), range(1, count(6, 60)), pytest.mark.slow)
+@seeds_with_slow(1, 6, 60)
 def test_random_closed_loops_agree_with_other_solvers(seed: int) -> None:
     random = seeded(seed)
     given = {

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from tests.chance import count, seeded
+from tests.chance import each_seed, seeded
 from tests.simulation.control.written import DOG, faults, simulated, written
 from vstatics import CaseError, loads, solve
 from vstatics.simulation import Motion, simulate
@@ -65,7 +65,7 @@ mechanisms: {{hydro: {{kind: variator, first: a, second: b, speed_ratio: .2, eff
 """
 
 
-@pytest.mark.parametrize("seed", range(count(4, 100)))
+@each_seed(4, 100)
 def test_a_variator_with_losses_under_load_agrees_with_an_independent_solver(seed: int) -> None:
     """By the torques (x m eta^-s, -m) and x a_a + x' w_a = a_b, solved for m at each instant."""
     random = seeded(seed)

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 from scipy.optimize import linprog
 
-from tests.chance import count, seeded
+from tests.chance import count, seeded, with_slow
 from tests.simulation.boxes import capacity
 from tests.simulation.reference import element_column, mechanism_column
 from vstatics import Gear, Mechanism, ShiftElement, Transmission
@@ -168,13 +168,7 @@ OTHER_SIDE = (9, 10, 27, 38)
 
 @pytest.mark.parametrize(
     "seed",
-    [
-        10,
-        *(
-            pytest.param(n, marks=pytest.mark.slow)
-            for n in sorted({*OTHER_SIDE, *range(count(8, 100))} - {10})
-        ),
-    ],
+    with_slow([10], sorted({*OTHER_SIDE, *range(count(8, 100))} - {10})),
 )
 def test_a_block_of_lossy_sets_holds_as_long_as_any_split_fits(seed: int) -> None:
     block = random_block(seeded(seed))

@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from tests.chance import count, each_seed, seeded
+from tests.chance import seeded, seeds_with_slow
 from tests.simulation.boxes import capacity
 from tests.simulation.test_closed_forms import links, run
 from tests.simulation.test_golden import closes
@@ -113,7 +113,7 @@ def some_sets(random: Random) -> list[Set]:
     ]
 
 
-@each_seed(range(2), range(2, count(20, 300)), pytest.mark.slow)
+@seeds_with_slow(2, 20, 300)
 def test_any_cascade_runs(seed: int) -> None:
     random = seeded(seed)
     sets = some_sets(random)

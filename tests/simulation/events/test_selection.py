@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 from scipy.linalg import null_space
 
-from tests.chance import count, seeded
+from tests.chance import count, each_seed, seeded
 from tests.commands import CASES
 from tests.simulation.events.plain import PlainGear
 from tests.simulation.reference import element_column, mechanism_column
@@ -132,7 +132,7 @@ def test_any_random_gear_moves_as_by_the_signs_that_fit(seed: int) -> None:
     assert agrees(seed)
 
 
-@pytest.mark.parametrize("seed", range(4))
+@each_seed(4)
 def test_a_pair_before_a_shaft_loses_from_the_first_instant_on_by_the_way_power_flows(
     seed: int,
 ) -> None:

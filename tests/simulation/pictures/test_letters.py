@@ -5,6 +5,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+from tests.chance import each_seed
 from tests.commands import CASES
 from tests.pictures.test_pictures import overlaps
 from tests.shipped import shipped_results
@@ -41,7 +42,7 @@ def test_no_word_of_an_event_covers_another(kind: str, style: Style, count: int)
     assert overlaps(results, kind, style, run()._replace(events=events)) == []
 
 
-@pytest.mark.parametrize("seed", range(20))
+@each_seed(20)
 def test_words_of_a_row_stand_apart_and_near_their_events(seed: int) -> None:
     rng = np.random.default_rng(seed)
     room = float(rng.uniform(100.0, 400.0))

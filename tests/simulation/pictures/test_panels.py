@@ -7,7 +7,7 @@ from xml.etree import ElementTree as ET
 
 import pytest
 
-from tests.chance import with_marked
+from tests.chance import with_slow
 from tests.commands import CASES, vstatics
 from vstatics import load_scenario, solve
 from vstatics.pictures import pages
@@ -21,7 +21,7 @@ ROADS = ("8", "gf4a", "tarasik-truck")
 """How names of scenarios with a road begin."""
 FILES = sorted(path.stem for path in (CASES / "scenarios").glob("*.yaml"))
 OTHERS = {*FILES} - {*QUICK, "moskvich-samples"}  # the samples are of moskvich-start
-NAMES = with_marked(QUICK, sorted(OTHERS), pytest.mark.slow)
+NAMES = with_slow(QUICK, sorted(OTHERS))
 
 
 class Shown(NamedTuple):

@@ -4,13 +4,13 @@ Source: I. S. Tsitovich, V. B. Algin, Vehicle dynamics (in Russian), Minsk 1981:
 3.9 and 3.11; tsitovich-table-3-9.json says what was repaired.
 """
 
-import json
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
 
+from tests.commands import json_file
 from tests.simulation.boxes import RPM, held
 from tests.simulation.test_golden import closes
 from tests.torsion.table_3_8 import TABLE_3_8, Line
@@ -19,7 +19,7 @@ from vstatics.core.model.springs import between
 from vstatics.simulation import Capacity, Formula, Scenario, Start, simulate
 
 PUBLISHED = Path(__file__).with_name("tsitovich-table-3-9.json")
-TABLE_3_9: dict[str, Any] = json.loads(PUBLISHED.read_text(encoding="utf-8"))
+TABLE_3_9: dict[str, Any] = json_file(PUBLISHED)
 
 
 def one_spring(line: Line) -> Scenario:

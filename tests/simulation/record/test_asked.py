@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tests.chance import count, each_seed, seeded
+from tests.chance import seeded, seeds_with_slow
 from tests.simulation.control.written import TWO_WHEELS, written
 from tests.simulation.runs import random_run
 from vstatics import CaseError
@@ -264,7 +264,7 @@ def test_what_there_is_not_is_told() -> None:
         assert caught.value.problems[0].message == said
 
 
-@each_seed(range(2), range(2, count(6, 40)), pytest.mark.slow)
+@seeds_with_slow(2, 6, 40)
 def test_changes_are_those_of_the_speeds_and_powers_are_work(seed: int) -> None:
     """Between instants v grows by (a0 + a1) h/2 - (j1 - j0) h^2/12: Euler and Maclaurin."""
     scenario = random_run(seeded(seed), losses=True)

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from scipy.linalg import eigh
 
-from tests.chance import count, each_seed, seeded
+from tests.chance import each_seed, seeded, seeds_with_slow
 from tests.simulation.runs import random_run
 from vstatics import Gear, Spring, Transmission
 from vstatics.core.numerics.arrays import Floats
@@ -121,12 +121,12 @@ def check_friction(scenario: Scenario) -> None:
         assert np.abs(drawn - values[~jumps]).max() <= CHORD * size + tiny
 
 
-@each_seed(range(6), range(6, count(66, 200)), pytest.mark.slow)
+@seeds_with_slow(6, 66, 200)
 def test_extremes_of_a_chain_of_springs_are_those_of_its_modes(seed: int) -> None:
     check_chain(random_chain(seeded(seed)))
 
 
-@pytest.mark.parametrize("seed", range(6))
+@each_seed(6)
 def test_they_are_so_where_each_step_is_drawn_at_once(
     seed: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -135,7 +135,7 @@ def test_they_are_so_where_each_step_is_drawn_at_once(
     check_friction(random_run(seeded(seed)))
 
 
-@each_seed(range(4), range(4, count(24, 60)), pytest.mark.slow)
+@seeds_with_slow(4, 24, 60)
 def test_runs_with_friction_have_no_values_beyond_their_instants(seed: int) -> None:
     check_friction(random_run(seeded(seed), losses=bool(seed % 2)))
 

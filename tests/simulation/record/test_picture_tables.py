@@ -6,7 +6,7 @@ Against the energies of its account, the torques of its columns, statics and the
 import numpy as np
 import pytest
 
-from tests.chance import with_marked
+from tests.chance import with_slow
 from tests.commands import CASES
 from tests.simulation.test_roads import CASE, ROAD
 from vstatics import load_scenario
@@ -14,7 +14,7 @@ from vstatics.simulation import Motion, Road, Scenario, Start, simulate
 
 QUICK = ("8l90-shifts", "gf4a-upshifts", "moskvich-start", "tarasik-box", "tarasik-set-lock")
 SLOW = ("8hp70-downshift", "8hp70-shifts", "tarasik-truck")
-NAMES = with_marked(QUICK, SLOW, pytest.mark.slow)
+NAMES = with_slow(QUICK, SLOW)
 
 
 def motion_of(name: str) -> Motion:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from tests.chance import count, seeded
+from tests.chance import each_seed, seeded
 from tests.simulation.boxes import held, points
 from tests.simulation.control.written import simulated
 from tests.simulation.test_closed_forms import links, run
@@ -91,7 +91,7 @@ gears: {{"1": []}}
 """
 
 
-@pytest.mark.parametrize("seed", range(count(4, 300)))
+@each_seed(4, 300)
 def test_a_slip_that_leaves_0_slips_and_reverses_only_through_0(seed: int) -> None:
     """A viscous clutch or brake K rests until L grips a shaft that turns: then it slips.
 
@@ -149,7 +149,7 @@ mechanisms: {{g: {{first: in, second: out, ratio: {ratio!r}}}}}
 """
 
 
-@pytest.mark.parametrize("seed", range(count(12, 200)))
+@each_seed(12, 200)
 def test_a_note_says_that_the_output_turns_opposite_to_its_target(seed: int) -> None:
     """The output ends at ``u T t / (J1 u^2 + J2)`` plus its start, without losses."""
     rng = seeded(seed)

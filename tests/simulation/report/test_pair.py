@@ -62,7 +62,7 @@ def test_panels_of_both_have_one_scale_whatever_their_links_are_called() -> None
 def test_the_page_has_both_runs(tmp_path: Path) -> None:
     other, made = tmp_path / "firmer.yaml", tmp_path / "both.html"
     text = SCENARIO.read_text("utf-8").replace("[[0, 300]]", "[[0, 330]]")
-    other.write_text(text.replace("case: ..", f"case: {CASES}"), encoding="utf-8")
+    other.write_text(text.replace("case: ..", f"case: {CASES}"), "utf-8")
     assert vstatics("report", SCENARIO, other, "-o", made).status == 0
     page = Page(made.read_text("utf-8"))
     for label, file in (("A", SCENARIO), ("B", other)):

@@ -293,6 +293,6 @@ def test_a_run_does_not_start_in_a_gear_with_a_given_slip(tmp_path: Path) -> Non
     file = tmp_path / "shift.yaml"
     for key, place in (("start: {gear: troll}", "3:15"), ("shifts: [{at: 1, to: troll}]", "3:22")):
         start = "" if key.startswith("start") else "\nstart: {gear: low}"
-        file.write_text(f"case: box.yaml\nduration: 6\n{key}{start}", encoding="utf-8")
+        file.write_text(f"case: box.yaml\nduration: 6\n{key}{start}", "utf-8")
         with pytest.raises(ReadError, match=rf"shift.yaml:{place}: error: .*B has a given slip in"):
             load_scenario(file)

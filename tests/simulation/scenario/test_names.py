@@ -5,7 +5,7 @@ import re
 import pytest
 import yaml
 
-from tests.chance import count, seeded
+from tests.chance import each_seed, seeded
 from tests.simulation.control.written import faults, simulated, written
 from vstatics import loads
 from vstatics.core.writers.named import write_json, write_yaml
@@ -42,7 +42,7 @@ def test_a_name_that_pyyaml_takes_for_true_or_false_is_refused(name: str) -> Non
         assert f"`{name}` is true or false in YAML, expected another name" in fault
 
 
-@pytest.mark.parametrize("seed", range(count(20, 300)))
+@each_seed(20, 300)
 def test_names_of_a_case_are_read_back_and_no_strict_reader_takes_them_for_truth(seed: int) -> None:
     rng = seeded(seed)
     words = [*SHORT, "on", "off", "yes", "No", "a", "b c"]

@@ -53,9 +53,9 @@ def test_a_note_says_that_a_capacity_without_a_unit_is_in_newton_metres() -> Non
 @pytest.mark.usefixtures("folder")
 def test_check_tells_it_where_the_capacity_stands() -> None:
     text = WHEEL.format(capacity="40", load="")
-    Path("wheel.yaml").write_text(text, encoding="utf-8")
+    Path("wheel.yaml").write_text(text, "utf-8")
     scenario = "{case: wheel.yaml, duration: 1, start: {gear: held, speed: 0}}"
-    Path("stop.yaml").write_text(scenario, encoding="utf-8")
+    Path("stop.yaml").write_text(scenario, "utf-8")
     said = vstatics("check", "stop.yaml")
     assert said.status == 0
     assert said.err.startswith("wheel.yaml:3:57: note: shift_elements.B.capacity: the case has no")

@@ -99,4 +99,4 @@ def test_check_tells_a_constant_that_is_no_number(said: Change) -> None:
 def test_a_start_speed_may_be_0_but_for_rounding(said: Change, speed: float) -> None:
     """At rest, 15 N*m are above the 10 of the clutch: it speeds up."""
     shown = said("in: 30", f"in: {speed}")
-    assert (shown.status, shown.err) == (0, "")
+    assert shown.is_without_messages()

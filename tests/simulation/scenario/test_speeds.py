@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.chance import count, seeded
+from tests.chance import each_seed, seeded
 from tests.simulation.control.written import faults, simulated
 from vstatics import CaseError, ReadError, loads, solve
 from vstatics.simulation import Formula, Scenario, Start, constant, load_scenario, simulate
@@ -104,7 +104,7 @@ sequences: {{s: [{{when: "{when}", set: {{seen: 1}}}}]}}
     return file
 
 
-@pytest.mark.parametrize("seed", range(count(20, 300)))
+@each_seed(20, 300)
 def test_a_condition_is_met_when_the_vehicle_has_its_speed(seed: int, tmp_path: Path) -> None:
     """Constant acceleration: w = M t/J, and the vehicle has v = r w."""
     rng = seeded(4900 + seed)

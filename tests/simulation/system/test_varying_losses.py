@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from tests.chance import count, seeded
+from tests.chance import count, each_seed, seeded
 from tests.simulation.reference import mechanism_column
 from tests.simulation.runs import random_run
 from vstatics import CaseError, Gear, Load, Mechanism, ShiftElement, Transmission, solve
@@ -131,7 +131,7 @@ def constant_map(part: Mechanism) -> float:
     return MapLaw([0, 100], [[0, value, value], [50, value, value]])
 
 
-@pytest.mark.parametrize("seed", range(count(6, 60)))
+@each_seed(6, 60)
 def test_constant_maps_equal_numbers_and_random_boxes_run_to_their_end(seed: int) -> None:
     random = seeded(seed)
     scenario = random_run(random, losses=True)

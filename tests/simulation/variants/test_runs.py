@@ -142,7 +142,7 @@ def test_pieces_depend_on_the_points_beside_the_case(tmp_path: Path) -> None:
     of = Document(SCENARIO, "lock.yaml"), Document(text, str(case))
     made = []
     for torque in (1, 1, 3):
-        points.write_text(f"speed [rad/s],torque [N*m]\n0,{torque}\n", encoding="utf-8")
+        points.write_text(f"speed [rad/s],torque [N*m]\n0,{torque}\n", "utf-8")
         plan = build.plan(VariedScenario(*of), SweepOptions.of(vary=["duration=.1:.2:40"]))
         made.append(plan.fingerprint())
     assert made[0] == made[1] != made[2]

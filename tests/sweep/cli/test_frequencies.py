@@ -20,7 +20,7 @@ OMEGA = "omega[1,1],omega[2,1]/omega[1,1]"
 @pytest.fixture(autouse=True)
 def _case(folder: Path) -> None:
     """A folder, the current one, with three masses."""
-    (folder / "box.yaml").write_text(CASE, encoding="utf-8")
+    (folder / "box.yaml").write_text(CASE, "utf-8")
 
 
 def test_the_numbers_are_those_of_torsion_modes() -> None:
@@ -34,17 +34,17 @@ def test_the_numbers_are_those_of_torsion_modes() -> None:
 
 @needs("torsion")
 def test_a_table_of_variants_and_a_sweep_file() -> None:
-    Path("own.csv").write_text("wheel.inertia,shaft.stiffness\n1.5,9e3\n2,1e4\n", encoding="utf-8")
+    Path("own.csv").write_text("wheel.inertia,shaft.stiffness\n1.5,9e3\n2,1e4\n", "utf-8")
     table = vstatics("sweep", "box.yaml", "--variants", "own.csv", "--out", "omega[1]")
     Path("sweep.yaml").write_text(
         "case: box.yaml\nzip: true\nout: omega[1]\n"
         "vary: {wheel.inertia: [1.5, 2], shaft.stiffness: [9e3, 1e4]}\n",
-        encoding="utf-8",
+        "utf-8",
     )
     file = vstatics("sweep", "--file", "sweep.yaml")
     assert table.out == file.out
     assert len(table.out.splitlines()) == 3
-    Path("own.csv").write_text("wheel.inertai\n1.5\n", encoding="utf-8")
+    Path("own.csv").write_text("wheel.inertai\n1.5\n", "utf-8")
     wrong = vstatics("sweep", "box.yaml", "--variants", "own.csv", "--out", "omega[1]")
     assert wrong.fails("own.csv:1:7: error: read `inertai`, expected `inertia`")
 
@@ -66,7 +66,7 @@ def test_a_gear_whose_input_is_held_vibrates_and_one_without_motion_does_not() -
         ("[B]", ["0,1,ok,1", "1,4,ok,2"]),
         ("[B, P]", ["0,1,tied up,", "1,4,tied up,"]),
     ):
-        Path("held.yaml").write_text(f"{HELD}gears: {{low: {gear}}}\n", encoding="utf-8")
+        Path("held.yaml").write_text(f"{HELD}gears: {{low: {gear}}}\n", "utf-8")
         said = vstatics("sweep", "held.yaml", "--vary", "s.stiffness=1,4", "--out", "omega")
         assert said.out.splitlines()[1:] == rows
         assert said.status == ("no variant has a solution" in said.err) == (gear != "[B]")

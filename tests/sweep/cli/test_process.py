@@ -18,7 +18,7 @@ SWEEP = ("box.yaml", "--vary", "D.ratio=-4:-2:1000", "--vary", "D.efficiency=.9:
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    (tmp_path / "box.yaml").write_text(CASE_TEXT, encoding="utf-8")
+    (tmp_path / "box.yaml").write_text(CASE_TEXT, "utf-8")
     return tmp_path
 
 
@@ -26,7 +26,7 @@ def folder(tmp_path: Path) -> Path:
 def whole(tmp_path_factory: pytest.TempPathFactory) -> bytes:
     """The output of an undisturbed sweep."""
     folder = tmp_path_factory.mktemp("whole")
-    (folder / "box.yaml").write_text(CASE_TEXT, encoding="utf-8")
+    (folder / "box.yaml").write_text(CASE_TEXT, "utf-8")
     assert end(begin(*SWEEP, "-o", "out.csv", "-j", 2, cwd=folder))[0] == 0
     return (folder / "out.csv").read_bytes()
 
@@ -58,7 +58,7 @@ def test_an_interrupted_sweep_says_where_it_stopped_and_goes_on(
 
 def most_memory(process: int) -> int:
     """The most memory that a process has had so far [kB]."""
-    text = Path(f"/proc/{process}/status").read_text(encoding="utf-8")
+    text = Path(f"/proc/{process}/status").read_text("utf-8")
     return next(int(line.split()[1]) for line in text.splitlines() if line.startswith("VmHWM"))
 
 

@@ -102,8 +102,8 @@ def test_all_formats_hold_the_same(tmp_path: Path) -> None:
     pandas = pytest.importorskip("pandas")
     parquet = pytest.importorskip("pyarrow.parquet")
     paths = {form: output(tmp_path / f"out.{form}", *VARY) for form in ("csv", "jsonl", "npz")}
-    rows = list(csv.DictReader(io.StringIO(paths["csv"].read_text(encoding="utf-8"))))
-    objects = [json.loads(line) for line in paths["jsonl"].read_text(encoding="utf-8").splitlines()]
+    rows = list(csv.DictReader(io.StringIO(paths["csv"].read_text("utf-8"))))
+    objects = [json.loads(line) for line in paths["jsonl"].read_text("utf-8").splitlines()]
     archive = np.load(paths["npz"])
     table = parquet.read_table(output(tmp_path / "out.parquet", *VARY)).to_pandas()
     names = ["variant", "D.ratio", "D.efficiency", "status"]
@@ -154,7 +154,7 @@ def numbers(path: Path, name: str) -> list[float]:
     if path.suffix == ".parquet":
         parquet = pytest.importorskip("pyarrow.parquet")
         return list(parquet.read_table(path)[name].to_pylist())
-    data = path.read_text(encoding="utf-8")
+    data = path.read_text("utf-8")
     if path.suffix == ".jsonl":
         return [json.loads(line)[name] for line in data.splitlines()]
     return [float(row[name]) for row in csv.DictReader(io.StringIO(data))]

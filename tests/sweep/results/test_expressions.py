@@ -62,9 +62,8 @@ def test_a_row_or_a_gear_alone_gives_all_gears_or_rows() -> None:
 
 def test_a_name_comes_before_a_number() -> None:
     """The gear that is called 2 is the first; #2 is the second, and no gear is called 1."""
-    assert value("ratio[2]") == pytest.approx(1)
-    assert value("ratio[#2]") == pytest.approx(HELD)
-    assert value("ratio[#1]") == pytest.approx(1)
+    for text, expected in (("ratio[2]", 1), ("ratio[#2]", HELD), ("ratio[#1]", 1)):
+        assert value(text) == pytest.approx(expected)
     assert "did you mean `1R`?; #1 is 2" in problem("ratio[1]").message
     assert value("speeds[3, #2]") == pytest.approx(1 / HELD)
     for text in ('"вал"', "'вал'", " вал ", "1", "#1", "01"):

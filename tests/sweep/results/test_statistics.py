@@ -6,11 +6,11 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from tests.chance import count, seeded
+from tests.chance import each_seed, seeded
 from vstatics.sweep.results.statistics import statistics
 
 
-@pytest.mark.parametrize("seed", range(count(30, 500)))
+@each_seed(30, 500)
 def test_mean_and_deviation_of_numbers_of_any_size_are_those_of_fractions(seed: int) -> None:
     rng = seeded(seed)
     size = 10.0 ** rng.uniform(-290, 307)

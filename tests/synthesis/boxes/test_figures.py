@@ -1,6 +1,5 @@
 """Found boxes as cases with figures, against printed numbers and exact fractions; held members."""
 
-import json
 import math
 import pickle
 from itertools import pairwise, permutations, product
@@ -8,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.commands import json_file
 from tests.oracle import gears as oracle
 from tests.shipped import PUBLISHED
 from tests.synthesis.boxes.hand_boxes import (
@@ -44,7 +44,7 @@ BUILT = {
 def test_gears_have_the_printed_ratios(name: str) -> None:
     found = measured(*BUILT[name], 0.98)
     ratios = {gear.name: gear.ratio for gear in found.gears}
-    printed = json.loads((PUBLISHED / f"{name}.json").read_text())["ratio"]
+    printed = json_file(PUBLISHED / f"{name}.json")["ratio"]
     assert ratios == pytest.approx(printed, abs=5.1e-4)
     results = solve(found.case)
     assert [gear.name for gear in results.case.gears] == list(ratios)

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from tests.commands import CASES, Said, vstatics
+from tests.commands import CASES, Said, json_file, vstatics
 from tests.core.cli.test_schemas import validator
 from vstatics import load, solve
 from vstatics.core.cli.shared import estimates
@@ -142,7 +142,7 @@ def test_options_are_repeated_or_hold_commas(tmp_path: Path) -> None:
     some = documents(BELAZ, "--shift-elements", "T1,T3", "--shift-elements", "F1")
     assert [one["engaged"] for one in some] == [["F1", "T1"], ["F1", "T3"], ["T1", "T3"]]
     text = BELAZ.read_text("utf-8").replace("F1: [", "'a,\\\"b': [").replace("F1", "'a,\\\"b'")
-    (tmp_path / "box.yaml").write_text(text, encoding="utf-8")
+    (tmp_path / "box.yaml").write_text(text, "utf-8")
     for names in (('a,\\"b', "--shift-elements", "F2"), ('F2,"a,\\""b"',)):
         [found] = documents(tmp_path / "box.yaml", "--shift-elements", *names)
         assert found["engaged"] == ['a,\\"b', "F2"]
@@ -174,13 +174,13 @@ def test_freewheels_hold_or_the_gear_is_left_out(tmp_path: Path) -> None:
     As a freewheel from 3 to 2 L would keep the carrier from lagging behind the ring.
     """
     box, gears = tmp_path / "box.yaml", tmp_path / "gears.yaml"
-    box.write_text(FREEWHEELS, encoding="utf-8")
+    box.write_text(FREEWHEELS, "utf-8")
     kinds = [(one["engaged"], one["kind"]) for one in documents(box, "--write", gears)]
     assert kinds == [(["L"], "gear"), (["M"], "direct"), (["C"], "direct")]
     assert [list(gear.engaged) for gear in load(gears).gears] == [[], [3]]
     assert solve(load(gears)).ratio == pytest.approx([3.5, 1])
     lines = [line for line in FREEWHEELS.splitlines() if " M:" not in line]
-    box.write_text("\n".join(lines).replace("[2, housing]", "[3, 2]"), encoding="utf-8")
+    box.write_text("\n".join(lines).replace("[2, housing]", "[3, 2]"), "utf-8")
     done = said(box, "--write", gears)
     assert "left out, as freewheels do not hold: low" in done.err
     assert [gear.name for gear in load(gears).gears] == ["C"]
@@ -189,7 +189,7 @@ def test_freewheels_hold_or_the_gear_is_left_out(tmp_path: Path) -> None:
 def test_gears_that_leave_links_free_are_left_out_and_told(tmp_path: Path) -> None:
     """With all gears free they are taken; a second set is held by D alone."""
     box, gears = tmp_path / "box.yaml", tmp_path / "gears.yaml"
-    box.write_text(FREE, encoding="utf-8")
+    box.write_text(FREE, "utf-8")
     assert "left out" not in said(box, "--engaged", "1", "--write", gears).err
     assert [gear.name for gear in load(gears).gears] == ["A", "B"]
     done = said(box, "--engaged", "1,2", "--write", gears)
@@ -206,7 +206,7 @@ def test_a_dry_run_says_how_many_how_large_how_long(tmp_path: Path) -> None:
     assert said(BELAZ, "--dry-run").out.startswith("elements      6: F1, F2, T1, T2, T3, T4\n")
     file = tmp_path / "estimate.json"
     assert said(*DRIVELINE, "--engaged", "2", "--dry-run", "-o", file).out == ""
-    known = json.loads(file.read_text("utf-8"))
+    known = json_file(file)
     assert [*validator("combinations").iter_errors(known)] == []
     assert list(known) == ["elements", "engaged", "count", "bytes", "seconds"]
     assert (len(known["elements"]), known["engaged"], known["count"]) == (208, [2], 21528)

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.commands import CASES, json_answer, vstatics
+from tests.commands import CASES, json_answer, json_file, vstatics
 from tests.synthesis.boxes.listed_boxes import many, simpson
 
 
@@ -80,7 +80,7 @@ def test_other_commands_tell_what_it_is(tmp_path: Path, boxes: Path) -> None:
         assert answer.fails("these are found boxes, expected a case; plot --kind boxes, report and")
     plot = ("plot", "--kind", "boxes", "-o", str(tmp_path / "a.svg"))
     assert vstatics(*plot, CASES / "simpson.yaml").fails("not valid JSON")
-    document = json.loads(boxes.read_text())
+    document = json_file(boxes)
     case = document["boxes"][0]["case"]
     case["gears"]["1"]["engaged"] = list(case["shift_elements"])
     boxes.write_text(json.dumps(document))

@@ -41,7 +41,7 @@ def test_the_case_that_is_written_has_the_ratios(tmp_path: Path) -> None:
     file, box = tmp_path / "teeth.yaml", tmp_path / "box.yaml"
     text = "links: 4\nmechanisms:\n  P: {first: 1, second: 2, third: 3, ratio: -2}\n"
     text += "  G: {first: 3, second: 4, ratio: -1.6}\nshift_elements: {B: [2, housing]}\n"
-    box.write_text(text + "gears: {low: [B]}\n", encoding="utf-8")
+    box.write_text(text + "gears: {low: [B]}\n", "utf-8")
     answer = said("--ratios", "low=-5.6875", "--centre", "G=52.5", "--write", str(file), case=box)
     assert answer.status == 0, answer.err
     assert solve(load(file)).ratio.tolist() == pytest.approx([-5.6875], rel=1e-3)

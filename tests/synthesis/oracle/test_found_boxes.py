@@ -10,6 +10,7 @@ from tests.oracle import test_boxes as built_boxes
 from tests.oracle.boxes import HELD, Box, Frame, Space, all_frames, found_in, names, triples
 from tests.oracle.boxes import searched as all_searched
 from tests.oracle.test_boxes import Built, Pairs, holds, ratio
+from tests.synthesis.boxes.batches.test_cut import named
 from tests.synthesis.boxes.hand_boxes import FORD_10R, FORD_10R_SEARCH
 from vstatics.synthesis.boxes.batches.cut import ranges
 from vstatics.synthesis.boxes.batches.found import found_in as search_piece
@@ -51,10 +52,7 @@ def name_of(box: FoundBox, shafts: int = 0) -> Name:
 def frames_of(piece: list[BoxScheme]) -> Iterator[Frame]:
     """The frames of a piece, in their least names."""
     for one in piece:
-        code = tuple(link for own in one.scheme.sets for link in own)
-        held = HELD if one.held is None else one.held
-        for ports in one.ports:
-            yield min(names(Frame(code, one.meshed, held, *ports), ()))[0]
+        yield from named(one)
 
 
 def compare(space: Space, found: list[FoundBox], boxes: list[Box]) -> None:

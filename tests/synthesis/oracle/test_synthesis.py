@@ -9,7 +9,7 @@ from itertools import combinations as subsets
 import numpy as np
 import pytest
 
-from tests.chance import seeded
+from tests.chance import each_seed, seeded
 from tests.oracle import schemes
 from tests.oracle.combinations import Train, every, found
 from tests.oracle.fits import Wish, fits
@@ -61,7 +61,7 @@ def train_of(case: Transmission) -> Train:
     )
 
 
-@pytest.mark.parametrize("seed", range(40))
+@each_seed(40)
 def test_kinds_and_ratios_are_those_of_the_null_space(seed: int) -> None:
     chance = seeded(seed)
     case = random_case(chance)
@@ -122,7 +122,7 @@ def fitted_case(chance: random.Random) -> tuple[Transmission, Train]:
     return case, train
 
 
-@pytest.mark.parametrize("seed", range(12))
+@each_seed(12)
 def test_fitted_ratios_are_as_good_as_those_of_many_slow_starts(seed: int) -> None:
     chance = seeded(seed)
     case, train = fitted_case(chance)

@@ -76,7 +76,7 @@ SCHEME_686 = next(scheme for number, scheme in schemes() if number == 686)
 
 def rows(heading: str) -> list[list[str]]:
     """Cells of the last table under a heading that the page has, its own heading first."""
-    text = PAGE.read_text(encoding="utf-8").partition(f"\n## {heading}\n")[2].partition("\n## ")[0]
+    text = PAGE.read_text("utf-8").partition(f"\n## {heading}\n")[2].partition("\n## ")[0]
     table = re.findall(r"(?:^\|.*\n)+", text, re.MULTILINE)[0].splitlines()
     return [[cell.strip() for cell in line[1:-1].split("|")] for line in table if "---" not in line]
 
@@ -96,7 +96,7 @@ def test_scheme_22_lacks_b2_and_18_of_1365_are_complete() -> None:
     assert set(ELEMENTS) - set(elements) == {"b2"}
     found = [number for number, _ in schemes()]
     assert len(found) == 18
-    text = PAGE.read_text(encoding="utf-8")
+    text = PAGE.read_text("utf-8")
     assert ", ".join(map(str, found)) in text
 
 

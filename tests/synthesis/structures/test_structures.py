@@ -8,7 +8,7 @@ from typing import get_args
 import numpy as np
 import pytest
 
-from tests.chance import with_marked
+from tests.chance import with_slow
 from tests.oracle import schemes as oracle
 from tests.oracle.boxes import codes, hangs_together
 from tests.synthesis.oracle.test_schemes import GROUPS, is_sound, least
@@ -64,7 +64,7 @@ def listed(search: StructureSearch) -> list[Row]:
     return sorted(found)
 
 
-@pytest.mark.parametrize("search", with_marked(SMALL, THREE_SETS, pytest.mark.slow), ids=str)
+@pytest.mark.parametrize("search", with_slow(SMALL, THREE_SETS), ids=str)
 def test_schemes_of_up_to_three_sets_are_all_of_them(search: StructureSearch) -> None:
     """Each with the least code of its class, each once, ascending."""
     assert rows(search) == listed(search)
@@ -72,10 +72,9 @@ def test_schemes_of_up_to_three_sets_are_all_of_them(search: StructureSearch) ->
 
 @pytest.mark.parametrize(
     "search",
-    with_marked(
+    with_slow(
         [StructureSearch(4, "sets", ports=True), StructureSearch(4, "sets", unsound=True)],
         [StructureSearch(4, *choice) for choice in CHOICES],
-        pytest.mark.slow,
     ),
     ids=str,
 )
@@ -188,7 +187,7 @@ def test_an_estimate_is_true_to_a_few_per_cent(
     assert not found.exact
 
 
-@pytest.mark.parametrize("sets", [1, 2, 3, 4, 5, pytest.param(6, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("sets", with_slow([1, 2, 3, 4, 5], [6]))
 def test_labelled_schemes_are_counted_without_a_list(sets: int) -> None:
     """Sound and connected ones against the oracle, whose recursion is written apart."""
     for unsound, whole in ((False, oracle.sound), (True, oracle.connected)):
@@ -200,7 +199,7 @@ def test_labelled_schemes_are_counted_without_a_list(sets: int) -> None:
     assert count(search) == {links: trees * links * (links - 1)}
 
 
-@pytest.mark.parametrize("sets", [1, 2, 3, 4, 5, pytest.param(7, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("sets", with_slow([1, 2, 3, 4, 5], [7]))
 def test_trees_with_members_in_any_order_are_triangular_cacti(sets: int) -> None:
     """OEIS A003081, Harary and Palmer, Graphical Enumeration, (3.4.21)."""
     links = 2 * sets + 1

@@ -28,7 +28,7 @@ def said(*options: str, text: str = VAZ) -> Any:
 
 def test_one_gear_is_as_a_file_of_numbers() -> None:
     answer = said("--gear", "2", "-f", "json")
-    assert (answer.status, answer.err) == (0, "")
+    assert answer.is_without_messages()
     made = answer.json
     [expected] = gear_dumps(loads(VAZ), ["2"])
     assert expected.given is not None

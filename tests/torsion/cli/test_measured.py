@@ -84,9 +84,9 @@ springs: {shaft: {links: [a, b], stiffness: 1000}}
 
 
 def swinging(rows: Sequence[tuple[float, float]], *more: str) -> Said:
-    Path("swing.yaml").write_text(SWING, encoding="utf-8")
+    Path("swing.yaml").write_text(SWING, "utf-8")
     text = "note,time [ms],M [kN*m]\n" + "".join(f"x,{t},{m}\n" for t, m in rows)
-    Path("record.csv").write_text(text, encoding="utf-8")
+    Path("record.csv").write_text(text, "utf-8")
     words = ("swing.yaml", "--record", "record.csv", "--column", "M", *more)
     return vstatics("torsion", "identify", *words)
 

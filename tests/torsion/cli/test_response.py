@@ -30,7 +30,7 @@ CSV = ["table", "gear", "order", "mode", "speed", "row", "value"]
 
 @pytest.fixture(autouse=True)
 def _files(folder: Path) -> None:
-    (folder / "engine.csv").write_text(TABLE, encoding="utf-8")
+    (folder / "engine.csv").write_text(TABLE, "utf-8")
 
 
 def test_json_has_what_the_library_has() -> None:
@@ -149,7 +149,7 @@ def test_an_undamped_system_that_is_hit_exactly_has_null() -> None:
 
 def test_a_fault_of_a_table_is_told_at_its_line_and_writes_nothing() -> None:
     call = ("response", *AT, "--torque", "engine.csv", *SPEED, "-o", "new.csv")
-    Path("engine.csv").write_text("order,amplitude\n2,1 kN*m\n", encoding="utf-8")
+    Path("engine.csv").write_text("order,amplitude\n2,1 kN*m\n", "utf-8")
     answer = said(*call, text=GOOD)
     assert answer.gives_nothing("engine.csv:2:1: error: amplitude: read '1 kN*m'")
     Path("engine.csv").write_bytes(b"\xff\xfe\0order")
@@ -160,7 +160,7 @@ def test_a_fault_of_a_table_is_told_at_its_line_and_writes_nothing() -> None:
 def test_the_table_is_not_written_over_and_case_and_table_can_not_both_be_stdin() -> None:
     call = ("response", *AT, "--torque", "engine.csv", *SPEED)
     assert said(*call, "-o", "engine.csv", text=GOOD).status == 2
-    assert Path("engine.csv").read_text(encoding="utf-8") == TABLE
+    assert Path("engine.csv").read_text("utf-8") == TABLE
     answer = said("response", *AT, "--torque", "-", *SPEED, text=GOOD)
     assert answer.is_wrong_use("standard input (-) can be read once")
     answer = said(*call, "--orders", "2,3", text=GOOD)

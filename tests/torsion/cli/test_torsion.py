@@ -48,7 +48,7 @@ each_call = pytest.mark.parametrize("call", ALL, ids=lambda call: call[0])
 
 @pytest.fixture(autouse=True)
 def _files(folder: Path) -> None:
-    (folder / "box.yaml").write_text(GOOD, encoding="utf-8")
+    (folder / "box.yaml").write_text(GOOD, "utf-8")
 
 
 def with_lost(text: str) -> str:
@@ -65,11 +65,11 @@ def test_a_file_holds_what_stdout_would(command: str) -> None:
     call = ("torsion", command, "box.yaml", *ASKED[command])
     for suffix, form, begins in FORMS:
         printed = vstatics(*call, "-f", form)
-        assert (printed.status, printed.err) == (0, "")
+        assert printed.is_without_messages()
         assert printed.out.startswith(begins)
         written = vstatics(*call, "-o", f"new.{suffix}")
         assert (written.status, written.all, names()) == (0, "", ["box.yaml", f"new.{suffix}"])
-        assert Path(f"new.{suffix}").read_text(encoding="utf-8") == printed.out
+        assert Path(f"new.{suffix}").read_text("utf-8") == printed.out
         Path(f"new.{suffix}").unlink()
 
 
@@ -142,7 +142,7 @@ def test_json_from_a_pipe_tells_its_file_as_other_commands_do(command: str) -> N
 @each_call
 def test_files_that_cannot_be_read_or_written(call: tuple[str, ...]) -> None:
     """Nothing is written, and outputs that are none are refused before anything is read."""
-    Path("old.json").write_text("old", encoding="utf-8")
+    Path("old.json").write_text("old", "utf-8")
     command, *options = call
     wrong = said(*call, "-o", "old.json", text=BOX.replace("474", "-474"))
     stiffness = "springs.tyre.stiffness: read -474, expected a stiffness above 0"
@@ -159,8 +159,8 @@ def test_files_that_cannot_be_read_or_written(call: tuple[str, ...]) -> None:
     answer = vstatics("torsion", command, "bos.yaml", *options)
     hint = "bos.yaml: error: cannot be read: No such file or directory; did you mean `box.yaml`?\n"
     assert (answer.status, answer.out, answer.err) == (1, "", hint)
-    assert Path("old.json").read_text(encoding="utf-8") == "old"
-    assert Path("box.yaml").read_text(encoding="utf-8") == GOOD
+    assert Path("old.json").read_text("utf-8") == "old"
+    assert Path("box.yaml").read_text("utf-8") == GOOD
     assert names() == ["box.yaml", "old.json"]
 
 
@@ -227,7 +227,7 @@ def test_a_gear_that_is_not_there_is_wrong_use(call: tuple[str, ...]) -> None:
 def test_where_there_is_one_gear_it_need_not_be_named(call: tuple[str, ...]) -> None:
     """That of a case without gears, too; one of several must be."""
     without = said(*call, "-f", "json", text=CHAIN)
-    assert (without.status, without.err) == (0, "")
+    assert without.is_without_messages()
     assert without.json["gear"] == "1"
     assert without.out == said(*call, "--gear", "1", "-f", "json", text=CHAIN).out
     assert said(*call).is_wrong_use("Missing option '--gear': gears are low, direct, tied, N")

@@ -8,7 +8,7 @@ import pytest
 import yaml
 from jsonschema import Draft202012Validator
 
-from tests.commands import ROOT
+from tests.commands import ROOT, json_file
 from vstatics import ClutchDump, ReadError, Transmission, loads, solve
 from vstatics.core.writers import named
 from vstatics.core.writers.deck import lost
@@ -56,7 +56,7 @@ def test_it_comes_back_from_what_is_written() -> None:
 
 
 def test_the_schema_takes_what_is_read_and_written() -> None:
-    schema = json.loads((ROOT / "schemas" / "case.schema.json").read_text("utf-8"))
+    schema = json_file(ROOT / "schemas" / "case.schema.json")
     validator: Any = Draft202012Validator(schema)
     validator.validate(yaml.safe_load(CASE))
     validator.validate(yaml.safe_load(CASE.replace("1.4 kN*m", ".inf")))

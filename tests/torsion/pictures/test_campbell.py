@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from tests.chance import count, seeded
+from tests.chance import each_seed, seeded
 from tests.commands import CASES, json_answer, vstatics
 from tests.installed import needs
 from tests.pictures import drawn as said
@@ -241,7 +241,7 @@ def test_wrong_use(tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.parametrize("seed", range(count(4, 200)))
+@each_seed(4, 200)
 def test_a_range_of_speeds_has_the_resonances_within_it(seed: int) -> None:
     """Closed form: an order n meets f at 60 f/n rpm, at the part of the range that this is."""
     rng = seeded(seed)

@@ -34,11 +34,11 @@ def test_frequencies_that_differ_are_the_misprints_of_the_page() -> None:
         for number, _ in enumerate(omegas or [], 1)
     }
     assert told & counted == {f"{name} {GEARS[gear - 1]}, {at}" for name, gear, at in APART}
-    page = (SOURCES / "vehicle-dynamics.md").read_text(encoding="utf-8")
+    page = (SOURCES / "vehicle-dynamics.md").read_text("utf-8")
     of_trucks, of_moskvich = len(counted), 48
     assert f"six trucks | {of_trucks - len(APART)} of {of_trucks} within" in page
     assert f"| 2.5, frequencies | {of_moskvich - 1} of {of_moskvich} within" in page
-    method = (ROOT / "docs/method.md").read_text(encoding="utf-8")
+    method = (ROOT / "docs/method.md").read_text("utf-8")
     assert f"({of_trucks + of_moskvich} natural frequencies" in method
     assert f"[{len(APART) + 1} of them misprints]" in method
 

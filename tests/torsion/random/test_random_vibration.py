@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.integrate import quad, quad_vec
 
-from tests.chance import count, seeded
+from tests.chance import count, each_seed, seeded
 from tests.installed import needs
 from tests.torsion.systems import Array, matrices, mounted
 from vstatics import Damping, Gear, Load, Mechanism, Spring, Transmission
@@ -236,7 +236,7 @@ def test_life_of_a_device_with_a_fatigue_strength() -> None:
     assert math.isnan(none.devices["mount"].life)
 
 
-@pytest.mark.parametrize("seed", range(count(6, 200)))
+@each_seed(6, 200)
 def test_accelerations_of_masses_in_a_row_on_a_road(seed: int) -> None:
     """On a damped tyre the next mass has no variance of it, as what acts follows such a rate.
 

@@ -18,8 +18,8 @@ ROAD = "{variance: 1e-4, correlation: [[1, .3, .8]], speed: 36 km/h}"
 
 @pytest.fixture(autouse=True)
 def _files(folder: Path) -> None:
-    (folder / "case.yaml").write_text(CASE, encoding="utf-8")
-    (folder / "road.yaml").write_text(ROAD, encoding="utf-8")
+    (folder / "case.yaml").write_text(CASE, "utf-8")
+    (folder / "road.yaml").write_text(ROAD, "utf-8")
 
 
 def test_numbers_may_have_units() -> None:

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tests.chance import seeded
+from tests.chance import each_seed, seeded
 from vstatics.torsion.reduction.condensation import tidied, without_massless
 from vstatics.torsion.reduction.scheme import (
     SchemeSpring,
@@ -64,7 +64,7 @@ def random_scheme(seed: int) -> TorsionScheme:
     return TorsionScheme(tuple("abcdefgh"), tuple(inertias), tuple(springs))
 
 
-@pytest.mark.parametrize("seed", range(20))
+@each_seed(20)
 def test_any_scheme_keeps_its_stiffness_and_frequencies(seed: int) -> None:
     """K of the masses with inertia is its Schur complement (static condensation)."""
     given = random_scheme(seed)

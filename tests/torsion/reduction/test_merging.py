@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy import linalg
 
-from tests.chance import generator
+from tests.chance import each_seed, generator
 from vstatics import CaseError
 from vstatics.torsion.reduction.merging import simplify_merging
 from vstatics.torsion.reduction.scheme import (
@@ -23,7 +23,7 @@ def fork(left: float = 1.0) -> TorsionScheme:
     return TorsionScheme(("a", "b", "l", "r"), (4.0, 2.0, left, 1.0), tuple(springs))
 
 
-@pytest.mark.parametrize("seed", range(8))
+@each_seed(8)
 def test_both_turn_as_one(seed: int) -> None:
     """Any springs, of three links and to the housing too: eigenvalues of C^T K C, C^T J C."""
     chance = generator(seed)

@@ -68,7 +68,7 @@ def test_a_gear_without_modes_says_why(tmp_path: Path) -> None:
     tied = tied.replace("direct: [C]", "all: [B, C, D, W]")
     said = vstatics("report", write(tmp_path, tied), "-o", tmp_path / "out.html")
     assert said.status == 1
-    page = Page((tmp_path / "out.html").read_text(encoding="utf-8"))
+    page = Page((tmp_path / "out.html").read_text("utf-8"))
     assert page.table("Natural frequencies [Hz]")["all"]["note"].text.startswith("tied up: ")
     assert any(one.text.startswith("tied up: ") for one in page.all("p"))
 

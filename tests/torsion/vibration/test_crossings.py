@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tests.chance import count, seeded
+from tests.chance import each_seed, seeded
 from tests.installed import needs
 from tests.torsion.systems import Array, chain, wheels
 from tests.torsion.vibration.test_gear_modes import omegas, only
@@ -59,11 +59,11 @@ def alone(inertias: list[float], stiffnesses: list[float]) -> list[float]:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("number", range(count(40, 100)))
-def test_modes_of_two_trains_stay_with_their_train(number: int) -> None:
+@each_seed(40, 100)
+def test_modes_of_two_trains_stay_with_their_train(seed: int) -> None:
     """A stiffness and an inertia of the first vary; each variant is that of the trains alone."""
-    (masses, shafts), (others, soft) = random_chain(2 * number), random_chain(2 * number + 1)
-    rng = seeded(number)
+    (masses, shafts), (others, soft) = random_chain(2 * seed), random_chain(2 * seed + 1)
+    rng = seeded(seed)
     stiffness = np.array([shafts[0], *(10 ** rng.uniform(0, 5) for _ in range(6))])
     inertia = np.array([masses[1], *(10 ** rng.uniform(-2, 2) for _ in range(6))])
     both = side_by_side(chain(masses, shafts), chain(others, soft))

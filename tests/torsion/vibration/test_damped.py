@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from scipy import linalg
 
-from tests.chance import count, seeded
+from tests.chance import count, each_seed, seeded
 from tests.torsion.systems import Array, branched, chain, eigenvalues, matrices, mounted
 from tests.torsion.vibration.test_gear_modes import only
 from vstatics import CaseError, Damping, Spring, Transmission
@@ -86,7 +86,7 @@ def test_every_damped_system(case: Transmission) -> None:
         assert (mode.damping_ratio >= 1) == (mode.damped_frequency == 0)
 
 
-@pytest.mark.parametrize("seed", range(count(12, 300)))
+@each_seed(12, 300)
 def test_massless_links_of_which_a_damper_resists_some(seed: int) -> None:
     rng = seeded(seed)
     size = rng.randint(4, 6)
@@ -152,7 +152,7 @@ def with_dampers_alone(seed: int) -> Transmission:
     return Transmission(links, [], [], [], inertias=inertias, springs=springs)
 
 
-@pytest.mark.parametrize("seed", range(count(40, 1000)))
+@each_seed(40, 1000)
 def test_eigenvalues_with_dampers_alone(seed: int) -> None:
     """Zeros are left out: the program tells rigid motions apart."""
     case = with_dampers_alone(seed)
@@ -165,7 +165,7 @@ def test_eigenvalues_with_dampers_alone(seed: int) -> None:
         assert np.abs(values - one).min() <= 1e-5 * max(abs(one), 1e-3 * size)
 
 
-@pytest.mark.parametrize("seed", range(count(20, 500)))
+@each_seed(20, 500)
 def test_amplitudes_and_torques_of_a_response_are_those_of_the_dense_equations(seed: int) -> None:
     """(K - w^2 M + i w D) x = F, by NumPy; the torque of a damper is i w d times its twist."""
     case = with_dampers_alone(seed)
@@ -234,11 +234,11 @@ def eigenvalues_of_mode(case: Transmission, omega: float, shape: Array) -> tuple
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("number", range(count(50, 150)))
+@each_seed(50, 150)
 @pytest.mark.parametrize("most", [0.1, 0.5, 2.0])
-def test_loss_factors_of_any_chain(number: int, most: float) -> None:
+def test_loss_factors_of_any_chain(seed: int, most: float) -> None:
     """Each mode has the eigenvalue nearest to it with the damping ``c loss_factor/omega``."""
-    case = with_losses(number, most)
+    case = with_losses(seed, most)
     for mode in only(case).modes:
         shape = np.array([*mode.shape.values()])
         values, parts = eigenvalues_of_mode(case, mode.omega, shape)

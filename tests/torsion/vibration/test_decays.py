@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from tests.chance import generator
+from tests.chance import each_seed, generator
 from vstatics.torsion.vibration.decays import Decay, decay, recorded_decay
 
 
@@ -32,7 +32,7 @@ def test_the_mean_line_of_a_record() -> None:
     assert made.mean_line == pytest.approx((41.734167, 38.682775, 41.000527, 39.240027), abs=1e-6)
 
 
-@pytest.mark.parametrize("seed", range(6))
+@each_seed(6)
 def test_a_record_in_samples(seed: int) -> None:
     """Instants that are not even, 40 or so to a period; extremes lie pi/omega apart."""
     chance = generator(seed)

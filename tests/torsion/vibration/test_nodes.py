@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy import linalg
 
-from tests.chance import count, seeded, with_marked
+from tests.chance import count, each_seed, seeded, with_slow
 from tests.torsion.systems import chain
 from tests.torsion.vibration.test_gear_modes import only
 from vstatics import Mechanism, Spring, Transmission
@@ -28,7 +28,7 @@ def test_a_chain_whose_amplitudes_decay_below_rounding() -> None:
     check(chain(masses, [1e6] * 3 + [100.0] * 8), 1)
 
 
-@pytest.mark.parametrize("number", with_marked([0, 1], range(2, count(10, 25)), pytest.mark.slow))
+@pytest.mark.parametrize("number", with_slow([0, 1], range(2, count(10, 25))))
 def test_nodes_of_any_chain(number: int) -> None:
     """Masses over five, stiffnesses over eight decades; some links have no mass.
 
@@ -49,7 +49,7 @@ def test_nodes_of_any_chain(number: int) -> None:
     check(Transmission(links, [], [], [], springs=springs, inertias=inertias), not is_mounted)
 
 
-@pytest.mark.parametrize("seed", range(count(10, 300)))
+@each_seed(10, 300)
 def test_modes_of_chains_that_are_not_connected_have_the_nodes_of_their_own(seed: int) -> None:
     """Each chain is mounted at its first mass, so its n-th mode has n - 1 nodes."""
     rng = seeded(seed)
@@ -72,7 +72,7 @@ def test_modes_of_chains_that_are_not_connected_have_the_nodes_of_their_own(seed
     assert found == [pytest.approx(one) for one in sorted(expected)]
 
 
-@pytest.mark.parametrize("seed", range(count(15, 300)))
+@each_seed(15, 300)
 def test_a_body_that_moves_with_two_masses_leaves_no_chain(seed: int) -> None:
     """Nodes are then the shafts whose ends turn against each other, in any number of a mode."""
     rng = seeded(seed)

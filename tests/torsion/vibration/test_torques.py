@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy import linalg
 
-from tests.chance import count, seeded, with_marked
+from tests.chance import count, seeded, with_slow
 from tests.torsion.systems import Array
 from tests.torsion.vibration.test_gear_modes import omegas, only
 from vstatics import Transmission, loads
@@ -173,9 +173,7 @@ def check_response(driveline: Driveline, speed: float) -> None:
     check_rows(found, expected, max(map(abs, expected.values())) * np.linalg.cond(dynamic) / 1e4)
 
 
-@pytest.mark.parametrize(
-    "number", with_marked([0, 3], [1, 2, *range(4, count(60, 200))], pytest.mark.slow)
-)
+@pytest.mark.parametrize("number", with_slow([0, 3], [1, 2, *range(4, count(60, 200))]))
 def test_rows_of_any_driveline_are_those_of_planets_as_links(number: int) -> None:
     driveline = random_driveline(number)
     check_modes(driveline)

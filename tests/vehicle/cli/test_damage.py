@@ -23,9 +23,9 @@ RECORD = "time,torques[shaft]\n" + "".join(f"{n},{one}\n" for n, one in enumerat
 
 @pytest.fixture(autouse=True)
 def _files(folder: Path) -> None:
-    (folder / "case.yaml").write_text(CASE, encoding="utf-8")
-    (folder / "both.yaml").write_text(BOTH, encoding="utf-8")
-    (folder / "record.csv").write_text(RECORD, encoding="utf-8")
+    (folder / "case.yaml").write_text(CASE, "utf-8")
+    (folder / "both.yaml").write_text(BOTH, "utf-8")
+    (folder / "record.csv").write_text(RECORD, "utf-8")
 
 
 def test_a_record() -> None:
@@ -46,7 +46,7 @@ def test_units_in_headings_and_names_with_or_without_quotes(name: str) -> None:
     """A test rig knows no quotes."""
     rows = [f"x,{one / 1000},{one}" for one in EXAMPLE]
     text = "\n".join([f"note,torques[shaft] [kN*m],{name}", *rows, "", ""])
-    Path("record.csv").write_text(text, encoding="utf-8")
+    Path("record.csv").write_text(text, "utf-8")
     found = json_answer("damage", "both.yaml", "record.csv")["damage"]
     assert [*found] == ["shaft", "half-shaft"]
     assert found["shaft"]["damage"] == pytest.approx(5.341796875e-7, rel=1e-12)
@@ -82,11 +82,11 @@ TWICE = "1:1: error: torques[shaft]: read two columns of this name"
     ],
 )
 def test_records_that_are_none(record: str, message: str) -> None:
-    Path("record.csv").write_text(record, encoding="utf-8")
+    Path("record.csv").write_text(record, "utf-8")
     found = vstatics("damage", "case.yaml", "record.csv")
     assert found.status == 1
     assert found.err.startswith(f"record.csv:{message}")
-    Path("case.yaml").write_text(CASE.partition("fatigue")[0], encoding="utf-8")
+    Path("case.yaml").write_text(CASE.partition("fatigue")[0], "utf-8")
     assert vstatics("damage", "case.yaml", "record.csv").fails("the case has no `fatigue`")
 
 

@@ -6,7 +6,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from tests.chance import count, generator
+from tests.chance import each_seed, generator
 from vstatics.vehicle.damage.rainflow import LoadCycle, extremes, rainflow
 
 EXAMPLE = [-2.0, 1, -3, 5, -1, 3, -4, 4, -2]
@@ -57,7 +57,7 @@ def test_a_record_that_rises_is_half_a_cycle_and_what_does_not_change_is_none() 
         assert rainflow(np.array(values)) == []
 
 
-@pytest.mark.parametrize("seed", range(count(60, 2000)))
+@each_seed(60, 2000)
 @pytest.mark.parametrize("whole", [True, False])
 def test_random_records_as_by_four_points(seed: int, whole: bool) -> None:
     """Whole numbers have many ranges that are equal."""

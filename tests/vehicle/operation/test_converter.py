@@ -325,9 +325,11 @@ elements:
     force = 200 * 2 * 88 / 36 * 3 / 0.3
     assert drawn[0].gears["1"].slope == pytest.approx(force / 1500 / GRAVITY, rel=1e-9)
     assert drawn[0].gears == plain[0].gears
-    assert drawn[0].time_to_100 == pytest.approx(plain[0].time_to_100, rel=1e-12)
-    assert drawn[1].energy.lost["TC"] == pytest.approx(plain[1].energy.lost["TC"], rel=1e-12)
-    assert drawn[1].energy.engine == pytest.approx(plain[1].energy.engine, rel=1e-12)
+    found, expected = (
+        [pull.time_to_100, cycle.energy.lost["TC"], cycle.energy.engine]
+        for pull, cycle in (drawn, plain)
+    )
+    assert found == pytest.approx(expected, rel=1e-12)
 
 
 def test_links_before_the_converter_are_no_mass_at_full_load() -> None:
@@ -458,8 +460,8 @@ gears:
   "1": []
 vehicle: {mass: 1200, radius: 0.3, engine: [[80, 100], [600, 120]]}
 """
-    Path("car.yaml").write_text(text, encoding="utf-8")
-    Path("t.csv").write_text("time [s],speed [km/h]\n0,0\n9,20\n", encoding="utf-8")
+    Path("car.yaml").write_text(text, "utf-8")
+    Path("t.csv").write_text("time [s],speed [km/h]\n0,0\n9,20\n", "utf-8")
     done = vstatics(command, "car.yaml", *further)
     assert done.status == 1
     assert "car.yaml:7:3: error: gears.1: the speed of the output does not depend on TC" in done.err

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.chance import seeded
+from tests.chance import each_seed, seeded
 from tests.commands import vstatics
 from vstatics import (
     CaseError,
@@ -86,11 +86,10 @@ def test_a_step_in_closed_form(gear: str, ratio: float, eta: float, name: str) -
     at_output = force / k + (0.3 + open_pair / 0.9) * k
     engine = at_output / ratio / eta + own * k * ratio
     energy = made.energy
-    assert energy.engine == pytest.approx(engine * ratio * k * 22, rel=1e-12)
-    assert energy.wheels == pytest.approx(force * 22, rel=1e-12)
-    assert energy.lost[name] == pytest.approx(at_output * k * 22 * (1 / eta - 1), rel=1e-12)
     spinning = (0.3 + open_pair) * k**2 + own * (ratio * k) ** 2
-    assert energy.inertias == pytest.approx(spinning / 2 * (12**2 - 10**2), rel=1e-12)
+    by_hand = [engine * ratio * k, force, at_output * k * (1 / eta - 1), spinning]
+    energies = [energy.engine, energy.wheels, energy.lost[name], energy.inertias]
+    assert energies == pytest.approx([22 * one for one in by_hand], rel=1e-12)
     turning, entering = ratio * k * 11 * 30 / math.pi, engine - 0.15 * k * ratio
     expected = [1.0, 3.6 * 11, float(gear), turning, engine, force, 2.0, turning, entering]
     assert [float(column[0]) for column in made.steps.values()] == pytest.approx(expected)
@@ -102,15 +101,15 @@ def test_brakes_take_what_the_engine_does_not() -> None:
     made = drive(case, trace((0, 20, "2"), (2, 10, "2")), GearChoice()).energy
     force = -1200 * 5 + 1200 * GRAVITY * 0.012 + AIR * 0.65 / 2 * 15**2
     way, engine = 30.0, -30 * 1.5 * 4.1 / 0.3
-    assert made.brakes == pytest.approx((engine / 0.9 - force) * way, rel=1e-12)
-    assert made.engine == pytest.approx(engine * way, rel=1e-12)
-    assert made.lost["second"] == pytest.approx(-engine * way * (1 / 0.9 - 1), rel=1e-12)
+    by_hand = [engine / 0.9 - force, engine, engine - engine / 0.9]
+    energies = [made.brakes, made.engine, made.lost["second"]]
+    assert energies == pytest.approx([one * way for one in by_hand], rel=1e-12)
 
 
-@pytest.mark.parametrize("number", range(20))
-def test_random_cycles_are_in_balance(number: int) -> None:
+@each_seed(20)
+def test_random_cycles_are_in_balance(seed: int) -> None:
     """The engine is the sum of all others, and its torque gives the force at the wheels."""
-    rng = seeded(2770 + number)
+    rng = seeded(2770 + seed)
     etas = [rng.uniform(0.7, 1.0) for _ in range(2)]
     sets = [m._replace(efficiency=eta) for m, eta in zip(CASE.mechanisms, etas, strict=True)]
     case = CASE.replace(
@@ -306,10 +305,10 @@ def test_a_cycle_shifts_between_gears_of_one_direction(shift: str) -> None:
     assert drive(case, text, skipping).gears == ["3"]
 
 
-@pytest.mark.parametrize("number", range(5))
-def test_no_gear_is_taken_beyond_the_engine_where_another_one_holds(number: int) -> None:
+@each_seed(5)
+def test_no_gear_is_taken_beyond_the_engine_where_another_one_holds(seed: int) -> None:
     """By both rules, over a random engine and steady speeds; counted by hand where none holds."""
-    rng = seeded(3410 + number)
+    rng = seeded(3410 + seed)
     first, last = rng.uniform(50, 150), rng.uniform(300, 600)
     sets = [CASE.mechanisms[0], CASE.mechanisms[1]._replace(ratio=rng.uniform(0.5, 3.0))]
     car = CAR._replace(engine=[(first, 1e5), (last, 1e5)])

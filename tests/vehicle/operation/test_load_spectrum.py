@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.chance import count, seeded, with_marked
+from tests.chance import each_seed, seeded, seeds_with_slow
 from tests.commands import vstatics
 from tests.trains import random_train
 from vstatics import (
@@ -67,12 +67,12 @@ def test_equivalent_torque_and_turns() -> None:
     made = spectrum(PAIRS, points((100.0, 20.0, 10.0), (50.0, 10.0, 10.0)))
     one = made.members["a.first"]
     assert one.torque == (20.0, 1)
-    assert one.speed.largest == pytest.approx(100 * 30 / math.pi)
-    assert one.revolutions == pytest.approx(1500 / (2 * math.pi))
-    assert one.equivalent_torque == pytest.approx(((20**3 * 1000 + 10**3 * 500) / 1500) ** (1 / 3))
+    found = [one.speed.largest, one.revolutions, one.equivalent_torque]
+    mean = ((20**3 * 1000 + 10**3 * 500) / 1500) ** (1 / 3)
+    assert found == pytest.approx([100 * 30 / math.pi, 1500 / (2 * math.pi), mean])
     mid = made.members["mid"]
-    assert mid.torque.largest == pytest.approx(20 * 2 * 0.9)
-    assert mid.revolutions == pytest.approx(750 / (2 * math.pi))
+    found = [mid.torque.largest, mid.revolutions]
+    assert found == pytest.approx([20 * 2 * 0.9, 750 / (2 * math.pi)])
 
 
 def test_planets_turn_on_their_pins() -> None:
@@ -122,10 +122,10 @@ def test_drag_of_a_link_is_what_its_torques_leave() -> None:
     assert made.members["mid"].torque.largest == pytest.approx(40)
 
 
-@pytest.mark.parametrize("number", with_marked(range(8), range(8, 25), pytest.mark.slow))
-def test_random_trains_lose_what_enters_and_does_not_leave(number: int) -> None:
+@seeds_with_slow(8, 25)
+def test_random_trains_lose_what_enters_and_does_not_leave(seed: int) -> None:
     """Each point is that of the case with this load; energies are sums over points."""
-    rng = seeded(2750 + number)
+    rng = seeded(2750 + seed)
     case = random_train(rng).replace(coast=None)
     results = solve(case.replace(load=Load(1000.0, 50.0)))
     ok = results.consistent & np.isfinite(results.losses).all(axis=1)
@@ -274,9 +274,9 @@ def test_elements_bear_what_their_first_member_carries() -> None:
     ranges = {name: one.cycles[-1].range for name, one in made.damage.items() if one.cycles}
     assert [*made.damage] == first
     sun = made.members["train.small_sun"].torque.largest
-    assert ranges["pair"] == pytest.approx(50)
-    assert ranges["train.small_sun-short"] == pytest.approx(abs(sun) * 50 / 90)
-    assert ranges["train.short-long"] == pytest.approx(abs(sun) * 50 / 90 * 22 / 30 * 0.98)
+    found = [ranges[name] for name in ("pair", "train.small_sun-short", "train.short-long")]
+    of_sun = abs(sun) * 50 / 90
+    assert found == pytest.approx([50, of_sun, of_sun * 22 / 30 * 0.98])
 
 
 @pytest.mark.parametrize(
@@ -310,7 +310,7 @@ def test_torques_of_variators_and_converters_follow_from_the_speeds(
     assert closed == pytest.approx(0, abs=1e-6)
 
 
-@pytest.mark.parametrize("seed", range(count(10, 200)))
+@each_seed(10, 200)
 def test_wild_numbers_of_a_duty_cycle_end_in_numbers_or_at_their_line(seed: int) -> None:
     """Numbers of any size: no warning of NumPy, which would be an error here."""
     rng = seeded(5400 + seed)

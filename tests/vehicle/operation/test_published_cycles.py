@@ -11,7 +11,7 @@ from random import Random
 import numpy as np
 import pytest
 
-from tests.chance import count, each_seed, seeded
+from tests.chance import each_seed, seeded, seeds_with_slow
 from tests.commands import process
 from tests.core.readers.named.test_signs_of_print import spoilt
 from vstatics import Gear, Mechanism, ReadError, Transmission
@@ -115,7 +115,7 @@ class Layout:
         return text.encode(rng.choice(["utf-8", "utf-8-sig", "utf-16"]))
 
 
-@each_seed(range(1), range(1, count(8, 100)), pytest.mark.slow)
+@seeds_with_slow(1, 8, 100)
 def test_layouts_of_published_cycles(seed: int) -> None:
     """Distance by exact fractions; work at the wheels by the equation of motion, row by row."""
     for number in range(30):
@@ -188,7 +188,7 @@ def test_faults_of_published_cycles_quote_the_file(text: str, said: str) -> None
         read_trace(text.encode(), "t.csv")
 
 
-@pytest.mark.parametrize("seed", range(count(20, 500)))
+@each_seed(20, 500)
 def test_wild_numbers_of_a_trace_end_in_numbers_or_at_their_line(seed: int) -> None:
     """Numbers of any size: no warning of NumPy, no infinite energy."""
     rng = seeded(4700 + seed)
@@ -209,7 +209,7 @@ def test_wild_numbers_of_a_trace_end_in_numbers_or_at_their_line(seed: int) -> N
         assert all(problem.place and problem.place.line > 1 for problem in problems)
 
 
-@pytest.mark.parametrize("seed", range(count(10, 200)))
+@each_seed(10, 200)
 def test_blanks_of_print_are_blanks_in_tables(seed: int) -> None:
     cycle = "Time (s), Speed [km/h], Remark\n0, 0 , a b\n 2 ,36, c d\n"
     trace = read_trace(spoilt(cycle, seeded(5100 + seed)).encode(), "t.csv")

@@ -1,6 +1,5 @@
 """What a vehicle can: closed forms, and an integrator of its own."""
 
-import json
 import math
 from pathlib import Path
 from typing import Any
@@ -8,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.commands import json_answer, vstatics
+from tests.commands import json_answer, json_file, vstatics
 from vstatics import CaseError, Gear, Mechanism, ShiftElement, Transmission
 from vstatics.core.model.parts import OfLoad
 from vstatics.core.numerics.constants import AIR, GRAVITY
@@ -141,7 +140,7 @@ def test_summary_tells_the_vehicle(tmp_path: Path) -> None:
     assert told["time_to_100"] == pytest.approx(100 / 3.6)
     assert told["gears"]["low"]["slope"] == pytest.approx(1000 / (1000 * GRAVITY))
     assert vstatics("convert", file, tmp_path / "back.json").status == 0
-    assert json.loads((tmp_path / "back.json").read_text())["vehicle"]["radius"] == 0.5
+    assert json_file(tmp_path / "back.json")["vehicle"]["radius"] == 0.5
 
 
 def test_a_gear_that_drives_nothing_has_no_slope() -> None:

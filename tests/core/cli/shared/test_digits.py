@@ -32,7 +32,7 @@ SHOWN = {
 
 @pytest.fixture(autouse=True)
 def _case(folder: Path) -> None:
-    (folder / "up.yaml").write_text(STEP_UP, encoding="utf-8")
+    (folder / "up.yaml").write_text(STEP_UP, "utf-8")
 
 
 @pytest.mark.parametrize("line", SHOWN)
@@ -45,7 +45,7 @@ def test_a_text_has_four_significant_digits_or_those_that_are_asked_for(line: st
 def test_a_page_has_four_significant_digits_or_those_that_are_asked_for() -> None:
     for number, other, *more in (("38", "378"), ("378", "38", "--digits", "6")):
         assert vstatics("report", "up.yaml", "-o", "up.html", *more).status == 0
-        page = Path("up.html").read_text(encoding="utf-8")
+        page = Path("up.html").read_text("utf-8")
         assert (f">−0.010{number}<" in page, f">−0.010{other}<" in page) == (True, False)
 
 
@@ -54,7 +54,7 @@ def test_a_listing_of_any_digits_is_read_and_compared(digits: int) -> None:
     """Its columns grow; a number matches within half of its last digit; 3 are the usual ones."""
     vstatics("run", MZKT, "-f", "json", "-o", "exact.json")
     said = vstatics("run", MZKT, "--digits", digits)
-    Path("printed.lst").write_text(said.out, encoding="utf-8")
+    Path("printed.lst").write_text(said.out, "utf-8")
     assert vstatics("compare", "printed.lst", "exact.json").all == ""
     assert vstatics("run", "printed.lst", "--digits", digits).out == said.out
     assert (said.out == vstatics("run", MZKT).out) == (digits == 3)
@@ -67,13 +67,13 @@ def test_whole_numbers_and_marks_have_no_digits() -> None:
 
 
 def test_results_tell_their_file_and_compare_skips_it() -> None:
-    Path("other.yaml").write_text(STEP_UP, encoding="utf-8")
+    Path("other.yaml").write_text(STEP_UP, "utf-8")
     for name in ("up", "other"):
         vstatics("run", f"{name}.yaml", "-f", "json", "-o", f"{name}.json")
-    one, other = (Path(f"{name}.json").read_text(encoding="utf-8") for name in ("up", "other"))
+    one, other = (Path(f"{name}.json").read_text("utf-8") for name in ("up", "other"))
     assert '"file": "up.yaml"' in one
     assert one.replace("up.yaml", "other.yaml") == other
-    Path("today.json").write_text(one.replace('  "file": "up.yaml",\n', ""), encoding="utf-8")
+    Path("today.json").write_text(one.replace('  "file": "up.yaml",\n', ""), "utf-8")
     for name in ("other", "today"):
         assert vstatics("compare", "up.json", f"{name}.json").all == ""
     again = vstatics("run", "today.json", "-f", "csv").out

@@ -16,7 +16,7 @@ LISTING = vstatics("run", MZKT).out
 def test_a_file_holds_what_stdout_would(folder: Path, form: str) -> None:
     assert vstatics("run", MZKT, "-f", form, "-o", "new") == (0, "", "")
     expected = vstatics("run", MZKT, "-f", form, "-o", "-").out
-    assert (folder / "new").read_text(encoding="utf-8") == expected != ""
+    assert (folder / "new").read_text("utf-8") == expected != ""
     assert names(folder) == ["new"]
 
 
@@ -40,20 +40,20 @@ def test_a_failing_run_leaves_the_old_file(folder: Path, monkeypatch: pytest.Mon
         raise OSError(28, "No space left on device", source, None, target)
 
     old = folder / "old.lst"
-    old.write_text("old", encoding="utf-8")
+    old.write_text("old", "utf-8")
     assert vstatics("run", "-", "-o", "old.lst", stdin=BAD.encode()).status == 1
     assert vstatics("convert", "-", "old.dat", stdin=BAD.encode()).status == 1
     monkeypatch.setattr(os, "replace", full)
     said = vstatics("run", MZKT, "-o", "old.lst")
     assert said.gives_nothing()
     assert said.err == "old.lst: error: cannot be written: No space left on device\n"
-    assert (names(folder), old.read_text(encoding="utf-8")) == (["old.lst"], "old")
+    assert (names(folder), old.read_text("utf-8")) == (["old.lst"], "old")
 
 
 def test_a_gear_tied_up_fails_but_its_results_are_written(folder: Path) -> None:
     said = vstatics("run", "-", "-f", "json", "-o", "tied.json", stdin=TIED_UP.encode())
     expected = vstatics("run", "-", "-f", "json", stdin=TIED_UP.encode()).out
-    assert (said.status, (folder / "tied.json").read_text(encoding="utf-8")) == (1, expected)
+    assert (said.status, (folder / "tied.json").read_text("utf-8")) == (1, expected)
 
 
 @pytest.mark.usefixtures("folder")
@@ -75,12 +75,12 @@ def test_what_cannot_be_written_is_told(target: str, reason: str) -> None:
 
 def test_a_link_stays_and_its_file_is_written(folder: Path) -> None:
     (folder / "far").mkdir()
-    (folder / "far" / "real.lst").write_text("old", encoding="utf-8")
+    (folder / "far" / "real.lst").write_text("old", "utf-8")
     for name, target in (("link.lst", "real.lst"), ("dangling.lst", "new.lst")):
         (folder / name).symlink_to(f"far/{target}")
         assert vstatics("run", MZKT, "-o", name).status == 0
         assert (folder / name).is_symlink()
-        assert (folder / "far" / target).read_text(encoding="utf-8") == LISTING
+        assert (folder / "far" / target).read_text("utf-8") == LISTING
 
 
 def test_outputs_of_any_name(folder: Path) -> None:
@@ -116,9 +116,9 @@ def test_nothing_is_written_over_what_is_read(folder: Path, line: str) -> None:
     for name in ("case.yaml", "other.yaml", "plan.svg"):
         Path(name).write_bytes((CASES / "differential.yaml").read_bytes())
     Path("link.yaml").symlink_to("case.yaml")
-    Path("list").write_text("case.yaml\n", encoding="utf-8")
-    Path("duty.yaml").write_text("energy: {1: 1}\n", encoding="utf-8")
-    Path("v.csv").write_text("D.ratio\n-2\n-3\n", encoding="utf-8")
+    Path("list").write_text("case.yaml\n", "utf-8")
+    Path("duty.yaml").write_text("energy: {1: 1}\n", "utf-8")
+    Path("v.csv").write_text("D.ratio\n-2\n-3\n", "utf-8")
     before = {path.name: path.read_bytes() for path in folder.iterdir()}
     said = vstatics(*line.split())
     assert said.is_wrong_use("is what is read, and would be overwritten")

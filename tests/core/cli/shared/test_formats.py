@@ -8,7 +8,7 @@ from typing import Any
 import openpyxl
 import pytest
 
-from tests.commands import CASES, MZKT, json_answer, vstatics
+from tests.commands import CASES, MZKT, json_answer, json_file, vstatics
 from tests.processes import names
 from vstatics import load, solve
 
@@ -37,12 +37,12 @@ def test_the_suffix_tells_the_format(command: str) -> None:
     for suffix, (form, begin) in FORMATS.items():
         assert vstatics(command, ZF, "-o", f"new.{suffix}").all == ""
         expected = vstatics(command, ZF, "-f", form).out
-        assert Path(f"new.{suffix}").read_text(encoding="utf-8") == expected
+        assert Path(f"new.{suffix}").read_text("utf-8") == expected
         assert expected.startswith(begin)
     text = vstatics(command, ZF).out
     for name in ("new", "new.txt", "new.lst", "new.out", "NEW.TXT"):
         assert vstatics(command, ZF, "-o", name).all == ""
-        assert Path(name).read_text(encoding="utf-8") == text
+        assert Path(name).read_text("utf-8") == text
     for name in ("json", "other.json"):
         assert vstatics(command, ZF, "-f", "json", "-o", name).status == 0
         assert Path(name).read_bytes() == Path("new.json").read_bytes()
@@ -88,18 +88,18 @@ def test_what_does_not_go_together_is_refused(line: str) -> None:
 @pytest.mark.slow
 @EACH
 def test_several_cases_are_one_file_or_a_file_each(command: str) -> None:
-    Path("bad.yaml").write_text("links: 3\n", encoding="utf-8")
+    Path("bad.yaml").write_text("links: 3\n", "utf-8")
     for suffix in ("json", "jsonl"):
         assert vstatics(command, ZF, "bad.yaml", MZKT, "-o", f"all.{suffix}").status == 1
-    lines = map(json.loads, Path("all.jsonl").read_text(encoding="utf-8").splitlines())
-    documents = json.loads(Path("all.json").read_text(encoding="utf-8"))
+    lines = map(json.loads, Path("all.jsonl").read_text("utf-8").splitlines())
+    documents = json_file(Path("all.json"))
     assert documents == [*lines]
     assert [one["file"] for one in documents] == ["zf-8hp70.yaml", "bad.yaml", "mzkt7922.dat"]
     assert set(documents[1]) == {"file", "case", "errors"}
     assert documents[2] == json_answer(command, MZKT)
     assert vstatics(command, ZF, MZKT, "-f", "json", "-o", "new/").status == 0
     for case in (ZF, MZKT):
-        written = Path("new", case.stem + ".json").read_text(encoding="utf-8")
+        written = Path("new", case.stem + ".json").read_text("utf-8")
         assert written == vstatics(command, case, "-f", "json").out
 
 
@@ -147,7 +147,7 @@ def test_gears_may_be_several_and_each_is_told_once() -> None:
 
 def test_cases_are_summed_up_side_by_side() -> None:
     """Ratios of the first gears as the files under cases/ cite them; a bad case is left out."""
-    Path("bad.yaml").write_text("links: 3\n", encoding="utf-8")
+    Path("bad.yaml").write_text("links: 3\n", "utf-8")
     said = vstatics("summary", ZF, "bad.yaml", MZKT, CASES / "zf-6hp26.yaml", "-f", "csv")
     heading, first, *_ = csv.reader(said.out.splitlines())
     assert said.status == 1

@@ -23,7 +23,7 @@ def cases(folder: Path) -> Path:
     (folder / "in").mkdir()
     (folder / "in" / "mzkt.dat").write_bytes(MZKT.read_bytes())
     for name, text in {"neutral": NEUTRAL, "tied": TIED_UP, "bad": BAD}.items():
-        (folder / "in" / f"{name}.yaml").write_text(text, encoding="utf-8")
+        (folder / "in" / f"{name}.yaml").write_text(text, "utf-8")
     return folder
 
 
@@ -42,7 +42,7 @@ def test_each_case_gives_the_file_that_it_gives_alone(form: str) -> None:
         assert shown(f"new/{jobs}") == [f"mzkt.{suffix}", f"neutral.{suffix}"]
         for case in GOOD:
             written = Path(f"new/{jobs}", f"{Path(case).stem}.{suffix}")
-            assert written.read_text(encoding="utf-8") == vstatics("run", case, "-f", form).out
+            assert written.read_text("utf-8") == vstatics("run", case, "-f", form).out
 
 
 def test_names_of_directories_and_of_files_in_them() -> None:
@@ -61,7 +61,7 @@ def test_names_of_directories_and_of_files_in_them() -> None:
 
 @pytest.mark.parametrize("jobs", [1, 2])
 def test_failures_are_told_where_they_occur_and_summed_up_at_the_end(jobs: int) -> None:
-    Path("in/bad.yaml").write_text(BAD.replace("third: 3", "third: x"), encoding="utf-8")
+    Path("in/bad.yaml").write_text(BAD.replace("third: 3", "third: x"), "utf-8")
     said = vstatics("run", *ALL, "nowhere.dat", "-f", "json", "-o", "out", "-j", jobs)
     assert (said.status, shown("out")) == (1, ["mzkt.json", "neutral.json", "tied.json"])
     *before, summary, first, second, third = said.err.splitlines()
@@ -79,7 +79,7 @@ def test_the_earlier_result_of_a_case_that_fails_now_is_set_aside() -> None:
     call = "run", *GOOD, "-f", "json", "-o", "out"
     vstatics(*call)
     old = Path("out/mzkt.json").read_bytes()
-    Path("in/mzkt.dat").write_text("KJG= x", encoding="utf-8")
+    Path("in/mzkt.dat").write_text("KJG= x", "utf-8")
     assert "(its earlier result is out/mzkt.json.old now)" in vstatics(*call).err
     assert shown("out") == ["mzkt.json.old", "neutral.json"]
     assert Path("out/mzkt.json.old").read_bytes() == old
@@ -87,7 +87,7 @@ def test_the_earlier_result_of_a_case_that_fails_now_is_set_aside() -> None:
 
 def test_results_of_cases_that_are_no_more_are_named() -> None:
     """As long as they are there; of another format they are other results."""
-    Path("in/old.yaml").write_text(NEUTRAL, encoding="utf-8")
+    Path("in/old.yaml").write_text(NEUTRAL, "utf-8")
     call = "run", *GOOD, "-f", "json", "-o", "out"
     said = vstatics(*call, "in/old.yaml")
     assert said.err.splitlines()[-1] == "3 of 3 cases calculated"
@@ -117,7 +117,7 @@ def test_an_error_of_the_program_in_one_case_harms_no_other(
 
 
 def test_results_of_one_name_are_refused_and_all_pairs_named() -> None:
-    Path("in/mzkt.yaml").write_text(NEUTRAL, encoding="utf-8")
+    Path("in/mzkt.yaml").write_text(NEUTRAL, "utf-8")
     Path("other").mkdir()
     Path("other/neutral.dat").write_bytes(MZKT.read_bytes())
     Path("link.dat").symlink_to("in/mzkt.dat")
@@ -143,7 +143,7 @@ def test_a_result_that_would_overwrite_a_case_or_the_list_is_refused() -> None:
         said = vstatics("run", "in/report.lst", "in/neutral.yaml", "-o", output)
         words = "the result of in/report.lst would overwrite the case in/report.lst"
         assert said.is_wrong_use(words)
-    Path("in/mzkt.csv").write_text("in/mzkt.dat", encoding="utf-8")
+    Path("in/mzkt.csv").write_text("in/mzkt.dat", "utf-8")
     said = vstatics("run", "--files-from", "in/mzkt.csv", "-f", "csv", "-o", "in")
     assert said.is_wrong_use("the result of in/mzkt.dat would overwrite in/mzkt.csv")
     assert ".vstatics-run-lst" not in names(Path("in"))
@@ -218,7 +218,7 @@ def test_a_table_of_nothing_has_its_headings() -> None:
 
 
 def test_names_found_by_find_come_through_a_pipe(cases: Path) -> None:
-    (cases / "in" / "a\nname.yaml").write_text(NEUTRAL, encoding="utf-8")
+    (cases / "in" / "a\nname.yaml").write_text(NEUTRAL, "utf-8")
     command = f"cd {cases}; find in -name '*.yaml' -print0 | vstatics run --files-from - -o out"
     status, out, err = shell(command)
     assert (status, out) == (1, b"")
@@ -234,7 +234,7 @@ def test_jsonl_has_a_line_for_each_case_in_their_order(jobs: int) -> None:
     assert [json.loads(line) for line in said.out.splitlines()] == array
     said = vstatics("run", *ALL, "-f", "jsonl", "--jobs", jobs, "-o", "all.jsonl")
     assert "\n3 of 4 cases calculated, 1 with errors, 1 failed:\n" in said.err
-    lines = Path("all.jsonl").read_text(encoding="utf-8").splitlines()
+    lines = Path("all.jsonl").read_text("utf-8").splitlines()
     assert [json.loads(line) for line in lines] == array
     assert vstatics("run", GOOD[0], "-f", "jsonl", "--jobs", jobs).json == array[0]
     said = vstatics("run", "in/bad.yaml", "-f", "jsonl")

@@ -26,8 +26,8 @@ def _files(folder: Path) -> None:
     (folder / "drawer/deep").mkdir(parents=True)
     for name in NAMES:
         (folder / name).write_bytes(MZKT.read_bytes())
-    (folder / "bad.yaml").write_text(BAD, encoding="utf-8")
-    (folder / "neutral.yaml").write_text(NEUTRAL, encoding="utf-8")
+    (folder / "bad.yaml").write_text(BAD, "utf-8")
+    (folder / "neutral.yaml").write_text(NEUTRAL, "utf-8")
 
 
 def cases_of(*arguments: str) -> list[str]:
@@ -55,7 +55,7 @@ def test_a_file_that_a_pattern_finds_is_there_once() -> None:
 
 
 def test_files_of_one_name_are_told_with_their_folders() -> None:
-    Path("drawer/deep/a.dat").write_text(BAD, encoding="utf-8")
+    Path("drawer/deep/a.dat").write_text(BAD, "utf-8")
     names = sorted([*NAMES, "drawer/deep/a.dat"])
     array = vstatics("run", "drawer/**/*.dat", "-f", "json").json
     lines = vstatics("run", "drawer/**/*.dat", "-f", "jsonl").out.splitlines()
@@ -110,7 +110,7 @@ def test_a_run_that_was_stopped_goes_on_and_gives_the_same(form: str) -> None:
     assert vstatics(*call).fails(held)
     with Path(f"all.{form}.parts/parts").open("ab") as parts:
         parts.write(b'["pipe.dat", "0", {}, 1000]\ncut')  # as by a power failure
-    Path("neutral.yaml").write_text(NEUTRAL.replace("-2.5", "-3"), encoding="utf-8")
+    Path("neutral.yaml").write_text(NEUTRAL.replace("-2.5", "-3"), "utf-8")
     count = "4 of 4 cases calculated (1 of them before)"
     assert_goes_on(vstatics(*call, "--resume"), form, cases, count)
 
@@ -140,7 +140,7 @@ def test_a_run_with_a_bad_case_goes_on_when_it_is_mended() -> None:
         assert said.status == 1
         assert said.err.splitlines()[-1] == f"{kept}failed or is changed"
     Path("all.jsonl.parts/.vstatics-7-0").touch()  # the output, of a run that was killed
-    Path("bad.yaml").write_text(NEUTRAL, encoding="utf-8")
+    Path("bad.yaml").write_text(NEUTRAL, "utf-8")
     said = vstatics("run", *cases, "-o", "all.jsonl", "--resume")
     assert_goes_on(said, "jsonl", cases, "3 of 3 cases calculated (2 of them before)")
 

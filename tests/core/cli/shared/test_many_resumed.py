@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.commands import BAD, MZKT, NEUTRAL, TIED_UP, Said, vstatics
+from tests.commands import BAD, MZKT, NEUTRAL, TIED_UP, Said, json_file, vstatics
 
 CASES = ("mzkt.dat", "neutral.yaml", "tied.yaml", "bad.yaml")
 RECORD = Path("out/.vstatics-run-json")
@@ -18,7 +18,7 @@ def _files(folder: Path) -> None:
     """Four cases that were calculated an hour after they were written; one is bad, one tied up."""
     (folder / "mzkt.dat").write_bytes(MZKT.read_bytes())
     for name, text in (("neutral", NEUTRAL), ("tied", TIED_UP), ("bad", BAD)):
-        (folder / f"{name}.yaml").write_text(text, encoding="utf-8")
+        (folder / f"{name}.yaml").write_text(text, "utf-8")
     for name in CASES:
         os.utime(name, (0, Path(name).stat().st_mtime - 3600))
     assert vstatics("run", *CASES, "-o", "out", "-f", "json").status == 1
@@ -32,7 +32,7 @@ def resumed(*arguments: str, summary: str = "cases calculated") -> list[str]:
     """Overwrite all results, go on; which of them were calculated again."""
     for path in Path("out").glob("*.json"):
         times = path.stat()
-        path.write_text("mark".ljust(times.st_size), encoding="utf-8")
+        path.write_text("mark".ljust(times.st_size), "utf-8")
         os.utime(path, ns=(times.st_atime_ns, times.st_mtime_ns))
     assert resume(*arguments).fails(summary)
     made = [path for path in Path("out").glob("*.json") if path.read_text("utf-8")[:4] != "mark"]
@@ -63,7 +63,7 @@ def link_case(end: bytes) -> None:
 def write_result(text: str | None = None) -> None:
     """As another program, another run without a record, or a power cut."""
     result = Path("out/mzkt.json")
-    result.write_text(result.read_text("utf-8") if text is None else text, encoding="utf-8")
+    result.write_text(result.read_text("utf-8") if text is None else text, "utf-8")
 
 
 def add_strange_lines() -> None:
@@ -101,7 +101,7 @@ def test_a_result_of_another_case_of_the_same_name_does_not_count() -> None:
     """Nor if a run was stopped before it came to that case."""
     Path("other").mkdir()
     other = Path("other/neutral.yaml")
-    other.write_text(Path("neutral.yaml").read_text("utf-8") + "\n", encoding="utf-8")
+    other.write_text(Path("neutral.yaml").read_text("utf-8") + "\n", "utf-8")
     os.utime(other, (0, Path("neutral.yaml").stat().st_mtime))
     names = tuple(str(other) if case == "neutral.yaml" else case for case in CASES)
     assert "calculated" not in resume(cases=(f"{names[0]}",)).err
@@ -119,7 +119,7 @@ def test_results_from_before_the_run_do_not_count() -> None:
 
 def test_corrected_cases_count_as_done_later() -> None:
     for name in ("tied.yaml", "bad.yaml"):
-        Path(name).write_text(NEUTRAL, encoding="utf-8")
+        Path(name).write_text(NEUTRAL, "utf-8")
     said = resume()
     assert (said.status, said.err[-43:]) == (0, "4 of 4 cases calculated (2 of them before)\n")
 
@@ -150,10 +150,10 @@ def test_each_format_has_a_run_of_its_own() -> None:
 
 def test_results_of_another_build_are_calculated_again_with_a_word() -> None:
     """A record of before builds were told has a version in their place, and other lines."""
-    first, *lines = RECORD.read_text(encoding="utf-8").splitlines()
+    first, *lines = RECORD.read_text("utf-8").splitlines()
     options = {key: value for key, value in json.loads(first).items() if key != "build"}
     for earlier in ({"build": "0123456789ab", **options}, {"version": "0.1.0", **options}):
-        RECORD.write_text("\n".join([json.dumps(earlier), *lines]), encoding="utf-8")
+        RECORD.write_text("\n".join([json.dumps(earlier), *lines]), "utf-8")
         said = resume().err
         words = "the finished work belongs to another build of vstatics; every case is calculated"
         assert said.startswith(f"out: {words}\n")
@@ -163,7 +163,7 @@ def test_results_of_another_build_are_calculated_again_with_a_word() -> None:
 
 def test_results_of_another_run_are_not_taken_for_those_of_this_one() -> None:
     """As a run left them that wrote its lines into the record of a later one."""
-    lines = RECORD.read_text(encoding="utf-8").splitlines()[1:]
+    lines = RECORD.read_text("utf-8").splitlines()[1:]
     vstatics("run", "bad.yaml", "-o", "out/", "-f", "json", "--coast")
     with RECORD.open("a", encoding="utf-8") as record:
         record.write("\n".join(lines) + "\n")
@@ -193,13 +193,13 @@ def test_a_case_whose_file_of_points_was_changed_is_calculated_again() -> None:
         "links: [a, b]\nload: {speed: 1000 rpm, torque: 20 N*m}\ngears: {g: []}\n"
         "mechanisms: {p: {first: a, second: b, ratio: -2}}\ndrag: {a: {file: drag.csv}}\n"
     )
-    Path("drag.yaml").write_text(text, encoding="utf-8")
+    Path("drag.yaml").write_text(text, "utf-8")
     result, found = Path("points/drag.json"), []
     for torque in (1, 1, 3):
-        Path("drag.csv").write_text(f"speed [rad/s],torque [N*m]\n0,{torque}\n", encoding="utf-8")
+        Path("drag.csv").write_text(f"speed [rad/s],torque [N*m]\n0,{torque}\n", "utf-8")
         command = ("run", "drag.yaml", "-o", "points/", "-f", "json", "--resume", "-q")
         assert vstatics(*command).status == 0
-        [efficiency] = json.loads(result.read_text("utf-8"))["efficiency"]
+        [efficiency] = json_file(result)["efficiency"]
         found.append((efficiency, result.stat().st_mtime_ns))
     (first, written), again, (changed, _) = found
     assert (first, changed) == (pytest.approx(0.95), pytest.approx(0.85))

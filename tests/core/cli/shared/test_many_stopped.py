@@ -99,7 +99,7 @@ def reader(run: subprocess.Popen[bytes]) -> int:
 def is_alive(process_id: int) -> bool:
     """Whether a thread of a process runs; one that nobody has waited for yet does not."""
     try:
-        state = Path(f"/proc/{process_id}/stat").read_text(encoding="utf-8")
+        state = Path(f"/proc/{process_id}/stat").read_text("utf-8")
         threads = len(list(Path(f"/proc/{process_id}/task").iterdir()))
     except OSError:
         return False
@@ -211,7 +211,7 @@ def test_workers_do_not_outlive_the_run() -> None:
 @pytest.mark.parametrize("jobs", [1, 2])
 def test_a_full_disk_ends_the_run_with_one_message(jobs: int) -> None:
     """No file may be longer than 4096 bytes; the result of the published deck is."""
-    Path("small.yaml").write_text(NEUTRAL, encoding="utf-8")
+    Path("small.yaml").write_text(NEUTRAL, "utf-8")
     line = f"run small.yaml a.dat b.dat -f json -o out -j {jobs}"
     status, out, err = shell(f"cd {Path.cwd()}; ulimit -f 4; vstatics {line}")
     *_, message, last = err.decode().splitlines()
@@ -227,7 +227,7 @@ def plain(shown: str) -> str:
 
 @pytest.mark.parametrize("variables", [{}, {"NO_COLOR": "1"}], ids=["colour", "NO_COLOR"])
 def test_a_bar_on_a_terminal_leaves_messages_whole(variables: dict[str, str]) -> None:
-    Path("bad.yaml").write_text(BAD, encoding="utf-8")
+    Path("bad.yaml").write_text(BAD, "utf-8")
     given = ("run", "a.dat", "bad.yaml", "b.dat", "-f", "json", "-o", "out")
     shown = on_terminal(*given, cwd=Path.cwd(), **variables)
     messages = called(*given[1:])[2].decode()

@@ -24,7 +24,7 @@ VARIED = ["sweep", "doubtful.yaml", "--vary", "D.efficiency=.9,.95"]
 @pytest.fixture(autouse=True)
 def _here(files: Path) -> None:
     text = NEUTRAL.replace("-2.5", "2.5").replace("N: {}, ", "")
-    (files / "doubtful.yaml").write_text(text, encoding="utf-8")
+    (files / "doubtful.yaml").write_text(text, "utf-8")
 
 
 @pytest.mark.usefixtures("without_pictures")
@@ -81,14 +81,14 @@ def test_what_a_command_allows_is_not_part_of_the_case() -> None:
 def test_a_quiet_sweep_counts_where_variants_are_unlike() -> None:
     call = ["sweep", "neutral.yaml", "--vary", "D.ratio=-2,-3", "--out", "ratio[low]", "-q"]
     assert vstatics(*call).err == ""
-    Path("tied.csv").write_text("D.efficiency\n.9\n.8\n", encoding="utf-8")
+    Path("tied.csv").write_text("D.efficiency\n.9\n.8\n", "utf-8")
     said = vstatics("sweep", "tied.yaml", "--variants", "tied.csv", "-q")
     assert "2 tied up" in said.err
 
 
 def test_errors_of_a_text_are_told_without_its_warnings() -> None:
     """A deck that is cut off before its last field, with a link 9 of 6; then only cut off."""
-    cut_off = MZKT.read_text(encoding="utf-8").rpartition("KM Z(I)")[0]
+    cut_off = MZKT.read_text("utf-8").rpartition("KM Z(I)")[0]
     deck = cut_off.replace("1 1 4", "1 1 9", 1).encode()
     for call in (["convert", "-", "-", "--to", "json"], ["run", "-"]):
         assert "warning: " in vstatics(*call, stdin=deck).err

@@ -5,7 +5,7 @@ from random import Random
 
 import pytest
 
-from tests.chance import count, seeded
+from tests.chance import each_seed, seeded
 from vstatics.core.errors import ReadError
 from vstatics.core.model.transmission import Mechanism
 from vstatics.core.readers.deck import reader as deck
@@ -60,7 +60,7 @@ def written_percentage(rng: Random) -> tuple[str, Fraction]:
     return f"{percent}{' ' * rng.randint(0, 2)}%", Fraction(percent, 100)
 
 
-@pytest.mark.parametrize("seed", range(count(40, 400)))
+@each_seed(40, 400)
 def test_ratios_and_percentages_are_exact_fractions(seed: int) -> None:
     rng = seeded(9100 + seed)
     number = rng.randint(1, 4)

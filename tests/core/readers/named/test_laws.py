@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.chance import count, seeded
+from tests.chance import each_seed, seeded
 from vstatics import ReadError, VstaticsError, load, loads
 from vstatics.core.model.laws import PointLaw
 from vstatics.core.writers.named import write_yaml
@@ -22,12 +22,12 @@ gears: {{low: []}}
 
 def case_of(folder: Path, drag: str = "0", efficiency: str = "1") -> Path:
     file = folder / "case.yaml"
-    file.write_text(CASE.format(drag=drag, efficiency=efficiency), encoding="utf-8")
+    file.write_text(CASE.format(drag=drag, efficiency=efficiency), "utf-8")
     return file
 
 
 def test_a_file_of_points_stands_beside_the_case(tmp_path: Path) -> None:
-    (tmp_path / "drag.csv").write_text("speed [rpm],torque [N*m]\n0,1\n300,4\n", encoding="utf-8")
+    (tmp_path / "drag.csv").write_text("speed [rpm],torque [N*m]\n0,1\n300,4\n", "utf-8")
     law = load(case_of(tmp_path, "{file: drag.csv}")).drag[2]
     assert isinstance(law, PointLaw)
     assert law.at(15.707963267948966) == pytest.approx(2.5)
@@ -45,7 +45,7 @@ def test_a_file_of_points_stands_beside_the_case(tmp_path: Path) -> None:
     ],
 )
 def test_a_file_that_is_wrong_is_told_at_its_place(tmp_path: Path, text: str, said: str) -> None:
-    (tmp_path / "drag.csv").write_text(text, encoding="utf-8")
+    (tmp_path / "drag.csv").write_text(text, "utf-8")
     with pytest.raises(ReadError) as caught:
         load(case_of(tmp_path, "{file: drag.csv}"))
     assert "case.yaml:3:11: error: drag.b: " in str(caught.value)
@@ -92,7 +92,7 @@ SIZES = {
 """Units of points by what they are over: exact conversions to rad/s and N*m."""
 
 
-@pytest.mark.parametrize("seed", range(count(20, 500)))
+@each_seed(20, 500)
 def test_points_of_an_efficiency_have_units_as_all_points_over_speed_do(
     seed: int, tmp_path: Path
 ) -> None:

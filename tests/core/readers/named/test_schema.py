@@ -122,7 +122,7 @@ def test_schema_and_reader_accept_the_same_documents(table: str, *, is_good: boo
 @needs("torsion", "vehicle")
 @pytest.mark.parametrize("file", sorted(CASES.glob("*.yaml")), ids=lambda f: f.name)
 def test_shipped_cases_are_valid(file: Path) -> None:
-    assert VALIDATOR.is_valid(yaml.safe_load(file.read_text(encoding="utf-8")))
+    assert VALIDATOR.is_valid(yaml.safe_load(file.read_text("utf-8")))
 
 
 @settings(max_examples=count(8, 60))

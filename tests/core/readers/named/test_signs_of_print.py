@@ -7,7 +7,7 @@ from random import Random
 
 import pytest
 
-from tests.chance import count, seeded
+from tests.chance import each_seed, seeded
 from tests.commands import MZKT
 from vstatics import CaseError, ReadError
 from vstatics.core.readers import loads, read
@@ -34,7 +34,7 @@ def spoilt(text: str, rng: Random) -> str:
     return "".join(rng.choice(BLANKS + " ") if sign == " " else sign for sign in text)
 
 
-@pytest.mark.parametrize("seed", range(count(30, 500)))
+@each_seed(30, 500)
 @pytest.mark.parametrize(("text", "file"), [(YAML, "a.yaml"), (DECK, "a.dat")])
 def test_blanks_of_print_are_blanks(text: str, file: str, seed: int) -> None:
     case = read(text.encode(), file).case
@@ -51,7 +51,7 @@ def test_digits_are_not_grouped() -> None:
             loads(text)
 
 
-@pytest.mark.parametrize("seed", range(count(40, 1000)))
+@each_seed(40, 1000)
 def test_percentages_and_ratios_by_exact_fractions(seed: int) -> None:
     rng = seeded(5200 + seed)
     for _ in range(25):
@@ -88,7 +88,7 @@ PAIRS = dict(zip("АВЕКМНОРСТХаеорсух", "ABEKMHOPCTXaeopcyx", s
 """Cyrillic letters and the Latin ones that look like them (Unicode confusables)."""
 
 
-@pytest.mark.parametrize("seed", range(count(100, 2000)))
+@each_seed(100, 2000)
 def test_lookalikes_are_named_letter_by_letter(seed: int) -> None:
     rng = seeded(5300 + seed)
     name = "".join(rng.choice([*PAIRS, *PAIRS.values(), "1", "x_"]) for _ in range(6))
@@ -127,7 +127,7 @@ def test_a_dash_in_a_deck_is_pointed_out(dash: str) -> None:
             read(DECK.replace("-2.5", f"{dash}2.5").encode(), file)
 
 
-@pytest.mark.parametrize("seed", range(count(12, 300)))
+@each_seed(12, 300)
 def test_a_ratio_with_blanks_around_its_colon_is_to_be_quoted(seed: int) -> None:
     """In YAML the colon ends a key there; what the message proposes is read as the ratio."""
     rng = seeded(seed)

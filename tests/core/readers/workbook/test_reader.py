@@ -193,7 +193,7 @@ def test_what_is_no_case_is_refused() -> None:
 
 def test_a_workbook_is_run_and_converted_there_and_back(tmp_path: Path) -> None:
     yaml, book = tmp_path / "box.yaml", tmp_path / "box.xlsx"
-    yaml.write_text(SAME, encoding="utf-8")
+    yaml.write_text(SAME, "utf-8")
     assert vstatics("convert", yaml, book) == (0, "", "")
     first = book.read_bytes()
     assert vstatics("convert", yaml, book) == (0, "", "")

@@ -9,11 +9,11 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from tests.chance import count, seed_ranges, seeded
+from tests.chance import count, ranges_with_slow, seeded
+from tests.core.writers.again import is_read_again
 from vstatics import CaseError, ReadError, solve
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.readers import loads
-from vstatics.core.writers.named import write_json, write_yaml
 
 RPM = 30 / math.pi
 SPLIT = """\
@@ -91,7 +91,7 @@ def test_a_deck_holds_no_balance_and_other_formats_keep_it() -> None:
     from vstatics.core.writers.deck_limits import check_deck
 
     case = loads(SPLIT)
-    assert loads(write_yaml(case)) == loads(write_json(case)) == case
+    assert is_read_again(case)
     with pytest.raises(CaseError, match="the balance of gear of hold"):
         check_deck(case)
 
@@ -162,7 +162,7 @@ def random_trip(rng: Random) -> RoundTrip:
     return RoundTrip(u, eta, of, *speeds, rng.uniform(-200, 200), rng.uniform(-25e3, 25e3))
 
 
-@seed_ranges(range(14, 21), range(100, 100 + count(60, 300)), pytest.mark.slow)
+@ranges_with_slow(range(14, 21), 60, 300, start=100)
 def test_a_balance_is_that_of_all_sets_of_directions(seeds: range) -> None:
     """Also beside torques at which friction locks the gear, and where there are none, or two."""
     counts = set()

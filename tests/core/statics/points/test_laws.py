@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.chance import count, seed_ranges, seeded
+from tests.chance import ranges_with_slow, seeded
+from tests.core.writers.again import is_read_again
 from tests.oracle.drag import solve_gear
 from tests.oracle.systems import Speeds
 from tests.trains import is_regular, random_train
@@ -18,7 +19,6 @@ from vstatics.core.model.parts import OfLoad
 from vstatics.core.numerics.traced import plain
 from vstatics.core.readers import loads
 from vstatics.core.readers.named.law_formulas import DragFormula
-from vstatics.core.writers.named import write_json, write_yaml
 
 RPM = 30 / math.pi
 LOAD = Load(1000, 100)
@@ -92,7 +92,7 @@ gears: {one: []}
 
 def test_a_case_with_laws_is_written_as_it_was_read() -> None:
     case = loads(EAXLE)
-    assert loads(write_yaml(case)) == loads(write_json(case)) == case
+    assert is_read_again(case)
 
 
 def test_outside_its_points_a_law_is_constant_and_a_note_says_so() -> None:
@@ -185,7 +185,7 @@ def exact_gear(case: Transmission, gear: Gear, speed: float, torque: float) -> A
     )
 
 
-@seed_ranges(range(4), range(4, count(24, 200)), pytest.mark.slow)
+@ranges_with_slow(4, 24, 200)
 def test_points_of_random_trains_agree_with_all_sets_of_signs(seeds: range) -> None:
     """From torques that drag takes in all up to large ones: dragged, locked and ordinary."""
     states = set()

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.chance import count, seeded, with_marked
+from tests.chance import count, seeded, with_slow
 from tests.core.statics.batches import ARRAYS, alike
 from tests.trains import random_train
 from vstatics import Gear, Load, Mechanism, Results, Transmission, solve
@@ -85,9 +85,7 @@ def assert_same(together: Results, point: int, alone: Results) -> None:
         np.testing.assert_allclose(numbers, expected, rtol=1e-11, atol=1e-11 * size)
 
 
-@pytest.mark.parametrize(
-    "seed", with_marked(range(12), range(12, 12 + count(6, 200)), pytest.mark.slow)
-)
+@pytest.mark.parametrize("seed", with_slow(range(12), range(12, 12 + count(6, 200))))
 def test_points_together_are_what_they_are_alone(seed: int) -> None:
     case = random_train(seeded(seed)).replace(load=Load(1500, 100))
     points = 8 if seed < 12 else 60

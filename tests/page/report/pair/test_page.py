@@ -30,7 +30,7 @@ OTHER = BOX.replace("-2.5", "-3").replace("direct: [C1]", "third: {engaged: [C1]
 def files(tmp_path: Path) -> list[Path]:
     made = [tmp_path / "old.yaml", tmp_path / "new.yaml"]
     for file, text in zip(made, (BOX, OTHER), strict=True):
-        file.write_text(text, encoding="utf-8")
+        file.write_text(text, "utf-8")
     return made
 
 
@@ -116,8 +116,8 @@ def test_a_file_compares_and_a_directory_has_a_page_each(files: list[Path], tmp_
     for wrong in (["--gears", "low"], [files[0]]):
         assert vstatics("report", *files, "-o", tmp_path / "no.html", *wrong).status == 2
     bad, tied = tmp_path / "bad.yaml", tmp_path / "tied.yaml"
-    bad.write_text(BOX.replace("ratio: -2.5", "ratoi: 2"), encoding="utf-8")
-    tied.write_text(TIED_UP, encoding="utf-8")
+    bad.write_text(BOX.replace("ratio: -2.5", "ratoi: 2"), "utf-8")
+    tied.write_text(TIED_UP, "utf-8")
     assert vstatics("report", files[0], bad, "-o", tmp_path / "no.html").status == 1
     assert not (tmp_path / "no.html").exists()
     assert vstatics("report", files[0], tied, "-o", tmp_path / "tied.html").status == 1
@@ -141,7 +141,7 @@ def test_shipped_cases_lose_no_number_beside_one_another() -> None:
 def test_the_page_fits_a_phone_and_paper(browser: Any, files: list[Path], width: int) -> None:
     said = vstatics("report", CASES / "gm-8l90.yaml", CASES / "zf-8hp70.yaml", "-o", "-")
     made = files[0].with_suffix(".html")
-    made.write_text(said.out, encoding="utf-8")
+    made.write_text(said.out, "utf-8")
     window = browser.new_page(viewport={"width": width, "height": 844})
     errors: list[str] = []
     window.on("pageerror", lambda error: errors.append(str(error)))

@@ -50,7 +50,7 @@ TEETH = """() => [...document.querySelectorAll(".power tr")]
 
 def opened(browser: Any, folder: Path, text: str) -> Any:
     made = folder / "page.html"
-    made.write_text(text, encoding="utf-8")
+    made.write_text(text, "utf-8")
     window = browser.new_page(viewport=SIZE, accept_downloads=True)
     window.on("pageerror", lambda error: pytest.fail(str(error)))
     window.goto(made.as_uri())
@@ -60,7 +60,7 @@ def opened(browser: Any, folder: Path, text: str) -> Any:
 @pytest.fixture(scope="module")
 def box(tmp_path_factory: pytest.TempPathFactory) -> Path:
     file = tmp_path_factory.mktemp("box") / "box.yaml"
-    file.write_text(BOX, encoding="utf-8")
+    file.write_text(BOX, "utf-8")
     return file
 
 
@@ -154,7 +154,7 @@ def test_of_two_cases_one_without_a_load_has_no_number_in_units(
     browser: Any, box: Path, tmp_path: Path
 ) -> None:
     other = tmp_path / "other.yaml"
-    other.write_text(BOX[: BOX.index("load:")].replace("-2.5", "-3"), encoding="utf-8")
+    other.write_text(BOX[: BOX.index("load:")].replace("-2.5", "-3"), "utf-8")
     window = opened(browser, tmp_path, vstatics("report", box, other, "-o", "-").out)
     cell = """([label]) => document.querySelector(
       `td[data-case=${label}][data-result=speeds][data-row="-out"][data-gear=low]`).textContent"""
@@ -187,7 +187,7 @@ def test_rows_of_a_link_are_left_and_escape_brings_all_back(page: Any) -> None:
 def downloaded(page: Any, button: Any) -> str:
     with page.expect_download() as waiting:
         button.click()
-    return Path(waiting.value.path()).read_text(encoding="utf-8")
+    return Path(waiting.value.path()).read_text("utf-8")
 
 
 def test_tables_are_saved_with_all_digits_whatever_is_shown(page: Any, box: Path) -> None:

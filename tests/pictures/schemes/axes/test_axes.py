@@ -9,7 +9,7 @@ from xml.etree import ElementTree as ET
 import pytest
 
 import vstatics
-from tests.chance import with_marked
+from tests.chance import with_slow
 from tests.commands import CASES
 from tests.pictures.drawn import texts
 from tests.pictures.schemes.axes.boxes import (
@@ -212,7 +212,7 @@ def test_a_driveline_is_drawn_from_the_engine_to_the_wheels() -> None:
     assert heights["engine"] < heights["differential"] == heights["vehicle"]
 
 
-@pytest.mark.parametrize("seed", with_marked(range(6), range(100, 130), pytest.mark.slow))
+@pytest.mark.parametrize("seed", with_slow(range(6), range(100, 130)))
 def test_boxes_made_by_chance_can_be_built(seed: int) -> None:
     case = countershaft_box(random.Random(seed))  # noqa: S311 - no secret
     check_built(case, svg_of(case))
@@ -257,9 +257,7 @@ def test_wheels_have_their_teeth_on_request() -> None:
     assert sorted(full) == sorted([*bare, *map(str, teeth)])
 
 
-@pytest.mark.parametrize(
-    "name", ["power-split", "toyota-p410", pytest.param("driveline-8hp70", marks=pytest.mark.slow)]
-)
+@pytest.mark.parametrize("name", with_slow(["power-split", "toyota-p410"], ["driveline-8hp70"]))
 def test_road_wheels_stand_at_the_ends_of_the_half_shafts(name: str) -> None:
     root = svg_of(load(name))
     heights = axes_by_link(root)

@@ -9,6 +9,7 @@ from xml.etree import ElementTree as ET
 import pytest
 
 import vstatics
+from tests.chance import with_slow
 from tests.commands import CASES
 from tests.installed import needs
 from tests.pictures.schemes.axes.boxes import axes_by_link, of_class, svg_of, wheels
@@ -27,7 +28,7 @@ def transaxle(box: Transmission) -> Transmission:
     return replace(box, links=last, link_names=(), mechanisms=mechanisms, output=last)
 
 
-@pytest.mark.parametrize("count", [4, pytest.param(25, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", with_slow([4], [25]))
 def test_planar_boxes_before_a_final_drive_are_drawn_without_crossings(count: int) -> None:
     for box in planar_boxes(count):
         case = transaxle(box)

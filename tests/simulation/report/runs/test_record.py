@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from tests.chance import each_seed
 from tests.commands import CASES
 from tests.shipped import shipped_results
 from tests.simulation.pictures.test_shift import LOCK, run
@@ -29,7 +30,7 @@ def numbers(text: str) -> Floats:
     return np.frombuffer(parts.reshape(8, -1).T.tobytes(), "<f8")
 
 
-@pytest.mark.parametrize("seed", range(5))
+@each_seed(5)
 def test_lines_between_instants_are_as_near_as_is_told(seed: int) -> None:
     """Of random swinging columns with a jump and a gap; what must stay does."""
     chance = np.random.default_rng(seed)

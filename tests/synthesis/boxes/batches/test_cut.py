@@ -33,7 +33,7 @@ LARGER = {
 }
 
 
-def named(one: BoxScheme, shafts: int) -> list[Frame]:
+def named(one: BoxScheme, shafts: int = 0) -> list[Frame]:
     """The least names of a scheme with its ports."""
     code = tuple(link for own in one.scheme.sets for link in own)
     held = HELD if one.held is None else one.held

@@ -32,7 +32,7 @@ def test_a_built_gearbox_is_known_whatever_its_teeth_are(name: str) -> None:
 
 def test_the_table_is_that_of_the_shipped_cases() -> None:
     file = files("vstatics.synthesis.boxes.figures") / "known.jsonl"
-    assert file.read_text(encoding="utf-8") == table(), "write it: make known"
+    assert file.read_text("utf-8") == table(), "write it: make known"
 
 
 def test_with_another_element_or_gear_it_is_not() -> None:

@@ -3,11 +3,11 @@
 from itertools import permutations
 
 import numpy as np
-import pytest
 from scipy.optimize import least_squares
 from scipy.sparse import csr_array
 from scipy.sparse.csgraph import maximum_bipartite_matching
 
+from tests.chance import each_seed
 from vstatics.core.numerics.arrays import Floats
 from vstatics.synthesis.boxes.search.matching import is_assigned, match_room, matched
 from vstatics.synthesis.boxes.search.planes import plane_room, planes_leave
@@ -63,7 +63,7 @@ def test_targets_are_matched_where_that_can_be() -> None:
         assert matched(can @ (1 << np.arange(5)), 7, match_room(5)) == ((best >= 0).sum() == 5)
 
 
-@pytest.mark.parametrize("seed", range(40))
+@each_seed(40)
 def test_a_ratio_keeps_just_the_targets_of_some_assignment(seed: int) -> None:
     rng = np.random.default_rng(seed)
     targets, ratios = int(rng.integers(1, 5)), int(rng.integers(1, 7))
@@ -79,7 +79,7 @@ def test_a_ratio_keeps_just_the_targets_of_some_assignment(seed: int) -> None:
         assert reach.tolist() == expected.tolist()
 
 
-@pytest.mark.parametrize("seed", range(60))
+@each_seed(60)
 def test_planes_leave_every_place_where_all_gears_are_within_their_ranges(seed: int) -> None:
     rng = np.random.default_rng(seed)
     sets, targets = int(rng.integers(1, 5)), int(rng.integers(1, 8))
@@ -98,9 +98,9 @@ def test_planes_leave_every_place_where_all_gears_are_within_their_ranges(seed: 
     assert (place <= left[:, 1]).all()
 
 
-@pytest.mark.parametrize("number", range(5))
-def test_a_fit_is_that_of_scipy(number: int) -> None:
-    random = np.random.default_rng(number)
+@each_seed(5)
+def test_a_fit_is_that_of_scipy(seed: int) -> None:
+    random = np.random.default_rng(seed)
     parts = random.uniform(0.5, 2, (5, 2, 8))
     targets = random.uniform(0.7, 1.5, 5)
     asked = Asked(targets, targets, targets, np.ones(5), 1.5, 4.0)

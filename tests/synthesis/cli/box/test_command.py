@@ -17,7 +17,7 @@ from typing import Any
 import pytest
 from jsonschema import Draft202012Validator
 
-from tests.commands import Said, environment, json_answer, vstatics
+from tests.commands import Said, environment, json_answer, json_file, vstatics
 from tests.processes import names
 from tests.synthesis.boxes.states import prepare_boxes
 from vstatics import load, solve
@@ -77,7 +77,7 @@ def searched(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Searched:
 def boxes(*options: object) -> list[dict[str, Any]]:
     """The boxes that a search tells, all of them as the schema says."""
     said = vstatics("synth", "box", *ASKED, *options, "-f", "json")
-    assert (said.status, said.err) == (0, "")
+    assert said.is_without_messages()
     document = said.json
     CHECK(document)
     assert (document["searched"], document["found"]) == (600, len(document["boxes"]))
@@ -107,7 +107,7 @@ def test_boxes_are_told_once_and_in_order_whichever_piece_has_them() -> None:
     CHECK(lines[0])
     assert names(Path.cwd()) == ["found.jsonl"]
     said = vstatics("synth", "box", *ASKED)
-    assert (said.status, said.err) == (0, "")
+    assert said.is_without_messages()
     assert said.out.startswith("1 set, 2 shift elements, 1 of them engaged in each gear\n\nBoxes\n")
     assert "\nPareto list\n" in said.out
     assert "\nFamilies\n" in said.out
@@ -128,7 +128,7 @@ def test_a_table_has_gears_in_columns() -> None:
     vstatics("synth", "box", *ASKED, "-o", "found", "-q")
     with Path("found/boxes.csv").open(encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
-    listed = json.loads(Path("found/boxes.json").read_text(encoding="utf-8"))["boxes"]
+    listed = json_file(Path("found/boxes.json"))["boxes"]
     for row, box in zip(rows, listed, strict=True):
         assert row["known"] == (box["known"] or "")
         for name, gear in box["gears"].items():
@@ -216,12 +216,12 @@ def test_a_directory_has_all_boxes_as_cases() -> None:
         case = load(f"found/box-000{number}.yaml")
         assert tuple(element.name for element in case.shift_elements) == clutch
         assert solve(case).ratio.tolist() == pytest.approx([3.0, 1.0], rel=0.004)
-    assert Path("found/boxes.txt").read_text(encoding="utf-8") == said.out
-    Path("found/letter.txt").write_text("dear", encoding="utf-8")
+    assert Path("found/boxes.txt").read_text("utf-8") == said.out
+    Path("found/letter.txt").write_text("dear", "utf-8")
     less = ("--limit", "error=.001", "-f", "json", "-q")
     said = vstatics("synth", "box", *ASKED, *less, "-o", "found/")
-    assert (said.status, said.err) == (0, "")
-    assert said.json == json.loads(Path("found/boxes.json").read_text("utf-8"))
+    assert said.is_without_messages()
+    assert said.json == json_file(Path("found/boxes.json"))
     assert names(Path("found")) == [RECORD, *each[:4], *TABLES, "letter.txt"]
 
 
@@ -229,7 +229,7 @@ def test_files_that_no_search_wrote_are_not_lost() -> None:
     """Cases that are edited, also where the next search goes on; cases and links of others."""
     assert vstatics("synth", "box", *ASKED, "-o", "found", "-q").status == 0
     edited = Path("found/box-0002.yaml")
-    edited.write_text(f"# mine\n{edited.read_text('utf-8')}", encoding="utf-8")
+    edited.write_text(f"# mine\n{edited.read_text('utf-8')}", "utf-8")
     for more in ((), ("--resume",), ("--limit", "error=.001"), ("--dry-run",)):
         told = refused(*ASKED, "-o", "found/", *more)
         assert "found/box-0002.yaml is not as a search wrote it, so it may be yours" in told
@@ -279,11 +279,11 @@ def test_a_search_that_is_stopped_goes_on(searched: Searched, output: str) -> No
     searched.pieces.clear()
     more = ("--limit", "error=.001", "--efficiency", ".95")
     said = vstatics("synth", "box", *ASKED, *more, "-o", output, "-q", "--resume")
-    assert (said.status, said.err) == (0, "")
+    assert said.is_without_messages()
     assert searched.pieces == [3, 4, 5]
     assert names(Path.cwd()) == [output]
     document = Path(output if output.endswith("json") else "found/boxes.json")
-    found = json.loads(document.read_text(encoding="utf-8"))
+    found = json_file(document)
     assert (found["searched"], len(found["boxes"])) == (600, 2)
 
 
@@ -378,7 +378,7 @@ def test_a_search_without_a_file_tells_how_far_it_came(
     ],
 )
 def test_what_cannot_be_asked_for_is_wrong_use(options: tuple[object, ...], told: str) -> None:
-    Path("letter").write_text("dear", encoding="utf-8")
+    Path("letter").write_text("dear", "utf-8")
     assert told in refused(*ASKED, *options)
     assert names(Path.cwd()) == ["letter"]
 
