@@ -1,4 +1,5 @@
 """HTML page of found gearboxes.
 
-`boxes` writes the page, and `box_parts` its tables and the part about a single gearbox.
+`boxes` writes the page for the command `synth box`. `box_parts` writes the tables of the page and
+the section about a single gearbox.
 """
