@@ -23,11 +23,11 @@ from typing import Any
 
 import click
 
-from vstatics.core.annexes import annexes
+from vstatics.core.annexes import annexes, picture_kinds
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.exit_status import DONE, FAILED, WRONG_USE, stopped_by
 from vstatics.core.cli.shared.lazy_group import LazyGroup, Modules
-from vstatics.core.errors import ReadError, printable, spoken
+from vstatics.core.errors import ReadError, printable, quoted, spoken
 from vstatics.core.extras import __version__, build
 from vstatics.core.jobs.files import unwritable
 from vstatics.core.jobs.stopping import Stop, StoppedError, stoppable
@@ -56,6 +56,12 @@ class Commands(LazyGroup):
     def module(self, name: str) -> str:
         """Return the module of a command, from the core or, if not there, from an annex."""
         return CORE.commands[name].module if name in CORE.commands else super().module(name)
+
+    def hint(self, name: str) -> str:
+        """Return the hint for an unknown name, which can be a kind of picture."""
+        if name in picture_kinds():
+            return f"; {quoted(name)} is a picture: `vstatics plot --kind {name}`"
+        return super().hint(name)
 
     def make_context(self, *values: Any, **named: Any) -> click.Context:
         """Return the context of click, with error messages made safe to print."""

@@ -50,8 +50,11 @@ class LazyGroup(click.Group):
             return super().resolve_command(ctx, args)
         if message := missing_command(name):
             raise click.UsageError(message, ctx)
-        hint = nearest(name, self.listed()) or f"; commands are {', '.join(self.listed())}"
-        raise click.UsageError(f"there is no command {quoted(name)}{hint}", ctx)
+        raise click.UsageError(f"there is no command {quoted(name)}{self.hint(name)}", ctx)
+
+    def hint(self, name: str) -> str:
+        """Return the hint for an unknown name: the most similar command, or all commands."""
+        return nearest(name, self.listed()) or f"; commands are {', '.join(self.listed())}"
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:  # noqa: ARG002
         """Write the list of commands without importing the modules of the commands."""
