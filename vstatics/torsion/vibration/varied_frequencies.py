@@ -158,7 +158,7 @@ def mode_names(case: Transmission, targets: Sequence[VariedQuantity]) -> list[st
 
 
 def _structures(case: Transmission, targets: Sequence[VariedQuantity], values: Floats) -> Integers:
-    """Number the variants so that variants with equal ratios have equal numbers.
+    """Assign numbers to variants, equal ones to variants with equal ratios.
 
     Freewheels and nonlinear springs depend on torques; with these, efficiencies must be equal, too.
     """

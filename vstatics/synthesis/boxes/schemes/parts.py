@@ -86,6 +86,6 @@ def _least(parts: list[tuple[int, ...]]) -> list[int]:
 
 
 def _grown(sets: tuple[tuple[int, ...], ...]) -> list[int]:
-    """Number the links of gear sets from 0 in the order of first appearance."""
+    """Assign numbers to the links of gear sets from 0 in the order of first appearance."""
     numbers: dict[int, int] = {}
     return [numbers.setdefault(link, len(numbers)) for members in sets for link in members]

@@ -272,7 +272,7 @@ def _thinned(below: Bars, above: Bars) -> Iterator[tuple[Bars, Bars]]:
 
 
 def _numbered(below: Bars, above: Bars) -> tuple[Bars, Bars]:
-    """Number the parts of each link anew, in order of appearance."""
+    """Rename the parts of each link by numbers in order of appearance."""
     if not any(bar & 7 for bar in below + above):  # each link has a single part
         return below, above
     names: dict[int, int] = {}
