@@ -21,7 +21,8 @@ def box_link(box: ListedBox) -> Markup:
 def all_grid(listing: BoxListing, most: int, drawn: Collection[int]) -> Grid:
     """Return the table of gearboxes with figures, at most `most` gearboxes.
 
-    Gearboxes of a core, which differ only in clutches, share the first one's row, which unfolds.
+    Gearboxes of a core differ only in clutches. They share the row of the first gearbox, which
+    unfolds to the others.
 
     Parameters
     ----------

@@ -114,7 +114,7 @@ def doubts_before(problem: TeethProblem) -> Iterator[str]:
 
 
 MOST_WINDOWS = 4096
-"""Largest number of parts into which the ranges of ratios are halved."""
+"""Largest number of ranges into which the ranges of ratios are divided by halving."""
 LARGEST_ERROR_LIMIT = 20.0
 """Largest finite limit of errors; the next limit is infinite. [-]"""
 HALVINGS = 30

@@ -96,7 +96,7 @@ class TeethLayout:
         return [wheel for wheel, other in self.around if other == rim]
 
     def axis(self, rim: int) -> tuple[int, int] | None:
-        """Return a central gear and the meshing planet gear, which determine the axis."""
+        """Return a central gear and a meshing planet gear, which determine the axis of a planet."""
         planet = next(rims for rims in self.planets if rim in rims)
         for gear in (rim, *planet):
             for wheel in self.around_rim(gear):

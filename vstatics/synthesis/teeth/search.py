@@ -171,7 +171,7 @@ class _Halving:
         return np.concatenate(children)
 
     def _solve(self, number: int, regions: Integers, starts: Integers, sizes: Integers) -> None:
-        """Try the places of the only gear set not yet chosen whose errors are below the limit."""
+        """Try the tooth numbers of the only undecided gear set that have errors below the limit."""
         if not len(regions):
             return
         table, column = self.tables[number], self.columns[number]

@@ -209,9 +209,8 @@ def _with_teeth(element: Element, layout: TeethLayout, solution: TeethSolution) 
     if not element.rims:
         numbers = {name: teeth.get(name, count) for name, count in element.teeth.items()}
         changed = replace(element, teeth={**numbers, **teeth}, planets=planets, ratios={})
-        return (
-            replace(changed, efficiency=None) if element.ratios else changed
-        )  # the efficiency belonged to the former ratios
+        # The efficiency belonged to the former ratios.
+        return replace(changed, efficiency=None) if element.ratios else changed
     rims = {planet: {rim: teeth[rim] for rim in gears} for planet, gears in element.rims.items()}
     wheels = [wheel._replace(teeth=teeth[wheel.member]) for wheel in element.wheels]
     return replace(element, rims=rims, wheels=tuple(wheels), planets=planets)

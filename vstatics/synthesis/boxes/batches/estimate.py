@@ -77,7 +77,7 @@ def _of_all(search: BoxSearch) -> BoxEstimate | None:
 
 
 def _of_some(search: BoxSearch) -> BoxEstimate:
-    """Extrapolate from a sample of input and output; a scheme is prepared once for all."""
+    """Extrapolate the counts and times from a sample of choices of input and output."""
     began = time.process_time()
     seen: list[tuple[float, Tried]] = []
     count, ready = 0, 0.0
@@ -95,7 +95,7 @@ def _of_some(search: BoxSearch) -> BoxEstimate:
         for name in ("searched", "found")
     )
     seconds = ready / count
-    # Scale the expected times by the measured speed of this machine, for each kind of work.
+    # Scale the expected time of each stage by the measured speed of this machine.
     for place in range(len(Work._fields)):
         took = sum(part.seconds[place] for _, part in seen)
         pace = took / max(sum(part.spent[place] for _, part in seen), LEAST_WORK)

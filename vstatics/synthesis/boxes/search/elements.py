@@ -83,8 +83,8 @@ def some_sets(table: Combinations, port: PortGears, room: SetRoom, most: int) ->
     Returns
     -------
     int, float
-        Number of sets, or -1 if `listed` is too small; share of the first combinations in the
-        sample.
+        Number of sets, or -1 if `listed` is too small; fraction of the first combinations that the
+        sample contains.
     """
     if room.branches[0] == ONE or most == NO_END:
         return sets_after(table, port, room, 0, NO_END), 1.0
@@ -185,7 +185,7 @@ def _find_commonest(port: PortGears, room: SetRoom) -> None:
 
 @compiled_part
 def _note_last(table: Combinations, targets: int, which: int, room: SetRoom) -> None:
-    """Record each element of a combination as an element that could complete an element set."""
+    """Record in `rows` that each element completes the other elements of a combination."""
     for place in range(table.members.shape[1]):
         bit, others = 1 << table.members[which, place], table.rests[which, place]
         for target in range(len(room.lengths)):
@@ -210,7 +210,7 @@ def _find_members(room: SetRoom, depth: int) -> int:
 def _may_have(table: Combinations, port: PortGears, room: SetRoom, members: int) -> bool:
     """Return whether a partial element set can still satisfy the limits on shift elements.
 
-    There are limits on the number of brakes, on elements at each shaft, and on retained elements.
+    The limits are the number of brakes, elements at each shaft, and retained elements.
     """
     brakes = chosen = 0
     for place in range(members):

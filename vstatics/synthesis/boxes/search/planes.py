@@ -126,8 +126,8 @@ def _narrow(planes: Floats, room: PlaneRoom, left: Floats) -> bool:
 def _may_meet(planes: Floats, room: PlaneRoom) -> bool:
     """Return whether the planes can have a common point within their widths.
 
-    A common point is impossible if the weighted errors of the planes exceed their weighted widths
-    (Farkas' lemma, with the least-squares errors as weights).
+    No such point exists if the weighted errors of the planes exceed their weighted widths (Farkas'
+    lemma, with the least-squares errors as weights).
     """
     count, sets = len(planes), len(room.middle)
     within = apart = 0.0

@@ -37,12 +37,12 @@ MOST_TURNS = 40
 FIRST_TURNS = 3
 """Number of turns after which errors beyond their widths must shrink by `LESS_BEYOND` each turn."""
 LESS_BEYOND = 0.9
-"""Largest quotient of the errors beyond their widths in successive turns. [-]"""
+"""Largest permitted quotient of the errors beyond their widths in successive turns. [-]"""
 
 
 @shared
 class Asked(NamedTuple):
-    """Requirements on a gearbox as arrays."""
+    """Wanted ratios with tolerance ranges, and bounds of gear-set ratios."""
 
     targets: Floats
     """Wanted ratios of the gears, shape (targets,). [-]"""
@@ -73,7 +73,7 @@ class FitRoom(NamedTuple):
     trial: Floats
     """Errors at the point `tried`, shape (targets,). [-]"""
     pulls: Floats
-    """Additional pull on an error beyond the width of the target, shape (targets,). [-]"""
+    """Amount by which each target's width is narrowed, in widths, shape (targets,). [-]"""
     forces: Floats
     """Half the first derivative of the sum of squares by each error, shape (targets,). [-]"""
     weights: Floats
@@ -250,7 +250,7 @@ def _pull(errors: Floats, stiffness: float, room: FitRoom) -> float:
 
 @compiled_part
 def weigh(logs: Floats, asked: Asked, room: FitRoom) -> None:
-    """Calculate the corner weights at a point, and the derivatives."""
+    """Calculate the corner weights at a point, and their derivatives."""
     sets = len(logs)
     fill(room.corner_weights, 1.0)
     for slopes in room.slopes:
