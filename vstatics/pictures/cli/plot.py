@@ -193,7 +193,7 @@ def _asked_case(
 
 
 def _excited(outcome: CalculatedCase, results: Results, style: Style) -> Style:
-    """Return a style whose excitation includes the input speeds of a scenario, if given.
+    """Return the style with the input speeds of the scenario, if any, added to the excitation.
 
     Raises
     ------

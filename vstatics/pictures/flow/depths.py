@@ -1,4 +1,4 @@
-"""Vertical positions of runs, bands and ports in a power flow, as depths below the top."""
+"""Vertical positions of runs (nodes in series), bands and ports, as depths below the top."""
 
 from __future__ import annotations
 

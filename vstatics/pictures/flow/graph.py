@@ -185,10 +185,10 @@ def _runs(nodes: Iterable[Node], drawn: Graph) -> Iterator[Run]:
 
 
 def _numbered(drawn: Graph) -> Iterator[int]:
-    """Yield the indices of bands from a node with several exits to a node with several entries.
+    """Yield the indices of bands whose power must be written.
 
-    Bands next to a loop are left out: their power is the power of the node minus the power of the
-    loop.
+    They lead from a run with several exits to a run with several entries. Bands next to a loop are
+    left out: their power is the power of the node minus the power of the loop.
     """
     forth = [(n, b) for n, b in enumerate(drawn.bands) if not drawn.is_within(b)]
     sources = [drawn.ends(band)[0] for _, band in forth]
@@ -205,7 +205,7 @@ def _numbered(drawn: Graph) -> Iterator[int]:
 
 
 def _layers(drawn: Graph) -> tuple[int, ...]:
-    """Return the layer of each run: the longest path from the left, numbered bands twice."""
+    """Return the layer of each run: the longest path from the left, numbered bands counted twice."""
     layers = [0] * len(drawn.runs)
     ways = [
         (*drawn.ends(band), 2 if number in drawn.numbered else 1)

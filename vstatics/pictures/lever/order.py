@@ -13,7 +13,7 @@ from vstatics.pictures.lever.points import Lever
 LEVER_SEARCH_ROUNDS = 20
 """Largest number of changes by a search; more changes improve little."""
 MOVES = 60
-"""Number that, divided by the number of levers, limits how far a lever is moved, plus 2."""
+"""A lever moves by at most this number divided by the number of levers, plus 2 places."""
 CROSSING_COST = 2.0
 """Cost of two lines that cross in all gears, in heights of a lever. [-]"""
 Order = tuple[int, ...]

@@ -169,7 +169,7 @@ def _marks(
     state: Sequence[Condition],
     free: FreeOutputs,
 ) -> tuple[Mark, ...]:
-    """Return the gears with common constraints that need each further loaded shift element.
+    """Return the marks of the gears that share the constraints `state`, for the horizontal axis.
 
     The result is empty if all these gears have the same ratio.
     """

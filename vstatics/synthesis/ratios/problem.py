@@ -382,7 +382,7 @@ def sign_fault(name: str, wanted: float, limits: tuple[float, float]) -> str:
 
 
 def doubts(problem: FitProblem) -> Iterator[str]:
-    """Yield warnings about bounds that reverse the sign of a ratio, and about unreachable ratios."""
+    """Yield warnings about bounds that reverse the sign of a ratio, and unreachable ratios."""
     yield from _other_signs(problem)
     names = [gear.name for gear in problem.links.case.gears]
     alike: dict[tuple[frozenset[tuple[int, Fraction]], ...], int] = {}
