@@ -54,7 +54,8 @@ class Chunk(NamedTuple):
     start: int
     """Number of the first variant of the range, from 0."""
     places: Integers
-    """Number of each row's variant, or of the gear counted through all variants, from 0; (rows,).
+    """Number of each row's variant, from 0, shape (rows,). If each gear has a row, the number is
+    that of the variant times the number of gears, plus the index of the gear.
     """
     values: Floats
     """Varied numbers, shape (rows, targets). [-]"""

@@ -11,9 +11,11 @@ EFFICIENCY_STEP = 0.001
 LEAST_SHOWN_POWER = 0.0005
 """Smallest relative power that is not shown as 0.000. [-]"""
 SAME_POWER = 1e-9
-"""Relative difference up to which the power of a port is written together with its nodes. [-]"""
+"""Relative difference up to which the power of a port equals the power of its run, so that it is
+not written again. [-]
+"""
 SAME_CROSSINGS = 1 - 1e-9
-"""Quotient of new and old cost below which a new order of cells counts as better. [-]"""
+"""Quotient of new and old cost of crossings below which a new order counts as better. [-]"""
 STANDS_IN_ALL_MODES = 1e-9
 """Relative amplitude below which a link counts as at rest in a mode. [-]"""
 NO_LEVER_TORQUE = 1e-12

@@ -24,9 +24,10 @@ class Depths(NamedTuple):
     middles: Mapping[Key, float]
     """Depth of the middle of each cell, by layer and number."""
     starts: Mapping[int, float]
-    """Depth of each band between runs at the source, by index of the band."""
+    """Depth where each band leaves its source, by index of the band; bands within a run are absent.
+    """
     ends: Mapping[int, float]
-    """Depth of each band between runs at the target, by index of the band."""
+    """Depth where each band reaches its target, by index of the band."""
     ports: Mapping[EndPort, float]
     """Depth of each input or output port."""
 

@@ -205,7 +205,7 @@ def _numbered(drawn: Graph) -> Iterator[int]:
 
 
 def _layers(drawn: Graph) -> tuple[int, ...]:
-    """Return the layer of each run: the longest path from the left, numbered bands counted twice."""
+    """Return the layer of each run: the longest path from the left; numbered bands count twice."""
     layers = [0] * len(drawn.runs)
     ways = [
         (*drawn.ends(band), 2 if number in drawn.numbered else 1)

@@ -90,7 +90,7 @@ def best_teeth(
 
 
 def different_teeth(tables: Sequence[TeethTable], places: Integers) -> Floats:
-    """Return the number of solutions with different tooth numbers at places, (places,)."""
+    """Return, for each choice of places, the number of solutions with different tooth numbers."""
     pairs = zip(tables, places.T, strict=True)
     return np.asarray(
         np.prod([table.different[rows].astype(float) for table, rows in pairs], axis=0)
@@ -194,7 +194,7 @@ class _Halving:
         self._try(starts, sizes)
 
     def _try(self, starts: Integers, sizes: Integers) -> None:
-        """Try all choices in regions, given by first place and number of places per table."""
+        """Try all choices in regions; `starts` and `sizes` give the range of places per table."""
         counts = sizes.prod(axis=1)
         for piece in portions(counts, CHOICES_AT_ONCE):
             of_region, number = counted(counts[piece])

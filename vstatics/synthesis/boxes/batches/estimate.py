@@ -16,7 +16,9 @@ from vstatics.synthesis.boxes.search.joining import NO_END
 ENOUGH = 3.0
 """Time after which no further choice of input and output is sampled. [s]"""
 FEW_SCHEMES, FEW_PORTS = 40, 300
-"""Largest numbers of schemes and of ports of a search that is carried out instead of estimated."""
+"""Largest numbers of schemes, and of choices of input and output, of a search that is carried out
+instead of estimated.
+"""
 LEAST_WORK = 1e-9
 """Lower limit of the expected time of all samples, to avoid a division by zero. [s]"""
 DEPTH = Depth(firsts=16, sets=24, seconds=0.5)

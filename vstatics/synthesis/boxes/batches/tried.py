@@ -44,7 +44,7 @@ class Depth(NamedTuple):
     """Limits of the partial search of a choice of input and output."""
 
     firsts: int
-    """Approximate number of combinations with which the listed sets of shift elements begin."""
+    """Approximate number of first combinations from which sets of shift elements are built."""
     sets: int
     """Approximate number of the listed sets of shift elements that are examined."""
     seconds: float

@@ -53,7 +53,7 @@ ALIKE: Mapping[str, float] = {}
 
 
 class MeasuredBox(NamedTuple):
-    """Found gearbox with the figures, in the form that `least_box` returns."""
+    """Found gearbox, renumbered by `least_box`, with its characteristic numbers (figures)."""
 
     box: FoundBox
     targets: tuple[float, ...]

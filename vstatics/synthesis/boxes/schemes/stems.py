@@ -24,7 +24,7 @@ from vstatics.synthesis.structures.least_codes import symmetries
 COUNTED = 500
 """Number of stems up to which all schemes are counted; with more stems, a sample is counted."""
 ALIKE = 24
-"""Number of stems in the sample from each group of stems with similar beginnings."""
+"""Number of stems in the sample from each group of stems with similar first gear sets."""
 UNIT = 1000
 """Weight of a scheme, an integer larger than the number of choices of input and output."""
 
@@ -36,7 +36,9 @@ class Stems(NamedTuple):
     codes: Codes
     """Codes of the stems, shape (stems, 3*sets - 3) for `sets` gear sets in the schemes."""
     parts: tuple[tuple[tuple[Part, ...], int], ...]
-    """Divisions of schemes with several parts, each with the number of classes of the last part."""
+    """Divisions of schemes into parts without a common link, each with the number of classes of
+    equal schemes of its last part.
+    """
     ends: Integers
     """Cumulative weights of the stems, about `UNIT` times the number of schemes, shape (stems,)."""
 

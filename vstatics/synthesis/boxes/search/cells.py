@@ -27,7 +27,7 @@ NARROW_CELL = 1.001
 MOST_SWEEPS = 4
 """Largest number of passes in which each target reduces a cell once."""
 LESS = 0.8
-"""Share of a cell, along a gear-set ratio, above which a reduction counts as small. [-]"""
+"""Fraction of a cell's width above which the remainder of the cell counts as little reduced. [-]"""
 
 
 @shared
@@ -44,8 +44,8 @@ class RatioCells(NamedTuple):
     known: Booleans
     """True if an assignment of combinations to all targets is already known, shape (cells,)."""
     parts: Floats
-    """Numerators and denominators of the gear ratios at the corners, shape (ratios, 2, corners).
-    [-]
+    """Numerators and denominators of the gear ratios at the corners of the cell, shape (ratios, 2,
+    corners). [-]
     """
     shares: Floats
     """Start and end of the cell along each gear-set ratio, as fractions of the range between the

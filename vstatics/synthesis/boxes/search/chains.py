@@ -32,9 +32,9 @@ class ChainRoom(NamedTuple):
     combinations).
     """
     met: Integers
-    """Number of the latest search that reached a state: the number of assigned gears, the last
-    combination (if a single shift follows), and the used elements as bits. Shape (targets + 1,
-    combinations or 1, 2**size).
+    """Number of the latest search that reached each state, shape (targets + 1, combinations or 1,
+    2**size). A state is the number of assigned gears, the last combination (if a single shift
+    follows), and the used elements as bits.
     """
     came: Integers
     """Predecessor and combination of each state, encoded as an integer."""

@@ -53,7 +53,7 @@ class PortGears(NamedTuple):
 
 @compiled_part
 def begun(table: Combinations, port: PortGears, room: SetRoom) -> bool:
-    """List the usable combinations and choose the first branch; return False without a set."""
+    """List the usable combinations and choose the first branch; return False if no set exists."""
     if not _list_gears(table, port, room):
         return False
     room.sets[0] = 0

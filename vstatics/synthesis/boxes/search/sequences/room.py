@@ -110,9 +110,9 @@ class SequenceRoom(NamedTuple):
     high: Floats
     """Upper bounds of ring teeth divided by sun teeth, shape (cells, sets). [-]"""
     cell: ChoiceRoom
-    """Choices by the ranges of the gear ratios in a cell."""
+    """Work arrays for the choices of gears that are possible in a cell."""
     point: ChoiceRoom
-    """Choices by the gear ratios at a point."""
+    """Work arrays for the choices of gears at a point."""
     sums: Floats
     """Bernstein coefficients of a step ratio in a cell, shape (2, 3**sets)."""
     logs: Floats
