@@ -74,7 +74,7 @@ class Chunk(NamedTuple):
     headings: tuple[str, ...]
     """Headings of the columns."""
     removed: tuple[int, ...] = ()
-    """Number of variants that each part of the condition removed, in the order of the parts."""
+    """Number of variants removed by each expression that `and` joins in the condition, in order."""
     gears: tuple[str, ...] = ()
     """Names of the gears if each gear has a row; otherwise empty."""
     outside: tuple[str, ...] = ()
@@ -208,7 +208,7 @@ def counted(parts: Iterable[Chunk | Account]) -> dict[str, int]:
 
 
 def removed_in(parts: Iterable[Chunk | Account]) -> tuple[int, ...]:
-    """Return the number of variants removed by each part of the condition, over several ranges."""
+    """Return the number of variants removed by each expression of the condition, in all ranges."""
     return tuple(map(sum, zip(*(part.removed for part in parts), strict=True)))
 
 

@@ -33,7 +33,7 @@ class Depths(NamedTuple):
 
 
 def depths(graph: Graph, scale: float, cells: NodeColumns, back: Sequence[int]) -> Depths:
-    """Return depths of runs, bands and ports with few crossings and short bands.
+    """Return depths of runs, bands and ports, chosen for few crossings and short bands.
 
     Parameters
     ----------

@@ -13,7 +13,7 @@ from vstatics.core.flow.power_flow import PowerFlow
 from vstatics.core.numerics.tolerances import NO_POWER
 
 AT_LINKS = ("drag", "gear")
-"""Losses drawn at a link: the drag on the link, and a loss of the whole gear."""
+"""Kinds of losses drawn at a link: the drag on the link, and a loss of the whole gear."""
 
 Run = tuple[Node, ...]
 """Nodes in series with equal power, without losses or branches in between."""
@@ -205,7 +205,7 @@ def _numbered(drawn: Graph) -> Iterator[int]:
 
 
 def _layers(drawn: Graph) -> tuple[int, ...]:
-    """Return the layer of each run: the longest path from the left; numbered bands count twice."""
+    """Return the layer of each run: the longest path from the left; bands with numbers count 2."""
     layers = [0] * len(drawn.runs)
     ways = [
         (*drawn.ends(band), 2 if number in drawn.numbered else 1)

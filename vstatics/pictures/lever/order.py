@@ -55,7 +55,7 @@ def ordered(case: Transmission, drawn: Sequence[Lever]) -> list[Lever]:
 
 
 def _moves(low: int, high: int) -> list[Move]:
-    """Return the changes of an order between two places: swap, shift left or right, reverse."""
+    """Return the changes of an order between two positions: swap, shift left or right, reverse."""
     return [
         lambda o: (*o[:low], o[high], *o[low + 1 : high], o[low], *o[high + 1 :]),
         lambda o: (*o[:low], *o[low + 1 : high + 1], o[low], *o[high + 1 :]),

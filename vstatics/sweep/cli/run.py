@@ -197,7 +197,7 @@ def _counted(plan: SweepPlan) -> str:
 
 
 def _tell_removed(where: WhereCondition, report: SweepReport) -> None:
-    """Print the number of variants that each part of the condition removed."""
+    """Print the number of variants that each expression of the condition removed."""
     remaining = report.variants
     for part, removed in zip(where.parts, report.removed, strict=True):
         files.say(f"`{part.text}` removed {removed} of {remaining}")

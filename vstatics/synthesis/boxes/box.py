@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from vstatics.synthesis.structures.scheme import SetScheme
 
 HELD = -1
-"""Number in place of the second link of a brake, which is the housing."""
+"""Number that represents the housing, as the second link of a brake."""
 EFFICIENCY = 0.98
 """Default basic efficiency of each gear set (carrier held). [-]"""
 

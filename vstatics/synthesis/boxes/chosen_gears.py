@@ -127,7 +127,7 @@ def chosen_sets(
     Returns
     -------
     tuple
-        Chosen sets of the gears of all ranges, in turn.
+        Chosen set of each gear, for the gears of all ranges.
 
     Examples
     --------

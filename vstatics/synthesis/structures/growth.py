@@ -77,7 +77,7 @@ class SchemeBatch(NamedTuple):
     symmetries: Symmetries | None
     """Renamings that leave each scheme unchanged.
 
-    None means that no classes are formed.
+    None if schemes are not grouped into classes.
     """
     parents: NDArray[np.intp]
     """Row of the earlier batch from which each scheme grew, shape (schemes,)."""

@@ -53,7 +53,7 @@ class TeethAnswer(NamedTuple):
 def teeth_solutions(
     problem: TeethProblem, tables: Sequence[TeethTable], best: BestTeeth
 ) -> Iterator[TeethSolution]:
-    """Yield the best solutions, with all tooth numbers of equal ratios, small numbers first."""
+    """Yield the best solutions; of tooth numbers with equal ratios, small numbers come first."""
     chosen: list[tuple[float, int, tuple[Integers, ...]]] = []
     for error, places in zip(best.errors.tolist(), best.places.tolist(), strict=True):
         alike = [_smallest(table, place) for table, place in zip(tables, places, strict=True)]

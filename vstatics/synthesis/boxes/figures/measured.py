@@ -47,7 +47,7 @@ from vstatics.synthesis.ratios.fitting import deviation
 from vstatics.synthesis.tolerances import NO_LOAD
 
 FIGURE_DECIMALS = 9
-"""Number of decimals in comparisons of figures."""
+"""Number of decimals in comparisons of losses and other figures."""
 ALIKE: Mapping[str, float] = {}
 """Weights that are equal for all gears."""
 

@@ -32,7 +32,7 @@ class PortGears(NamedTuple):
     reach: Integers
     """Targets that each ratio reaches, as bits; 0 after the last ratio; shape (combinations,)."""
     useful: Integers
-    """Indices of the combinations that have a ratio, then -1, shape (combinations,)."""
+    """Indices of the combinations that have a ratio, padded with -1, shape (combinations,)."""
     brakes: int
     """Permitted numbers of brakes in an element set, as bits."""
     shifts: Integers
@@ -102,7 +102,7 @@ def some_sets(table: Combinations, port: PortGears, room: SetRoom, most: int) ->
 
 @compiled_part
 def sets_after(table: Combinations, port: PortGears, room: SetRoom, count: int, last: int) -> int:
-    """List further element sets, up to first combination `last`; return the number of sets.
+    """List further element sets that begin with combinations up to `last`; return the total number.
 
     `count` sets are already listed. The list is incomplete if the permitted number of steps is
     exhausted. The result is -1 if `listed` is too small.

@@ -31,13 +31,16 @@ MOST_BOX_STEPS = 60
 GIVEN_UP = 1e8
 """Damping above which a fit is aborted. [-]"""
 PULL = 1e4
-"""Weight of a squared error beyond the width of the target, relative to a squared error. [-]"""
+"""Weight of the squared excess of an error over its tolerance (width), relative to a squared error.
+[-]
+"""
 MOST_TURNS = 40
-"""Largest number of times that the pull on errors beyond their widths is increased."""
+"""Largest number of times that the pull on errors beyond their tolerance is increased."""
 FIRST_TURNS = 3
-"""Number of turns after which errors beyond their widths must shrink by `LESS_BEYOND` each turn."""
+"""Number of turns after which the excess of errors must shrink by `LESS_BEYOND` in each turn."""
 LESS_BEYOND = 0.9
-"""Largest permitted quotient of the errors beyond their widths in successive turns. [-]"""
+"""Largest permitted quotient of the excess of errors over their tolerance in successive turns. [-]
+"""
 
 
 @shared

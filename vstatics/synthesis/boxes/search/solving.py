@@ -186,7 +186,7 @@ def _open_target(ratios: int, room: CellRoom, top: int) -> int:
 
 @compiled_part
 def _give(target: int, cells: RatioCells, top: int) -> None:
-    """Branch on the first gear ratio that can meet a target, by a copy of the cell.
+    """Split a cell into two cases: the first gear ratio that can meet a target does or does not.
 
     In the upper copy of the cell, the gear ratio meets only this target; in the lower copy, it
     cannot meet it.

@@ -1,4 +1,4 @@
-"""Sequences of gears that are given by number, ratio spread and step ratios only.
+"""Sequences of gears, for which only number, ratio spread and step ratios are wanted.
 
 `search` finds the sequence to report. `room` contains the requirements and work arrays, and
 `bounds` the ranges of step ratios in a cell of gear-set ratios. `choosing` finds the choices of

@@ -47,7 +47,7 @@ MOST_SEQUENCE_CELLS = 20_000
 MORE_CELLS = 1000
 """Number of further cells to examine for an equally long sequence with single shifts."""
 SMALL = 1.05
-"""Quotient of the bounds of each gear-set ratio below which choices are fitted in a cell. [-]"""
+"""Quotient of the bounds of each gear-set ratio in a cell, below which choices are fitted. [-]"""
 MOST_CELL_FITS = 40
 """Largest number of choices of gears to fit before a cell is halved."""
 
@@ -151,7 +151,7 @@ def _is_point_better(parts: Floats, asked: Asked, room: SequenceRoom) -> bool:
 
 @compiled_part
 def _is_settled(parts: Floats, top: int, widest: int, asked: Asked, room: SequenceRoom) -> bool:
-    """Fit every possible choice in a small cell; return True if the cell is settled.
+    """Fit every possible choice in a small cell; return True if it needs no further halving.
 
     Halving continues if a gear of a choice has the wrong direction in the middle of the cell,
     unless the cell is narrow.
