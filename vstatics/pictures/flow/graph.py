@@ -117,7 +117,7 @@ def graph(side: PowerFlow) -> Graph:
     bands = [Band(*edge) for edge in edges]
     for number, piece in pieces:  # a piece that does not close a cycle is drawn from left to right
         power = side.loops[number].power
-        if piece[0] in _behind(piece[-1], pairs):
+        if piece[0] in _reachable(piece[-1], pairs):
             ends = piece[0], piece[-1]
             bands.append(Band(*ends, power, number, back=True, between=tuple(piece[1:-1])))
         else:
@@ -152,8 +152,7 @@ def _cut(loop: Loop, known: Iterable[Node]) -> Iterator[Sequence[Node]]:
         yield twice[start : end + 1]
 
 
-def _behind(start: Node, pairs: Sequence[tuple[Node, Node]]) -> set[Node]:
-    """Return a node and all nodes reachable from the node."""
+def _reachable(start: Node, pairs: Sequence[tuple[Node, Node]]) -> set[Node]:
     reached, ahead = {start}, [start]
     while ahead:
         node = ahead.pop()

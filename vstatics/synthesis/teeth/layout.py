@@ -221,15 +221,14 @@ def _of_planets(element: Element, part: DrawnPart, mechanisms: Sequence[int]) ->
         tuple(
             (numbers[first_gear], numbers[second_gear]) for first_gear, second_gear in group.meshes
         ),
-        tuple(_ratios(group, numbers, part, mechanisms)),
+        tuple(_tooth_ratios(group, numbers, part, mechanisms)),
         part.element is not None,
     )
 
 
-def _ratios(
+def _tooth_ratios(
     group: PlanetGroup, numbers: Mapping[str, int], part: DrawnPart, mechanisms: Sequence[int]
 ) -> Iterator[TeethRatio]:
-    """Yield the ratios of the mechanisms of a gear set as products of tooth numbers."""
     wheels = {wheel.member: wheel for wheel in group.wheels}
     for number, (mechanism, members) in zip(mechanisms, part.lowered, strict=True):
         first, second, _ = members

@@ -202,10 +202,9 @@ class _Halving:
             for element in range(len(self.tables)):
                 number, place = np.divmod(number, sizes[piece][of_region, element])
                 places[:, element] = starts[piece][of_region, element] + place
-            self._keep(places)
+            self._merge_into_best(places)
 
-    def _keep(self, places: Integers) -> None:
-        """Merge choices into the best solutions."""
+    def _merge_into_best(self, places: Integers) -> None:
         pairs = zip(self.tables, places.T, strict=True)
         points = np.concatenate([table.ratios[rows] for table, rows in pairs], axis=1)
         errors = largest_errors(self.targets, points)
