@@ -82,7 +82,7 @@ def _by_size(alike: Sequence[Sequence[Integers]]) -> Iterator[tuple[Integers, ..
 
 
 def _steps(depth: int, lengths: Sequence[int]) -> Iterator[tuple[int, ...]]:
-    """Yield all positions in lists of given lengths that have a given sum."""
+    """Yield all combinations of positions in lists of the `lengths`, with the sum `depth`."""
     if not lengths:
         if not depth:
             yield ()

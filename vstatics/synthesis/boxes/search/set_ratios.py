@@ -339,7 +339,7 @@ def damped_step(room: FitRoom, least: float, most: float, damping: float) -> flo
 
 @compiled_part
 def _weigh_errors(room: FitRoom, stiffness: float) -> None:
-    """Calculate half the first and second derivatives of the sum of squares by each error."""
+    """Calculate both derivatives of half the sum of squares with respect to each error."""
     for target in range(len(room.errors)):
         error = room.errors[target]
         beyond = abs(error) - 1.0 + room.pulls[target]

@@ -232,7 +232,7 @@ def _find_slopes(parts: Floats, length: int, asked: Asked, room: SequenceRoom) -
 
 @compiled_part
 def _weigh_errors(stiffness: float, room: SequenceRoom) -> None:
-    """Calculate half of both derivatives of the sum of squares with respect to each error."""
+    """Calculate both derivatives of half the sum of squares with respect to each error."""
     fit = room.fit
     for row in range(len(fit.errors)):
         error, counts = fit.errors[row], room.rows[row, 4]
