@@ -92,7 +92,7 @@ def picture(
         Key of `drawn_kinds`.
     gears : sequence of int, optional
         Numbers of the gears to show, from 1; empty for all.
-    motion : Motion, optional
+    motion : PicturedRun, optional
         Simulated run of the case, for kinds of pictures that can show a run.
 
     Raises

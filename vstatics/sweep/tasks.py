@@ -103,7 +103,7 @@ def piece_sent(task: SweepTask, item: Item) -> tuple[Account, bytes]:
 
 
 def write_piece(task: SweepTask, piece: int) -> Account:
-    """Calculate and store a piece, and return the account."""
+    """Calculate and store a piece, and return its account (counts and messages)."""
     account, data = piece_data(task, piece)
     piece_file.write_piece(task.directory, piece, data)
     return account

@@ -40,7 +40,7 @@ class Band(NamedTuple):
 
 
 class EndPort(NamedTuple):
-    """Port where power enters or leaves the gear, or the drawn row, at a link."""
+    """Link where power enters or leaves the gear, or the row in which the gear is drawn."""
 
     node: Node
     power: float

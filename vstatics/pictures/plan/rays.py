@@ -68,7 +68,7 @@ class KinematicPlan(NamedTuple):
     engaged: tuple[str, ...]
     """Names of the shift elements engaged in all gears, with equivalent elements as "A/B"."""
     given: tuple[str, ...]
-    """Given link speeds of the plan, as text."""
+    """Link speeds that all gears of the plan prescribe, as text."""
     rays: tuple[Ray, ...]
     marks: tuple[Mark, ...]
     standing: tuple[int, ...]

@@ -108,7 +108,7 @@ def middle(ends: Range) -> float:
 
 
 def asked_ratio(ends: Range, tolerance: float) -> str:
-    """Return a wanted ratio as text: a range, or a number if the range is the given tolerance."""
+    """Return a wanted ratio as text: a number if `tolerance` gives the range, or else the range."""
     return f"{middle(ends):g}" if _is_number(ends, tolerance) else asked_range(ends)
 
 

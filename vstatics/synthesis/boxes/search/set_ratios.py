@@ -78,9 +78,12 @@ class FitRoom(NamedTuple):
     pulls: Floats
     """Amount by which each target's width is narrowed, in widths, shape (targets,). [-]"""
     forces: Floats
-    """Half the first derivative of the sum of squares by each error, shape (targets,). [-]"""
+    """First derivative of half the sum of squares with respect to each error, shape (targets,). [-]
+    """
     weights: Floats
-    """Half the second derivative of the sum of squares by each error, shape (targets,). [-]"""
+    """Second derivative of half the sum of squares with respect to each error, shape (targets,).
+    [-]
+    """
     corner_weights: Floats
     """Weights of the corners in interpolation, with sum 1, shape (corners,). [-]"""
     slopes: Floats

@@ -78,7 +78,8 @@ class ChoiceRoom(NamedTuple):
     order: Integers
     """Indices of the gear ratios from the largest to the smallest, shape (ratios,)."""
     places: Integers
-    """Position in `order` of the ratio of each gear; negative at first, shape (gears,)."""
+    """Position in `order` of the ratio of each gear, then a spare, shape (gears + 1,); -1 at first.
+    """
     chosen: Integers
     """Index of the ratio of each gear, shape (gears,)."""
     free: Booleans
