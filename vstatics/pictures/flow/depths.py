@@ -13,7 +13,7 @@ from vstatics.pictures.flow.graph import EndPort, Graph
 from vstatics.pictures.flow.order import Near, mean, neighbours, ordered
 
 RUN_SWEEPS = 12
-"""Number of passes that move runs and passing bands towards neighbours."""
+"""Number of passes that move the cells of all columns towards their neighbours."""
 
 _Columns = Sequence[Mapping[Key, FlowCell]]
 

@@ -41,7 +41,7 @@ class Bounds(NamedTuple):
 
 
 def bounds_of(links: OwnLinks, given: Mapping[str, tuple[float, float]]) -> Bounds:
-    """Return the bounds of all mechanisms, given or by default.
+    """Return the bounds of all mechanisms: the user's or, otherwise, the default bounds.
 
     Parameters
     ----------
