@@ -141,8 +141,8 @@ def _independent(above: Floats, below: Floats, within: Floats) -> int:
 def lines(sets: int) -> Floats:
     """Return the weights of corners on lines through a point within the bounds, for `divide`.
 
-    >>> lines(2)[:, 0] # along the first ratio, with the second fixed array([0.58578644, 0.58578644,
-    0.41421356, 0.41421356])
+    >>> lines(2)[:, 0]  # along the first ratio, with the second fixed
+    array([0.58578644, 0.58578644, 0.41421356, 0.41421356])
     """
     places = np.sqrt(np.array([3, 2, 5, 7, 11, 13, 17, 19, 23, 29][:sets])) % 1
     bits = (np.arange(2**sets)[:, None] >> np.arange(sets)) & 1
