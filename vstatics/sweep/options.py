@@ -183,7 +183,7 @@ class SweepOptions:
         )
 
     def over(self, others: SweepOptions) -> SweepOptions:
-        """Return the given options, completed by other options.
+        """Return these options, completed by other options.
 
         Other options that contradict these options are dropped, with any options that depend on
         them: for example, a given table of variants replaces a grid. If these options have an

@@ -173,7 +173,7 @@ class Canvas(NamedTuple):
 
     @property
     def ordered(self) -> list[CanvasPart]:
-        """Lines, areas and texts in drawing order; of equal orders, texts are last."""
+        """Lines, areas and texts by ascending `order`; at equal `order`, texts are last."""
         return sorted(
             self.parts, key=lambda part: (part.shape.order, isinstance(part.shape, CanvasText))
         )

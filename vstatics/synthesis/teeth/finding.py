@@ -205,7 +205,7 @@ class NoTeethError(CaseError):
 
 
 class FoundTeeth(NamedTuple):
-    """Best tooth numbers, and whether proven to be the best."""
+    """Best tooth numbers, and whether they are proven to be the best."""
 
     solutions: Sequence[TeethSolution]
     """Different tooth numbers by ascending error; with equal errors, small tooth numbers first."""

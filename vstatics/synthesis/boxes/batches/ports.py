@@ -78,7 +78,7 @@ class PortSearch:
             most *= 4
 
     def gears_of(self, first: int, last: int) -> PortGears:
-        """Return empty arrays for the gears of an input and an output link; count the gearboxes."""
+        """Return work arrays for an input and an output link, and add to the count `searched`."""
         search, table = self.search, self.table
         ports = self.bases.moving.index(first), self.bases.moving.index(last)
         ends = enumerate(table.ends.tolist())

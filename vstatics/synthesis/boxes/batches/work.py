@@ -38,7 +38,7 @@ class BoxWork(NamedTuple):
     """Weights of gears in the mean drag, by the name of the gear."""
 
     def describe(self, item: object) -> str:
-        """Return words for a job, for messages: a piece, gearboxes, or files."""
+        """Return the name of a job for messages, such as "piece 3 of the search"."""
         if isinstance(item, int):
             return f"piece {item} of the search"
         return str(getattr(item, "name", "figures of boxes"))
