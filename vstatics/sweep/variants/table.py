@@ -101,7 +101,7 @@ def read_table(opened: IO[bytes], file: str, subject: VariedSubject) -> VariantT
     """
     pieces = _pieces(opened, file)
     head, number, first = _first_line(next(pieces, b"").removeprefix(_BOM), file)
-    columns = _header(head, file, number, subject)
+    columns = _declared_columns(head, file, number, subject)
     digest = hashlib.sha256()
     parts: list[Floats] = []
     spool: Spool | None = None
@@ -154,8 +154,7 @@ def _first_line(piece: bytes, file: str) -> tuple[bytes, int, bytes]:
         start, number = end + 1, number + 1
 
 
-def _header(head: bytes, file: str, number: int, subject: VariedSubject) -> _Columns:
-    """Return the columns that the line of headings declares."""
+def _declared_columns(head: bytes, file: str, number: int, subject: VariedSubject) -> _Columns:
     line = _text(head, file, number)
     start = Place(file, number, 1, line)
     if not line.strip():

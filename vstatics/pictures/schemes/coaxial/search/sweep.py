@@ -63,7 +63,7 @@ MOST_CROSSING = 2
 MOST_CHOICES = 12
 """Largest number of choices of crossing components that are tried, in the order of the train."""
 MOST_FURTHER = 2
-"""Largest number of bars at a place in addition to a single bar per link."""
+"""Largest number of bars at a position in addition to a single bar per link."""
 BARS_OF_REST = 2
 """Number of bars along each remaining component in the estimate of the remaining cost."""
 _Trace = tuple[tuple[SweepStep, ...], "_Trace | None"]
