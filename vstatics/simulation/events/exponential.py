@@ -85,7 +85,7 @@ class Exponential:
         return np.ascontiguousarray(inner).reshape(rows, columns * nodes)
 
     def moved(self, parts: Floats, states: Floats) -> Floats:
-        """Return the first rows of ``exp(A s) x`` for each x in `states` with s in `parts`."""
+        """Return first rows of ``exp(A s) x`` for paired s in `parts` and columns x of `states`."""
         steps, powers = self._split(parts)
         result = states.copy()
         for halved, far in steps:

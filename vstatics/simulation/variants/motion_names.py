@@ -34,19 +34,19 @@ class RunNames:
     ----------
     source : Excerpt
     rows_of : callable
-        Function from a kind of rows to their names.
+        Function from a kind of rows to the names of the rows.
     """
 
     language = LANGUAGE
     gears: Sequence[str] = ()
-    """Names of gears; empty, because tables of a run have no axis of gears."""
+    """No names of gears, because tables of a run have no axis of gears."""
 
     def __init__(self, source: Excerpt, rows_of: Callable[[Kind], Sequence[str]]) -> None:
         self.source = source
         self.rows_of = rows_of
 
     def selection(self, read: TableName) -> Selection:
-        """Return the table or part of a table that a name selects.
+        """Return the table, or the rows of a table, that a name selects.
 
         Raises
         ------
@@ -81,22 +81,22 @@ class RunNames:
         return self.rows_of(TABLES[table].kind)
 
     def written_rows(self, table: str) -> Sequence[str]:
-        """Return the names of the rows of a table, equal in all variants."""
+        """Return the names of the rows of a table, which are equal in all variants."""
         return self.rows(table)
 
     def row(self, table: str) -> str:
-        """Return the noun for the rows of a table, such as `link`."""
+        """Return the kind of the rows of a table, such as `link`."""
         return TABLES[table].kind
 
     def key(self, index: int, rows: Sequence[str]) -> str:
-        """Return a row as written in brackets; a step is written as sequence and number."""
+        """Return the text in brackets for a row; the text of a step is its sequence and number."""
         if tuple(rows) != self.rows_of("step"):
             return written(index, rows)
         sequence, _, number = rows[index].rpartition(",")
         return f"{written(0, [sequence])},{number}"
 
     def _row(self, subscript: Subscript, rows: Sequence[str], kind: str) -> int | None:
-        """Return the index of the row in a subscript, by name or by number, unless for all rows."""
+        """Return the row index in a subscript, by name or number; None means all rows (`:`)."""
         written = subscript.written
         if written == ":":
             return None
@@ -128,7 +128,7 @@ class RunNames:
 
 
 class MotionNames(RunNames):
-    """Resolver of all names in an expression: of numbers in the documents, and of tables."""
+    """Resolver of all names in an expression: tables, and numbers in the documents."""
 
     def __init__(
         self, source: Excerpt, subject: ScenarioNumbers, targets: Sequence[Varied]
@@ -138,7 +138,7 @@ class MotionNames(RunNames):
         self.targets = targets
 
     def number(self, name: DottedName) -> VariedNumber | Constant | Selection:
-        """Return the number with a name: varied, as written, or a result of teeth."""
+        """Return a named number: a varied number, a number as written, or a result of teeth."""
         return self._number(name.written, self.source.place(name.at))
 
     def _number(self, written: str, place: Place) -> VariedNumber | Constant | Selection:
@@ -158,7 +158,7 @@ class MotionNames(RunNames):
         return [] if table in PART_NUMBERS.values() else super().rows(table)
 
     def table(self, read: TableName) -> Selection | VariedNumber | Constant:
-        """Return the table, the part of a table, or the duration that a name means."""
+        """Return the table, rows of a table, or duration that a name means."""
         if read.name == "duration" and not read.subscripts:
             return self._number(read.name, self.source.place(read.at))
         return self.selection(read)

@@ -1,4 +1,4 @@
-"""Tables of a run, under their names in expressions of a sweep.
+"""Tables of a run, by their names in expressions of a sweep.
 
 >>> [name for name in TABLES if along_time(name)][:5]
 ['time', 'speeds', 'slips', 'torques', 'accelerations']
@@ -20,11 +20,11 @@ from vstatics.simulation.record.row_names import Kind
 from vstatics.sweep.results.meanings import PART_NUMBERS
 
 OfRow: TypeAlias = Callable[[Motion, str, int], float]
-"""Function that returns the number in a row from a motion and the name and index of the row."""
+"""Function from a motion, and the name and index of a row, to the number in the row."""
 
 
 class MotionTable(NamedTuple):
-    """Table of a run: columns over time, or a number for each row."""
+    """Table of a run: columns over time, or a number in each row."""
 
     kind: Kind
     unit: str
@@ -41,7 +41,7 @@ def _energy(field: str, otherwise: float, motion: Motion, row: str, _: int) -> f
 
 
 def _event_time(kind: EventKind, place: Literal[0, -1], motion: Motion, row: str, _: int) -> float:
-    """Return the time of the first (`place` = 0) or last (-1) event of a kind [s]."""
+    """Return the time [s] of the first (`place` = 0) or last (-1) event of a kind."""
     times = [event.time for event in motion.events if (event.element, event.event) == (row, kind)]
     return times[place] if times else math.nan
 
@@ -101,24 +101,23 @@ TABLES = {
     "impact": MotionTable("number", "J"),
     "balance": MotionTable("number", ""),
 }
-"""Tables of a run by name."""
 
 
 def along_time(name: str) -> bool:
-    """Return whether a table has a value for each instant."""
+    """Return whether a table has values at each instant."""
     table = TABLES[name]
     return name == TIME or (table.of_row is None and (table.kind != "number" or name in ASKED))
 
 
 class MotionTables:
-    """Tables of a run with the shape (1, instants or 1[, rows]).
+    """Tables of a run: shape (1, instants), or (1, 1), with a further axis for rows if any.
 
     Parameters
     ----------
     motion : Motion, optional
         Run; without a run all values are NaN.
     rows : callable
-        Function that returns the names of the rows of a kind.
+        Function from a kind of rows to the names of the rows.
     mechanisms : int
         Number of mechanisms of the case.
     """
