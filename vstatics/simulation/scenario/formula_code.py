@@ -1,11 +1,8 @@
 """Compilation of the tree of a formula to a fast Python function.
 
 A Python syntax tree is built from the checked tree of the formula, so the text itself is never
-executed. 0``, ``exp(1000)``), the formula is evaluated again by the rules of NumPy, as in a sweep,
-and the result is infinite or NaN./Where Python raises an error (``1/0``, ``exp(1000)``), the
-formula is evaluated again by the rules of NumPy. The result is then infinite or NaN, as in a
-sweep./0``, ``exp(1000)``), the formula is evaluated again by the rules of NumPy, as in a sweep, and
-the result is infinite or NaN.
+executed. Where Python raises an error (``1/0``, ``exp(1000)``), the formula is evaluated again by
+the rules of NumPy. The result is then infinite or NaN, as in a sweep.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Equations of motion between two events, as a system of first-order differential equations.
 
-s]./A torque acts at a port, such as a spring; the rate of the port is the speed along the torque
-[rad/s]./s]. The state is ``[q, e, phi, v, W]``:
+A torque acts at a port, such as a spring; the rate of the port is the speed along this torque
+[rad/s]. The state is ``[q, e, phi, v, W]``:
 
 - q: speeds of the motions with inertia; ``dq/dt`` is linear in the torques of the ports;
 - e: twists of springs; ``de/dt`` is the rate of the port, unless the spring slips;

@@ -41,7 +41,7 @@ def _of_steps(
     telling: Telling,
     static_torque: float | None,
 ) -> OneCase:
-    """Return the request for a case; the answer, a table of the steps, is printed."""
+    """Return the request for a case, in which the answer is a table of steps."""
     return OneCase(
         case,
         OutputOptions(FORMS, form, None, TextStyle()),
@@ -57,14 +57,14 @@ def _names(text: str) -> list[str]:
 
 
 class Reducing(NamedTuple):
-    """Rule of a simplification, and the masses that are removed or merged first."""
+    """Rule of a simplification, and the masses to remove or merge first."""
 
     rule: SimplificationRule | None
     remove: Sequence[str] | None
     merge: Sequence[str] | None
 
     def simplified(self, scheme: TorsionScheme, frequencies: int) -> Simplification:
-        """Simplify a scheme to a number of natural frequencies."""
+        """Simplify a scheme down to a number of natural frequencies."""
         from vstatics.torsion.reduction.merging import simplify_merging
         from vstatics.torsion.reduction.simplification import simplify
 
@@ -196,7 +196,7 @@ def simplify_command(
 
 
 def _format_of(output: str | None, case: str) -> str:
-    """Return the format of the output file with the scheme, according to the suffix."""
+    """Return the format of the output file of the scheme, by its suffix."""
     if output is None:
         return ""
     files.spare([case], output)
@@ -207,7 +207,7 @@ def _format_of(output: str | None, case: str) -> str:
 
 
 def _lost_dampings(case: Transmission) -> list[str]:
-    """Return a warning about loss factors, which a scheme cannot contain."""
+    """Return a warning about loss factors, which a scheme loses."""
     devices: list[Spring | Mechanism | ShiftElement]
     devices = [*case.springs, *case.mechanisms, *case.shift_elements]
     names = [device.name for device in devices if damping(device.damping).loss_factor]

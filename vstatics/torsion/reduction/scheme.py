@@ -28,7 +28,7 @@ class SchemeSpring(NamedTuple):
 
     name: str
     twist: Mapping[int, float]
-    """Index of a mass (from 0) -> coefficient of the angle in the twist. [-]"""
+    """Index of a mass (from 0) -> coefficient of its angle in the twist. [-]"""
     compliance: float
     """Compliance, reduced to the reference shaft. [rad/(N*m)]"""
     damping: float = 0.0
@@ -36,7 +36,7 @@ class SchemeSpring(NamedTuple):
 
 
 class TorsionScheme(NamedTuple):
-    """Scheme: masses, in the order of the case, and springs."""
+    """Equivalent model of a gear: masses, in the order of the case, and springs."""
 
     names: tuple[str, ...]
     inertias: tuple[float, ...]
@@ -45,12 +45,12 @@ class TorsionScheme(NamedTuple):
 
 
 def twists(scheme: TorsionScheme) -> Floats:
-    """Return the coefficients of all twists as a matrix, shape (springs, masses) [-]."""
+    """Return the coefficients of all twists, shape (springs, masses) [-]."""
     return values_of([spring.twist for spring in scheme.springs], len(scheme.names))
 
 
 def stiffness_matrix(scheme: TorsionScheme) -> Floats:
-    """Calculate the stiffness matrix [N*m/rad]: sum of a a^T/E with twists a and compliances E.
+    """Return the stiffness matrix [N*m/rad]: sum of a a^T/E with twists a and compliances E.
 
     >>> shaft = SchemeSpring("shaft", {0: 1.0, 1: -1.0}, 0.5)
     >>> stiffness_matrix(TorsionScheme(("a", "b"), (1.0, 3.0), (shaft,))).tolist()
@@ -63,7 +63,7 @@ def stiffness_matrix(scheme: TorsionScheme) -> Floats:
 
 
 def natural_frequencies(scheme: TorsionScheme) -> tuple[float, ...]:
-    """Calculate undamped natural frequencies of elastic motions, ascending [rad/s].
+    """Return the undamped natural frequencies of elastic motions, ascending [rad/s].
 
     Masses without inertia follow the other masses.
 
@@ -90,7 +90,7 @@ def natural_frequencies(scheme: TorsionScheme) -> tuple[float, ...]:
 
 
 def scheme_case(scheme: TorsionScheme, name: str, ends: Sequence[str], gear: str) -> Transmission:
-    """Build a case with the masses and springs of a scheme as links and springs.
+    """Return a case whose links and springs are the masses and springs of a scheme.
 
     Parameters
     ----------

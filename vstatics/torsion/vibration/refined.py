@@ -20,13 +20,13 @@ from vstatics.core.numerics.arrays import Booleans, Complex, Floats, Integers
 from vstatics.torsion.tolerances import LAST_EIGENVALUE_STEP
 
 MOST_NEWTON_STEPS = 8
-"""Largest number of Newton steps; from an approximate shape, three or four are enough."""
+"""Largest number of Newton steps; from an approximate shape, three or four suffice."""
 STACKED_NUMBERS = 2**20
-"""Largest number of matrix entries that are solved at once."""
+"""Largest number of matrix entries in a batch."""
 
 
 class Pencils(NamedTuple):
-    """Matrices of several systems that differ in damping.
+    """Matrices of several systems that differ in their damping.
 
     Attributes
     ----------
@@ -43,7 +43,7 @@ class Pencils(NamedTuple):
     resistances: Floats
 
     def of(self, systems: Integers) -> Pencils:
-        """Return the matrices of given systems."""
+        """Return the matrices of a selection of systems."""
         return self._replace(resistances=self.resistances[systems])
 
     def roots(self, shapes: Complex) -> tuple[Complex, Complex]:
@@ -109,7 +109,7 @@ def refined(pencils: Pencils, eigenvalues: Complex, shapes: Complex) -> Refined:
 
 
 def _products(matrices: Floats, shapes: Complex) -> Complex:
-    """Multiply complex shapes by a real matrix, or by a matrix for each system."""
+    """Return products of complex shapes with a real matrix, or with a matrix for each system."""
     products = matrices @ np.stack([shapes.real, shapes.imag], axis=-1)
     return np.asarray(products[:, :, 0] + 1j * products[:, :, 1])
 
@@ -129,7 +129,7 @@ def _step(pencils: Pencils, values: Complex, shapes: Complex) -> tuple[Complex, 
     right[:, :size, 0] = -(s**2 * massive + s * resisted + _products(pencils.stiffness, shapes))
     try:
         steps = np.linalg.solve(bordered, right)[:, :, 0]
-    except np.linalg.LinAlgError:  # a matrix of the stack is singular
+    except np.linalg.LinAlgError:  # a matrix in the stack is singular
         return np.full_like(values, np.nan), shapes
     moved = shapes + steps[:, :size]
     return values + steps[:, size], moved / np.linalg.norm(moved, axis=1, keepdims=True)
