@@ -16,7 +16,7 @@ from vstatics.vehicle.case.fatigue import Fatigue, Flanks, TorqueStrength
 from vstatics.vehicle.case.members import Members
 
 THICKEST_SHAFT = 1.0
-"""Shaft diameter above which a value was probably written in mm without the unit. [m]"""
+"""Shaft diameter above which the value was probably given in mm without a unit. [m]"""
 _STRENGTHS = {
     "endurance": "an endurance",
     "exponent": "an exponent",
@@ -79,7 +79,7 @@ def _of_members(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def doubts_of_fatigue(case: TransmissionFields) -> Iterator[Problem]:
-    """Yield warnings about shaft diameters that were probably meant in mm."""
+    """Yield warnings about shaft diameters that were probably given in mm without a unit."""
     for name, fatigue in Fatigue.of(case).items():
         if fatigue.diameter and fatigue.diameter > THICKEST_SHAFT:
             yield no_unit(fatigue.diameter, "m", "a shaft", ("fatigue", name, "diameter"))

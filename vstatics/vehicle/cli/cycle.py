@@ -35,11 +35,11 @@ if TYPE_CHECKING:
 
 
 _PARTS = {"battery_lost": "lost: battery", "machine_lost": "lost: machine"}
-"""Name of an energy in JSON -> name in the printed table, where the two differ."""
+"""Name of an energy in JSON -> name in the printed table, if different."""
 
 
 def _speed(text: str) -> float:
-    """Convert an engine speed with unit to rad/s."""
+    """Return an engine speed with unit in rad/s."""
     from vstatics.core.readers.named.units import quantity
 
     try:
@@ -255,7 +255,7 @@ def _driven(
 
 
 def _placed(problem: Problem, trace: Trace, file: str) -> Problem:
-    """Return a problem with the row in the driving cycle, or, without a path, with a file name."""
+    """Return a problem at its row in the driving cycle, or with a file name if it has no row."""
     row = next(iter(problem.path), None)
     if isinstance(row, int):
         return problem._replace(path=(), place=trace.table.place(row))
