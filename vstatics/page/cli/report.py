@@ -1,4 +1,4 @@
-"""`vstatics report`: write a case and its results as one HTML page."""
+"""Command `vstatics report`: write a case and its results as an HTML page."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 
 class PageOptions(NamedTuple):
-    """Options of `vstatics report`: sections, digits, language, settings of cases, duty cycle."""
+    """Options of `vstatics report`: sections, digits, language, case settings, duty cycle."""
 
     asked: AskedPage
     digits: int | None
@@ -41,7 +41,7 @@ class PageOptions(NamedTuple):
 
     @property
     def duty_files(self) -> list[str]:
-        """Names of the files of the duty cycle; empty without a duty cycle."""
+        """Files of the duty cycle; empty without a duty cycle."""
         return self.duty.files if self.duty else []
 
 
@@ -172,9 +172,9 @@ def report_command(
 
 
 def _listing_in(file: str) -> tuple[object, object] | None:
-    """Return the gearboxes listed in a file of `synth box`, and the document.
+    """Return the gearboxes listed in a file of `synth box`, and its document.
 
-    The result is None for a case.
+    The result is None if the file is a case.
     """
     if not module_of_method("listing_in"):
         return None

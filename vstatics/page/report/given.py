@@ -1,4 +1,4 @@
-"""Input data of a case as tables: components, gears, inertias and springs."""
+"""Tables of the input data of a case: components, gears, inertias and springs."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _NAMED = (
     *("name", "description", "source", "shift_elements", "elements", "mechanisms", "gears"),
     *("inertias", "masses", "springs"),
 )
-"""Keys of a case that the page shows in separate tables or texts."""
+"""Keys of a case that have tables or texts of their own on the page."""
 _LABELS = {"idle": "sign of unloaded mechanisms", "coast": "coasting"}
 
 
@@ -36,7 +36,7 @@ def given(
     mapping : mapping
         Case as plain data, the value of ``case`` in its result as JSON.
     marked : callable, optional
-        Function that adds marks for the scripts of the page to tables.
+        Function that marks tables for the scripts of the page.
     """
     common = {key: value for key, value in mapping.items() if key not in _NAMED}
     common = {"input": case.link_name(case.input), "output": case.link_name(case.output), **common}
@@ -46,7 +46,7 @@ def given(
 
 
 def _grids(case: Transmission, mapping: Mapping[str, Any], digits: int | None) -> Iterator[Grid]:
-    """Yield tables of the components of a case, and of further data of gears."""
+    """Yield tables of the components of a case, and of data of its gears."""
     drawing = drawing_of(case)
     if drawing is not None and drawing.elements:
         yield _elements(drawing, mapping["elements"])
@@ -71,7 +71,7 @@ def _elements(drawing: Drawing, mapping: Mapping[str, Mapping[str, Any]]) -> Gri
 
 
 def _mechanisms(case: Transmission) -> Grid:
-    """Return the table of mechanisms, with planet ratios if defined by a gear set."""
+    """Return the table of mechanisms, with planet ratios if a gear set defines them."""
     rows: list[Values] = [
         (
             mechanism.name,
@@ -95,7 +95,7 @@ def _mechanisms(case: Transmission) -> Grid:
 
 
 def _number_or_law(value: float | None) -> Any:
-    """Return a number, with the unit if given, or the description of a characteristic curve."""
+    """Return a number with its unit, or the description of a characteristic curve."""
     if isinstance(value, OfLoad):
         return f"{value.given:g} N*m"
     if isinstance(value, Law):
@@ -108,7 +108,7 @@ def _number_or_law(value: float | None) -> Any:
 
 
 def _shift_elements(case: Transmission) -> Grid:
-    """Return the table of shift elements, with columns for drag and friction ratio if given."""
+    """Return the table of shift elements, with columns for drag and friction ratio if present."""
     elements = case.shift_elements
     drags, slips = (
         any(element.drag for element in elements),
@@ -142,7 +142,7 @@ def _shift_elements(case: Transmission) -> Grid:
 
 
 def _gears(gears: Mapping[str, Mapping[str, Any]]) -> Grid:
-    """Return the table of the data of gears other than engaged shift elements."""
+    """Return the table of gear data, except engaged shift elements."""
     rows = (
         (name, _said({key: value for key, value in gear.items() if key != "engaged"}))
         for name, gear in gears.items()
@@ -151,7 +151,7 @@ def _gears(gears: Mapping[str, Mapping[str, Any]]) -> Grid:
 
 
 def _said(value: Any) -> str:
-    """Describe a value of a case as text: a number, text, list or mapping.
+    """Return a number, text, list or mapping of a case as text.
 
     >>> _said({"teeth": {"sun": 48, "ring": 96}, "planets": 3})
     'teeth: sun 48, ring 96; planets: 3'
@@ -172,11 +172,11 @@ def _key(key: str) -> str:
 
 
 KEYED = ("teeth", "load", "mesh_efficiency", "efficiency", "planet", "damping", "suns", "rings")
-"""Keys whose values are mappings with words of the format as keys; other mappings have names."""
+"""Keys whose values map words of the format; other mappings map names."""
 
 
 def _inner(value: Any, *, keyed: bool = False) -> str:
-    """Describe a value within a list or mapping as text, with deeper levels in brackets."""
+    """Return a value in a list or mapping as text, with deeper levels in brackets."""
     if isinstance(value, bool):
         return tr("yes" if value else "no")
     if isinstance(value, Mapping):
@@ -196,11 +196,11 @@ def _single(value: Any, *, keyed: bool = False) -> str:
 
 DAMPED = ("damping, N*m*s/rad", "loss factor")
 ELASTIC = ("stiffness, N*m/rad", *DAMPED)
-"""Headings of columns of elastic components: stiffness, compliance, damping."""
+"""Headings of the columns of elastic components: stiffness, compliance and damping."""
 
 
 def torsion_grids(case: Transmission) -> Iterator[Grid]:
-    """Yield tables of the inertias and masses of links, and of springs, if the case has any.
+    """Yield tables of inertias and masses of links, and of springs, if the case has any.
 
     Examples
     --------
@@ -244,7 +244,7 @@ def _elastic(part: Mechanism | ShiftElement) -> list[Cell]:
 
 
 def _stiffness(spring: Spring) -> list[Cell]:
-    """Return the stiffness and compliance of a spring, or the number of points of the curve."""
+    """Return stiffness and compliance of a spring, or the number of points of its curve."""
     if spring.strut:
         return [_number(spring.rate), word("strut")]
     if spring.points:
@@ -255,7 +255,7 @@ def _stiffness(spring: Spring) -> list[Cell]:
 
 
 def _limit(spring: Spring) -> Cell:
-    """Return the torque limit of a spring, or a formula if the limit depends on a second spring."""
+    """Return the torque limit of a spring, or its formula if it depends on another spring."""
     limit = spring.limit
     if isinstance(limit, SpringLimit):
         return Cell(
@@ -270,5 +270,5 @@ def _damped(part: Spring | Mechanism | ShiftElement) -> list[Cell]:
 
 
 def _number(value: float | None) -> Cell:
-    """Return a cell with six significant digits, for quantities of any magnitude."""
+    """Return a cell with six significant digits, for a quantity of any magnitude."""
     return Cell(NOTHING if value is None else f"{value:.6g}", value, kind=float)
