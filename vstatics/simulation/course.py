@@ -136,7 +136,7 @@ class EventRun:
             end = min(next(breaks, until), self.sequences.next_time(), until)
             event = self._to_event(selected, end)
             self._go(equations, instant_of(equations, event.time, event.state))
-            self._turn(event)
+            self._record_ends(event)
             self.scales = self.scales._replace(
                 speed=max(self.scales.speed, largest(self.at.speeds))
             )
@@ -171,8 +171,7 @@ class EventRun:
     def _go(self, equations: Equations, at: Instant) -> None:
         self.at, self.before, self.met, self.at_limit = at, equations.states, [], []
 
-    def _turn(self, event: MarginEnd) -> None:
-        """Record the states that end at an event."""
+    def _record_ends(self, event: MarginEnd) -> None:
         before = self.before
         if not event.watches or before is None:
             self.left = []
@@ -445,16 +444,15 @@ class EventRun:
                 self.length = None
             else:
                 return
-        yield from self._explicit(equations, (time, state), end, tolerances)
+        yield from self._explicit_steps(equations, (time, state), end, tolerances)
 
-    def _explicit(
+    def _explicit_steps(
         self,
         equations: Equations,
         begin: tuple[float, Floats],
         end: float,
         tolerances: StepTolerances,
     ) -> Iterator[TimeStep]:
-        """Yield time steps of an explicit method up to a time."""
         time, state = begin
         for _ in range(_MOST_LARGER):
             try:
@@ -570,16 +568,23 @@ class EventRun:
 
     def _record_meshes(self, time: float, before: States, states: States) -> None:
         for index, (earlier, later) in enumerate(zip(before.meshes, states.meshes, strict=True)):
-            if earlier in SIGNS_OF_MESHES and later == "stick" and self._holds(index, states):
+            if (
+                earlier in SIGNS_OF_MESHES
+                and later == "stick"
+                and self._moves_without_friction(index, states)
+            ):
                 kind: EventKind = "locks"
-            elif earlier == "stick" and later in SIGNS_OF_MESHES and self._holds(index, before):
+            elif (
+                earlier == "stick"
+                and later in SIGNS_OF_MESHES
+                and self._moves_without_friction(index, before)
+            ):
                 kind = "slips"
             else:
                 continue
             self.record.events.append(event_of(time, self.system.meshes[index], kind))
 
-    def _holds(self, mesh: int, states: States) -> bool:
-        """Return whether a mechanism would move if no mechanism had friction."""
+    def _moves_without_friction(self, mesh: int, states: States) -> bool:
         loose = self.selection.structure(states.held, ("",) * len(states.meshes))
         slip = self.system.meshes[mesh].slip
         return largest(slip @ np.hstack([loose.free, loose.light])) > STANDING

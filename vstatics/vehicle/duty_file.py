@@ -195,7 +195,6 @@ def _of_road(speed: re.Match[str]) -> str:
 
 
 def _steps(data: bytes, file: str, exponent: float | None, classes: Classes | None) -> DutyTable:
-    """Read the steps of a driving cycle as operating points."""
     what = "steps of a driving cycle: duration, gear, speed, torque"
     table = read_unit_table(data, file, what, _STEP_COLUMNS, "E121", skips=True)
     numbers = {**table.numbers, "time": table.numbers["duration"]}

@@ -167,7 +167,7 @@ def report_command(
             return _report_two(cases, output, page._replace(settings=takes))
     to = to._replace(style=TextStyle(page.lang))
     files.spare(page.duty_files, to.output)
-    show = partial(_shown, page=page, cycle=page.duty.read() if page.duty else None)
+    show = partial(_page_output, page=page, cycle=page.duty.read() if page.duty else None)
     return carry_out(Job("report", takes, to, show), cases, others=page.duty_files)
 
 
@@ -211,10 +211,9 @@ def _report_two(cases: tuple[str, ...], output: str, page: PageOptions) -> int:
     return FAILED if failed else DONE
 
 
-def _shown(
+def _page_output(
     outcome: CalculatedCase, results: Results, page: PageOptions, cycle: GivenCycle | None
 ) -> texts.CaseOutput:
-    """Return the page of a case as output of `vstatics report`."""
     asked, quiet = page.asked, page.settings.telling.quiet
     chosen = arguments.gear_indices(results.case, asked.gears, "--gears") if asked.gears else ()
     chosen_page = asked._replace(gears=[results.case.gears[index].name for index in chosen])

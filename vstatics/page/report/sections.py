@@ -162,7 +162,6 @@ def _differ(drawn: Sequence[Drawn]) -> bool:
 
 
 def _flows(material: Material) -> Iterator[Markup]:
-    """Yield the power flow of each gear as a picture and as numbers."""
     drawn = material.pictures.of_gears.get("flow", ())
     has_stick = _differ(material.pictures.of_gears.get("stick", ()))
     # The links that choose a gear lead to the first section about gears.
@@ -214,7 +213,6 @@ def _largest(summary: Sequence[Grid]) -> Iterator[Markup]:
 
 
 def _vehicle(material: Material, summary: Sequence[Grid]) -> Iterator[Markup]:
-    """Yield the tables of the vehicle in each gear, the traction, and the engine speeds."""
     yield from tables(grid for grid in summary if grid.key in VEHICLE)
     drawn = material.pictures.of_all
     for kind in (kind for kind in OF_A_VEHICLE if kind in drawn):

@@ -151,7 +151,7 @@ class Finder:
             part, gap = divmod(number, count)
             place = _lowest(nodes, by_parts[watch, part], gap)
             time = float(edges[part] + (edges[part + 1] - edges[part]) * place)
-            minimum = self._between(step, time)
+            minimum = self._margins_at(step, time)
             if (minimum < -self.noise).any():
                 return number, (time, minimum)
         return None
@@ -224,12 +224,11 @@ class Finder:
         """Return the time at which a margin falls below 0 by more than rounding, by bisection."""
         first, last = ends
         while first < (middle := first + (last - first) / 2) < last:
-            is_below = self._between(step, middle)[index] < -self.noise[index]
+            is_below = self._margins_at(step, middle)[index] < -self.noise[index]
             first, last = (first, middle) if is_below else (middle, last)
         return last
 
-    def _between(self, step: TimeStep, time: float) -> Floats:
-        """Return the margins at a time within a step, by dense output."""
+    def _margins_at(self, step: TimeStep, time: float) -> Floats:
         return self.margins.at(time, step.between(np.array([time]))[:, 0])
 
     def _root(self, step: TimeStep, index: int, first: float, last: float) -> float:
@@ -253,7 +252,7 @@ class Finder:
                 return first + (last - first) * float(brentq(near, 0.0, 1.0, xtol=ROOT_PART))
         return float(
             brentq(
-                lambda time: self._between(step, time)[index],
+                lambda time: self._margins_at(step, time)[index],
                 first,
                 last,
                 xtol=ROOT_TIME * max(1.0, last),

@@ -279,7 +279,7 @@ class Margins:
                 row = equations.angles.start + equations.layout.angles.index(load.link)
             for corner, side in self._ends(index, law.x):
                 self.corners.append((row, by_angle, corner, side))
-        self._frictions()
+        self._friction_corners()
         for index, spring in enumerate(equations.system.springs):
             row, at = equations.twists.start + index, equations.layout.curves + index
             for corner, side in self._ends(at, spring.curve.corners, torque=True):
@@ -291,8 +291,7 @@ class Margins:
             for corner, side in self._ends(equations.layout.outside + place, ratios):
                 self.ratios.append((place, corner, side))
 
-    def _frictions(self) -> None:
-        """Add margins of the corners of the friction coefficient of slipping contacts."""
+    def _friction_corners(self) -> None:
         equations = self.equations
         contacts = zip(equations.system.contacts, equations.states.contacts, strict=True)
         for index, (contact, state) in enumerate(contacts):

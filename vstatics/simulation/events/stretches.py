@@ -500,7 +500,6 @@ class Closed:
         return TimeStretch(parts, exponential, self.balance, starts)
 
     def _states(self, stretch: TimeStretch) -> Floats:
-        """Return the states at all instants of a stretch, shape (size, instants)."""
         inner = stretch.exponential.at_nodes(stretch.starts)
         return inner / stretch.balance[:, None]
 

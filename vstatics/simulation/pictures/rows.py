@@ -129,7 +129,6 @@ def _name(pen: Pen, middle: float, label: str) -> None:
 
 
 def _draw_gears(pen: Pen, low: float, shown: RunRows) -> None:
-    """Draw the bar of gears and the shift phases."""
     style = pen.style
     low += (GEAR_ROW_HEIGHT - GEAR_BAR_HEIGHT) / 2
     _name(pen, low + GEAR_BAR_HEIGHT / 2, style.text("gear"))

@@ -173,7 +173,6 @@ def _pages(content: _Content, name: str, style: Style) -> Iterator[Canvas]:
 def _draw_panels(
     pen: Pen, content: _Content, on_page: slice, heights: Sequence[float], upper: Sequence[Pen]
 ) -> None:
-    """Draw panels in a column with a common time scale."""
     top, time = pen.size[1], _time(content.motion)
     drawn: list[Pen] = []
     for shown, high in zip(content.panels[on_page], heights, strict=True):

@@ -166,7 +166,7 @@ def _turns(curves: Curves, column_ranges: CurveRanges) -> _Turns:
         column, part, node = np.nonzero(turns)
         powers = rises[column, part] @ polynomials.powers.T
         place = _turning(powers, nodes[node], nodes[node + 1])
-        reached = values[column, part, 0] + _along(powers, place)
+        reached = values[column, part, 0] + _values_at(powers, place)
         candidates.append(_Turns(moving[column], _times(curves, part, place), reached))
     return _Turns(*(np.concatenate(fields) for fields in zip(*candidates, strict=True)))
 
@@ -176,10 +176,10 @@ def _turning(powers: Floats, low: Floats, high: Floats) -> Floats:
     orders = np.arange(1.0, powers.shape[1])
     slopes = powers[:, 1:] * orders
     bends = slopes[:, 1:] * orders[:-1]
-    first, last = _along(slopes, low), _along(slopes, high)
+    first, last = _values_at(slopes, low), _values_at(slopes, high)
     place = low + (high - low) * np.fmin(np.fmax(first / (first - last), 0.0), 1.0)
     for _ in range(_NEWTON_OF_EXTREMES):
-        step = _finite(_along(slopes, place) / _along(bends, place))
+        step = _finite(_values_at(slopes, place) / _values_at(bends, place))
         place = np.minimum(np.maximum(place - step, low), high)
     return np.asarray(place, float)
 
@@ -196,8 +196,7 @@ def _finite(values: Floats) -> Floats:
     return np.where(np.isfinite(values), values, 0.0)
 
 
-def _along(powers: Floats, places: Floats) -> Floats:
-    """Evaluate each polynomial at its place."""
+def _values_at(powers: Floats, places: Floats) -> Floats:
     values: Floats = (powers * places[:, None] ** np.arange(powers.shape[1])).sum(axis=1)
     return values
 

@@ -188,7 +188,7 @@ class Record:
             largest(state[equations.works]),
         )
         self.energy_scale = max(self.energy_scale, scale)
-        self._store(equations, equations.time, state)
+        self._update_stored_energy(equations, equations.time, state)
 
     def step(self, step: TimeStep, end: float, state: Floats) -> None:
         """Record a time step up to its end, or up to an event at the time `end` [s]."""
@@ -210,8 +210,8 @@ class Record:
         values = np.abs(state[equations.values])
         self.value_scales = np.maximum(self.value_scales, SMALL_VALUE * values)
         self.worked += float(np.abs(state - step.first)[equations.works.start :].sum())
-        self._store(equations, end, state)
-        self._targets(step, end, state, equations)
+        self._update_stored_energy(equations, end, state)
+        self._record_targets(step, end, state, equations)
         self.numbers += step.states.size + _OF_A_STEP
 
     def leaves_zero(self, equations: Equations, time: float, state: Floats) -> bool:
@@ -236,14 +236,14 @@ class Record:
         last = self.pieces[-1]
         self.pieces, self.numbers = [Piece(last.margins, self.time, last.states[-1])], 0
 
-    def _store(self, equations: Equations, time: float, state: Floats) -> None:
-        """Raise the largest stored energy to the kinetic and elastic energy of a state."""
+    def _update_stored_energy(self, equations: Equations, time: float, state: Floats) -> None:
         kinetic = kinetic_energy(self.system, equations.speeds(time, state))
         elastic = self.system.elastic_energy(state[equations.twists])
         self.stored = max(self.stored, kinetic + elastic)
 
-    def _targets(self, step: TimeStep, end: float, state: Floats, equations: Equations) -> None:
-        """Record the time and angle at which links reach target speeds in a time step."""
+    def _record_targets(
+        self, step: TimeStep, end: float, state: Floats, equations: Equations
+    ) -> None:
         for link, speed in self.targets:
             if (link, speed) in self.reached:
                 continue

@@ -269,7 +269,6 @@ def _with_speed(tree: Any) -> Any:
 
 
 def _with_tables(tree: Any, tables: Mapping[str, LookupTable]) -> Any:
-    """Return the tree with each table name replaced by the table."""
     if not isinstance(tree, Applied):
         return tree
     name = tree.name if tree.name not in tables else TableCall(tree.name, tables[tree.name])
@@ -279,7 +278,6 @@ def _with_tables(tree: Any, tables: Mapping[str, LookupTable]) -> Any:
 
 
 def _check_operands(part: Applied, words: Vocabulary, source: Excerpt) -> None:
-    """Reject a function or table with the wrong number of arguments."""
     count, name = len(part.operands), part.name
     if name in words.tables:
         wanted = words.tables[name].variables
@@ -372,7 +370,6 @@ def _read(text: str, tree: Tree | None) -> _Read:
 
 
 def _with_numbers(tree: Any, numbers: Mapping[str, float]) -> Any:
-    """Return the tree with named numbers replaced by their values."""
     if isinstance(tree, Applied):
         operands = tuple(_with_numbers(operand, numbers) for operand in tree.operands)
         return tree._replace(operands=operands)

@@ -113,7 +113,7 @@ def compiled(tree: Tree, seen: Sequence[Seen] = ()) -> Function:
     >>> function(0.0, 0.0, 0.0), function(1e6, 0.0, 0.0)
     (0.5, 0.0)
     """
-    functions = {**_PLAIN, **{name: table.at for name, table in _tables(tree).items()}}
+    functions = {**_PLAIN, **{name: table.at for name, table in _called_tables(tree).items()}}
     plain: Function = _evaluated(tree, functions, seen, is_broad=False)
 
     def function(*known: float) -> float:
@@ -139,7 +139,7 @@ def compiled_along(tree: Tree, seen: Sequence[Seen] = ()) -> Callable[..., Float
     >>> compiled_along(tree)(np.array([1.0, 2.0, 3.0]), np.array([2.0, 2.0, 0.0]), 0.0)
     array([2., 3., 0.])
     """
-    functions = {**_BROAD, **{name: table.along for name, table in _tables(tree).items()}}
+    functions = {**_BROAD, **{name: table.along for name, table in _called_tables(tree).items()}}
     broad = _evaluated(tree, functions, seen, is_broad=True)
 
     def function(times: Floats, *known: Floats | float) -> Floats:
@@ -156,12 +156,11 @@ def compiled_along(tree: Tree, seen: Sequence[Seen] = ()) -> Callable[..., Float
     return function
 
 
-def _tables(tree: Any) -> dict[str, LookupTable]:
-    """Return the lookup tables that a tree calls, by name."""
+def _called_tables(tree: Any) -> dict[str, LookupTable]:
     if not isinstance(tree, Applied):
         return {}
     called = {str(tree.name): tree.name.table} if isinstance(tree.name, TableCall) else {}
-    return reduce(operator.or_, map(_tables, tree.operands), called)
+    return reduce(operator.or_, map(_called_tables, tree.operands), called)
 
 
 def _as_arrays(tree: Tree, known: Sequence[Floats], seen: Sequence[Seen]) -> Floats:

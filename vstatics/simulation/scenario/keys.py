@@ -458,7 +458,6 @@ def scenario_shape(words: Vocabulary) -> ByKey:
 
 
 def _keys_over_time(words: Vocabulary) -> tuple[KeyShape, ...]:
-    """Return the keys of capacities, torques, speeds, speed ratios and limits over time."""
     moving = words.only(*OF_MOTION)
     capacity = curve(
         "a capacity, or a formula of t", ["si_torque", "pressure"], moving, unit=TORQUE_UNIT
@@ -500,7 +499,6 @@ def _keys_over_time(words: Vocabulary) -> tuple[KeyShape, ...]:
 
 
 def _motion_keys(words: Vocabulary) -> tuple[KeyShape, ...]:
-    """Return the keys of speeds and speed ratios that are given over time."""
     timed = words.only()._replace(values=())
     speed = curve("a speed, or a formula of t", ["si_speed", "velocity"], timed, unit=SPEED_UNIT)
     ratio = curve("a speed ratio, or a formula of t", ["angle"], timed)
@@ -536,7 +534,6 @@ def _motion_keys(words: Vocabulary) -> tuple[KeyShape, ...]:
 
 
 def _control_keys(words: Vocabulary) -> tuple[KeyShape, ...]:
-    """Return the keys of named numbers and tables, and of states and sequences."""
     value = curve("a number, or a formula", ANY_MEASURE, words.only(*OF_MOTION, *OF_TORQUES))
     state = ByKey(
         "State",

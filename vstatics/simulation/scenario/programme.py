@@ -266,7 +266,7 @@ def _shifted(number: int, element: ShiftElement, scenario: Scenario, *, engaged:
         except ValueError as error:
             raise CaseError("E662", str(error), ("shifts", index, "to")) from None
         target = capacity if number in gear.engaged else 0.0
-        now = _at(points, at)
+        now = _value_before(points, at)
         earlier = [point for point in points if point[0] < at]
         moment = at + overlap
         if now == target and all(value == target for time, value in points if time >= at):
@@ -289,8 +289,7 @@ def _shifted(number: int, element: ShiftElement, scenario: Scenario, *, engaged:
     return Programme(Points(times, capacities), factor, is_dog=anything)
 
 
-def _at(points: list[tuple[float, float]], time: float) -> float:
-    """Return the value of points just before a time; values can be infinite."""
+def _value_before(points: list[tuple[float, float]], time: float) -> float:
     before = [point for point in points if point[0] < time]
     after = [point for point in points if point[0] >= time]
     if not before:

@@ -258,7 +258,6 @@ class ScenarioValues:
     def _curve(
         self, given: Any, measure: Measure, path: Path, why: str = "", along: Over = "time"
     ) -> Points | Formula:
-        """Return points, a formula or a number as a curve."""
         if isinstance(given, Formula):
             return given
         if not isinstance(given, Sequence):
@@ -311,7 +310,6 @@ class ScenarioValues:
 
 
 def _road(given: Road) -> Road:
-    """Return a road with plain floats."""
     radius = given.radius
     wheel = WheelRadius(*map(float, radius if isinstance(radius, WheelRadius) else (radius,)))
     rolling = given.rolling
@@ -350,7 +348,6 @@ def _as_curve(given: Any) -> Curve:
 
 
 def _ratios(given: Any) -> Curve:
-    """Return speed ratios over time."""
     if isinstance(given, Formula) or not isinstance(given, Sequence):
         return _as_curve(given)
     times, ratios = zip(*given, strict=True) if given else ((), ())

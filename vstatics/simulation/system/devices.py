@@ -310,7 +310,6 @@ def _loads(scenario: Scenario, first: int) -> tuple[list[Contact], list[OutsideT
 
 
 def _given_speed_contacts(scenario: Scenario) -> Iterator[Contact]:
-    """Yield a contact for each link whose speed is given over time."""
     case = scenario.case
     for link, speed in scenario.speeds.items():
         switch = Switch(link - 1, LawJump("speed", speed))

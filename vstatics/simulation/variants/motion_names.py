@@ -54,7 +54,7 @@ class RunNames:
         """
         known = TABLES.get(read.name)
         if known is None:
-            raise self.source.error(self._no_table(read.name), read.at)
+            raise self.source.error(self._message_of_unknown_table(read.name), read.at)
         gear = None if along_time(read.name) else 0
         subscripts = list(read.subscripts)
         if known.kind == "number":
@@ -68,7 +68,7 @@ class RunNames:
             raise self.source.error(f"there is no {known.kind}, so `{read.name}` is empty", read.at)
         if known.kind == "step" and len(subscripts) == 2:  # both are the name of a row
             (sequence, at), (step, _) = subscripts
-            subscripts = [Subscript(f"{_bare(sequence)},{step}", at)]
+            subscripts = [Subscript(f"{_unquoted(sequence)},{step}", at)]
         row = self._row(subscripts.pop(0), rows, known.kind) if subscripts else None
         if subscripts:
             raise self.source.error(
@@ -100,7 +100,7 @@ class RunNames:
         written = subscript.written
         if written == ":":
             return None
-        name = _bare(written)
+        name = _unquoted(written)
         rows_of_name = [] if written[0] == "#" else [n for n, row in enumerate(rows) if row == name]
         if not rows_of_name and kind == "target":  # a link with a single target speed
             rows_of_name = [n for n, row in enumerate(rows) if row.rpartition(" ")[0] == name]
@@ -116,8 +116,7 @@ class RunNames:
             subscript.at,
         )
 
-    def _no_table(self, name: str) -> str:
-        """Return the error message for a name that is not a table."""
+    def _message_of_unknown_table(self, name: str) -> str:
         hint = ""
         for table in ("speeds", "heat", "torques"):
             if not hint and name in self.rows(table):
@@ -164,6 +163,5 @@ class MotionNames(RunNames):
         return self.selection(read)
 
 
-def _bare(written: str) -> str:
-    """Return a subscript without quotes."""
+def _unquoted(written: str) -> str:
     return written[1:-1] if written[0] in "\"'" else written

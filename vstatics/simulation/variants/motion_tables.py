@@ -59,8 +59,7 @@ def _dynamic_factor(motion: Motion, row: str, _: int) -> float:
     return math.nan if factor is None else factor
 
 
-def _step(motion: Motion, row: str, _: int) -> float:
-    """Return the time at which a sequence step was first done [s]."""
+def _step_time(motion: Motion, row: str, _: int) -> float:
     done = (event.time for event in motion.events if f"{event.element},{event.step}" == row)
     return next(done, math.nan)
 
@@ -91,7 +90,7 @@ TABLES = {
     "reverses": MotionTable("friction", "s", partial(_event_time, "reverses", 0)),
     "impacts": MotionTable("friction", "s", partial(_event_time, "impact", 0)),
     "events": MotionTable("friction", "", _events),
-    "steps": MotionTable("step", "s", _step),
+    "steps": MotionTable("step", "s", _step_time),
     "time_to": MotionTable("target", "s", partial(_target, "time")),
     "distance_to": MotionTable("target", "m", partial(_target, "distance")),
     "damage": MotionTable("device with fatigue", "", _damage),

@@ -196,7 +196,6 @@ def simplify_command(
 
 
 def _format_of(output: str | None, case: str) -> str:
-    """Return the format of the output file of the scheme, by its suffix."""
     if output is None:
         return ""
     files.spare([case], output)

@@ -142,7 +142,6 @@ def _signs(dumps: Sequence[GearDump], scale: AxisScale, style: Style) -> list[Me
 
 
 def _bars(style: Style) -> tuple[Look, Look]:
-    """Return the styles of the bars of the largest torque and of the input-shaft torque."""
     return {"facecolor": style.power}, {"facecolor": style.faint}
 
 

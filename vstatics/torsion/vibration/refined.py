@@ -98,7 +98,7 @@ def refined(pencils: Pencils, eigenvalues: Complex, shapes: Complex) -> Refined:
             if not len(places):
                 break
             unfinished = pencils.of(places)
-            guess, shapes[places] = _step(unfinished, values[places], shapes[places])
+            guess, shapes[places] = _newton_step(unfinished, values[places], shapes[places])
             smaller, larger = unfinished.roots(shapes[places])
             nearest = np.where(np.abs(smaller - guess) < np.abs(larger - guess), smaller, larger)
             steps = np.abs(nearest - values[places])
@@ -114,8 +114,7 @@ def _products(matrices: Floats, shapes: Complex) -> Complex:
     return np.asarray(products[:, :, 0] + 1j * products[:, :, 1])
 
 
-def _step(pencils: Pencils, values: Complex, shapes: Complex) -> tuple[Complex, Complex]:
-    """Return eigenvalues, and shapes of length 1, after a Newton step."""
+def _newton_step(pencils: Pencils, values: Complex, shapes: Complex) -> tuple[Complex, Complex]:
     s, size, every = values[:, None], shapes.shape[1], np.arange(shapes.shape[1])
     massive, resisted = pencils.masses * shapes, _products(pencils.resistances, shapes)
     bordered = np.zeros((len(values), size + 1, size + 1), np.complex128)

@@ -53,7 +53,6 @@ def of_fatigue(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _of_members(case: TransmissionFields) -> Iterator[Problem]:
-    """Yield errors in the torque strengths of members."""
     members, places = Members.of(case), {name: n for n, name in enumerate(case.fatigue, 1)}
     for name, strength in TorqueStrength.of(case).items():
         path: Path = ("fatigue", places[name])

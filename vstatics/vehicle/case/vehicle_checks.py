@@ -50,7 +50,6 @@ def of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _of_machine(vehicle: Vehicle) -> Iterator[Problem]:
-    """Yield errors in the efficiencies and the recuperation of an electric machine."""
     machine = vehicle.machine
     if not 0 <= vehicle.recuperation <= 1:
         message = f"read {vehicle.recuperation:g}, expected a part from 0 to 1"

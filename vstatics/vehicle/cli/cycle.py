@@ -233,13 +233,6 @@ def _as_sweep(driven: DriveCycle) -> Iterator[str]:
 def _driven(
     outcome: CalculatedCase, results: Results, trace: Trace, choice: GearChoice
 ) -> DriveCycle:
-    """Drive the vehicle of a case through a driving cycle.
-
-    Raises
-    ------
-    ReadError
-        If the case, the driving cycle or the fuel map has errors; they have positions in the file.
-    """
     from vstatics.vehicle.operation.drive_cycle import drive
     from vstatics.vehicle.operation.fuel_map import read_fuel_map
 

@@ -325,13 +325,6 @@ class CycleSteps(NamedTuple):
         return speeds, torques * np.sign(speeds)
 
     def _solved(self, case: Transmission, rows: Integers, points: DutyPoints) -> PointLoads:
-        """Solve a case at the operating points of the steps `rows`.
-
-        Raises
-        ------
-        CaseError
-            If a point has no torques.
-        """
         try:
             further = self._elsewhere(case, rows) | self._speed_ratios(rows) | self._slips(rows)
             return PointLoads.of(case, points, further)

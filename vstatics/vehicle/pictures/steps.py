@@ -171,7 +171,6 @@ def _draw_law(pen: Pen, law: StepLaw) -> None:
 
 
 def _draw_edges(pen: Pen, left: float, right: float, colour: str) -> None:
-    """Draw the lower and upper edge of a row between two positions on the scale."""
     edges = [((left, y), (right, y)) for y in (0.0, pen.size[1])]
     pen.lines(edges, color=colour, width=FRAME_WIDTH)
 

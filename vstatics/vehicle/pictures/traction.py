@@ -90,7 +90,6 @@ def draw(
 
 
 def _highest(vehicle: DrivenVehicle) -> float:
-    """Return the largest finite wheel force in all gears [N]."""
     forces = [vehicle.pull.largest_force(gear.place) for gear in vehicle.gears]
     steepest = float(vehicle.vehicle.resistance(0.0, sine(SLOPES[-1])))
     return max(steepest, *(force for force in forces if math.isfinite(force)))

@@ -170,7 +170,6 @@ def _draw_scales(pen: Pen, sheet: CampbellSheet) -> None:
 
 
 def _draw_lines(pen: Pen, sheet: CampbellSheet) -> None:
-    """Draw the lines of modes, and on top the lines of orders."""
     style, (wide, _) = sheet.style, pen.size
     for mode in sheet.shared:
         if mode.frequency <= sheet.top:

@@ -148,7 +148,6 @@ def _decades(lines: Sequence[ResponseLine], fastest: float) -> tuple[float, floa
 
 
 def _logs(amplitudes: Floats) -> Floats:
-    """Return logarithms to base 10, NaN for amplitudes of 0."""
     known = np.where(amplitudes > 0, amplitudes, np.nan)
     logs: Floats = np.log10(known)
     return logs

@@ -142,7 +142,6 @@ def _draw_device(axis: Axis, y: float, device: ModeDevice, mark: str) -> None:
 
 
 def _draw_ground(axis: Axis, y: float, device: ModeDevice, mark: str, look: Look) -> None:
-    """Draw a spring from a link up to the housing."""
     pen, link, top = axis.pen, axis.at(device.members[0]), y + GROUND_HEIGHT - 6
     x = link + 0.6 * axis.pitch * device.level
     turns = [(x + turn - y, y + 11 + along - x) for along, turn in zigzag(x, y, 7.0, 3.5)]

@@ -82,7 +82,7 @@ def mode_links(results: Results, number: int, modes: GearModes) -> ModeLinks:
     }
     joined = [
         (name, [link for link in dict.fromkeys(links) if link in moving])
-        for name, links in _joined(case, state.gear)
+        for name, links in _links_of_components(case, state.gear)
     ]
     with_planets = {part.rpartition(".")[0] for part in modes.modes[0].kinetic} - {""}
     loaded = {link for link in moving if case.heavy.get(link)} | {state.input, state.output}
@@ -113,8 +113,7 @@ def _moves(amplitudes: Sequence[float], speed: float) -> bool:
     return known and any(abs(motion) > STANDS_IN_ALL_MODES for motion in (*amplitudes, speed))
 
 
-def _joined(case: Transmission, gear: Gear) -> Iterator[tuple[str, Iterable[int]]]:
-    """Yield each component of a gear: its name and its links."""
+def _links_of_components(case: Transmission, gear: Gear) -> Iterator[tuple[str, Iterable[int]]]:
     for element in case.elements_at(gear.joining):
         yield element.name, element.links
     for device in case.own_devices:

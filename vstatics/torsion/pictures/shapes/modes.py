@@ -285,7 +285,6 @@ def _figure(results: Results, parts: Sequence[_GearModesPart], style: Style) -> 
 
 
 def _draw_gear(pen: Pen, top: float, part: _GearModesPart, columns: _ModeColumns) -> None:
-    """Draw the row of links of a gear, and its modes below the row."""
     style, right = pen.style, columns.right - MARGIN
     pen.text(MARGIN, top, part.head, va="top", bold=True)
     note = wrapped(part.note, right - MARGIN)
@@ -306,7 +305,6 @@ def _draw_gear(pen: Pen, top: float, part: _GearModesPart, columns: _ModeColumns
 def _draw_mode(
     axis: Axis, top: float, links: ModeLinks, row: _ModeRow, columns: _ModeColumns
 ) -> None:
-    """Draw the caption, shape and bars of a mode below a height [pt]."""
     pen, style = axis.pen, axis.pen.style
     pen.text(MARGIN, top, columns.caption(row), **BELOW)
     caption = columns.caption_height(row)
