@@ -70,9 +70,9 @@ class LargeSizes(NamedTuple):
     """Speed and torque that count as large in a run, as scales of rounding errors."""
 
     speed: float
-    """Large speed. [rad/s]"""
+    """Speed that counts as large. [rad/s]"""
     torque: float
-    """Large torque. [N*m]"""
+    """Torque that counts as large. [N*m]"""
 
 
 class SplitRoom(NamedTuple):
@@ -119,7 +119,7 @@ class Awaited(NamedTuple):
     side: str
     """Sign of the difference from now on: `+`, `-`, `0` for a lasting 0, `?` if not a number."""
     size: float
-    """Scale of the compared numbers, relative to which a difference can be rounding."""
+    """Scale of the compared numbers; a tiny difference relative to it is rounding."""
     is_equal: bool
     """True if both numbers are equal now, even if the difference changes from now on."""
     change: float
@@ -444,7 +444,8 @@ class Margins:
             for row in self.jumping:
                 both = cones[0][row : row + 2]
                 width = both.sum(axis=0)
-                both[:, width < 0] = width[width < 0]  # both torques push off the jump
+                # below width 0, the torques on both sides drive the motion off the jump
+                both[:, width < 0] = width[width < 0]
         for mesh, friction, mechanism in self.cones:
             torque, taken = held[mesh], held[friction]
             less, more = mechanism.friction_at_rest(torque)

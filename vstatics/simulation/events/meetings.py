@@ -40,7 +40,7 @@ class CornerMeetings:
     Parameters
     ----------
     span : float
-        Time scale of the scenario; times that differ by a small part of it count as near. [s]
+        Time scale of the scenario; times closer than a small fraction of it are near. [s]
     """
 
     def __init__(self, span: float) -> None:

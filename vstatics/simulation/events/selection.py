@@ -1,4 +1,4 @@
-"""Selection of the sticking and slipping states of all parts from an instant on.
+"""Selection of the states of contacts, mechanisms and springs from an instant on.
 
 Among all admissible combinations of states, the combination with most sticking states is selected;
 among equally many, the combination nearest to the preceding states. The search begins with all
@@ -55,7 +55,7 @@ class Selected(NamedTuple):
 
     @property
     def states(self) -> States:
-        """Sticking and slipping states of all parts."""
+        """States of all contacts, mechanisms, springs and laws."""
         return self.margins.equations.states
 
 
@@ -305,7 +305,7 @@ class ModeSelection:
         falls = near & (then - now < -least)
         sizes = np.where(falls, then / units, np.inf)
         failing = _failed(margins, time + self.within, ahead, sizes)
-        # A mechanism that other parts hold at rest needs no friction, so its margins cannot fail.
+        # A mechanism that others hold at rest needs no friction, so its margins cannot fail.
         states = margins.equations.states
         return failing if any(self._may_change(watch, states) for watch in failing) else []
 

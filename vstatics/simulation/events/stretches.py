@@ -186,7 +186,7 @@ class GivenSeries(NamedTuple):
 
     @property
     def fit_twice(self) -> bool:
-        """Whether polynomials of equal degree would fit a stretch of twice the length."""
+        """True if polynomials of the same degree would fit a stretch of twice the length."""
         last = _degree(self.parts.number)
         orders = np.arange(last - 1, last + 1)
         return largest(self.coefficients[:, orders] * 2.0**orders) <= self.limit
@@ -280,7 +280,9 @@ class Closed:
         """Rounding error of the torques that depend on the state. [N*m]"""
         try:
             self.affine = Affine(equations, by_rate, by_state)
-        except np.linalg.LinAlgError:  # a speed without inertia depends on a law of another speed
+        except (
+            np.linalg.LinAlgError
+        ):  # a speed of a link without inertia depends on another such speed
             raise NoFit from None
         self.latest, self.series = np.zeros(len(self.bending)), None
         matrix = self.affine.change.by_state

@@ -69,7 +69,7 @@ def tarasik(scenario: Scenario, *, step: float | None = None, rtol: float = RTOL
     Raises
     ------
     CaseError
-        If the scenario has parts that the method does not cover.
+        If the scenario contains something that the method does not cover.
     """
     gear = start_gear(scenario)
     engaged = tuple(gear.engaged) if gear else scenario.start.engaged

@@ -85,7 +85,7 @@ class Reached(NamedTuple):
     speed: float
     """Target speed. [rad/s]"""
     time: float
-    """Time; NaN if the speed is not reached. [s]"""
+    """Time at which the speed is reached, NaN if never. [s]"""
     angle: float
     """Angle of the link at `time`. [rad]"""
     distance: float

@@ -25,9 +25,11 @@ Tables: TypeAlias = Mapping[str, Mapping[str, Floats]]
 def picture_tables(at: Moments) -> Tables:
     """Return the tables for pictures and the report at times between two events.
 
-    The tables are `sticks` of shift elements (1 if sticking), their `capacities` [N*m], `heat` and
-    `losses` by name [J], `vehicle_acceleration` of links with a road [m/s^2], and `output_torque`,
-    which the gear train gives to the output link [N*m].
+    - `sticks`: 1 for each sticking shift element, 0 for others;
+    - `capacities` of shift elements [N*m];
+    - `heat` and `losses`, by name [J];
+    - `vehicle_acceleration` of links with a road [m/s^2];
+    - `output_torque`, which the gear train gives to the output link [N*m].
     """
     equations, torques, roads = at.motion.equations, at.ports, roads_of(at.system.scenario)
     heat, losses = heat_and_losses(equations, at.states)

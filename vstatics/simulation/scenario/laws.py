@@ -131,7 +131,7 @@ class Resistance(NamedTuple):
 
 
 SpeedPoints: TypeAlias = tuple[tuple[float, float], ...]
-"""Points (speed, number) with ascending speeds of 0 or more; constant outside."""
+"""Points (vehicle speed [m/s], value), with ascending speeds from 0; constant outside."""
 
 
 class WheelRadius(NamedTuple):

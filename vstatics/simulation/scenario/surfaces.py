@@ -24,7 +24,7 @@ from vstatics.simulation.scenario.corners import JUMPS
 
 
 class JumpSurface(NamedTuple):
-    """Speed or angle, moving with time or angle, at which a comparison in a formula switches."""
+    """Speed or angle at which a comparison in a formula switches, and which changes over time."""
 
     over: Literal["speed", "angle"]
     at: Tree

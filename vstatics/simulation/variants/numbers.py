@@ -55,7 +55,7 @@ class ScenarioNumbers:
     case : Document
         Case in any format; the numbers of a deck cannot vary.
     rtol : float
-        Tolerance of the runs, as of `simulate`. [-]
+        Tolerance of the runs, like `rtol` of `simulate`. [-]
     limit : float, optional
         Wall-clock time after which a run ends and its variant is `stopped`. [s]
     case_format : {"deck", "yaml", "json"}, optional

@@ -1,9 +1,9 @@
 """Equivalent model of a torsional system: masses and springs, without rigid constraints.
 
-The model (scheme) is reduced to a reference shaft. The twist of a spring is a linear form of
-angles, with the coefficients 1 and -1 for a shaft between two masses, 1 for a support on the
-housing, and 1, -i and i - 1 for an elastic gear set of ratio i between three links (Tsitovich,
-Algin, Vehicle dynamics, 1981, chapter 1).
+The model (scheme) is reduced to a reference shaft. The twist of a spring is a linear form of angles
+(Tsitovich, Algin, Vehicle dynamics, 1981, chapter 1). Its coefficients are 1 and -1 for a shaft
+between two masses, and 1 for a support on the housing. For an elastic gear set of ratio i between
+three links they are 1, -i and i - 1.
 """
 
 from __future__ import annotations

@@ -26,7 +26,7 @@ from vstatics.torsion.vibration.variants import first_variant, variant_frequenci
 OF_MECHANISM = ("ratio", "efficiency")
 """Quantities of mechanisms that can vary."""
 FEW_EQUAL_RATIOS = 64
-"""Mean number of variants with equal ratios below which all ratios are solved together."""
+"""Average number of variants per set of ratios, below which all sets are solved together."""
 
 Asked = Mapping[int, Sequence[int]]
 """Index of a gear -> indices of modes; rigid modes do not count."""

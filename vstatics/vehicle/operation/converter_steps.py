@@ -1,9 +1,9 @@
 """Steps of a driving cycle in a gear with a free converter.
 
-The speed ratio is the largest at which the speed and torque at the wheels agree with the torque of
-the pump, with the engine at its first full-load point or above. The converter can drive too much
-even at its largest ratio. Then the engine turns at this ratio and supplies the torque that the pump
-takes, and the brakes absorb the excess.
+The speed ratio is the largest at which speed and torque at the wheels agree with the torque of the
+pump. The engine is at its first full-load point or above. The converter can drive too much even at
+its largest ratio. Then the engine turns at this ratio and supplies the torque that the pump takes,
+and the brakes absorb the excess.
 """
 
 from __future__ import annotations

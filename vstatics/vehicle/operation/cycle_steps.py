@@ -275,8 +275,8 @@ class CycleSteps(NamedTuple):
     def _elsewhere(self, case: Transmission, rows: Integers) -> dict[str, Floats]:
         """Return path -> inertia torques [N*m], for links that are neither outputs nor held.
 
-        The input link of a gear with a loss as a whole is left out, because this loss depends on
-        the torque that the inertia of the input link leaves for the gear.
+        The input link of a gear with a loss as a whole is left out. This loss depends on the torque
+        that the inertia of the input link leaves for the gear.
         """
         return {
             f"gears.{gear.name}.torques.{case.link_name(link)}": self._inertia_torque(rows, link)

@@ -46,7 +46,7 @@ class MemberLoad(NamedTuple):
     """Load of a link, a member of a mechanism, or a shift element over a duty cycle."""
 
     torque: LargestValue
-    """Largest torque; for a link, sum of the positive torques; NaN for a planet. [N*m]"""
+    """Largest torque: sum of positive torques for a link, NaN for a planet. [N*m]"""
     speed: LargestValue
     """Largest speed: slip of clutches, relative to the third link for members and planets. [rpm]"""
     revolutions: float

@@ -2,8 +2,8 @@
 
 The wheel force is ``F = Mx final_drive/radius``, with the output torque Mx at full load after
 losses. The acceleration is ``(F - R)/(m + sum J k^2)`` in the gear where it is largest, with the
-road resistance R, the vehicle mass m, and for each inertia J the speed w of its link divided by the
-road speed v, ``k = w/v``.
+road resistance R, the vehicle mass m, and inertias J. For each inertia, ``k = w/v`` is the speed of
+its link divided by the road speed.
 
 The speed ratio of a free converter follows from the torque on its pump at each road speed. Where
 the engine would exceed its last full-load point, it remains there and supplies the torque that the
