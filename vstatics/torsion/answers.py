@@ -81,7 +81,7 @@ class IdentificationAnswer(NamedTuple):
 
 @document("vstatics-damping")
 class DampingAnswer(NamedTuple):
-    """Dampings that give components their decrements, for a mode of a gear."""
+    """Dampings of components, calculated from their decrements in a mode of a gear."""
 
     case: str
     gear: str

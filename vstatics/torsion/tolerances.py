@@ -14,7 +14,7 @@ LOST_SQUARE = 1e-4
 BELOW_SQUARES = 1e-3
 """Negative shift in the iteration for the lowest modes, relative to the lowest square."""
 LEAST_SHOWN_PART = 0.0005
-"""Smallest share that tables do not print as 0; JSON and CSV have all digits."""
+"""Smallest share or relative amplitude that tables do not print as 0. [-]"""
 
 LEAST_PARTICIPATION = 1e-9
 """Smallest amplitude of a link from which it can excite a mode, relative to the largest."""

@@ -14,7 +14,7 @@ from vstatics.core.statics.results import Results
 from vstatics.core.tables.grid import Grid, Values, grid_of, word
 
 Kind = Literal["energy", "time"]
-"""Quantity that gears of a duty cycle share."""
+"""Quantity of which each gear of a duty cycle has a share."""
 
 
 class Duty(NamedTuple):

@@ -100,7 +100,7 @@ EVERYTHING = AskedPage()
 
 
 def section(name: str) -> str:
-    """Return the key of a section; an error suggests the nearest key.
+    """Return the key of a section, after a check; an error suggests the nearest key.
 
     Raises
     ------

@@ -172,7 +172,7 @@ def _key(key: str) -> str:
 
 
 KEYED = ("teeth", "load", "mesh_efficiency", "efficiency", "planet", "damping", "suns", "rings")
-"""Keys whose values map words of the format; other mappings map names."""
+"""Keys whose mappings have words of the case format as keys; other mappings have names."""
 
 
 def _inner(value: Any, *, keyed: bool = False) -> str:
@@ -215,11 +215,11 @@ def torsion_grids(case: Transmission) -> Iterator[Grid]:
     """
     if case.inertias:
         of_links = (
-            (case.link_name(link), _number(inertia)) for link, inertia in case.inertias.items()
+            (case.link_name(link), _six_digits(inertia)) for link, inertia in case.inertias.items()
         )
         yield grid_of("Inertias", ["link", "inertia, kg*m^2"], of_links)
     if case.masses:
-        of_links = ((case.link_name(link), _number(mass)) for link, mass in case.masses.items())
+        of_links = ((case.link_name(link), _six_digits(mass)) for link, mass in case.masses.items())
         yield grid_of("Masses", ["link", "mass, kg"], of_links)
     if case.springs:
         rows: list[Values] = [
@@ -229,7 +229,7 @@ def torsion_grids(case: Transmission) -> Iterator[Grid]:
                 *_stiffness(spring),
                 *_damped(spring),
                 _limit(spring),
-                _number(spring.friction or None),
+                _six_digits(spring.friction or None),
             )
             for spring in case.springs
         ]
@@ -240,18 +240,18 @@ def torsion_grids(case: Transmission) -> Iterator[Grid]:
 
 
 def _elastic(part: Mechanism | ShiftElement) -> list[Cell]:
-    return [_number(part.stiffness), *_damped(part)]
+    return [_six_digits(part.stiffness), *_damped(part)]
 
 
 def _stiffness(spring: Spring) -> list[Cell]:
     """Return stiffness and compliance of a spring, or the number of points of its curve."""
     if spring.strut:
-        return [_number(spring.rate), word("strut")]
+        return [_six_digits(spring.rate), word("strut")]
     if spring.points:
-        return [Cell(tr("{count} points", count=len(spring.points)), None), _number(None)]
+        return [Cell(tr("{count} points", count=len(spring.points)), None), _six_digits(None)]
     if spring.is_damper:
-        return [_number(None), _number(None)]
-    return [_number(spring.rate), _number(1 / spring.rate)]
+        return [_six_digits(None), _six_digits(None)]
+    return [_six_digits(spring.rate), _six_digits(1 / spring.rate)]
 
 
 def _limit(spring: Spring) -> Cell:
@@ -261,14 +261,13 @@ def _limit(spring: Spring) -> Cell:
         return Cell(
             tr("{base:.6g} + {times:.6g} of {of}", base=limit.base, times=limit.times, of=limit.of)
         )
-    return _number(limit)
+    return _six_digits(limit)
 
 
 def _damped(part: Spring | Mechanism | ShiftElement) -> list[Cell]:
     given = damping(part.damping)
-    return [_number(given.viscous or None), _number(given.loss_factor or None)]
+    return [_six_digits(given.viscous or None), _six_digits(given.loss_factor or None)]
 
 
-def _number(value: float | None) -> Cell:
-    """Return a cell with six significant digits, for a quantity of any magnitude."""
+def _six_digits(value: float | None) -> Cell:
     return Cell(NOTHING if value is None else f"{value:.6g}", value, kind=float)

@@ -43,7 +43,7 @@ def _gears(material: Material) -> Iterator[tuple[str, str]]:
     yield tr("gears"), str(len(design.gears))
     if len(design.forward) > 1:
         first, last = (
-            _link(material, gear, gear) for gear in (design.forward[0], design.forward[-1])
+            _link_if_shown(material, gear, gear) for gear in (design.forward[0], design.forward[-1])
         )
         spread = _number(material, design.spread)
         yield (
@@ -112,11 +112,10 @@ def _of_weight(messages: Sequence[str], weight: str) -> list[str]:
 
 
 def _in_gear(material: Material, text: str, gear: str) -> Markup:
-    return joined(text, ", ", _link(material, gear, tr("gear {gear}", gear=gear)))
+    return joined(text, ", ", _link_if_shown(material, gear, tr("gear {gear}", gear=gear)))
 
 
-def _link(material: Material, gear: str, text: str) -> str:
-    """Return a link to a gear, or plain text if the gear is not on the page."""
+def _link_if_shown(material: Material, gear: str, text: str) -> str:
     return gear_link(gear, text) if material.asked.shows(gear) else text
 
 

@@ -123,7 +123,7 @@ def _picture(name: str, results: Results, run: Callable[[], PicturedRun | None])
 
 
 def _of_gear(results: Results, kind: str, gear: int) -> Drawn:
-    """Draw a picture of a gear, its structure if a stick diagram cannot be drawn."""
+    """Draw a picture of a gear; if its stick diagram cannot be drawn, draw its structure."""
     if kind == "modes":
         return picture_of(results, kind, [gear])
     [drawn] = of_each(results, kind, [gear], PAGE)

@@ -161,7 +161,7 @@ def _over(root: Node, keys: Keys) -> str:
 
 
 def _unit(unit: str, keys: Keys, case: Transmission) -> str:
-    """Return a unit; "" if uncertain, as links move straight or controls can be pressures."""
+    """Return a unit, or "" if uncertain: links can move straight, and controls can be pressures."""
     pressed = keys[0] == "controls" and any(element.friction for element in case.shift_elements)
     return "" if (unit in _TURNING and case.masses) or pressed else unit
 

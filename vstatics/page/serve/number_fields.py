@@ -24,7 +24,7 @@ from vstatics.sweep.variants.targets import OF_MECHANISM
 
 _EFFICIENCY = re.compile(r"efficiency$|(^|\.)mesh_efficiency\.\w+$")
 _BY_LINK = ("speeds", "torques")
-"""Keys of numbers for each link; the last word of such a path is the name of a link."""
+"""Keys whose paths end with the name of a link, as in ``gears.1.speeds.2``."""
 _PARTS = ("load", "mesh_efficiency")
 """Keys of a case with which a path can begin; other paths begin with the name of a component."""
 _REACH = 2.0
@@ -173,7 +173,7 @@ def shown_fields(fields: Iterable[PageField], *, fixed: bool = False) -> Iterato
 def _owner(path: str) -> str:
     """Return the words for the owner of a number: its name, or a translated key of the case."""
     (kind, *gear), _ = owner_and_number(path)
-    return dotted([_word(kind), *gear]) if gear or kind in _PARTS else kind
+    return dotted([_translated(kind), *gear]) if gear or kind in _PARTS else kind
 
 
 def _name(words: Sequence[str]) -> str:
@@ -183,11 +183,12 @@ def _name(words: Sequence[str]) -> str:
     ('teeth small_sun', 'speeds ratio')
     """
     kind, *others = words
-    return " ".join([_word(kind), *(others if kind in _BY_LINK else map(_word, others))])
+    return " ".join(
+        [_translated(kind), *(others if kind in _BY_LINK else map(_translated, others))]
+    )
 
 
-def _word(key: str) -> str:
-    """Return a key of a case in the language of the page."""
+def _translated(key: str) -> str:
     return key if spoken() == "en" else tr(key.replace("_", " "))
 
 

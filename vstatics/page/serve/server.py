@@ -121,7 +121,6 @@ class PageServer:
         return self._states.look_again()
 
     def _wake_listeners(self) -> None:
-        """Wake the tasks of the listening pages, so that they send the new state."""
         self._news.set()
         self._news = asyncio.Event()
 

@@ -97,12 +97,11 @@ class StudioProcess:
 
 
 def _part_of(studio: Studio, item: tuple[Texts, str]) -> str | None:
-    _give_way()
+    _lower_priority()
     return studio.part(*item)
 
 
 @cache
-def _give_way() -> None:
-    """Lower the priority of the process, so that new states are calculated sooner."""
+def _lower_priority() -> None:
     if hasattr(os, "nice"):
         os.nice(GENTLE)

@@ -266,7 +266,7 @@ class Margins:
         """
         equations = self.equations
         self.corners: list[tuple[int, bool, float, float]] = []
-        """Corners: row, True for a row of the state (else of the port speeds), value, and side."""
+        """Corners: row, True if the row is in the state (else the port speeds), value, and side."""
         for index, load in enumerate(equations.system.outside):
             law = load.law
             if not isinstance(law, Points) or law.over == "time":

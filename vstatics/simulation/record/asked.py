@@ -190,7 +190,7 @@ TABLES: Mapping[str, AskedTable] = {
 PER_AREA = "_per_area"
 """Suffix of tables of energy or power divided by the friction area."""
 MOST_EMPTY = 12
-"""Number of empty columns that the warning names; it counts further columns only."""
+"""Largest number of empty columns that a warning names; it only counts the others."""
 ALWAYS = ("speeds", "slips", "torques")
 """Tables of every run."""
 

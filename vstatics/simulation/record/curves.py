@@ -48,7 +48,7 @@ class CurveRanges(NamedTuple):
 def ranges(
     curves: Sequence[Curves], kinds: Sequence[slice], before: CurveRanges | None = None
 ) -> CurveRanges:
-    """Return the ranges of columns; changes negligible in their group make a column constant.
+    """Return the ranges of columns; a column with negligible changes counts as constant.
 
     Parameters
     ----------

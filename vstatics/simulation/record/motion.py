@@ -62,7 +62,7 @@ class Damage(Protocol):
 
     @property
     def damage(self) -> float:
-        """Damage by the run; the component fails at a total of 1 [-]."""
+        """Damage by the run; the component fails at the `sum` of its fatigue strength [-]."""
 
     @property
     def repeats(self) -> float | None:

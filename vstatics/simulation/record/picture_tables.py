@@ -41,7 +41,7 @@ def picture_tables(at: Moments) -> Tables:
     return {
         "sticks": {
             name: np.full(len(at.times), float(sticks))
-            for name, sticks in zip(names, _sticks(equations), strict=True)
+            for name, sticks in zip(names, _sticking_flags(equations), strict=True)
         },
         "capacities": dict(zip(names, _capacities(at), strict=True)),
         "heat": heat,
@@ -72,8 +72,7 @@ def chosen(tables: Tables, selected: Booleans) -> Tables:
     }
 
 
-def _sticks(equations: Equations) -> Iterator[bool]:
-    """Yield a flag for each shift element, True for sticking."""
+def _sticking_flags(equations: Equations) -> Iterator[bool]:
     system, states = equations.system, equations.states
     contacts = dict(zip(map(id, system.contacts), states.held, strict=True))
     springs = dict(zip(map(id, system.springs), states.springs, strict=True))

@@ -39,7 +39,7 @@ from vstatics.simulation.tolerances import (
 )
 
 _MOST_NUMBERS, _OF_A_STEP = 200_000, 300
-"""Number of stored values above which steps are reduced to instants, and extra per step."""
+"""Number of stored values from which steps are reduced to instants, and number added per step."""
 
 
 class Record:

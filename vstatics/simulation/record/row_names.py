@@ -83,7 +83,6 @@ def _devices(scenario: Scenario) -> list[str]:
 
 
 def _converters(scenario: Scenario) -> list[str]:
-    """Return the names of converters, including converters declared as mechanisms."""
     names = [converter.name for converter in scenario.converters]
     names += [part.name for part in scenario.case.mechanisms if part.kind == "converter"]
     return [*dict.fromkeys(names)]

@@ -63,7 +63,7 @@ def corners(tree: Tree, name: str) -> dict[float, bool]:
     while waiting:
         low, high = waiting.pop()
         meetings: list[tuple[float, bool]] = []
-        _polynomial(tree, name, _inside(low, high), meetings)
+        _polynomial(tree, name, _number_between(low, high), meetings)
         within = [
             (place, jumps)
             for place, jumps in meetings
@@ -81,8 +81,7 @@ def corners(tree: Tree, name: str) -> dict[float, bool]:
     return dict(sorted(known.items()))
 
 
-def _inside(low: float, high: float) -> float:
-    """Return a number between two numbers, of which each can be infinite."""
+def _number_between(low: float, high: float) -> float:
     if math.isinf(low):
         return 0.0 if math.isinf(high) else high - max(1.0, abs(high))
     return low + max(1.0, abs(low)) if math.isinf(high) else low / 2 + high / 2
@@ -99,7 +98,7 @@ def between(tree: Tree, name: str, low: float, high: float) -> Tree:
     >>> [between(tree, "t", *ends).operands[1] for ends in ((-math.inf, 2.0), (2.0, math.inf))]
     [Constant(value=1.0), Constant(value=0.0)]
     """
-    decided: Tree = _decided(tree, name, _inside(low, high))
+    decided: Tree = _decided(tree, name, _number_between(low, high))
     return decided
 
 

@@ -113,7 +113,7 @@ def _between_surfaces(
         surfaces = {}
     numbers = []
     for (over, at, by_angle), side in surfaces.items():
-        jump = LawJump(over, _plain(law._replace(tree=at)), side, by_angle)
+        jump = LawJump(over, _constant_or_formula(law._replace(tree=at)), side, by_angle)
         if jump not in jumps:
             jumps.append(jump)
         numbers.append(jumps.index(jump))
@@ -121,7 +121,9 @@ def _between_surfaces(
         piece = law
         for surface, side in zip(surfaces, sides, strict=True):
             piece = piece.on_side(surface, 1.0 if side == "+" else -1.0)
-        yield LawPiece(_plain(piece), (*sides_at_jumps, *zip(numbers, sides, strict=True)))
+        yield LawPiece(
+            _constant_or_formula(piece), (*sides_at_jumps, *zip(numbers, sides, strict=True))
+        )
 
 
 def _jumps(law: Formula, over: Over, places: tuple[float, ...]) -> Iterator[LawJump]:
@@ -137,8 +139,7 @@ def _at(law: Formula, motion: tuple[float, float, float]) -> float:
     return law.function(*motion, *[_ANYTHING] * len(law.seen))
 
 
-def _plain(formula: Formula) -> Points | Formula:
-    """Return a formula, or a constant law if the formula is constant."""
+def _constant_or_formula(formula: Formula) -> Points | Formula:
     if formula.variables or formula.seen:
         return formula
     return constant(formula.function(0.0, 0.0, 0.0))
@@ -147,7 +148,7 @@ def _plain(formula: Formula) -> Points | Formula:
 def curve_slope(curve: Curve) -> Curve:
     """Return the derivative of a curve with respect to time."""
     if isinstance(curve, Formula):
-        return _plain(curve.slope)
+        return _constant_or_formula(curve.slope)
     slopes = [curve.piece(number)[1] for number in range(len(curve.x) + 1)]
     if not any(slopes):
         return constant(0.0)

@@ -130,7 +130,7 @@ def _meshes(case: Transmission, rows: Floats, moving: Container[int]) -> list[Ri
     for number, mechanism in enumerate(case.mechanisms, 1):
         if mechanism.stiffness is not None or number in moving:
             continue
-        laws = mechanism.efficiency, _back(mechanism, number)
+        laws = mechanism.efficiency, _back_efficiency(mechanism, number)
         efficiency, back = map(float, laws)
         u, index = mechanism.ratio, len(case.shift_elements) + number - 1
         meshes.append(
@@ -149,7 +149,7 @@ def _meshes(case: Transmission, rows: Floats, moving: Container[int]) -> list[Ri
     return meshes
 
 
-def _back(mechanism: Mechanism, number: int) -> float:
+def _back_efficiency(mechanism: Mechanism, number: int) -> float:
     """Return the efficiency of a back-driven mechanism; raise an error if self-locking."""
     back = mechanism.back_efficiency
     if back == 0:  # a law over speed or torque never equals 0
@@ -335,7 +335,7 @@ def _moving_variators(scenario: Scenario, first: int) -> Iterator[tuple[Contact,
                 reference,
                 first + place,
                 mechanism.efficiency,
-                _back(mechanism, number),
+                _back_efficiency(mechanism, number),
             ),
         )
 

@@ -66,7 +66,7 @@ class RunNames:
         rows = self.rows(read.name)
         if not rows:
             raise self.source.error(f"there is no {known.kind}, so `{read.name}` is empty", read.at)
-        if known.kind == "step" and len(subscripts) == 2:  # both are the name of a row
+        if known.kind == "step" and len(subscripts) == 2:  # sequence and number name a row
             (sequence, at), (step, _) = subscripts
             subscripts = [Subscript(f"{_unquoted(sequence)},{step}", at)]
         row = self._row(subscripts.pop(0), rows, known.kind) if subscripts else None

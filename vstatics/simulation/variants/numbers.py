@@ -40,7 +40,7 @@ _PLAIN = (1.0, 0.5, 0.0, 100.0)
 
 
 def number_paths(varied: Sequence[Varied]) -> list[NumberPath]:
-    """Return the varied numbers that are paths in documents, as for a sweep of a scenario."""
+    """Return only the varied numbers that are paths in documents."""
     return [path for path in varied if isinstance(path, NumberPath)]
 
 

@@ -33,7 +33,7 @@ FORMS = [form for form in TABLES if form != "xlsx"]
 """Output formats of the steps of a simplification."""
 
 
-def _of_steps(
+def _request_for_steps(
     case: str,
     form: str,
     input_format: readers.Format | None,
@@ -41,7 +41,6 @@ def _of_steps(
     telling: Telling,
     static_torque: float | None,
 ) -> OneCase:
-    """Return the request for a case, in which the answer is a table of steps."""
     return OneCase(
         case,
         OutputOptions(FORMS, form, None, TextStyle()),
@@ -109,7 +108,7 @@ class Reducing(NamedTuple):
 )
 @gathered(
     "request",
-    _of_steps,
+    _request_for_steps,
     click.argument("case", type=FILE),
     click.option(
         "-f",

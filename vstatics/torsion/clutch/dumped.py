@@ -183,7 +183,7 @@ class _Course(NamedTuple):
     torque: float
     """Largest torque. [N*m]"""
     missed: DumpCase | None = None
-    """Case that would follow, had the torque in closed form reached `limit`."""
+    """Case that would follow if the torque in closed form reached `limit`."""
     limit: float = math.inf
     """Torque at which the missed case would begin. [N*m]"""
 

@@ -212,7 +212,7 @@ def _drifts(system: FirstOrder, form: Floats) -> bool:
 
 
 def _existing_at_points(gear: ExcitedGear, spectrum: SpectrumPoints, forms: Floats) -> Booleans:
-    """Return flags of integrals that exist, because no undamped resonance is in the spectrum."""
+    """Return True for integrals that exist: no undamped resonance is in the spectrum."""
     system = gear.first_order
     noisy = driven(system.matrix, system.input)
     values = linalg.eigvals(system.matrix)

@@ -41,7 +41,7 @@ SimplificationRule = Literal["partial", "r", "b", "u"]
 """`partial`: partial frequencies, for chains; otherwise condensation by a `BranchRule`."""
 SIMPLIFICATION_RULES: tuple[SimplificationRule, ...] = get_args(SimplificationRule)
 ACCURATE = 0.5
-"""Ratio to a removed partial frequency up to which frequencies are mostly accurate to 5 %.
+"""Frequencies up to this fraction of a removed partial frequency are mostly accurate to 5 %. [-]
 
 Source: (П1.8).
 """

@@ -91,7 +91,7 @@ Values = TypeVar("Values", bound=np.ndarray[Any, np.dtype[Any]])
 
 
 def form_values(form: Form, shapes: Values) -> Values:
-    """Return a linear form of link angles for shapes (links, modes), shape (modes,)."""
+    """Return values of a linear form of link angles, shape (modes,), for shapes (links, modes)."""
     total = np.zeros(shapes.shape[1:], shapes.dtype)
     for link, part in form.items():
         total += part * shapes[link]

@@ -35,7 +35,7 @@ class Identified(NamedTuple):
 
 @json_keys("omega", "dampings", "decrement", "shares", messages="notes")
 class Damped(NamedTuple):
-    """Dampings that give elastic components of a gear their decrements."""
+    """Dampings of elastic components of a gear, calculated from their decrements."""
 
     omega: float
     """Angular frequency at which the dampings are valid. [rad/s]"""

@@ -85,7 +85,7 @@ def lowest_modes(system: TorsionalSystem, split: Coordinates, count: int) -> Nat
     twists = sparse.csc_matrix(weighted_twists(system)) @ free
     speeds = sparse.csc_matrix(weighted_bodies(system)) @ free
     stiffness, mass = (twists.T @ twists).tocsc(), (speeds.T @ speeds).tocsc()
-    # The lowest squared frequency is estimated as the mean square over the squared number of modes.
+    # The lowest squared frequency is about the mean square divided by the number of modes squared.
     mean = float(stiffness.diagonal().sum() / mass.diagonal().sum())
     below = -BELOW_SQUARES * mean / free.shape[1] ** 2
     rigid = split.rigid.shape[1]

@@ -105,7 +105,7 @@ def _by_mode(
 
 
 def _part(value: float) -> Cell:
-    """Return the cell of a share, 0.000 if negligible."""
+    """Return the cell of a share or relative amplitude, 0.000 if negligible."""
     cell = exact(value)
     return cell._replace(text=fixed(value)) if abs(value) < LEAST_SHOWN_PART else cell
 

@@ -137,7 +137,7 @@ def frequencies(
 def mode_names(case: Transmission, targets: Sequence[VariedQuantity]) -> list[str]:
     """Return the numbers, as texts, of all modes that a gear of the case can have in a sweep.
 
-    A tied-up gear counts with a mode, because it can rotate in another variant.
+    A tied-up gear counts as one mode, because it can rotate in another variant.
 
     Raises
     ------

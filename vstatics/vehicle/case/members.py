@@ -40,7 +40,7 @@ class Members(NamedTuple):
 
     @classmethod
     def of(cls, case: TransmissionFields) -> Members:
-        """Return the names of a case."""
+        """Return the names in a case."""
         devices = case.own_devices
         planets = {}
         drawn: Any = case.drawing

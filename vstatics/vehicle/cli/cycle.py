@@ -38,8 +38,7 @@ _PARTS = {"battery_lost": "lost: battery", "machine_lost": "lost: machine"}
 """Name of an energy in JSON -> name in the printed table, if different."""
 
 
-def _speed(text: str) -> float:
-    """Return an engine speed with unit in rad/s."""
+def _engine_speed(text: str) -> float:
     from vstatics.core.readers.named.units import quantity
 
     try:
@@ -81,7 +80,7 @@ def _choice(
     _choice,
     click.option(
         "--least-speed",
-        callback=value(_speed),
+        callback=value(_engine_speed),
         metavar="SPEED",
         help="Engage the highest gear in which the engine has at least this speed, such as "
         "'1200 rpm'. If no such gear exists, engage the lowest gear that does not overspeed the "

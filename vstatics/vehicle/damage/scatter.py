@@ -16,7 +16,7 @@ from vstatics.core.readers.named.si_units import in_any_unit
 from vstatics.core.tables.answer import json_keys
 
 SHARES = np.arange(1, 100) / 100
-"""Shares of failed components at which the distribution has a life. [-]"""
+"""Shares of failed components for which a life is calculated. [-]"""
 LARGEST_LOG_DEVIATION = 10.0
 """Largest standard deviation of the natural logarithm of a stress. [-]"""
 _DISTRIBUTION = re.compile(r"\s*(normal|lognormal)\s*\((.*),(.*)\)\s*")

@@ -80,7 +80,7 @@ def bare(case: Transmission) -> Transmission:
 def solved_slips(case: Transmission) -> tuple[Results, Floats]:
     """Return results of a bare case without slips in rpm, and link speeds by slips [rad/s].
 
-    The speed of a link is its relative speed times the engine speed, plus this addend.
+    The speed of a link is its relative speed times the engine speed, plus its speed by slips.
     """
     gears = [
         gear._replace(
@@ -298,7 +298,7 @@ class ConverterGear(NamedTuple):
     def _searched(
         self, rows: Integers, places: Floats, output: Floats, brought: Brought
     ) -> EngineSearch:
-        """Search for engine speeds in some rows; results are NaN for rows without `places`."""
+        """Search for engine speeds in some rows; rows whose `places` are all NaN give NaN."""
         known = np.isfinite(places)
         at, columns = np.nonzero(known)
 

@@ -286,7 +286,7 @@ class CycleSteps(NamedTuple):
             if gear.loss is None or link != case.gear_input(gear)
         }
 
-    def _given(self, case: Transmission, rows: Integers, loads: PointLoads) -> Floats:
+    def _output_torques(self, case: Transmission, rows: Integers, loads: PointLoads) -> Floats:
         """Return torques of the outputs of a case on their loads in the steps `rows` [N*m]."""
         torque = loads.taken(loads.results.lossy_output_torque_Nm)
         # An output cannot have a given torque in a case, so its inertia torque is added here.
@@ -403,7 +403,9 @@ class CycleSteps(NamedTuple):
         """
         here, loads = self.at(rows), self._from_wheels(rows)
         speeds = here.engine_speeds
-        torques = -self._given(turned(self.case, self.ratios), rows, loads) * np.sign(speeds)
+        torques = -self._output_torques(turned(self.case, self.ratios), rows, loads) * np.sign(
+            speeds
+        )
         for number, gear in enumerate(self.case.gears):
             if gear.loss is not None:
                 of_gear = np.flatnonzero(here.gears == number)
@@ -464,7 +466,7 @@ class CycleSteps(NamedTuple):
         points = DutyPoints(here.gears, here.engine_speeds, entering, np.ones(len(rows)))
         loads = self._solved(self.case, rows, points)
         lost.add(loads, rows, self.trace.duration[rows])
-        torque = self._given(self.case, rows, loads) * np.sign(here.output_speeds)
+        torque = self._output_torques(self.case, rows, loads) * np.sign(here.output_speeds)
         force = torque * self.vehicle.final_drive / self.vehicle.radius
         power = (force - here.forces) * here.trace.speed
         return float(power @ here.trace.duration)

@@ -101,7 +101,6 @@ def draw_links(axis: Axis, low: float, links: ModeLinks) -> None:
 
 
 def _write_names(axis: Axis, low: float, names: Sequence[tuple[int, str]]) -> None:
-    """Write names vertically, each with a line to its link."""
     wanted = [axis.at(place) for place, _ in names]
     sizes = [height(name) + LABEL_GAP for _, name in names]
     row = axis.left, axis.left + sum(sizes)

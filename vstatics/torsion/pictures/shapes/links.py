@@ -153,14 +153,13 @@ def _levelled(devices: Sequence[ModeDevice]) -> Iterator[ModeDevice]:
     for device in order:
         on_line = device.is_grounded or device.members[1:] == (device.members[0] + 1,)
         placed = device._replace(level=0 if on_line else 1)
-        while any(_cover(other, placed) for other in taken):
+        while any(_would_overlap(other, placed) for other in taken):
             placed = placed._replace(level=placed.level + 1)
         taken.append(placed)
     yield from sorted(taken, key=lambda d: (not d.elastic, d.members, d.level))
 
 
-def _cover(device: ModeDevice, other: ModeDevice) -> bool:
-    """Return whether two components would overlap at a common level."""
+def _would_overlap(device: ModeDevice, other: ModeDevice) -> bool:
     if device.is_grounded or other.is_grounded or device.level == 0:
         return (device.level, device.members) == (other.level, other.members)
     apart = device.members[-1] < other.members[0] or other.members[-1] < device.members[0]

@@ -241,22 +241,21 @@ def _columns(parts: Sequence[_GearModesPart], style: Style) -> _ModeColumns:
     return _ModeColumns(shapes, shapes / count, elastic, kinetic, stacked, named)
 
 
-def _head_high(part: _GearModesPart, columns: _ModeColumns) -> float:
-    """Return the height of a gear above its first mode [pt]."""
+def _height_above_modes(part: _GearModesPart, columns: _ModeColumns) -> float:
     across = columns.right - 2 * MARGIN
     texts = height("") + NOTE_GAP + height(wrapped(part.note, across))
     return texts + (row_height(part.links, columns.pitch) + MODE_GAP if part.links else 0.0)
 
 
 def _high(part: _GearModesPart, columns: _ModeColumns) -> float:
-    return _head_high(part, columns) + sum(map(columns.high, part.rows))
+    return _height_above_modes(part, columns) + sum(map(columns.high, part.rows))
 
 
 def _on_pages(results: Results, part: _GearModesPart, style: Style) -> Iterator[_GearModesPart]:
     """Divide the modes of a gear into groups that fit on a page each."""
     columns = _columns([part], style)
     room = style.height - _page_head(results, columns.right, style).high - 3 * MARGIN
-    room -= _head_high(part, columns)
+    room -= _height_above_modes(part, columns)
     page: list[_ModeRow] = []
     for row in part.rows:
         if page and sum(map(columns.high, [*page, row])) - MODE_GAP > room:
@@ -291,7 +290,7 @@ def _draw_gear(pen: Pen, top: float, part: _GearModesPart, columns: _ModeColumns
     pen.text(MARGIN, top - height(""), note, color=style.soft, **BELOW)
     if part.links is None:
         return
-    y = top - _head_high(part, columns)
+    y = top - _height_above_modes(part, columns)
     axis = Axis(pen, columns.left, columns.pitch)
     draw_links(axis, y + MODE_GAP, part.links)
     above = 2 + 2 * columns.stacked
