@@ -10,7 +10,7 @@ LEAST_RTOL = 3e-14
 CLOSED_ENERGY = 1e-8
 """Largest error of the energy balance of a valid run, relative to the largest energy."""
 NO_ENERGY = 1e-12
-"""Largest energy that counts as 0. [J]"""
+"""Error of the energy balance that is always allowed. [J]"""
 PRINTED = 1e-9
 """Number below which a table prints 0, relative to the largest number of the same kind."""
 CLOSED_BALANCE = 5e-4
@@ -167,7 +167,7 @@ STRAIGHT_BALANCE = 1e-12
 SHORTEST_PART = 2.0**-14
 """Smallest factor on the length of a part when nonlinear torques do not fit."""
 FITTING_TORQUE = 1e-12
-"""Error of the polynomials of torques, relative to the largest torque."""
+"""Largest error of the polynomials of torques, relative to the largest torque."""
 
 # Tarasik's published method
 PUBLISHED_RTOL = 1e-12

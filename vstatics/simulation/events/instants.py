@@ -52,7 +52,7 @@ class Jump(NamedTuple):
 def consistent(
     equations: Equations, state: Floats, scales: LargeSizes
 ) -> tuple[Floats, Jump | None]:
-    """Return the state vector with twists that balance the torques on links without inertia."""
+    """Return the state with twists that balance torques on links without inertia, and any jump."""
     if not equations.light or not equations.by_slope.shape[1]:
         return state, None
     balanced, given = state.copy(), np.zeros(equations.layout.ports)

@@ -210,7 +210,7 @@ class ModeSelection:
         return _moves(slip, motions.free) or _moves(slip, motions.light)
 
     def _released(self, states: States, at: Instant, choices: Sequence[Choice]) -> States | None:
-        """Return the states with all mechanisms moving that would move without friction."""
+        """Return the states in which mechanisms move that would move without friction, or None."""
         held = [
             index
             for kind, index, _ in choices

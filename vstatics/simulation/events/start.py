@@ -68,7 +68,7 @@ def with_fixed_ratios(scenario: Scenario) -> Scenario:
 
 
 def start_gear(scenario: Scenario) -> Gear | None:
-    """Return the start gear, with locked freewheels among its engaged shift elements.
+    """Return the start gear with its locked freewheels engaged, None without a start gear.
 
     Raises
     ------
@@ -200,7 +200,7 @@ def given_angles(system: MotionSystem) -> tuple[Floats, Floats]:
 
 
 def _contradiction(matrix: Floats, values: Floats, certain: int) -> tuple[int, float] | None:
-    """Return the first equation that contradicts earlier equations, with the expected value.
+    """Return the first equation, if any, that contradicts earlier ones, and its expected value.
 
     The first `certain` equations are taken as correct, and the index counts from there.
     """

@@ -131,7 +131,7 @@ def newton_metres(number: float | None, case: Transmission) -> float | None:
 
 
 def load_torque(case: Transmission) -> float | None:
-    """Return the torque of `load` [N*m], to which torques without a unit are relative."""
+    """Return the torque of `load`, if any, to which torques without a unit are relative [N*m]."""
     return case.load.torque if case.load else None
 
 

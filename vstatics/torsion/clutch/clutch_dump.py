@@ -80,7 +80,7 @@ class ClutchDump(NamedTuple):
 
 
 def dump_record(case: TransmissionFields) -> dict[str, Any] | None:
-    """Return the clutch dump of a case as a mapping of keys; infinite values are left out."""
+    """Return the clutch dump of a case, if any, by keys; infinite values are left out."""
     dump = ClutchDump.of(case)
     if dump is None:
         return None

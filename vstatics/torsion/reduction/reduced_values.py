@@ -145,7 +145,7 @@ def _of_planets(system: TorsionalSystem, of_links: Scales) -> dict[str, float | 
 
 
 def reduced_compliance(device: TorsionalDevice, scale: float | None) -> float | None:
-    """Return a compliance reduced by the scale of the first link in its twist [rad/(N*m)]."""
+    """Reduce a compliance [rad/(N*m)] by the scale, if any, of the first link in its twist."""
     coefficient = next(iter(device.twist.values()))
     return scale**2 / coefficient**2 / device.rate if scale else None
 
