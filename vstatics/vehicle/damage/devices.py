@@ -1,7 +1,7 @@
 """Fatigue damage of components under a record of torques, by linear accumulation (Miner's rule).
 
-Source: I. S. Tsitovich, V. B. Algin, Vehicle dynamics (1981), chapter 4.6; numbers of equations
-are those of the book.
+Source: I. S. Tsitovich, V. B. Algin, Vehicle dynamics (1981), chapter 4.6; equation numbers are
+those of the book.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 class HasDamage(Protocol):
-    """Protocol of results that contain the fatigue damage of components, such as a run."""
+    """Results with fatigue damage of components, such as a run."""
 
     @property
     def damage(self) -> Mapping[str, object]:
@@ -35,17 +35,17 @@ class DeviceDamage(NamedTuple):
     """Fatigue damage of a component under a record of torques."""
 
     damage: float
-    """Damage; the component fails at a damage of `sum` of the fatigue strength. [-]"""
+    """Damage; the component fails when it reaches `sum` of its fatigue strength. [-]"""
     repeats: float | None
-    """Number of repetitions of the record to failure, if limited. [-]"""
+    """Number of repetitions of the record to failure, None if unlimited. [-]"""
     largest_stress: float
     """Largest equivalent stress amplitude of all cycles. [Pa]"""
     cycles: Sequence[LoadCycle]
-    """Torque cycles of the record; ranges and means are in N*m."""
+    """Torque cycles of the record, with ranges and means in N*m."""
 
     @classmethod
     def of(cls, motion: HasDamage) -> dict[str, DeviceDamage]:
-        """Return the damage in a run: component name -> damage."""
+        """Return the damage in a run, by component name."""
         return {name: damage for name, damage in motion.damage.items() if isinstance(damage, cls)}
 
 
