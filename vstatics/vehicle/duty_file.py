@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import codecs
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import NamedTuple, get_args
 
@@ -71,8 +71,8 @@ class DutyFile(NamedTuple):
 
 _COLUMNS = (
     TableColumn("time", "time", optional=True, may_be_bare=True),
-    TableColumn("share", optional=True),
-    TableColumn("gear", is_text=True),
+    TableColumn("share", optional=True, sizes={"": 1.0, "-": 1.0, "%": 0.01}),
+    TableColumn("gear", is_text=True, optional=True),
     TableColumn("speed", "si_speed"),
     TableColumn("torque", "si_torque"),
 )
@@ -99,9 +99,10 @@ class DutyTable(NamedTuple):
         """
         table = self.table
         is_cycle = "duration" in table.numbers
+        case = _driven(results.case) if is_cycle else results.case
+        gears = _gears(table, case)
         try:
-            case = _driven(results.case) if is_cycle else results.case
-            points = points_of(case, table.texts["gear"], table.numbers)
+            points = points_of(case, gears, table.numbers)
             found = spectrum(case, points, self.exponent, self.classes)
         except CaseError as error:
             raise _at_rows(error.problems, table) from None
@@ -111,6 +112,19 @@ class DutyTable(NamedTuple):
             text = f"the case has no load: gears are calculated at {rpm:g} rpm and {torque:g} N*m"
             notes = Message("N423", f"{text}, the first of these points with a power"), *notes
         return found._replace(messages=(*found.messages, *notes))
+
+
+def _gears(table: UnitTable, case: Transmission | None = None) -> Sequence[str]:
+    """Return the gear of each point; without this column, the only gear of the case, or ""."""
+    names = [gear.name for gear in case.gears] if case else [""]
+    if "gear" in table.texts:
+        return table.texts["gear"]
+    if len(names) > 1:
+        message = (
+            f"`gear` is missing, expected the gear of each point, as the case has {len(names)}"
+        )
+        raise ReadError("E121", message, place=table.head_place)
+    return names * len(table.lines)
 
 
 def _driven(case: Transmission) -> Transmission:
@@ -148,6 +162,8 @@ def read_duty_table(
     data: bytes, file: str, exponent: float | None = None, classes: Classes | None = None
 ) -> DutyTable:
     """Read a duty cycle of operating points from columns time or share, gear, speed and torque.
+
+    A case with a single gear needs no column `gear`.
 
     In a table with the column `duration`, as `vstatics cycle` writes it, `time` is an instant; then
     `time` and all further columns are skipped.
@@ -220,7 +236,7 @@ def duty_points(data: bytes, file: str) -> list[tuple[str, float, float]]:
     table = read_duty_table(data, file).table
     if problems := wrong_numbers(table.numbers):
         raise _at_rows(problems, table)
-    columns = table.texts["gear"], table.numbers["speed"], table.numbers["torque"]
+    columns = _gears(table), table.numbers["speed"], table.numbers["torque"]
     return [point for point in zip(*columns, strict=True) if point[1]]
 
 

@@ -393,7 +393,11 @@ TORQUE = "speed [rpm],torque [N*m],fuel"
         ("t.csv", "time [s],speed [km/h]\n0,1\n", "expected at least two"),
         ("t.csv", "time [s],speed [km/h]\n0,1\n0,2\n", ":3:1: error: time: read 0, expected a l"),
         ("t.csv", "time [s],speed [kg]\n0,1\n1,2\n", "speed: read the unit 'kg'"),
-        ("t.csv", "time [s],speed [m/s],slope [%]\n0,1,5\n1,2,5\n", "none, as it is the sine of"),
+        (
+            "t.csv",
+            "time [s],speed [m/s],slope [%]\n0,1,5\n1,2,5\n",
+            "`-` or `deg`, as it is the sine of",
+        ),
         ("t.csv", "time [s],speed [m/s],gear\n0,1,low\n1,2,9\n2,2,9\n", ":3:1: error: there is n"),
         ("t.csv", "A title\ntime [s],speed [mph]\n0,0\n5,10\n", "t.csv:2:1: error: the trace has"),
         ("fuel.csv", f"{TORQUE} [kg]\n0,0,1\n", "fuel.csv:1:1: error: fuel: read the unit 'kg'"),

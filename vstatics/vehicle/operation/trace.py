@@ -1,12 +1,13 @@
 """Driving cycle in CSV: time, speed, and optionally gear and slope of the road.
 
-The slope is the sine of the angle of ascent. Published cycles have a grade instead: the rise
-divided by the horizontal distance.
+The slope is the sine of the angle of ascent, or the angle in degrees. Published cycles have a grade
+instead: the rise divided by the horizontal distance.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import math
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -17,7 +18,11 @@ from vstatics.core.readers.named.headings import TableColumn
 from vstatics.core.readers.unit_table import UnitTable, read_unit_table
 
 SLOPE = "as it is the sine of the angle"
-_TIMES = ("t", "test time", "cycle time", "elapsed time", "total elapsed time", "total time")
+_DEGREES = ("deg", "°", "degree", "degrees")
+_TIMES = (
+    *("t", "test time", "cycle time", "elapsed time", "total elapsed time", "total time"),
+    *("timestamp", "time stamp"),
+)
 _SECONDS = ("s", "sec", "secs", "second", "seconds", "cycsecs", "<t>")  # of FASTSim, VECTO
 _SPEEDS = (
     *("v", "velocity", "vehicle speed", "vehicle velocity", "target speed", "target velocity"),
@@ -37,7 +42,7 @@ COLUMNS = (
         "speed",
         "velocity",
         aliases=dict.fromkeys(_SPEEDS, "")
-        | dict.fromkeys(("cycmps", "mps", "m/s"), "m/s")
+        | dict.fromkeys(("cycmps", "mps", "m/s", "speed meters per second"), "m/s")
         | dict.fromkeys(("<v>", "km/h", "kmh", "kph"), "km/h")
         | {"mph": "mph"},
     ),
@@ -50,20 +55,32 @@ COLUMNS = (
     TableColumn(
         "slope",
         optional=True,
+        sizes={"": 1.0, "-": 1.0} | dict.fromkeys(_DEGREES, math.pi / 180),
         meaning=f", {SLOPE}; a column `grade [%]` is rise over horizontal distance",
     ),
     TableColumn(
         "grade",
         optional=True,
-        sizes={"%": 0.01, "": 1.0, "-": 1.0},
+        sizes={"%": 0.01, "": 1.0, "-": 1.0, "pct": 0.01, "percent": 0.01},
         aliases=dict.fromkeys(_GRADES, "") | {"<grad>": "%"},
     ),
+)
+_OF_SUMO = {
+    "time": {"timestep time": "s"},
+    "speed": {"vehicle speed": "m/s"},
+    "slope": {"vehicle slope": "deg"},
+}
+"""Headings of SUMO, whose units hold only together: elsewhere, `vehicle_speed` needs its unit."""
+_SUMO_COLUMNS = tuple(
+    column._replace(aliases={**column.aliases, **_OF_SUMO.get(column.name, {})})
+    for column in COLUMNS
 )
 LATEST, FASTEST, QUICKEST = 1e12, 1e6, 1e9
 """Largest time [s], speed [m/s] and acceleration [m/s^2], which keep the energies finite."""
 
 BLOCK_ROWS = 20_000
 """Number of steps that are calculated together, which limits the memory for long cycles."""
+_HEAD_BYTES = 4096
 MOST_SHOWN_FAULTS = 20
 """Largest number of reported errors."""
 
@@ -132,7 +149,9 @@ def read_trace(data: bytes, file: str) -> Trace:
     array([0.6])
     """
     expected = "a driving cycle: time, speed"
-    table = read_unit_table(data, file, expected, COLUMNS, "E122", skips=True)
+    columns = _SUMO_COLUMNS if b"timestep_time" in data[:_HEAD_BYTES] else COLUMNS
+    table = read_unit_table(data, file, expected, columns, "E122", skips=True)
+    table = table._replace(numbers={**table.numbers, **_sine_of_slope(table)})
     times, speeds = (np.array(table.numbers[name]) for name in ("time", "speed"))
     problems = list(_problems(table, times, speeds))
     if problems:
@@ -151,6 +170,14 @@ def read_trace(data: bytes, file: str) -> Trace:
     )
 
 
+def _sine_of_slope(table: UnitTable) -> dict[str, Sequence[float]]:
+    """Return the column `slope` as the sine of angles up to 90 degrees, if its unit is an angle."""
+    units = {heading.column.name: heading.unit for heading in table.head.headings}
+    if units.get("slope") not in _DEGREES:
+        return {}
+    return {"slope": [math.sin(x) if abs(x) <= math.pi / 2 else x for x in table.numbers["slope"]]}
+
+
 def _problems(table: UnitTable, times: Floats, speeds: Floats) -> Iterator[Problem]:
     if {"slope", "grade"} <= table.numbers.keys():
         message = "read both `slope` and `grade`, expected one of them"
@@ -167,7 +194,11 @@ def _problems(table: UnitTable, times: Floats, speeds: Floats) -> Iterator[Probl
         ("time", times != within[0], f"at most {LATEST:g} s"),
         ("speed", speeds < 0, "0 or more"),
         ("speed", speeds > FASTEST, f"at most {FASTEST:g} m/s"),
-        ("speed", accelerations > QUICKEST, f"a change by at most {QUICKEST:g} m/s^2"),
+        (
+            "speed",
+            (durations > 0) & (accelerations > QUICKEST),
+            f"a change by at most {QUICKEST:g} m/s^2",
+        ),
         ("slope", np.abs(slopes) > 1, f"-1 to 1, {SLOPE}"),
     )
     wrong = [
