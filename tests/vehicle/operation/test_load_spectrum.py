@@ -206,7 +206,7 @@ def test_a_load_spectrum_in_percent_of_a_single_gear(folder: Path) -> None:
         "exponent: 3}}\n"
     )
     (folder / "case.yaml").write_text(case + 'gears: {"1": []}\n')
-    points = "share [%],speed [rpm],torque [N*m]\n30,1000,100\n50,500,-50\n20,0,200\n"
+    points = "share [%],n [rpm],M [N*m]\n30,1000,100\n50,500,-50\n20,0,200\n"
     (folder / "duty.csv").write_text(points)
     said = vstatics("summary", "case.yaml", "--duty", "duty.csv", "-f", "json")
     damage = 18e3 / 1e6 / 10**3 + 15e3 / 1e6 / 20**3

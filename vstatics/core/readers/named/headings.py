@@ -29,6 +29,12 @@ LEAST_LIKENESS = 0.75
 """Smallest similarity (0 to 1) at which a heading counts as a mistyped name."""
 COMMENT_SIGNS = ("#", "%")
 """Characters that begin a comment."""
+_ENGINES = ("engine", "motor", "machine", "input")
+SHAFT_NAMES: Mapping[str, Sequence[str]] = {
+    "speed": ("n", "rotational speed", *(f"{engine} speed" for engine in _ENGINES)),
+    "torque": ("m", *(f"{engine} torque" for engine in _ENGINES)),
+}
+"""Further names, in lower case, of columns with the speed and torque of a shaft."""
 _IN_ANY_LETTERS: tuple[Measure, ...] = ("time", "velocity")
 """Measures whose units can be written in upper or lower case."""
 _UNIT_BEHIND = re.compile(
