@@ -167,6 +167,7 @@ SINE = math.sin(math.radians(3))
             SINE,
         ),
         ("time [s];vehicle_speed [km/h];slope [°]\n0;0;-3\n2;36;-3\n", -SINE),
+        ("time [s],speed [km/h],Incline (°)\n0,0,-3\n2,36,-3\n", -SINE),
         ("t / s;v / (km/h);grade_percent\n0;0;75\n2;36;75\n", 0.6),
     ],
 )
@@ -214,6 +215,10 @@ def test_gears_of_published_cycles() -> None:
         ("time [s],speed [mph],slope,grade\n0,0,0,0\n1,5,0,0\n", "both `slope` and `grade`"),
         ("0,0\n1,5\n2,7\n", "read the heading '0'"),
         ("time [s]\n0\n1\n", "`speed .m/s.` is missing"),
+        (
+            "time [s],speed [mph],slope,grade [deg]\n0,0,0,0\n1,5,0,0\n",
+            "read both `slope` and `grade`, expected one of them",
+        ),
         ("time_s speed_mps\n0 0\n1 5\n", "commas, semicolons or tabs have to separate the cells"),
         ("time [s],speed [mph],slope [deg]\n0,0,91\n1,5,0\n", "slope: read .*, expected -1 to 1"),
         ("time [s],speed [m/s]\n0,0\n1,1e300\n", ":3:1: .*speed: read 1e.300, expected at most 1e"),

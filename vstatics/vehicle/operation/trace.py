@@ -7,7 +7,7 @@ instead: the rise divided by the horizontal distance.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -19,6 +19,7 @@ from vstatics.core.readers.unit_table import UnitTable, read_unit_table
 
 SLOPE = "as it is the sine of the angle"
 _DEGREES = ("deg", "°", "degree", "degrees")
+_ANGLES = dict.fromkeys(_DEGREES, math.pi / 180)
 _TIMES = (
     *("t", "test time", "cycle time", "elapsed time", "total elapsed time", "total time"),
     *("timestamp", "time stamp"),
@@ -55,13 +56,13 @@ COLUMNS = (
     TableColumn(
         "slope",
         optional=True,
-        sizes={"": 1.0, "-": 1.0} | dict.fromkeys(_DEGREES, math.pi / 180),
+        sizes={"": 1.0, "-": 1.0, **_ANGLES},
         meaning=f", {SLOPE}; a column `grade [%]` is rise over horizontal distance",
     ),
     TableColumn(
         "grade",
         optional=True,
-        sizes={"%": 0.01, "": 1.0, "-": 1.0, "pct": 0.01, "percent": 0.01},
+        sizes={"%": 0.01, "": 1.0, "-": 1.0, "pct": 0.01, "percent": 0.01, **_ANGLES},
         aliases=dict.fromkeys(_GRADES, "") | {"<grad>": "%"},
     ),
 )
@@ -151,7 +152,7 @@ def read_trace(data: bytes, file: str) -> Trace:
     expected = "a driving cycle: time, speed"
     columns = _SUMO_COLUMNS if b"timestep_time" in data[:_HEAD_BYTES] else COLUMNS
     table = read_unit_table(data, file, expected, columns, "E122", skips=True)
-    table = table._replace(numbers={**table.numbers, **_sine_of_slope(table)})
+    table = _with_sines(table)
     times, speeds = (np.array(table.numbers[name]) for name in ("time", "speed"))
     problems = list(_problems(table, times, speeds))
     if problems:
@@ -170,16 +171,19 @@ def read_trace(data: bytes, file: str) -> Trace:
     )
 
 
-def _sine_of_slope(table: UnitTable) -> dict[str, Sequence[float]]:
-    """Return the column `slope` as the sine of angles up to 90 degrees, if its unit is an angle."""
-    units = {heading.column.name: heading.unit for heading in table.head.headings}
-    if units.get("slope") not in _DEGREES:
-        return {}
-    return {"slope": [math.sin(x) if abs(x) <= math.pi / 2 else x for x in table.numbers["slope"]]}
+def _with_sines(table: UnitTable) -> UnitTable:
+    """Return a table with a slope or grade in degrees replaced by the sine, up to 90 degrees."""
+    numbers = dict(table.numbers)
+    for heading in table.head.headings:
+        name = heading.column.name
+        if name in ("slope", "grade") and heading.unit in _DEGREES:
+            angles = numbers.pop(name)
+            numbers["slope"] = [math.sin(x) if abs(x) <= math.pi / 2 else x for x in angles]
+    return table._replace(numbers=numbers)
 
 
 def _problems(table: UnitTable, times: Floats, speeds: Floats) -> Iterator[Problem]:
-    if {"slope", "grade"} <= table.numbers.keys():
+    if {"slope", "grade"} <= {heading.column.name for heading in table.head.headings}:
         message = "read both `slope` and `grade`, expected one of them"
         yield Problem("E122", message, (), table.head_place)
     if len(times) < 2:
