@@ -116,7 +116,8 @@ def _map(rows: _Rows, values: Values) -> MapLaw:
             message = f"line {line}: {_point(units, speed, torque)} is on line {first}, too"
             raise ValueError(f"{message}; expected each point once")
         if not (0 < value <= 1 if values == "efficiency" else value >= 0):
-            raise ValueError(f"line {line}: read {value:g}, expected {_VALUES[values]}")
+            hint = "; omit the rows at rest and without torque" if value == 0 else ""
+            raise ValueError(f"line {line}: read {value:g}, expected {_VALUES[values]}{hint}")
         points[speed, torque] = line, value
     speeds, torques = (sorted({point[place] for point in points}) for place in (0, 1))
     for speed, torque in product(speeds, torques):
