@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import codecs
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import NamedTuple, get_args
 
@@ -13,7 +13,7 @@ from vstatics.core.model.parts import RAD_PER_RPM, Load
 from vstatics.core.model.shape import ByKey, KeyShape, Shares
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers.kinds import KEYS, is_of_kind
-from vstatics.core.readers.named.headings import MOST_TITLE_LINES, TableColumn
+from vstatics.core.readers.named.headings import MOST_TITLE_LINES, SHAFT_NAMES, TableColumn
 from vstatics.core.readers.named.nodes import Spots
 from vstatics.core.readers.named.reader import read_document
 from vstatics.core.readers.named.si_units import measured
@@ -71,10 +71,10 @@ class DutyFile(NamedTuple):
 
 _COLUMNS = (
     TableColumn("time", "time", optional=True, may_be_bare=True),
-    TableColumn("share", optional=True),
-    TableColumn("gear", is_text=True),
-    TableColumn("speed", "si_speed"),
-    TableColumn("torque", "si_torque"),
+    TableColumn("share", optional=True, sizes={"": 1.0, "-": 1.0, "%": 0.01}),
+    TableColumn("gear", is_text=True, optional=True),
+    TableColumn("speed", "si_speed", aliases=dict.fromkeys(SHAFT_NAMES["speed"], "")),
+    TableColumn("torque", "si_torque", aliases=dict.fromkeys(SHAFT_NAMES["torque"], "")),
 )
 
 
@@ -99,9 +99,10 @@ class DutyTable(NamedTuple):
         """
         table = self.table
         is_cycle = "duration" in table.numbers
+        case = _driven(results.case) if is_cycle else results.case
+        gears = _gears(table, case)
         try:
-            case = _driven(results.case) if is_cycle else results.case
-            points = points_of(case, table.texts["gear"], table.numbers)
+            points = points_of(case, gears, table.numbers)
             found = spectrum(case, points, self.exponent, self.classes)
         except CaseError as error:
             raise _at_rows(error.problems, table) from None
@@ -111,6 +112,19 @@ class DutyTable(NamedTuple):
             text = f"the case has no load: gears are calculated at {rpm:g} rpm and {torque:g} N*m"
             notes = Message("N423", f"{text}, the first of these points with a power"), *notes
         return found._replace(messages=(*found.messages, *notes))
+
+
+def _gears(table: UnitTable, case: Transmission | None = None) -> Sequence[str]:
+    """Return the gear of each point; without this column, the only gear of the case, or ""."""
+    names = [gear.name for gear in case.gears] if case else [""]
+    if "gear" in table.texts:
+        return table.texts["gear"]
+    if len(names) > 1:
+        message = (
+            f"`gear` is missing, expected the gear of each point, as the case has {len(names)}"
+        )
+        raise ReadError("E121", message, place=table.head_place)
+    return names * len(table.lines)
 
 
 def _driven(case: Transmission) -> Transmission:
@@ -138,8 +152,11 @@ def _at_rows(problems: Iterable[Problem], table: UnitTable) -> ReadError:
     )
 
 
-_STEP_COLUMNS = (TableColumn("duration", "time", may_be_bare=True), *_COLUMNS[2:])
-"""Columns that are read from a table of steps of a driving cycle."""
+_STEP_COLUMNS = (
+    TableColumn("duration", "time", may_be_bare=True),
+    *(column._replace(aliases={}) for column in _COLUMNS[2:]),
+)
+"""Columns that are read from the steps of a driving cycle."""
 _DURATION = re.compile(r"(?:^|[,;\t])[\s\"]*duration\b", re.IGNORECASE)
 _SPEED = re.compile(r"((?:^|[,;\t])\s*\"?)(speed\s*\[([^\]]*)\])", re.IGNORECASE)
 
@@ -148,6 +165,8 @@ def read_duty_table(
     data: bytes, file: str, exponent: float | None = None, classes: Classes | None = None
 ) -> DutyTable:
     """Read a duty cycle of operating points: columns time or share, gear, speed and torque.
+
+    A case with a single gear needs no column `gear`.
 
     In a table with the column `duration`, as `vstatics cycle` writes it, `time` is an instant. Then
     `time` and all additional columns are skipped.
@@ -219,7 +238,7 @@ def duty_points(data: bytes, file: str) -> list[tuple[str, float, float]]:
     table = read_duty_table(data, file).table
     if problems := wrong_numbers(table.numbers):
         raise _at_rows(problems, table)
-    columns = table.texts["gear"], table.numbers["speed"], table.numbers["torque"]
+    columns = _gears(table), table.numbers["speed"], table.numbers["torque"]
     return [point for point in zip(*columns, strict=True) if point[1]]
 
 

@@ -157,7 +157,7 @@ def mode_names(case: Transmission, targets: Sequence[VariedQuantity]) -> list[st
 
 
 def _structures(case: Transmission, targets: Sequence[VariedQuantity], values: Floats) -> Integers:
-    """Assign numbers to variants, equal ones to variants with equal ratios.
+    """Return a number for each variant; variants with equal ratios have the same number.
 
     Freewheels and nonlinear springs depend on torques. With these, efficiencies must be equal, too.
     """

@@ -31,6 +31,9 @@ from vstatics.vehicle.operation.shifting import (
 from vstatics.vehicle.operation.trace import Trace, blocks
 from vstatics.vehicle.tolerances import SAME_ENGINE_TORQUE, SAME_POWER
 
+_AT_STANDSTILL = ("", "0", "0.0", "n", "p")
+"""Names that published cycles give the neutral gear, allowed at standstill."""
+
 
 class GearChoice(NamedTuple):
     """Rule that chooses gears for a trace without gears."""
@@ -541,11 +544,12 @@ def _gears(
         raise CaseError("E426", message, place=trace.place)
     standing: Booleans = trace.speed <= 0
     numbers = {name: number for number, name in enumerate(names)}
+    chosen = [numbers.get(name, numbers.get(name.removesuffix(".0"))) for name in trace.gears]
     problems = [
         Problem("E416", f"there is no gear {quoted(name)} in the case", (row,))
         for row, name in enumerate(trace.gears)
-        if name not in numbers and not (standing[row] and not name)
+        if chosen[row] is None and not (standing[row] and name.casefold() in _AT_STANDSTILL)
     ]
     if problems:
         raise CaseError(problems)
-    return np.array([numbers.get(name, 0) for name in trace.gears])
+    return np.array([number or 0 for number in chosen])

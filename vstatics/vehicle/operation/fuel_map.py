@@ -9,15 +9,16 @@ import numpy as np
 from vstatics.core.errors import ReadError
 from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.core.numerics.lookup_table import LookupTable
-from vstatics.core.readers.named.headings import TableColumn
+from vstatics.core.readers.named.headings import SHAFT_NAMES, TableColumn
 from vstatics.core.readers.unit_table import read_unit_table
 from vstatics.vehicle.tolerances import SAME_SPEED
 
 COLUMNS = (
-    TableColumn("speed", "si_speed"),
-    TableColumn("torque", "si_torque"),
+    TableColumn("speed", "si_speed", aliases=dict.fromkeys(SHAFT_NAMES["speed"], "")),
+    TableColumn("torque", "si_torque", aliases=dict.fromkeys(SHAFT_NAMES["torque"], "")),
     TableColumn(
         "fuel",
+        aliases=dict.fromkeys(("fuel consumption", "fuel rate", "fuel flow"), ""),
         sizes={"g/h": 1 / 3600, "kg/h": 1 / 3.6, "g/s": 1.0},
         meaning="; g/kWh times speed [rpm] * torque [N*m]/9549.3 is g/h, idle has its own",
     ),

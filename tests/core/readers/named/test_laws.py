@@ -40,7 +40,8 @@ def test_a_file_of_points_stands_beside_the_case(tmp_path: Path) -> None:
         ("speed [rpm],torque [kW]\n0,1\n", "read `drag.csv`, line 1: the unit of torque: expected"),
         ("speed [rpm],torque [N*m]\n", "expected a point at least"),
         ("speed [rpm],torque [N*m]\n0\n", "line 2: expected 2 numbers"),
-        ("speed [rpm],torque [N*m]\n0,nan\n", "line 2: expected a torque"),
+        ("speed [rpm],torque [N*m]\n0,nan\n", "line 2: torque: read 'nan', expected a torque"),
+        ("Nm,rpm\n0,1\n", "the head `speed [rad/s],torque [N*m]`, not `Nm,rpm`"),
         ("x" * 1_000_001, "cannot be read: larger than 1 MB"),
     ],
 )

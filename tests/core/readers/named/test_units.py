@@ -225,6 +225,9 @@ def test_a_unit_has_its_size_in_si() -> None:
         ("(1 + 2)/4 rad/kNm", "compliance", 0.00075),
         ("3.2*N*m*s/rad", "damping", 3.2),
         ("3/4", "area", 0.75),
+        ("2 N*m/(rad/s)^2", "pump_factor", 2.0),
+        ("(3) (N*m)/((rad)(s)^-1)**2", "pump_factor", 3.0),
+        ("4 (m)^2/(s/s)^4", "area", 4.0),
     ],
 )
 def test_decimal_units_are_exact(text: str, measure: Measure, number: float) -> None:
@@ -262,6 +265,8 @@ IN = {
         ("3 Nm/rad^", "stiffness", ""),
         ("3 kg*m^2^2", "inertia", ""),
         ("3 (kg*m^2", "inertia", ""),
+        ("3 kg)*m^2", "inertia", ""),
+        ("3 ((((m)^4)^4)^4)^4", "length", ""),
         ("3 kg//m^2", "inertia", ""),
         ("3 " + "kg*m^2/kg*" * 10 + "kg", "inertia", ""),
     ],

@@ -1,6 +1,6 @@
 """Headings of tables of numbers: names with units, as in published files.
 
-A unit can be in brackets, in parentheses, after `_`, or after a comma that does not separate cells.
+A unit can be in brackets, in parentheses, after `_` or `/`, or after a comma within a cell.
 Units can also be on a separate line below the names. Lines above the headings are titles, even if
 they contain numbers. Upper case and comment signs in headings are ignored.
 """
@@ -29,6 +29,12 @@ LEAST_LIKENESS = 0.75
 """Smallest similarity (0 to 1) at which a heading counts as a mistyped name."""
 COMMENT_SIGNS = ("#", "%")
 """Characters that begin a comment."""
+_ENGINES = ("engine", "motor", "machine", "input")
+SHAFT_NAMES: Mapping[str, Sequence[str]] = {
+    "speed": ("n", "rotational speed", *(f"{engine} speed" for engine in _ENGINES)),
+    "torque": ("m", *(f"{engine} torque" for engine in _ENGINES)),
+}
+"""Further names, in lower case, of columns with the speed and torque of a shaft."""
 _IN_ANY_LETTERS: tuple[Measure, ...] = ("time", "velocity")
 """Measures whose units can be written in upper or lower case."""
 _UNIT_BEHIND = re.compile(
@@ -81,7 +87,9 @@ class TableColumn(NamedTuple):
         if self.sizes is not None or self.measure is None:
             sizes = {"": 1.0, "-": 1.0} if self.sizes is None else self.sizes
             if (unit or "") not in sizes or (unit == "" and self.sizes is None):
-                units = spoken(map(quoted, filter(None, sizes)), "or") if self.sizes else "none"
+                spelled = [(size, unit) for unit, size in (self.sizes or {}).items() if unit]
+                spellings = dict(reversed(spelled))
+                units = spoken([*map(quoted, spellings.values())][::-1], "or") or "none"
                 message = f"{self.name}: read the unit {(unit or '')[:40]!r}, expected {units}"
                 raise ValueError(message + self.meaning)
             return sizes[unit or ""]
@@ -159,14 +167,14 @@ def with_unit(cell: str) -> tuple[str, str | None]:
 
     Examples
     --------
-    >>> [with_unit(cell) for cell in ("time [s]", "Speed (km/h)", "Test Time, secs", "gear")]
+    >>> [with_unit(cell) for cell in ("time [s]", "Speed / (km/h)", "Test Time, secs", "gear")]
     [('time', 's'), ('Speed', 'km/h'), ('Test Time', 'secs'), ('gear', None)]
     """
     parts = _UNIT_BEHIND.fullmatch(cell.strip()) if len(cell) <= _LONGEST_WITH_UNIT else None
     if not parts:
         return cell.strip(), None
     unit = next(part for part in parts.group("bracket", "round", "comma") if part is not None)
-    return parts["name"], unit.strip()
+    return parts["name"].rstrip(" /"), unit.strip()
 
 
 def read_headings(
@@ -251,9 +259,10 @@ class _ExpectedTable(NamedTuple):
         """Return the heading in a cell, if the name is known."""
         name, unit = with_unit(cell)
         known = self.named(name)
-        if known is None and unit is None and "_" in name:
-            name, _, unit = name.rpartition("_")
-            known = self.named(name)
+        if known is None and unit is None:
+            for front, _, behind in (name.partition("/"), name.rpartition("_")):
+                if known is None and (known := self.named(front)):
+                    unit = behind.strip()
         if known is None:
             return None
         column, implied = known
@@ -317,6 +326,8 @@ class _ExpectedTable(NamedTuple):
             is_mistyped = get_close_matches(name, wanted, cutoff=LEAST_LIKENESS)
             if is_mistyped or missing or not self.skips:
                 expected = spoken([quoted(column.heading) for column in self.columns], "or")
+                if len(self.understood(cell.split())) > 1:
+                    hint = "; commas, semicolons or tabs have to separate the cells"
                 raise ValueError(f"read the heading {cell[:40]!r}, expected {expected}{hint}")
         if twice := next((name for name in names if names.count(name) > 1), None):
             raise ValueError(f"two columns are called {quoted(twice)}")

@@ -13,7 +13,7 @@ from vstatics.core.model.laws import LossUnit, MapLaw
 from vstatics.core.model.shape import Measure
 from vstatics.core.readers.named import scalars
 from vstatics.core.readers.named.csv_files import csv_rows
-from vstatics.core.readers.named.headings import with_unit
+from vstatics.core.readers.named.headings import MOST_QUOTED, SHAFT_NAMES, with_unit
 from vstatics.core.readers.named.si_units import measured
 
 MOST_POINT_FILE_BYTES = 1_000_000
@@ -29,6 +29,10 @@ _HEADS = {
     "": "speed [rad/s],torque [N*m]",
     "efficiency": "speed [rpm],torque [N*m],efficiency",
     "loss": "speed [rpm],torque [N*m],loss [W]",
+}
+_NAMES = {name: column for column, names in SHAFT_NAMES.items() for name in names} | {
+    "eta": "efficiency",
+    "power loss": "loss",
 }
 _Rows = list[tuple[int, list[str]]]
 _Reading = Callable[[str], float]
@@ -65,7 +69,8 @@ def _rows_of(name: str) -> _Rows:
 
 
 def _name(heading: str) -> str:
-    return with_unit(heading)[0].casefold()
+    name = with_unit(heading)[0].casefold()
+    return _NAMES.get(name, name)
 
 
 def _points(rows: _Rows) -> list[tuple[float, ...]]:
@@ -83,8 +88,8 @@ def _points(rows: _Rows) -> list[tuple[float, ...]]:
     """
     heads = rows[0][1] if rows else []
     if list(map(_name, heads)) != [*_MEASURES]:
-        raise _expected("")
-    return [point for _, point in _numbers(rows[1:], [_reading(head, "") for head in heads])]
+        raise _expected("", heads)
+    return [point for _, point in _numbers(rows, "")]
 
 
 def _map(rows: _Rows, values: Values) -> MapLaw:
@@ -100,19 +105,19 @@ def _map(rows: _Rows, values: Values) -> MapLaw:
     heads = rows[0][1] if rows else []
     names = list(map(_name, heads))
     if sorted(names) != sorted([*_MEASURES, values]):
-        raise _expected(values)
+        raise _expected(values, heads)
     places = [names.index(name) for name in (*_MEASURES, values)]
     points: dict[tuple[float, float], tuple[int, float]] = {}
-    readings = [_reading(head, values) for head in heads]
     units = [with_unit(heads[place])[1] or "" for place in places[:2]]
-    for line, numbers in _numbers(rows[1:], readings):
+    for line, numbers in _numbers(rows, values):
         speed, torque, value = (numbers[place] for place in places)
         if (speed, torque) in points:
             first = points[speed, torque][0]
             message = f"line {line}: {_point(units, speed, torque)} is on line {first}, too"
             raise ValueError(f"{message}; expected each point once")
         if not (0 < value <= 1 if values == "efficiency" else value >= 0):
-            raise ValueError(f"line {line}: read {value:g}, expected {_VALUES[values]}")
+            hint = "; omit the rows at rest and without torque" if value == 0 else ""
+            raise ValueError(f"line {line}: read {value:g}, expected {_VALUES[values]}{hint}")
         points[speed, torque] = line, value
     speeds, torques = (sorted({point[place] for point in points}) for place in (0, 1))
     for speed, torque in product(speeds, torques):
@@ -124,8 +129,9 @@ def _map(rows: _Rows, values: Values) -> MapLaw:
     return MapLaw(torques, grid, next((known for known in _LOSS_UNITS if known == unit), ""))
 
 
-def _expected(values: str) -> ValueError:
-    return ValueError(f"expected a CSV file with the head `{_HEADS[values]}`")
+def _expected(values: str, heads: Sequence[str]) -> ValueError:
+    read = f", not `{','.join(heads)[:MOST_QUOTED]}`" if heads else ""
+    return ValueError(f"expected a CSV file with the head `{_HEADS[values]}`{read}")
 
 
 def _point(units: Sequence[str], *values: float) -> str:
@@ -144,7 +150,7 @@ def _reading(heading: str, values: str) -> _Reading:
     name, unit = _name(heading), with_unit(heading)[1] or ""
     if name in _MEASURES:
         if not unit:
-            raise _expected(values)
+            raise _expected(values, [])
         try:
             measured(f"1 {unit}", _MEASURES[name])
         except ValueError as error:
@@ -165,15 +171,19 @@ def _percent(cell: str) -> float:
     return scalars.number(f"{cell}%")
 
 
-def _numbers(rows: _Rows, readings: Sequence[_Reading]) -> Iterator[tuple[int, tuple[float, ...]]]:
-    """Yield the line number and the numbers of each row."""
-    if not rows:
+def _numbers(rows: _Rows, values: str) -> Iterator[tuple[int, tuple[float, ...]]]:
+    """Yield the line number and the numbers of each row below the head."""
+    (_, heads), *below = rows
+    columns = [(_name(head), _reading(head, values)) for head in heads]
+    if not below:
         raise ValueError("expected a point at least, below the head")
-    for line, row in rows:
-        if len(row) != len(readings):
-            raise ValueError(f"line {line}: expected {len(readings)} numbers")
-        try:
-            numbers = tuple(read(cell) for read, cell in zip(readings, row, strict=True))
-        except ValueError as error:
-            raise ValueError(f"line {line}: {error}") from None
-        yield line, numbers
+    for line, row in below:
+        if len(row) != len(columns):
+            raise ValueError(f"line {line}: expected {len(columns)} numbers")
+        numbers = []
+        for (name, read), cell in zip(columns, row, strict=True):
+            try:
+                numbers.append(read(cell))
+            except ValueError as error:
+                raise ValueError(f"line {line}: {name}: read {cell!r}, {error}") from None
+        yield line, tuple(numbers)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from functools import cache
 from typing import NamedTuple
 
@@ -95,6 +95,7 @@ _QUANTITIES: dict[Measure, Quantity] = {"si_speed": "speed", "si_torque": "torqu
 """Measures for which `units` accepts further spellings of the units."""
 _TOKEN = re.compile(r" *(?:([*·.×⋅/()-]|1(?= */))|([^\W\d_]+|°))")
 _EXPONENT = re.compile(r"(?:\^|\*\*)?(\()?(-?[1-4])(?(1)\))(?![0-9])")
+_LARGEST_EXPONENT = 4
 _SUPERSCRIPTS = str.maketrans("²³⁴⁻−¹", "234--1")
 
 
@@ -216,34 +217,44 @@ def _unit(text: str, *, of_words: bool) -> tuple[_Dimension, float, float]:
     return tuple(total), above, below
 
 
-def _powers(text: str) -> Iterator[tuple[str, int]]:
-    """Yield the words of a unit with exponents; brackets after `/` divide as a whole."""
+def _powers(text: str) -> list[tuple[str, int]]:
+    """Return the words of a unit with exponents; brackets after `/` divide as a whole.
+
+    >>> _powers("N*m/(rad/s)^2")
+    [('N', 1), ('m', 1), ('rad', -2), ('s', 2)]
+    """
     if len(text) > LONGEST_UNIT:
         raise ValueError
+    words: list[tuple[str, int]] = []
+    starts: list[int] = []
     at, signs, sign = 0, [1], 1
     while at < len(text):
         token = _TOKEN.match(text, at)
         if not token:
             raise ValueError
         at = token.end()
+        power = _EXPONENT.match(text, at) if token[1] in (None, ")") else None
+        at, exponent = (power.end(), int(power[2])) if power else (at, 1)
         match token[1]:
             case "/":
                 sign = -1
             case "(":
                 signs.append(signs[-1] * sign)
+                starts.append(len(words))
                 sign = 1
             case ")":
-                if len(signs) == 1:
+                if not starts:
                     raise ValueError
                 signs.pop()
+                start = starts.pop()
+                words[start:] = [(word, exponent * inner) for word, inner in words[start:]]
                 sign = 1
             case None:
-                power = _EXPONENT.match(text, at)
-                at = power.end() if power else at
-                yield token[2], signs[-1] * sign * (int(power[2]) if power else 1)
+                words.append((token[2], signs[-1] * sign * exponent))
                 sign = 1
-    if len(signs) > 1:
+    if starts or any(abs(exponent) > _LARGEST_EXPONENT for _, exponent in words):
         raise ValueError
+    return words
 
 
 def _bases(word: str, *, of_words: bool) -> list[_Base]:
