@@ -17,8 +17,8 @@ class LookupTable(NamedTuple):
     Parameters
     ----------
     x : sequence of float
-        Variable of the rows, ascending. A table of one variable jumps at an x that appears twice:
-        the later value is valid from there.
+        Variable of the rows, ascending. A table of one variable jumps at an x that appears twice,
+        and has the later value there.
     values : sequence of sequence of float
         Row of values for each x, with one value for each of `columns`.
     columns : sequence of float
@@ -83,7 +83,7 @@ class LookupTable(NamedTuple):
 
 
 def _place(steps: Sequence[float], x: float) -> tuple[int, float]:
-    """Return the index of the point before x, and the fraction of the interval up to x."""
+    """Return the index of the point before x, and the position of x in the interval (0 to 1)."""
     behind = bisect_right(steps, x)
     if behind in (0, len(steps)):
         return max(0, behind - 1), 0.0
@@ -92,7 +92,6 @@ def _place(steps: Sequence[float], x: float) -> tuple[int, float]:
 
 
 def _places(steps: Sequence[float], x: Floats) -> tuple[Integers, Floats]:
-    """Return the results of `_place` for several x."""
     at = np.array(steps)
     behind = np.searchsorted(at, x, side="right")
     inside = (behind > 0) & (behind < len(at))
