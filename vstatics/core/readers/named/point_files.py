@@ -48,7 +48,7 @@ def points_of(name: str) -> list[tuple[float, ...]]:
 
 
 def map_of(name: str, values: Values) -> MapLaw:
-    """Read a map from a file whose rows are the points of a full grid, in any order.
+    """Read a map from a file with the points of a complete grid, in any order.
 
     Raises
     ------
@@ -129,7 +129,7 @@ def _expected(values: str) -> ValueError:
 
 
 def _point(units: Sequence[str], *values: float) -> str:
-    """Return the speed [rad/s] and torque [N*m] of a point in the units of the file."""
+    """Return a point as text, with speed and torque in the units of the file."""
     sizes = map(measured, (f"1 {unit}" for unit in units), _MEASURES.values())
     both = zip(values, sizes, units, strict=True)
     return ", ".join(f"{value / size:g} {unit}" for value, size, unit in both)
