@@ -171,7 +171,7 @@ class Annex(NamedTuple):
     schemas: Mapping[str, Schema] = _NOTHING
     """JSON Schemas, by the name of the file in `schemas/`."""
     report: Mapping[str, ReportPart] = _NOTHING
-    """Sections for the HTML page of a case, by the word that selects the section."""
+    """Sections for the HTML page of a case, by the word with which a user selects the section."""
     keys: Mapping[str, str] = _NOTHING
     """Modules whose `KEY` declares a key of a case, by name of the key."""
     types: Mapping[str, str] = _NOTHING

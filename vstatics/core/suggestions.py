@@ -9,7 +9,7 @@ from vstatics.core.errors import quoted, spoken
 from vstatics.core.messages.catalogue import causes_of_allowable
 
 _LEAST_PART = 4
-"""Smallest number of letters by which the beginning or end of a name identifies the name."""
+"""Smallest number of letters of a word for which names that contain the word are suggested."""
 
 
 _LATIN = {

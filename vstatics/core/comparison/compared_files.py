@@ -150,8 +150,8 @@ def _paired(
 ) -> list[dict[_Key, WrittenResult]]:
     """Return the actual and the expected results by the names of files or of cases.
 
-    The names with the most different results are chosen. Names of files contain as few folders as
-    possible, because folders of actual and expected files can differ.
+    Files or cases are chosen, whichever have more different names. Names of files contain as few
+    folders as possible, because folders of actual and expected files can differ.
     """
     sides = actual, expected
     paths = [[SEPARATORS.split(result.file) for result in side] for side in sides]

@@ -97,7 +97,7 @@ class Element:
     teeth : mapping of str to number
         Number of teeth of each gear or planet rim; diameters for a belt drive, in any unit.
     planets : int, optional
-        Number of equal planets (or of equal groups of meshing planets), for checks of teeth.
+        Number of equal planets, or of equal groups of meshing planets.
     efficiency : float, optional
         Efficiency of the whole gear set with the carrier held. Default: calculated from the meshes.
         [-]

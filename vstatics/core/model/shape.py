@@ -98,7 +98,7 @@ UNITS: Mapping[str, str] = {"speed": "rpm", "torque": "N*m", "power": "kW"}
 """Units of absolute speeds, torques and powers that are written without a unit."""
 
 Limits: TypeAlias = Mapping[str, Any]
-"""Limits of a number as keywords of JSON Schema. Only the schema uses these; see `checks`."""
+"""Limits of a number as keywords of JSON Schema. The program checks numbers separately."""
 NO_LIMITS: Limits = MappingProxyType({})
 
 

@@ -33,7 +33,7 @@ class IdealGear(NamedTuple):
     """Torques without drag."""
     drag: Drag
     torques_with_drag: Torques
-    """Torques with drag, which are the only torques in some mechanisms; without drag as `torques`.
+    """Torques with drag, because some mechanisms carry only drag; without drag equal to `torques`.
     """
     overcome: bool = False
     """True if power can enter at the output to overcome drag that exceeds the input power."""

@@ -328,8 +328,8 @@ def held_links(case: Transmission, gear: Gear) -> list[int]:
 def external_torques(case: Transmission, gear: Gear) -> dict[int, float]:
     """Return the known external torques by link: input torque and `torques` of the gear [-].
 
-    The input torque is 1. If the torque of the load is 0, the result is 0, and the other torques
-    are in N*m.
+    The relative input torque is 1, or 0 if the input torque is 0. The other torques are then in
+    N*m.
     """
     torques = {case.gear_input(gear): case.input_torque(gear)}
     for link, torque in gear.torques.items():

@@ -275,7 +275,7 @@ class CaseOptions(NamedTuple):
 
     @property
     def on_page(self) -> CaseOptions:
-        """Options for a page, which contains the notes."""
+        """Options for an HTML page, which contains notes instead of stderr."""
         return self._replace(telling=self.telling._replace(notes=True, on_page=True))
 
 

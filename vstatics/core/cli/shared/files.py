@@ -91,7 +91,7 @@ def read_input(
 
 @contextlib.contextmanager
 def problems_of_file(file: str, hint: str = "") -> Iterator[None]:
-    """Run the block; give its problems a hint, and the file as their only place.
+    """Run the block; raise its problems again with a hint, and with the whole file as place.
 
     Raises
     ------

@@ -147,7 +147,7 @@ class OutputOptions(NamedTuple):
 def each_by_itself(
     output: str, cases: Sequence[str], formats: Sequence[str], what: str
 ) -> Destination:
-    """Return the destination of a page or picture. Several cases need a directory.
+    """Return the destination of a page or picture. More than two cases need a directory.
 
     Raises
     ------

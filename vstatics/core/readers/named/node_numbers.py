@@ -43,7 +43,7 @@ def child(node: Node, key: str) -> Node | None:
 
 
 def find_node(root: Node, parts: Sequence[PathPart]) -> Node | None:
-    """Return the node at a path; None if only the last key is missing.
+    """Return the node at a path; None if a mapping lacks only the last key.
 
     Raises
     ------

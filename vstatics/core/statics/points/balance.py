@@ -35,7 +35,8 @@ GRID_SIZE = 65
 GRID_WIDTH = 100.0
 """Largest torque of the grid, relative to the result of `_scales`. [-]"""
 GRID_REFINEMENT = 1000.0
-"""Factor by which trial torques near 0 are closer together than in an even grid. [-]"""
+"""Value of sinh at the end of the grid, which follows sinh to have more trial torques near 0. [-]
+"""
 MOST_SOLUTIONS = 3
 """Largest number of sign changes of the surplus in which a torque is searched for."""
 PROBE_PART = 0.37

@@ -149,8 +149,8 @@ def _with_edges(
 ) -> tuple[Floats, Floats]:
     """Insert a row after each row of trials and surplus, both of shape (trials, points).
 
-    If friction locks a gear at a trial but not at the next trial, the new row contains the limit up
-    to which torques exist. A sign change before this limit is then not missed. Otherwise the new
+    If friction locks a gear at only one of two neighbouring trials, the new row contains the limit
+    up to which torques exist. A sign change before this limit is then not missed. Otherwise the new
     row repeats the row before.
     """
     lacks = np.isnan(surplus)
