@@ -181,7 +181,7 @@ def _reduced(element: Element, group: PlanetGroup, per_mesh: MeshLosses) -> Iter
 
 
 def _to_planet(group: PlanetGroup, wheel: CentralWheel, ratio: Fraction) -> float | None:
-    """Return the speed ratio of a central gear to the planet, or None if teeth are unknown.
+    """Return the speed ratio of a central gear to the planet [-]; None if teeth are unknown.
 
     The ratio is also None for a single planet between a sun and a ring. The solver then derives it
     from the basic ratio, which a sweep can vary.

@@ -55,7 +55,7 @@ def planet_bodies(case: Transmission) -> Iterator[tuple[Body, Shares]]:
 
 
 def _shares(case: Transmission, motion: PlanetInertia) -> dict[int, float]:
-    """Return the inertias on links that replace a planet with an inertia of 1."""
+    """Return inertias on links, relative to the inertia of the planet that they replace [-]."""
     drawing = drawing_of(case)
     assert drawing is not None  # noqa: S101 - it has planets
     name = motion.name.rpartition(".")[0]
@@ -76,7 +76,7 @@ def _shares(case: Transmission, motion: PlanetInertia) -> dict[int, float]:
 
 
 def _by_first(mechanism: Mechanism, speed: Mapping[int, float], carried: float) -> float:
-    """Return ``alpha``: planet speed divided by first-link speed, both relative to the third."""
+    """Return ``alpha``: speed of planet divided by first link, both relative to the third [-]."""
     if mechanism.first in speed and mechanism.first != HOUSING:
         return speed[mechanism.first]
     if mechanism.second in speed and mechanism.second != HOUSING:

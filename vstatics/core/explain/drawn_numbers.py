@@ -44,7 +44,7 @@ def drawn(results: Results, seed: int) -> Results:
 
 
 def _largest(results: Results) -> Floats:
-    """Return the largest torque of each shift element in any gear."""
+    """Return the largest torque of each shift element in any gear [-]."""
     load = results.case.load
     torques, carrying = carried_torques(results, load.torque_size if load else 0.0)
     largest: Floats = np.where(carrying, torques, 0.0).max(axis=0)
@@ -123,9 +123,9 @@ def _gears(case: Transmission, random: Random) -> list[Gear]:
 
 
 def _speed_ratio(kind: str, ratio: float, random: Random) -> float:
-    """Return a random speed ratio near a given speed ratio.
+    """Return a random speed ratio near another speed ratio [-].
 
-    For a converter it is not larger than the given speed ratio, because the torque vanishes at the
+    For a converter the result is not larger than `ratio`, because the torque vanishes at the
     largest speed ratio.
     """
     return _near(ratio, random, -FARTHEST, 0 if kind == "converter" else FARTHEST)

@@ -172,7 +172,7 @@ def _without_noise(powers: Sequence[_Powered]) -> list[_Powered]:
 def _by_link(
     exchanged: Sequence[Exchange], links: Mapping[int, Node]
 ) -> dict[tuple[Node, Node], float]:
-    """Return the power that each node receives from each link, by node and link."""
+    """Return the power that each node receives from each link [-], by node and link."""
     powers: dict[tuple[Node, Node], float] = {}
     for exchange in exchanged:
         if exchange.link != HOUSING:
@@ -184,7 +184,7 @@ def _by_link(
 def _throughput(
     powers: Mapping[tuple[Node, Node], float], nodes: Sequence[Node]
 ) -> dict[Node, float]:
-    """Return the power that enters each node; for a port, the magnitude of its power."""
+    """Return the power that enters each node [-]; for a port, the magnitude of its power."""
     entering = dict.fromkeys(nodes, 0.0)
     for (node, link), power in powers.items():
         if not power < 0 or node.kind == "port":

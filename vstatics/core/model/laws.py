@@ -69,7 +69,7 @@ class PointLaw(Law):
 
     @property
     def ends(self) -> tuple[float, float]:
-        """Smallest and largest value."""
+        """Smallest and largest value of the law."""
         values = [y for _, y in self.points]
         return min(values), max(values)
 
@@ -134,7 +134,7 @@ class MapLaw(Law):
 
     @property
     def ends(self) -> tuple[float, float]:
-        """Smallest and largest value."""
+        """Smallest and largest value of the law."""
         values = [value for row in self.rows for value in row[1:]]
         return min(values), max(values)
 

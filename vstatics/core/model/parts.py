@@ -122,7 +122,7 @@ class CoefficientTable(NamedTuple):
     """Rows with a slip [rad/s], in ascending order, and the coefficient at each temperature [-]."""
 
     def at(self, temperature: float) -> tuple[tuple[float, float], ...]:
-        """Return pairs of slip and coefficient at a temperature.
+        """Return pairs of slip [rad/s] and coefficient of friction [-] at a temperature [degC].
 
         >>> table = CoefficientTable((20, 120), ((0, 0.12, 0.10),))
         >>> table.at(70), table.at(0)

@@ -214,7 +214,7 @@ class Spring(NamedTuple):
 
     @property
     def form(self) -> dict[int, float]:
-        """Coefficients of the twist by link, without the housing and without zeros."""
+        """Coefficients of the twist by link [-], without the housing and without zeros."""
         pairs = dict(self.twist).items()
         return {link: float(part) for link, part in pairs if link != HOUSING and part}
 

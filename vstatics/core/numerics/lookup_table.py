@@ -43,7 +43,7 @@ class LookupTable(NamedTuple):
         return 1 if len(self.columns) == 1 else 2
 
     def at(self, x: float, y: float = 0.0) -> float:
-        """Return the value at a point."""
+        """Return the value at x and y."""
         row, part = _place(self.x, x)
         if len(self.columns) == 1:
             first, last = self.values[row][0], self.values[row + (part > 0)][0]
@@ -57,7 +57,7 @@ class LookupTable(NamedTuple):
         return ends[0] + part * (ends[1] - ends[0])
 
     def along(self, x: Any, y: Any = 0.0) -> Floats:
-        """Return the values at several points."""
+        """Return the values at arrays of x and y."""
         (row, part), values = _places(self.x, np.asarray(x, float)), np.array(self.values)
         behind = row + (part > 0)
         if len(self.columns) == 1:

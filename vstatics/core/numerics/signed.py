@@ -191,7 +191,7 @@ def _ends(tape: Tape, left: Either, right: Either) -> tuple[Operand, Operand]:
 
 
 def value_of(number: Either) -> float:
-    """Return the value in the first variant."""
+    """Return the value of a number in the first variant."""
     return number.value if isinstance(number, Signed) else number
 
 

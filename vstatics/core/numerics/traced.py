@@ -168,7 +168,7 @@ def plain(number: Number | Residual) -> float:
 
 
 def first(number: Number) -> float:
-    """Return the magnitude in the first variant."""
+    """Return the magnitude of a number in the first variant."""
     return _magnitude(number).value
 
 

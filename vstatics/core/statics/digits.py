@@ -71,7 +71,7 @@ def lost_digits(state: GearState) -> LostDigits | None:
 def _torque_parts(
     state: GearState, torques: Torques, by_column: Sequence[Column], *, lossy: bool = True
 ) -> list[float]:
-    """Return the relative error of the torque of each device and of the output."""
+    """Return the relative errors of the torques of devices and of the output torque [-]."""
     case, gear = state.case, state.gear
     loaded = [*loaded_devices(case, gear), len(case.devices)]
     drag = state.drag.external if lossy else {}
@@ -93,7 +93,7 @@ def _solved_exactly(rows: Sequence[Equation], unknowns: int) -> list[float]:
 
 
 def _relative_errors(numbers: Sequence[Number], exact: Sequence[float]) -> list[float]:
-    """Return the relative errors of numbers; 1 if either the number or the exact value is NaN."""
+    """Return the relative errors of numbers [-]; 1 if a number or its exact value is NaN."""
     return [
         _relative_error(plain(number), value) for number, value in zip(numbers, exact, strict=True)
     ]

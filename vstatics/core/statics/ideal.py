@@ -136,7 +136,7 @@ def no_torques(torques: Torques) -> Torques:
 def mechanism_torques(
     ideal: IdealGear, columns: Sequence[Column], torques: Torques
 ) -> list[Number]:
-    """Return the torque on the first link of each mechanism, 0 if negligible.
+    """Return the torque on the first link of each mechanism [-]; 0 if negligible.
 
     A torque is negligible if on every link of the mechanism another torque is much larger. Torques
     on other links are not compared, because a ratio can make them larger.

@@ -93,7 +93,7 @@ def _coincidences_of_state(state: GearState) -> dict[str, bool]:
         return {}
 
     def at_ports(place: int, sign: float) -> tuple[list[Number], Number]:
-        """Return torques at the ports and the input power if power has the direction `sign`."""
+        """Return torques at the ports, and the input power, for a direction `sign` of power [-]."""
         turned = [*state.signs[:place], sign, *state.signs[place + 1 :]]
         ratios = lossy_ratios(ideal.variant.ratios, ideal.variant.efficiencies, turned)
         torques = solve_torques(case, gear, columns(case, ratios), state.drag)

@@ -155,7 +155,7 @@ def _entering(ideal: IdealGear, torques: Torques) -> list[Number]:
 
 
 def _efficiency(ideal: IdealGear, torques: Torques, entering: Sequence[Number]) -> Number:
-    """Return the efficiency for comparing combinations of signs.
+    """Return the efficiency for comparing combinations of signs [-].
 
     With one input and one output the efficiency is ``Mx_lossy/Mx``, or its inverse when coasting.
     Otherwise it is the output power divided by the input power. A port is an input or an output
@@ -169,7 +169,7 @@ def _efficiency(ideal: IdealGear, torques: Torques, entering: Sequence[Number]) 
 
 
 def power_ratio(ideal: IdealGear, lossy: LossyTorques) -> Number:
-    """Return the reported efficiency: total output power divided by total input power.
+    """Return the reported efficiency [-]: total output power divided by total input power.
 
     Unlike in `_efficiency`, a port is an input or an output according to the power flow with
     losses.

@@ -375,7 +375,7 @@ def _planet_speed_by_wheels(state: GearState, planet: Planet) -> Number:
 
 
 def _torques(state: GearState, *, lossy: bool) -> list[Number] | list[Number | Residual]:
-    """Return torques on shift elements, mechanisms or members, springs, and the output."""
+    """Return torques on shift elements, mechanisms or members, springs, and the output [-]."""
     torques = (state.lossy_torques if lossy else state.torques).on_first_link
     if state.case.drawing is None:
         return torques
@@ -389,7 +389,7 @@ def _torques(state: GearState, *, lossy: bool) -> list[Number] | list[Number | R
 
 
 def _mesh_torques(state: GearState, torques: Numbers) -> Iterator[Number]:
-    """Yield the torque on the first gear of each mesh, NaN if the teeth are unknown."""
+    """Yield the torque on the first gear of each mesh [-]; NaN if the teeth are unknown."""
     elements = len(state.case.shift_elements)
     for device in state.case.own_devices:
         for index, is_known in device.meshes_by_index:

@@ -55,7 +55,7 @@ def sensitivities(results: Results) -> Floats:
 
 
 def _of_speeds(state: GearState) -> list[float]:
-    """Return the sensitivities of a gear's ratio to all basic ratios.
+    """Return the sensitivities of a gear's ratio to all basic ratios [-].
 
     The speed equations are ``A w = b``. The solution v of ``A^T v = e_output`` is the change of the
     output speed per unit of each right-hand side. A change dA_k of row k causes ``dw_output = -v_k

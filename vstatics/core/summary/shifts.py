@@ -95,7 +95,7 @@ def _over(results: Results, indices: Sequence[int], distance: int) -> Iterator[T
 def _slip_powers(
     results: Results, start: int, end: int
 ) -> tuple[dict[str, float], dict[str, float]]:
-    """Return the slip powers of oncoming elements, relative to the input power, and in kW."""
+    """Return the slip powers of oncoming elements, relative to the input power [-] and in kW."""
     case = results.case
     count = len(case.shift_elements)
     torques = np.abs(results.in_own_unit("lossy_torques")[:, :count])

@@ -73,7 +73,7 @@ class Fields:
         return value
 
     def numbers(self, key: str, need: int, why: str, parse: Parse[Number]) -> list[Number]:
-        """Read a list of numbers."""
+        """Read the list `key`, which must contain `need` numbers."""
         return self._list(key, need, why, parse).numbers
 
     def counts(self, key: str, gears: int, *, required: bool) -> list[int]:

@@ -35,7 +35,7 @@ _Reading = Callable[[str], float]
 
 
 def points_of(name: str) -> list[tuple[float, ...]]:
-    """Read the points of a file.
+    """Read the points in a file, in SI units.
 
     Raises
     ------

@@ -137,7 +137,7 @@ class SoughtRatio:
 
 
 def _lossless(converter: Mechanism) -> list[float]:
-    """Return the speed ratios i between the points at which the torque ratio is 1/i (no loss)."""
+    """Return the speed ratios i [-] between the points at which the torque ratio is 1/i."""
     ratios = []
     for (left, before, _), (right, after, _) in pairwise(converter.points):
         slope = (after - before) / (right - left)

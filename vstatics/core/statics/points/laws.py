@@ -272,7 +272,7 @@ class _Search:
             self.of_gear.setdefault(number.gear or 0, []).append(number)
 
     def sizes(self, results: Results) -> dict[CaseNumber, tuple[Floats, ...]]:
-        """Return the magnitudes of speed and torque for each law; NaN if unknown."""
+        """Return magnitudes of speed [rad/s] and torque [N*m] for each law; NaN if unknown."""
         torques = results.lossy_torques_Nm
         return {
             number: law.sizes_of(

@@ -38,7 +38,7 @@ def machine_torque(law: Law, torque: Floats) -> Floats:
 
 
 def efficiency_at(given: float, speed: Floats, torque: Floats, power: Floats) -> Floats:
-    """Return the efficiency of a machine; NaN where power flows but the formula is not valid."""
+    """Return the efficiency of a machine [-]; NaN if power flows but the formula is not valid."""
     if not isinstance(given, Law):
         return np.full(power.shape, given)
     values = machine_efficiency(given, speed, torque)

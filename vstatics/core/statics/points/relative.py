@@ -46,10 +46,10 @@ class GearLoad(NamedTuple):
         """Return the operating points with the sign of the torque required by `coast`."""
         if self.coast is None or self.torque is None:
             return self
-        return self._replace(torque=np.abs(self.torque) * self._way)
+        return self._replace(torque=np.abs(self.torque) * self._sign)
 
     @property
-    def _way(self) -> Floats:
+    def _sign(self) -> Floats:
         """Sign of the torque: the sign of the speed, or the opposite when coasting."""
         way: Floats = np.sign(np.ones(1) if self.speed is None else self.speed)
         return -way if self.coast else way
@@ -57,7 +57,7 @@ class GearLoad(NamedTuple):
     @property
     def torque_unit(self) -> Floats | None:
         """Torque to which torques are relative, as in `Transmission.torque_unit` [N*m]."""
-        return None if self.torque is None else np.where(self.torque == 0, self._way, self.torque)
+        return None if self.torque is None else np.where(self.torque == 0, self._sign, self.torque)
 
     def unit_of(self, quantity: OfGear) -> Floats | None:
         """Return the speed or torque to which numbers of a quantity are relative [rad/s, N*m]."""
