@@ -1,10 +1,10 @@
 """Conversion of gear sets to the three-link mechanisms of the solver.
 
 A group of planets has two possible conversions. *Reduced*: each central gear and a reference gear
-form a mechanism, which is the smallest number that determines the speeds. *At the meshes*: planets
-become links, and each mesh is a mechanism (central gear, planet, carrier). Without losses both are
-equivalent. With losses, if more than two central gears share planets, only the mechanisms at the
-meshes are right, because reduced mechanisms do not show through which meshes the power flows.
+form a mechanism. This is the smallest number of mechanisms. *At the meshes*: planets become links,
+and each mesh is a mechanism (central gear, planet, carrier). Without losses both are equivalent.
+With losses, if more than two central gears share planets, only the mechanisms at the meshes are
+right, because reduced mechanisms do not show through which meshes the power flows.
 """
 
 from __future__ import annotations

@@ -72,9 +72,9 @@ def _with_capacity(element: ShiftElement, factor: float) -> ShiftElement:
 def drawn_numbers(case: Transmission, seed: int) -> Transmission:
     """Return the case with random teeth, and random ratios of parts without teeth.
 
-    Ratios of 1 and -1, as of shafts and reversing gears, do not change. Variators and converters
-    get a random speed ratio for each gear. Successive seeds give different teeth until all suitable
-    teeth have been used.
+    Ratios of 1 and -1 do not change, for example of shafts and reversing gears. Variators and
+    converters get a random speed ratio for each gear. Successive seeds give different teeth until
+    all suitable teeth have been used.
 
     Examples
     --------

@@ -1,9 +1,9 @@
 """Edges on cycles of an undirected graph.
 
-An edge is on a cycle unless it is a bridge, an edge whose removal separates its ends. A single
-depth-first walk over the graph finds the bridges, because no other edge leads back from the nodes
-beyond a bridge (Tarjan, A note on finding the bridges of a graph, Information Processing Letters 2,
-1974).
+An edge is on a cycle unless it is a bridge. The removal of a bridge separates its two nodes. A
+single depth-first walk over the graph finds the bridges, because no other edge leads back from the
+nodes beyond a bridge (Tarjan, A note on finding the bridges of a graph, Information Processing
+Letters 2, 1974).
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Ctrl-C and SIGTERM as an exception, so that no output is left half written."""
+"""Ctrl-C and SIGTERM as an exception, so that outputs stay complete or absent."""
 
 from __future__ import annotations
 

@@ -368,7 +368,7 @@ class TransmissionFields:
 
     @property
     def own_mechanisms(self) -> slice:
-        """Slice of the mechanisms not derived from gear sets, which come last."""
+        """Slice of the mechanisms that are not derived from gear sets; these are last."""
         drawn = len(self.mechanisms) - len(self.drawing.mechanisms) if self.drawing else 0
         return slice(drawn, len(self.mechanisms))
 

@@ -309,7 +309,7 @@ GEAR_LOSS = ByLaw(
     ),
     values="loss",
 )
-"""Declaration of the loss of a gear as a whole, over input speed [rad/s] and torque [N*m]."""
+"""Declaration of a loss measured for a whole gear, over input speed [rad/s] and torque [N*m]."""
 
 ELEMENT = ByKey(
     "Shift element",

@@ -684,8 +684,8 @@ class Gear(NamedTuple):
         Slip speed (first link minus second) of clutches and brakes that slip under torque, by
         number, relative to the input speed. Their torque follows from equilibrium. [-]
     loss : Law, optional
-        Loss of the gear as a whole, which brakes its input link, over the speed [rad/s] and torque
-        [N*m] of that link.
+        Loss measured for the whole gear, over the speed [rad/s] and torque [N*m] of the input link,
+        which it brakes.
     holding : tuple of int, optional
         Links whose external torque follows from equilibrium; by default the links with a prescribed
         speed. Only the search for the torque of a `balance` sets this field.

@@ -157,7 +157,7 @@ def block(forms: Mapping[str, Form]) -> Block:
             try:
                 _free.remove(free)
             except ValueError:
-                continue  # another thread has just taken the block
+                continue  # another thread has just begun to use the block
             return free
     return Block(forms)
 

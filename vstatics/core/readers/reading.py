@@ -40,7 +40,7 @@ class Source:
         return self.text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
 
     def place(self, line: int, column: int = 1) -> Place:
-        """Return the place at a line and column, both from 1; line 0 is the file as a whole."""
+        """Return the place at a line and column, both from 1. Line 0 means the whole file."""
         text = self.lines[line - 1] if 0 < line <= len(self.lines) else ""
         return Place(self.file, line, column, text)
 

@@ -129,7 +129,7 @@ def out_of_balance(results: Results) -> Iterator[tuple[int, str]]:
 
 
 def disagree(brought: float, able: float) -> bool:
-    """Return whether torques `brought` to a pump and `able` to be taken by it differ."""
+    """Return whether the torque that the train gives to a pump differs from what the pump takes."""
     return abs(brought - able) > SAME_TORQUE * max(abs(brought), abs(able))
 
 

@@ -45,7 +45,7 @@ class LossyTorques(NamedTuple):
     drag_losses: Number
     """Total power lost to drag. [-]"""
     gear_losses: Number
-    """Power that the gear loses as a whole. [-]"""
+    """Power loss measured for the whole gear (`Gear.loss`). [-]"""
     balance: Number | Residual
     """External power minus all losses. [-]"""
     admissible: Condition

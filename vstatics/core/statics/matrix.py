@@ -270,8 +270,8 @@ def torque_rows(
     including drag. e_out and E_held contain 1 for the output link and for the held links.
 
     Unknowns are the torque on the first link of each of `loaded_devices`, the output torque, and
-    the holding torque of each of `held_links`. An open shift element carries no torque, so it adds
-    no unknown.
+    the holding torque of each of `held_links`. A disengaged shift element carries no torque, so it
+    adds no unknown.
 
     Parameters
     ----------

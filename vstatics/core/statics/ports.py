@@ -44,7 +44,7 @@ class GearPorts(NamedTuple):
     drag: float
     """Power lost to drag. [-]"""
     gear: float
-    """Power that the gear loses as a whole. [-]"""
+    """Power loss measured for the whole gear (`Gear.loss`). [-]"""
     by_kind: Mapping[str, float]
     """Power lost in variators and in converters, if the case has any. [-]"""
     slips: Mapping[int, float]

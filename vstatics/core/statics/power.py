@@ -13,8 +13,7 @@ from vstatics.core.statics.torques import Drag, Torques, times
 DeviceKind = Literal["element", "mechanism", "spring", "port", "drag", "gear"]
 """Kind of a device.
 
-`mechanism` includes drawn gear sets, `drag` is the drag of a link, and `gear` the loss of the gear
-as a whole.
+`mechanism` includes drawn gear sets, `drag` is the drag of a link, and `gear` the loss `Gear.loss`.
 """
 
 
@@ -102,7 +101,7 @@ def device_powers(  # noqa: PLR0913
 def drag_powers(
     case: Transmission, gear: Gear, speeds: Sequence[Number], drag: Drag
 ) -> Iterator[LinkPower]:
-    """Yield the power that each link loses to drag and to the loss of the gear as a whole."""
+    """Yield the power that each link loses to drag and to `Gear.loss`."""
     for link, torque in drag.links.items():
         name = case.link_name(link)
         yield LinkPower("drag", link, name, "", link, -power(torque, speeds[link - 1]))
@@ -117,5 +116,5 @@ def slip_name(element: ShiftElement) -> str:
 
 
 def loss_name(gear: Gear) -> str:
-    """Return the name of the loss of a gear as a whole, for lists of losses."""
+    """Return the name of the loss `Gear.loss`, for lists of losses."""
     return f"gear.{gear.name}"

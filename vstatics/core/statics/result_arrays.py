@@ -137,7 +137,7 @@ class ResultFields(_NamedFields):
     drag_losses: Floats
     """Total power lost to drag, negative when coasting, ``(..., gears)``. [-]"""
     gear_losses: Floats
-    """Power that gears lose as a whole, negative when coasting, ``(..., gears)``. [-]"""
+    """Loss measured for whole gears (`Gear.loss`), negative when coasting, ``(..., gears)``. [-]"""
     slip_losses: Floats
     """Power lost by prescribed slip, ``(..., gears, shift elements)``. [-]"""
 

@@ -113,7 +113,7 @@ class GearState(NamedTuple):
 
     @property
     def drag(self) -> Drag:
-        """Drag of links and open shift elements."""
+        """Drag of links and disengaged shift elements."""
         return self.ideal.drag
 
     @property
@@ -191,10 +191,10 @@ class GearState(NamedTuple):
     def unloaded(self) -> list[str]:
         """Names of links whose speeds are indeterminate because nothing drives or loads them.
 
-        Such links are free on purpose, for example the race between an open brake and a freewheel,
-        or an engine with its generator behind an open clutch. The list is empty if a shift element
-        is probably missing: the output is indeterminate, or a device loads an indeterminate link or
-        connects it to a rotating link.
+        Such links are free on purpose, for example the race between a disengaged brake and a
+        freewheel, or an engine and generator behind a disengaged clutch. The list is empty if a
+        shift element is probably missing: the output is indeterminate, or a device loads an
+        indeterminate link or connects it to a rotating link.
         """
         case = self.case
         free = {link for link, speed in enumerate(self.speeds, 1) if is_nan(speed)}

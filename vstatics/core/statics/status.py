@@ -8,7 +8,7 @@ from vstatics.core.numerics.traced import Number, absolute
 
 
 class Status(NamedTuple):
-    """Status of a gear as a whole."""
+    """Status of a gear: regular, or the fault or state that prevents results."""
 
     name: str
     """Name in tables and in the output of sweeps. Programs may depend on it."""

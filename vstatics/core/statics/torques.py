@@ -1,11 +1,11 @@
-"""Torques of a gear from the equilibrium of its links, and drag of links and open shift elements.
+"""Torques of a gear from the equilibrium of links, and drag of links and shift elements.
 
 `solve_torques` solves the equilibrium equations of `matrix.torque_rows`; torques that are not
 unique are NaN. Drag follows from the speeds and acts as an external torque.
 
-Drag opposes motion, so it takes power. A link is braked against its rotation; an open shift element
-brakes its links against each other, with equal and opposite torques. Torques are relative to the
-input torque, which acts against the speed when coasting. Relative drag torques then have the
+Drag opposes motion, so it takes power. A link is braked against its rotation. A disengaged shift
+element brakes its links against each other, with equal and opposite torques. Torques are relative
+to the input torque, which acts against the speed when coasting. Relative drag torques then have the
 opposite sign, and the power lost to drag is negative, like all losses.
 """
 
@@ -34,19 +34,19 @@ class Drag(NamedTuple):
     links: Mapping[int, Number] = NOTHING
     """External torque by which drag brakes each link, by link number. [-]"""
     elements: Mapping[int, Number] = NOTHING
-    """Drag torque on the first link of each open shift element, by index. [-]"""
+    """Drag torque on the first link of each disengaged shift element, by index. [-]"""
     external: Mapping[int, Number] = NOTHING
-    """Sum of all drag torques on each link, including open shift elements, by link number. [-]"""
+    """Sum of drag torques on each link, including those of shift elements, by link number. [-]"""
     losses: Sequence[Number] = ()
     """Power lost to drag at each link and in each shift element. [-]"""
     gear: Mapping[int, Number] = NOTHING
-    """Torque on the input link (by number) equivalent to the loss of the gear as a whole. [-]"""
+    """Torque on the input link (by number) equivalent to `Gear.loss`. [-]"""
     gear_loss: Number = 0.0
-    """Power that the gear loses as a whole. [-]"""
+    """Power loss measured for the whole gear (`Gear.loss`). [-]"""
 
     @property
     def all_losses(self) -> list[Number]:
-        """Power lost to drag, and to the loss of the gear as a whole [-]."""
+        """Power lost to drag, and to `Gear.loss` [-]."""
         return [*self.losses, self.gear_loss] if self.gear else [*self.losses]
 
 
@@ -59,7 +59,7 @@ class Torques(NamedTuple):
     on_first_link: list[Number]
     """Torque that the first link gives to each device, then the output torque. [-]
 
-    The value of an open shift element is its drag torque.
+    The value of a disengaged shift element is its drag torque.
     """
     holding: dict[int, Number]
     """External torque that holds a prescribed speed, by link number. [-]"""
@@ -257,7 +257,7 @@ def _direction(speed: Number) -> Number:
 def unknown_drag(
     case: Transmission, gear: Gear, speeds: Sequence[Number], slips: Sequence[Number]
 ) -> list[str]:
-    """Return the names of links and open shift elements with drag but an indeterminate speed.
+    """Return the names of links and disengaged shift elements with drag but unknown speed.
 
     An `OfLoad` of 0 counts as drag, because it can be the value of a law at rest.
     """

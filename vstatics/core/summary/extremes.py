@@ -119,7 +119,7 @@ def margins(results: Results) -> list[Margin]:
     """Return the margins ``capacity/|M|`` of engaged shift elements in the gears of a case.
 
     M is the torque at the operating point of the gear. Of the values without and with losses, the
-    larger is taken, to be on the safe side.
+    larger is taken.
 
     Examples
     --------

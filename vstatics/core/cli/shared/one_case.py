@@ -42,7 +42,7 @@ def problems_of(reading: Reading) -> Iterator[None]:
 
 
 def _placed(problem: Problem, reading: Reading) -> Problem:
-    """Return a problem with its place in the file, which is the whole file without a path."""
+    """Return a problem with its place: the whole file if the problem has no path."""
     located = reading.locate(problem)
     if problem.path or located.place is None:
         return located

@@ -23,8 +23,7 @@ MOST_DEEP = 16
 MOST_PROBLEMS = 100
 MOST_HINTS = 20  # each hint compares a word with all known names
 UNIT, NUMBER, NAME, SHAPE, CONTRADICTION = "E124", "E125", "E126", "E127", "E107"
-"""Ids of errors in values: a wrong unit, number, name or form (list, mapping), or contradictory
-keys."""
+"""Ids of errors in values: wrong unit, number or name, wrong type of node, contradictory keys."""
 TWICE, MISSING, UNKNOWN_KEY = "E192", "E191", "E190"
 """Ids of errors in keys: repeated, missing and unknown keys."""
 _NULLS = frozenset({"", "~", "null", "Null", "NULL"})

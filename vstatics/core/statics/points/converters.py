@@ -47,7 +47,7 @@ LOSSY_SPEED_RATIO = 0.01
 TRIALS = 0.382, 0.618
 """Trial speed ratios for gears without a solution: 0 the first, 1 the last of the points. [-]"""
 NO_RATIO, NO_TORQUE = 6, 7
-"""States of a gear: no speed ratio agrees with the load, or no speed ratio gives torques."""
+"""States of a gear: no speed ratio agrees with the load, or no torques exist at any speed ratio."""
 OF_SPEEDS = ("speeds", "planet_speeds", "slip_speeds", "ratio", "speed_ratio")
 """Names of arrays that can depend on the speed ratio of a converter."""
 
@@ -63,7 +63,7 @@ class SoughtRatio:
     rows: tuple[int, int]
     """Indices of the converter on the last axes of the arrays `torques` and `speed_ratio`."""
     is_alone: bool
-    """True if nothing but the converter connects its two sides.
+    """True if only the converter connects its pump and turbine.
 
     The speed of the pump and the torque on the pump then do not depend on the speed ratio.
     """

@@ -1,4 +1,4 @@
-"""Loss of a gear measured as a whole, represented by a torque that brakes the input link."""
+"""Loss measured for a whole gear, represented by a torque that brakes the input link."""
 
 from __future__ import annotations
 

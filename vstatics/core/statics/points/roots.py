@@ -229,7 +229,7 @@ class _RootSearch:
         self.best, self.left = low, np.full(low.shape, np.inf)
         self.sign = np.sign(at_low)
         self.side = np.zeros(low.shape, np.int8)
-        """Last moved end: 1 low, -1 high."""
+        """End that was moved last: 1 low, -1 high."""
 
     def guess(self, *, halve: bool) -> Floats:
         """Return the next trial number, by bisection (`halve`) or by regula falsi."""
