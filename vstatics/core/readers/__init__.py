@@ -103,7 +103,7 @@ def read(data: bytes, file: str, format: Format | None = None) -> Reading:  # no
     Raises
     ------
     ReadError
-        With every problem and its place.
+        The error contains every problem and its place.
 
     Examples
     --------
@@ -152,7 +152,7 @@ def load(source: str | PathLike[str] | Stream, *, format: Format | None = None) 
     Raises
     ------
     ReadError
-        With every problem and its place.
+        The error contains every problem and its place.
     ValueError
         If the format is unknown.
     OSError
@@ -217,7 +217,7 @@ def loads(text: str | bytes, *, format: Format | None = None, name: str = "") ->
     Raises
     ------
     ReadError
-        With every problem and its place.
+        The error contains every problem and its place.
     ValueError
         If the format is unknown.
 
@@ -245,7 +245,7 @@ def from_dict(data: Mapping[str, Any]) -> Transmission:
     Raises
     ------
     ReadError
-        With every problem and its path.
+        The error contains every problem and its path.
     TypeError
         If `data` is not a mapping, or contains values other than numbers, texts, lists and
         mappings.

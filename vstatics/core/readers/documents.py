@@ -24,7 +24,7 @@ class CaseDocument(NamedTuple):
         Raises
         ------
         ReadError
-            With every problem that does not follow from another.
+            The error contains every problem that does not follow from another.
         """
         return read_case_tree(root, DocumentText(self.source))
 

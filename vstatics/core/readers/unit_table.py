@@ -87,7 +87,7 @@ def read_unit_table(  # noqa: PLR0913 (a table needs this many properties)
     Raises
     ------
     ReadError
-        With every problem and its place.
+        The error contains every problem and its place.
 
     Examples
     --------
@@ -190,7 +190,7 @@ class _ColumnsRead:
         Raises
         ------
         ValueError
-            With the cell that cannot be read.
+            The error names the cell that cannot be read.
         """
         if self._has_comments and line.lstrip().startswith(COMMENT_SIGNS):
             return

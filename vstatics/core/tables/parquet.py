@@ -12,7 +12,7 @@ GROUP = 262_144
 
 
 def row_groups(tables: Iterable[T], rows: Callable[[T], int]) -> Iterator[list[T]]:
-    """Yield lists of consecutive tables, each of which is large enough for a row group.
+    """Yield lists of consecutive tables. Each but the last is large enough for a row group.
 
     Parameters
     ----------

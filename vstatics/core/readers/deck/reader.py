@@ -49,7 +49,7 @@ def read(data: bytes, file: str) -> Reading:
     Raises
     ------
     ReadError
-        With every problem and its place.
+        The error contains every problem and its place.
 
     Examples
     --------

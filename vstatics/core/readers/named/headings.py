@@ -191,7 +191,7 @@ def read_headings(
     Raises
     ------
     HeadingError
-        With what was read and expected.
+        The message states what was read and expected.
 
     Examples
     --------
@@ -276,7 +276,7 @@ class _ExpectedTable(NamedTuple):
         Raises
         ------
         HeadingError
-            With the text that was read, and the expected headings.
+            The message states the text that was read, and the expected headings.
         """
         number = lines[at][0]
         headings = self.understood(cells)
@@ -301,7 +301,7 @@ class _ExpectedTable(NamedTuple):
         Raises
         ------
         ValueError
-            With the heading that was read, and the expected headings.
+            The message states the heading that was read, and the expected headings.
         """
         from difflib import get_close_matches  # costs start-up time
 
@@ -330,7 +330,7 @@ def _check_units(headings: Sequence[Heading]) -> None:
     Raises
     ------
     ValueError
-        With the unit that was read, and the expected unit.
+        The message states the unit that was read, and the expected unit.
     """
     for heading in headings:
         _ = heading.size

@@ -42,7 +42,7 @@ def points_of(name: str) -> list[tuple[float, ...]]:
     OSError
         If the file cannot be read, or is too large.
     ValueError
-        With the expected content.
+        The message states the expected content.
     """
     return _points(_rows_of(name))
 
@@ -55,7 +55,7 @@ def map_of(name: str, values: Values) -> MapLaw:
     OSError
         If the file cannot be read, or is too large.
     ValueError
-        With the expected content.
+        The message states the expected content.
     """
     return _map(_rows_of(name), values)
 
@@ -74,7 +74,7 @@ def _points(rows: _Rows) -> list[tuple[float, ...]]:
     Raises
     ------
     ValueError
-        With the expected content.
+        The message states the expected content.
 
     Examples
     --------

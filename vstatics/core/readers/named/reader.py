@@ -49,7 +49,7 @@ def read_yaml(data: bytes, file: str) -> Reading:
     Raises
     ------
     ReadError
-        With every problem that does not follow from another.
+        The error contains every problem that does not follow from another.
 
     Examples
     --------
@@ -107,7 +107,7 @@ def read_case_tree(root: Node, document: DocumentText) -> Reading:
     Raises
     ------
     ReadError
-        With every problem that does not follow from another.
+        The error contains every problem that does not follow from another.
     """
     expected = "a case: a mapping with `elements`, `mechanisms`, `springs`, `inertias` or `masses`"
     root = _case(_mapping(root, document, expected))
@@ -196,7 +196,7 @@ def read_document(data: bytes, file: str, shape: ByKey, expected: str) -> tuple[
     Raises
     ------
     ReadError
-        With every problem and its place.
+        The error contains every problem and its place.
 
     Examples
     --------

@@ -73,7 +73,7 @@ class References:
         Raises
         ------
         ValueError
-            With the expected name.
+            The message states the expected name.
         """
         numbers = self._numbers[kind]
         if text in numbers:
@@ -87,7 +87,7 @@ class References:
         Raises
         ------
         ValueError
-            With the expected name or number.
+            The message states the expected name or number.
         """
         if text in _HOUSING:
             return HOUSING
@@ -146,7 +146,7 @@ class References:
         Raises
         ------
         ValueError
-            With the expected name.
+            The message states the expected name.
         """
         numbers = self._numbers["shift element"]
         if text in numbers:

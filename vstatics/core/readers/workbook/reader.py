@@ -29,7 +29,7 @@ def read(data: bytes, file: str) -> Reading:
     Raises
     ------
     ReadError
-        With every problem, its sheet and its cell.
+        The error contains every problem, its sheet and its cell.
 
     Examples
     --------

@@ -1,7 +1,7 @@
 """Losses that depend on speed, torque or both, solved for all points at once.
 
-Speeds do not depend on losses. Drag torques, efficiencies over speed, and losses of gears as a
-whole (whose input torque is known) therefore follow directly from the speeds. If drag changes the
+Speeds do not depend on losses. Drag torques, efficiencies over speed, and losses measured for whole
+gears (whose input torque is known) therefore follow directly from the speeds. If drag changes the
 states of freewheels, they are recalculated until the states settle. Efficiencies over torque, or
 over speed and torque, result from two fixed-point iterations, which start from the smallest and the
 largest efficiency. If the efficiencies of only one mechanism of a gear depend on torque, a scan of
