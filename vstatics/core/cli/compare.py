@@ -1,4 +1,4 @@
-"""`vstatics compare`: differences of two results, changes of the case first."""
+"""`vstatics compare`: changes of the case, and differences of two results."""
 
 from __future__ import annotations
 
@@ -148,7 +148,7 @@ def _of_files(actual: str, expected: str, how: Tolerances) -> Verdict:
 
 
 def _lines(total: Verdict, form: str, *, all_numbers: bool, summary: bool) -> list[str]:
-    """Return the lines of output about all cases that differ."""
+    """Return the lines of output for all cases that differ."""
     lay_out = layout.markdown if form == "markdown" else layout.text
     lines: list[str] = []
     for case in total.cases:
@@ -160,7 +160,7 @@ def _lines(total: Verdict, form: str, *, all_numbers: bool, summary: bool) -> li
 
 
 def _as_junit(total: Verdict) -> str:
-    """Return the outcome of each case as JUnit XML; changes of the case alone are not failures."""
+    """Return the outcome of each case as JUnit XML. Changes of the case alone are not failures."""
     return junit(
         "vstatics compare",
         [

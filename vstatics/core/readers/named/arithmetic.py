@@ -19,10 +19,10 @@ MOST_ARITHMETIC_BRACKETS = 20
 
 _FIGURE = r"([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?"
 ARITHMETIC = rf"[-+ (]*{_FIGURE}[ )]*([-+*/][-+ (]*{_FIGURE}[ )]*)*"
-"""Calculation, as a regular expression for JSON Schema; brackets are not counted."""
+"""Regular expression of a calculation for JSON Schema, which does not check brackets."""
 
 DIMENSIONLESS = rf"{ARITHMETIC}(%|: *{ARITHMETIC})?"
-"""Calculation, percentage or ratio of two numbers, as a regular expression for JSON Schema."""
+"""Regular expression of a calculation, a percentage or a ratio, for JSON Schema."""
 
 _GROUPED = re.compile(r"(?<![0-9.])[1-9][0-9]{0,2}( [0-9]{3})+(?![0-9])")
 _PERCENT = re.compile(r"per ?cent|pct|prozent|процент", re.IGNORECASE)
@@ -31,7 +31,7 @@ _NUMBER = re.compile(rf" *{_FIGURE} *")
 _SIGN = re.compile(r" *([-+])")
 _OPEN, _CLOSED = re.compile(r" *\("), re.compile(r" *\) *")
 _BINDING = tuple(
-    # An operator must be followed by a number, not by a unit or name as in 2000/min or 1.05*FL.
+    # An operator must be followed by a number, unlike in 2000/min or 1.05*FL.
     re.compile(rf" *([{signs}])(?= *[-+]? *[.0-9(])")
     for signs in ("-+", "*/")
 )
@@ -42,7 +42,7 @@ class UnitError(ValueError):
 
 
 class LeadingNumber(NamedTuple):
-    """Number, and the following text without surrounding blanks: `Nm`, `/min`, `*FL`."""
+    """Number, and the text after it without surrounding blanks: `Nm`, `/min`, `*FL`."""
 
     value: float
     behind: str
@@ -54,7 +54,7 @@ def calculated(text: str) -> LeadingNumber:
     Raises
     ------
     ValueError
-        With what was expected.
+        The message states the expectation.
 
     Examples
     --------
@@ -77,7 +77,7 @@ def dimensionless(text: str) -> float:
     Raises
     ------
     ValueError
-        With what was expected.
+        The message states the expectation.
 
     Examples
     --------
@@ -108,7 +108,7 @@ def expected(text: str) -> str:
 
 
 def slip_or_percent(text: str) -> str:
-    """Return the hint of `slip`, or a hint for a percentage written as a word."""
+    """Return the hint of `slip`, or a hint for a percentage in words."""
     return slip(text) or " (write `%`, or 0.97 for 97 %)" * bool(_PERCENT.search(text))
 
 

@@ -39,27 +39,27 @@ _Reading = Callable[[str], float]
 
 
 def points_of(name: str) -> list[tuple[float, ...]]:
-    """Read the points of a file.
+    """Read the points in a file, in SI units.
 
     Raises
     ------
     OSError
         If the file cannot be read, or is too large.
     ValueError
-        With the expected content.
+        The message states the expected content.
     """
     return _points(_rows_of(name))
 
 
 def map_of(name: str, values: Values) -> MapLaw:
-    """Read a map from a file whose rows are the points of a full grid, in any order.
+    """Read a map from a file with the points of a complete grid, in any order.
 
     Raises
     ------
     OSError
         If the file cannot be read, or is too large.
     ValueError
-        With the expected content.
+        The message states the expected content.
     """
     return _map(_rows_of(name), values)
 
@@ -79,7 +79,7 @@ def _points(rows: _Rows) -> list[tuple[float, ...]]:
     Raises
     ------
     ValueError
-        With the expected content.
+        The message states the expected content.
 
     Examples
     --------
@@ -135,7 +135,7 @@ def _expected(values: str, heads: Sequence[str]) -> ValueError:
 
 
 def _point(units: Sequence[str], *values: float) -> str:
-    """Return the speed [rad/s] and torque [N*m] of a point in the units of the file."""
+    """Return a point as text, with speed and torque in the units of the file."""
     sizes = map(measured, (f"1 {unit}" for unit in units), _MEASURES.values())
     both = zip(values, sizes, units, strict=True)
     return ", ".join(f"{value / size:g} {unit}" for value, size, unit in both)
