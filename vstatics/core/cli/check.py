@@ -15,7 +15,12 @@ from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.cases import CaseOptions, calculate_one
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
-from vstatics.core.cli.shared.formats import WHOLE_OUTPUT, OutputOptions, TextStyle
+from vstatics.core.cli.shared.formats import (
+    WHOLE_OUTPUT,
+    FormatChoice,
+    OutputOptions,
+    TextStyle,
+)
 from vstatics.core.cli.shared.options import MESSAGES, OUTPUT, command, completing, refuse, under
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.values import FILE, separated
@@ -148,7 +153,7 @@ def _ids() -> list[str]:
         "-f",
         "--format",
         "output_format",
-        type=click.Choice(FORMATS),
+        type=FormatChoice(FORMATS),
         help="Format of the output.  [default: by the suffix of -o, else text]",
     ),
     click.option("-o", "--output", type=FILE, help=WHOLE_OUTPUT),

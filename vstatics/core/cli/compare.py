@@ -10,6 +10,7 @@ import click
 
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
+from vstatics.core.cli.shared.formats import FormatChoice
 from vstatics.core.cli.shared.options import Command, command, completing, gathered, refuse
 from vstatics.core.cli.shared.values import FILE, value
 from vstatics.core.comparison import layout
@@ -66,7 +67,7 @@ def _tolerance(name: str, default: float, says: str) -> Callable[[Command], Comm
     "-f",
     "--format",
     "form",
-    type=click.Choice(FORMATS),
+    type=FormatChoice(FORMATS),
     default="text",
     show_default=True,
     help="Format of the output.",

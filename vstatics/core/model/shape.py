@@ -6,6 +6,7 @@ declaration. `model.keys` and `elements.keys` declare a case.
 
 from __future__ import annotations
 
+import copyreg
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any, Literal, NamedTuple, Self, TypeAlias
@@ -100,6 +101,21 @@ UNITS: Mapping[str, str] = {"speed": "rpm", "torque": "N*m", "power": "kW"}
 Limits: TypeAlias = Mapping[str, Any]
 """Limits of a number as keywords of JSON Schema. The program checks numbers separately."""
 NO_LIMITS: Limits = MappingProxyType({})
+
+
+def read_only(items: dict[str, Any]) -> MappingProxyType[str, Any]:
+    """Return a mapping that cannot be changed; `pickle` and `copy` call this function.
+
+    >>> import copy
+    >>> copy.deepcopy(NO_LIMITS)
+    mappingproxy({})
+    """
+    return MappingProxyType(items)
+
+
+copyreg.pickle(MappingProxyType, lambda proxy: (read_only, (dict(proxy),)))
+# Default values of parts, scenarios and states of gears are such mappings, which Python itself
+# neither pickles nor copies.
 
 
 class Leaf(NamedTuple):

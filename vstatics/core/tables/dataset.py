@@ -67,6 +67,7 @@ def to_xarray(results: Results) -> xr.Dataset:
     from vstatics.core.extras import require
 
     require("xarray", "to_xarray")
+    import numpy as np
     import xarray as xr
 
     case, axes = results.case, results.ratio.shape[:-1]
@@ -78,7 +79,7 @@ def to_xarray(results: Results) -> xr.Dataset:
         along = [*names, GEAR]
         if quantity.rows != "one":
             along.append(DIMENSIONS[quantity.rows])
-            coordinates[along[-1]] = list(table_rows(quantity.name, case))
+            coordinates[along[-1]] = np.array(table_rows(quantity.name, case), str)
         attributes = {"long_name": quantity.title}
         if quantity.unit:
             unit = UNITS[quantity.unit].text

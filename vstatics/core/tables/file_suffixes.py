@@ -43,7 +43,7 @@ def format_of(file: str, formats: Iterable[Form]) -> Form | None:
     ('jsonl', None)
     """
     suffix = suffix_of(file)
-    return next((form for form in formats if suffix in SUFFIXES[form]), None)
+    return next((form for form in formats if suffix in SUFFIXES.get(form, ())), None)
 
 
 def known(formats: Sequence[str]) -> list[str]:

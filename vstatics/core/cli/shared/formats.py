@@ -188,6 +188,18 @@ OF_SEVERAL_CASES = (
 """Help text of the option -o of commands for several cases."""
 
 
+class FormatChoice(click.Choice[str]):
+    """Choice of a format by its name or one of its suffixes, such as markdown or md."""
+
+    def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> str:
+        """Return the name of the format.
+
+        >>> FormatChoice(TABLES).convert("md", None, None)
+        'markdown'
+        """
+        return super().convert(format_of(f"a.{value}", self.choices) or value, param, ctx)
+
+
 def options(
     *formats: str, says: str = "Format of the output", output_help: str = WHOLE_OUTPUT
 ) -> Callable[[Command], Command]:
@@ -201,7 +213,7 @@ def options(
                 "-f",
                 "--format",
                 "form",
-                type=click.Choice(formats),
+                type=FormatChoice(formats),
                 help=f"{says}.  [default: by the suffix of -o, else {formats[0]}]",
             ),
             click.option("-o", "--output", type=FILE, help=output_help),

@@ -24,7 +24,12 @@ ARITHMETIC = rf"[-+ (]*{_FIGURE}[ )]*([-+*/][-+ (]*{_FIGURE}[ )]*)*"
 DIMENSIONLESS = rf"{ARITHMETIC}(%|: *{ARITHMETIC})?"
 """Regular expression of a calculation, a percentage or a ratio, for JSON Schema."""
 
-_GROUPED = re.compile(r"(?<![0-9.])[1-9][0-9]{0,2}( [0-9]{3})+(?![0-9])")
+_GROUPED = re.compile(
+    r"(?<![0-9.,])[1-9][0-9]{0,2}"
+    r"(?:([ _'\u2019])[0-9]{3}(?:\1[0-9]{3})*(?![0-9])"
+    r"|([.,])[0-9]{3}(?:\2[0-9]{3})*(?!\2)[.,][0-9]+)"
+)
+"""Number with grouped digits, such as 1 000, or 1.000,5 with a decimal sign of the other kind."""
 _PERCENT = re.compile(r"per ?cent|pct|prozent|процент", re.IGNORECASE)
 _PLAIN = re.compile(rf"[-+]?{_FIGURE}\Z")
 _NUMBER = re.compile(rf" *{_FIGURE} *")
@@ -117,12 +122,14 @@ def slip(text: str) -> str:
 
     >>> slip("1,5"), slip("\u22122.6"), slip("x")
     (' (with a decimal point)', ' (with `-` instead of `\u2212`)', '')
+    >>> slip("1 500 rpm"), slip("1.234,56")
+    (' (digits without blanks: 1500)', ' (digits without `.`: 1234.56)')
     """
-    if "," in text:
-        return " (with a decimal point)"
     if grouped := _GROUPED.search(with_plain_blanks(text)):
-        return f" (digits without blanks: {grouped[0].replace(' ', '')})"
-    return dash_hint(text)
+        sign = grouped[1] or grouped[2]
+        signs = "blanks" if sign == " " else f"`{sign}`"
+        return f" (digits without {signs}: {grouped[0].replace(sign, '').replace(',', '.')})"
+    return " (with a decimal point)" if "," in text else dash_hint(text)
 
 
 class _Calculation:

@@ -17,6 +17,8 @@ from vstatics.core.readers.named.arithmetic import slip
 _CALCULATION = re.compile(r"[-+*/() .,0-9eE]+")
 _THOUSANDS = re.compile(r"(?<![.,\d])[1-9]\d{0,2}\.\d{3}(?![.,\deE])")
 _COMMA_THOUSANDS = re.compile(r"(?<![.,\d])[1-9]\d{0,2},\d{3}(?![.,\deE])")
+_OF_TWO_SIGNS = re.compile(r"\.\d{3},\d|,\d{3}\.\d")
+"""Grouped digits with a decimal sign, as in 1.234,5: no number of a table."""
 _FRACTION = re.compile(r"(?<![.,\d])\d*\.\d+(?![.,\d])")
 _SEPARATOR_LINE = re.compile(r'\s*"?sep=[^"\n]"?[\s,;]*', re.IGNORECASE)
 """Line such as `sep=;` for spreadsheets. Here the headings determine the separator."""
@@ -75,7 +77,7 @@ class Decimals:
             self._doubts.setdefault(".", (line, thousands[0]))
         else:
             self._are_points |= bool(_FRACTION.search(cell))
-        return cell.replace(",", ".")
+        return cell if _OF_TWO_SIGNS.search(cell) else cell.replace(",", ".")
 
     @property
     def doubt(self) -> tuple[int, str] | None:

@@ -373,13 +373,27 @@ def _heading_lines(lines: Sequence[str]) -> Iterator[tuple[int, str, list[str]]]
 
 def _split(line: str) -> Iterator[tuple[str, list[str]]]:
     """Yield the cells of a line of headings for each possible separator."""
-    bare = line.strip()
-    bare = bare.lstrip("".join(COMMENT_SIGNS)).strip() if bare.startswith(COMMENT_SIGNS) else line
+    bare = without_sign(line)
     for separator in dict.fromkeys((separator_of(bare), ";" if ";" in bare else ",")):
         yield separator, headings_of(cells_of(bare, separator))
 
 
-def _is_row_of_numbers(line: str) -> bool:
+def without_sign(line: str) -> str:
+    """Return a line without the comment signs with which it begins.
+
+    >>> without_sign("# speed [rpm]"), without_sign("speed [rpm]")
+    ('speed [rpm]', 'speed [rpm]')
+    """
+    bare = line.strip()
+    return bare.lstrip("".join(COMMENT_SIGNS)).strip() if bare.startswith(COMMENT_SIGNS) else line
+
+
+def is_row_of_numbers(line: str) -> bool:
+    """Return whether a line has numbers and no words.
+
+    >>> is_row_of_numbers("-2.5; 1e3"), is_row_of_numbers("speed 2")
+    (True, False)
+    """
     return bool(_OF_NUMBERS.fullmatch(line)) and any(sign.isdigit() for sign in line)
 
 
@@ -388,7 +402,7 @@ def _above_numbers(lines: Sequence[str]) -> int:
     above = [
         at
         for at, (line, below) in enumerate(pairwise(lines))
-        if _is_row_of_numbers(below) and not _is_row_of_numbers(line)
+        if is_row_of_numbers(below) and not is_row_of_numbers(line)
     ]
     return max(above, key=lambda at: len(next(_split(lines[at + 1]))[1]), default=0)
 
@@ -398,7 +412,7 @@ def _folded(name: str) -> str:
 
 
 def _quoted_lines(lines: Sequence[NumberedLine], at: int) -> str:
-    below = [line for _, line in lines[at + 1 :] if _is_row_of_numbers(line)]
+    below = [line for _, line in lines[at + 1 :] if is_row_of_numbers(line)]
     head, *row = (" ".join(line.split())[:MOST_QUOTED] for line in (lines[at][1], *below[:1]))
     first = "".join(f", the first row `{cells}`" for cells in row)
     return f"; the line of the headings is `{head}`{first}"

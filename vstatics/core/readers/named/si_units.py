@@ -16,12 +16,13 @@ from vstatics.core.readers.named.units import (
     Quantity,
     factors,
     has_digits,
+    plain_unit,
     unit,
     usual,
     with_article,
 )
 
-WITH_UNIT = rf"^{ARITHMETIC}[*·]? *[1A-Za-zА-я°/(][-A-Za-zА-я°0-9*·⋅×./^() ²³⁴⁻−¹]{{0,39}}$"
+WITH_UNIT = rf"^{ARITHMETIC}[*·]? *[1A-Za-zА-я°/(][-A-Za-zА-я°0-9_*·⋅×./^() ²³⁴⁻−¹]{{0,39}}$"
 """Regular expression of a number with a unit, for JSON Schema."""
 
 _Dimension = tuple[int, ...]
@@ -63,6 +64,9 @@ _GRAMS = {
     "кг": _Base(_MASS, 1),
     "t": _Base(_MASS, 1000),
     "т": _Base(_MASS, 1000),
+    "kilogram": _Base(_MASS, 1),
+    "gram": _Base(_MASS, 1, 1000),
+    "slug": _Base(_MASS, 45359237 * 980665, 10**8 * 30480),  # lbf*s^2/ft
 }
 _OTHERS = {
     "K": _Base((0, 0, 0, 0, 1), 1),
@@ -204,7 +208,7 @@ def _unit(text: str, *, of_words: bool) -> tuple[_Dimension, float, float]:
     """
     total, above, below = [0] * 5, 1.0, 1.0
     try:
-        for word, exponent in _powers(text.translate(_SUPERSCRIPTS).replace(" per ", "/")):
+        for word, exponent in _powers(plain_unit(text.translate(_SUPERSCRIPTS))):
             for place, base in enumerate(_bases(word, of_words=of_words)):
                 times = exponent if place == 0 else math.copysign(1, exponent)
                 total = [a + int(times) * b for a, b in zip(total, base.dimension, strict=True)]

@@ -60,6 +60,7 @@ _WORDS_OF_UNITS: dict[str, _Factor] = {
         ("yd yard yards", "length", _FT[0] * 3, _FT[1]),
         ("mi mile miles", "length", _FT[0] * 5280, _FT[1]),
         ("rev revs revolution revolutions turn turns cycle cycles r u umdr tr об", "angle", 1, 1),
+        ("rotation rotations", "angle", 1, 1),
         ("rad radian radians рад", "angle", 1, 2 * math.pi),
         ("deg degree degrees °", "angle", 1, 360),
         ("min mins minute minutes мин", "time", 1, 1),
@@ -86,9 +87,28 @@ _KINDS: dict[str, tuple[Quantity, int]] = {
 """Quantity of each product of units, and divisor to rpm, N*m or kW."""
 
 _SIGNS = str.maketrans("·⋅×⁻−¹", "***--1")
+_SPELLED = (
+    (re.compile(r"_per_| per "), "/"),
+    (re.compile(r"force_pound|pound_force"), "lbf"),
+    (re.compile(r"metric_horsepower"), "PS"),
+    (re.compile(r"(?<=[^\W\d_])_(?=[^\W\d_])"), "*"),
+    (re.compile(r" *\*\* *"), "^"),
+)
+"""Spellings of units in words, as pint prints them, and what `unit` reads."""
 _FACTOR = re.compile(r" *([*./-]?) *(1(?= */)|[^\W\d_]+|°)(?:(?:\^|\*\*)?(-?1)(?![0-9]))?")
 LONGEST_UNIT = 40
 """Maximum number of characters of a unit."""
+
+
+def plain_unit(text: str) -> str:
+    """Return a unit with signs instead of words such as `per`.
+
+    >>> plain_unit("revolutions_per_minute"), plain_unit("kilogram * meter ** 2")
+    ('revolutions/minute', 'kilogram * meter^2')
+    """
+    for spelling, sign in _SPELLED:
+        text = spelling.sub(sign, text)
+    return text
 
 
 def unit(text: str) -> tuple[Quantity | None, float]:
@@ -105,7 +125,7 @@ def unit(text: str) -> tuple[Quantity | None, float]:
     >>> unit("kNm"), unit("min^-1"), unit("furlong/fortnight")
     (('torque', 1000.0), ('speed', 1.0), (None, 1.0))
     """
-    text = text.translate(_SIGNS).replace("л.с.", "лс").replace(" per ", "/")
+    text = plain_unit(text.translate(_SIGNS).replace("л.с.", "лс"))
     kinds = []
     above: float = 1
     below: float = 1
@@ -145,10 +165,11 @@ def _factor(word: str) -> _Factor | None:
         if word.startswith(prefix) and (known := _PREFIXED.get(word[len(prefix) :])):
             kind, above, below = known
             return kind, above * up, below * down
-    return _WORDS_OF_UNITS.get(word.casefold())
+    plain = word.casefold()
+    return _WORDS_OF_UNITS.get(plain) or (_PREFIXED.get(plain) if len(plain) > 1 else None)
 
 
-QUANTITY = rf"^{ARITHMETIC}[*·]? *(1? */ *)?[A-Za-zА-я°][-A-Za-zА-я0-9*·⋅×./^ ⁻−¹]{{0,39}}$"
+QUANTITY = rf"^{ARITHMETIC}[*·]? *(1? */ *)?[A-Za-zА-я°][-A-Za-zА-я0-9_*·⋅×./^ ⁻−¹]{{0,39}}$"
 """Regular expression of a number with a unit, for JSON Schema."""
 
 EXAMPLES: dict[Quantity, str] = {

@@ -14,7 +14,7 @@ import numpy as np
 from vstatics.core.errors import CaseError, Problem, quoted
 from vstatics.core.model.parts import OfLoad
 from vstatics.core.model.paths import Keys, dotted
-from vstatics.core.model.shape import Measure
+from vstatics.core.model.shape import UNIT_OF, Measure
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, as_floats
 from vstatics.core.statics import matrix
@@ -105,7 +105,8 @@ def columns_of(
     for path, column in arrays.items():
         numbers = known.get(path)
         if not numbers:
-            message = f"the case has no number {quoted(path)}{nearest(path, [*known, *others])}"
+            hint = _without_unit(path, known) or nearest(path, [*known, *others])
+            message = f"the case has no number {quoted(path)}{hint}"
             raise CaseError([Problem("E421", message, ("vary",))])
         _check(case, path, numbers[0], column)
         for number in numbers:
@@ -114,6 +115,16 @@ def columns_of(
                 raise CaseError([Problem("E706", message, ("vary",))])
             columns[number] = column
     return columns
+
+
+def _without_unit(path: str, known: Mapping[str, Sequence[CaseNumber]]) -> str:
+    """Return a hint for a path with a unit in brackets, or an empty text."""
+    bare, bracket, _ = path.partition(" [")
+    if not bracket or not known.get(bare):
+        return ""
+    measure = measure_of(known[bare][0].quantity)
+    unit = "W" if measure == "power" else UNIT_OF[measure] if measure else "bare numbers"
+    return f"; expected {quoted(bare)}, in {unit}"
 
 
 def numbers_of(case: Transmission) -> dict[str, tuple[CaseNumber, ...]]:
