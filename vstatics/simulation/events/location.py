@@ -250,15 +250,16 @@ class Finder:
 
             if near(0.0) > 0 > near(1.0):
                 return first + (last - first) * float(brentq(near, 0.0, 1.0, xtol=ROOT_PART))
-        return float(
-            brentq(
-                lambda time: self._margins_at(step, time)[index],
-                first,
-                last,
-                xtol=ROOT_TIME * max(1.0, last),
-                rtol=ROOT_TIME,
-            )
-        )
+
+        def at(time: float) -> float:
+            return float(self._margins_at(step, time)[index])
+
+        # the margins at a time and along many times have different rounding errors, too
+        if at(first) <= 0:
+            return first
+        if at(last) >= 0:
+            return last
+        return float(brentq(at, first, last, xtol=ROOT_TIME * max(1.0, last), rtol=ROOT_TIME))
 
     def _refined(
         self, step: TimeStep, time: float, state: Floats, index: int

@@ -30,6 +30,7 @@ from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.known import DISTANCES
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.tolerances import (
+    EXACT_SIDES,
     LEAST_VALUE,
     MADE_CAPACITY,
     SAME_TIME,
@@ -244,6 +245,7 @@ class Record:
     def _record_targets(
         self, step: TimeStep, end: float, state: Floats, equations: Equations
     ) -> None:
+        fastest = largest(equations.speeds(end, state))
         for link, speed in self.targets:
             if (link, speed) in self.reached:
                 continue
@@ -253,10 +255,15 @@ class Record:
                 return float(equations.speeds(time, at)[link]) - speed
 
             first, last = short(step.start), short(end)
-            if first == 0 or (first < 0) != (last < 0):
+            # a link that is held at its target keeps a rounding error, of any sign
+            near = EXACT_SIDES * max(abs(speed), fastest)
+            passes = (first < 0) != (last < 0)
+            if passes or min(abs(first), abs(last)) <= near:
                 from scipy.optimize import brentq
 
-                time = step.start if first == 0 else float(brentq(short, step.start, end))
+                time = step.start if abs(first) <= near else end
+                if passes and time == end:
+                    time = float(brentq(short, step.start, end))
                 at = step.between(np.array([time]))[:, 0]
                 angle = float(at[equations.angles][equations.layout.angles.index(link)])
                 self.reached[link, speed] = time, angle

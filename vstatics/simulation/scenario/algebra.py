@@ -83,6 +83,8 @@ _OUTER: Mapping[str, Callable[[Tree, Tree], Tree]] = {
     "tanh": lambda _, whole: plus(Constant(1.0), minus(times(whole, whole))),
     "sin": lambda inner, _: applied("cos", inner),
     "cos": lambda inner, _: minus(applied("sin", inner)),
+    "log": lambda inner, _: applied("/", Constant(1.0), inner),
+    "atan": lambda inner, _: applied("/", Constant(1.0), plus(Constant(1.0), times(inner, inner))),
 }
 """Derivative of each function, calculated from the trees of its argument and its value."""
 

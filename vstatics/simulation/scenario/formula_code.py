@@ -64,6 +64,8 @@ _PLAIN: Mapping[str, Callable[..., Any]] = {
     "sin": math.sin,
     "cos": math.cos,
     "sign": _sign,
+    "log": math.log,
+    "atan": math.atan,
 }
 _BROAD: Mapping[str, Callable[..., Any]] = {
     "abs": np.abs,
@@ -75,6 +77,8 @@ _BROAD: Mapping[str, Callable[..., Any]] = {
     "sin": np.sin,
     "cos": np.cos,
     "sign": np.sign,
+    "log": np.log,
+    "atan": np.arctan,
     "pow": np.power,
     "number": lambda condition: np.asarray(condition, float),
     "truth": lambda values: np.isfinite(values) & (np.asarray(values) != 0),

@@ -150,6 +150,8 @@ OPERATIONS: Mapping[str, Function] = {
     "sin": _of_number(np.sin),
     "cos": _of_number(np.cos),
     "sign": _of_number(np.sign),
+    "log": _of_number(np.log),
+    "atan": _of_number(np.arctan),
     "min": _extreme(np.minimum, np.fmin),
     "max": _extreme(np.maximum, np.fmax),
     LAST: _of_number(lambda numbers: numbers[..., -1:, :]),

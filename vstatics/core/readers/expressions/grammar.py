@@ -280,7 +280,7 @@ class _Parser:
             )
         if call:
             words = (*language.functions, *language.of_names)
-            hint = nearest(name, words) or language.instead
+            hint = _CASES if name in _OF_CASES else nearest(name, words) or language.instead
             known = ", ".join(language.functions)
             raise self.source.error(
                 f"there is no function {quoted(name)}, expected {known}{hint}", at
@@ -330,6 +330,8 @@ ELSEWHERE = {
     "÷": "/",
 }
 """Operators of other languages, with the operators of formulas."""
+_OF_CASES = ("if", "where", "step", "heaviside")
+_CASES = "; a comparison is 1 or 0, so write a factor such as `2*(x > 1)`"
 PYTHON = ("lambda", "for", "in", "if", "else", "is", "await", "async", "yield", "from", "import")
 """Keywords of Python that formulas do not support."""
 
@@ -349,9 +351,11 @@ def no_operator(source: Excerpt, at: int, read: str, before: str) -> str:
     if read in ELSEWHERE and read != "!":
         return f"read `{read}`, expected `{ELSEWHERE[read]}`"
     if read in PYTHON:
-        return f"read `{read}`, which this language does not have"
+        hint = _CASES if read in _OF_CASES else ""
+        return f"read `{read}`, which this language does not have{hint}"
     shown = quoted(read or source.text[at])
     expected = "expected an operator such as `+`, `<` or `and`, or an end"
+    expected += _CASES if source.has("?", at) else ""
     return f"read {shown} after {quoted(before)}, {expected}"
 
 
