@@ -150,7 +150,7 @@ options = gathered(
             type=click.Choice(["free", "as-given"]),
             default="free",
             help="Order of the gear sets in stick diagrams: with few crossings (free), or as in "
-            "the case (as-given). If no layout in the order of the case is found, the title says so.",
+            "the case (as-given). The title reports if no layout in this order is found.",
         ),
         click.option(
             "--merge",
