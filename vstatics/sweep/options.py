@@ -124,9 +124,13 @@ class SweepOptions:
     case: str | None = _option("path")
     vary: tuple[Text, ...] = _option("vary", "Vary a number. Repeatable.", metavar="NAME=VALUES")
     zip: bool | None = _option(
-        "flag", "Combine the first values, then the second, and so on, instead of a grid."
+        "flag",
+        "Combine the first values of all --vary, then the second values, and so on, "
+        "instead of a grid.",
     )
-    sample: int | None = _option("count", "Number of random variants within LOW:HIGH.", metavar="N")
+    sample: int | None = _option(
+        "count", "Number of random variants in the ranges LOW:HIGH.", metavar="N"
+    )
     method: str | None = _option("choice", "Sampling method.  [default: sobol]", choices=METHODS)
     seed: int | None = _option(
         "count", "Seed of the random numbers.  [default: 0]", metavar="S", least=0

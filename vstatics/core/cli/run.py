@@ -43,7 +43,7 @@ MANY = 100
     click.option(
         "--own-tables",
         is_flag=True,
-        help="Append the tables that the published listing does not have. Needs -f source.",
+        help="Append tables that are not part of the published listing. Needs -f source.",
     ),
 )
 @arguments.files_from

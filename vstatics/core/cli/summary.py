@@ -37,7 +37,9 @@ MOST_COMBINATIONS = 10_000
 @arguments.argument
 @formats.options(*formats.TABLES, output_help=formats.OF_SEVERAL_CASES)
 @click.option(
-    "--combinations", is_flag=True, help="Try all other combinations of shift elements, too."
+    "--combinations",
+    is_flag=True,
+    help="Add the gears of all other combinations of shift elements.",
 )
 @click.option(
     "--at-most",
@@ -50,8 +52,8 @@ MOST_COMBINATIONS = 10_000
     "--output-torque",
     callback=value(torque),
     metavar="TORQUE",
-    help="External torque on the output for accelerations, such as -1200 or '-1200 N*m'.  "
-    "[default: 0]",
+    help="External torque on the output that changes the accelerations, such as -1200 or "
+    "'-1200 N*m'.  [default: 0]",
 )
 @click.option(
     "--reserve",

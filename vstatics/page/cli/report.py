@@ -104,11 +104,12 @@ def report_command(
     gearboxes found by `synth box -f json`. Two cases and -o FILE give a page that compares
     them as A and B; several cases and -o DIR/ give a page for each case.
 
-    The page shows an overview with the stick diagram; power flow, levers and equations of a
-    chosen gear; the input; and all tables, which you can sort and copy. It loads nothing
-    from elsewhere and contains the result as JSON. Printed, it has at most ten A4 pages:
-    overview, gears, power flow, efficiency, largest values, and vibration and simulation if
-    the case has them. --all prints everything, --sections a selection.
+    The page begins with an overview and the stick diagram. It shows power flow, levers and
+    equations of a chosen gear, the input, and all tables, which you can sort and copy. It
+    loads nothing from elsewhere and contains the result as JSON. A printed page has at most
+    ten A4 pages: overview, gears, power flow, efficiency, largest values, and vibration and
+    simulation if the case has them. To print all sections, use --all; to select sections,
+    use --sections.
 
     A page of two cases has additional tools: units (rpm, N*m and kW, or US units), a filter by
     link, and buttons that save pictures, tables and results. `vstatics serve` has these tools

@@ -61,14 +61,13 @@ def serve_command(
 ) -> int:
     """Serve the page of CASE to browsers on this computer until Ctrl-C.
 
-    The page is the page of `vstatics report`. It is updated when the case, or a file that
-    the case names, is saved. Its fields and sliders change numbers of the case: results
-    follow at once, and the numbers are written into the file when you save them, with the
-    rest of the file unchanged. CASE can also be a scenario. A deck is shown, but cannot be
-    changed.
+    The page is the page of `vstatics report`. It is updated when you save the case, or a file
+    that the case names. Fields and sliders of the page change numbers of the case, and the
+    results follow at once. When you save the numbers, only they change in the file. CASE can
+    also be a scenario. A deck is shown, but cannot be changed.
 
     The first line on stdout is the address of the page. Everyone who knows the address can
-    change the numbers of the case; no other file is written.
+    change the numbers of the case. No other file is written.
 
     \b
     Examples:

@@ -72,7 +72,7 @@ _SAMPLES = gathered(
     click.option(
         "--out",
         metavar="LIST",
-        help="Columns to add, such as accelerations[out]; with --samples, the columns to write.",
+        help="Columns to add, such as accelerations[out]. With --samples: all columns to write.",
     ),
     under(
         "Random samples",

@@ -137,7 +137,7 @@ def _whole_pair(text: str) -> tuple[int, int]:
     type=click.Choice(["ln", "absolute"]),
     default="ln",
     show_default=True,
-    help="Error whose largest value is minimised: |ln(i/target)|, or |i - target|.",
+    help="Error of a ratio: |ln(i/target)|, or |i - target|. Its largest value is minimised.",
 )
 @click.option(
     "--dry-run", is_flag=True, help="Print only the toothed gears with unknown tooth numbers."

@@ -32,7 +32,7 @@ def _rate(given: float) -> float:
     type=float,
     callback=value(_rate),
     metavar="K",
-    help="Add the dynamic factor of a clutch whose torque grows with 1 - exp(-K t); K in 1/s.",
+    help="Add the dynamic factor of a clutch torque that grows with 1 - exp(-K t); K in 1/s.",
 )
 @arguments.some_gears
 @gathered(

@@ -81,7 +81,7 @@ class Reducing(NamedTuple):
     type=click.IntRange(1),
     required=True,
     metavar="N",
-    help="Number of natural frequencies that remain; a chain keeps one mass more.",
+    help="Number of natural frequencies to keep. A simplified chain has one mass more.",
 )
 @gathered(
     "reducing",
@@ -89,9 +89,10 @@ class Reducing(NamedTuple):
     click.option(
         "--rule",
         type=click.Choice(RULES),
-        help="Rule of removal. partial: partial systems of one and two masses, in chains only; r, "
-        "b, u: partial systems of one mass, whose inertia is distributed in proportion to the "
-        "stiffness K, to K^2, or not at all.  [default: partial for a chain, else r]",
+        help="Rule of removal. partial: removes partial systems of one and two masses, in chains "
+        "only. r, b, u: remove partial systems of one mass. The neighbours receive its inertia in "
+        "proportion to the stiffness K (r), to K^2 (b), or not at all (u).  [default: partial for "
+        "a chain, else r]",
     ),
     click.option(
         "--remove",

@@ -167,7 +167,7 @@ raw = under(
     click.option(
         "--raw",
         is_flag=True,
-        help="Omit the apostrophe that keeps a spreadsheet from reading a text in CSV as a "
+        help="Omit the apostrophe that CSV has before a text which a spreadsheet would read as a "
         "formula.",
     ),
 )

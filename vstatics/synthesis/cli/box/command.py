@@ -37,7 +37,7 @@ LOADING_SECONDS = 5.0
     click.option(
         "--complete",
         is_flag=True,
-        help="Exit with status 1 if the search may have missed gearboxes.",
+        help="Exit with status 1 if the search can have missed gearboxes.",
     ),
     click.option(
         "--dry-run", is_flag=True, help="Print only estimates of the number of gearboxes and time."

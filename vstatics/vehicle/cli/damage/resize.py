@@ -41,7 +41,8 @@ def _part(name: str, text: str) -> Option:
 )
 @_part(
     "ratio",
-    "Ratio of a reduction before the new shaft: X times the torque, 1/X of the cycles.",
+    "Ratio X of a reduction before the new shaft, which then has X times the torque and 1/X of "
+    "the cycles.",
 )
 @_part("torque", "New torque divided by the present torque, instead of --ratio.")
 @_part("repeats", "New number of cycles divided by the present number; belongs to --torque.")
