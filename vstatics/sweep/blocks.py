@@ -99,7 +99,7 @@ class OfCases(NamedTuple):
     """Tables of a block, calculated separately for groups of variants."""
 
     places: list[Chosen]
-    """Indices in the block of the variants of each group."""
+    """For each group, the indices of its variants within the block."""
     parts: list[BlockTables]
 
     def existing(self, name: str) -> Floats:

@@ -79,7 +79,7 @@ def fits(given: object, hint: Any) -> bool:
 
 
 def is_of_rows(kind: type) -> bool:
-    """Return whether a type is a general sequence type, such as `Iterable`."""
+    """Return whether a type is a general iterable, such as `list` or `Iterable`."""
     return kind.__module__ in {"collections.abc", "builtins"} and issubclass(kind, Iterable)
 
 

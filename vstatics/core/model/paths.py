@@ -22,7 +22,10 @@ PARTS = ("shift_elements", "elements", "mechanisms", "springs")
 BODIES = ("inertias", "masses")
 """Keys of a case that map links to numbers. A path to such a number is `LINK.inertia`."""
 OWNERS: Mapping[str, int] = {"load": 1, "gears": 2, "drag": 1, "mesh_efficiency": 1}
-"""Keys of a case that can begin a path, and how many keys of the path name the owner."""
+"""Keys of a case that can begin a path, each with the number of keys that identify a record.
+
+A record of `gears` needs 2 keys: `gears` and the name of the gear.
+"""
 MOST_PATH_PARTS = 16
 """Largest number of keys in a path; the keys of documents are nested less deeply."""
 

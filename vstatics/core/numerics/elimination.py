@@ -61,7 +61,10 @@ from vstatics.core.numerics.traced import (
 )
 
 Entry = tuple[Number, Any]
-"""Value, and size for its rounding error: a float, or a `LaterSize` for numbers of any sign."""
+"""Value, and the magnitude to which its rounding error is proportional.
+
+The magnitude is a float, or a `LaterSize` if it depends on signs that are not known yet.
+"""
 Row = dict[int, Entry]
 """Entries of an equation by column."""
 Coefficient = Number | tuple[Number, ...]

@@ -34,14 +34,14 @@ class Marks(NamedTuple):
 
 
 def summary_grids(summary: Summary, ports: Sequence[PortTable] | None = None) -> Iterator[Grid]:
-    """Yield all tables of a summary that are not empty.
+    """Yield the tables of a summary, except empty tables.
 
-    If unused combinations were requested but none exists, their table has no rows.
+    The table of unused combinations is yielded even if it is empty, if it was requested.
 
     Parameters
     ----------
     ports : sequence of PortTable, optional
-        Ports of the gears; None to calculate them.
+        Inputs and outputs of the gears; calculated if None.
     """
     lines = summary.design.gears
     headings = "gear", "ratio", "next", "step", "efficiency", "state"

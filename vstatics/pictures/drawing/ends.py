@@ -32,7 +32,7 @@ class LineEnd(NamedTuple):
     names: Sequence[str]
     """Names of the links, each wrapped into lines."""
     looks: Sequence[Look] = ()
-    """Line style of the sample before each name; empty for names without samples."""
+    """Style of the short line before each name, as in a legend; empty without such lines."""
 
     @property
     def high(self) -> float:

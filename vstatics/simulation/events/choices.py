@@ -54,7 +54,7 @@ class ModeChoices:
         self.leaping = [
             bool((np.abs(loose.light[load.link]) > STANDING).any()) for load in system.outside
         ]
-        """Flags of outside torques on links whose speeds can jump."""
+        """Flags of external torques on links whose speeds can jump."""
         self.within = AHEAD * system.scenario.span
         """Length of the look-ahead, the time after which margins are compared with now. [s]"""
         self.carrying: dict[int, bool] = {}

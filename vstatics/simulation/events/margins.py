@@ -261,7 +261,7 @@ class Margins:
     def _pieces(self) -> None:
         """Add margins of the breakpoints of piecewise-linear curves.
 
-        The curves are outside torques over speed or angle, friction over slip, springs over twist,
+        The curves are external torques over speed or angle, friction over slip, springs over twist,
         and converters over speed ratio.
         """
         equations = self.equations

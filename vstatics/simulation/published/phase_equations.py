@@ -1,7 +1,7 @@
 """Equations (12) to (15) of the published method for a phase of a clutch.
 
 The state contains the speeds w_in and w_out of input and output [rad/s], their angles [rad], the
-work of outside torques [J] and the heat of the clutch [J]. The equations are in `tarasik`.
+work of external torques [J] and the heat of the clutch [J]. The equations are in `tarasik`.
 """
 
 from __future__ import annotations
@@ -34,12 +34,12 @@ class PublishedEquations:
     ) -> None:
         self.phase, self.masses = phase, phase.masses
         self.last = math.nextafter(end, -math.inf)
-        """Last instant before `end`, at which outside torques and the capacity can jump. [s]"""
+        """Last instant before `end`, at which external torques and the capacity can jump. [s]"""
         self.contact = None if phase.clutch is None else system.contacts[phase.clutch]
         self.laws = [(ends.index(outside.link), outside.law) for outside in system.outside]
 
     def torques(self, time: float, state: Floats) -> tuple[float, float]:
-        """Return the outside torques M_in at the input and M_out against the output [N*m]."""
+        """Return the external torques M_in at the input and M_out against the output [N*m]."""
         torques, time = [0.0, 0.0], min(time, self.last)
         for end, law in self.laws:
             speed, angle = state[end], state[2 + end]

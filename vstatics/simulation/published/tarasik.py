@@ -4,7 +4,7 @@
     dw_out/dt = {[M_in L P + M_f sign(w_f) (1 - L)] u eta - M_out}/(J_in L u^2 + J_out)     (12)
     w_f = w_in - u w_out                                                                    (13)
 
-M_in and M_out are the outside torques, M_f the capacity of the clutch, u and eta the ratio and
+M_in and M_out are the external torques, M_f the capacity of the clutch, u and eta the ratio and
 efficiency of the engaged gear. L = 1 after the clutch has locked, otherwise 0; P = 1 while M_f
 exceeds the transmitted torque. `TwoMasses.input_inertia` calculates J_in. Equation (12) omits the
 rate of change of a lumped inertia and its share at the output, so the energy does not balance; a

@@ -58,7 +58,7 @@ Maker: TypeAlias = Callable[[Moments, Sequence[str]], Floats]
 
 
 def _powers(at: Moments, rows: Sequence[str]) -> Floats:
-    """Return the powers of outside torques by link, and of springs [W]."""
+    """Return the powers of external torques by link, and of springs [W]."""
     system = at.system
     of_links = outside_torques(at.motion.equations) @ at.ports * at.speeds
     powers = {

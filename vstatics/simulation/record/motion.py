@@ -40,7 +40,7 @@ class Energy(NamedTuple):
     """Energy balance of a run, in J."""
 
     work: float
-    """Work of outside torques."""
+    """Work of external torques."""
     heat: Mapping[str, float]
     """Heat of friction by name: shift elements, springs, and links with a resistance."""
     heat_per_area: Annotated[Mapping[str, float], SOMETIMES]

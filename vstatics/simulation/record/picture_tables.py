@@ -120,8 +120,9 @@ def _of_vehicle(road: Road, acceleration: Floats, turning: Floats) -> Floats:
 def _output_torque(equations: Equations, accelerations: Floats, torques: Floats) -> Floats:
     """Return the torque that the gear train gives to the output link [N*m].
 
-    It is the inertia torque of the link minus the outside torques on it. Springs count as outside
-    torques if the link belongs to a gear set or shift element; otherwise they drive it.
+    It is the inertia torque of the link minus the external torques on it. Torques of springs are
+    external if the link belongs to a gear set or shift element. Otherwise the springs connect the
+    gear train with the link, and their torques are part of the result.
     """
     system, layout = equations.system, equations.layout
     link = system.case.output - 1

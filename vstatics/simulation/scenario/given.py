@@ -32,7 +32,7 @@ class GivenControl(NamedTuple):
 
 
 class GivenLaw(NamedTuple):
-    """Law of an outside torque, as a mapping in the document."""
+    """Law of an external torque, as a mapping in the document."""
 
     over: str = "time"
     points: Sequence[tuple[float, float]] | None = None

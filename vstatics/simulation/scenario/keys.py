@@ -173,7 +173,7 @@ def _law(curve: Parsed) -> ByForm:
         _TORQUE_POINTS,
         ByKey(
             "Torque",
-            "A law of an outside torque.",
+            "A law of an external torque.",
             (
                 KeyShape(
                     "over",
@@ -480,7 +480,7 @@ def _keys_over_time(words: Vocabulary) -> tuple[KeyShape, ...]:
         KeyShape(
             "torques",
             Numbers("link", OneOrMany(_law(torque))),
-            "Outside torques on links in N*m, positive like the input's; a law, or several.",
+            "External torques on links in N*m, positive like the input's; a law, or several.",
         ),
         *_motion_keys(words),
         KeyShape(

@@ -199,7 +199,7 @@ class Road(NamedTuple):
 
     @property
     def rolling_growth(self) -> Points | None:
-        """Outside torque over the wheel speed, by rolling resistance beyond its value at rest.
+        """External torque over the wheel speed, by rolling resistance beyond its value at rest.
 
         None if the rolling resistance is constant or the radius variable.
 
@@ -222,7 +222,7 @@ class Road(NamedTuple):
         return self.weight_torque * self.slope
 
     def torque(self, speed: Any) -> Any:
-        """Return the outside torque at wheel speeds [rad/s], without dry friction [N*m].
+        """Return the external torque at wheel speeds [rad/s], without dry friction [N*m].
 
         This is the torque of ascent and air drag. With a variable radius it includes the rolling
         resistance beyond its value at rest.

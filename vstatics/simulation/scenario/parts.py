@@ -170,7 +170,7 @@ class Scenario(NamedTuple):
     controls : mapping of int to Control, optional
         Number of a shift element -> its control; None if the document lacks the key.
     torques : sequence of (int, TorqueLaw)
-        Outside torques on links; a link can appear several times. [N*m]
+        External torques on links; a link can appear several times. [N*m]
     converters : sequence of Converter
         Torque converters that replace all converters of the case.
     shifts : sequence of Shift, optional
@@ -227,7 +227,7 @@ class Scenario(NamedTuple):
 
     @property
     def span(self) -> float:
-        """Time scale for comparing near instants: the duration, within two limits [s]."""
+        """Time scale for deciding if two instants coincide: duration, within two limits [s]."""
         return min(max(self.duration, LEAST_DURATION), LONGEST_DURATION)
 
 

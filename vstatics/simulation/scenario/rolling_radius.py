@@ -109,7 +109,7 @@ class LoadedWheel(NamedTuple):
         return velocity
 
     def torque(self, turning: Any) -> Floats:
-        """Return the outside torque [N*m] of all road resistances at wheel speeds [rad/s]."""
+        """Return the external torque [N*m] of all road resistances at wheel speeds [rad/s]."""
         velocity = self.velocity(turning)
         forces = self.steady + np.sign(velocity) * (self.rolls(velocity) + self.air * velocity**2)
         torque: Floats = -self.free / self.load(velocity) * forces

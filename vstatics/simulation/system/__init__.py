@@ -1,6 +1,6 @@
 """Mechanical model of a scenario as matrices, and its equations of motion between two events.
 
-`devices` translates a scenario into bodies, constraints, contacts, springs and outside torques,
+`devices` translates a scenario into bodies, constraints, contacts, springs and external torques,
 which `matrices` declares. A port is a row of link speeds along which a torque acts; its rate is the
 speed in this row. `curves` and `ports` calculate capacities and torques of ports at an instant.
 `structure` contains the constant matrices for a set of sticking contacts. `varying_losses` and

@@ -1,4 +1,4 @@
-"""Mechanical model of a scenario: bodies, constraints, contacts, springs and outside torques.
+"""Mechanical model of a scenario: bodies, constraints, contacts, springs and external torques.
 
 A speed row contains the coefficients that give a speed, such as a slip, from the speeds of links.
 """
@@ -278,7 +278,7 @@ def _slipping_torque(element: ShiftElement, capacity: Programme) -> Programme:
 
 
 def _loads(scenario: Scenario, first: int) -> tuple[list[Contact], list[OutsideTorque]]:
-    """Return outside torques: contacts for their dry friction and jumps, then all other terms.
+    """Return external torques: contacts for their dry friction and jumps, then all other terms.
 
     `first` is the index of the first contact.
     """

@@ -1,13 +1,14 @@
 """Equations of motion between two events, as a system of first-order differential equations.
 
-A torque acts at a port, such as a spring; the rate of the port is the speed along this torque
-[rad/s]. The state is ``[q, e, phi, v, W]``:
+A torque acts at a port, for example between the two links of a spring. The rate of a port [rad/s]
+is the speed by which its torque is multiplied to obtain power. The state is ``[q, e, phi, v, W]``:
 
-- q: speeds of the motions with inertia; ``dq/dt`` is linear in the torques of the ports;
+- q: generalised speeds of the independent motions with inertia; ``dq/dt`` is linear in the torques
+  of the ports;
 - e: twists of springs; ``de/dt`` is the rate of the port, unless the spring slips;
 - phi: recorded angles of links;
-- v: values, which are control states and temperatures;
-- W: works of ports, losses of dampers, slip work of springs, and losses of mechanisms.
+- v: control states and temperatures;
+- W: work of ports, and energy lost in dampers, slipping springs and mechanisms.
 
 `Equations.derivative` returns the derivative of the state. Motions without inertia are not part of
 the state: their speeds follow from the balance of torques along them.

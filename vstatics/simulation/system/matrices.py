@@ -1,6 +1,6 @@
 """Mechanical model of a scenario: inertias, constraints, and rows of ports.
 
-``M dw/dt = T - A m`` for speeds w, inertia matrix M, outside torques T and torques m of components;
+``M dw/dt = T - A m`` for speeds w, inertia matrix M, external torques T, component torques m;
 A is the structural-distribution matrix of statics. The columns of mechanisms are constraints, the
 columns of shift elements carry friction, and the columns of springs carry elastic torques. A port
 is a torque that follows from the motion. Its speed row times the speeds of the links is the rate of
@@ -33,7 +33,7 @@ from vstatics.simulation.tolerances import LEAST_EFFICIENCY
 
 
 class Switch(NamedTuple):
-    """Jump of an outside torque over the speed or angle of a link."""
+    """Jump of an external torque over the speed or angle of a link."""
 
     link: int
     """Index of the link on which the torque acts."""
@@ -62,7 +62,7 @@ class Contact(NamedTuple):
     beside: int | None = None
     """Index, among components, of a spring to which the contact is parallel."""
     switch: Switch | None = None
-    """Jump of an outside torque, for a contact that represents the jump and not friction.
+    """Jump of an external torque, for a contact that represents the jump and not friction.
 
     The slip is the distance of the motion from the jump. While the contact sticks, the motion
     slides along the jump, with a torque between the torques of both sides (Filippov). A link with a
@@ -108,7 +108,7 @@ class RigidMechanism(NamedTuple):
     back: float
     """Efficiency with power entering at the second link; its value at 0 if it is a law. [-]"""
     planets: Floats
-    """Torque on the first link that accelerates planets, per acceleration of links. [kg*m^2]"""
+    """Inertia of the planets: torque on the first link per acceleration of each link. [kg*m^2]"""
     laws: tuple[float, float] | None = None
     """Both efficiencies, if at least one is a law over speed or torque."""
 
@@ -216,7 +216,7 @@ class MovingVariator(NamedTuple):
 
 
 class OutsideTorque(NamedTuple):
-    """Outside torque on a link, other than dry friction."""
+    """External torque on a link, other than dry friction."""
 
     link: int
     """Index of the link on which the torque acts."""
@@ -248,7 +248,7 @@ def sign(value: float) -> str:
 class PortLayout:
     """Order of the ports, and of the recorded angles and values.
 
-    Ports: outside torques, contacts, springs, pumps and turbines of converters, links whose speeds
+    Ports: external torques, contacts, springs, pumps and turbines of converters, links whose speeds
     formulas read, variators, mechanisms with varying efficiency.
     """
 
@@ -268,7 +268,7 @@ class PortLayout:
         self.losses = self.variators + len(system.variators)
         self.ports = self.losses + len(system.varying)
         self.frictions = self.outside + self.converters
-        """Index of the first contact in `States.pieces`, after outside torques and converters."""
+        """Index of the first contact in `States.pieces`, after external torques and converters."""
         self.curves = self.frictions + len(system.contacts)
         """Index of the first spring in `States.pieces`, after the contacts."""
         angles = {load.link for load in system.outside if load.needs_angle}

@@ -56,7 +56,7 @@ class States(NamedTuple):
     pieces: tuple[int, ...]
     """Index of the active linear piece of each law.
 
-    In this order: each outside torque over speed or angle (0 for other laws); each converter over
+    In this order: each external torque over speed or angle (0 for other laws); each converter over
     speed ratio; the friction of each contact over slip; the curve of each spring over twist.
     """
 
@@ -109,7 +109,7 @@ class Ports:
             for index, converter in enumerate(system.converters)
         )
         self.switching: list[int] = []
-        """Outside torques, by index, whose formulas can jump at unknown speeds or angles."""
+        """External torques, by index, whose formulas can jump at unknown speeds or angles."""
         self.senses_rate = np.zeros(layout.ports, dtype=bool)
         """Flags of ports whose torque depends on the rate."""
         self._springs(system, states)
@@ -140,7 +140,10 @@ class Ports:
         lines = np.array([spring.curve.piece(piece) for spring, piece in pieces]).reshape(-1, 2).T
         self.c0[layout.spring_ports], self.elastic = np.where(self.bends & ~parted, lines, 0.0)
         self.taken = np.where(parted, lines, 0.0)
-        """Elastic torques that dampers of parted springs cancel: value at twist 0, and slope."""
+        """Elastic torque of each parted spring, which its damper cancels: value at twist 0, slope.
+
+        A spring parts when its damper would pull. [N*m, N*m/rad]
+        """
         self.all_elastic = np.zeros(layout.ports)
         """Stiffness of each port, 0 if the port is not a spring. [N*m/rad]"""
         self.all_elastic[layout.spring_ports] = self.elastic
@@ -154,7 +157,7 @@ class Ports:
             self.all_elastic[layout.springs + index] = curve.steepest
 
     def _laws(self, system: MotionSystem, states: States, time: float) -> None:
-        """Set up the torques of outside loads, contacts and springs with dampers or limits."""
+        """Set up the torques of external loads, contacts and springs with dampers or limits."""
         layout = self.layout
         for index, load in enumerate(system.outside):
             if not load.acts(states.contacts):

@@ -170,7 +170,7 @@ def _derived(equations: KnownMotion, seen: Seen) -> Derived:
 
 
 def outside_torques(equations: KnownMotion) -> Floats:
-    """Return the matrix from torques of ports to outside torques, shape (links, ports).
+    """Return the matrix from torques of ports to external torques, shape (links, ports).
 
     Torques at jumps, and torques that enforce given speeds, are included.
     """

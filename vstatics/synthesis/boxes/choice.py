@@ -219,7 +219,7 @@ def find_boxes(
     by: BoxOrder = USUAL,
     weights: Mapping[str, float] = ALIKE,
 ) -> BoxList:
-    """Find all gearboxes whose gears have wanted ratios, in the present process.
+    """Find all gearboxes whose gears have the wanted ratios, without worker processes.
 
     Parameters
     ----------

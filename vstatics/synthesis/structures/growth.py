@@ -174,7 +174,7 @@ def next_batch(search: StructureSearch, codes: Codes) -> SchemeBatch:
 
 
 def counted_by(search: StructureSearch) -> StructureSearch:
-    """Return the search for classes by which schemes are counted, with `weights`."""
+    """Return the search with the classes that are counted; `weights` returns their numbers."""
     return search._replace(classes="sets") if search.classes == "none" else search
 
 

@@ -91,7 +91,7 @@ def with_rigid(
     Parameters
     ----------
     acting : ndarray, shape (links, ...)
-        Inertia torques and outside torques on links, real or complex. [N*m]
+        Inertia torques and external torques on links, real or complex. [N*m]
     elastic : mapping of str to ndarray
         Torques of elastic components. [N*m]
     """

@@ -64,11 +64,13 @@ class DamageAnswer(NamedTuple):
 
 
 def device_damage(fatigue: Fatigue, torques: Floats) -> DeviceDamage:
-    """Return the damage by a record of torques [N*m], by (4.33), (4.34) and (4.38).
+    """Return the fatigue damage that a record of torques [N*m] causes.
+
+    Equations (4.33), (4.34) and (4.38) of Tsitovich and Algin, 1981.
 
     The equivalent stress of a cycle is (amplitude + asymmetry |mean|)/modulus. If it reaches
-    threshold * endurance, the cycle causes the damage (stress/endurance)^exponent/cycles; smaller
-    stresses cause none. The damage is NaN if a torque is indeterminate or if the damage overflows.
+    threshold * endurance, the cycle causes the damage (stress/endurance)^exponent/cycles, otherwise
+    no damage. The result is NaN if a torque is indeterminate or the damage overflows.
 
     Examples
     --------

@@ -112,13 +112,13 @@ class DriveCycle(NamedTuple):
 def drive(
     case: Transmission, trace: Trace, choice: GearChoice, fuel: FuelMap | None = None
 ) -> DriveCycle:
-    """Drive a case with a vehicle through a driving cycle.
+    """Calculate the operating points, energies and losses of a vehicle in a driving cycle.
 
     Raises
     ------
     CaseError
-        If the case has no vehicle, or if a gear is not in the case or has no torques; the path of a
-        problem is a row of the trace.
+        If the case has no vehicle, or a gear of the trace does not exist or has no torques. The
+        paths of the problems are rows of the trace.
 
     Examples
     --------

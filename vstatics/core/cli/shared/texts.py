@@ -121,7 +121,7 @@ def among_several(
 def joined(
     parts: Iterable[Part], to: Destination, frame_of_command: Frame | None = None
 ) -> Iterator[bytes]:
-    """Yield the text of a stream from the outputs of all cases, except empty outputs."""
+    """Yield the output of a command in pieces: the outputs of all cases that are not empty."""
     if to.form == "parquet":
         from vstatics.core.writers import result_parquet
 

@@ -114,7 +114,7 @@ def _whole(element: Element) -> bool:
 
 
 def _place(element: Element, about: Key | None) -> Path:
-    """Return the path, within a gear set, of the teeth to which a doubt refers."""
+    """Return the path, within a gear set, of the teeth to which a warning refers."""
     if about is None:
         return ("planets",)
     if isinstance(about, int) and element.rims:

@@ -96,7 +96,7 @@ class Decimals:
 
 
 def has_cells(line: str) -> bool:
-    """Return whether any cell of a line has content.
+    """Return whether any cell of a line has content; ``sep=;`` only declares the separator.
 
     >>> has_cells(" ;;"), has_cells("0;"), has_cells("sep=;")
     (False, True, False)

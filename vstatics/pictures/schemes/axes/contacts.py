@@ -13,7 +13,7 @@ from vstatics.pictures.schemes.gear_glyphs import ABOVE, Glyph, Tap
 STUB = 12.0
 """Distance from the last station of an axis to the input or output of a link. [pt]"""
 ROAD_RADIUS, ROAD_WHEEL = 21.0, 13.0
-"""Radius of a road wheel, and distance from the wheel middle to a neighbouring gear. [pt]"""
+"""Radius of a road wheel, and distance from the wheel centre to a neighbouring gear. [pt]"""
 EDGE = 3.0
 """Distance from a gear set to a passing line. [pt]"""
 
@@ -129,7 +129,7 @@ def _of_ends(station: Station, way: int, x: float) -> Iterator[AxisContact]:
 
 
 def _of_drum(station: Station, way: int, x: float) -> Iterator[AxisContact]:
-    """Yield the contacts of the wall of a drum, and of the shafts under the clutch packs."""
+    """Yield the points where links meet a clutch drum: at its wall and under each clutch pack."""
     order = list(permutations(range(len(station.devices))))[way]
     for place, number in enumerate(order):
         yield AxisContact(station.links[0], x - station.half, station.devices[number], "sign")

@@ -150,15 +150,17 @@ def placed_along(
     offsets: Mapping[int, Mapping[Bar, Sequence[float]]],
     needs: Needs,
 ) -> None:
-    """Place uprights along the axis, as close as the rectangles and the link names permit.
+    """Place uprights (drawn gear sets, clutches, brakes) along the axis, as close as possible.
 
     Parameters
     ----------
     rooms : sequence of sequence of SignRoom
-        Rectangles that each upright needs.
+        Rectangles that the symbols of each upright need.
     offsets : mapping
-        Horizontal positions where an upright meets each bar, relative to the upright, by its index.
+        For each upright, by index: horizontal positions relative to it at which it meets each bar.
         [pt]
+    needs : Needs
+        Widths of the link names.
     """
     apart: dict[tuple[int, int], float] = {}
     for _ in range(3 * len(needs.names) + 1):

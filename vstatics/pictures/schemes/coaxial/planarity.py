@@ -25,12 +25,13 @@ def has_half_section(train: CoaxialTrain, left_out: int = 0) -> bool:
     Parameters
     ----------
     left_out : int
-        Edges that are ignored, as a sum of their bits.
+        Bit mask of the edges to ignore.
 
     Examples
     --------
-    In two neighbouring sets with a common carrier, each sun can pass the planets of the other set
-    to its ring:
+    Link 1 is the carrier of two gear sets; one has sun 2 and ring 3, the other sun 4 and ring 5.
+    Connecting the suns and connecting the rings needs no crossing, but connecting each sun with
+    both other wheels does:
 
     >>> sets = [Planes(1, [(2, 3)]), Planes(1, [(4, 5)])]
     >>> has_half_section(CoaxialTrain(sets, [(2, 4), (3, 5)], [], 1, 2))
@@ -38,7 +39,7 @@ def has_half_section(train: CoaxialTrain, left_out: int = 0) -> bool:
     >>> has_half_section(CoaxialTrain(sets, [(2, 4), (4, 3), (3, 5), (5, 2)], [], 1, 1))
     False
 
-    With too many ways to try, the answer can be True without such a half-section:
+    If there are too many arrangements to try, the answer can be True although none exists:
 
     >>> has_half_section(CoaxialTrain([Planes(1, [(2, 3)])] * 20, [], [], 1, 2))
     True

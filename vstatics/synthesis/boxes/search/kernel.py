@@ -89,7 +89,7 @@ def boxes_in(
     room: Room | RoomOfSequences,
     sample: SetSample,
 ) -> tuple[int, int, int]:
-    """Find the gearboxes in a sample of the listed element sets, within the limit of `steps`.
+    """Find gearboxes among a sample of the listed sets of shift elements.
 
     Parameters
     ----------
@@ -97,7 +97,9 @@ def boxes_in(
     port : PortGears
         Gears with the targets that their ratios reach.
     asked : Asked
+        Wanted ratios with tolerances.
     room : Room or RoomOfSequences
+        Working arrays, which receive the gearboxes and limit the steps of the search.
     sample : SetSample
 
     Returns

@@ -49,7 +49,7 @@ class GearStrip(NamedTuple):
 
     @property
     def _ends(self) -> list[LineEnd]:
-        """Numbers of modes at the right edge, at the frequencies of the last gear."""
+        """Labels at the right edge: the number of each mode at its frequency in the last gear."""
         lasts = [(number, modes[-1].frequency) for number, modes in self._by_mode.items()]
         return [LineEnd(last / self.top, (str(number),)) for number, last in lasts]
 

@@ -37,7 +37,7 @@ class ModeDevice(NamedTuple):
 
     @property
     def kind(self) -> int:
-        """Kind of the component: 0 rigid, 1 shaft, 2 elastic with one or more than two links."""
+        """Kind of the component: 0 rigid, 1 a shaft between two links, 2 any other elastic one."""
         return self.elastic * (1 if len(self.members) == 2 else 2)
 
 

@@ -18,7 +18,7 @@ from vstatics.synthesis.boxes.search.set_ratios import Asked, FitRoom, fit_room
 from vstatics.synthesis.tolerances import SAME_FITTED_RATIO, TARGET_MARGIN
 
 NARROW_SEQUENCE_CELL = 1.01
-"""Quotient of the bounds of a gear-set ratio below which a cell is not halved further. [-]"""
+"""Quotient of upper and lower bound of a gear-set ratio; the search halves no narrower cell. [-]"""
 
 
 @shared
