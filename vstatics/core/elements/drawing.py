@@ -108,7 +108,7 @@ def transmission(
     Raises
     ------
     CaseError
-        The error contains all errors of the gear sets and of the other arguments.
+        The error contains all problems of the gear sets and of the other arguments.
 
     Examples
     --------

@@ -461,7 +461,7 @@ def load_of(
     Raises
     ------
     ValueError
-        With the reason from `load_fault`.
+        The message is the result of `load_fault`.
 
     Examples
     --------
@@ -741,7 +741,7 @@ class Gear(NamedTuple):
         return tuple(number for number, slip in self.slip.items() if slip != 0)
 
     def open_links(self, ends: Sequence[int]) -> list[int]:
-        """Return links of the battery balance of unknown speed and torque, except `ends`."""
+        """Return links of the battery balance whose speed and torque are unknown, except `ends`."""
         links = [link for link, _ in self.balance.efficiencies] if self.balance else []
         return [link for link in links if link not in (*ends, *self.speeds, *self.torques)]
 

@@ -216,7 +216,7 @@ class Transmission(TransmissionFields):
         Raises
         ------
         ReadError
-            Contains every fault and its keys.
+            The error contains every problem and its path.
         """
         case: Transmission = higher("from_dict")(data)
         return case

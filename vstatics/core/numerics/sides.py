@@ -18,7 +18,7 @@ _PLACES = 2**15 + 1
 _CLOSER = np.linspace(0.0, 1.0, 9)
 """Positions in an interval (0 to 1) at which a function is evaluated near an extremum."""
 _TIMES_CLOSER = 24
-"""Number of refinements near an extremum, each of which makes the interval four times shorter."""
+"""Number of refinements near an extremum. Each makes the interval four times shorter."""
 _BISECTIONS = 100
 """Number of bisections at a change of sign."""
 

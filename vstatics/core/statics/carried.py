@@ -62,7 +62,7 @@ def carried_torques(results: Results, common: float) -> tuple[Floats, Booleans]:
 
 
 def torque_of_pump(points: Sequence[tuple[float, ...]], speed_ratio: float, speed: float) -> float:
-    """Return the torque that the pump of a converter takes, ``lambda w |w|``.
+    """Return the torque ``lambda w |w|`` that the pump of a converter takes [N*m].
 
     The pump factor lambda is interpolated linearly between the points and constant outside them.
 

@@ -96,8 +96,8 @@ def check_signs(
         if not is_nan(of_slips[number - 1]):
             agrees = agrees & (of_slips[number - 1] * way >= 0)
     passes = ideal.overcome or (efficiency > 0) & (efficiency < math.inf)
-    # `passes` can be False for a single variant, or if all variants agree. Variants with slip can
-    # differ, so power is tested for each of these.
+    # `passes` is False only for a single variant, or if it is false in all variants. Variants with
+    # slip can differ, so power is tested in any case.
     if (passes is False or ideal.gear.slip) and not _passes_power(ideal):
         passes = True
     return LossyTorques(

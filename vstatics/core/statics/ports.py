@@ -24,8 +24,7 @@ class Port(NamedTuple):
     speed: float
     """Speed of the link, relative to the input speed. [-]"""
     torque: float
-    """External torque on the link, but on an output the torque that the output gives to the load.
-    [-]
+    """External torque on the link; for an output, the torque that the output gives to the load. [-]
 
     NaN if indeterminate.
     """

@@ -142,7 +142,7 @@ class ResultFields(_NamedFields):
     """Power lost by prescribed slip, ``(..., gears, shift elements)``. [-]"""
 
     consistent: Booleans
-    """Gears with torques with losses that suit the directions of power, ``(..., gears)``."""
+    """Gears whose torques with losses agree with the directions of power, ``(..., gears)``."""
     locked: Booleans
     """Self-locking gears, ``(..., gears)``."""
     dragged: Booleans

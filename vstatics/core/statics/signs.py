@@ -150,7 +150,7 @@ def _sign_of_idle(ideal: IdealGear, place: int, *, is_unloaded: bool) -> Number:
 
 
 class Admissible(NamedTuple):
-    """Signs that agree with the resulting power flow. Of several solutions, the most efficient."""
+    """Most efficient of the combinations of signs that agree with the resulting power flow."""
 
     lossy: LossyTorques | None = None
     """Torques for the signs; None if the gear is self-locking or the search ended early."""

@@ -152,7 +152,7 @@ def bare(grid: Grid) -> Markup:
 
 
 def _over(grid: Grid) -> Iterator[Markup]:
-    """Yield a row with the headings `over` groups of columns, if there are any."""
+    """Yield a row with the common headings of adjacent columns (`Column.over`), if any."""
     if any(column.over for column in grid.columns):
         heads = []
         for over, columns in groupby(grid.columns, lambda column: column.over):

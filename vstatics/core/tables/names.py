@@ -117,7 +117,7 @@ def row_named(name: str, kind: Rows, case: Transmission) -> int:
 
 
 def rows_called(name: str, kind: Rows, case: Transmission) -> list[int]:
-    """Return the indices of rows with a name; if there are none, of rows of that gear set."""
+    """Return the indices of rows with a name; if none, of the rows of a gear set with the name."""
     indices = [index for index, row in enumerate(row_names(case, kind)) if row == name]
     return indices or [index for index, owner in enumerate(_owners(kind, case)) if owner == name]
 

@@ -1,4 +1,4 @@
-"""Headings with units of motion along a line, for a case with links that move so."""
+"""Headings with units of motion along a line, for a case with links that move along a line."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _UNIT = re.compile(rf"(?:(?<=\[)|(?<=, ))(?:{_ANY})(?=\]|$)|(?:{_SPEEDS})rad/s(?
 
 
 def in_both_units(case: Transmission, grids: Iterable[Grid]) -> Iterator[Grid]:
-    """Yield tables; headings also contain units of motion along a line if links move so.
+    """Yield tables, whose headings also contain units for links that move along a line, if any.
 
     Examples
     --------

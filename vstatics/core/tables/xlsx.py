@@ -63,7 +63,7 @@ def write(
 
 
 def sheet_data(sheets: Mapping[str, Sequence[Sequence[Any]]]) -> bytes:
-    """Return a workbook of sheets by name, whose first row contains the headings.
+    """Return a workbook of sheets by name. The first row of each sheet contains the headings.
 
     Equal sheets result in equal bytes.
     """

@@ -73,7 +73,7 @@ def check_published_listing(results: Results) -> None:
     Raises
     ------
     CaseError
-        Contains a problem for each kind of part, located at its first part.
+        The error contains a problem for each kind of part, located at the first such part.
 
     Examples
     --------

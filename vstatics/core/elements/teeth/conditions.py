@@ -63,7 +63,7 @@ def closes(first: Amount, second: Amount, apart: Amount) -> Any:
 
 
 def lean(first: Amount, second: Amount, apart: Amount) -> Amount:
-    """Return the angle between two meshing planets, seen from the central axis [rad], or NaN.
+    """Return the angle between two planets, seen from the central axis [rad]; NaN if impossible.
 
     >>> round(float(lean(20.0, 20.0, 20.0)), 6)
     1.047198

@@ -284,7 +284,7 @@ class KnownDeck:
 
     @cached_property
     def numbers(self) -> Mapping[int, tuple[str, Sequence[int]]]:
-        """For each line with numbers of mechanisms only: attribute and mechanism indices."""
+        """Attribute and mechanism indices of each line that contains only numbers of mechanisms."""
         every = range(len(self.case.mechanisms))
         known = {}
         for key, part, owners in (

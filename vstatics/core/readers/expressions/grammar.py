@@ -167,7 +167,7 @@ class _Parser:
         return left
 
     def joined(self, operands: Sequence[Tree], signs: Sequence[tuple[str, int]]) -> Tree:
-        """Return the tree of an operation chain of equal precedence."""
+        """Return the tree of a chain of operations with equal precedence."""
         first, at = signs[0]
         if first in _LOGIC:
             return self.operation(first, operands, at)

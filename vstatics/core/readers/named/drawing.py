@@ -28,7 +28,7 @@ def read_drawing(root: nodes.Mapping, walk: Walk, case: ByKey) -> Reading:
     Raises
     ------
     ReadError
-        Contains every problem that is not the consequence of another problem.
+        The error contains every problem that does not follow from another.
     """
     spots = walk.spots
     given = {key.text for key, value in root.entries if not is_null(value)}

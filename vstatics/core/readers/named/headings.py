@@ -56,7 +56,7 @@ class TableColumn(NamedTuple):
     is_text: bool = False
     optional: bool = False
     may_be_bare: bool = False
-    """True if a heading without a unit is in the SI unit."""
+    """True if a heading without a unit means the SI unit."""
     meaning: str = ""
     """Hint that ends the message about a wrong unit."""
     sizes: Mapping[str, float] | None = None

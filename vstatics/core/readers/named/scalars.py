@@ -14,7 +14,7 @@ NUMBER = rf"^{DIMENSIONLESS}$"
 """Regular expression of a number or calculation, for JSON Schema."""
 
 LINK_NUMBER = "^(0|[1-9][0-9]*)$"
-"""Digits without a leading zero, because some YAML parsers convert `010` to 8."""
+"""Pattern of digits without a leading zero, because some YAML parsers convert `010` to 8."""
 
 INFINITE = frozenset((".inf", ".Inf", ".INF", "+.inf", "+.Inf", "+.INF"))
 """Spellings of infinity in YAML 1.1 and 1.2."""

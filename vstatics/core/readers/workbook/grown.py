@@ -13,7 +13,7 @@ class GrownNode:
         self.line, self.column = line, column
         self.entries: list[tuple[Part, Scalar, GrownNode | Node]] = []
         self._values: dict[Part, GrownNode | Node] = {}
-        """Value of each key; of several values for a key, the first."""
+        """Value of each key. If a key has several values, only the first is stored."""
 
     def below(self, part: Part) -> GrownNode | Node | None:
         """Return the value under a key or item number; None without a value."""

@@ -45,7 +45,7 @@ ROUNDED = 16 * EPSILON
 LOSSY_SPEED_RATIO = 0.01
 """Speed ratio at which every real converter loses power. [-]"""
 TRIALS = 0.382, 0.618
-"""Trial speed ratios for gears without a solution: 0 the first, 1 the last of the points. [-]"""
+"""Trial speed ratios for gears without a solution, from 0 (first point) to 1 (last point). [-]"""
 NO_RATIO, NO_TORQUE = 6, 7
 """States of a gear: no speed ratio agrees with the load, or no torques exist at any speed ratio."""
 OF_SPEEDS = ("speeds", "planet_speeds", "slip_speeds", "ratio", "speed_ratio")

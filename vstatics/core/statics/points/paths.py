@@ -139,7 +139,7 @@ def numbers_of(case: Transmission) -> dict[str, tuple[CaseNumber, ...]]:
 
 
 def measure_of(quantity: str) -> Measure | Literal["power"] | None:
-    """Return the quantity, in terms of units, of a number; None for a number without a unit.
+    """Return the measure that determines the unit of a number; None for a number without a unit.
 
     >>> measure_of("speeds"), measure_of("efficiency")
     ('si_speed', None)
