@@ -168,7 +168,7 @@ SINE = math.sin(math.radians(3))
         ),
         ("time [s];vehicle_speed [km/h];slope [°]\n0;0;-3\n2;36;-3\n", -SINE),
         ("time [s],speed [km/h],Incline (°)\n0,0,-3\n2,36,-3\n", -SINE),
-        ("t / s;v / (km/h);grade_percent\n0;0;75\n2;36;75\n", 0.6),
+        ("t / s;v / (km/h);grade_percent;Speed/Limit\n0;0;75;9\n2;36;75;9\n", 0.6),
     ],
 )
 def test_headings_of_further_programs(text: str, slope: float) -> None:
