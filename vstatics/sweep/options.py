@@ -17,7 +17,7 @@ class PlacedPart(NamedTuple):
     """Place in a sweep file from which a part of an option's text was read."""
 
     first: int
-    """Column in the text where the part begins, from 1."""
+    """Column in the text of the option where this part begins, from 1."""
     place: Place
     as_written: bool = True
     """True if columns of text and file correspond; False for a text joined from several lines."""
@@ -124,9 +124,13 @@ class SweepOptions:
     case: str | None = _option("path")
     vary: tuple[Text, ...] = _option("vary", "Vary a number. Repeatable.", metavar="NAME=VALUES")
     zip: bool | None = _option(
-        "flag", "Combine the first values, then the second, and so on, instead of a grid."
+        "flag",
+        "Combine the first values of all --vary, then the second values, and so on, "
+        "instead of a grid.",
     )
-    sample: int | None = _option("count", "Number of random variants within LOW:HIGH.", metavar="N")
+    sample: int | None = _option(
+        "count", "Number of random variants in the ranges LOW:HIGH.", metavar="N"
+    )
     method: str | None = _option("choice", "Sampling method.  [default: sobol]", choices=METHODS)
     seed: int | None = _option(
         "count", "Seed of the random numbers.  [default: 0]", metavar="S", least=0
@@ -183,7 +187,7 @@ class SweepOptions:
         )
 
     def over(self, others: SweepOptions) -> SweepOptions:
-        """Return the given options, completed by other options.
+        """Return these options, completed by other options.
 
         Other options that contradict these options are dropped, with any options that depend on
         them: for example, a given table of variants replaces a grid. If these options have an

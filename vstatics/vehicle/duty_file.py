@@ -43,14 +43,14 @@ EXPECTED = "`energy` or `time` with a share for each gear"
 
 
 class DutyFile(NamedTuple):
-    """Duty cycle given by shares of gears, with positions in the file."""
+    """Duty cycle of shares by gear, with positions in the file."""
 
     duty: Duty
     spots: Spots
 
     @property
     def load(self) -> None:
-        """Load for a case without `load`; None, because shares contain no operating point."""
+        """None, because shares by gear contain no operating point."""
 
     def of(self, results: Results) -> Cycle:
         """Calculate the duty cycle for a case.
@@ -79,15 +79,15 @@ _COLUMNS = (
 
 
 class DutyTable(NamedTuple):
-    """Duty cycle given by operating points, with positions in the file."""
+    """Duty cycle of operating points, with positions in the file."""
 
     table: UnitTable
     exponent: float
     classes: Classes | None = None
-    """Torque classes of the load spectra, if any."""
+    """Torque classes of load spectra, if requested."""
 
     load: Load | None = None
-    """First operating point with power other than 0, as `load` of a case without `load`."""
+    """First operating point whose power is not 0, as the load of a case without `load`."""
 
     def of(self, results: Results) -> Spectrum:
         """Calculate the duty cycle for a case.
@@ -128,13 +128,13 @@ def _gears(table: UnitTable, case: Transmission | None = None) -> Sequence[str]:
 
 
 def _driven(case: Transmission) -> Transmission:
-    """Return a case without `coast`: steps of a driving cycle have torques with sign."""
+    """Return a case without `coast`, because steps of a driving cycle have torques with sign."""
     gears = [gear._replace(coast=None) for gear in case.gears]
     return replace(case, gears=gears, coast=None)
 
 
 def without_inertias(case: Transmission) -> Iterator[Message]:
-    """Yield a note about inertias behind the input, whose inertia torques are ignored."""
+    """Yield a note on inertias behind the input, whose inertia torques are ignored."""
     inputs = {case.gear_input(gear) for gear in case.gears}
     behind = [link for link, inertia in case.heavy.items() if inertia and link not in inputs]
     if behind and "N418" not in case.untold:
@@ -144,7 +144,7 @@ def without_inertias(case: Transmission) -> Iterator[Message]:
 
 
 def _at_rows(problems: Iterable[Problem], table: UnitTable) -> ReadError:
-    """Return an error at the rows of the problems, or at the first row for the whole table."""
+    """Return an error with the problems at their rows; a problem without a row is at the first."""
     firsts = ((problem, next(iter(problem.path), 0)) for problem in problems)
     return ReadError(
         problem._replace(path=(), place=table.place(first if isinstance(first, int) else 0))
@@ -164,12 +164,12 @@ _SPEED = re.compile(r"((?:^|[,;\t])\s*\"?)(speed\s*\[([^\]]*)\])", re.IGNORECASE
 def read_duty_table(
     data: bytes, file: str, exponent: float | None = None, classes: Classes | None = None
 ) -> DutyTable:
-    """Read a duty cycle of operating points from columns time or share, gear, speed and torque.
+    """Read a duty cycle of operating points: columns time or share, gear, speed and torque.
 
     A case with a single gear needs no column `gear`.
 
-    In a table with the column `duration`, as `vstatics cycle` writes it, `time` is an instant; then
-    `time` and all further columns are skipped.
+    In a table with the column `duration`, as `vstatics cycle` writes it, `time` is an instant. Then
+    `time` and all additional columns are skipped.
 
     Parameters
     ----------
@@ -204,7 +204,7 @@ def _first_load(table: UnitTable) -> Load | None:
 
 
 def _of_road(speed: re.Match[str]) -> str:
-    """Rename the column of road speed to avoid confusion with the input speed."""
+    """Rename the column of road speed, so that it is not read as input speed."""
     before, heading, unit = speed.groups()
     try:
         measured(f"1 {unit}", "si_speed")
@@ -214,7 +214,6 @@ def _of_road(speed: re.Match[str]) -> str:
 
 
 def _steps(data: bytes, file: str, exponent: float | None, classes: Classes | None) -> DutyTable:
-    """Read the steps of a driving cycle as operating points."""
     what = "steps of a driving cycle: duration, gear, speed, torque"
     table = read_unit_table(data, file, what, _STEP_COLUMNS, "E121", skips=True)
     numbers = {**table.numbers, "time": table.numbers["duration"]}
@@ -224,7 +223,7 @@ def _steps(data: bytes, file: str, exponent: float | None, classes: Classes | No
 
 
 def duty_points(data: bytes, file: str) -> list[tuple[str, float, float]]:
-    r"""Read operating points with a speed other than 0: gear, speed [rad/s], torque [N*m].
+    r"""Read operating points with speeds other than 0: gear, speed [rad/s], torque [N*m].
 
     Raises
     ------
@@ -244,7 +243,7 @@ def duty_points(data: bytes, file: str) -> list[tuple[str, float, float]]:
 
 
 def read_duty(data: bytes, file: str) -> DutyFile:
-    """Read a duty cycle given by shares of energy or time of the gears.
+    """Read a duty cycle of shares by gear.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""`vstatics summary`: the design table of a case: ratios, steps, transitions, largest values."""
+"""`vstatics summary`: ratios, step ratios, transitions and largest values of a case."""
 
 from __future__ import annotations
 
@@ -37,7 +37,9 @@ MOST_COMBINATIONS = 10_000
 @arguments.argument
 @formats.options(*formats.TABLES, output_help=formats.OF_SEVERAL_CASES)
 @click.option(
-    "--combinations", is_flag=True, help="Try all other combinations of shift elements, too."
+    "--combinations",
+    is_flag=True,
+    help="Add the gears of all other combinations of shift elements.",
 )
 @click.option(
     "--at-most",
@@ -50,8 +52,8 @@ MOST_COMBINATIONS = 10_000
     "--output-torque",
     callback=value(torque),
     metavar="TORQUE",
-    help="External torque on the output for accelerations, such as -1200 or '-1200 N*m'.  "
-    "[default: 0]",
+    help="External torque on the output that changes the accelerations, such as -1200 or "
+    "'-1200 N*m'.  [default: 0]",
 )
 @click.option(
     "--reserve",
@@ -129,7 +131,7 @@ def _of_boxes(
     summarized: Callable[[CalculatedCase, Results], Summary],
     to: Destination,
 ) -> int:
-    """Write the summaries of gearboxes found by synthesis, as a table or as JSON."""
+    """Write the summaries of gearboxes from a synthesis, as a table or as JSON."""
     if to.is_folder:
         message = f"found boxes give one table: expected -o FILE, not {to.output}"
         raise click.UsageError(message)
@@ -187,7 +189,7 @@ def _summarized(
     output_torque: float,
     reserve: float | None,
 ) -> Summary:
-    """Return the summary of a case; too many combinations are a problem of the file."""
+    """Return the summary of a case. Too many combinations are a problem of the file."""
     from vstatics.core.summary import summarize
 
     try:

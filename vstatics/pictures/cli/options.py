@@ -150,7 +150,7 @@ options = gathered(
             type=click.Choice(["free", "as-given"]),
             default="free",
             help="Order of the gear sets in stick diagrams: with few crossings (free), or as in "
-            "the case even if lines cross. The title states if such a layout is not found.",
+            "the case (as-given). The title reports if no layout in this order is found.",
         ),
         click.option(
             "--merge",
@@ -220,7 +220,7 @@ options = gathered(
                 "--levels",
                 metavar="LEVELS",
                 callback=value(_levels),
-                help="For --kind map: contour levels, as an approximate number such as 10, or a "
+                help="For --kind map: approximate number of contour levels, such as 10, or a "
                 "list such as 0.9,0.95,0.97.",
             ),
             click.option(
@@ -252,7 +252,7 @@ options = gathered(
                 "--at",
                 metavar="LINK",
                 default="",
-                help="For --kind response: link whose response is drawn.  [default: input]",
+                help="For --kind response: link to draw.  [default: input]",
             ),
         ),
     ),
@@ -277,7 +277,7 @@ options = gathered(
                 "--by",
                 metavar="COLUMN",
                 default="",
-                help="Column, or gear: a line, map or histogram is drawn for each of its values.",
+                help="Column, or `gear`: each of its values gets a line, a map or a histogram.",
             ),
         ),
     ),

@@ -124,7 +124,6 @@ def _contours(sweep: WrittenSweep, style: Style, selected: DrawnColumns, names: 
 
 
 def _levels(values: Floats, wanted: int | Sequence[float] | None) -> Sequence[float]:
-    """Return the wanted contour levels, or levels chosen for the values."""
     if not values.size or isinstance(wanted, Sequence):
         return wanted if isinstance(wanted, Sequence) else ()
     if wanted is None:

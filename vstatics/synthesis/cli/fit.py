@@ -58,9 +58,9 @@ class FitOptions(NamedTuple):
         multiple=True,
         metavar="MECHANISM=LOW:HIGH,...",
         callback=value(named("MECHANISM=LOW:HIGH", pair), "--bounds"),
-        help="Range of the ratio of a mechanism, or its fixed value; `all` means the mechanisms "
-        "without a range. Repeatable.  [default: sign of the case, magnitude at most 14; if all "
-        "three links can rotate, the same side of 1]",
+        help="Range of the ratio of a mechanism, or its fixed value. `all` gives the range of all "
+        "other mechanisms. Repeatable.  [default: sign of the ratio in the case, magnitude at "
+        "most 14; if all three links can rotate, the side of 1 on which the case has the ratio]",
     ),
     click.option(
         "--weights",
@@ -140,7 +140,6 @@ def _write(case: Transmission, result: Fit, target: str, form: str, telling: Tel
 
 
 def _notes(result: Fit, file: str) -> list[Problem]:
-    """List the ratios that are not met, and notes about the solution."""
     notes = []
     if result.unmet:
         off = (

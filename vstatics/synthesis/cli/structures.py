@@ -65,11 +65,13 @@ def _links(text: str) -> int:
         type=click.Choice(get_args(Classes)),
         default="none",
         show_default=True,
-        help="Structures that count as equal and are listed once: none; equal after renaming of "
-        "the gear sets (sets); also with sun and ring exchanged (members); also with the members "
-        "of a set in any order (order).",
+        help="Changes of a structure that do not count, so that equal structures are listed once. "
+        "sets: other names of the gear sets; members: also sun and ring exchanged; order: also "
+        "any other order of the members of a set; none: no changes.",
     ),
-    click.option("--ports", is_flag=True, help="Add each choice of input and output."),
+    click.option(
+        "--ports", is_flag=True, help="List each structure with every pair of input and output."
+    ),
     click.option(
         "--matrix", is_flag=True, help="Add the matrix of links and members of each structure."
     ),

@@ -26,7 +26,7 @@ COLUMNS = (
 
 
 class FuelMap(NamedTuple):
-    """Grid of fuel rates over engine speed and torque; rates are constant outside the grid.
+    """Fuel rates on a grid of engine speed and torque, constant outside the grid.
 
     Examples
     --------
@@ -44,7 +44,7 @@ class FuelMap(NamedTuple):
     """Fuel rates, shape (speeds, torques). [g/s]"""
 
     def at(self, speeds: Floats, torques: Floats) -> Floats:
-        """Return fuel rates at engine speeds and torques [g/s]; negative torques count as 0."""
+        """Return fuel rates [g/s] at engine speeds and torques; torques below 0 count as 0."""
         grid = LookupTable(
             tuple(self.speeds.tolist()),
             tuple(map(tuple, self.fuel.tolist())),
@@ -53,7 +53,7 @@ class FuelMap(NamedTuple):
         return grid.along(speeds, np.maximum(torques, 0.0))
 
     def is_beyond(self, speeds: Floats, torques: Floats) -> Booleans:
-        """Return True where a speed or torque exceeds the largest of the grid.
+        """Return True where a speed or torque is above the grid.
 
         >>> FuelMap(np.array([100.0]), np.array([50.0]), np.zeros((1, 1))).is_beyond(
         ...     np.array([100.0, 101.0]), np.array([50.0, 0.0]))

@@ -24,14 +24,14 @@ _TIMES = (
     *("t", "test time", "cycle time", "elapsed time", "total elapsed time", "total time"),
     *("timestamp", "time stamp"),
 )
-_SECONDS = ("s", "sec", "secs", "second", "seconds", "cycsecs", "<t>")  # of FASTSim, VECTO
+_SECONDS = ("s", "sec", "secs", "second", "seconds", "cycsecs", "<t>")  # for FASTSim, VECTO
 _SPEEDS = (
     *("v", "velocity", "vehicle speed", "vehicle velocity", "target speed", "target velocity"),
     *("road speed", "cycle speed", "reference speed", "set speed", "speed target"),
 )
 _GRADES = (
     *("gradient", "grad", "road grade", "road gradient", "incline"),
-    *("cycgrade",),  # of FASTSim
+    *("cycgrade",),  # for FASTSim
 )
 COLUMNS = (
     TableColumn(
@@ -80,14 +80,14 @@ LATEST, FASTEST, QUICKEST = 1e12, 1e6, 1e9
 """Largest time [s], speed [m/s] and acceleration [m/s^2], which keep the energies finite."""
 
 BLOCK_ROWS = 20_000
-"""Number of steps that are calculated together, which limits the memory for long cycles."""
+"""Number of steps that are calculated together, which limits memory in long cycles."""
 _HEAD_BYTES = 4096
 MOST_SHOWN_FAULTS = 20
-"""Largest number of reported errors."""
+"""Largest number of errors that are reported."""
 
 
 def blocks(count: int) -> Iterator[slice]:
-    """Yield blocks of `count` steps, each of which is calculated together.
+    """Yield slices of `count` steps; the steps of a slice are calculated together.
 
     >>> list(blocks(25_000))
     [slice(0, 20000, None), slice(20000, 40000, None)]
@@ -97,12 +97,12 @@ def blocks(count: int) -> Iterator[slice]:
 
 
 class Trace(NamedTuple):
-    """Driving cycle as time steps between consecutive rows."""
+    """Driving cycle as time steps between successive rows."""
 
     duration: Floats
     """Time between the two rows of a step. [s]"""
     speed: Floats
-    """Mean of the road speeds in the two rows. [m/s]"""
+    """Mean road speed of the two rows. [m/s]"""
     acceleration: Floats
     """Constant acceleration between the two rows. [m/s^2]"""
     slope: Floats
@@ -119,7 +119,7 @@ class Trace(NamedTuple):
 
     @property
     def notes(self) -> list[Problem]:
-        """Notes about skipped columns, with the position of the headings."""
+        """Notes about skipped columns, located at the headings."""
         skipped = [f"`{heading}`" for heading in self.table.head.skipped if heading]
         if not skipped:
             return []

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
-from itertools import product
+from itertools import product, zip_longest
 from pathlib import Path
 from typing import Literal
 
@@ -13,7 +13,13 @@ from vstatics.core.model.laws import LossUnit, MapLaw
 from vstatics.core.model.shape import Measure
 from vstatics.core.readers.named import scalars
 from vstatics.core.readers.named.csv_files import csv_rows
-from vstatics.core.readers.named.headings import MOST_QUOTED, SHAFT_NAMES, with_unit
+from vstatics.core.readers.named.headings import (
+    COMMENT_SIGNS,
+    MOST_QUOTED,
+    SHAFT_NAMES,
+    with_unit,
+    without_sign,
+)
 from vstatics.core.readers.named.si_units import measured
 
 MOST_POINT_FILE_BYTES = 1_000_000
@@ -39,37 +45,74 @@ _Reading = Callable[[str], float]
 
 
 def points_of(name: str) -> list[tuple[float, ...]]:
-    """Read the points of a file.
+    """Read the points in a file, in SI units.
 
     Raises
     ------
     OSError
         If the file cannot be read, or is too large.
     ValueError
-        With the expected content.
+        The message states the expected content.
     """
-    return _points(_rows_of(name))
+    return _points(_rows_of(name, ""))
 
 
 def map_of(name: str, values: Values) -> MapLaw:
-    """Read a map from a file whose rows are the points of a full grid, in any order.
+    """Read a map from a file with the points of a complete grid, in any order.
 
     Raises
     ------
     OSError
         If the file cannot be read, or is too large.
     ValueError
-        With the expected content.
+        The message states the expected content.
     """
-    return _map(_rows_of(name), values)
+    return _map(_rows_of(name, values), values)
 
 
-def _rows_of(name: str) -> _Rows:
-    return csv_rows(Path(name), MOST_POINT_FILE_BYTES, lambda cell: _name(cell) in _MEASURES)
+def _rows_of(name: str, values: Values | Literal[""]) -> _Rows:
+    """Return the wanted columns of a file, in the order of `_HEADS`; the first row has headings.
+
+    Raises
+    ------
+    OSError
+    ValueError
+    """
+    rows = csv_rows(Path(name), MOST_POINT_FILE_BYTES, lambda cell: _name(cell) in _MEASURES)
+    if not rows:
+        raise _expected(values, [])
+    return _wanted(rows, values)
+
+
+def _wanted(rows: _Rows, values: Values | Literal[""]) -> _Rows:
+    """Return rows without comments and other columns, and with the units in the headings.
+
+    >>> rows = [(1, ["Torque", "Oil", "Speed"]), (2, ["N*m", "C", "rpm"]), (3, ["2", "90", "0"])]
+    >>> _wanted([*rows, (4, ["# end"])], "")
+    [(1, ['Speed [rpm]', 'Torque [N*m]']), (3, ['0', '2'])]
+    """
+    (line, heads), *below = (row for row in rows if row is rows[0] or not _is_comment(row[1]))
+    if below and not any(sign.isdigit() for cell in below[0][1] for sign in cell):
+        units = below.pop(0)[1]
+        both = zip_longest(heads, units, fillvalue="")
+        heads = [f"{head} [{unit.strip('[]() ')}]" if unit else head for head, unit in both]
+    names = list(map(_name, heads))
+    wanted = [*_MEASURES, values] if values else [*_MEASURES]
+    if any(names.count(name) != 1 for name in wanted):
+        raise _expected(values, heads)
+    places = [names.index(name) for name in wanted]
+    return [
+        (line, [row[place] for place in places if place < len(row)])
+        for line, row in [(line, heads), *below]
+    ]
+
+
+def _is_comment(row: Sequence[str]) -> bool:
+    return row[0].lstrip().startswith(COMMENT_SIGNS)
 
 
 def _name(heading: str) -> str:
-    name = with_unit(heading)[0].casefold()
+    name = with_unit(without_sign(heading))[0].casefold()
     return _NAMES.get(name, name)
 
 
@@ -79,16 +122,13 @@ def _points(rows: _Rows) -> list[tuple[float, ...]]:
     Raises
     ------
     ValueError
-        With the expected content.
+        The message states the expected content.
 
     Examples
     --------
     >>> _points([(1, ["speed [rad/s]", "torque [N*m]"]), (2, ["0", "2"]), (3, ["300", "3.5"])])
     [(0.0, 2.0), (300.0, 3.5)]
     """
-    heads = rows[0][1] if rows else []
-    if list(map(_name, heads)) != [*_MEASURES]:
-        raise _expected("", heads)
     return [point for _, point in _numbers(rows, "")]
 
 
@@ -102,15 +142,10 @@ def _map(rows: _Rows, values: Values) -> MapLaw:
     >>> _map([head, *enumerate(grid, 2)], "efficiency").rows
     ((100.0, 0.9, 0.95), (200.0, 0.92, 0.97))
     """
-    heads = rows[0][1] if rows else []
-    names = list(map(_name, heads))
-    if sorted(names) != sorted([*_MEASURES, values]):
-        raise _expected(values, heads)
-    places = [names.index(name) for name in (*_MEASURES, values)]
+    heads = rows[0][1]
     points: dict[tuple[float, float], tuple[int, float]] = {}
-    units = [with_unit(heads[place])[1] or "" for place in places[:2]]
-    for line, numbers in _numbers(rows, values):
-        speed, torque, value = (numbers[place] for place in places)
+    units = [with_unit(head)[1] or "" for head in heads[:2]]
+    for line, (speed, torque, value) in _numbers(rows, values):
         if (speed, torque) in points:
             first = points[speed, torque][0]
             message = f"line {line}: {_point(units, speed, torque)} is on line {first}, too"
@@ -125,7 +160,7 @@ def _map(rows: _Rows, values: Values) -> MapLaw:
             where = _point(units, speed, torque)
             raise ValueError(f"expected a full grid: there is no value at {where}")
     grid = [[speed, *(points[speed, torque][1] for torque in torques)] for speed in speeds]
-    unit = _plain(with_unit(heads[places[-1]])[1] or "")
+    unit = _plain(with_unit(heads[-1])[1] or "")
     return MapLaw(torques, grid, next((known for known in _LOSS_UNITS if known == unit), ""))
 
 
@@ -135,7 +170,7 @@ def _expected(values: str, heads: Sequence[str]) -> ValueError:
 
 
 def _point(units: Sequence[str], *values: float) -> str:
-    """Return the speed [rad/s] and torque [N*m] of a point in the units of the file."""
+    """Return a point as text, with speed and torque in the units of the file."""
     sizes = map(measured, (f"1 {unit}" for unit in units), _MEASURES.values())
     both = zip(values, sizes, units, strict=True)
     return ", ".join(f"{value / size:g} {unit}" for value, size, unit in both)
@@ -147,7 +182,7 @@ def _plain(unit: str) -> str:
 
 def _reading(heading: str, values: str) -> _Reading:
     """Return a function that reads the numbers of a column in SI units."""
-    name, unit = _name(heading), with_unit(heading)[1] or ""
+    name, unit = _name(heading), (with_unit(heading)[1] or "").removeprefix("-")
     if name in _MEASURES:
         if not unit:
             raise _expected(values, [])

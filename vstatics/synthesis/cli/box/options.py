@@ -269,7 +269,7 @@ options = gathered(
             _own_option("output"),
             _more_option(
                 "shafts",
-                "Number of further shafts without gear-set members; each connects three or more "
+                "Number of further shafts without gear-set members. Each connects three or more "
                 "shift elements.",
             ),
             _more_option("fixed", "Number of gear-set members that are always held."),
@@ -282,7 +282,7 @@ options = gathered(
             type=FILE,
             is_eager=True,
             metavar="CASE",
-            help="Case whose structure, gear sets, input, output and shift elements are kept.",
+            help="Case with the structure, gear sets, input, output and shift elements to keep.",
         ),
         click.option(
             "--free",
@@ -334,7 +334,7 @@ options = gathered(
                 multiple=True,
                 callback=value(_limits, "--limit"),
                 metavar="FIGURE=X,...",
-                help="Largest values of figures, such as loss=0.05,torque=4. Figures are "
+                help="Upper limits of figures, such as loss=0.05,torque=4. Figures are "
                 f"{spoken(LIMITED, 'and')}.",
             ),
         ),

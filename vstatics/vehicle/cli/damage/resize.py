@@ -1,4 +1,4 @@
-"""Command `vstatics damage resize`: shaft of equal fatigue life under other torques."""
+"""Command `vstatics damage resize`: shaft with an equal fatigue life under other torques."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class _Diameter(NamedTuple):
 
 
 def _diameter(text: str) -> _Diameter:
-    """Parse a diameter, and keep the unit, if any."""
+    """Parse a diameter; keep its unit, if any."""
     from vstatics.core.readers.named.arithmetic import calculated
     from vstatics.core.readers.named.si_units import measured
 
@@ -41,7 +41,8 @@ def _part(name: str, text: str) -> Option:
 )
 @_part(
     "ratio",
-    "Ratio of a reduction before the new shaft: X times the torque, 1/X of the cycles.",
+    "Ratio X of a reduction before the new shaft, which then has X times the torque and 1/X of "
+    "the cycles.",
 )
 @_part("torque", "New torque divided by the present torque, instead of --ratio.")
 @_part("repeats", "New number of cycles divided by the present number; belongs to --torque.")
