@@ -168,7 +168,7 @@ SINE = math.sin(math.radians(3))
         ),
         ("time [s];vehicle_speed [km/h];slope [°]\n0;0;-3\n2;36;-3\n", -SINE),
         ("time [s],speed [km/h],Incline (°)\n0,0,-3\n2,36,-3\n", -SINE),
-        ("t / s;v / (km/h);grade_percent\n0;0;75\n2;36;75\n", 0.6),
+        ("t / s;v / (km/h);grade_percent;Speed/Limit\n0;0;75;9\n2;36;75;9\n", 0.6),
     ],
 )
 def test_headings_of_further_programs(text: str, slope: float) -> None:
@@ -218,6 +218,10 @@ def test_gears_of_published_cycles() -> None:
         (
             "time [s],speed [mph],slope,grade [deg]\n0,0,0,0\n1,5,0,0\n",
             "read both `slope` and `grade`, expected one of them",
+        ),
+        (
+            "time_s,speed_mph,grade\n0,0,0.5\n1,5,2.5\n",
+            ":3:1: error: grade: read 2.5, expected -1 to 1 without a unit; .*need .*`grade .%.`",
         ),
         ("time_s speed_mps\n0 0\n1 5\n", "commas, semicolons or tabs have to separate the cells"),
         ("time [s],speed [mph],slope [deg]\n0,0,91\n1,5,0\n", "slope: read .*, expected -1 to 1"),

@@ -183,7 +183,8 @@ def _with_sines(table: UnitTable) -> UnitTable:
 
 
 def _problems(table: UnitTable, times: Floats, speeds: Floats) -> Iterator[Problem]:
-    if {"slope", "grade"} <= {heading.column.name for heading in table.head.headings}:
+    units = {heading.column.name: heading.unit for heading in table.head.headings}
+    if {"slope", "grade"} <= units.keys():
         message = "read both `slope` and `grade`, expected one of them"
         yield Problem("E122", message, (), table.head_place)
     if len(times) < 2:
@@ -192,7 +193,7 @@ def _problems(table: UnitTable, times: Floats, speeds: Floats) -> Iterator[Probl
     durations, changes = (np.diff(column, prepend=np.nan) for column in within)
     with np.errstate(all="ignore"):
         accelerations = np.abs(changes / durations)
-    slopes = np.array(table.numbers.get("slope", ()))
+    slopes, grades = (np.array(table.numbers.get(name, ())) for name in ("slope", "grade"))
     checks = (
         ("time", durations <= 0, "a later time than above"),
         ("time", times != within[0], f"at most {LATEST:g} s"),
@@ -204,6 +205,11 @@ def _problems(table: UnitTable, times: Floats, speeds: Floats) -> Iterator[Probl
             f"a change by at most {QUICKEST:g} m/s^2",
         ),
         ("slope", np.abs(slopes) > 1, f"-1 to 1, {SLOPE}"),
+        (
+            "grade",
+            (np.abs(grades) > 1) & (units.get("grade") in (None, "", "-")),
+            "-1 to 1 without a unit; numbers in percent need the heading `grade [%]`",
+        ),
     )
     wrong = [
         (row, name, expected)

@@ -76,6 +76,17 @@ class TableColumn(NamedTuple):
             return f"{self.name} [{unit}]" if unit else self.name
         return f"{self.name} [{UNIT_OF[self.measure]}]" if self.measure else self.name
 
+    def accepts(self, unit: str) -> bool:
+        """Return whether a text is a unit of the column.
+
+        >>> TableColumn("speed", "velocity").accepts("limit")
+        False
+        """
+        try:
+            return bool(self.size(unit))
+        except ValueError:
+            return False
+
     def size(self, unit: str | None) -> float:
         """Return the factor from a unit to SI, for a heading with or without a unit.
 
@@ -259,9 +270,10 @@ class _ExpectedTable(NamedTuple):
         name, unit = with_unit(cell)
         known = self.named(name)
         if known is None and unit is None:
-            for front, _, behind in (name.partition("/"), name.rpartition("_")):
-                if known is None and (known := self.named(front)):
-                    unit = behind.strip()
+            for front, sign, behind in (name.partition("/"), name.rpartition("_")):
+                named = self.named(front)
+                if known is None and named and (sign == "_" or named[0].accepts(behind.strip())):
+                    known, unit = named, behind.strip()
         if known is None:
             return None
         column, implied = known
