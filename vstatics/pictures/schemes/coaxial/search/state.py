@@ -25,7 +25,7 @@ class SectionState(NamedTuple):
     done: int
 
 
-class SweepStep(NamedTuple):
+class OrderStep(NamedTuple):
     """Component at a place along the axis."""
 
     kind: str
@@ -57,7 +57,7 @@ class Move(NamedTuple):
     state: SectionState
     length: int
     cost: int
-    step: SweepStep
+    step: OrderStep
 
 
 def links_of(bars: Bars) -> set[int]:
