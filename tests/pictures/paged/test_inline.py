@@ -46,11 +46,15 @@ def points_of(path: str) -> list[float]:
             continue
         if letter in "hv":
             numbers = [numbers[0], 0.0] if letter == "h" else [0.0, numbers[0]]
-        base = (x, y) if letter.islower() else (0.0, 0.0)
-        points = [number + base[place % 2] for place, number in enumerate(numbers)]
-        found += points
-        x, y = points[-2:]
-        start = (x, y) if letter == "M" else start
+        size = {"Q": 4, "C": 6}.get(letter.upper(), 2)
+        for at in range(0, len(numbers), size):  # an equal letter can be omitted
+            base = (x, y) if letter.islower() else (0.0, 0.0)
+            points = [
+                number + base[place % 2] for place, number in enumerate(numbers[at : at + size])
+            ]
+            found += points
+            x, y = points[-2:]
+        start = (x, y) if letter in "Mm" else start
     return found
 
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Sequence
-from itertools import pairwise
 from xml.etree import ElementTree as ET
 
 from vstatics.core.tables.html import Markup
@@ -116,41 +115,42 @@ def short_path(path: str) -> str:
     Examples
     --------
     >>> short_path("M10 20.04L10 5.5L12.25 5.5L13 6zM1 1C1 2 3 4 5 6")
-    'M10 20v-14.5h2.2l.8.5zM1 1c0 1 2 3 4 5'
+    'M10 20v-14.5h2.2l.8.5zm-9-19c0 1 2 3 4 5'
     >>> short_path("M10 20L11.5 18L12 18.5L13.5 19")
-    'M10 20l1.5-2l.5.5l1.5.5'
+    'M10 20l1.5-2 .5.5 1.5.5'
     """
-    steps = []
+    steps: list[tuple[str, list[int]]] = []
     at = start = (0, 0)
     for letter, text in _STEP.findall(path):
         numbers = [round(10 * float(number)) for number in _DECIMAL.findall(text)]
-        points = [*zip(numbers[::2], numbers[1::2], strict=True)]
         if letter == "z":
-            steps.append(letter)
+            steps.append((letter, []))
             at = start
             continue
+        points = [*zip(numbers[::2], numbers[1::2], strict=True)]
         x, y = at
         flat = [number for across, up in points for number in (across - x, up - y)]
         at = points[-1]
         if letter == "M":
             start = at
-            steps.append(f"M{_joined(numbers)}")
-        elif letter == "L" and not flat[1]:
-            steps.append(f"h{_tenths(flat[0])}")
+        if letter == "L" and not flat[1]:
+            steps.append(("h", flat[:1]))
         elif letter == "L" and not flat[0]:
-            steps.append(f"v{_tenths(flat[1])}")
+            steps.append(("v", flat[1:]))
+        elif steps and letter != "M" and steps[-1][0] == letter.lower():
+            steps[-1][1].extend(flat)  # an equal letter is omitted
         else:
-            steps.append(f"{letter.lower()}{_joined(flat)}")
-    return "".join(steps)
+            steps.append((letter.lower() if steps else letter, flat))
+    return "".join(letter + _joined(numbers) for letter, numbers in steps)
 
 
 def _joined(numbers: Sequence[int]) -> str:
     """Return numbers in tenths as text, with blanks only before numbers without minus or point."""
-    said = [_tenths(number) for number in numbers]
-    text = said[0]
-    for before, number in pairwise(said):
-        is_apart = number[0] == "-" or (number[0] == "." and "." in before)
+    text = before = ""
+    for number in map(_tenths, numbers):
+        is_apart = not text or number[0] == "-" or (number[0] == "." and "." in before)
         text += number if is_apart else f" {number}"
+        before = number
     return text
 
 

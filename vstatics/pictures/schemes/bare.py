@@ -13,7 +13,7 @@ from vstatics.pictures.schemes.coaxial.fitting import laid_out
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.picture import CoaxialSheet, draw_half_section, painted
 from vstatics.pictures.schemes.coaxial.rooms import extent
-from vstatics.pictures.schemes.coaxial.search.sweep import QUICK
+from vstatics.pictures.schemes.coaxial.search.order import QUICK
 from vstatics.pictures.schemes.coaxial.section import coaxial_scheme
 from vstatics.pictures.schemes.ink import SchemeInk
 from vstatics.pictures.schemes.planetary import as_sets, sections_of

@@ -14,7 +14,7 @@ from vstatics.pictures.schemes.coaxial.fitting import placed_by_letters
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.layout import SectionFrame, framed
 from vstatics.pictures.schemes.coaxial.places import SectionPlaces
-from vstatics.pictures.schemes.coaxial.search.sweep import swept
+from vstatics.pictures.schemes.coaxial.search.order import component_order
 from vstatics.pictures.schemes.coaxial.section import CoaxialScheme, coaxial_scheme
 from vstatics.pictures.schemes.scheme import Scheme, SchemePort
 from vstatics.pictures.schemes.sets import HalfSection
@@ -79,10 +79,10 @@ def row_sections(
         part = replace(scheme, ports=ports)
         coaxial = coaxial_scheme(part, {index: sections[index] for index in sets}, left_out)
         if coaxial is not None and coaxial.train.end:
-            sweep = swept(coaxial.train, is_ordered=is_ordered)
-            frame = framed(coaxial.train, sweep.steps)
+            order = component_order(coaxial.train, is_ordered=is_ordered)
+            frame = framed(coaxial.train, order.steps)
             yield RowSection(
-                coaxial, frame, sweep.is_ordered, frozenset(p.link for p in scheme.ports)
+                coaxial, frame, order.is_ordered, frozenset(p.link for p in scheme.ports)
             )
 
 

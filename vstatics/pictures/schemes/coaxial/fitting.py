@@ -9,7 +9,12 @@ from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.layout import framed
 from vstatics.pictures.schemes.coaxial.places import Needs, SectionPlaces, heights_of, placed_along
 from vstatics.pictures.schemes.coaxial.rooms import extent, met_by, rooms_of
-from vstatics.pictures.schemes.coaxial.search.sweep import BRIEF, FULL, SweepEffort, swept
+from vstatics.pictures.schemes.coaxial.search.order import (
+    BRIEF,
+    FULL,
+    SearchEffort,
+    component_order,
+)
 from vstatics.pictures.schemes.coaxial.section import CoaxialScheme
 from vstatics.pictures.schemes.gear_glyphs import DEVICE_NAME_LETTERS
 
@@ -47,7 +52,7 @@ def laid_out(
     wide: float = math.inf,
     *,
     is_small: bool = False,
-    effort: SweepEffort = FULL,
+    effort: SearchEffort = FULL,
     is_ordered: bool = False,
 ) -> CoaxialLayout:
     """Return the layout of a half-section.
@@ -58,12 +63,12 @@ def laid_out(
         Width into which the layout should fit, by reducing lengths but not letters. [pt]
     is_small : bool
         True to name only the links at the ends of the axis.
-    effort : SweepEffort, optional
+    effort : SearchEffort, optional
         Effort of the search for an order of components; with boxes, a smaller effort is used.
     is_ordered : bool
         True to keep gear sets in the order of the case, if a layout is found soon.
     """
-    arrangement = swept(
+    arrangement = component_order(
         coaxial.train, is_ordered=is_ordered, effort=BRIEF if coaxial.has_boxes else effort
     )
     ends = frozenset(

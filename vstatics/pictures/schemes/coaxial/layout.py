@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import NamedTuple
 
-from vstatics.pictures.schemes.coaxial.search.state import Bars, SweepStep
+from vstatics.pictures.schemes.coaxial.search.state import Bars, OrderStep
 from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
 
 
@@ -87,15 +87,15 @@ class SectionFrame:
         )
 
 
-def framed(train: CoaxialTrain, steps: Sequence[SweepStep]) -> SectionFrame:
+def framed(train: CoaxialTrain, steps: Sequence[OrderStep]) -> SectionFrame:
     """Return the bars and uprights for the steps that a search found.
 
     Examples
     --------
-    >>> from vstatics.pictures.schemes.coaxial.search.sweep import swept
+    >>> from vstatics.pictures.schemes.coaxial.search.order import component_order
     >>> from vstatics.pictures.schemes.coaxial.train import Planes
     >>> train = CoaxialTrain([Planes(3, [(1, 2)])], [], [2], 1, 3)
-    >>> frame = framed(train, swept(train).steps)
+    >>> frame = framed(train, component_order(train).steps)
     >>> [(up.kind, [bar.link for bar in up.all_bars]) for up in frame.uprights]
     [('start', [1]), ('set', [1, 2, 3]), ('top', [2]), ('end', [3])]
     """
@@ -112,7 +112,7 @@ class _FrameMaker:
         self.above: list[Bar] = []
         self.is_started = False
 
-    def add(self, step: SweepStep) -> None:
+    def add(self, step: OrderStep) -> None:
         if not self.is_started:
             self._start(step)
         if step.before is not None:
@@ -134,7 +134,7 @@ class _FrameMaker:
 
     def finished(self) -> SectionFrame:
         if not self.is_started:  # a train without components has no steps
-            self._start(SweepStep("wall", self.train.start, [((8 * self.train.start,), ())]))
+            self._start(OrderStep("wall", self.train.start, [((8 * self.train.start,), ())]))
         ends = [bar for bar in self.below + self.above if bar.link == self.train.end]
         if not ends:  # the last step has already ended the bar
             ends = [bar for bar in self.frame.bars if bar.link == self.train.end][-1:]
@@ -146,7 +146,7 @@ class _FrameMaker:
             self._stand(Upright("end", 0, ends[:1]))
         return _without_dead_ends(self.frame)
 
-    def _start(self, step: SweepStep) -> None:
+    def _start(self, step: OrderStep) -> None:
         below, _ = step.bars[0]
         is_low = any(bar >> 3 == self.train.start for bar in below)
         bar = Bar(self.train.start, not is_low)
@@ -166,7 +166,7 @@ class _FrameMaker:
         self.above = _aligned(self.above, [bar >> 3 for bar in above], is_above=True)
         self._note()
 
-    def _set(self, step: SweepStep) -> None:
+    def _set(self, step: OrderStep) -> None:
         carrier = self.train.sets[step.number].carrier
         left = self._arms(carrier, *step.left)
         wheels: list[tuple[Bar | None, Bar | None]] = []

@@ -104,6 +104,14 @@ class CoaxialTrain:
         return [1 << (first + n) for n in range(len(self.tops))]
 
     @cached_property
+    def tops_of(self) -> dict[int, list[tuple[int, int]]]:
+        """Indices and bits of the connections to the housing of each link."""
+        by_link: dict[int, list[tuple[int, int]]] = {}
+        for index, (link, bit) in enumerate(zip(self.tops, self.top_bits, strict=True)):
+            by_link.setdefault(link, []).append((index, bit))
+        return by_link
+
+    @cached_property
     def end_bit(self) -> int:
         """Bit of the output end of the axis, which is drawn after everything else."""
         return 1 << (self._first_bit + len(self.sets) + len(self.pairs) + len(self.tops))

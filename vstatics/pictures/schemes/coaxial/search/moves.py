@@ -14,8 +14,8 @@ from vstatics.pictures.schemes.coaxial.search.state import (
     WALL,
     Bars,
     Move,
+    OrderStep,
     SectionState,
-    SweepStep,
     fresh,
     links_of,
 )
@@ -54,7 +54,7 @@ class Moves(NamedTuple):
                 over = sum(bar >> 3 != link for bar in bars[last + 1 :])
                 ways.append((below, above, CROSSING * over))
             for low, high, cost in ways:
-                step = SweepStep("top", index, [(low, high)])
+                step = OrderStep("top", index, [(low, high)])
                 yield Move(SectionState(low, high, done | bit), TOP, cost, step)
 
     def _pairs(self, state: SectionState) -> Iterator[Move]:
@@ -81,7 +81,7 @@ class Moves(NamedTuple):
                 over = min(abs(a - b) - 1 for a in first for b in second)
                 ways.append((below, above, CROSSING * max(over, 0)))
             for low, high, cost in ways:
-                step = SweepStep("pair", index, [(low, high)])
+                step = OrderStep("pair", index, [(low, high)])
                 yield Move(SectionState(low, high, done | bit), PAIR, cost, step)
 
     def _walls(self, state: SectionState) -> Iterator[Move]:
@@ -94,7 +94,7 @@ class Moves(NamedTuple):
         if above and bars.count(above[0]) == 1:
             ways.append(((*below, above[0]), above, above[0], len(below)))
         for low, high, bar, place in ways:
-            step = SweepStep("wall", bar >> 3, [(low, high)], place)
+            step = OrderStep("wall", bar >> 3, [(low, high)], place)
             yield Move(SectionState(low, high, done), WALL, FOLD, step)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from itertools import pairwise, product
+from itertools import product
 from typing import NamedTuple
 
 from vstatics.pictures.schemes.coaxial.search.state import (
@@ -14,8 +14,8 @@ from vstatics.pictures.schemes.coaxial.search.state import (
     TURN,
     Bars,
     Move,
+    OrderStep,
     SectionState,
-    SweepStep,
     fresh,
     links_of,
 )
@@ -46,12 +46,23 @@ def _end_of(row: Bars, carrier: int, joined: set[int]) -> list[int]:
     return [NONE] if row[-1] in joined else [NONE, KEPT]
 
 
+class _NextSet(NamedTuple):
+    """Gear set that can be the next to be drawn."""
+
+    number: int
+    carrier: int
+    bit: int
+    planes: Sequence[_Plane]
+    is_turned: bool
+    cost: int
+    """Cost of gear sets that are passed over. [-]"""
+
+
 class _LeftArm(NamedTuple):
     """Left arm of a carrier, where a gear set begins."""
 
-    before: SectionState
-    carrier: int
-    bit: int
+    parts: int
+    """Number of parts of the carrier before the gear set, at least 1."""
     joined: set[int]
     """Bars that are connected to the carrier, as numbers."""
     left: tuple[bool, bool]
@@ -63,15 +74,17 @@ def without_ended(
 ) -> SectionState:
     """Remove the bars of links without remaining connections, except the bars of a carrier."""
     below, above, done = state
-    bars = below + above
-    ended = {bar >> 3 for bar in bars if not train.masks[bar >> 3] & ~done} - {carrier}
+    masks, remaining = train.masks, ~done
+    ended = {
+        bar for bar in below + above if not masks[bar >> 3] & remaining and bar >> 3 != carrier
+    }
     if not ended:
         return state
-    parts = sorted({*bars})
-    in_two_parts = {low >> 3 for low, high in pairwise(parts) if low >> 3 == high >> 3}
-    ended -= in_two_parts  # separate parts of a link must be connected first
-    low, high = (tuple(bar for bar in row if bar >> 3 not in ended) for row in (below, above))
-    return SectionState(low, high, done)
+    links = [bar >> 3 for bar in ended]
+    if len({*links}) < len(links):  # separate parts of a link must be connected first
+        ended = {bar for bar in ended if links.count(bar >> 3) == 1}
+    low = tuple([bar for bar in below if bar not in ended])
+    return SectionState(low, tuple([bar for bar in above if bar not in ended]), done)
 
 
 class SetMoves(NamedTuple):
@@ -96,19 +109,17 @@ class SetMoves(NamedTuple):
                 continue
             planes = list(zip(planes_of_set.wheels, train.wheel_bits[index], strict=True))
             ways = [planes] if len(planes) == 1 else [planes, planes[::-1]]
-            for is_turned, way in enumerate(ways):
-                for move in self._set(state, planes_of_set.carrier, bit, way):
-                    step = move.step._replace(number=index, is_turned=bool(is_turned))
-                    cost = move.cost + EXCHANGE * passed
-                    yield move._replace(length=SET * len(way), cost=cost, step=step)
+            for way in ways:
+                is_turned, cost = way is not planes, EXCHANGE * passed
+                yield from self._set(
+                    state, _NextSet(index, planes_of_set.carrier, bit, way, is_turned, cost)
+                )
 
-    def _set(
-        self, state: SectionState, carrier: int, bit: int, planes: Sequence[_Plane]
-    ) -> Iterator[Move]:
+    def _set(self, state: SectionState, gear_set: _NextSet) -> Iterator[Move]:
         """Yield a gear set with all possible connections of the carrier on the left and right."""
         below, above, _ = state
-        bars = below + above
-        part = fresh(carrier, bars)
+        carrier, bars = gear_set.carrier, below + above
+        part, parts = fresh(carrier, bars), len({bar for bar in bars if bar >> 3 == carrier})
         is_low, is_high = _is_last(below, carrier), _is_last(above[::-1], carrier)
         new = [NEW] * (part is not None)
         ways = product(
@@ -130,9 +141,9 @@ class SetMoves(NamedTuple):
             if high == TAKEN:
                 over = over[1:]
             begun = _Begun(SectionState(under, over, state.done), 0, (start,))
-            for at in self._meshed(begun, planes, carrier):
-                left = low != NONE, high != NONE
-                yield from self._left_behind(at, _LeftArm(state, carrier, bit, joined, left))
+            arm = _LeftArm(max(parts, 1), joined, (low != NONE, high != NONE))
+            for at in self._meshed(begun, gear_set.planes, carrier):
+                yield from self._left_behind(at, arm, gear_set)
 
     def _meshed(self, begun: _Begun, planes: Sequence[_Plane], carrier: int) -> Iterator[_Begun]:
         """Yield a gear set with further planes: suns meet the last bar below, rings the first."""
@@ -160,39 +171,46 @@ class SetMoves(NamedTuple):
         if self.crossing & bit and link in links_of(row):
             yield row, CROSSING * next(n for n, b in enumerate(row[::-1]) if b >> 3 == link)
 
-    def _left_behind(self, begun: _Begun, arm: _LeftArm) -> Iterator[Move]:
+    def _left_behind(self, begun: _Begun, arm: _LeftArm, gear_set: _NextSet) -> Iterator[Move]:
         """Yield the steps of a gear set, with all connections of the carrier on the right."""
-        before, carrier, bit, joined, left = arm
         (below, above, done), cost, seen = begun
-        done |= bit
+        carrier, length = gear_set.carrier, SET * len(gear_set.planes)
+        done |= gear_set.bit
         has_more = bool(self.train.masks[carrier] & ~done)
-        ends = [_end_of(row, carrier, joined) for row in (below, above[::-1])]
+        bars = below + above
+        part, is_there = fresh(carrier, bars), carrier in links_of(bars)
+        ends = [_end_of(row, carrier, arm.joined) for row in (below, above[::-1])]
         for low, high in product(*ends):
-            carrier_bars = set(joined)
+            carrier_bars = set(arm.joined)
             carrier_bars |= {below[-1]} if low == KEPT else set()
             carrier_bars |= {above[0]} if high == KEPT else set()
             if low == high == KEPT and below[-1] == above[0]:
                 continue
             if not carrier_bars:
-                part = fresh(carrier, below + above)
-                if part is None or (
-                    not (low or high) and (has_more or carrier in links_of(below + above))
-                ):
+                if part is None or (not (low or high) and (has_more or is_there)):
                     continue
                 carrier_bars = {part}
             main = min(carrier_bars)
-            under, over = (
-                tuple(main if b in carrier_bars else b for b in row) for row in (below, above)
-            )
+            under, over = below, above
+            if len(carrier_bars) > 1:
+                under, over = (
+                    tuple([main if b in carrier_bars else b for b in row]) for row in (below, above)
+                )
             under += (main,) * (low == NEW)
             over = (main,) * (high == NEW) + over
-            bars = [b for b in under + over if b >> 3 == carrier]
-            parts = len(set(bars))
-            is_needed = has_more or bool({*bars} - {main})
-            if (is_needed and main not in bars) or (not is_needed and NEW in (low, high)):
+            met = [b for b in under + over if b >> 3 == carrier]
+            parts = {*met}
+            is_needed = has_more or bool(parts - {main})
+            if (is_needed and main not in parts) or (not is_needed and NEW in (low, high)):
                 continue
-            had = {b for b in before.below + before.above if b >> 3 == carrier}
-            extra = FOLD * max(0, parts - max(len(had), 1)) + TURN * max(0, len(bars) - 1)
-            right = low != NONE, high != NONE
-            step = SweepStep("set", 0, (*seen, (under, over)), left=left, right=right)
-            yield Move(SectionState(under, over, done), 0, cost + extra, step)
+            extra = FOLD * max(0, len(parts) - arm.parts) + TURN * max(0, len(met) - 1)
+            step = OrderStep(
+                "set",
+                gear_set.number,
+                (*seen, (under, over)),
+                is_turned=gear_set.is_turned,
+                left=arm.left,
+                right=(low != NONE, high != NONE),
+            )
+            total = gear_set.cost + cost + extra
+            yield Move(SectionState(under, over, done), length, total, step)

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from vstatics.pictures.schemes.coaxial.search.set_moves import without_ended
-from vstatics.pictures.schemes.coaxial.search.state import SectionState, SweepStep, links_of
+from vstatics.pictures.schemes.coaxial.search.state import OrderStep, SectionState, links_of
 from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
 
 STACKED_CROSSING = 10
@@ -21,11 +21,11 @@ class _Stacked(NamedTuple):
     """Component that can be added next, with the cost."""
 
     cost: int
-    steps: tuple[SweepStep, ...]
+    steps: tuple[OrderStep, ...]
     state: SectionState
 
 
-def stacked(train: CoaxialTrain) -> list[SweepStep]:
+def stacked(train: CoaxialTrain) -> list[OrderStep]:
     """Return the components of a train from left to right, as steps of a search.
 
     Examples
@@ -35,7 +35,7 @@ def stacked(train: CoaxialTrain) -> list[SweepStep]:
     >>> [step.kind for step in stacked(train)]
     ['pair', 'top', 'set']
     """
-    state, steps = SectionState((8 * train.start,), (), 0), list[SweepStep]()
+    state, steps = SectionState((8 * train.start,), (), 0), list[OrderStep]()
     while state.done != train.all_bits:
         ways = _ways(train, state)
         best = min(ways, key=lambda way: way.cost + len(way.state.below + way.state.above))
@@ -62,7 +62,7 @@ def _top(train: CoaxialTrain, number: int, state: SectionState) -> _Stacked:
     bar, bars = 8 * train.tops[number], below + above
     crossed = bars[::-1].index(bar) if bar in bars else 0
     above = above if bar in bars else (*above, bar)
-    step = SweepStep("top", number, [(below, above)])
+    step = OrderStep("top", number, [(below, above)])
     after = without_ended(train, SectionState(below, above, done | train.top_bits[number]))
     return _Stacked(STACKED_CROSSING * crossed, (step,), after)
 
@@ -87,7 +87,7 @@ def _pair(train: CoaxialTrain, number: int, state: SectionState) -> _Stacked:
     else:
         place = above.index(first_bar)
         above = (*above[:place], second_bar, *above[place:])
-    step = SweepStep("pair", number, [(below, above)])
+    step = OrderStep("pair", number, [(below, above)])
     after = without_ended(train, SectionState(below, above, done | train.pair_bits[number]))
     return _Stacked(STACKED_CROSSING * crossed, (step,), after)
 
@@ -96,7 +96,7 @@ def _set(train: CoaxialTrain, number: int, state: SectionState) -> _Stacked:
     """Return the step of a gear set whose gears and carrier may cross lines."""
     below, above, done = state
     carrier, wheels = train.sets[number]
-    crossed, walls = 0, list[SweepStep]()
+    crossed, walls = 0, list[OrderStep]()
     for sun, ring in wheels:
         for link, is_sun in ((sun, True), (ring, False)):
             bar, row, others = 8 * link, *((below, above[::-1]) if is_sun else (above[::-1], below))
@@ -107,7 +107,7 @@ def _set(train: CoaxialTrain, number: int, state: SectionState) -> _Stacked:
             below, above = (row, above) if is_sun else (below, row[::-1])
             if bar in others:  # the line is on the other side of the row of planets
                 crossed += others[::-1].index(bar)
-                walls.append(SweepStep("wall", link, [(below, above)]))
+                walls.append(OrderStep("wall", link, [(below, above)]))
     bits = sum(bit for both in train.wheel_bits[number] for bit in both)
     done |= train.carrier_bits[number] | bits
     bar, low, high = 8 * carrier, below, above
@@ -118,7 +118,7 @@ def _set(train: CoaxialTrain, number: int, state: SectionState) -> _Stacked:
     elif train.masks[carrier] & ~done:
         low = (*below, bar)
     here = below, above
-    step = SweepStep(
+    step = OrderStep(
         "set",
         number,
         [here, *(here for _ in wheels), (low, high)],

@@ -27,7 +27,7 @@ class SectionState(NamedTuple):
     done: int
 
 
-class SweepStep(NamedTuple):
+class OrderStep(NamedTuple):
     """Step of the search: a component at a position along the axis."""
 
     kind: str
@@ -59,7 +59,7 @@ class Move(NamedTuple):
     state: SectionState
     length: int
     cost: int
-    step: SweepStep
+    step: OrderStep
 
 
 def links_of(bars: Bars) -> set[int]:
