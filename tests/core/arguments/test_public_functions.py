@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pandas as pd
 import pytest
 
 import vstatics
@@ -105,6 +106,8 @@ CALLS: list[tuple[str, type[Exception], Callable[[], Any], str]] = [
      "check of <Transmission .*: expected a path"),
     ("", TypeError, lambda: vstatics.solve(CASE, ratios={}),  # type: ignore[arg-type]
      "`ratios` is dict {}, expected an array"),
+    ("", TypeError, lambda: vstatics.solve(CASE, vary=pd.DataFrame({0: [1.0]})),
+     "`vary` is DataFrame .*expected a mapping of a text to an array"),
     ("", TypeError, lambda: vstatics.summarize(RESULTS, at_mots=1),  # type: ignore[call-arg]
      "`at_mots`; did you mean `at_most`"),
     ("pictures", ValueError, lambda: RESULTS.plot(lang="fr"), "is str 'fr', expected 'en' or 'ru'"),

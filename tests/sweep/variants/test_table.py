@@ -70,6 +70,7 @@ def test_a_table_as_people_write_it() -> None:
         " D1.ratio , #1.efficiency\n -2.5 , .96 \n -3 , 0.97\n",
         '"D1.ratio","D1.efficiency"\n"-2.5",".96"\n-3,"0.97"\n',
         "variant,D1.ratio,D1.efficiency\n0,-2.5,.96\n1,-3,0.97\n",
+        "\tD1.ratio\tD1.efficiency\n0\t-2.5\t.96\n1\t-3\t0.97\n",  # pandas numbers the rows
         "D1.ratio,variant,D1.efficiency\n-2.5,first one,.96\n-3,,0.97\n",
         "D1.ratio,D1.efficiency\n\n-5/2,.96\n  \n-3,97/100\n\n",
         "D1.ratio,D1.efficiency\n-25E-1,96e-2\n-3,0.97\n",
@@ -160,7 +161,8 @@ def test_rows_that_pandas_numbers_and_a_note(tmp_path: Path) -> None:
     frame.to_parquet(tmp_path / "own.parquet")
     frame.to_csv(tmp_path / "own.csv")
     frame.to_excel(tmp_path / "own.xlsx", index=False)
-    for suffix in ("parquet", "csv", "xlsx"):
+    frame.to_json(tmp_path / "own.json", orient="records")
+    for suffix in ("parquet", "csv", "xlsx", "json"):
         read_back = load_table(str(tmp_path / f"own.{suffix}"), CASE)
         assert read_back.block(0, 2).tolist() == [[-2.5], [-3.0]], suffix
     frame["note"] = ["first", "second"]

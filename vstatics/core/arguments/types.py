@@ -101,8 +101,10 @@ def _each_fits(given: Any, parts: Sequence[Any]) -> bool:
 
 
 def _parts_fit(given: Any, parts: Sequence[Any]) -> bool:
-    if not (parts and isinstance(given, Mapping)):
+    if not parts:
         return True
+    if not isinstance(given, Mapping):
+        return all(fits(key, parts[0]) for key in islice(given.keys(), MOST))
     return all(fits(a, parts[0]) and fits(b, parts[1]) for a, b in islice(given.items(), MOST))
 
 

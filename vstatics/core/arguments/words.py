@@ -91,7 +91,7 @@ def type_and_value(given: object) -> str:
     >>> type_and_value("box.yaml")
     "str 'box.yaml'"
     """
-    shown = repr(given)
+    shown = " ".join(repr(given).split())
     if shown.startswith(f"<{type(given).__name__} "):
         return shown
     return f"{type(given).__name__} {shown if len(shown) <= 40 else shown[:37] + '...'}"

@@ -101,6 +101,9 @@ def columns(data: bytes, file: str) -> dict[str, Column]:
                 for name, column in zip(table.column_names, table.columns, strict=True)
             }
         text = data.decode()
+        if text.startswith("["):
+            rows = json.loads(text, object_pairs_hook=_different_keys)
+            text = "\n".join(map(json.dumps, rows))
         return _json_lines(text, file) if text.startswith("{") else _csv(text, file)
     except ReadError:
         raise

@@ -372,7 +372,8 @@ def _text(data: bytes, file: str, line: int) -> str:
 
 def _cells(line: str, separator: str) -> list[tuple[str, int]]:
     """Return the cells of a line, without blanks and quotes, each with the column from 1."""
-    cell = re.compile(rf'\s*(?:"((?:[^"]|"")*)"\s*|([^{separator}]*))({separator}|\Z)')
+    blanks = rf"(?:(?!{separator})\s)*"
+    cell = re.compile(rf'{blanks}(?:"((?:[^"]|"")*)"{blanks}|([^{separator}]*))({separator}|\Z)')
     cells = []
     position = 0
     while match := cell.match(line, position):

@@ -20,13 +20,13 @@ from vstatics.sweep.variants.subject import VariedSubject
 from vstatics.sweep.variants.table import finite, read_table, targets_of
 from vstatics.sweep.variants.targets import shown
 
-_OTHERS = (b"PK", b"PAR1", b'{"')
-"""First bytes of formats other than CSV: workbook and NPZ, Parquet, JSON lines."""
+_OTHERS = (b"PK", b"PAR1", b'{"', b"[{")
+"""First bytes of formats other than CSV: workbook and NPZ, Parquet, JSON lines, JSON."""
 _LONGEST = 2**16
 
 
 def load_table(path: str, subject: VariedSubject) -> VariantTable:
-    """Read a table of variants from a file: CSV, Parquet, a workbook, NPZ or JSON lines.
+    """Read a table of variants from a file: CSV, Parquet, a workbook, NPZ, JSON lines or JSON.
 
     Columns are treated as in `table.read_table`.
 

@@ -78,6 +78,11 @@ def test_a_file_that_is_wrong_is_told_at_its_place(tmp_path: Path, text: str, sa
     [
         ("1 + v*w", "1", "a formula of w: read `v` in it, expected a number, the speed w"),
         ("1 + 2*sin(w)", "1", "sin"),
+        (
+            '"1,2 + 0,004*w"',
+            "1",
+            "read `,`, expected an operator, or an end (with a decimal point)",
+        ),
         ("[]", "1", "expected points"),
         ("[[0, 1, 2]]", "1", "expected 2 numbers: [speed, torque]"),
         ("[[5, 1], [5, 2]]", "1", "read 5, expected a speed above 5"),

@@ -17,6 +17,7 @@ from vstatics.core.readers.expressions.evaluation import evaluate
 from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.core.readers.expressions.grammar import Applied, Language, Tree, parse
 from vstatics.core.readers.expressions.operands import DottedName, TableName
+from vstatics.core.readers.named.arithmetic import slip
 from vstatics.core.suggestions import nearest
 
 SPEED, TORQUE = "w", "T"
@@ -115,7 +116,9 @@ one of abs, min, max, sqrt, exp, tanh
         return law(text.strip())
     except ReadError as error:
         of = f"{SPEED} and {TORQUE}" if law is EfficiencyFormula else SPEED
-        raise ValueError(f"a formula of {of}: {error.problems[0].message}") from None
+        message = error.problems[0].message
+        message += slip(text) if message.startswith("read `,`") else ""
+        raise ValueError(f"a formula of {of}: {message}") from None
 
 
 def _value(text: str, law: type[_LawFormula], given: Mapping[str, Floats]) -> Floats:
