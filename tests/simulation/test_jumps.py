@@ -14,6 +14,7 @@ from scipy.integrate import solve_ivp
 
 from tests.chance import seeded, seeds_with_slow
 from tests.simulation.boxes import held, planetary_set, points
+from tests.simulation.control.written import simulated
 from tests.simulation.test_closed_forms import EXACT, links, run
 from tests.simulation.test_golden import happened
 from vstatics import ShiftElement, Spring
@@ -45,6 +46,19 @@ def test_a_limiter_keeps_its_speed_with_the_torque_of_the_load(limiter: str | Po
     assert motion.energy.work == pytest.approx(100 * speeding + 50 * 300 * 12, rel=EXACT)
     assert motion.energy.heat["1"] == pytest.approx(50 * (speeding + 300 * 12), rel=EXACT)
     assert not motion.events
+
+
+def test_a_limiter_can_name_its_own_link() -> None:
+    """J = 2 kg*m^2, 100 N*m: 300 rad/s after 6 s."""
+    text = """duration: 20
+start: {speeds: {e: 0, o: 0}}
+controls: {C: 0}
+torques: {e: "100*(speed('e') < 300)"}
+targets: {e: [300]}
+"""
+    motion = simulated(text)
+    assert motion.speeds[-1].tolist() == pytest.approx([300, 0])
+    assert motion.reached[0].time == pytest.approx(6)
 
 
 def test_a_limiter_on_a_link_without_inertia() -> None:

@@ -108,6 +108,19 @@ class Formula(NamedTuple):
             return self
         return self._replace(tree=_with_numbers(self.whole, numbers))
 
+    def on_link(self, name: str) -> Formula:
+        """Return the formula of a torque on a link; its motion can stay at jumps of its own speed.
+
+        >>> Formula("9*(speed('out') < 3)").on_link("out").variables
+        frozenset({'speed'})
+        """
+        own = Seen("speed", name), Seen("angle", name)
+        jumps = (part for part in parts(self.whole) if _jumps(part))
+        seen = (part for jump in jumps for part in parts(jump) if isinstance(part, TableName))
+        if {seen_in(part) for part in seen}.isdisjoint(own):
+            return self
+        return self._replace(tree=_on_link(self.whole, own))
+
     @property
     def variables(self) -> frozenset[str]:
         """Variables in the formula: a subset of t, speed and angle.
@@ -354,10 +367,7 @@ def _read(text: str, tree: Tree | None) -> _Read:
     inside = [part for part in parts(tree) if isinstance(part, TableName)]
     seen = tuple(dict.fromkeys(quantity for part in inside if (quantity := seen_in(part))))
     variables_of_link = frozenset(part.name for part in inside if seen_in(part) is None) - {PI}
-    switches = any(
-        isinstance(part, Applied) and part.name in JUMPS and variables(part) - {"t"}
-        for part in parts(tree)
-    )
+    switches = any(_jumps(part) and variables(part) - {"t"} for part in parts(tree))
     return _Read(
         variables_of_link,
         seen,
@@ -367,6 +377,18 @@ def _read(text: str, tree: Tree | None) -> _Read:
         switches,
         tree,
     )
+
+
+def _jumps(part: Tree) -> bool:
+    return isinstance(part, Applied) and part.name in JUMPS
+
+
+def _on_link(tree: Any, own: Collection[Seen]) -> Any:
+    """Return the tree with plain names for the speed and the angle of the link itself."""
+    if isinstance(tree, Applied):
+        return tree._replace(operands=tuple(_on_link(operand, own) for operand in tree.operands))
+    is_own = isinstance(tree, TableName) and seen_in(tree) in own
+    return tree._replace(subscripts=()) if is_own else tree
 
 
 def _with_numbers(tree: Any, numbers: Mapping[str, float]) -> Any:

@@ -289,10 +289,10 @@ class ScenarioValues:
             several = list(laws)
             for number, law in enumerate(several, 1):
                 listed = self.spots.has(("torques", link, number)) and len(several) > 1
-                yield (
-                    link,
-                    self._law(law, ("torques", link, number) if listed else ("torques", link)),
-                )
+                path = ("torques", link, number) if listed else ("torques", link)
+                read = self._law(law, path)
+                name = self.case.link_names[link - 1]
+                yield link, read.on_link(name) if isinstance(read, Formula) else read
 
     def _law(self, given: Any, path: Path) -> TorqueLaw:
         straight = path[1] in self.case.masses
