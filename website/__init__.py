@@ -1,6 +1,7 @@
-"""The site: `python -m website FOLDER` (`make site`) builds it from docs/ and from declarations.
+"""Website with the documents of the project, references of commands and keys, and a gallery.
 
-`documents` says which document becomes which page; `commands`, `keys`, `public`, `gallery` make
-pages of what the program declares. All are written as Markdown or reStructuredText to a folder
-of their own, which Sphinx makes pages of (`conf.py`).
+`make site` runs ``python -m website FOLDER``. `documents` assigns a page to each document of
+``docs/``. `commands`, `keys`, `public` and `gallery` write pages from the declarations of the
+program and from the shipped cases. Sphinx (`conf.py`) converts all pages, in Markdown or
+reStructuredText, to HTML.
 """

@@ -26,14 +26,14 @@ FIRST = {
     "messages": "messages/messages",
     "sources": "sources/index",
 }
-"""The first page of each kind, in the order in which they stand at the side."""
+"""First page of each kind, in the order of the sidebar."""
 
 
 def written(folder: Path) -> list[Page]:
-    """All pages, written to a folder for Sphinx, with the files that they show."""
+    """Write all pages and the files that they show to a folder for Sphinx; return the pages."""
     exhibited = folder / "gallery"
     exhibited.mkdir(parents=True)
-    made = [
+    all_pages = [
         *documents.pages(),
         *commands.pages(),
         *keys.pages(),
@@ -41,17 +41,17 @@ def written(folder: Path) -> list[Page]:
         *gallery.pages(exhibited),
     ]
     first = (HERE / "index.md").read_text(encoding="utf-8")
-    made += [Page("start", "index", first), _reference(made)]
-    for page in _with_contents(made):
+    all_pages += [Page("start", "index", first), _reference(all_pages)]
+    for page in _with_contents(all_pages):
         _text(folder / f"{page.name}{page.suffix}", page.text)
     for path, target in documents.files(documents.places()):
         (folder / target).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(documents.ROOT / path, folder / target)
-    return made
+    return all_pages
 
 
 def _reference(pages: Iterable[Page]) -> Page:
-    """The list of what is known in full."""
+    """Return the first page of the reference, which lists all pages of the reference."""
     lines = ["# Reference", ""]
     for page in pages:
         if page.kind == "reference" and page.name.count("/") == 1:
@@ -71,7 +71,7 @@ def _text(path: Path, text: str) -> None:
 
 
 def _with_contents(pages: Sequence[Page]) -> Iterator[Page]:
-    """What stands at the side: the first page of each kind, those of its kind below it."""
+    """Yield the pages; the first page of each kind lists the others of its kind for the sidebar."""
     below = {
         kind: [page.name for page in pages if page.kind == kind and page.name != first]
         for kind, first in FIRST.items()
@@ -87,7 +87,7 @@ def _with_contents(pages: Sequence[Page]) -> Iterator[Page]:
 
 
 def build(site: Path) -> list[dict[str, str]]:
-    """Build the site; what each of its pages is."""
+    """Build the site; return file, title and kind of each page."""
     with tempfile.TemporaryDirectory() as temporary:
         sources, trees = Path(temporary, "sources"), Path(temporary, "trees")
         with progress_message("pages of declarations, pictures of cases"):
@@ -99,17 +99,17 @@ def build(site: Path) -> list[dict[str, str]]:
             raise SystemExit(app.statuscode)
         order = [*FIRST]
         kinds = {page.name: page.kind for page in pages}
-        told = [
+        listed = [
             {"page": f"{name}.html", "title": app.env.titles[name].astext(), "kind": kinds[name]}
             for name in sorted(
                 app.env.found_docs, key=lambda name: (order.index(kinds[name]), name)
             )
         ]
-    text = json.dumps(told, indent=1, ensure_ascii=False)
+    text = json.dumps(listed, indent=1, ensure_ascii=False)
     (site / "pages.json").write_text(f"{text}\n", encoding="utf-8")
-    return told
+    return listed
 
 
 if __name__ == "__main__":
-    made = build(Path(sys.argv[1]))
-    sys.stdout.write(f"{len(made)} pages in {sys.argv[1]}\n")
+    count = len(build(Path(sys.argv[1])))
+    sys.stdout.write(f"{count} pages in {sys.argv[1]}\n")

@@ -12,7 +12,7 @@ from website.page import Page, anchor, escaped
 
 
 def pages() -> Iterator[Page]:
-    """A page for each command, and one that lists them."""
+    """Yield a page for each command, and a page that lists all commands."""
     lines = ["# Commands", "", "| command | what it does |", "| --- | --- |"]
     for words, command, summary in commands(main, ()):
         name = "-".join(words)
@@ -24,7 +24,7 @@ def pages() -> Iterator[Page]:
 def commands(
     group: LazyGroup, before: tuple[str, ...]
 ) -> Iterator[tuple[tuple[str, ...], click.Command, str]]:
-    """The words of each command, the command, its summary.
+    """Yield the words, the object and the summary of each command.
 
     >>> [words for words, *_ in commands(main, ())][:2]
     [('new',), ('run',)]
@@ -57,9 +57,9 @@ def _page(words: tuple[str, ...], command: click.Command, summary: str) -> str:
         record = option.get_help_record(context)
         if record is None:
             continue
-        said, text = record
+        usage_of_option, text = record
         lines += [anchor(f"{'-'.join(words)}{name}") for name in option.opts if name[:2] == "--"]
-        lines += [f"`{said}`", f": {escaped(text)}", ""]
+        lines += [f"`{usage_of_option}`", f": {escaped(text)}", ""]
     return "\n".join(lines)
 
 

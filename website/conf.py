@@ -1,4 +1,4 @@
-"""What Sphinx is told of the site; nothing in it comes from a network, nor is read from one."""
+"""Configuration of Sphinx. The site loads nothing from a network."""
 
 from typing import Any
 
@@ -22,22 +22,22 @@ html_static_path = ["static"]
 html_css_files = ["site.css"]
 html_show_sourcelink = False
 html_copy_source = False
-html_show_search_summary = False  # it would be fetched, which a browser refuses on a disk
+html_show_search_summary = False  # fetches pages, which browsers refuse for files on a disk
 suppress_warnings = [
     "misc.highlighting_failure",
     "ref.python",
-]  # a shell within a shell; a word as a name
+]  # console examples with nested shells; words that look like names
 
 
 def setup(app: Sphinx) -> None:
-    """What else is done with docstrings."""
+    """Register the preprocessing of docstrings."""
     app.connect("autodoc-process-docstring", _no_type_before_colon, priority=400)
 
 
 def _no_type_before_colon(_: Sphinx, what: str, *named: Any) -> None:
-    """Napoleon takes what stands before a colon in the first line of an attribute for its type.
+    """Insert an empty comment before the docstrings of attributes.
 
-    Here it is never that, as types are annotated: an empty comment is the first line.
+    Napoleon would otherwise read the text before a colon in the first line as the type.
     """
     *_others, lines = named
     if what in {"attribute", "data", "property"}:

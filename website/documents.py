@@ -1,4 +1,4 @@
-"""Which document is which page of the site, and where its links lead then."""
+"""Pages of the site from the documents of the project, with their links adapted."""
 
 from __future__ import annotations
 
@@ -25,32 +25,32 @@ PLACES = {
     "tests/README.md": "reference/testing",
 }
 HOW_TO = ("docs/ci.md", "docs/page/serve.md", "docs/vehicle/damage.md")
-"""Besides those in docs/how-to."""
+"""How-to pages outside docs/how-to."""
 SOURCES = ("docs/sources.md",)
-"""Besides those in docs/sources."""
+"""Pages on sources outside docs/sources."""
 _LINK = re.compile(r"\[([^\]]*)\]\((?!https?:|#)([^)\s#]+)(#[^)\s]*)?\)")
 _FILE = re.compile(r"^<!-- file: (\S+) -->$", re.MULTILINE)
-"""The name of the file whose text follows."""
+"""Comment with the name of the file whose text follows."""
 _FILES_OF = re.compile(r"^<!-- files of: (\S+) -->$", re.MULTILINE)
-"""A document whose files are used here."""
+"""Comment with the path of the document that shows the files of the examples."""
 _SHIPPED = re.compile(r"\bcases/((?:scenarios/)?[\w-]+)\.(yaml|dat)\b")
 _FENCED = re.compile(r"(^```.*?^```$)", re.MULTILINE | re.DOTALL)
 
 
 def places() -> dict[str, str]:
-    """The page of each document, by its path in the project.
+    """Return the page of each document, by the path of the document in the project.
 
     >>> known = places()
     >>> known["docs/cookbook/README.md"], known["docs/how-to/shift.md"], known["docs/method.md"]
     ('cookbook/index', 'how-to/shift', 'reference/method')
     """
-    found = dict(PLACES)
+    by_path = dict(PLACES)
     for path in sorted((ROOT / "docs").glob("**/*.md")):
         document = path.relative_to(ROOT).as_posix()
-        if document not in found:
+        if document not in by_path:
             kind = _kind(document)
-            found[document] = f"{kind}/{_name(document, kind)}"
-    return found
+            by_path[document] = f"{kind}/{_name(document, kind)}"
+    return by_path
 
 
 def _name(document: str, kind: str) -> str:
@@ -75,7 +75,7 @@ def _kind(document: str) -> str:
 
 
 def pages() -> Iterator[Page]:
-    """The documents as pages."""
+    """Yield the pages of all documents."""
     known = places()
     for document, name in known.items():
         text = (ROOT / document).read_text(encoding="utf-8")
@@ -93,18 +93,18 @@ def pages() -> Iterator[Page]:
 
 
 def _files_of(document: str) -> Callable[[re.Match[str]], str]:
-    """Return the function that names the document whose files are used."""
+    """Return the replacement of a comment by a reference to the document with the files."""
 
-    def said(found: re.Match[str]) -> str:
-        other = (ROOT / document).parent / found[1]
+    def reference(comment: re.Match[str]) -> str:
+        other = (ROOT / document).parent / comment[1]
         title = other.read_text(encoding="utf-8").partition("\n")[0].removeprefix("# ")
-        return f"Files that are not shown here are in [{title}]({found[1]})."
+        return f"Files that are not shown here are in [{title}]({comment[1]})."
 
-    return said
+    return reference
 
 
 def obtained(text: str) -> str:
-    """How one gets the shipped files that a document calculates: nothing where there are none.
+    """Return commands that copy the shipped files which a document uses; empty without such files.
 
     >>> print(obtained("```console\\n$ vstatics run cases/simpson.yaml\\n```"))
     The files of `cases/` come with the program:
@@ -121,24 +121,24 @@ def obtained(text: str) -> str:
     if not used:
         return ""
     lines = [f"vstatics new cases/{name}.{kind} -t {name}" for name, kind in sorted(used)]
-    said = "The files of `cases/` come with the program:"
-    return "\n".join([said, "", "```sh", *lines, "```", ""])
+    sentence = "The files of `cases/` come with the program:"
+    return "\n".join([sentence, "", "```sh", *lines, "```", ""])
 
 
 def case_of(scenario: str) -> str:
-    """The name of the case of a shipped scenario, which speaks of it by `../NAME.yaml`.
+    """Return the name of the case of a shipped scenario.
 
     >>> case_of("scenarios/8hp70-upshift")
     'driveline-8hp70'
     """
-    told = yaml.safe_load(example_file(scenario).data())
-    return Path(told["case"]).stem
+    document = yaml.safe_load(example_file(scenario).data())
+    return Path(document["case"]).stem
 
 
 def _with_links(text: str, document: str, name: str, known: dict[str, str]) -> str:
-    """Links to other documents lead to their pages, links to shipped cases to the gallery.
+    """Return the text with its links to documents and shipped cases replaced by links to pages.
 
-    A folder that is not in the site has its words alone.
+    A link to a folder outside the site is replaced by its text.
     """
 
     def moved(found: re.Match[str]) -> str:
@@ -153,7 +153,7 @@ def _with_links(text: str, document: str, name: str, known: dict[str, str]) -> s
 
 
 def target_of(path: str, known: dict[str, str]) -> str:
-    """What stands in the site for a file of the project.
+    """Return the path in the site that corresponds to a file of the project.
 
     >>> target_of("cases/zf-8hp70.yaml", {}), target_of("cases/scenarios/8hp70-upshift.yaml", {})
     ('gallery/zf-8hp70.md', 'gallery/scenarios-8hp70-upshift.md')
@@ -170,7 +170,7 @@ def target_of(path: str, known: dict[str, str]) -> str:
 
 
 def gallery_name(path: str) -> str:
-    """The page of a shipped case: the same case as a deck has the page of its YAML.
+    """Return the name of the page of a shipped case; a deck and its YAML case share a page.
 
     >>> gallery_name("cases/mzkt7922.dat")
     'mzkt7922'
@@ -179,7 +179,7 @@ def gallery_name(path: str) -> str:
 
 
 def files(known: dict[str, str]) -> Iterator[tuple[str, str]]:
-    """Files that documents show or name: where they are, where they will be."""
+    """Yield the files that documents link to: path in the project and path in the site."""
     found = set()
     for document in known:
         for link in _LINK.finditer(_FENCED.sub("", (ROOT / document).read_text(encoding="utf-8"))):

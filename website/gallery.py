@@ -1,4 +1,4 @@
-"""All shipped cases with their pictures, and all shipped scenarios with their runs."""
+"""Gallery of all shipped cases with their pictures, and of all shipped scenarios."""
 
 from __future__ import annotations
 
@@ -17,26 +17,26 @@ from website.documents import case_of, gallery_name
 from website.page import Page, escaped
 
 OF_CASE = {"stick": "Stick diagram", "structure": "Structure", "lever": "Levers"}
-"""Kinds of pictures; where the first can be drawn, the second is not."""
+"""Kinds of pictures with titles; `structure` is only drawn if `stick` is impossible."""
 
 
 class Exhibit(NamedTuple):
-    """A page of the gallery."""
+    """Page of the gallery."""
 
     page: Page
     title: str
     picture: str
-    """File of the first picture."""
+    """Name of the file with the first picture."""
 
 
 def pages(folder: Path) -> Iterator[Page]:
-    """A page for each file; their pictures are written to the folder.
+    """Yield a page for each shipped file, and a first page with thumbnails.
 
-    The cells of the first page are what each looks like.
+    The pictures are written to `folder`.
     """
     with ProcessPoolExecutor(mp_context=get_context("spawn")) as processes:
-        work = [processes.submit(exhibit, one, folder) for one in sorted(example_files())]
-        exhibits = told_apart([one.result() for one in work])
+        work = [processes.submit(exhibit_of, name, folder) for name in sorted(example_files())]
+        exhibits = sorted_by_title([future.result() for future in work])
     lines = ["# Gallery", "", "The cases and scenarios that come with the program.", ""]
     for shown in exhibits:
         name, title = shown.page.name.removeprefix("gallery/"), escaped(shown.title)
@@ -45,30 +45,30 @@ def pages(folder: Path) -> Iterator[Page]:
     yield Page("gallery", "gallery/index", "\n".join([*lines, ""]))
 
 
-def told_apart(exhibits: Sequence[Exhibit]) -> list[Exhibit]:
-    r"""By title, as a reader looks for them, scenarios last; of one title by the name of the page.
+def sorted_by_title(exhibits: Sequence[Exhibit]) -> list[Exhibit]:
+    r"""Return exhibits sorted by title, scenarios last; equal titles get the name of the page.
 
-    >>> made = [Exhibit(Page("gallery", f"gallery/{name}", "# Z"), "Z", "") for name in "ba"]
-    >>> [(one.title, one.page.text) for one in told_apart(made)]
+    >>> equal = [Exhibit(Page("gallery", f"gallery/{name}", "# Z"), "Z", "") for name in "ba"]
+    >>> [(exhibit.title, exhibit.page.text) for exhibit in sorted_by_title(equal)]
     [('Z (a)', '# Z (a)\n'), ('Z (b)', '# Z (b)\n')]
     """
-    counts = Counter(one.title for one in exhibits)
-    found = [_with_page_name(one) if counts[one.title] > 1 else one for one in exhibits]
+    counts = Counter(exhibit.title for exhibit in exhibits)
+    distinct = [_with_page_name(e) if counts[e.title] > 1 else e for e in exhibits]
     return sorted(
-        found,
-        key=lambda one: (one.page.name.startswith("gallery/scenarios-"), one.title.casefold()),
+        distinct,
+        key=lambda e: (e.page.name.startswith("gallery/scenarios-"), e.title.casefold()),
     )
 
 
-def _with_page_name(one: Exhibit) -> Exhibit:
-    title = f"{one.title} ({one.page.name.removeprefix('gallery/')})"
-    _, _, rest = one.page.text.partition("\n")
+def _with_page_name(exhibit: Exhibit) -> Exhibit:
+    title = f"{exhibit.title} ({exhibit.page.name.removeprefix('gallery/')})"
+    _, _, rest = exhibit.page.text.partition("\n")
     text = f"# {escaped(title)}\n{rest}"
-    return one._replace(page=one.page._replace(text=text), title=title)
+    return exhibit._replace(page=exhibit.page._replace(text=text), title=title)
 
 
-def exhibit(name: str, folder: Path) -> Exhibit:
-    """The page of a case or a scenario."""
+def exhibit_of(name: str, folder: Path) -> Exhibit:
+    """Return the exhibit of a case or a scenario, after writing its pictures."""
     file = example_files()[name]
     is_run = name.startswith("scenarios/")
     return _of_run(name, file.path, folder) if is_run else _of_case(name, file.path, folder)
@@ -101,13 +101,13 @@ def _of_case(name: str, path: str, folder: Path) -> Exhibit:
 
 def _of_run(name: str, path: str, folder: Path) -> Exhibit:
     scenario = vstatics.load_scenario(path)
-    told = yaml.safe_load(Path(path).read_text(encoding="utf-8"))
-    page, title = gallery_name(f"cases/{name}"), str(told.get("name", name))
+    document = yaml.safe_load(Path(path).read_text(encoding="utf-8"))
+    page, title = gallery_name(f"cases/{name}"), str(document.get("name", name))
     picture = f"{page}-shift.svg"
     motion = vstatics.simulate(scenario)
     results = vstatics.solve(scenario.case)
     vstatics.plot(results, "shift", motion=motion).save(folder / picture)
-    lines = _head(title, *(str(told.get(key, "")) for key in ("description", "source")))
+    lines = _head(title, *(str(document.get(key, "")) for key in ("description", "source")))
     lines += ["## The run", "", f"![The run of {escaped(title)}]({picture})", ""]
     case = case_of(name)
     lines += _file(
@@ -127,11 +127,11 @@ def _head(title: str, *texts: str) -> list[str]:
 
 
 def _number(value: float) -> str:
-    return f"{value:.4g}" if value == value else "-"  # noqa: PLR0124 - NaN: there is none
+    return f"{value:.4g}" if value == value else "-"  # noqa: PLR0124 - NaN: no value
 
 
 def _file(path: str, *commands: str) -> list[str]:
-    """The file itself, how one gets it and goes on with it."""
+    """Return the section with the file, and the commands that copy it and calculate it."""
     text = Path(path).read_text(encoding="utf-8")
     lines = ["## The file", "", "```sh", *commands, "```", ""]
     return [*lines, "```yaml", text.rstrip(), "```", ""]

@@ -15,7 +15,7 @@ FILES = {"case": "Keys of a case", "scenario": "Keys of a scenario"}
 
 
 def pages() -> Iterator[Page]:
-    """A page for each kind of file."""
+    """Yield a page for each kind of file."""
     for name, title in FILES.items():
         schema = schemas()[name]
         lines = [f"# {title}", "", escaped(str(schema["description"])), ""]
@@ -36,11 +36,11 @@ def pages() -> Iterator[Page]:
 
 
 def keys(schema: Schema, path: str) -> Iterator[tuple[str, Schema]]:
-    """Each key with its path; those of the parts of a list or of named parts stand below it.
+    """Yield each key with its path, followed by the keys of its records.
 
-    Where parts are of several kinds each kind has a path, `case.elements.worm`: with its name
-    (`const`), the keys that it needs, and where all of its keys are; what a former kind has as well
-    is there.
+    If records are of several kinds, each kind has a path such as `case.elements.worm`, with its
+    name (`const`), its required keys, and the places at which its keys are described. A key that
+    an earlier kind has in the same form is described there only.
 
     >>> case = {"properties": {"gears": {"items": {"properties": {"name": {}}}}}}
     >>> [path for path, _ in keys(case, "case")]
@@ -48,38 +48,38 @@ def keys(schema: Schema, path: str) -> Iterator[tuple[str, Schema]]:
     """
     for name, key in schema.get("properties", {}).items():
         yield f"{path}.{name}", key
-        told = list[tuple[str, Schema, str]]()
+        described = list[tuple[str, Schema, str]]()
         for part in _parts(key):
             kind = part["properties"].get("kind", {}).get("const")
             if kind is None:
                 yield from keys(part, f"{path}.{name}")
             else:
-                yield from _keys_of_kind(part, f"{path}.{name}.{kind}", kind, told)
+                yield from _keys_of_kind(part, f"{path}.{name}.{kind}", kind, described)
 
 
 def _keys_of_kind(
-    part: Schema, path: str, kind: str, told: list[tuple[str, Schema, str]]
+    part: Schema, path: str, kind: str, described: list[tuple[str, Schema, str]]
 ) -> Iterator[tuple[str, Schema]]:
-    """A kind, and those of its keys that no former one has in the same way."""
+    """Yield a kind of records, and the keys that no earlier kind has in the same form."""
     own = {name: key for name, key in part["properties"].items() if name != "kind"}
     places = {
-        name: next((at for *same, at in told if same == [name, key]), f"{path}.{name}")
+        name: next((at for *same, at in described if same == [name, key]), f"{path}.{name}")
         for name, key in own.items()
     }
     yield path, {"const": kind, "required": part.get("required", []), "places": places}
     new = {name: key for name, key in own.items() if places[name] == f"{path}.{name}"}
     yield from keys({"properties": new}, path)
-    told += [(name, key, places[name]) for name, key in new.items()]
+    described += [(name, key, places[name]) for name, key in new.items()]
 
 
 def _of_kind(kind: Schema) -> Iterator[str]:
-    """What a kind is, and its keys: those that it needs, then the others."""
+    """Yield the description of a kind, its required keys and its optional keys."""
     yield escaped(KINDS[kind["const"]].description)
     yield ""
     needed = [name for name in kind["places"] if name in kind["required"]]
     for what, names in (
         ("needs", needed),
-        ("may have", [one for one in kind["places"] if one not in needed]),
+        ("may have", [name for name in kind["places"] if name not in needed]),
     ):
         if names:
             links = (f'<a href="#{kind["places"][name]}"><code>{name}</code></a>' for name in names)
@@ -88,7 +88,7 @@ def _of_kind(kind: Schema) -> Iterator[str]:
 
 
 def _parts(key: Schema) -> Iterator[Schema]:
-    """The shapes of what is below a key, each once."""
+    """Yield the different shapes of the records below a key."""
     seen: set[str] = set()
     places = [key]
     while places:
@@ -101,8 +101,8 @@ def _parts(key: Schema) -> Iterator[Schema]:
                 yield place
             continue
         below = (place.get("items"), place.get("additionalProperties"))
-        places += [one for one in below if isinstance(one, Mapping)]
-        places += [one for choice in ("anyOf", "oneOf") for one in place.get(choice, [])]
+        places += [shape for shape in below if isinstance(shape, Mapping)]
+        places += [shape for way in ("anyOf", "oneOf") for shape in place.get(way, [])]
 
 
 def _described(key: Schema, schema: Schema) -> Iterator[str]:
@@ -119,7 +119,7 @@ def _described(key: Schema, schema: Schema) -> Iterator[str]:
 
 
 def _kinds(key: Schema, schema: Schema) -> Iterator[str]:
-    """What a key may be."""
+    """Yield the kinds of values that a key accepts."""
     if "$ref" in key:
         named = schema["$defs"][key["$ref"].rpartition("/")[2]]
         yield escaped(str(named.get("description", named.get("title", "")))).rstrip(".")
@@ -132,5 +132,5 @@ def _kinds(key: Schema, schema: Schema) -> Iterator[str]:
         kinds = key.get("type", [])
         yield from (k for k in ([kinds] if isinstance(kinds, str) else kinds) if k != "null")
     for choice in ("anyOf", "oneOf"):
-        for one in key.get(choice, []):
-            yield from _kinds(one, schema)
+        for alternative in key.get(choice, []):
+            yield from _kinds(alternative, schema)

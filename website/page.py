@@ -1,4 +1,4 @@
-"""A page before Sphinx has it."""
+"""Page of the site as a text for Sphinx."""
 
 from __future__ import annotations
 
@@ -8,20 +8,20 @@ KINDS = ("start", "cookbook", "how-to", "reference", "api", "gallery", "messages
 
 
 class Page(NamedTuple):
-    """A page of the site."""
+    """Page of the site."""
 
     kind: str
     """One of `KINDS`."""
     name: str
-    """Its file in the site without suffix: `how-to/sweep`."""
+    """Path in the site without suffix, such as `how-to/sweep`."""
     text: str
-    """In Markdown, or in reStructuredText."""
+    """Markdown or reStructuredText."""
     suffix: str = ".md"
-    """Of what it is written in."""
+    """File suffix of the markup language."""
 
 
 def anchor(name: str) -> str:
-    """A place that links lead to, in Markdown.
+    """Return a target for links, in Markdown.
 
     >>> anchor("W012")
     '<a id="W012"></a>\\n'
@@ -30,7 +30,7 @@ def anchor(name: str) -> str:
 
 
 def escaped(text: str) -> str:
-    r"""A text in a cell of a table in Markdown.
+    r"""Return a text escaped for Markdown, also in the cell of a table.
 
     >>> escaped("a|b <c> *d*")
     'a\\|b &lt;c&gt; \\*d\\*'
@@ -42,7 +42,7 @@ def escaped(text: str) -> str:
 
 
 def code(text: str) -> str:
-    """A word of the program in Markdown, within a table as well.
+    """Return a text as code in Markdown, also in the cell of a table.
 
     >>> code("a|b")
     '`a\\\\|b`'

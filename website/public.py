@@ -17,11 +17,11 @@ _TITLES = {
     "vstatics.synthesis": "Synthesis",
 }
 MODULES = {name: title for name, title in _TITLES.items() if find_spec(name)}
-"""Titles of the public modules; an annex may not be installed."""
+"""Titles of the installed public modules."""
 
 
 def pages() -> Iterator[Page]:
-    """A page for each public module, in reStructuredText."""
+    """Yield a page for each public module, in reStructuredText."""
     for module, title in MODULES.items():
         heading = f"{title}: {module}"
         lines = [heading, "=" * len(heading), ""]
@@ -33,7 +33,7 @@ def pages() -> Iterator[Page]:
 
 
 def names(module: str) -> list[str]:
-    """The public names of a module; one that `vstatics` has stands there.
+    """Return the public names of a module, without those that `vstatics` also exports.
 
     >>> "solve" in names("vstatics"), "transmission" in names("vstatics.core.elements")
     (True, False)

@@ -1,9 +1,9 @@
 """Registry of the annexes: optional packages such as `vstatics.torsion`, built on the core.
 
-Each annex declares its commands, public names, pictures, keys and schemas in an `Annex` record, in
-its module ``annex.py``. The core finds them only through this registry, so that an annex can be
-deleted. A record contains names of modules instead of objects. Modules are imported when they are
-needed, and records when a name is not found in the core.
+The module ``annex.py`` of each annex contains a record (`Annex`) of its commands, public names,
+pictures, keys and schemas. The core uses an annex only through this registry, so that an annex can
+be deleted. A record contains names of modules, which are imported when needed. Records are imported
+when the core does not contain a name.
 
 >>> all(annex.name in _NAMES for annex in annexes())
 True
@@ -35,7 +35,7 @@ DOCUMENTS = MappingProxyType(
 )
 """Annex for each kind of document other than cases, with texts that identify the kind.
 
-Every document of the kind contains one of these texts, but hardly any case does.
+Each document of the kind contains one of these texts. Cases hardly ever do.
 """
 COMMANDS = MappingProxyType(
     {
@@ -63,7 +63,7 @@ PURPOSES = MappingProxyType(
         ),
     }
 )
-"""Annex that provides each further function or feature, by name."""
+"""Annex that provides each other function or feature, by name."""
 
 
 class Command(NamedTuple):
@@ -83,21 +83,21 @@ class PictureKind(NamedTuple):
     module: str
     """Module that draws the picture."""
     help: str
-    """Description in the help text of the command."""
+    """Description in the help text of `vstatics plot`."""
     place: int
     """Position in lists of kinds (sort key, ascending)."""
     title: str = ""
     """Heading of the picture on a page."""
     shows: str = "case"
-    """Subject of the picture: `case`, `vibration`, `run`, or a kind of document."""
+    """Subject of the picture: `case`, `vibration`, `run`, or another kind of document."""
     options: Sequence[str] = ()
-    """Names of special options of the kind, declared in `Annex.picture_options`."""
+    """Names of special options of the kind, from `Annex.picture_options`."""
     refused: Mapping[str, str] = _NOTHING
-    """Common options that the kind does not support, each with the reason."""
+    """Common options that the kind does not support, with the reasons."""
     reads: str = ""
-    """Name of the function that reads further files for the picture, or an empty text."""
+    """Name of a function that reads further files for the picture; empty if not needed."""
     plots: str = ""
-    """Name of the function that draws a document; empty for pictures of a case."""
+    """Name of a function that draws a document; empty for pictures of a case."""
     least_width: float = 0.0
     """Smallest width of the picture with readable labels. [mm]"""
     alike: bool = False
@@ -108,9 +108,9 @@ class DocumentKind(NamedTuple):
     """Kind of document other than cases."""
 
     note: str
-    """Message if a document of the kind is given where a case is required."""
+    """Message when a user gives such a document instead of a case."""
     functions: Mapping[str, str] = _NOTHING
-    """Modules of the functions with which commands process the document, by function name."""
+    """Modules of the functions that commands call for the document, by function name."""
 
 
 class Schema(NamedTuple):
@@ -118,10 +118,10 @@ class Schema(NamedTuple):
 
     module: str
     type: str
-    """Name of the described type; without `title`, name of a function that returns the schema."""
+    """Name of the described type or, without `title`, of a function that returns the schema."""
     title: str = ""
     documents: bool = True
-    """True if the type describes each document of a file, not the whole file."""
+    """True if the type describes each document in a file, False if it describes the whole file."""
 
 
 class ReportPart(NamedTuple):
@@ -134,44 +134,44 @@ class ReportPart(NamedTuple):
     place: int
     """Position of the section on the page (sort key, ascending)."""
     is_printed: bool = True
-    """True if the section is part of a page by default."""
+    """True if a page contains the section by default."""
     scripts: str = ""
-    """Module with `SCRIPTS` and `STYLE` for a page with a simulation; empty if not provided."""
+    """Module with `SCRIPTS` and `STYLE` for a page with a simulation; empty without scripts."""
 
 
 class Annex(NamedTuple):
     """Record of everything that an annex adds to the program.
 
-    Modules are given by their full names and imported only when needed.
+    Modules have full names, and are imported only when needed.
     """
 
     name: str
     """Name of the package in `vstatics`."""
     needs: tuple[str, ...] = ()
-    """Names of the annexes from which the annex imports."""
+    """Names of the annexes that this annex imports."""
     commands: Mapping[str, Command] = _NOTHING
     """Commands of `vstatics`, by name."""
     names: Mapping[str, str] = _NOTHING
-    """Modules that define the names which the annex adds to `vstatics`, by name."""
+    """Modules that define public names in `vstatics`, by name."""
     methods: Mapping[str, str] = _NOTHING
-    """Modules whose functions the core or other annexes call by name."""
+    """Modules of functions that the core or other annexes call by name."""
     groups: Mapping[str, Mapping[str, tuple[str, str]]] = _NOTHING
     """Sub-commands of each command: module and line of help, by name."""
     own_names: Mapping[str, str] = _NOTHING
-    """Modules that define the names which the annex package exports, by name."""
+    """Modules that define public names of the annex package, by name."""
     pictures: Mapping[str, PictureKind] = _NOTHING
     """Kinds of pictures, by the name of the kind."""
     picture_options: Mapping[str, str] = _NOTHING
-    """Options that only some kinds of pictures support, each with the message for other kinds.
+    """Options that only some kinds of pictures support, with the message for other kinds.
 
-    The message can name the kinds by ``{kinds}``.
+    The message can contain ``{kinds}``, the names of the kinds.
     """
     documents: Mapping[str, DocumentKind] = _NOTHING
     """Kinds of documents other than cases, by the name of the kind."""
     schemas: Mapping[str, Schema] = _NOTHING
     """JSON Schemas, by the name of the file in `schemas/`."""
     report: Mapping[str, ReportPart] = _NOTHING
-    """Sections for the HTML page of a case, by the word that selects the section."""
+    """Sections for the HTML page of a case, by the word with which a user selects the section."""
     keys: Mapping[str, str] = _NOTHING
     """Modules whose `KEY` declares a key of a case, by name of the key."""
     types: Mapping[str, str] = _NOTHING
@@ -192,12 +192,12 @@ def annexes() -> tuple[Annex, ...]:
 
 
 def module(name: str) -> ModuleType:
-    """Return an imported module: a record, or a module named in a record."""
+    """Import a module from a record, and return it."""
     return import_module(name)
 
 
 def _first(tables: Iterable[Mapping[str, Entry]], name: str) -> Entry | None:
-    """Return the entry for a name in the first table that contains the name, if any."""
+    """Return the entry for a name from the first table that contains the name, or None."""
     return next((table[name] for table in tables if name in table), None)
 
 
@@ -216,7 +216,7 @@ def public_names() -> list[str]:
 
 
 def module_of_method(name: str) -> str:
-    """Return the module of an annex that defines a function called by name; empty if unknown."""
+    """Return the module of an annex from its `methods`, by function name; empty if unknown."""
     return _first((annex.methods for annex in annexes()), name) or ""
 
 
@@ -227,12 +227,12 @@ def picture_kinds() -> Mapping[str, PictureKind]:
 
 
 def picture_options() -> Mapping[str, str]:
-    """Return the special options of pictures, each with the message for other kinds."""
+    """Return the special options of pictures, with the message for other kinds."""
     return {name: why for annex in annexes() for name, why in annex.picture_options.items()}
 
 
 def document_kind(kind: str) -> DocumentKind | None:
-    """Return the declaration of a kind of document, if an installed annex declares the kind."""
+    """Return the declaration of a kind of document; None if no installed annex declares it."""
     return _first((annex.documents for annex in annexes()), kind)
 
 
@@ -242,19 +242,19 @@ def module_of_key(key: str) -> str:
 
 
 def module_of_type(name: str) -> str:
-    """Return the module that defines a type in a record; empty if the annex is missing."""
+    """Return the module of a type from the `types` of annexes; empty if the annex is missing."""
     return _first((annex.types for annex in annexes()), name) or ""
 
 
 def missing_command(name: str) -> str:
-    """Return the message that the annex of a command is not installed; empty if installed."""
+    """Return the message that the annex of a command is missing; empty if it is installed."""
     if name not in COMMANDS or COMMANDS[name] in {annex.name for annex in annexes()}:
         return ""
     return not_installed(name, COMMANDS[name])
 
 
 def not_installed(what: str, annex: str) -> str:
-    """Return the message about a feature whose annex is not installed.
+    """Return the message that the annex of a feature is not installed.
 
     >>> not_installed("omega", PURPOSES["omega"])
     'omega belongs to vstatics.torsion, which is not installed here'

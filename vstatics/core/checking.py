@@ -24,7 +24,7 @@ from vstatics.core.suggestions import why_not_allowed
 def check(
     source: str | os.PathLike[str] | readers.Stream, *, allow: Sequence[str] = ()
 ) -> list[Problem]:
-    r"""Check a case or scenario (a case is also calculated); return errors, warnings and notes.
+    r"""Check a case or scenario, and calculate a case; return errors, warnings and notes.
 
     Parameters
     ----------
@@ -37,7 +37,7 @@ def check(
     Returns
     -------
     list of Problem
-        Problems with `id`, `severity`, `message` and `place`; empty if there are none.
+        Problems with `id`, `severity`, `message` and `place`.
 
     Raises
     ------
@@ -61,7 +61,7 @@ def check(
 
 
 def problems_of(data: bytes, file: str, allow: Sequence[str] = ()) -> list[Problem]:
-    """Return all problems of the content of a file, without suppressed messages about gears."""
+    """Return all problems in the content of a file, except suppressed messages about gears."""
     try:
         if document_problems := document_function("document_problems", data, file):
             return [*document_problems(data, file)]

@@ -2,8 +2,8 @@
 
 `VstaticsError` is the base class of all errors. `CaseError` is raised for an impossible
 transmission, `ReadError` for a file that cannot be read or written. Both contain a list of
-`Problem`, because a run reports all problems together. Only the command line prints; `printable`
-protects the terminal from text of unknown origin.
+`Problem`, because a run reports all problems together. `printable` protects terminals from text of
+unknown origin.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from collections.abc import Container, Iterable, Sequence
 from typing import Literal, NamedTuple, Protocol, TypeVar
 
 Path = tuple[str | int, ...]
-"""Path of a value in a model, such as ``("mechanisms", 2, "ratio")``; items count from 1."""
+"""Path of a value in a model, such as ``("mechanisms", 2, "ratio")``. Items count from 1."""
 
 
 Severity = Literal["error", "warning", "note"]
@@ -41,7 +41,7 @@ class Place(NamedTuple):
 
 
 class CellPlace(Place):
-    """Cell of a workbook; line and column are the row and column of the cell."""
+    """Cell of a workbook. Line and column are the row and column of the cell."""
 
     sheet: str = ""
     """Name of the sheet."""
@@ -69,7 +69,7 @@ class CellPlace(Place):
 
 
 def excerpt(place: Place) -> tuple[str, str]:
-    """Return the part of a line around a place that fits a terminal, and a caret below.
+    """Return the text around a place, shortened for a terminal, and a line with a caret below it.
 
     >>> excerpt(Place("a.yaml", 2, 4, "B1: [rign, housing]"))
     ('B1: [rign, housing]', '   ^')
@@ -91,7 +91,7 @@ def severity(identity: str) -> Severity:
 
 
 class Problem(NamedTuple):
-    """Error, warning or note, with the value that was read and the expectation.
+    """Error, warning or note. The message contains the value that was read and the expectation.
 
     Examples
     --------
@@ -123,7 +123,7 @@ class Problem(NamedTuple):
         return printable(f"{path_text(self.path)}: {text}" if self.path else text)
 
     def in_file(self, file: str) -> Problem:
-        """Return the problem as a problem of a whole file, without a path."""
+        """Return the problem without its path and with the whole file as its place."""
         return self._replace(path=(), place=Place(file, 0, 0))
 
 
@@ -162,7 +162,7 @@ class CaseError(VstaticsError):
         path: Path = (),
         place: Place | None = None,
     ) -> None:
-        """Store problems, or a single problem given by id and message.
+        """Store problems, or a single problem from its id and message.
 
         >>> CaseError("E234", "read 0, expected a ratio", ("mechanisms", 1, "ratio"))
         CaseError('mechanisms[1].ratio: read 0, expected a ratio [E234]')
@@ -182,17 +182,18 @@ class ReadError(CaseError):
 
 _OTHERS = "\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff\ufeff"
 """Characters that are unsafe in any output: control characters above ASCII, line separators, marks
-of writing direction, and lone surrogates."""
+of writing direction, and lone surrogates (halves of a character).
+"""
 _IN_LINE, _IN_LINES = f"[\0-\x1f{_OTHERS}]", f"[\0-\x08\x0b-\x1f{_OTHERS}]"
 
 
 def printable(text: str, *, lines: bool = False) -> str:
-    r"""Return a text with all characters escaped that could control a terminal.
+    r"""Return a text in which all characters that could control a terminal are escaped.
 
     Parameters
     ----------
     text : str
-        Text of unknown origin; JSON text remains equivalent JSON.
+        Text of unknown origin. JSON remains equivalent JSON.
     lines : bool
         True to leave line feeds and tabs unchanged.
 
@@ -203,7 +204,7 @@ def printable(text: str, *, lines: bool = False) -> str:
     \u202eb
     """
     if (text.replace("\n", "") if lines else text).isprintable():
-        return text  # fast check; sufficient for nearly all texts
+        return text  # fast test, sufficient for nearly all texts
     pattern = _IN_LINES if lines else _IN_LINE
     return re.sub(pattern, lambda match: f"\\u{ord(match[0]):04x}", text)
 
@@ -224,7 +225,7 @@ def quoted(read: str) -> str:
 
 
 def spoken(names: Iterable[str], last: str = "and") -> str:
-    """Return names joined with commas, and a word before the last name.
+    """Return names joined with commas, but with a word before the last name.
 
     >>> spoken(["a"]), spoken(["a", "b"]), spoken(["a", "b", "c"], "or")
     ('a', 'a and b', 'a, b or c')
@@ -252,7 +253,7 @@ def count_of(noun: str, count: int) -> str:
 
 
 def typed_number(text: str, last: int) -> int | None:
-    """Return the number that a text gives, if between 1 and `last`.
+    """Return the whole number in a text, if it is from 1 to `last`; else None.
 
     >>> typed_number("02", 3), typed_number("4", 3), typed_number("x", 3), typed_number("9" * 99, 3)
     (2, None, None, None)
@@ -264,5 +265,5 @@ def typed_number(text: str, last: int) -> int | None:
 
 
 def listed(names: Sequence[str], most: int = 8) -> str:
-    """Return at most `most` names joined with commas; three points mark omitted names."""
+    """Return up to `most` names joined with commas; three points stand for further names."""
     return ", ".join(names[:most]) + (", ..." if len(names) > most else "")

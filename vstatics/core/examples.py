@@ -1,6 +1,6 @@
 """Example cases and scenarios that come with the program, by name.
 
-They are part of the installed package; in a working copy the folder `cases` contains them.
+They are part of the installed package. In a working copy they are in the folder `cases`.
 
 >>> example("zf-8hp70")
 <Transmission 'ZF 8HP70': 8 links, 5 shift elements, 4 mechanisms, 9 gears>
@@ -27,7 +27,7 @@ class ExampleFile(NamedTuple):
     """Example file that comes with the program."""
 
     name: str
-    """Path below the folder `cases`, without suffix and separated by `/`."""
+    """Path below the folder `cases`, without suffix and with the separator `/`."""
     path: str
 
     def data(self) -> bytes:
@@ -61,7 +61,7 @@ def example(name: str | None = None) -> list[str] | Transmission | Any:
     Raises
     ------
     CaseError
-        If the example does not exist; the message suggests the nearest name.
+        If the example does not exist. The message suggests the most similar name.
     ReadError
         If the example is a scenario and simulation is not installed.
 
@@ -87,7 +87,7 @@ def example_file(name: str) -> ExampleFile:
     Raises
     ------
     CaseError
-        If the example does not exist, with the nearest name.
+        If the example does not exist. The message suggests the most similar name.
 
     Examples
     --------
@@ -103,7 +103,7 @@ def example_file(name: str) -> ExampleFile:
 
 @cache
 def example_files() -> dict[str, ExampleFile]:
-    """Return all examples by name, cases before scenarios; a YAML file is preferred to a deck.
+    """Return all examples by name, cases first. Of a YAML file and a deck, the YAML file is taken.
 
     >>> example_files()["mzkt7922"].path.endswith("mzkt7922.yaml")
     True

@@ -31,18 +31,18 @@ EXTRAS = {
 }
 """Main package that each extra (group of optional dependencies) installs."""
 _IN_ROOMS = {"damage": "torsion"}
-"""Extra for each subpackage whose name differs from the name of the extra."""
+"""Extra for each subpackage that does not have the name of its extra."""
 BESIDES = {"boxes": ("networkx",), "plot": ("networkx",)}
-"""Further packages that an extra installs."""
+"""Further packages that some extras install."""
 
 SLOWER_WITHOUT = {"numba"}
-"""Packages without which the features of an extra still work, but slowly."""
+"""Packages whose absence only makes an extra slower."""
 
 
 def later(
     package: str, modules: Mapping[str, str], find: Callable[[str], str] = lambda _: ""
 ) -> Callable[[str], Any]:
-    """Return a `__getattr__` for a package whose names are imported on first use.
+    """Return a function `__getattr__` for a package, which imports names on first use.
 
     Parameters
     ----------
@@ -71,7 +71,7 @@ def later(
 
 
 class AnyPicture(Protocol):
-    """Interface of `Picture` for the core, which must not import the annex of pictures."""
+    """Interface of a picture for the core, which must not import the annex of pictures."""
 
     @property
     def figure(self) -> Figure:
@@ -84,7 +84,7 @@ class AnyPicture(Protocol):
 
 
 def higher(function: str, purpose: str = "") -> Any:
-    """Return a function of a higher package, which a method of a lower package can call.
+    """Return a function of a higher package for a method of a lower package.
 
     Parameters
     ----------
@@ -119,13 +119,13 @@ def higher(function: str, purpose: str = "") -> Any:
 def build(*holding: bytes) -> str:
     """Return a hash of all source files of the package, which identifies the build.
 
-    Builds with equal hashes calculate equal results. Because every file is read, the hash is used
-    only where builds could be mixed: for `--resume`, workers of a cluster and cached machine code.
+    Builds with equal hashes calculate equal results. The hash takes time, so it is used only if
+    builds could be mixed: for `--resume`, workers of a cluster and cached machine code.
 
     Parameters
     ----------
     *holding : bytes
-        Texts that select files: only files that contain at least one of them are hashed.
+        Texts that select files. Only files that contain at least one of these texts are hashed.
 
     Examples
     --------
@@ -149,7 +149,7 @@ def build(*holding: bytes) -> str:
 
 
 def missing(extra: str, purpose: str) -> str:
-    """Return the message about a package that a purpose needs; empty if installed.
+    """Return the message that the package for a purpose is missing; empty if it is installed.
 
     >>> missing("formula", "the formula") in (
     ...     "", 'the formula needs the package sympy: '
@@ -171,7 +171,7 @@ def _needs(purpose: str, package: str, extra: str) -> str:
 
 
 def needed(error: ImportError, purpose: str, module: str) -> Exception:
-    """Return the exception for a failed import: E014 for a package of an extra, or `error`.
+    """Return the exception after a failed import: E014 for a package of an extra, else `error`.
 
     Parameters
     ----------
@@ -179,7 +179,7 @@ def needed(error: ImportError, purpose: str, module: str) -> Exception:
     purpose : str
         Feature that needs the package.
     module : str
-        Module of the feature; its path decides between extras that contain the same package.
+        Module of the feature. Its path identifies the extra if several extras contain the package.
 
     Examples
     --------
@@ -199,7 +199,7 @@ def needed(error: ImportError, purpose: str, module: str) -> Exception:
 
 
 def broken(error: BaseException) -> str:
-    """Return the message about an installed but broken package; empty for other errors."""
+    """Return the message that an installed package is broken; empty for other errors."""
     if not isinstance(error, ImportError):
         return ""
     trace, packages = error.__traceback__, {*EXTRAS.values(), "networkx", "numpy", "yaml"}
@@ -213,7 +213,7 @@ def broken(error: BaseException) -> str:
 
 
 def require(extra: str, purpose: str) -> None:
-    """Check that the packages of an extra are installed, to fail before a calculation.
+    """Check that the packages of an extra are installed, before a calculation begins.
 
     Raises
     ------

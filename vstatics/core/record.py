@@ -71,4 +71,4 @@ CORE = Annex(
         "with_part_numbers": "vstatics.core.elements.part_numbers",
     },
 )
-"""Record of the core; a module is imported when a name from it is first used."""
+"""Record of the core. A module is imported at the first use of a name."""

@@ -1,9 +1,9 @@
-"""Start of the command, imported by the package before anything else.
+"""Settings for the command, imported by the package before anything else.
 
-With this module, Ctrl-C ends the command without a traceback; otherwise Python would raise
-`KeyboardInterrupt` in the middle of an import, before any code can catch it. Garbage is collected
-less often, because imports create many objects but little garbage. If the package is used as a
-library, this module changes nothing.
+Ctrl-C ends the command without a traceback. Otherwise Python would raise `KeyboardInterrupt` in the
+middle of an import, before any code can catch it. Garbage is collected less often, because imports
+create many objects but little garbage. If the package is used as a library, this module changes
+nothing.
 """
 
 from __future__ import annotations
@@ -15,18 +15,18 @@ import sys
 
 PROGRAM = "vstatics"
 NEW_OBJECTS = 100_000
-"""Number of new objects before garbage collection; Python's default, 700, is slower."""
+"""Number of new objects before garbage collection. Python's default, 700, is slower."""
 
 
 def is_command(argument: str, command_line: list[str]) -> bool:
-    """Return whether the process is the command, judged by ``sys.argv[0]`` and ``sys.orig_argv``.
+    """Return whether the process is the command, from ``sys.argv[0]`` and ``sys.orig_argv``.
 
     >>> is_command("/usr/bin/vstatics", []), is_command("script.py", ["python", "script.py"])
     (True, False)
     >>> is_command("-m", ["python", "-m", "vstatics", "run"])
     True
     """
-    if argument == "-m":  # value while Python searches for the module
+    if argument == "-m":  # this is the value while Python searches for the module
         return PROGRAM in command_line[command_line.index("-m") + 1 :][:1]
     return os.path.splitext(os.path.basename(argument))[0] == PROGRAM  # noqa: PTH119, PTH122
 

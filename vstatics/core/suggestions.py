@@ -9,20 +9,20 @@ from vstatics.core.errors import quoted, spoken
 from vstatics.core.messages.catalogue import causes_of_allowable
 
 _LEAST_PART = 4
-"""Smallest number of letters of a part of a name that identifies the name."""
+"""Smallest number of letters of a word for which names that contain the word are suggested."""
 
 
 _LATIN = {
     "Cyrillic": ("АВЕКМНОРСТУХІЈЅԚԜаеорсухіјѕ", "ABEKMHOPCTYXIJSQWaeopcyxijs"),
     "Greek": ("ΑΒΕΖΗΙΚΜΝΟΡΤΥΧοιν", "ABEZHIKMNOPTYXoiv"),
 }
-"""Letters of other scripts, and the Latin letters of identical appearance."""
+"""Letters of other scripts, and the Latin letters that look the same."""
 _SCRIPTS = {letter: script for script, (letters, _) in _LATIN.items() for letter in letters}
 _LOOKS = str.maketrans(dict(pair for pairs in _LATIN.values() for pair in zip(*pairs, strict=True)))
 
 
 def lookalike(word: str, known: Iterable[str]) -> str:
-    """Return a hint with a known word of identical appearance in a different script; else empty.
+    """Return a hint with a known word that looks the same but has letters of another script.
 
     >>> lookalike("\u0421_1", ["B", "C_1"])
     '; did you mean `C_1`? Letter 1, `\u0421`, is Cyrillic in what was read, but Latin in this name'
@@ -44,7 +44,7 @@ def lookalike(word: str, known: Iterable[str]) -> str:
 
 
 def mixed_letters(word: str) -> str:
-    """Return a hint on Cyrillic or Greek letters in a Latin word; empty without mixed scripts.
+    """Return a hint on Cyrillic or Greek letters in a Latin word; empty for a single script.
 
     >>> mixed_letters("k\u0435g"), mixed_letters("kg"), mixed_letters("\u0442\u043e\u043d")
     ('; letter 2, `\u0435`, is Cyrillic', '', '')
@@ -70,9 +70,9 @@ def _letters(word: str, places: Sequence[int]) -> str:
 
 
 def nearest(word: str, known: Iterable[str]) -> str:
-    """Return a hint with the known word most similar to a mistyped word, if any; else empty.
+    """Return a hint with the known word most similar to a mistyped word, or an empty text.
 
-    If known words contain the mistyped word, the shortest of them is suggested.
+    If known words contain the mistyped word, the shortest of these is suggested.
 
     >>> nearest("ratoi", ["ratio", "efficiency"]), nearest("eta", ["ratio", "ETA"])
     ('; did you mean `ratio`?', '; did you mean `ETA`?')

@@ -1,4 +1,4 @@
-"""Declaration of the annex of HTML pages: its commands, public names and methods."""
+"""Declaration of the annex of HTML pages: commands, public names and methods."""
 
 from vstatics.core.annexes import Annex, Command
 

@@ -43,7 +43,7 @@ if TYPE_CHECKING:
 
 
 def drawn_kinds() -> Mapping[str, PictureKind]:
-    """Return the kinds of pictures of a case in order, without kinds of pictures of documents."""
+    """Return the kinds of pictures of a case; kinds that show other documents are left out."""
     return {kind: record for kind, record in picture_kinds().items() if not record.plots}
 
 
@@ -92,7 +92,7 @@ def picture(
         Key of `drawn_kinds`.
     gears : sequence of int, optional
         Numbers of the gears to show, from 1; empty for all.
-    motion : Motion, optional
+    motion : PicturedRun, optional
         Simulated run of the case, for kinds of pictures that can show a run.
 
     Raises
@@ -115,7 +115,7 @@ def drawn_pages(  # noqa: PLR0913, PLR0917 - arguments of a picture
     motion: PicturedRun | None = None,
     others: Sequence[tuple[Results, PicturedRun]] = (),
 ) -> list[list[Canvas]]:
-    """Draw the pages of each list of gears; the scales of a run also cover further runs."""
+    """Draw the pages for each list of gears in `shown`; scales also cover the runs in `others`."""
     from vstatics.pictures.drawing.style import POINTS_PER_MILLIMETRE
 
     require("plot", "a picture")

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 LETTERS = "AB"
 BESIDE = ("efficiency",)
-"""Kinds of pictures drawn side by side, if half the width makes the pictures little higher."""
+"""Kinds of pictures drawn side by side if they are little higher at half the width."""
 AS_HIGH = 1.1
 """Largest ratio of heights, half width to full width, for pictures side by side. [-]"""
 

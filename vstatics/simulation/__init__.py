@@ -1,12 +1,12 @@
 """Simulation of shifts and launches: the motion of a case over time under a scenario.
 
-1. `scenario` reads a scenario: a case, a start, controls or shifts, and torques.
-2. `system` builds a `MotionSystem`, and its equations of motion while given contacts stick. A
-   contact transmits torque by friction or by form: a shift element, a dry-friction load, a drag.
-3. `events` solves the equations, in closed form or step by step, up to the next event, and selects
-   the contacts that stick, slip or are open after it.
-4. `course` goes from event to event, and `record` stores the results as a `Motion`. `run` does all
-   of this, `bounds` limits the wall-clock time, and `stepping` advances a run interactively.
+1. `scenario` reads a scenario: a case, a start, controls or shifts, and torques. 2. `system` builds
+a `MotionSystem`, and its equations of motion while a set of contacts sticks. A contact transmits
+torque by friction or by form: a shift element, a dry-friction load, a drag. 3. `events` solves the
+equations, in closed form or step by step, up to the next event, and selects the contacts that
+stick, slip or are open after the event. 4. `course` goes from event to event, and `record` stores
+the results as a `Motion`. `run` does all of this, `bounds` limits the wall-clock time, and
+`stepping` advances a run interactively.
 
 `published` is the method of Tarasik, for comparison. `variants` runs many variations of a scenario
 for sweeps and samples. `pictures` draws a run over time, `report` writes the section of a report

@@ -35,22 +35,22 @@ def wall_limit(seconds: float) -> Guard:
 class Pace:
     """Estimator of the processor time of a whole run, from a trial run stopped early.
 
-    Processor time is measured, because other processes can delay the first steps of a run.
+    Processor time is used, because other processes can delay the first steps of a run.
 
     Parameters
     ----------
     duration : float
         Simulated duration of the whole run. [s]
     seconds : float
-        Processor time after which the trial run is stopped. It is measured from the first step,
-        because imports can take time before. [s]
+        Processor time after which the trial run is stopped. The time begins at the first step,
+        because imports before it take time. [s]
     """
 
     def __init__(self, duration: float, seconds: float) -> None:
         self.duration, self.seconds = duration, seconds
         self._first = math.inf
         self._half = self._last = (0.0, 0.0)
-        """Pairs of processor time and simulated time, at half of the trial and at its end. [s]"""
+        """Pairs (processor time, simulated time) at half of the trial, and at its end. [s]"""
 
     def __call__(self, at: float) -> str:
         """Record the simulated time, and stop the run at the end of the trial."""
@@ -63,7 +63,7 @@ class Pace:
 
     @property
     def needed(self) -> float:
-        """Estimated processor time of the whole run [s]; 0 if the run ended within the trial."""
+        """Estimated processor time of the whole run [s]; 0 if it ended within the trial."""
         if self._last[0] < self.seconds:
             return 0.0
         (began, half), (taken, at) = self._half, self._last

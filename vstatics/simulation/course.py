@@ -53,19 +53,19 @@ from vstatics.simulation.tolerances import (
 )
 
 _MOST_EVENTS_AT_ONCE = 60
-"""Largest number of nearly simultaneous events."""
+"""Number of nearly simultaneous events above which a run stops."""
 _LOOSEST = 4096.0
-"""Largest factor on the tolerances of margins when events repeat at an instant."""
+"""Largest factor on the tolerances of margins while events repeat at an instant."""
 _MOST_EVENTS = 100_000
-"""Largest number of events of a run."""
+"""Number of events above which a run stops."""
 _BEHIND = 4.0
-"""First time step tried across a corner, as a multiple of the rounding error of the time."""
+"""First time step tried across a corner, as a multiple of the rounding error of time."""
 _MOST_LARGER = 8
-"""Largest number of attempts with larger scales of control values when steps become too small."""
+"""Number of attempts with larger scales of control values after steps become too small."""
 _PATIENCE = 500
 """Number of events between checks of progress."""
 _MOST_STEPS_AT_ONCE = 1000
-"""Largest number of simultaneous sequence steps."""
+"""Number of simultaneous sequence steps above which a run stops."""
 _CURE_OF_JUMPS = "replace the jump with a ramp, or switch with a hysteresis in a sequence"
 
 
@@ -94,7 +94,7 @@ class EventRun:
         self.commands = StepCommands(system.scenario, engaged)
         self.rtol, self.watch = rtol, watch
         self.duration = self.until = self.horizon = system.scenario.duration
-        """Time up to which `breaks`, the bends and jumps of inputs over time, are known. [s]"""
+        """End of the period in which the bends and jumps of inputs (`breaks`) are known. [s]"""
         self.span = system.scenario.span
         self._look_ahead()
         self.scales = large_sizes(system, record.start)
@@ -108,15 +108,12 @@ class EventRun:
         self.at_limit: list[int] = []
         """Indices of the contacts that reached their torque limit at the present instant."""
         self.length: float | None = None
-        """Length of the last step. [s]"""
+        """Length of the last time step. [s]"""
         self.parts: int | None = None
-        """Largest number of equal parts in the next stretch of time that is solved in closed form.
-
-        Initially None.
-        """
+        """Largest number of equal parts in the next stretch that is solved in closed form."""
         self.meetings = CornerMeetings(self.span)
         self.watched: list[tuple[CornerPlace, Awaited]] = []
-        """Nearest corners of formulas, each with the comparison whose sign changes there."""
+        """Nearest corners of formulas, each with the comparison that changes its sign there."""
         self.latest = self.mark = 0.0
         self.at_once = self.events = 0
 
@@ -139,7 +136,7 @@ class EventRun:
             end = min(next(breaks, until), self.sequences.next_time(), until)
             event = self._to_event(selected, end)
             self._go(equations, instant_of(equations, event.time, event.state))
-            self._turn(event)
+            self._record_ends(event)
             self.scales = self.scales._replace(
                 speed=max(self.scales.speed, largest(self.at.speeds))
             )
@@ -152,7 +149,7 @@ class EventRun:
         return copied
 
     def give(self, step: SequenceStep, values: Mapping[str, float]) -> None:
-        """Apply a sequence step now, regardless of any condition.
+        """Apply a sequence step now, regardless of its condition.
 
         Parameters
         ----------
@@ -174,8 +171,7 @@ class EventRun:
     def _go(self, equations: Equations, at: Instant) -> None:
         self.at, self.before, self.met, self.at_limit = at, equations.states, [], []
 
-    def _turn(self, event: MarginEnd) -> None:
-        """Record which states end at an event."""
+    def _record_ends(self, event: MarginEnd) -> None:
         before = self.before
         if not event.watches or before is None:
             self.left = []
@@ -190,7 +186,7 @@ class EventRun:
         self.at_limit = [watch.of for watch in event.watches if watch.kind == "hold"]
 
     def _settled(self) -> Selected:
-        """Apply all due sequence steps, and then select the states of contacts."""
+        """Apply all due sequence steps, and select the states of contacts after them."""
         self.selection = self.selection.of(self.system)
         for _ in range(_MOST_STEPS_AT_ONCE + 1):
             self.at = self._joined(self.at, self.before)
@@ -221,7 +217,7 @@ class EventRun:
         )
 
     def _near_corners(self, judge: Judge) -> Iterator[tuple[CornerPlace, Awaited]]:
-        """Yield the corners nearest to the present values, except bends that count as passed."""
+        """Yield the corners nearest to the present values, without bends that count as passed."""
         for index, corner in enumerate(self.corners):
             for number, awaited in judge.nearest(corner.compared):
                 place = CornerPlace(index, number)
@@ -263,7 +259,7 @@ class EventRun:
         self.record.done(self.at.time, due.sequence.name, due.go_on(self.at.time))
 
     def _meet(self, event: MarginEnd) -> None:
-        """Record the corners reached by an event, and reject endless switching at a corner."""
+        """Record the corners that an event reaches; raise an error on endless switching there."""
         for watch in event.watches:
             if watch.kind != "corner":
                 continue
@@ -357,7 +353,7 @@ class EventRun:
         )
 
     def _jump_of(self, choices: Collection[tuple[Kind, int]]) -> Corner | None:
-        """Return a jump of a formula that is reached now, or before by a component in `choices`."""
+        """Return a jump of a formula that is reached now, or earlier by one of `choices`."""
         now = self.meetings.latest(self.at.time)
         earlier = [place for place in self.meetings.times if place not in now]
         paths = {self._path_of(*choice) for choice in choices}
@@ -368,7 +364,7 @@ class EventRun:
         return None
 
     def _note_alternative(self, asked: ModesAsked, states: States) -> None:
-        """Record contacts that could break away instead of the contacts in `states`."""
+        """Add a note on contacts that could break away instead of contacts in `states`."""
         try:
             other = self.selection.selected(asked, thorough=False)
         except (NoChoice, CaseError):
@@ -382,7 +378,7 @@ class EventRun:
             self.record.fits_too(asked.at.time, *broken)
 
     def _to_event(self, selected: Selected, end: float) -> MarginEnd:
-        """Integrate up to the next event, or to a time if no event occurs before."""
+        """Integrate up to the time `end`, or up to an event before `end`."""
         equations = selected.equations
         if end <= equations.time:
             return MarginEnd(end, selected.state, ())
@@ -409,8 +405,9 @@ class EventRun:
     def _behind_corner(self, equations: Equations, end: float) -> MarginEnd | None:
         """Return the state just after a corner if time steps fail right before the corner.
 
-        A quantity that leaves 0 at the corner would be wrong by its full size, even in sign, after
-        an integrated step across it. So the motion is extrapolated linearly to the other side.
+        An integrated step across the corner would give a quantity that leaves 0 there an error of
+        its own size, even with the wrong sign. So the motion is extrapolated linearly across the
+        corner.
         """
         time, state = self.record.time, self.record.pieces[-1].states[-1]
         before, change = self._sides(equations, time, state), equations.derivative(time, state)
@@ -447,16 +444,15 @@ class EventRun:
                 self.length = None
             else:
                 return
-        yield from self._explicit(equations, (time, state), end, tolerances)
+        yield from self._explicit_steps(equations, (time, state), end, tolerances)
 
-    def _explicit(
+    def _explicit_steps(
         self,
         equations: Equations,
         begin: tuple[float, Floats],
         end: float,
         tolerances: StepTolerances,
     ) -> Iterator[TimeStep]:
-        """Yield time steps of an explicit method up to a time."""
         time, state = begin
         for _ in range(_MOST_LARGER):
             try:
@@ -473,7 +469,7 @@ class EventRun:
         raise TooSmall
 
     def _too_small(self, equations: Equations) -> Problem:
-        """Return the reason for too small time steps, such as an invalid or jumping torque."""
+        """Return the reason for too small time steps, such as a torque that is invalid or jumps."""
         time, state = self.record.time, self.record.pieces[-1].states[-1]
         change = equations.derivative(time, state)
         for ahead in AHEAD_OF_STOP:
@@ -502,7 +498,7 @@ class EventRun:
         return self._too_steep(equations, time, state)
 
     def _too_steep(self, equations: Equations, time: float, state: Floats) -> Problem:
-        """Return a problem of the latest corner, or of the torque that is steepest in speed."""
+        """Return a problem at the latest corner, or of the torque that is steepest over speed."""
         for place in self.meetings.latest(time)[:1]:
             corner = self.corners[place.corner]
             message = (
@@ -521,7 +517,7 @@ class EventRun:
         return Problem("E608", message, ("torques", name))
 
     def _tolerances(self, equations: Equations) -> StepTolerances:
-        part = 0.001 if self.system.varying else 0.01  # losses by points bend within steps
+        part = 0.001 if self.system.varying else 0.01  # losses given by points bend within steps
         relative = max(part * self.rtol, LEAST_RTOL)
         absolute = np.empty(equations.size)
         speed, torque = self.scales
@@ -572,22 +568,29 @@ class EventRun:
 
     def _record_meshes(self, time: float, before: States, states: States) -> None:
         for index, (earlier, later) in enumerate(zip(before.meshes, states.meshes, strict=True)):
-            if earlier in SIGNS_OF_MESHES and later == "stick" and self._holds(index, states):
+            if (
+                earlier in SIGNS_OF_MESHES
+                and later == "stick"
+                and self._moves_without_friction(index, states)
+            ):
                 kind: EventKind = "locks"
-            elif earlier == "stick" and later in SIGNS_OF_MESHES and self._holds(index, before):
+            elif (
+                earlier == "stick"
+                and later in SIGNS_OF_MESHES
+                and self._moves_without_friction(index, before)
+            ):
                 kind = "slips"
             else:
                 continue
             self.record.events.append(event_of(time, self.system.meshes[index], kind))
 
-    def _holds(self, mesh: int, states: States) -> bool:
-        """Return whether a mechanism would move if no mechanism had friction."""
+    def _moves_without_friction(self, mesh: int, states: States) -> bool:
         loose = self.selection.structure(states.held, ("",) * len(states.meshes))
         slip = self.system.meshes[mesh].slip
         return largest(slip @ np.hstack([loose.free, loose.light])) > STANDING
 
     def _path(self, watch: Watch) -> Path:
-        """Return the path of a watched part in the scenario, or an empty path."""
+        """Return the scenario path of the component of a margin, or an empty path."""
         scenario = self.system.scenario
         kind = KIND_OF.get(watch.kind)
         if watch.kind == "corner":
@@ -599,7 +602,7 @@ class EventRun:
         return self._path_of(kind, watch.of) if kind else ()
 
     def _path_of(self, kind: Kind, index: int) -> Path:
-        """Return the path of a contact or spring in the scenario, or an empty path."""
+        """Return the scenario path of a contact or spring, or an empty path."""
         scenario, system = self.system.scenario, self.system
         device = getattr(system, kind)[index] if kind in ("contacts", "springs") else None
         if device is None:
@@ -641,14 +644,15 @@ class EventRun:
     def _record_change(
         self, time: float, device: Contact | Elastic, before: str, after: str
     ) -> None:
-        sticks = ("stick", "rigid", "parted")  # a spring that parts within its play does not slip
+        sticks = ("stick", "rigid", "parted")  # a spring that parts within its play is not slipping
         kind: EventKind | None = None
         if before in sticks and after not in sticks:
             kind = "slips"
         elif (before in SIGNS and after in sticks) or (before == "open" and after == "rigid"):
             kind = "locks"
         elif {before, after} == {*SIGNS}:
-            # Without capacity, a contact can be at rest: then it begins to slip, not to reverse.
+            # A contact without capacity can be at rest. Then it begins to slip instead of
+            # reversing.
             slips = self.record.largest_slip(device.row) > STANDING * self.scales.speed
             kind = "reverses" if slips else "slips"
             if kind == "slips" and self._is_slipping(device, time):
@@ -659,9 +663,9 @@ class EventRun:
             self.record.events.append(slid_back(event) if after == "-" else event)
 
     def _is_slipping(self, device: Contact | Elastic, time: float) -> bool:
-        """Return True if a contact or spring began to slip right before a time [s].
+        """Return whether a contact or spring began to slip right before a time [s].
 
-        Its direction then can be wrong, if the slip was too small for the look-ahead.
+        The direction of such a slip can be wrong, if the slip was too small for the look-ahead.
         """
         near = SIGHT * self.span
         events = reversed(self.record.events)

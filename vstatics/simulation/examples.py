@@ -1,4 +1,4 @@
-"""Names of the shipped scenarios, by which type checkers know the result of `example`."""
+"""Names of the shipped scenarios, from which type checkers infer the result of `example`."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ ScenarioName: TypeAlias = Literal[
 
 
 class Example(Protocol):
-    """Type of `vstatics.example`, which returns a case or a scenario, depending on the name."""
+    """Type of `vstatics.example`, which returns a case or a scenario, depending on its name."""
 
     @overload
     def __call__(self) -> list[str]: ...

@@ -34,7 +34,7 @@ from vstatics.simulation.system.devices import motion_system
 from vstatics.simulation.tolerances import CLOSED_ENERGY, NO_ENERGY, RTOL
 
 _END = ("duration",)
-"""Path, in the scenario, of a problem that stops a run if no other key is at fault."""
+"""Scenario path of a problem that stops a run, if no other key is at fault."""
 
 Method = Literal["events", "tarasik"]
 
@@ -60,9 +60,9 @@ def simulate(  # noqa: PLR0913 - all but the first by name
         Tolerance of event times relative to the duration, and of speeds and energies relative to
         the largest speed and energy. [-]
     method : {"events", "tarasik"}
-        `tarasik` is a published method, for comparison; see `published.tarasik`.
+        `tarasik` is a published method for comparison; see `published.tarasik`.
     watch : callable, optional
-        Function that is called with the simulated time [s]; a returned text stops the run.
+        Function of the simulated time [s] that returns a reason to stop the run, or "".
     columns : sequence of (str, str)
         Table and row of each additional column in `asked`, such as ``("accelerations", "out")``;
         for the method `events` only.
@@ -70,7 +70,7 @@ def simulate(  # noqa: PLR0913 - all but the first by name
     Returns
     -------
     Motion
-        Results; `stopped` is the reason if the run ended early.
+        Results; `stopped` is the reason for an early end.
 
     Raises
     ------
@@ -96,7 +96,7 @@ def simulate(  # noqa: PLR0913 - all but the first by name
         raise ValueError(f"step is {step:g}, expected a number of seconds")
     check_scenario(scenario)
     static = static_torques(scenario)
-    with np.errstate(all="ignore"):  # invalid numbers are detected and reported later
+    with np.errstate(all="ignore"):  # invalid numbers are reported later
         if method == "tarasik":
             from vstatics.simulation.published.tarasik import tarasik
 
@@ -141,14 +141,14 @@ def begun(
 
 
 def _to_its_end(run: EventRun) -> Motion:
-    """Run to the end, return the motion, and check that the energy balance closes."""
+    """Run to the end, check that the energy balance closes, and return the motion."""
     record, watch = run.record, run.watch
     stopped, hurried = None, False
     try:
         run.run(run.duration)
     except CaseError as stop:
         [first, *_] = stop.problems
-        hurried = bool(watch and watch(record.time))  # the watch stopped the run
+        hurried = bool(watch and watch(record.time))  # `watch` stopped the run
         stopped = first if first.path or hurried else first._replace(path=_END)
     if not record.pieces:
         assert stopped is not None  # noqa: S101 - a run without pieces was stopped

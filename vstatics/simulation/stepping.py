@@ -59,7 +59,7 @@ def begin(scenario: Scenario, *, rtol: float = RTOL) -> SteppedRun:
     0.25
     """
     check_scenario(scenario)
-    with np.errstate(all="ignore"):  # invalid numbers are detected and reported later
+    with np.errstate(all="ignore"):  # invalid numbers are reported later
         return SteppedRun(begun(scenario, step=None, rtol=rtol))
 
 
@@ -99,7 +99,7 @@ class SteppedRun:
 
     @property
     def events(self) -> tuple[Event, ...]:
-        """Events until the present time."""
+        """Events up to the present time."""
         return tuple(self.state.record.events)
 
     def advance(self, seconds: float, /, **settings: float) -> None:
@@ -139,7 +139,7 @@ class SteppedRun:
 
 
 class _SteppedSpeeds(dict[str, float]):
-    """Speeds by name of the link; the error for an unknown name suggests existing names."""
+    """Speeds by link name; the error for an unknown name suggests similar names."""
 
     def __missing__(self, name: str) -> float:
         hint = nearest(name, self) or f", expected {listed(list(self))}"

@@ -10,11 +10,11 @@ LEAST_RTOL = 3e-14
 CLOSED_ENERGY = 1e-8
 """Largest error of the energy balance of a valid run, relative to the largest energy."""
 NO_ENERGY = 1e-12
-"""Largest energy that counts as 0. [J]"""
+"""Error of the energy balance that is always allowed. [J]"""
 PRINTED = 1e-9
-"""Number below which a table prints 0, relative to the largest number of equal kind."""
+"""Number below which a table prints 0, relative to the largest number of the same kind."""
 CLOSED_BALANCE = 5e-4
-"""Energy balance below which 0 is printed, as the digits are uncertain. [J]"""
+"""Energy balance below which 0 is printed, because its digits are uncertain. [J]"""
 
 # input numbers
 LARGEST_NUMBER = 1e15
@@ -30,11 +30,11 @@ SAME_INSTANT = 1e-11
 SAME_TIME = 1e-12
 """Largest relative difference of times that count as equal."""
 SAME_END = 1e-13
-"""Largest relative difference between the end of a stretch and a given time that count as equal."""
+"""Largest relative difference between the end of a stretch and a time that counts as equal."""
 AHEAD = 1e-7
 """Time of a look-ahead, and interval of difference quotients, relative to a duration."""
 SIGHT = 1e-6
-"""As `AHEAD`, for quantities derived from speeds, whose rounding errors are larger."""
+"""`AHEAD` for quantities derived from speeds, whose rounding errors are larger."""
 LONGEST_DURATION = 1e4
 """Largest duration used as a time scale, since motion in a long run is not slower. [s]"""
 LEAST_DURATION = 1e-9
@@ -62,11 +62,11 @@ SMALL_VALUE = 1e-3
 BETWEEN_INSTANTS = 1e-9
 """Error of states between instants of a time step, relative to the largest value in the step."""
 BETWEEN_EXACT = 1e-10
-"""As `BETWEEN_INSTANTS`, for a step in closed form."""
+"""`BETWEEN_INSTANTS` for a step in closed form."""
 EQUAL_SIDES = 1e-10
 """Largest relative difference of compared numbers that count as equal."""
 SOON = 1e2
-"""Smallest scale of compared numbers, relative to the change of the difference in a look-ahead.
+"""Smallest scale of compared numbers, relative to the change of their difference in a look-ahead.
 
 Times have rounding errors, so a difference that changes fast is uncertain.
 """
@@ -79,9 +79,9 @@ NEAR_LIMIT = 1e-3
 EXACT_SIDES = 1e-13
 """Largest relative difference of compared numbers that can be rounding error."""
 ROUNDED_INPUT = 1e-14
-"""Rounding error of a quantity in a formula, relative to the largest value of equal kind."""
+"""Rounding error of a quantity in a formula, relative to the largest value of the same kind."""
 ROUNDED_SUM = 1e-15
-"""Rounding error of a sum, relative to the sizes of the terms."""
+"""Rounding error of a sum, relative to the magnitudes of its terms."""
 PASSED_LIMIT = 1e-10
 """Largest violation of a torque limit that is ignored, relative to the largest torque."""
 FALLING_MARGIN = 1e-12
@@ -89,27 +89,27 @@ FALLING_MARGIN = 1e-12
 TIGHT_SLACK = 1e-6
 """Largest difference from the smallest slack that counts as 0, relative to the largest slack."""
 REGULAR_CORNER = 1e-9
-"""Determinant below which torque limits are nearly parallel, without an intersection."""
+"""Determinant below which torque limits are nearly parallel and have no intersection."""
 NO_SPLIT = 1e-12
 """Residual of the least-squares problem below which no split is within all limits."""
 WITHIN_LIMITS = 1e-6
-"""Largest violation of limits that a split can have, relative to the largest slack.
+"""Largest violation of limits by a split, relative to the largest slack.
 
-It is the accuracy of the least-squares solution.
+This is the accuracy of the least-squares solution.
 """
 SHARED_TORQUE = 1e-6
-"""Share of a torque in a redundant direction above which the torque is indeterminate."""
+"""Share of a torque in a redundant direction above which this torque is indeterminate."""
 SAME_VALUES = 1e-9
-"""Largest relative difference of the values at a repeated instant that is not a jump."""
+"""Largest relative difference between values at a repeated instant without a jump."""
 MADE_CAPACITY = 1e-9
-"""Relative distance by which a control can be out of range without a message."""
+"""Relative excess of a control over its range that is ignored."""
 MISSING_MASS = 1e-3
-"""Fraction of the mass of a vehicle that can be missing in the inertia of the link."""
+"""Fraction of a vehicle's mass that can be missing in the inertia of its link."""
 LEAST_PROBABILITY = 2.0**-53
 """Smallest probability for quantiles of a normal distribution, which are infinite at 0."""
 
 SAME_TORQUE = 1e-13
-"""Largest relative difference between a torque and the torque that determined the efficiency."""
+"""Largest relative difference between a torque and the torque that determined its efficiency."""
 LEAST_EFFICIENCY = 1e-6
 """Smallest efficiency in the search for mutually consistent torques and efficiencies."""
 
@@ -117,11 +117,11 @@ LEAST_EFFICIENCY = 1e-6
 INDEPENDENT_MOTION = 1e-9
 """Singular value above which a direction is independent, relative to the largest."""
 BEARING_MOTION = INDEPENDENT_MOTION * 1e-3
-"""Threshold of independence for weighted torques, lowered by the range of the weights."""
+"""`INDEPENDENT_MOTION` for weighted torques, lower since weights differ by powers of ten."""
 ROUNDED_MOTION = 1e-12
 """Component of a motion that counts as rounding error."""
 MOVING_LINK = 1e-9
-"""Speed of a link, in a normalised motion, below which the link is at rest."""
+"""Speed of a link, in a normalised motion, below which the link counts as at rest."""
 DEPENDENT = 1e-12
 """Singular value that counts as rounding error in least squares, relative to the largest."""
 LIGHT_MOTION = 1e-13
@@ -135,18 +135,18 @@ NOT_ZERO = 1e-300
 
 # columns over time
 CHORD = 8e-4
-"""Largest distance of a column from lines between stored instants, relative to the range.
+"""Largest distance of a column from the lines between its instants, relative to its range.
 
 A distance of 1e-3 is visible.
 """
 NO_RANGE = 1e-9
-"""Largest range of a constant column, relative to the largest value of equal kind."""
+"""Largest range of a column that counts as constant, relative to the largest value of its kind."""
 EQUAL_EXTREMES = 1e-7
 """Largest relative difference of extremes that count as equal: the accuracy of polynomials."""
 
 # difference quotients
 CHANGE_STEP, LONGEST_CHANGE_STEP = 1e-6, 1e-5
-"""Interval of differences along a motion, relative to the duration, and largest interval in s.
+"""Interval of differences along a motion relative to the duration, and its upper limit in s.
 
 With these intervals, nine digits of a jerk are correct.
 """
@@ -157,9 +157,9 @@ DIFFERENCE_STEP = 1e-6
 NEWTON_STEP = 1e-13
 """Relative step below which Newton's method has converged."""
 LEAST_SENSE = 1e-6
-"""Smallest assumed derivative of a torque with respect to the rate, relative to the largest."""
+"""Smallest assumed derivative of a torque with respect to its rate, relative to the largest."""
 NO_SENSE = 1e-30
-"""Assumed derivative of a torque with respect to the rate if all derivatives are 0. [N*m*s/rad]"""
+"""Assumed derivative of a torque with respect to its rate if all are 0. [N*m*s/rad]"""
 STRAIGHT_BALANCE = 1e-12
 """Largest component of a nonlinear torque along a motion that counts as 0."""
 
@@ -167,7 +167,7 @@ STRAIGHT_BALANCE = 1e-12
 SHORTEST_PART = 2.0**-14
 """Smallest factor on the length of a part when nonlinear torques do not fit."""
 FITTING_TORQUE = 1e-12
-"""Error of polynomials of torques, relative to the largest torque."""
+"""Largest error of the polynomials of torques, relative to the largest torque."""
 
 # Tarasik's published method
 PUBLISHED_RTOL = 1e-12

@@ -82,7 +82,7 @@ class BlockTables(NamedTuple):
     """
 
     def existing(self, name: str) -> Floats:
-        """Return the calculated table of a name that the plan uses."""
+        """Return a calculated table by name."""
         if name == OMEGA and self.modes is not None:
             return self.modes.omegas
         if name in self.numbers:
@@ -177,7 +177,7 @@ def _block(plan: SweepPlan, unvaried: Results | None, start: int, stop: int) -> 
 def possible_numbers(
     case: Transmission, targets: Sequence[Varied], values: Floats
 ) -> tuple[Floats, Booleans]:
-    """Return the varied numbers with impossible values replaced, and a mask of their variants."""
+    """Return the varied numbers with impossible values replaced, and a mask of such variants."""
     invalid = np.zeros(len(values), dtype=np.bool_)
     possible = values
     for column, target in enumerate(targets):
@@ -288,7 +288,7 @@ def _by_path(plan: SweepPlan, values: Floats) -> dict[str, Floats]:
 def _of_mechanisms(
     case: Transmission, plan: SweepPlan, values: Floats, cases: Sequence[Made]
 ) -> dict[str, Floats]:
-    """Return ratios or efficiencies that vary, else ratios; shape (variants, mechanisms)."""
+    """Return the varied ratios or efficiencies of mechanisms by quantity, or else the ratios."""
     varied = {target.quantity for target in plan.targets} & {*OF_MECHANISM}
     asked = OF_MECHANISM if cases else varied or {"ratio"}
     return {quantity: _numbers_of(case, plan, values, cases, quantity) for quantity in asked}

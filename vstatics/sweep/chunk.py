@@ -54,7 +54,8 @@ class Chunk(NamedTuple):
     start: int
     """Number of the first variant of the range, from 0."""
     places: Integers
-    """Number of each row's variant, or of the gear counted through all variants, from 0; (rows,).
+    """Number of each row's variant, from 0, shape (rows,). If each gear has a row, the number is
+    that of the variant times the number of gears, plus the index of the gear.
     """
     values: Floats
     """Varied numbers, shape (rows, targets). [-]"""
@@ -73,7 +74,7 @@ class Chunk(NamedTuple):
     headings: tuple[str, ...]
     """Headings of the columns."""
     removed: tuple[int, ...] = ()
-    """Number of variants that each part of the condition removed, in the order of the parts."""
+    """Number of variants removed by each expression that `and` joins in the condition, in order."""
     gears: tuple[str, ...] = ()
     """Names of the gears if each gear has a row; otherwise empty."""
     outside: tuple[str, ...] = ()
@@ -207,7 +208,7 @@ def counted(parts: Iterable[Chunk | Account]) -> dict[str, int]:
 
 
 def removed_in(parts: Iterable[Chunk | Account]) -> tuple[int, ...]:
-    """Return the number of variants removed by each part of the condition, over several ranges."""
+    """Return the number of variants removed by each expression of the condition, in all ranges."""
     return tuple(map(sum, zip(*(part.removed for part in parts), strict=True)))
 
 

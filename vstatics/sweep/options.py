@@ -17,7 +17,7 @@ class PlacedPart(NamedTuple):
     """Place in a sweep file from which a part of an option's text was read."""
 
     first: int
-    """Column in the text where the part begins, from 1."""
+    """Column in the text of the option where this part begins, from 1."""
     place: Place
     as_written: bool = True
     """True if columns of text and file correspond; False for a text joined from several lines."""
@@ -187,7 +187,7 @@ class SweepOptions:
         )
 
     def over(self, others: SweepOptions) -> SweepOptions:
-        """Return the given options, completed by other options.
+        """Return these options, completed by other options.
 
         Other options that contradict these options are dropped, with any options that depend on
         them: for example, a given table of variants replaces a grid. If these options have an

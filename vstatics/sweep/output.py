@@ -31,7 +31,7 @@ class SweepReport(NamedTuple):
     counts: dict[str, int]
     """Number of variants, or of gears of variants, with each status."""
     removed: tuple[int, ...]
-    """Number of variants that each part of the condition removed, in the order of the parts."""
+    """Number of variants removed by each expression that `and` joins in the condition, in order."""
     outside: tuple[str, ...]
     """Names of characteristic curves that were evaluated outside the given points."""
     noticed: tuple[Noticed, ...]

@@ -47,7 +47,7 @@ class SweepTask(NamedTuple):
 
 
 class Portion(NamedTuple):
-    """Piece of a sweep with all variants, for a worker without access to the file of variants."""
+    """Piece of a sweep with the values of its variants, for a worker without access to the file."""
 
     piece: int
     variants: VariantPart
@@ -80,7 +80,7 @@ def _number(item: Any) -> Any:
 
 
 def lines(task: SweepTask, item: Item) -> tuple[Account, bytes]:
-    """Calculate a piece, and return the account and the rows as text."""
+    """Calculate a piece, and return its account (counts and messages) and its rows as text."""
     rows = calculate(task, item)
     notes = rows.removed, rows.outside, rows.noticed
     account = Account(_number(item), len(rows.variants), dict(rows.counts), (), *notes)
@@ -88,7 +88,7 @@ def lines(task: SweepTask, item: Item) -> tuple[Account, bytes]:
 
 
 def piece_data(task: SweepTask, item: Item) -> tuple[Account, list[Any]]:
-    """Calculate a piece, and return the account and the stored form: text or columns."""
+    """Calculate a piece, and return its account (counts and messages) and its rows as stored."""
     rows = calculate(task, item)
     data = columns_of(rows) if task.plan.objectives else data_of(task.form, rows)
     counts = dict(rows.counts)
@@ -97,13 +97,13 @@ def piece_data(task: SweepTask, item: Item) -> tuple[Account, list[Any]]:
 
 
 def piece_sent(task: SweepTask, item: Item) -> tuple[Account, bytes]:
-    """Calculate a piece, and return the account and the data as sent between machines."""
+    """Calculate a piece, and return its account and its stored form as sent between machines."""
     account, data = piece_data(task, item)
     return account, b"".join(memoryview(segment).cast("B") for segment in data)
 
 
 def write_piece(task: SweepTask, piece: int) -> Account:
-    """Calculate and store a piece, and return the account."""
+    """Calculate and store a piece, and return its account (counts and messages)."""
     account, data = piece_data(task, piece)
     piece_file.write_piece(task.directory, piece, data)
     return account

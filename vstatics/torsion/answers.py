@@ -74,14 +74,14 @@ class IdentificationAnswer(NamedTuple):
     decrement: Sometimes[float] = None
     """Measured logarithmic decrement. [-]"""
     mean_line: Sometimes[Sequence[float]] = None
-    """Line about which a record oscillates: values at the inner extremes, in the record unit."""
+    """Mean line of a record at the inner extremes. [unit of the record]"""
     amplitudes: Sometimes[Sequence[float]] = None
-    """Distances of the inner extremes of a record from the mean line, in the unit of the record."""
+    """Distances of the inner extremes of a record from the mean line. [unit of the record]"""
 
 
 @document("vstatics-damping")
 class DampingAnswer(NamedTuple):
-    """Dampings that agree with given decrements, for a mode of a gear."""
+    """Dampings of components, calculated from their decrements in a mode of a gear."""
 
     case: str
     gear: str

@@ -4,20 +4,20 @@ from __future__ import annotations
 
 # modes
 REAL_EIGENVALUE = 1e-12
-"""Largest imaginary part of an eigenvalue that counts as real, relative to the modulus."""
+"""Largest imaginary part of an eigenvalue that counts as real, relative to its modulus."""
 SAME_MODULUS = 1e-9
-"""Relative difference up to which moduli of eigenvalues, or shares of modes, count as equal."""
+"""Relative difference up to which moduli of eigenvalues, or shares of modes, are equal."""
 LAST_EIGENVALUE_STEP = 1e-8
-"""Relative step of an eigenvalue below which the iteration ends, as convergence is quadratic."""
+"""Relative step of an eigenvalue at which the iteration ends, as convergence is quadratic."""
 LOST_SQUARE = 1e-4
-"""Squared frequency below which a more accurate method is used, relative to the largest."""
+"""Squared frequency, relative to the largest, below which a more accurate method is used."""
 BELOW_SQUARES = 1e-3
 """Negative shift in the iteration for the lowest modes, relative to the lowest square."""
 LEAST_SHOWN_PART = 0.0005
-"""Smallest share that tables do not print as 0; JSON and CSV contain all digits."""
+"""Smallest share or relative amplitude that tables do not print as 0. [-]"""
 
 LEAST_PARTICIPATION = 1e-9
-"""Smallest amplitude of a link that can excite a mode, relative to the largest amplitude."""
+"""Smallest amplitude of a link from which it can excite a mode, relative to the largest."""
 
 # variants
 APART = 1e-9
@@ -31,7 +31,7 @@ NO_ROW = 1e-300
 
 # the secular equation
 LAST_STEP = 1e-13
-"""Relative step of a root below which the iteration ends, as convergence is quadratic."""
+"""Relative step of a root at which the iteration ends, as convergence is quadratic."""
 SAME_SQUARE = 1e-14
 """Relative difference up to which squared frequencies count as equal."""
 LOST_WEIGHT = 1e-32
@@ -47,15 +47,15 @@ SAME_ORDER = 1e-12
 SAME_ANGLE = 1e-15
 """Difference up to which angles count as equal. [rad]"""
 LEAST_RATE = 1e-99
-"""Rate of a clutch, relative to the natural frequency, below which the factor is constant."""
+"""Rate of a clutch, divided by the natural frequency, below which the factor is constant."""
 
 # random vibration
 NEVER_DAMPED = 1e-12
-"""Largest magnitude of the real part of an undamped eigenvalue, relative to the largest one."""
+"""Largest magnitude of the real part of an undamped eigenvalue, relative to the largest of all."""
 UNMOVED = 1e-9
-"""Largest sum that counts as rounding error, relative to the sum of the magnitudes of the terms."""
+"""Largest sum that counts as rounding error, relative to the sum of magnitudes of its terms."""
 WHOLE = 1e-9
-"""Difference from 1 allowed for a sum of shares."""
+"""Largest difference from 1 of a sum of shares."""
 ACCURACY = 1e-10
 """Relative accuracy of integrals."""
 NOTHING = 1e-300
@@ -63,13 +63,13 @@ NOTHING = 1e-300
 
 # records
 UNDAMPED = 1e-6
-"""Largest magnitude of a negative decrement that is rounding error of 0. [-]"""
+"""Largest magnitude of a negative decrement that counts as rounding error of 0. [-]"""
 
 # operating points and integrals
 SAME_INPUT_TORQUE = 1e-9
-"""Relative difference up to which the torques of load and pump count as equal. [-]"""
+"""Relative difference up to which torques of load and pump are equal. [-]"""
 ROUGH_ACCURACY = 1e-3
-"""Relative accuracy of a first integral, which only scales each component. [-]"""
+"""Relative accuracy of a first integral, which only scales the components. [-]"""
 SPEED_RATIO_STEP = 1e-15
 """Accuracy of the speed ratio of a converter at an operating point. [-]"""
 SECANT_STEP = 1e-6

@@ -1,4 +1,4 @@
-"""Mean efficiency over a duty cycle that is given by shares of energy or time of the gears."""
+"""Mean efficiency over a duty cycle, given as each gear's share of energy or time."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from vstatics.core.statics.results import Results
 from vstatics.core.tables.grid import Grid, Values, grid_of, word
 
 Kind = Literal["energy", "time"]
-"""Quantity of which the gears of a duty cycle have shares."""
+"""Quantity of which each gear of a duty cycle has a share."""
 
 
 class Duty(NamedTuple):
-    """Duty cycle given by shares of energy or time of the gears."""
+    """Duty cycle given as each gear's share of energy or time."""
 
     kind: Kind
     shares: Mapping[str, float]
@@ -36,7 +36,7 @@ class Stage(NamedTuple):
 
 
 class Cycle(NamedTuple):
-    """Results of a duty cycle given by shares of the gears."""
+    """Results of a duty cycle of shares by gear."""
 
     stages: Sequence[Stage]
     efficiency: float
@@ -44,7 +44,7 @@ class Cycle(NamedTuple):
 
     @property
     def damage(self) -> Mapping[str, object]:
-        """Fatigue damage; always empty, as shares by gear have no torques."""
+        """Fatigue damage; always empty, because shares by gear have no torques."""
         return {}
 
     @property
@@ -63,7 +63,7 @@ def cycle(results: Results, duty: Duty) -> Cycle:
     """Calculate the mean efficiency ``sum(E ETA)/sum(E)`` over all gears.
 
     E is the input energy and ETA the efficiency of a gear. Shares of energy are used as E. Shares
-    of time are multiplied by the input power of the gear, which requires an operating point.
+    of time are multiplied by the gear's input power, which requires an operating point.
 
     Raises
     ------
@@ -89,7 +89,7 @@ def cycle(results: Results, duty: Duty) -> Cycle:
     problems = list(_problems(shares, efficiencies, powers))
     if problems:
         raise CaseError(problems)
-    largest = max(shares.values())  # the sum of the shares can overflow
+    largest = max(shares.values())  # the sum of the shares themselves can overflow
     energies = {gear: share / largest * powers[gear] for gear, share in shares.items()}
     total = math.fsum(energies.values())
     stages = [Stage(gear, energy / total, efficiencies[gear]) for gear, energy in energies.items()]
@@ -97,7 +97,7 @@ def cycle(results: Results, duty: Duty) -> Cycle:
 
 
 def _efficiency(results: Results, gear: str) -> float:
-    """Return the output power of a gear divided by the input power; 0 without output power."""
+    """Return output power divided by input power of a gear; 0 without output power."""
     number = results.case.gear_number(gear)
     if not results.dragged[number - 1]:
         return float(results.efficiency[number - 1])
@@ -110,7 +110,7 @@ def _efficiency(results: Results, gear: str) -> float:
 def _problems(
     shares: Mapping[str, float], efficiencies: Mapping[str, float], powers: Mapping[str, float]
 ) -> Iterator[Problem]:
-    """Yield errors if a mean efficiency does not exist, with paths in the duty cycle."""
+    """Yield errors if the mean efficiency does not exist, with paths in the duty cycle."""
     for gear in shares:
         if gear not in efficiencies:
             yield Problem("E416", "there is no such gear in the case", (gear,))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import codecs
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import NamedTuple, get_args
 
@@ -13,7 +13,7 @@ from vstatics.core.model.parts import RAD_PER_RPM, Load
 from vstatics.core.model.shape import ByKey, KeyShape, Shares
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers.kinds import KEYS, is_of_kind
-from vstatics.core.readers.named.headings import MOST_TITLE_LINES, TableColumn
+from vstatics.core.readers.named.headings import MOST_TITLE_LINES, SHAFT_NAMES, TableColumn
 from vstatics.core.readers.named.nodes import Spots
 from vstatics.core.readers.named.reader import read_document
 from vstatics.core.readers.named.si_units import measured
@@ -43,14 +43,14 @@ EXPECTED = "`energy` or `time` with a share for each gear"
 
 
 class DutyFile(NamedTuple):
-    """Duty cycle given by shares of gears, with positions in the file."""
+    """Duty cycle of shares by gear, with positions in the file."""
 
     duty: Duty
     spots: Spots
 
     @property
     def load(self) -> None:
-        """Load for a case without `load`; None, because shares contain no operating point."""
+        """None, because shares by gear contain no operating point."""
 
     def of(self, results: Results) -> Cycle:
         """Calculate the duty cycle for a case.
@@ -71,23 +71,23 @@ class DutyFile(NamedTuple):
 
 _COLUMNS = (
     TableColumn("time", "time", optional=True, may_be_bare=True),
-    TableColumn("share", optional=True),
-    TableColumn("gear", is_text=True),
-    TableColumn("speed", "si_speed"),
-    TableColumn("torque", "si_torque"),
+    TableColumn("share", optional=True, sizes={"": 1.0, "-": 1.0, "%": 0.01}),
+    TableColumn("gear", is_text=True, optional=True),
+    TableColumn("speed", "si_speed", aliases=dict.fromkeys(SHAFT_NAMES["speed"], "")),
+    TableColumn("torque", "si_torque", aliases=dict.fromkeys(SHAFT_NAMES["torque"], "")),
 )
 
 
 class DutyTable(NamedTuple):
-    """Duty cycle given by operating points, with positions in the file."""
+    """Duty cycle of operating points, with positions in the file."""
 
     table: UnitTable
     exponent: float
     classes: Classes | None = None
-    """Torque classes of the load spectra, if any."""
+    """Torque classes of load spectra, if requested."""
 
     load: Load | None = None
-    """First operating point with power other than 0, as `load` of a case without `load`."""
+    """First operating point whose power is not 0, as the load of a case without `load`."""
 
     def of(self, results: Results) -> Spectrum:
         """Calculate the duty cycle for a case.
@@ -99,9 +99,10 @@ class DutyTable(NamedTuple):
         """
         table = self.table
         is_cycle = "duration" in table.numbers
+        case = _driven(results.case) if is_cycle else results.case
+        gears = _gears(table, case)
         try:
-            case = _driven(results.case) if is_cycle else results.case
-            points = points_of(case, table.texts["gear"], table.numbers)
+            points = points_of(case, gears, table.numbers)
             found = spectrum(case, points, self.exponent, self.classes)
         except CaseError as error:
             raise _at_rows(error.problems, table) from None
@@ -113,14 +114,27 @@ class DutyTable(NamedTuple):
         return found._replace(messages=(*found.messages, *notes))
 
 
+def _gears(table: UnitTable, case: Transmission | None = None) -> Sequence[str]:
+    """Return the gear of each point; without this column, the only gear of the case, or ""."""
+    names = [gear.name for gear in case.gears] if case else [""]
+    if "gear" in table.texts:
+        return table.texts["gear"]
+    if len(names) > 1:
+        message = (
+            f"`gear` is missing, expected the gear of each point, as the case has {len(names)}"
+        )
+        raise ReadError("E121", message, place=table.head_place)
+    return names * len(table.lines)
+
+
 def _driven(case: Transmission) -> Transmission:
-    """Return a case without `coast`: steps of a driving cycle have torques with sign."""
+    """Return a case without `coast`, because steps of a driving cycle have torques with sign."""
     gears = [gear._replace(coast=None) for gear in case.gears]
     return replace(case, gears=gears, coast=None)
 
 
 def without_inertias(case: Transmission) -> Iterator[Message]:
-    """Yield a note about inertias behind the input, whose inertia torques are ignored."""
+    """Yield a note on inertias behind the input, whose inertia torques are ignored."""
     inputs = {case.gear_input(gear) for gear in case.gears}
     behind = [link for link, inertia in case.heavy.items() if inertia and link not in inputs]
     if behind and "N418" not in case.untold:
@@ -130,7 +144,7 @@ def without_inertias(case: Transmission) -> Iterator[Message]:
 
 
 def _at_rows(problems: Iterable[Problem], table: UnitTable) -> ReadError:
-    """Return an error at the rows of the problems, or at the first row for the whole table."""
+    """Return an error with the problems at their rows; a problem without a row is at the first."""
     firsts = ((problem, next(iter(problem.path), 0)) for problem in problems)
     return ReadError(
         problem._replace(path=(), place=table.place(first if isinstance(first, int) else 0))
@@ -138,7 +152,10 @@ def _at_rows(problems: Iterable[Problem], table: UnitTable) -> ReadError:
     )
 
 
-_STEP_COLUMNS = (TableColumn("duration", "time", may_be_bare=True), *_COLUMNS[2:])
+_STEP_COLUMNS = (
+    TableColumn("duration", "time", may_be_bare=True),
+    *(column._replace(aliases={}) for column in _COLUMNS[2:]),
+)
 """Columns that are read from the steps of a driving cycle."""
 _DURATION = re.compile(r"(?:^|[,;\t])[\s\"]*duration\b", re.IGNORECASE)
 _SPEED = re.compile(r"((?:^|[,;\t])\s*\"?)(speed\s*\[([^\]]*)\])", re.IGNORECASE)
@@ -147,10 +164,12 @@ _SPEED = re.compile(r"((?:^|[,;\t])\s*\"?)(speed\s*\[([^\]]*)\])", re.IGNORECASE
 def read_duty_table(
     data: bytes, file: str, exponent: float | None = None, classes: Classes | None = None
 ) -> DutyTable:
-    """Read a duty cycle of operating points from columns time or share, gear, speed and torque.
+    """Read a duty cycle of operating points: columns time or share, gear, speed and torque.
 
-    In a table with the column `duration`, as `vstatics cycle` writes it, `time` is an instant; then
-    `time` and all further columns are skipped.
+    A case with a single gear needs no column `gear`.
+
+    In a table with the column `duration`, as `vstatics cycle` writes it, `time` is an instant. Then
+    `time` and all additional columns are skipped.
 
     Parameters
     ----------
@@ -185,7 +204,7 @@ def _first_load(table: UnitTable) -> Load | None:
 
 
 def _of_road(speed: re.Match[str]) -> str:
-    """Rename the column of road speed to avoid confusion with the input speed."""
+    """Rename the column of road speed, so that it is not read as input speed."""
     before, heading, unit = speed.groups()
     try:
         measured(f"1 {unit}", "si_speed")
@@ -195,7 +214,6 @@ def _of_road(speed: re.Match[str]) -> str:
 
 
 def _steps(data: bytes, file: str, exponent: float | None, classes: Classes | None) -> DutyTable:
-    """Read the steps of a driving cycle as operating points."""
     what = "steps of a driving cycle: duration, gear, speed, torque"
     table = read_unit_table(data, file, what, _STEP_COLUMNS, "E121", skips=True)
     numbers = {**table.numbers, "time": table.numbers["duration"]}
@@ -205,7 +223,7 @@ def _steps(data: bytes, file: str, exponent: float | None, classes: Classes | No
 
 
 def duty_points(data: bytes, file: str) -> list[tuple[str, float, float]]:
-    r"""Read operating points with a speed other than 0: gear, speed [rad/s], torque [N*m].
+    r"""Read operating points with speeds other than 0: gear, speed [rad/s], torque [N*m].
 
     Raises
     ------
@@ -220,12 +238,12 @@ def duty_points(data: bytes, file: str) -> list[tuple[str, float, float]]:
     table = read_duty_table(data, file).table
     if problems := wrong_numbers(table.numbers):
         raise _at_rows(problems, table)
-    columns = table.texts["gear"], table.numbers["speed"], table.numbers["torque"]
+    columns = _gears(table), table.numbers["speed"], table.numbers["torque"]
     return [point for point in zip(*columns, strict=True) if point[1]]
 
 
 def read_duty(data: bytes, file: str) -> DutyFile:
-    """Read a duty cycle given by shares of energy or time of the gears.
+    """Read a duty cycle of shares by gear.
 
     Parameters
     ----------

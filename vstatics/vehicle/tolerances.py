@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 SAME_SPEED = 1e-12
-"""Excess over the last engine speed that counts as rounding noise, relative to the speed. [-]"""
+"""Excess over the last engine speed that counts as rounding noise, relative to this speed. [-]"""
 SAME_ENGINE_TORQUE = 1e-9
 """Largest difference between engine torques that count as equal. [N*m]"""
 NO_DRAG = 1e-9
 """Sum of torques on a link that counts as rounding noise, relative to the largest torque. [-]"""
 SAME_TORQUE_CLASS = 1e-9
-"""Relative difference up to which a torque counts as equal to a class bound or a threshold. [-]"""
+"""Relative difference up to which a torque is equal to a class bound or a threshold. [-]"""
 SAME_POWER = 1e-9
-"""Relative difference up to which the powers of two gears count as equal. [-]"""
+"""Relative difference up to which the powers of two gears are equal. [-]"""
 NO_CYCLE_ENERGY = 1e-13
 """Energy of a cycle that counts as rounding noise, relative to the sum of all magnitudes. [-]"""
 NO_SPEED = 1e-12
 """Speed of a link that counts as rounding noise, relative to the largest speed. [-]"""
 LEAST_EXCESS = 1e-9
-"""Relative increase of an engine torque that is below the least value by rounding. [-]"""
+"""Relative increase of an engine torque that rounding left below the least value. [-]"""
 AT_REST = 1e-10
-"""Engine speed for losses at rest, without a direction, relative to the last speed. [-]"""
+"""Engine speed for losses at rest, relative to the last engine speed. [-]"""

@@ -156,6 +156,14 @@ def test_decimal_commas_between_commas_are_refused(name: str, tmp_path: Path) ->
         read(german(text, ","), tmp_path)
 
 
+@pytest.mark.parametrize("name", sorted(FILES.keys() - {"duty", "fuel", "pedal", "trace"}))
+def test_grouped_digits_with_a_decimal_comma_are_refused(name: str, tmp_path: Path) -> None:
+    """Source: github.com/pandas-dev/pandas/issues/59299."""
+    text, read = FILES[name]
+    with pytest.raises((ReadError, ValueError), match=r"digits without `.`: 1234\.56"):
+        read(_with_last(text, "1.234,56").encode(), tmp_path)
+
+
 @needs("vehicle")
 def test_numbers_as_in_print_are_refused_with_what_is_meant() -> None:
     trace = 'time [s],speed [km/h]\n0,\u22120\n10,"36,5"\n'

@@ -1,6 +1,7 @@
 """Results: arrays that stay as they are, rows as they are named, the gears of one case."""
 
 import pickle
+from copy import deepcopy
 from dataclasses import replace
 
 import numpy as np
@@ -8,7 +9,7 @@ import pytest
 
 from tests.core.statics.batches import random_case
 from tests.core.statics.differential import train
-from vstatics import Gear, Load, Mechanism, ShiftElement, Transmission, solve
+from vstatics import CaseError, Gear, Load, Mechanism, ShiftElement, Transmission, solve
 
 
 def test_results_are_for_the_case_given_and_speak_of_nothing() -> None:
@@ -28,6 +29,20 @@ def test_results_are_equal_where_case_numbers_and_loads_are() -> None:
     varied = [solve(case, vary={"load.torque": [100, second]}) for second in (200, 200, 300)]
     assert varied[0] == varied[1] != varied[2]
     assert solve(case) not in [*varied, solve(case, ratios=[[-2.5]]), None, case]
+
+
+def test_states_and_parts_can_be_copied_and_sent_to_another_process() -> None:
+    """Source: github.com/OpenSourceEconomics/pylcm/issues/449 (read-only mappings in results)."""
+    case = train([(2, 0)], Gear([1]))
+    state = solve(case).gear(1)
+    for copied in (pickle.loads(pickle.dumps(state)), deepcopy(state)):  # noqa: S301
+        assert copied == state
+    assert deepcopy(Gear([1])) == Gear([1])
+
+
+def test_a_unit_in_a_path_is_refused_with_the_unit_that_counts() -> None:
+    with pytest.raises(CaseError, match=r"\[rpm\]`; expected `load.speed`, in rad/s"):
+        solve(train([(2, 0)], Gear([1])), vary={"load.speed [rpm]": [1000]})
 
 
 def test_a_gear_is_one_of_a_single_case() -> None:

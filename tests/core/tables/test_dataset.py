@@ -54,4 +54,5 @@ def test_axes_of_variants_come_first_and_a_loaded_case_has_units() -> None:
     np.testing.assert_allclose(torque.values, 300 * (1 - ratios))
     assert (speed.attrs["units"], torque.attrs["units"]) == ("rpm", "N*m")
     assert "units" not in data["speeds"].attrs
+    assert data["mesh"].dtype.kind == data["converter"].dtype.kind == "U"  # without rows as well
     assert solve(case, ratios=ratios[0][:, None]).to_xarray()["ratio"].dims == ("variant", "gear")

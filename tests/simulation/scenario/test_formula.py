@@ -5,6 +5,7 @@ import pickle
 
 import pytest
 
+from tests.simulation.control.written import simulated
 from vstatics import ReadError
 from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.simulation import Formula
@@ -23,6 +24,8 @@ def test_values() -> None:
         ("min(t, speed, angle) + max(3) - sqrt(16)", -8.0),
         ("sin(2*pi*t) + cos(angle)", math.sin(math.pi) + math.cos(3)),
         ("100*(0 < t <= 0.5) + (t > 1 or not angle > 3)", 101.0),
+        ("log(angle) + atan(speed)", math.log(3) - math.atan(7)),
+        ("log(speed)", math.nan),
         ("1/(1 + exp(2000*t))", 0.0),
         ("1/0", math.inf),
         ("0/0", math.nan),
@@ -66,6 +69,9 @@ def test_mistakes() -> None:
         ("2*(t", 5, "a bracket `(` is not closed"),
         ("", 1, "read nothing, expected a number, t, speed or angle"),
         ("lambda: 0", 1, "which this language does not have"),
+        ("2 if t < 1 else 0", 3, "so write a factor such as `2*(x > 1)`"),
+        ("if(t < 1, 2, 0)", 1, "so write a factor such as `2*(x > 1)`"),
+        ("t < 1 ? 2 : 0", 7, "so write a factor such as `2*(x > 1)`"),
         ("(" * 60 + "t", 51, "more than 50 brackets are open"),
         ("0<" + "(0<" * 20 + "t" + "<1)" * 20, 32, "read too many nested comparisons, expected"),
         ("1" * 3000, 1, "read 3000 characters"),
@@ -122,3 +128,22 @@ def test_between_jumps_a_formula_is_what_it_is_there() -> None:
 )
 def test_a_switch_of_which_no_jump_is_known(text: str, switches: bool) -> None:
     assert Formula(text).switches == switches
+
+
+def test_torques_of_logarithm_and_arc_tangent_bring_up_a_drum() -> None:
+    """The integrals from 0 to 2 are 3 log 3 - 2 and 2 atan 2 - log(5)/2."""
+    case = "inertias: {a: 1}"
+    start = "duration: 2\nstart: {speeds: {a: 0}}\ntorques: {a: "
+    for text, expected in (
+        ("log(1 + t)", 3 * math.log(3) - 2),
+        ("atan(t)", 2 * math.atan(2) - math.log(5) / 2),
+    ):
+        motion = simulated(f'{start}"{text}"}}\n', case)
+        assert motion.speeds[-1, 0] == pytest.approx(expected, rel=1e-9)
+
+
+def test_given_speeds_of_logarithm_and_arc_tangent_need_the_torques_of_their_derivatives() -> None:
+    for text, last in (("log(1 + t)", 1 / 3), ("atan(t)", 1 / 5)):
+        motion = simulated(f'duration: 2\nspeeds: {{a: "{text}"}}\n', "inertias: {a: 1}")
+        torques = motion.torques[:, motion.devices.index("a")]
+        assert (torques[0], torques[-1]) == pytest.approx((1, last), rel=1e-9)

@@ -76,6 +76,13 @@ def test_the_colour_bar_lists_the_levels() -> None:
     assert bar.get("data-levels") == "90 150.5"
 
 
+def test_levels_beyond_the_values_are_reported() -> None:
+    """As matplotlib warns: no contour levels were found within the data range."""
+    for levels, is_within in (("600,700", True), ("-1,600.1", False)):
+        texts = ["".join(element.itertext()) for element in drawn("--levels", levels)]
+        assert any("no level is within the values" in text for text in texts) is not is_within
+
+
 @needs("vehicle")
 def test_full_load_and_operating_points_are_at_their_numbers() -> None:
     """The straight full load from 150 N*m at 200 rad/s to 120 N*m at 300 rad/s."""
@@ -171,6 +178,7 @@ def test_equal_gears_with_long_names_have_a_readable_map() -> None:
 
 def test_wrong_options_of_maps_are_reported(folder: Path) -> None:
     write(lambda x, y: {"low": x + y}, "others.csv", "a,b")
+    write(lambda x, y: {"low": x if y == 100 else ""}, "line.csv")
     (folder / "plain.yaml").write_text(CAR.partition("vehicle")[0])
     (folder / "hole.csv").write_text("time [s],gear,speed [rpm],torque [N*m]\n1,low,x,1\n")
     (folder / "back.csv").write_text(DUTY.replace("5,low,150", "-1,low,150"))
@@ -179,7 +187,7 @@ def test_wrong_options_of_maps_are_reported(folder: Path) -> None:
     Path("one.csv").write_text("\n".join(one).replace("status,gear,", "status,"))
     for options, words in (
         (("map.csv", "--levels", "0"), "read 0, expected 1 to 100"),
-        (("map.csv", "--levels", "2,1"), "levels in order"),
+        (("map.csv", "--levels", "2,1"), "levels in ascending order"),
         (("map.csv", "--levels", "x"), "read 'x', expected a number of levels"),
         (("map.csv", "--best-gear", "--levels", "3"), "a map has no levels"),
         (("others.csv", "--duty", "duty.csv"), "expected load.speed and load.torque"),
@@ -188,6 +196,7 @@ def test_wrong_options_of_maps_are_reported(folder: Path) -> None:
         (("map.csv", "--duty", "hole.csv"), "hole.csv:2:1: error"),
         (("map.csv", "--duty", "back.csv"), "back.csv:2:1: error: time: read -1, expected 0"),
         (("map.csv", "--duty", "car.yaml"), "expected a CSV of points"),
+        (("line.csv",), "the rows with efficiency span no area"),
         (("one.csv", "--best-gear"), "expected a sweep written with --by gear"),
     ):
         said = vstatics("plot", options[0], "-k", "map", *options[1:], "-o", "no.svg")

@@ -73,6 +73,9 @@ def test_a_table_as_people_write_it() -> None:
         "D1.ratio,variant,D1.efficiency\n-2.5,first one,.96\n-3,,0.97\n",
         "D1.ratio,D1.efficiency\n\n-5/2,.96\n  \n-3,97/100\n\n",
         "D1.ratio,D1.efficiency\n-25E-1,96e-2\n-3,0.97\n",
+        # github.com/astropy/astropy/issues/8674: numpy.savetxt puts `# ` before headings
+        "# D1.ratio,D1.efficiency\n-2.5,.96\n-3,0.97\n",
+        "Test 7\n% by hand\nD1.ratio,D1.efficiency\n# first\n-2.5,.96\n-3,0.97\n# last, not least\n",
     ):
         table = read(text)
         assert [target.name for target in table.targets] == ["D1.ratio", "D1.efficiency"]
@@ -110,7 +113,8 @@ def test_what_is_wrong_is_told_with_its_place() -> None:
         ("D1.ratio\n1\n1d0\n", 3, 1, "read `1d0`"),
         ("D1.ratio\n1\n1e999\n", 3, 1, "expected a smaller number"),
         ("D1.ratio\n1\r2\n", 2, 1, "expected a number"),
-        ("D1.ratio\n# 1\n2\n", 2, 1, "read `# 1`"),
+        ("Test 7\nD1.ratoi,1.ratio\n1,2\n", 2, 4, "read `ratoi`"),
+        ("D1.ratoi\n1/2\n", 1, 4, "read `ratoi`"),
         ("D1.ratio\n" + "".join(f"{n}\n\n" for n in range(500)) + "x\n", 1002, 1, unknown),
         ("D1.ratio\n-2\n".encode("utf-16"), 1, 1, "not UTF-8; save the table as CSV in UTF-8"),
         ("D1.ratio\n-2\n-3 é\n".encode("latin-1"), 3, 4, "the file is not UTF-8; save the table"),

@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 
 from tests.chance import generator
+from vstatics import CaseError, Spring, Transmission
 from vstatics.vehicle.case.fatigue import Fatigue
-from vstatics.vehicle.damage.devices import device_damage
+from vstatics.vehicle.damage.devices import damages, device_damage
 from vstatics.vehicle.damage.rayleigh import rayleigh_life
 
 SHAFT = Fatigue(100e6, 3, 4e6, section_modulus=4e-6, threshold=0.0)
@@ -42,6 +43,13 @@ def test_cycles_count_from_the_threshold_on() -> None:
     assert small.damage == pytest.approx(5.341796875e-16)
 
 
+def test_a_stress_at_the_threshold_counts_despite_rounding() -> None:
+    """465 N*m/(5e-6 m^3)/(310 MPa) is 0.3, but 0.29999999999999993 in floating point."""
+    shaft = Fatigue(310e6, 1, 1e6, section_modulus=5e-6, threshold=0.3)
+    assert device_damage(shaft, np.array([-465.0, 465.0])).damage == pytest.approx(0.5 * 0.3e-6)
+    assert device_damage(shaft, np.array([-464.9, 464.9])).damage == 0
+
+
 def test_a_mean_stress_counts_in_part_whatever_its_sign() -> None:
     """(4.38): 200 N*m about 300 N*m is as 230 N*m about 0 with an asymmetry of .1."""
     leaning = device_damage(SHAFT._replace(asymmetry=0.1), np.array([100.0, 500.0]))
@@ -49,6 +57,13 @@ def test_a_mean_stress_counts_in_part_whatever_its_sign() -> None:
     even = device_damage(SHAFT, np.array([-230.0, 230.0]))
     assert leaning.damage == other.damage == pytest.approx(even.damage, rel=1e-14)
     assert leaning.largest_stress == pytest.approx(230 / 4e-6)
+
+
+def test_a_record_has_one_axis() -> None:
+    shaft = Spring({1: 1, 2: -1}, stiffness=9e3, name="shaft")
+    case = Transmission(2, [], [], [], springs=[shaft], fatigue={"shaft": SHAFT})
+    with pytest.raises(CaseError, match="shaft: read 2 axes, expected a list of numbers"):
+        damages(case, {"shaft": [[0.0, 5.0], [5.0, 0.0]]})
 
 
 @pytest.mark.parametrize("torques", [[0.0, math.nan, 3.0], [0.0, math.inf], [1e200, -1e200, 0.0]])

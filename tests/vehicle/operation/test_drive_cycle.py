@@ -373,6 +373,8 @@ def test_fuel_is_bilinear() -> None:
     rows = [f"{w},{t},{3600 * fuel(w, t)}" for w in speeds for t in torques]
     text = "\n".join(["speed [rad/s],torque [N*m],fuel [g/h]", *rows])
     read = read_fuel_map(text.encode(), "fuel.csv")
+    of_vecto = text.replace("speed", "engine speed").replace("fuel", "fuel consumption")
+    assert read_fuel_map(of_vecto.encode(), "f.csv").fuel.tolist() == read.fuel.tolist()
     w, t = np.array([120.0, 420.0]), np.array([33.0, 71.0])
     np.testing.assert_allclose(read.at(w, t), fuel(w, t), rtol=1e-12)
     np.testing.assert_allclose(read.at(np.array([50.0]), np.array([-9.0])), fuel(100.0, 0.0))
@@ -393,7 +395,11 @@ TORQUE = "speed [rpm],torque [N*m],fuel"
         ("t.csv", "time [s],speed [km/h]\n0,1\n", "expected at least two"),
         ("t.csv", "time [s],speed [km/h]\n0,1\n0,2\n", ":3:1: error: time: read 0, expected a l"),
         ("t.csv", "time [s],speed [kg]\n0,1\n1,2\n", "speed: read the unit 'kg'"),
-        ("t.csv", "time [s],speed [m/s],slope [%]\n0,1,5\n1,2,5\n", "none, as it is the sine of"),
+        (
+            "t.csv",
+            "time [s],speed [m/s],slope [%]\n0,1,5\n1,2,5\n",
+            "`-` or `deg`, as it is the sine of",
+        ),
         ("t.csv", "time [s],speed [m/s],gear\n0,1,low\n1,2,9\n2,2,9\n", ":3:1: error: there is n"),
         ("t.csv", "A title\ntime [s],speed [mph]\n0,0\n5,10\n", "t.csv:2:1: error: the trace has"),
         ("fuel.csv", f"{TORQUE} [kg]\n0,0,1\n", "fuel.csv:1:1: error: fuel: read the unit 'kg'"),

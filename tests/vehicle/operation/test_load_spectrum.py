@@ -198,6 +198,24 @@ def test_faults_of_a_table_are_told_with_their_place(folder: Path, text: str, sa
     assert vstatics("summary", "case.yaml", "--duty", "duty.csv").gives_nothing(said)
 
 
+def test_a_load_spectrum_in_percent_of_a_single_gear(folder: Path) -> None:
+    """ISO 281: 18 000, 15 000 and 0 turns an hour at 2, 1 and 4 kN, C = 20 kN, p = 3."""
+    case = (
+        "links: [in, out]\nmechanisms: {a: {first: in, second: out, ratio: 2}}\n"
+        "bearings: {b: {on: in, torque_of: in, load_per_torque: 20 N/(N*m), dynamic: 20 kN, "
+        "exponent: 3}}\n"
+    )
+    (folder / "case.yaml").write_text(case + 'gears: {"1": []}\n')
+    points = "share [%],n [rpm],M [N*m]\n30,1000,100\n50,500,-50\n20,0,200\n"
+    (folder / "duty.csv").write_text(points)
+    said = vstatics("summary", "case.yaml", "--duty", "duty.csv", "-f", "json")
+    damage = 18e3 / 1e6 / 10**3 + 15e3 / 1e6 / 20**3
+    assert said.json["duty"]["bearings"]["b"]["hours"] == pytest.approx(1 / damage)
+    (folder / "case.yaml").write_text(case + 'gears: {"1": [], "2": []}\n')
+    missing = ":1:1: error: `gear` is missing, expected the gear of each point, as the case has 2"
+    assert vstatics("summary", "case.yaml", "--duty", "duty.csv").gives_nothing(missing)
+
+
 BEYOND = """
 links: [engine, a, out]
 shift_elements: {A: [engine, a], B: [a, out]}

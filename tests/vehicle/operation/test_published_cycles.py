@@ -14,7 +14,7 @@ import pytest
 from tests.chance import each_seed, seeded, seeds_with_slow
 from tests.commands import process
 from tests.core.readers.named.test_signs_of_print import spoilt
-from vstatics import Gear, Mechanism, ReadError, Transmission
+from vstatics import CaseError, Gear, Mechanism, ReadError, Transmission
 from vstatics.core.numerics.constants import AIR, GRAVITY
 from vstatics.vehicle.case.vehicle import Vehicle
 from vstatics.vehicle.operation.cycle_steps import GearChoice
@@ -152,6 +152,44 @@ def test_units_below_the_names(units: str) -> None:
         read_trace(text.replace(units, "a;b;c").encode(), "t.csv")
 
 
+SINE = math.sin(math.radians(3))
+
+
+@pytest.mark.parametrize(
+    ("text", "slope"),
+    [
+        # FASTSim 3, github.com/NREL/fastsim, fastsim-core/resources/cycles/us06_city_1.csv
+        ("time_seconds,speed_meters_per_second,grade\n0,0,0.75\n2,10,0\n", 0.6),
+        # SUMO, floating-car data in CSV: m/s, and degrees (github.com/eclipse-sumo/sumo/issues/3308)
+        (
+            "timestep_time;vehicle_id;vehicle_slope;vehicle_speed\n"
+            "0.00;a;3.00;0.00\n2.00;a;3.00;10.00\n",
+            SINE,
+        ),
+        ("time [s];vehicle_speed [km/h];slope [°]\n0;0;-3\n2;36;-3\n", -SINE),
+        ("time [s],speed [km/h],Incline (°)\n0,0,-3\n2,36,-3\n", -SINE),
+        ("t / s;v / (km/h);grade_percent\n0;0;75\n2;36;75\n", 0.6),
+    ],
+)
+def test_headings_of_further_programs(text: str, slope: float) -> None:
+    trace = read_trace(text.encode(), "t.csv")
+    assert trace.duration.tolist() == [2.0]
+    assert trace.speed.tolist() == [pytest.approx(5.0)]
+    assert trace.slope.tolist() == [pytest.approx(slope)]
+
+
+def test_gears_of_published_cycles() -> None:
+    """Neutral at standstill, and numbers that a program of tables made decimal."""
+    text = "time [s],speed [m/s],gear\n0,0,0\n1,0,1.0\n2,5,1\n3,5,0\n4,5,1\n"
+    trace = read_trace(text.encode(), "t.csv")
+    with pytest.raises(CaseError, match="no gear `0` in the case") as raised:
+        drive(CASE, trace, GearChoice())
+    assert [problem.path for problem in raised.value.problems] == [(3,)]
+    text = text.replace("5,0", "5,1")
+    driven = drive(CASE, read_trace(text.encode(), "t.csv"), GearChoice())
+    assert list(driven.gears) == ["1"] * 4
+
+
 @pytest.mark.parametrize(
     ("text", "said"),
     [
@@ -177,6 +215,12 @@ def test_units_below_the_names(units: str) -> None:
         ("time [s],speed [mph],slope,grade\n0,0,0,0\n1,5,0,0\n", "both `slope` and `grade`"),
         ("0,0\n1,5\n2,7\n", "read the heading '0'"),
         ("time [s]\n0\n1\n", "`speed .m/s.` is missing"),
+        (
+            "time [s],speed [mph],slope,grade [deg]\n0,0,0,0\n1,5,0,0\n",
+            "read both `slope` and `grade`, expected one of them",
+        ),
+        ("time_s speed_mps\n0 0\n1 5\n", "commas, semicolons or tabs have to separate the cells"),
+        ("time [s],speed [mph],slope [deg]\n0,0,91\n1,5,0\n", "slope: read .*, expected -1 to 1"),
         ("time [s],speed [m/s]\n0,0\n1,1e300\n", ":3:1: .*speed: read 1e.300, expected at most 1e"),
         ("time [s],speed [m/s]\n0,0\n1e300,1\n", ":3:1: .*time: read 1e.300, expected at most 1e"),
         ("time [s],speed [m/s]\n0,0\n1e-300,1\n", ":3:1: .*speed: read 1, expected a change by"),

@@ -1,8 +1,9 @@
 """Checks of the arguments of public functions, before anything is calculated.
 
-The annotated types declare the arguments that a function accepts; `refusing` enforces them with
-uniform messages (`decorators`, `types`, `words`). Functions check numbers and names themselves.
-`naming` replaces options in problems by the names of Python arguments.
+The annotations of a function declare the types of its arguments. The decorator `refusing` checks
+these types (`decorators`, `types`), with uniform messages (`words`). Functions check numbers and
+names themselves. The decorator `naming` replaces options in problems by the names of Python
+arguments.
 """
 
 from vstatics.core.arguments.decorators import naming, refuse_fields, refusing

@@ -24,7 +24,7 @@ def refusing(**classes: str) -> Callable[[Callable[Asked, Given]], Callable[Aske
     Parameters
     ----------
     **classes : str
-        Module of each type that the module of the function does not import, by name of the type.
+        Modules of types that the module of the function does not import, by name of the type.
 
     Examples
     --------
@@ -71,7 +71,7 @@ def refusing(**classes: str) -> Callable[[Callable[Asked, Given]], Callable[Aske
 
 
 def refuse_fields(what: str, fields: object, types: Mapping[str, object], **classes: str) -> None:
-    """Raise an error for fields of a dataclass whose values are not of the declared type.
+    """Raise an error if the values of a dataclass are not of the declared types.
 
     Parameters
     ----------

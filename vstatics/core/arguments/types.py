@@ -15,11 +15,11 @@ from types import NoneType, UnionType
 from typing import Any, Literal
 
 MOST = 1000
-"""Number of items of a sequence or mapping whose types are checked."""
+"""Number of items of a sequence or mapping whose types are compared."""
 
 
 class _AnnotationNames(dict[str, Any]):
-    """Mapping of names in annotations to types; an unknown name means any type."""
+    """Mapping from names in annotations to types. An unknown name means any type."""
 
     def __init__(self, module: Mapping[str, Any], classes: Mapping[str, str]) -> None:
         super().__init__()
@@ -52,7 +52,7 @@ def hints(function: Any, classes: Mapping[str, str]) -> dict[str, Any]:
 
 
 def fits(given: object, hint: Any) -> bool:
-    """Return whether a value has a type, as far as can be checked without consuming an iterator.
+    """Return whether a value has a type; the items of an iterator are not checked.
 
     >>> fits([1, "R"], Sequence[int | str] | None), fits("12", Sequence[int | str])
     (True, False)
@@ -70,7 +70,7 @@ def fits(given: object, hint: Any) -> bool:
     elif kind.__module__ == "numpy":
         fit = _is_row(given) or _is_number(given) or hasattr(given, "__array__")
     elif issubclass(kind, Mapping):
-        fit = hasattr(given, "keys") and _parts_fit(given, parts)  # pandas tables have keys, too
+        fit = hasattr(given, "keys") and _parts_fit(given, parts)  # pandas tables also have keys
     elif is_of_rows(kind):
         fit = _is_row(given) and _each_fits(given, parts)
     else:
@@ -94,7 +94,7 @@ def _is_row(given: object) -> bool:
 
 def _each_fits(given: Any, parts: Sequence[Any]) -> bool:
     if not parts or not isinstance(given, Sequence):
-        return True  # an iterator would be consumed, an array contains numbers
+        return True  # checking would consume an iterator, and an array contains numbers
     if parts[-1] is not Ellipsis and len(parts) > 1:
         return len(given) == len(parts) and all(map(fits, given, parts))
     return all(fits(item, parts[0]) for item in islice(given, MOST))

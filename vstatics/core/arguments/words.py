@@ -1,4 +1,4 @@
-"""Words for the expected type of an argument and for the given value."""
+"""Words for the expected type of an argument and for its value."""
 
 from __future__ import annotations
 
@@ -34,19 +34,19 @@ _WORDS = {
 
 
 def is_no_choice(given: object, hint: Any) -> bool:
-    """Return whether a value is a text for which the type permits only certain texts."""
+    """Return whether a value is a text, but the type permits only other texts."""
     return isinstance(given, str) and bool(_choices(hint))
 
 
 def _choices(hint: Any) -> list[str]:
-    """Return the permitted texts, if the type lists any."""
+    """Return the texts that a type lists; empty for other types."""
     if typing.get_origin(hint) is Literal:
         return [str(choice) for choice in typing.get_args(hint)]
     return [word for part in typing.get_args(hint) for word in _choices(part)]
 
 
 def expected(given: object, hint: Any) -> str:
-    """Return a phrase for the expected type, with advice."""
+    """Return words for the expected type, with advice."""
     if isinstance(given, str) and (choices := _choices(hint)):
         return f"expected {_words(hint)}{nearest(given, choices)}"
     if isinstance(given, os.PathLike) and fits("", hint):

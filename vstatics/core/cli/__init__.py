@@ -1,4 +1,4 @@
-"""Command line of the program: the only part that prints and exits.
+"""Command line of the program. No other package prints anything or ends the process.
 
 A command writes results to stdout and messages to stderr, and returns an exit status.
 
@@ -7,9 +7,9 @@ A command writes results to stdout and messages to stderr, and returns an exit s
 >>> answer.exit_code, answer.stderr.rstrip()
 (1, 'nowhere/box.yaml: error: cannot be read: No such file or directory [E006]')
 
-The commands are listed in the records of the core and of the annexes. `shared` contains the common
-building blocks: input and output, cases, values of options. `templates` contains cases for the
-command `new`. `schemas` writes the JSON Schemas of all documents.
+The records of the core and of the annexes list the commands. `shared` contains code that all
+commands use: input and output, cases, values of options. `templates` contains cases for the command
+`new`. `schemas` writes the JSON Schemas of all documents.
 """
 
 from __future__ import annotations
@@ -37,11 +37,11 @@ from vstatics.core.suggestions import nearest
 click.UsageError.exit_code = WRONG_USE
 
 WITH_LANGUAGES = ("run", "flow", "summary", "explain", "plot", "report", "serve")
-"""Commands with the option --lang, whose output is available in several languages."""
+"""Commands with the option --lang, whose output has several languages."""
 
 
 _ELSEWHERE = {"--lang": WITH_LANGUAGES, "--gear": ("flow", "explain", "plot")}
-"""Options that users expect in all commands, each with the commands that have the option."""
+"""Options that users expect in all commands, with the commands that have them."""
 
 
 class Commands(LazyGroup):
@@ -54,7 +54,7 @@ class Commands(LazyGroup):
         return {name: (command.module, command.help) for name, command in ordered}
 
     def module(self, name: str) -> str:
-        """Return the module of a command, from the core or, if not there, from an annex."""
+        """Return the module of a command, from the core or an annex."""
         return CORE.commands[name].module if name in CORE.commands else super().module(name)
 
     def hint(self, name: str) -> str:
@@ -64,7 +64,7 @@ class Commands(LazyGroup):
         return super().hint(name)
 
     def make_context(self, *values: Any, **named: Any) -> click.Context:
-        """Return the context of click, with error messages made safe to print."""
+        """Return the context of click, and make error messages safe to print."""
         try:
             with _safe_usage_errors():
                 return super().make_context(*values, **named)
@@ -73,7 +73,7 @@ class Commands(LazyGroup):
             raise click.exceptions.Exit(FAILED) from None
 
     def invoke(self, ctx: click.Context) -> Any:
-        """Run a command, then exit with the resulting status, also after an error or a signal."""
+        """Run a command, and exit with its status, also after an error or a signal."""
         try:
             with stoppable() as stop, _safe_usage_errors():
                 status = self._status(ctx, stop)
@@ -92,7 +92,7 @@ class Commands(LazyGroup):
         except (click.ClickException, click.Abort, OSError):
             raise
         except Exception as error:  # noqa: BLE001 - users need a message, not a traceback
-            stop.check()  # the error can come from a signal during an import
+            stop.check()  # a signal during an import can cause the error
             from vstatics.core.cli.shared.cases import unexpected
 
             files.show([unexpected(f"vstatics {ctx.invoked_subcommand}", error)])
@@ -104,7 +104,7 @@ def _safe_usage_errors() -> Iterator[None]:
     try:
         yield
     except click.exceptions.NoArgsIsHelpError:
-        raise  # the message is the help text, which needs no hint
+        raise  # the error is a help text, which needs no hint
     except click.UsageError as error:
         message = printable(error.format_message(), lines=True)
         unknown = error.option_name if isinstance(error, click.NoSuchOption) else ""
@@ -115,13 +115,13 @@ def _safe_usage_errors() -> Iterator[None]:
 
 
 def installed(names: Sequence[str]) -> list[str]:
-    """Return the installed commands among the named commands."""
+    """Return those of some commands that are installed."""
     listed = main.listed()
     return [name for name in names if name in listed]
 
 
 def _with_hint(message: str) -> str:
-    """Return a message of click, with a hint on the spelling of a number or a choice.
+    """Return a message of click with a hint on the spelling of a number or a choice.
 
     >>> _with_hint("'stik' is not one of 'stick', 'flow'.")
     "'stik' is not one of 'stick', 'flow'; did you mean `stick`?"
@@ -188,8 +188,8 @@ def main() -> None:
 def entry() -> None:
     """Run the program and exit at once.
 
-    The interpreter is not finalised, because that takes longer than a calculation, and all files
-    are closed already. Python code calls `main` instead.
+    The interpreter is not finalised, because this takes longer than a calculation, and all files
+    are already closed. Python code calls `main` instead.
     """
     code: int | str | None = DONE
     try:
@@ -199,7 +199,7 @@ def entry() -> None:
             code = leaving.code
         if not code and sys.stdout is not None:  # stdout can be closed
             sys.stdout.flush()
-    except BrokenPipeError:  # the reader of the pipe has closed it
+    except BrokenPipeError:  # the program that reads the pipe has closed it
         code = FAILED
     except OSError as error:
         files.show([unwritable(None, error)])

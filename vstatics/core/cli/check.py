@@ -1,4 +1,4 @@
-"""`vstatics check`: problems of cases and scenarios, degrees of freedom, constraints per gear."""
+"""`vstatics check`: problems of cases and scenarios, degrees of freedom, constraints of gears."""
 
 from __future__ import annotations
 
@@ -15,7 +15,12 @@ from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.cases import CaseOptions, calculate_one
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
-from vstatics.core.cli.shared.formats import WHOLE_OUTPUT, OutputOptions, TextStyle
+from vstatics.core.cli.shared.formats import (
+    WHOLE_OUTPUT,
+    FormatChoice,
+    OutputOptions,
+    TextStyle,
+)
 from vstatics.core.cli.shared.options import MESSAGES, OUTPUT, command, completing, refuse, under
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.values import FILE, separated
@@ -33,12 +38,12 @@ from vstatics.core.tables.text import broken, lines
 
 
 class ProblemRecord(NamedTuple):
-    """Problem as a record in JSON."""
+    """Problem as a record for JSON."""
 
     file: str
-    """Name of the file as given, or `<stdin>` for standard input."""
+    """Name of the file as the user wrote it; `<stdin>` for standard input."""
     line: Annotated[int, Words(minimum=1)] | None
-    """Line number, from 1, unless the message concerns the file as a whole."""
+    """Line number, from 1; None if the message concerns the whole file."""
     column: Annotated[int, Words(minimum=1)] | None
     severity: Severity
     message: str
@@ -69,7 +74,7 @@ FORMATS = ("text", "json", "github", "sarif", "junit")
 
 
 def constraints(file: str, results: Results) -> Grid:
-    """Return a table with the counts of parts of a case and of constraints in each gear."""
+    """Return a table with the numbers of parts of a case, and of constraints in each gear."""
     case = results.case
     free = freedom(case)
     counts = [
@@ -110,7 +115,7 @@ def constraints(file: str, results: Results) -> Grid:
         faults += [CONFLICT.english] * bool(conflict)
         count = given_constraints(gear) + len(holding)
         converters = case.unloaded_converters(with_engaged(gear, holding))
-        needed = free + len(converters)  # converters impose no constraint
+        needed = free + len(converters)  # a converter imposes no constraint on speeds
         state = f"{count} of {needed} constraints: {', '.join(faults) or 'ok'} (engaged: {engaged})"
         rows.append((f"gear {gear.name}", state))
     title = f"{file}: {', '.join(counts)}; degrees of freedom: {free}"
@@ -148,7 +153,7 @@ def _ids() -> list[str]:
         "-f",
         "--format",
         "output_format",
-        type=click.Choice(FORMATS),
+        type=FormatChoice(FORMATS),
         help="Format of the output.  [default: by the suffix of -o, else text]",
     ),
     click.option("-o", "--output", type=FILE, help=WHOLE_OUTPUT),
@@ -209,7 +214,7 @@ def check_command(
 
 
 def _explained(asked: str, form: str) -> str:
-    """Return the explanations of comma-separated ids, or of all ids."""
+    """Return the explanations of messages; `asked` contains ids with commas, or `all`."""
     from vstatics.core.messages.catalogue import explained, known_ids, text
 
     names, known = separated([asked]), known_ids()
@@ -223,7 +228,7 @@ def _explained(asked: str, form: str) -> str:
 
 
 CheckedFile: TypeAlias = tuple[str, list[Problem], bool, Grid | None]
-"""Name of a checked file, with the problems, a flag for failure, and the table of constraints."""
+"""Name of a file, its problems, a flag for failure, and the table of constraints."""
 
 
 def _calculated(cases: Sequence[str], options: CaseOptions) -> Iterator[CheckedFile]:
@@ -241,7 +246,7 @@ def _calculated(cases: Sequence[str], options: CaseOptions) -> Iterator[CheckedF
 
 
 def _of_document(file: str) -> Callable[[str, CaseOptions], CheckedFile] | None:
-    """Return the function of an annex that checks a document, unless the document is a case."""
+    """Return the function of an annex that checks a document; None for a case."""
     check_document: Callable[[str, CaseOptions], CheckedFile] | None = None
     if file != files.STDIN:
         with contextlib.suppress(ReadError):
@@ -254,13 +259,16 @@ def _printed(file: str, problems: Sequence[Problem], telling: Telling) -> list[P
 
 
 class _Once:
-    """Record of reported problems, so that a case named by several scenarios reports each once."""
+    """Record of reported problems.
+
+    If several scenarios name a case, its problems are reported once.
+    """
 
     def __init__(self) -> None:
         self._reported: set[tuple[str, str, str, int, int]] = set()
 
     def first(self, problems: Iterable[Problem]) -> list[Problem]:
-        """Return problems not reported before; the spelling of a file name does not matter."""
+        """Return problems that are new, whatever the spelling of the file name."""
         new = []
         for problem in problems:
             file, line, column = problem.place[:3] if problem.place else ("", 0, 0)
@@ -319,7 +327,7 @@ def _array(records: Iterable[tuple[object, ...]]) -> str:
 
 
 def _as_junit(by_file: Sequence[tuple[str, Sequence[Problem]]], telling: Telling) -> str:
-    """Return the outcome of each file as JUnit XML; warnings are failures only with --strict."""
+    """Return the outcome of each file as JUnit XML. Warnings are failures only with --strict."""
     from vstatics.core.writers.junit import CaseOutcome, junit
 
     outcomes = []

@@ -1,4 +1,4 @@
-"""`vstatics compare`: differences of two results, changes of the case first."""
+"""`vstatics compare`: changes of the case, and differences of two results."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ import click
 
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
+from vstatics.core.cli.shared.formats import FormatChoice
 from vstatics.core.cli.shared.options import Command, command, completing, gathered, refuse
 from vstatics.core.cli.shared.values import FILE, value
 from vstatics.core.comparison import layout
@@ -66,7 +67,7 @@ def _tolerance(name: str, default: float, says: str) -> Callable[[Command], Comm
     "-f",
     "--format",
     "form",
-    type=click.Choice(FORMATS),
+    type=FormatChoice(FORMATS),
     default="text",
     show_default=True,
     help="Format of the output.",
@@ -148,7 +149,7 @@ def _of_files(actual: str, expected: str, how: Tolerances) -> Verdict:
 
 
 def _lines(total: Verdict, form: str, *, all_numbers: bool, summary: bool) -> list[str]:
-    """Return the lines of output about all cases that differ."""
+    """Return the lines of output for all cases that differ."""
     lay_out = layout.markdown if form == "markdown" else layout.text
     lines: list[str] = []
     for case in total.cases:
@@ -160,7 +161,7 @@ def _lines(total: Verdict, form: str, *, all_numbers: bool, summary: bool) -> li
 
 
 def _as_junit(total: Verdict) -> str:
-    """Return the outcome of each case as JUnit XML; changes of the case alone are not failures."""
+    """Return the outcome of each case as JUnit XML. Changes of the case alone are not failures."""
     return junit(
         "vstatics compare",
         [

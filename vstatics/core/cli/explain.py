@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 class AskedExercise(NamedTuple):
-    """Options of an exercise on a gear: a worksheet or the solution, with numbers from a seed."""
+    """Options of an exercise on a gear: worksheet or solution, and seed of its numbers."""
 
     worksheet: bool
     solution: bool

@@ -1,4 +1,4 @@
-"""`vstatics new`: a commented case to start from, a template or a shipped case."""
+"""`vstatics new`: a commented case to start with, from a template or a shipped case."""
 
 from __future__ import annotations
 
@@ -30,11 +30,11 @@ TEMPLATES = (
     "input_split",
     "worm",
 )
-"""Names of templates, simplest first, all different from the names of shipped cases."""
+"""Names of templates, simplest first. No shipped case has the name of a template."""
 
 
 def template(name: str, suffix: str = ".yaml") -> str:
-    """Return the text of a template or shipped case; with a suffix `.dat`, a deck if available.
+    """Return the text of a template or shipped case, with the suffix `.dat` as a deck if possible.
 
     >>> template("ravigneaux").splitlines()[0]
     '# A Ravigneaux set: the small sun meshes with the short planets, these with the long planets,'
@@ -49,7 +49,7 @@ def template(name: str, suffix: str = ".yaml") -> str:
 
 
 def _known(name: str) -> str:
-    """Return the name of a template or shipped case; an unknown name is an error with a hint.
+    """Return the exact name of a template or shipped case; an unknown name is an error.
 
     >>> _known("drive-axle"), _known("power_split")
     ('drive_axle', 'power-split')

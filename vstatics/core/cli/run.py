@@ -24,10 +24,10 @@ from vstatics.core.tables.grid import Grid
 from vstatics.core.texts import speaking
 
 PLAIN: dict[str, Any] = {"color_system": None, "force_terminal": False}
-"""Options of a rich console for plain text without colours."""
+"""Options of a `rich` console for plain text without colours."""
 FORMATS = ("listing", "source", *formats.TABLES[1:], "parquet")
 MANY = 100
-"""Number of cases from which all cores are used by default."""
+"""Number of cases from which all processor cores are used by default."""
 
 
 @command
@@ -137,12 +137,12 @@ def run_command(
 
 
 def _without_alias(wanted: OutputOptions) -> OutputOptions:
-    """Return the output options with `--lang source` replaced by `-f source`.
+    """Return the output options, with `-f source` instead of its alias `--lang source`.
 
     Raises
     ------
     UsageError
-        If another format is requested.
+        If the user also requests another format.
     """
     if wanted.style.lang != "source":
         return wanted
@@ -152,7 +152,7 @@ def _without_alias(wanted: OutputOptions) -> OutputOptions:
 
 
 def show(outcome: CalculatedCase, results: Results, to: Destination) -> texts.CaseOutput:
-    """Return all tables of the results of a case as output."""
+    """Return the output of a case: all tables of its results."""
     style = to.style
     if to.form == "source":
         return _as_published(outcome, results, style)
@@ -204,7 +204,7 @@ def _as_published(outcome: CalculatedCase, results: Results, style: TextStyle) -
     Raises
     ------
     ReadError
-        If the case has a part for which the listing has no field.
+        If the listing has no field for a part of the case.
     """
     from vstatics.core.writers import source_listing
     from vstatics.core.writers.listing import LISTING_DECIMALS

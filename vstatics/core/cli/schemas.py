@@ -25,12 +25,12 @@ ANSWERS = {
     "explain": ("Gears explained, of vstatics explain", ExplanationAnswer),
     "exercise": ("A gear as an exercise, of vstatics explain --solution", SolvedExercise),
 }
-"""Title and type of each schema, by file name, for output with a document for each case."""
+"""Title and type of each schema by file name, for outputs with a document for each case."""
 OTHERS = {
     "check": ("Problems of cases, by vstatics check", Sequence[ProblemRecord]),
     "compare": ("What changed between results, of vstatics compare", Verdict),
 }
-"""Title and type of each schema, by file name, for output with a single document."""
+"""Title and type of each schema by file name, for outputs with a single document."""
 
 
 def schemas() -> dict[str, dict[str, Any]]:

@@ -1,4 +1,4 @@
-"""`vstatics summary`: the design table of a case: ratios, steps, transitions, largest values."""
+"""`vstatics summary`: ratios, step ratios, transitions and largest values of a case."""
 
 from __future__ import annotations
 
@@ -131,7 +131,7 @@ def _of_boxes(
     summarized: Callable[[CalculatedCase, Results], Summary],
     to: Destination,
 ) -> int:
-    """Write the summaries of gearboxes found by synthesis, as a table or as JSON."""
+    """Write the summaries of gearboxes from a synthesis, as a table or as JSON."""
     if to.is_folder:
         message = f"found boxes give one table: expected -o FILE, not {to.output}"
         raise click.UsageError(message)
@@ -189,7 +189,7 @@ def _summarized(
     output_torque: float,
     reserve: float | None,
 ) -> Summary:
-    """Return the summary of a case; too many combinations are a problem of the file."""
+    """Return the summary of a case. Too many combinations are a problem of the file."""
     from vstatics.core.summary import summarize
 
     try:

@@ -1,9 +1,9 @@
-"""Comparison of written results: changes of the case, and numbers that differ.
+"""Comparison of results in files: changes of the case, and numbers that differ.
 
 `numbers` compares the tables of two results, after `namesakes` has matched renamed rows. `steps`
-compares step ratios, and `case_changes` compares the input data of the cases. `verdicts` combines
-all differences into a verdict on one case or on many, `layout` formats the verdicts, and
-`compared_files` finds the results to be compared. `sweeps` compares sweeps.
+compares step ratios, `case_changes` the input data of cases, and `sweeps` compares sweeps.
+`verdicts` combines all differences of a case, or of many cases, in a verdict, and `layout` formats
+the verdicts. `compared_files` pairs the results in files and directories.
 
 >>> from vstatics import Gear, Mechanism, Transmission
 >>> from vstatics.core.comparison.case_changes import case_changes

@@ -1,4 +1,4 @@
-"""Changed input data of a case, with paths as in a sweep: `P4.teeth.ring`, `gears.3.engaged`."""
+"""Changed input data of a case by path, such as `P4.teeth.ring` or `gears.3.engaged`."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from vstatics.core.writers.named import mapping
 
 
 class CaseChange(NamedTuple):
-    """Changed value of a case, without the expected or the actual value if the key is missing."""
+    """Changed value of a case. If a case does not have the key, its value is missing."""
 
     path: str
     expected: Any
@@ -21,7 +21,7 @@ class CaseChange(NamedTuple):
 
 
 _WORDS = ("name", "description", "source")
-"""Keys that never affect results."""
+"""Keys that do not affect results."""
 _SETS = ("engaged", "open", "allow")
 """Keys of lists whose order is irrelevant."""
 
@@ -29,8 +29,8 @@ _SETS = ("engaged", "open", "allow")
 def case_changes(actual: Transmission, expected: Transmission) -> Iterator[CaseChange]:
     """Yield all changes of a case, in the order of the keys.
 
-    An added or removed part is a single change. Only rounding makes no change: tolerances of
-    results do not apply, because a small change of the case explains differences of results.
+    An added or removed part is a single change. Values that differ by more than rounding are
+    changes, because even a small change of the case can explain differences of results.
 
     Examples
     --------
@@ -44,14 +44,13 @@ def case_changes(actual: Transmission, expected: Transmission) -> Iterator[CaseC
     data = [mapping(case) for case in (actual, expected)]
     plain = [mapping(case, units=False) for case in (actual, expected)]
     if any(units == relative for units, relative in zip(data, plain, strict=True)):
-        data = plain  # a deck has no units, so relative values are compared
+        data = plain  # relative values are compared, because a deck has no units
     ports = _ports(actual, expected), _ports(expected, actual)
     here, there = (_by_path({**case, **port}) for case, port in zip(data, ports, strict=True))
     yield from _changes((), here, there)
 
 
 def _ports(case: Transmission, other: Transmission) -> dict[str, str]:
-    """Return the names of the input and output links that exist in both cases."""
     ports = {"input": case.link_name(case.input)}
     if not (case.outputs or other.outputs):
         ports["output"] = case.link_name(case.output)
@@ -59,7 +58,7 @@ def _ports(case: Transmission, other: Transmission) -> dict[str, str]:
 
 
 def _by_path(case: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the data of a case by the first key of paths, without keys that affect no result."""
+    """Return the data of a case by first key of a path, without keys that do not affect results."""
     parts: dict[str, Any] = {}
     for key, value in case.items():
         if key in (*PARTS, "converters"):
@@ -86,7 +85,7 @@ def _changes(path: tuple[str, ...], actual: Any, expected: Any) -> Iterator[Case
         and isinstance(expected, list)
         and len(actual) == len(expected)
         and not any(isinstance(item, str) for item in (*actual, *expected))
-    ):  # the path of an item contains its number
+    ):  # the path of an item contains the number of the item
         for number, (here, there) in enumerate(zip(actual, expected, strict=True), 1):
             yield from _changes((*path, str(number)), here, there)
     else:

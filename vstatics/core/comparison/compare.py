@@ -1,4 +1,4 @@
-"""Function `compare` for two results, two files or two directories of results."""
+"""The function `compare`, for two results, two files or two directories of results."""
 
 from __future__ import annotations
 
@@ -35,8 +35,8 @@ def compare(
     Parameters
     ----------
     actual, expected : path-like or Results
-        Files written by `run` as a listing, JSON, JSON lines, CSV or Parquet; two files of sweeps;
-        or two directories of such files.
+        Results, two files from `run` (listing, JSON, JSON lines, CSV or Parquet), two files with
+        sweeps, or two directories of such files.
     atol, rtol : float
         Absolute tolerance, in the unit of a number, and tolerance relative to the expected number.
     leave_out : str or iterable of str
@@ -54,7 +54,7 @@ def compare(
     ReadError
         If a file or both directories have no results, or a table does not exist.
     OSError
-        If a file cannot be opened; in a directory such a file counts as unreadable.
+        If a file cannot be opened. In a directory such a file counts as unreadable.
     ValueError
         If a tolerance is negative or not finite.
 
@@ -78,7 +78,7 @@ def compare(
 
 
 def _folder(given: Compared) -> str:
-    """Return the path of a directory; empty for anything else."""
+    """Return the path of a directory; empty for other arguments."""
     return "" if isinstance(given, Results) or not os.path.isdir(given) else os.fspath(given)  # noqa: PTH112
 
 

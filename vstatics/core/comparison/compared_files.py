@@ -21,11 +21,11 @@ from vstatics.core.tables.file_suffixes import known, suffix_of
 from vstatics.core.tables.written_results import WrittenResult, WrittenSweep
 
 Content = list[WrittenResult] | WrittenSweep
-"""Content of a compared file: results or a sweep."""
+"""Content of a file: results or a sweep."""
 SUFFIXES = known(("listing", "json", "jsonl", "csv", "parquet", "npz"))
-"""Suffixes of the files that are compared in a directory."""
+"""Suffixes of files that are compared if they are in a directory."""
 SEPARATORS = re.compile(r"[/\\]")
-"""Pattern of the separator of folders in paths of any operating system."""
+"""Pattern of the separator of folders, for paths of any operating system."""
 
 
 def content(data: bytes, file: str) -> Content:
@@ -54,7 +54,7 @@ def verdicts_of_files(
     Parameters
     ----------
     actual, expected : list of WrittenResult, or WrittenSweep
-        Contents of both files, of the same kind; an empty list means a missing file.
+        Contents of both files, either results or sweeps. An empty list means a missing file.
     names : (str, str)
         Names of the files.
     how : Tolerances
@@ -78,17 +78,17 @@ def verdicts_of_files(
     seen = Counter((short, time) for (_, time), short in called.items())
     return [
         compared(
-            _counted(short if short and seen[short, time] == 1 else way, time),
-            here.get((way, time)),
-            there.get((way, time)),
+            _counted(short if short and seen[short, time] == 1 else path, time),
+            here.get((path, time)),
+            there.get((path, time)),
             how,
         )
-        for (way, time), short in called.items()
+        for (path, time), short in called.items()
     ]
 
 
 def sweep_alone(actual: Content, expected: Content, names: tuple[str, str]) -> str:
-    """Return the message that a sweep cannot be compared with results; empty if kinds agree."""
+    """Return a message if only one of the files is a sweep, else an empty text."""
     sweeps = [isinstance(file, WrittenSweep) for file in (actual, expected)]
     if sweeps[0] == sweeps[1]:
         return ""
@@ -110,18 +110,18 @@ def _sweeps_compared(
     )
 
 
-def _called(result: WrittenResult, way: str = "") -> str:
+def _called(result: WrittenResult, path: str = "") -> str:
     """Return the name of a result: the file name without suffix, or the name of the case.
 
     Parameters
     ----------
     result : WrittenResult
-    way : str
-        Path of the file, with only the folders that distinguish it from other files.
+    path : str
+        Path of the file, with as many folders as distinguish it from other files.
     """
     file = "" if result.file == STDIN_NAME else result.file
-    if file and SEPARATORS.search(way) and file.endswith(way):
-        return os.path.splitext(way)[0]  # noqa: PTH122
+    if file and SEPARATORS.search(path) and file.endswith(path):
+        return os.path.splitext(path)[0]  # noqa: PTH122
     return file_stem(file) or result.case_name
 
 
@@ -131,11 +131,11 @@ def file_stem(file: str) -> str:
 
 
 _Key = tuple[str, int]
-"""Key of a result: name of the file or case, and the number of the occurrence."""
+"""Key of a result: name of the file or case, and number among results of this name (from 1)."""
 
 
 def _counted(name: str, time: int) -> str:
-    """Return the name of a result, with an occurrence number if the name is repeated.
+    """Return the name of a result, with its number among results of this name, except the first.
 
     >>> _counted("box", 1), _counted("box", 2), _counted("box", 3)
     ('box', 'box (there twice)', 'box (there 3 times)')
@@ -148,10 +148,10 @@ def _counted(name: str, time: int) -> str:
 def _paired(
     actual: Sequence[WrittenResult], expected: Sequence[WrittenResult]
 ) -> list[dict[_Key, WrittenResult]]:
-    """Return the actual and the expected results by file or case, whichever is more distinct.
+    """Return the actual and the expected results by the names of files or of cases.
 
-    Names of files contain only as many folders as necessary to distinguish them, because folders of
-    actual and expected files can differ.
+    Files or cases are chosen, whichever have more different names. Names of files contain as few
+    folders as possible, because folders of actual and expected files can differ.
     """
     sides = actual, expected
     paths = [[SEPARATORS.split(result.file) for result in side] for side in sides]
@@ -179,8 +179,8 @@ def _numbered(names: Iterable[str]) -> Iterator[_Key]:
 def verdicts_of_directories(actual: str, expected: str, how: Tolerances) -> Iterator[CaseVerdict]:
     """Yield the verdicts on the files of two directories, including unreadable files.
 
-    Files are paired by their relative paths without suffix. If a file contains several results,
-    their names consist of file and case.
+    Files are paired by relative path without suffix. If a file contains several results, their
+    names consist of file and case.
 
     Raises
     ------
@@ -222,7 +222,7 @@ def _verdicts_of_pair(name: str, paths: Sequence[str], how: Tolerances) -> Itera
 
 
 def _result_files(folder: str) -> dict[str, str]:
-    """Return the files of results in a folder, by relative path (without suffix if unique)."""
+    """Return the files of results in a folder by relative path, without suffix if unique."""
     paths = []
     for place, folders, names in os.walk(folder):
         folders[:] = [name for name in folders if not name.startswith(".")]

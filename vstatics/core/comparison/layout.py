@@ -19,15 +19,15 @@ from vstatics.core.texts import tr
 CASE_LINES = 20
 """Largest number of lines about a case, unless all numbers are requested."""
 LONGEST_VALUE = 60
-"""Largest number of characters of a value of the case; longer values are shortened."""
+"""Largest number of characters of a value of the case. Longer values are shortened."""
 Cells = tuple[str, str, str, str, str]
-"""Texts of a row: table or other kind, place, expected value, actual value, deviation."""
+"""Texts of a row: table (or `CHANGES`), place, expected value, actual value, deviation."""
 CHANGES = ""
-"""Kind of the rows about changes of a case, different from any name of a table or column."""
+"""Value instead of the name of a table in rows about changes of a case."""
 
 
 def text(verdict: CaseVerdict, *, all_numbers: bool = False) -> list[str]:
-    """Return the lines of a verdict: the headline, then the largest differences of each kind.
+    """Return the lines of a verdict: the headline, then the largest differences of each table.
 
     >>> from vstatics.core.comparison.numbers import Difference
     >>> ratio = Difference("ratio", "", "R", -3.343, -3.297)
@@ -64,10 +64,10 @@ def markdown(verdict: CaseVerdict, *, all_numbers: bool = False) -> list[str]:
 
 
 def _rows(verdict: CaseVerdict, *, all_numbers: bool) -> tuple[list[Cells], list[str]]:
-    """Return the rows to show, and the lines below: number of omitted rows, or further errors.
+    """Return the rows to show, and further lines: number of omitted rows, or further errors.
 
-    Ratios, steps and efficiencies are shown first; differences of other tables are shown only if
-    all of them agree. For a sweep, differences of all columns are shown.
+    Ratios, steps and efficiencies are shown first. Differences of other tables are shown only if
+    none of these differ. For a sweep, differences of all columns are shown.
     """
     if verdict.problems:
         return [], [*map(str, verdict.problems[1:])]
@@ -84,7 +84,7 @@ def _rows(verdict: CaseVerdict, *, all_numbers: bool) -> tuple[list[Cells], list
     first = [kind for kind in kinds if kind in PLURALS and not verdict.is_sweep] or [
         kind for kind in kinds if kind != CHANGES
     ]
-    # Rows of all kinds alternate, so that the first rows include every kind.
+    # Rows of different tables alternate, so that the first rows include every table.
     turns: Iterable[Any] = zip_longest(*([kind] * len(kinds[kind]) for kind in [CHANGES, *first]))
     order = [kind for turn in turns for kind in turn if kind is not None]
     taken = order[: CASE_LINES - 1 if len(order) == count < CASE_LINES else CASE_LINES - 2]
@@ -109,7 +109,6 @@ def _cells(difference: Difference, *, is_sweep: bool) -> Cells:
 
 
 def _numbers(old: float, new: float) -> tuple[str, str]:
-    """Return two numbers as texts with enough digits to show the difference."""
     if old != old or new != new:  # noqa: PLR0124 - NaN
         first, second = (shown(x) if x != x else rounded(x) for x in (old, new))  # noqa: PLR0124
         return first, second
@@ -135,7 +134,7 @@ def percent(deviation: float) -> str:
 
 
 def shown_values(old: Any, new: Any) -> tuple[str, str]:
-    """Return two values of a case, or `NOT_THERE` without a key, as texts up to `LONGEST_VALUE`."""
+    """Return two values of a case as texts; `NOT_THERE` stands for a missing key."""
     texts = [
         value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
         for value in (tr(NOT_THERE) if value is None else value for value in (old, new))

@@ -1,4 +1,4 @@
-"""Matching of links and parts of two cases that were renamed, by their connections."""
+"""Matching of renamed links and parts of two cases by their connections."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from vstatics.core.tables.written_results import WrittenResult
 
 LINK = "link"
 ROUNDS = 4
-"""Largest distance, in connections, of neighbours that identify a link or part.
+"""Number of connections up to which neighbours are compared to identify a link or part.
 
 Links and parts at a larger distance may differ between the cases.
 """
@@ -24,9 +24,9 @@ class _JoiningPart(NamedTuple):
     name: str
     links: Sequence[int]
     data: object
-    """Data that distinguish the part from other parts on identical links."""
+    """Data that distinguish parts with the same links."""
     rows: Sequence[str]
-    """Names of the rows and columns for the part in tables, including members of a gear set."""
+    """Names of the rows and columns of the part in tables, including members of a gear set."""
 
     @property
     def key(self) -> Key:
@@ -49,16 +49,16 @@ def renaming(actual: WrittenResult, expected: WrittenResult) -> Callable[..., st
 
 
 def row_names_of(actual: Transmission, expected: Transmission) -> tuple[dict[str, str], ...]:
-    """Return the names in the expected case of renamed links and parts of the actual case.
+    """Return the expected names of renamed links and parts of the actual case.
 
-    Links and parts with equal names match. Others match if their connections and data agree, or
-    else if their connections agree. Of the remaining links and parts, those of a kind match in
-    order if both cases have the same number of them.
+    Links and parts with equal names match. Others match if their connections and data agree or,
+    failing that, if their connections agree. The remaining parts of a kind match in order, if both
+    cases have the same number of such parts.
 
     Returns
     -------
     links, parts : dict
-        Expected names by actual names, without equal names of links.
+        Expected names by actual names. Links with equal names are omitted.
 
     Examples
     --------
@@ -141,7 +141,7 @@ def _same(
 
 
 def _pairs(left: Sequence[Sequence[Key]], looks: Sequence[Mapping[Key, int]]) -> dict[Key, str]:
-    """Return pairs of links and parts with equal, unique hashes; else a pair with equal hashes."""
+    """Return pairs of links and parts whose hashes are equal and unique, or else any pair."""
     counts = [Counter(look[key] for key in keys) for keys, look in zip(left, looks, strict=True)]
     alike = [(new, old) for new in left[0] for old in left[1] if looks[0][new] == looks[1][old]]
     sure = [pair for pair in alike if all(count[looks[0][pair[0]]] == 1 for count in counts)]
@@ -160,9 +160,9 @@ def _in_turn(left: Sequence[Sequence[Key]]) -> dict[Key, str]:
 def _looks(
     case: Transmission, parts: Mapping[Key, _JoiningPart], known: Mapping[Key, str], *, exact: bool
 ) -> dict[Key, int]:
-    """Return a hash of the surroundings of each link and part, based on the names already matched.
+    """Return a hash for the surroundings of each link and part, with known names.
 
-    The hash of a link depends on its parts and the hash of a part on its links, so each round
+    The hash of a link depends on its parts, and the hash of a part on its links. So each round
     extends the surroundings by one connection.
     """
     links = {number: (LINK, name) for number, name in enumerate(_links(case), 1)}

@@ -15,14 +15,14 @@ from vstatics.core.tables.written_results import Figure, Figures, WrittenResult
 
 
 class Difference(NamedTuple):
-    """Difference of a number, or of the shape of a table, from the expected result."""
+    """Number that differs from the expected number, or table whose shape differs."""
 
     table: str
     row: str
     gear: str
-    """Name of the gear; in the distribution matrix, of the device."""
+    """Name of the gear, or of the device in the distribution matrix."""
     actual: float | str
-    """Actual number (NaN if missing), or a text if a whole gear, table or row differs."""
+    """Actual number (NaN if missing), or text if a whole gear, table or row differs."""
     expected: float | str
 
     @property
@@ -35,7 +35,7 @@ class Difference(NamedTuple):
 
     @property
     def shown_deviation(self) -> float:
-        """Deviation to be printed [-]; NaN also if the expected number is only a rounding error."""
+        """Deviation for output [-]; NaN also if the expected number is only a rounding error."""
         if not isinstance(self.expected, str) and abs(self.expected) <= ATOL:
             return math.nan
         return self.deviation
@@ -56,8 +56,8 @@ def differences(
 
     Numbers agree if ``|actual - expected| <= atol + rtol*|expected|``. A number from a listing can
     also differ by half a unit of its last digit. A missing number agrees only with a missing
-    number. Tables that the published listing does not contain are compared if both results have
-    them. Gears are matched by name if the results have a common gear name, otherwise by number.
+    number. Tables that are not in the published listing are compared if both results contain them.
+    Gears are matched by name if the results have a common gear name, otherwise by number.
 
     Parameters
     ----------
@@ -65,7 +65,7 @@ def differences(
     atol, rtol : float
         Absolute and relative tolerance.
     leave_out : container of str
-        Names of excluded tables, `Quantity.name`.
+        Names of tables that are not compared, as in `Quantity.name`.
     """
     if actual.errors or expected.errors:
         if actual.errors != expected.errors:
@@ -98,7 +98,7 @@ def differences(
 def same_gears(
     actual: WrittenResult, expected: WrittenResult
 ) -> Generator[Difference, None, tuple[WrittenResult, WrittenResult, Sequence[str]]]:
-    """Yield a difference for each unmatched gear; return both results with common gears only.
+    """Yield a difference for each gear of only one result; return results with common gears.
 
     Returns
     -------
@@ -118,7 +118,7 @@ def same_gears(
 
 
 def _with_gears(result: WrittenResult, places: Sequence[int]) -> WrittenResult:
-    """Return a result with the given gears only; tables without gears are unchanged."""
+    """Return a result with only some gears, by index. Tables without gears do not change."""
     count, tables = len(result.gear_names), dict[str, Figures]()
     for key, rows in result.tables.items():
         is_by_gear = BY_NAME[key].columns != "devices" and all(len(row) == count for row in rows)
@@ -131,7 +131,7 @@ def _rows(
 ) -> list[Sequence[str]]:
     """Return the row names of a table in both results; empty if a name is repeated.
 
-    Names in a result have priority over names from its case, because the rows of a drawn case are
+    Names in a result take precedence over names from its case, because the rows of a drawn case are
     not mechanisms.
     """
     both = actual, expected
@@ -144,7 +144,7 @@ def _rows(
 
 
 def _named(result: WrittenResult, quantity: Quantity) -> Sequence[str]:
-    """Return the row names of a table according to the case; empty if the row count differs."""
+    """Return the row names of a table from the case; empty if the number of rows differs."""
     case = None if result.is_of_source else result.case
     names = row_names(case, quantity.rows) if case else ()
     return names if len(names) == len(result.tables[quantity.name]) else ()
@@ -153,7 +153,7 @@ def _named(result: WrittenResult, quantity: Quantity) -> Sequence[str]:
 def _by_name(
     table: str, names: Sequence[Sequence[str]], figures: Sequence[Figures]
 ) -> Generator[Difference, None, tuple[Sequence[str], Figures, Figures]]:
-    """Yield a difference for each unmatched row; return names and values of the matched rows."""
+    """Yield a difference for each row of only one result; return common names and values."""
     here, there = (dict(zip(*pair, strict=True)) for pair in zip(names, figures, strict=True))
     yield from (Difference(table, new, "", THERE, NOT_THERE) for new in here if new not in there)
     yield from (Difference(table, old, "", NOT_THERE, THERE) for old in there if old not in here)
@@ -164,7 +164,7 @@ def _by_name(
 def _same_devices(
     table: str, names: Sequence[Sequence[str]], figures: Sequence[Figures]
 ) -> Generator[Difference, None, tuple[Sequence[str], Figures, Figures]]:
-    """Yield a difference for each unmatched column; return names and values of matched columns."""
+    """Yield a difference for each column of only one result; return common columns."""
     is_whole = all(
         rows and {len(row) for row in rows} == {len({*devices})}
         for devices, rows in zip(names, figures, strict=True)
@@ -180,10 +180,10 @@ def _same_devices(
 def _lacking(
     quantity: Quantity, actual: WrittenResult, expected: WrittenResult
 ) -> Iterator[Difference]:
-    """Yield a difference for a table that either result lacks.
+    """Yield a difference for a table that only one of the results has.
 
-    An empty table is ignored, because it is not printed. A published listing contains only the
-    tables of the published report, so other tables do not count as missing.
+    An empty table is ignored, because it is not printed. A published listing lacks only tables of
+    the published report.
     """
     is_new = quantity.name in actual.tables
     owner, other = (actual, expected) if is_new else (expected, actual)
@@ -194,7 +194,7 @@ def _lacking(
 
 
 class _PlaceNames:
-    """Names of the rows and columns of a table; numbers if the names are unknown."""
+    """Names of the rows and columns of a table, or numbers if names are unknown."""
 
     def __init__(self, quantity: Quantity, case: Transmission | None, gears: Sequence[str]) -> None:
         self.table = quantity.name
@@ -234,7 +234,7 @@ def is_same(actual: Figure, expected: Figure, atol: float, rtol: float) -> bool:
     """Return whether two numbers agree within the tolerances; see `differences`."""
     if math.isnan(actual.value) or math.isnan(expected.value):
         return math.isnan(actual.value) and math.isnan(expected.value)
-    slack = max(actual.slack, expected.slack) * (1 + ROUNDED_PART)  # allow for rounding
+    slack = max(actual.slack, expected.slack) * (1 + ROUNDED_PART)  # includes rounding
     return abs(actual.value - expected.value) <= slack + atol + rtol * abs(expected.value)
 
 

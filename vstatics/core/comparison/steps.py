@@ -1,4 +1,4 @@
-"""Comparison of step ratios, defined as in the design table."""
+"""Comparison of step ratios, which are defined as in the design table."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from vstatics.core.summary.design_table import ranges_of
 from vstatics.core.tables.written_results import Figure, WrittenResult
 
 Steps = dict[tuple[str, str], Figure]
-"""Step ratios, by name of the lower gear and of the next gear."""
+"""Step ratios by the names of the lower gear and the next gear."""
 
 
 def steps_of(result: WrittenResult, gears: Sequence[str], case: Transmission | None) -> Steps:
@@ -24,8 +24,8 @@ def steps_of(result: WrittenResult, gears: Sequence[str], case: Transmission | N
     gears : sequence of str
         Names of all gears of the result.
     case : Transmission or None
-        Case, which determines between which gears steps are defined. Without a case, steps are
-        defined between all neighbouring gears of one direction.
+        Case, which determines which gears have a step between them. Without a case, all
+        neighbouring gears of the same direction have a step.
 
     Examples
     --------
@@ -61,10 +61,9 @@ def _step(lower: Figure, upper: Figure) -> Figure:
 def step_differences(
     actual: Steps, expected: Steps, ratios: Collection[str], atol: float, rtol: float
 ) -> Iterator[Difference]:
-    """Yield the differing steps between gears with differing ratios; `row` is the next gear.
+    """Yield differences of steps between gears whose ratios differ; `row` is the next gear.
 
-    Steps between gears with equal ratios are not compared, so that results with equal tables never
-    differ.
+    Other steps are not compared, so that results with equal tables never differ.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Comparison of sweeps; variants are matched by number, columns by name."""
+"""Comparison of sweeps. Variants are matched by number, columns by name."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ def sweep_places(
 ) -> Iterator[Difference]:
     """Yield all differences between two sweeps; `table` is the column, `row` the variant.
 
-    The difference for an unmatched variant has the table `variant`; the difference for an unmatched
-    column has an empty row.
+    If only one sweep has a variant, the table of the difference is `variant`. If only one sweep has
+    a column, the row of the difference is empty.
     """
     here, there = (
         {row: place for place, row in enumerate(_rows(sweep))} for sweep in (actual, expected)
@@ -52,7 +52,7 @@ def sweep_places(
 def sweep_counts(
     actual: WrittenSweep, expected: WrittenSweep, leave_out: Container[str] = ()
 ) -> dict[str, int]:
-    """Return the counts of common variants (or common rows of gears) and of common columns."""
+    """Return the numbers of common variants (or common rows of gears) and of common columns."""
     rows = {*_rows(actual)} & {*_rows(expected)}
     columns = actual.columns.keys() & expected.columns.keys()
     row = "row" if actual.gears or expected.gears else "variant"

@@ -1,4 +1,4 @@
-"""Settings of a comparison: tolerances and excluded tables."""
+"""Settings of a comparison: tolerances, and tables that are not compared."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from vstatics.core.tables.names import quantity_named
 
 
 class Tolerances(NamedTuple):
-    """Tolerances of a comparison, and names of the excluded tables."""
+    """Tolerances of a comparison, and names of tables that are not compared."""
 
     atol: float = ATOL
     rtol: float = RTOL
@@ -33,7 +33,7 @@ def tolerance(number: float) -> float:
 
 
 def left_out(names: str | Iterable[str]) -> frozenset[str]:
-    """Return the names of excluded tables from names or deck names.
+    """Convert names or deck names of tables to names.
 
     Raises
     ------

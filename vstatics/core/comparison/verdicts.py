@@ -19,20 +19,22 @@ from vstatics.core.texts import tr
 
 State = Literal["same", "changed", "added", "gone", "unreadable"]
 MAIN = ("ratio", "step", "efficiency")
-"""Names of the tables whose differences are listed first."""
+"""Names of tables whose differences come first."""
 PLURALS = {"ratio": "ratios", "step": "steps", "efficiency": "efficiencies"}
 
 
 class NumberRecord(NamedTuple):
-    """Number that differs, as written in JSON."""
+    """Number that differs, as a record for JSON."""
 
     table: str
     row: str | None
     """Name of the row of a table, or number of the variant in a sweep."""
     gear: str | None
-    """Name of the gear (of a step ratio, the lower gear), or of a device (distribution matrix)."""
+    """Name of the gear (for a step ratio, the lower gear), or of a device in the distribution
+    matrix.
+    """
     expected: float | str | None
-    """Expected number, if present, or a text if a whole table or row differs."""
+    """Expected number (None if missing), or text if a whole table or row differs."""
     actual: float | str | None
     deviation: float | None
     """Deviation relative to the magnitude of the expected number. [-]"""
@@ -40,29 +42,29 @@ class NumberRecord(NamedTuple):
 
 @json_keys("name", "state", "case", "numbers", "errors")
 class CaseVerdict(NamedTuple):
-    """Verdict on a result compared with the expected result."""
+    """Verdict on a result, compared with the expected result."""
 
     name: str
     state: State
     changes: Sequence[CaseChange] | None = ()
-    """Changes of the case, if each result contains a case."""
+    """Changes of the case; None if a result does not contain its case."""
     differences: Sequence[Difference] = ()
-    """Numbers that differ, with the largest differences of each table first."""
+    """Numbers that differ, largest differences of each table first."""
     counts: Mapping[str, int] = {}
-    """Counts of compared ratios, step ratios and efficiencies, or of variants and columns."""
+    """Numbers of compared ratios, step ratios and efficiencies, or of variants and columns."""
     differs: bool = False
-    """True if the results differ; changes of the case alone do not count."""
+    """True if numbers differ. Changes of the case alone do not count."""
     problems: Sequence[Problem] = ()
     """Errors of results that cannot be read."""
 
     @property
     def errors(self) -> Sometimes[Sequence[str]]:
-        """Problems as text, if there are any."""
+        """Problems as text; None without problems."""
         return [*map(str, self.problems)] or None
 
     @property
     def case(self) -> Sequence[CaseChange]:
-        """Changes of the case."""
+        """Changes of the case; empty if unknown."""
         return self.changes or ()
 
     @property
@@ -124,7 +126,7 @@ class CaseVerdict(NamedTuple):
 
 @json_keys("same", "changed", "added", "gone", "cases", unreadable="some_unreadable")
 class Verdict(NamedTuple):
-    """Verdict on many results, as written in JSON."""
+    """Verdict on many results, as a record for JSON."""
 
     same: int
     changed: int
@@ -133,34 +135,34 @@ class Verdict(NamedTuple):
     cases: Sequence[CaseVerdict]
 
     def __repr__(self) -> str:
-        """Return the number of results in each state, such as `same` or `changed`."""
+        """Return the number of results with each outcome, such as `same` or `changed`."""
         return f"<Verdict: {self.tally}>"
 
     @property
     def differs(self) -> bool:
-        """True if any result differs; changes of cases that do not affect results do not count."""
+        """True if any result differs. Changes of cases alone do not count."""
         return any(case.differs for case in self.cases)
 
     @property
     def unreadable(self) -> int:
-        """Number of results that cannot be read and compared."""
+        """Number of results that cannot be read and so cannot be compared."""
         return sum(case.state == "unreadable" for case in self.cases)
 
     @property
     def some_unreadable(self) -> Sometimes[int]:
-        """Number of unreadable results, if any."""
+        """Number of unreadable results; None without such results."""
         return self.unreadable or None
 
     @property
     def tally(self) -> str:
-        """Number of results in each state, as text."""
+        """Number of results with each outcome, as text."""
         counts = [*zip(self._fields[:4], self[:4], strict=True)]
         counts += [("unreadable", self.unreadable)] * bool(self.unreadable)
         return ", ".join(f"{count} {state}" for state, count in counts)
 
 
 def verdict(cases: Sequence[CaseVerdict]) -> Verdict:
-    """Return the verdict on many results, with the number of results in each state.
+    """Return the verdict on many results, with the number of results with each outcome.
 
     >>> verdict([CaseVerdict("a", "same"), CaseVerdict("b", "gone", differs=True)])
     <Verdict: 1 same, 0 changed, 0 added, 1 gone>
@@ -183,7 +185,7 @@ def unreadable(name: str, problems: Sequence[Problem]) -> CaseVerdict:
 def compared(
     name: str, actual: WrittenResult | None, expected: WrittenResult | None, how: Tolerances
 ) -> CaseVerdict:
-    """Return the verdict on a result and the expected result, either of which can be missing."""
+    """Return the verdict on a result and its expected result. Either can be missing."""
     if actual is None or expected is None:
         return CaseVerdict(name, "gone" if actual is None else "added", differs=True)
     if actual.is_of_source != expected.is_of_source and (actual.has_own or expected.has_own):
@@ -214,7 +216,7 @@ def _steps(
     unequal: Sequence[Difference],
     how: Tolerances,
 ) -> tuple[Sequence[Difference], dict[str, int]]:
-    """Return the step ratios that differ, and counts of compared ratios, steps and efficiencies."""
+    """Return step ratios that differ, and numbers of compared ratios, steps and efficiencies."""
     gears = [_gears(result) for result in (actual, expected)]
     if not {*gears[0]} & {*gears[1]} and len(gears[0]) == len(gears[1]):
         gears[0] = gears[1]

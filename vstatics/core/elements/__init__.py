@@ -7,13 +7,14 @@
 >>> [(mechanism.name, mechanism.ratio) for mechanism in case.mechanisms]
 [('P', -2.5)]
 
-This package supports cases that are drawn as gear sets instead of given as three-link mechanisms.
-`kinds` declares the kinds of gear sets, `element` defines the gear sets of a case, `keys` their
-keys in YAML and JSON. `group` calculates exact ratios of planets on a carrier, `lower` converts
-gear sets to three-link mechanisms, and `drawing` creates a transmission from them. `checks` and
-`teeth` report impossible and doubtful gear sets. For vibration and motion, `planet_inertia`
-calculates the motion of planet masses, and `planet_bodies` the inertias of links that replace them.
-`part_numbers` lists the numbers of gear sets and other parts by their paths.
+This package supports cases that are drawn as gear sets instead of three-link mechanisms. `kinds`
+declares the kinds of gear sets, `element` defines the gear sets of a case, `keys` their keys in
+YAML and JSON. `group` calculates exact ratios of planets on a carrier, `lower` converts gear sets
+to three-link mechanisms, and `drawing` creates a transmission from the mechanisms. `checks` reports
+gear sets that cannot be calculated, `teeth` doubtful tooth numbers. For vibration, `planet_inertia`
+calculates the speeds of planet masses, and `planet_bodies` the inertias on links that replace these
+masses. `part_numbers` lists the numbers of gear sets and other parts by path, such as
+`P1.teeth.sun`.
 """
 
 from vstatics.core.elements.drawing import Drawing, transmission

@@ -1,4 +1,4 @@
-"""Checks of gear sets before the conversion to mechanisms; problems have paths.
+"""Checks of gear sets before their conversion to mechanisms.
 
 The reader has already checked keys and types of values. This module checks whether mechanisms can
 be calculated, including stiffnesses and planet masses. Doubtful geometry of teeth, which does not
@@ -232,7 +232,7 @@ def _missing(element: Element, kind: Kind, path: Path) -> Iterator[Problem]:
 
 
 def _apart(element: Element, kind: Kind, path: Path) -> Iterator[Problem]:
-    """Report members on a common link, which would be locked up or immobile."""
+    """Report different members on the same link, which would lock up or stop the gear set."""
     if element.kind == GROUP:
         return  # two gears on the same link can mesh with planets of different trains
     seen: dict[int, str] = {}
@@ -318,7 +318,7 @@ def of_torsion(element: Element, path: Path) -> Iterator[Problem]:
 
 
 def whole(element: Element, drawing: DrawingFields, path: Path) -> Iterator[Problem]:
-    """Report errors in vibration data that depend on the mechanisms and planet speeds.
+    """Report vibration data that do not suit the mechanisms or planet speeds of a gear set.
 
     Parameters
     ----------

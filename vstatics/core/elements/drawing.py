@@ -1,4 +1,4 @@
-"""Drawing of a case as gear sets, and its devices: members, planets and meshes with results."""
+"""Drawing of a case as gear sets; devices whose members, planets and meshes have results."""
 
 from __future__ import annotations
 
@@ -39,11 +39,11 @@ class Drawing(DrawingFields):
 
     @cached_property
     def devices(self) -> Sequence[OwnDevice]:
-        """Devices for which results are given: gear sets and mechanisms, in the solver's order."""
+        """Gear sets and mechanisms for which results are listed, in the order of `parts`."""
         return tuple(_devices(self.parts))
 
     def ratio_range(self, index: int) -> tuple[float, float]:
-        """Return the bounds of the ratio of a mechanism, given by the kind of gear set.
+        """Return the bounds of a mechanism's ratio [-], which depend on the kind of gear set.
 
         >>> from vstatics.core.elements.element import Element
         >>> members, teeth = {"sun": 1, "ring": 2, "carrier": 3}, {"sun": 30, "ring": 75}
@@ -61,7 +61,7 @@ class Drawing(DrawingFields):
         return problems(self)
 
     def lowered(self, link_names: Sequence[str]) -> dict[str, Any]:
-        """Return the fields of `Transmission` given by the drawing: links, link names, mechanisms.
+        """Return the fields of `Transmission` that follow from the drawing, such as its mechanisms.
 
         Parameters
         ----------
@@ -108,7 +108,7 @@ def transmission(
     Raises
     ------
     CaseError
-        With all errors of the gear sets and of the other arguments.
+        The error contains all errors of the gear sets and of the other arguments.
 
     Examples
     --------
@@ -128,12 +128,12 @@ def transmission(
 
 
 def drawing_of(case: Transmission) -> Drawing | None:
-    """Return the drawing of a case, if the case has gear sets."""
+    """Return the drawing of a case; None for a case without gear sets."""
     return case.drawing if isinstance(case.drawing, Drawing) else None
 
 
 def parts_of(case: Transmission) -> Sequence[DrawnPart]:
-    """Return the gear sets and mechanisms of any case, drawn or not."""
+    """Return the gear sets and mechanisms of a case with or without gear sets."""
     return (drawing_of(case) or Drawing(case.links, (), case.mechanisms)).parts
 
 
@@ -157,7 +157,7 @@ def _devices(drawn: Sequence[DrawnPart]) -> Iterator[OwnDevice]:
 
 
 def _meshes(part: DrawnPart) -> tuple[bool, ...]:
-    """Return whether the teeth of the first gear are known, for each mesh of a part."""
+    """Return for each mesh of a gear set whether the teeth of its first gear are known."""
     if part.element is None or not part.planet_links:
         return ()
     group = group_of(part.element)

@@ -10,7 +10,7 @@ from vstatics.core.elements.kinds import KINDS, Kind, Planetary
 from vstatics.core.model.parts import HOUSING, NO_DAMPING, Damping, Mechanism, damping
 
 Losses = Literal["meshes", "reduced"]
-"""Place of the losses: at each mesh, or in the smallest number of equivalent mechanisms."""
+"""Losses at each mesh, or in the smallest number of equivalent mechanisms."""
 
 
 class CentralWheel(NamedTuple):
@@ -68,7 +68,7 @@ class PlanetMass(NamedTuple):
 class MeshEfficiency(NamedTuple):
     """Efficiency of a single mesh with both axes held [-].
 
-    The default values are from a published comparison of loss models; the page Elements of the
+    The default values are from a published comparison of loss models. The page Elements of the
     documentation lists all sources.
 
     Examples
@@ -97,7 +97,7 @@ class Element:
     teeth : mapping of str to number
         Number of teeth of each gear or planet rim; diameters for a belt drive, in any unit.
     planets : int, optional
-        Number of planets around the axis, or of sets of planets in mesh; used in checks of teeth.
+        Number of equal planets, or of equal groups of meshing planets.
     efficiency : float, optional
         Efficiency of the whole gear set with the carrier held. Default: calculated from the meshes.
         [-]
@@ -118,7 +118,7 @@ class Element:
     damping : Damping or float
         Damping parallel to the stiffness; a number is viscous. [N*m*s/rad]
     planet_masses : mapping of planet to PlanetMass
-        Mass and inertia of each planet (the set has `planets` of them), for vibration.
+        Mass and inertia of a single planet, for vibration. The gear set has `planets` such planets.
     ratios : mapping of sun to number
         Speed ratios of a Ravigneaux set with unknown teeth: sun to ring with the carrier held. [-]
 
@@ -146,7 +146,6 @@ class Element:
     ratios: Mapping[str, float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        """Convert a number to a damping."""
         object.__setattr__(self, "damping", damping(self.damping))
 
     @property
@@ -156,13 +155,13 @@ class Element:
 
     @property
     def planet_names(self) -> tuple[str, ...]:
-        """Names of the planets (the keys of `rims` for a `planet_group`); empty without planets."""
+        """Names of the planets, which for a `planet_group` are the keys of `rims`."""
         if isinstance(self.shape, Planetary):
             return tuple(self.rims or self.shape.planets)
         return ("planet",) if "planet" in self.shape.toothed else ()
 
     def link(self, member: str) -> int:
-        """Return the link number of a member; 0, the housing, if the member is absent."""
+        """Return the link number of a member; 0 (the housing) if the member is absent."""
         return self.members.get(member, HOUSING)
 
 
@@ -173,13 +172,13 @@ class DrawingFields:
     Parameters
     ----------
     links : int
-        Number of links of the case, without links of planets, which follow.
+        Number of links of the case. Links of planets, not included, have larger numbers.
     elements : sequence of Element
         Gear sets.
     mechanisms : sequence of Mechanism
-        Mechanisms that the case gives directly.
+        Mechanisms in addition to the gear sets.
     losses : {"meshes", "reduced"}, optional
-        Place of the losses. Default: ``meshes`` for gear sets in which more than two central gears
+        Where losses occur. Default: ``meshes`` for gear sets in which more than two central gears
         share planets, else ``reduced``.
     mesh_efficiency : mapping of mesh to float
         Fields of `MeshEfficiency` that replace the defaults. [-]

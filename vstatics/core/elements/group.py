@@ -28,8 +28,8 @@ class PlanetGroup:
     wheels : sequence of CentralWheel
         Sun gears and ring gears.
     planets : mapping of planet to its rims with their teeth
-        Rims (gears) of each planet, with teeth; None if not given, which is possible if no ratio of
-        central gears depends on them.
+        Rims (gears) of each planet, with teeth. Teeth can be None if no ratio of central gears
+        depends on them.
     meshes : sequence of pairs of rims
         Rims of planets that mesh with each other.
     """
@@ -45,19 +45,22 @@ class PlanetGroup:
         return {rim: planet for planet, rims in self.planets.items() for rim in rims}
 
     def teeth(self, rim: str) -> Fraction:
-        """Return the teeth of a rim; 1 if not given, which affects no ratio of central gears."""
+        """Return the teeth of a rim.
+
+        Unknown teeth count as 1, which affects no ratio of central gears.
+        """
         return self.planets[self.planet_of[rim]][rim] or Fraction(1)
 
     def is_known(self, planet: str) -> bool:
-        """Return whether the teeth of all rims of a planet are given."""
+        """Return whether the teeth of all rims of a planet are known."""
         return all(self.planets[planet].values())
 
     @cached_property
     def trains(self) -> list[dict[str, Fraction]]:
-        """Trains of planets that mesh directly or through other planets, with relative speeds.
+        """Trains of planets, which mesh directly or through other planets, with their speeds [-].
 
-        Each train is a mapping of planets to their speeds relative to the carrier, if the first
-        planet has speed 1.
+        Each train maps planets to their speeds relative to the carrier. The first planet has speed
+        1.
 
         Raises
         ------
@@ -91,13 +94,13 @@ class PlanetGroup:
         return trains
 
     def wheels_of(self, train: Mapping[str, Fraction]) -> list[CentralWheel]:
-        """Return the central gears in mesh with the planets of a train."""
+        """Return the central gears that mesh with planets of a train."""
         return [wheel for wheel in self.wheels if self.planet_of[wheel.rim] in train]
 
     def relative(self, wheel: CentralWheel, train: Mapping[str, Fraction]) -> Fraction:
-        """Return the speed of a central gear relative to the carrier.
+        """Return the speed of a central gear relative to the carrier [-].
 
-        The speed is relative to the speed of the first planet in the train, which is 1.
+        The first planet in the train has speed 1.
 
         >>> sun = CentralWheel("sun", 1, 30, False, "planet")
         >>> group = PlanetGroup(3, [sun], {"planet": {"planet": Fraction(15)}})
@@ -107,7 +110,7 @@ class PlanetGroup:
         return train[self.planet_of[wheel.rim]] * self.mesh_ratio(wheel)
 
     def mesh_ratio(self, wheel: CentralWheel) -> Fraction:
-        """Return the speed of a central gear divided by the planet speed, carrier held."""
+        """Return the speed of a central gear divided by the planet speed, with the carrier held."""
         ratio = self.teeth(wheel.rim) / wheel.teeth
         return ratio if wheel.internal else -ratio
 
@@ -123,7 +126,7 @@ class PlanetGroup:
         return self.relative(first, train) / self.relative(second, train)
 
     def path(self, first: str, second: str) -> list[tuple[str, str]]:
-        """Return the meshes, as pairs of rims, on the shortest path between two planets."""
+        """Return the meshes between two planets on the shortest path, as pairs of rims."""
         ways: dict[str, list[tuple[str, str]]] = {first: []}
         waiting = [first]
         while waiting and second not in ways:
@@ -182,7 +185,7 @@ def _proportions(ratios: Mapping[str, float]) -> dict[str, int]:
 
 
 def _rim_teeth(element: Element, wheels: Sequence[CentralWheel], rim: str) -> Fraction | None:
-    """Return the teeth of a rim: given, or half the difference of a ring and a sun."""
+    """Return the teeth of a rim, calculated from a ring and a sun if omitted."""
     if rim in element.teeth:
         return Fraction(int(element.teeth[rim]))
     around = {wheel.internal: wheel.teeth for wheel in wheels if wheel.rim == rim}

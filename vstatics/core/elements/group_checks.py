@@ -1,4 +1,4 @@
-"""Checks of planet groups before their conversion to mechanisms; problems state paths."""
+"""Checks of planet groups before their conversion to mechanisms."""
 
 from __future__ import annotations
 
@@ -74,13 +74,13 @@ def _count(teeth: int, path: Path) -> Iterator[Problem]:
 
 
 def wheel_path(element: Element, wheel: CentralWheel) -> Path:
-    """Return the path of a sun or ring within the gear set, in the list of suns or rings."""
+    """Return the path of a central gear in a gear set, such as the second item of `suns`."""
     alike = [other for other in element.wheels if other.internal == wheel.internal]
     return ("rings" if wheel.internal else "suns", alike.index(wheel) + 1)
 
 
 def whole(element: Element, path: Path) -> Iterator[Problem]:
-    """Report errors that concern a whole group: speeds, meshes and efficiency."""
+    """Report errors that concern the planet group as a whole: speeds, meshes and efficiency."""
     group = group_of(element)
     if len(group.planets) > MOST_PLANET_KINDS:
         message = f"read {len(group.planets)} planets, expected at most {MOST_PLANET_KINDS}"
@@ -108,7 +108,7 @@ def whole(element: Element, path: Path) -> Iterator[Problem]:
             names = " and ".join(train)
             message = f"{count} central gear meshes with planet {names}, expected two or more"
             yield Problem("E328", f"{message}; is a mesh between planets missing?", path)
-    is_single = bool(element.ratios)  # the efficiency applies to each of several given ratios
+    is_single = bool(element.ratios)  # all `ratios` of suns have the same efficiency
     if element.efficiency is not None and not is_single and (max(counts) > 2 or len(counts) > 1):
         message = "read one efficiency for several power paths; give `mesh_efficiency` instead"
         yield Problem("E329", message, (*path, "efficiency"))
@@ -117,7 +117,7 @@ def whole(element: Element, path: Path) -> Iterator[Problem]:
 
 
 def _group_wheels(element: Element, group: PlanetGroup, path: Path) -> Iterator[Problem]:
-    """Report central gears that are on the carrier's link, have no room or block the planets."""
+    """Report central gears on the carrier's link, without space, or that block the planets."""
     for wheel in group.wheels:
         place = (*path, *wheel_path(element, wheel))
         if wheel.link == group.carrier != HOUSING:

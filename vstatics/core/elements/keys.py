@@ -1,7 +1,7 @@
 """Keys of gear sets in YAML and JSON, derived from the declaration of their kinds.
 
-Some keys differ from the attributes of `Element`; `record_of` and `element_of` convert between a
-mapping with the keys (record) and an `Element`.
+Some keys differ from the attributes of `Element`. `record_of` and `element_of` convert between an
+`Element` and a record, which is a mapping with the keys.
 """
 
 from __future__ import annotations
@@ -152,7 +152,7 @@ def _record(name: str, kind: Kind) -> ByKey:
 
 
 def _planet(names: Sequence[str] = ()) -> KeyShape:
-    """Return the declaration of the key for planet masses, by planet if there are several."""
+    """Return the declaration of the key for planet masses, one for each of several planets."""
     shape: Shape = ByName("planet", _PLANET_MASS)
     if len(names) == 1:
         shape = _PLANET_MASS
@@ -257,7 +257,7 @@ def with_elements(case: ByKey, *, required: bool = False) -> ByKey:
 
 
 def record_of(element: Element) -> dict[str, Any]:
-    """Return a gear set as a record, a mapping with the keys of a case file; links are numbers."""
+    """Return a gear set as a record, with link numbers instead of names."""
     record: dict[str, Any] = {
         "kind": element.kind,
         **element.members,
@@ -281,7 +281,6 @@ def record_of(element: Element) -> dict[str, Any]:
 
 
 def _masses(element: Element) -> Mapping[str, PlanetMass] | PlanetMass | None:
-    """Return planet masses as in a case file, where a single planet needs no name."""
     masses = element.planet_masses
     if element.kind == GROUP or len(element.planet_names) > 1:
         return dict(masses)
@@ -289,7 +288,7 @@ def _masses(element: Element) -> Mapping[str, PlanetMass] | PlanetMass | None:
 
 
 def element_of(name: str, record: Mapping[str, Any], link_names: Sequence[str]) -> Element:
-    """Return the gear set of a record; gears of a planet group are named after the links."""
+    """Return the gear set of a record. Gears of a planet group get the names of their links."""
     kind = record["kind"]
     efficiency, back = record.get("efficiency"), record.get("back_efficiency")
     if isinstance(efficiency, dict):
@@ -315,7 +314,7 @@ def element_of(name: str, record: Mapping[str, Any], link_names: Sequence[str]) 
 
 
 def _wheels(record: Mapping[str, Any], link_names: Sequence[str]) -> Iterator[CentralWheel]:
-    """Yield suns, then rings, named after the links, with suffixes to make names unique."""
+    """Yield suns, then rings, named after their links. Suffixes make the names unique."""
     gears = [(wheel, internal) for key, internal in _WHEELS for wheel in record.get(key, ())]
     links = Counter(wheel["link"] for wheel, _ in gears)
     taken = {"carrier", *record.get("rims", ())}

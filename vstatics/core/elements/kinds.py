@@ -1,7 +1,7 @@
 """Kinds of gear sets: their members, their gears, and the meshes between them.
 
-The structure of a planetary or Ravigneaux set is declared only here; readers, the schema of cases,
-the conversion and the checks are derived from it.
+The structure of each kind is declared only here. Readers, the schema of cases, the conversion and
+the checks are derived from this declaration.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 
 class WheelKind(NamedTuple):
-    """Central gear of a kind of gear set: internal or external, and the planet rim in mesh."""
+    """Declaration of a central gear: internal or external, and the planet rim in mesh."""
 
     internal: bool
     rim: str
@@ -71,9 +71,9 @@ class Simple(NamedTuple):
     sign : int
         Sign of ``w_first/w_second`` with the third link held.
     meshes : sequence of str
-        Meshes that the power passes, as fields of `MeshEfficiency`.
+        Meshes through which the power flows, as fields of `MeshEfficiency`.
     size : str
-        Measure of size, ``teeth`` or ``diameters``; empty without a ratio.
+        Sizes that determine the ratio: ``teeth`` or ``diameters``; empty without a ratio.
     """
 
     description: str
@@ -174,6 +174,6 @@ KINDS: Mapping[str, Kind] = {
     ),
     "held": Simple("A link that is held for good.", ("link",)),
 }
-"""All kinds of gear sets, by name in a case."""
+"""All kinds of gear sets, by the name that a case uses."""
 
 GROUP, RAVIGNEAUX = "planet_group", "ravigneaux"

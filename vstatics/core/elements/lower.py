@@ -1,10 +1,10 @@
 """Conversion of gear sets to the three-link mechanisms of the solver.
 
-A group of planets is converted in one of two ways. *Reduced*: a mechanism between each central gear
-and a reference gear, the smallest number that determines the speeds. *At the meshes*: planets
-become links, and each mesh is a mechanism (central gear, planet, carrier). Without losses both are
-equivalent. With losses, if more than two central gears share planets, only the mechanisms at the
-meshes are right, because the reduced mechanisms do not show which meshes the power passes.
+A group of planets has two possible conversions. *Reduced*: each central gear and a reference gear
+form a mechanism. This is the smallest number of mechanisms. *At the meshes*: planets become links,
+and each mesh is a mechanism (central gear, planet, carrier). Without losses both are equivalent.
+With losses, if more than two central gears share planets, only the mechanisms at the meshes are
+right, because reduced mechanisms do not show through which meshes the power flows.
 """
 
 from __future__ import annotations
@@ -27,10 +27,10 @@ class Lowered(NamedTuple):
 
     mechanism: Mechanism
     members: tuple[str, str, str]
-    """Names of the members or planets on the links of the mechanism; empty without a link."""
+    """Members or planets on the first, second and third link of the mechanism; empty if absent."""
 
     def ratio_range(self, element: Element) -> tuple[float, float]:
-        """Return the open interval of the ratios that are possible with any teeth.
+        """Return the open interval of ratios that are possible with any tooth numbers [-].
 
         The kind of gear set determines the sign. A ring is larger than a sun that meshes with the
         same planets.
@@ -45,17 +45,17 @@ class Lowered(NamedTuple):
 
 
 class DrawnPart(NamedTuple):
-    """Gear set with derived mechanisms, or a mechanism given directly by the case."""
+    """Gear set with its derived mechanisms, or a mechanism that the case defines itself."""
 
     name: str
     element: Element | None
     lowered: tuple[Lowered, ...]
     planet_links: Mapping[str, int]
-    """Numbers of the links of planets, including planets with unknown teeth."""
+    """Link number of each planet that is a link, including planets with unknown teeth."""
 
     @property
     def members(self) -> dict[str, int]:
-        """Numbers of the links of members of the gear set, without planets."""
+        """Link number of each member of the gear set, without planets."""
         links: dict[str, int] = {}
         for mechanism, members in self.lowered:
             for member, link in zip(members, mechanism.links, strict=True):
@@ -68,7 +68,7 @@ class DrawnPart(NamedTuple):
 
 
 def parts(drawing: DrawingFields) -> list[DrawnPart]:
-    """Return the gear sets and mechanisms of a drawing; links of planets are numbered last."""
+    """Return the gear sets and mechanisms of a drawing. Planets get the largest link numbers."""
     drawn = []
     last = drawing.links
     for element in drawing.elements:
@@ -91,7 +91,7 @@ def at_meshes(element: Element, group: PlanetGroup, drawing: DrawingFields) -> b
 
 
 def part_of(element: Element, drawing: DrawingFields, last: int) -> DrawnPart:
-    """Return a gear set with mechanisms; links of planets are numbered after `last`."""
+    """Return a gear set with its mechanisms. Links of planets get the numbers after `last`."""
     per_mesh = mesh_losses(drawing.mesh_efficiency, element.mesh_efficiency)
     if isinstance(element.shape, Simple):
         return DrawnPart(element.name, element, (_simple(element, element.shape, per_mesh),), {})
@@ -140,7 +140,7 @@ def simple_ratio(element: Element, kind: Simple) -> Fraction:
 
 
 def reduced_pairs(group: PlanetGroup) -> Iterator[tuple[CentralWheel, CentralWheel]]:
-    """Yield each central gear with the reference gear of the train, for a reduced mechanism."""
+    """Yield each central gear with the reference gear of its train, for reduced mechanisms."""
     for train in group.trains:
         wheels = group.wheels_of(train)
         if len(wheels) < 2:
@@ -152,7 +152,6 @@ def reduced_pairs(group: PlanetGroup) -> Iterator[tuple[CentralWheel, CentralWhe
 
 
 def _reduced(element: Element, group: PlanetGroup, per_mesh: MeshLosses) -> Iterator[Lowered]:
-    """Yield the reduced mechanisms, from each central gear of a train to the reference gear."""
     pairs = [*reduced_pairs(group)]
     for wheel, reference in pairs:
         single = len(pairs) == len(group.trains) == 1
@@ -182,10 +181,10 @@ def _reduced(element: Element, group: PlanetGroup, per_mesh: MeshLosses) -> Iter
 
 
 def _to_planet(group: PlanetGroup, wheel: CentralWheel, ratio: Fraction) -> float | None:
-    """Return the speed ratio of a central gear to the planet, if the teeth are known.
+    """Return the speed ratio of a central gear to the planet [-]; None if teeth are unknown.
 
-    The ratio is also None for a single planet between a sun and a ring, because the solver derives
-    it from the ratio of the set, even if a sweep varies that ratio.
+    The ratio is also None for a single planet between a sun and a ring. The solver then derives it
+    from the basic ratio, which a sweep can vary.
     """
     if not group.is_known(group.planet_of[wheel.rim]):
         return None
@@ -241,7 +240,7 @@ def _efficiency_of_planets(
 
 
 def _teeth(group: PlanetGroup, rim: str) -> float | None:
-    """Return the teeth of a rim, given or derived from a sun and a ring, if known."""
+    """Return the teeth of a rim, calculated from a ring and a sun if omitted; None if unknown."""
     if group.is_known(group.planet_of[rim]):
         return float(group.teeth(rim))
     suns, rings = (

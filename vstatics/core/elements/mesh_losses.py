@@ -1,13 +1,13 @@
-"""Efficiency of single meshes: given by the case, or calculated from teeth and friction.
+"""Efficiency of single meshes, from the case or calculated from teeth and friction.
 
 Friction losses follow from Ohlendorf's loss factor H (Niemann, Winter, Maschinenelemente II). If
 the pairs of teeth in contact share the load equally, the efficiency of a mesh is ``eta = 1 - pi mu
 (1/z1 +- 1/z2) H`` with ``H = 1 - e1 - e2 + e1^2 + e2^2``. Here mu is the coefficient of friction,
-z1 and z2 are the numbers of teeth, and e1 and e2 the contact ratios at the tips; the minus applies
+z1 and z2 are the numbers of teeth, and e1 and e2 the contact ratios at the tips. The minus applies
 to an internal mesh. Standard teeth without profile shift are assumed: a pressure angle of 20
 degrees, an addendum of one module, and a tip diameter of z - 2 modules for a ring of z teeth. The
-formula is exact while e1 and e2 are at most 1; the tips of most rings reach a little further, which
-makes the result conservative.
+formula is exact if e1 and e2 are at most 1. For most rings the contact ratio is a little larger,
+which makes the result conservative.
 """
 
 from __future__ import annotations
@@ -21,23 +21,24 @@ from vstatics.core.elements.element import MeshEfficiency
 PRESSURE_ANGLE = math.radians(20)
 """Pressure angle of standard teeth. [rad]"""
 LEAST_RING = 34
-"""Smallest number of teeth of a ring whose tips are outside the base circle."""
+"""Smallest number of teeth of a ring whose tip circle is larger than the base circle."""
 
 
 class MeshLosses(NamedTuple):
     """Losses of the meshes of a gear set."""
 
     numbers: MeshEfficiency
-    """Efficiencies of meshes to which the coefficient of friction does not apply. [-]"""
+    """Efficiencies used for meshes whose efficiency is not calculated from friction. [-]"""
     friction: float | None = None
-    """Coefficient of friction of the teeth [-], if given."""
+    """Coefficient of friction of the teeth [-]; None for efficiencies from `numbers` only."""
     given: frozenset[str] = frozenset()
-    """Meshes for which a given efficiency takes precedence over friction."""
+    """Meshes whose efficiency in `numbers` takes precedence over friction."""
 
     def efficiency(self, mesh: str, teeth: float | None, others: float | None) -> float:
         """Return the efficiency of a mesh: ``external``, ``internal`` or ``bevel`` [-].
 
-        The second gear of an internal mesh is the ring.
+        `teeth` and `others` are the tooth numbers of both gears; in an internal mesh `others` is
+        the ring.
 
         Examples
         --------
@@ -52,7 +53,7 @@ class MeshLosses(NamedTuple):
 
 
 def mesh_losses(case: Mapping[str, float], element: Mapping[str, float]) -> MeshLosses:
-    """Return the mesh losses that result from the numbers of a case and of a gear set.
+    """Return the mesh losses of a gear set from its `mesh_efficiency` and that of the case.
 
     Friction of a gear set takes precedence over efficiencies of the case.
 
@@ -74,7 +75,7 @@ def mesh_efficiency(
     friction: float,
     is_internal: bool,  # noqa: FBT001
 ) -> float:
-    """Return the efficiency of a mesh of standard teeth; the second gear can be a ring [-].
+    """Return the efficiency of a mesh of standard teeth [-]; `others` can be the teeth of a ring.
 
     Examples
     --------
@@ -87,7 +88,7 @@ def mesh_efficiency(
 
 
 def tip_contact(teeth: float, *, is_ring: bool = False) -> float:
-    """Return the part of the contact ratio between the tip of a gear and the pitch point [-].
+    """Return the contact ratio from the pitch point to the tip of a gear [-].
 
     Examples
     --------

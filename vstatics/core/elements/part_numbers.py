@@ -1,6 +1,6 @@
-"""Numbers of the parts of a case by their keys in YAML: `P1.teeth.sun`, `C1.capacity`.
+"""Numbers of the parts of a case by path, such as `P1.teeth.sun` or `C1.capacity`.
 
-A variant with other numbers is a new case, created and checked like any other case.
+A case with other numbers is created and checked anew.
 """
 
 from __future__ import annotations
@@ -27,32 +27,32 @@ from vstatics.core.numerics.arrays import Booleans, Floats
 _ELSEWHERE = (
     *("ratio", "efficiency", "stiffness", "compliance", "damping", "inertia", "speed_ratio"),
 )
-"""Keys of numbers that can vary without creating a new case, and so are left out."""
+"""Keys not listed by this module, because a sweep varies them without creating a new case."""
 _TORQUE = "relative_torque"
 
 
 class PartNumber(NamedTuple):
-    """Number of a gear set, shift element or mechanism, or of all gear sets in common."""
+    """Number of a gear set, shift element or mechanism, or a common number of all gear sets."""
 
     keys: Keys
     """Keys of the number in a case file, such as `("elements", "P1", "teeth", "sun")`."""
     kind: str
-    """Kind of the number, as declared for the key."""
+    """Kind of the number in the declaration of the key, such as ``count``."""
 
     @property
     def measure(self) -> Measure | None:
-        """Measure (and so unit) of the number, if the number has a unit."""
+        """Quantity that determines the unit of the number; None without a unit."""
         if self.kind == _TORQUE:
             return "si_torque"
         return self.kind if self.kind in get_args(Measure) else None  # type: ignore[return-value] # as it says
 
     @property
     def expected(self) -> str:
-        """Phrase that describes the permitted values, for messages."""
+        """Permitted values in words, for messages."""
         return "a whole number" if self.kind == "count" else "a finite number"
 
     def impossible(self, values: Floats) -> Booleans:
-        """Return marks of values that are never valid for the number."""
+        """Return flags that mark values that are never valid for the number."""
         wrong = ~np.isfinite(values)
         return wrong | (values != np.rint(values)) if self.kind == "count" else wrong
 
@@ -77,7 +77,7 @@ def part_numbers(case: Transmission) -> dict[str, PartNumber]:
 
 
 def _numbers(case: Transmission) -> Iterator[tuple[Keys, Leaf]]:
-    """Yield the key and the declaration of every number of the parts."""
+    """Yield keys and declarations of the numbers of all parts."""
     for key, parts in _tree(case).items():
         if key == "mesh_efficiency":
             yield from numbers_below(MESH_EFFICIENCY, parts, (key,)) if drawing_of(case) else ()
@@ -89,21 +89,20 @@ def _numbers(case: Transmission) -> Iterator[tuple[Keys, Leaf]]:
 
 
 def _shape(key: str, part: Any) -> Shape:
-    """Return the declaration of the keys of a part."""
     if key == "elements":
         return ELEMENT.records[part["kind"]]
     return declared.MECHANISM if key == "mechanisms" else declared.ELEMENT
 
 
 def own_part_number(case: Transmission, number: PartNumber) -> float | None:
-    """Return the number that a case gives, unless omitted."""
+    """Return the value of a number in a case; None if the case omits the number."""
     parts: Any = _tree(case)
     value: float | None = reduce(value_at, number.keys, parts)
     return value
 
 
 def _tree(case: Transmission) -> dict[str, Any]:
-    """Return the parts of a case by key in a case file; gear sets are mappings (records)."""
+    """Return the parts of a case by key in a case file. Gear sets are mappings (records)."""
     drawing = drawing_of(case) or Drawing(case.links, (), case.mechanisms)
     return {
         "shift_elements": {element.name: element for element in case.shift_elements},
@@ -116,7 +115,7 @@ def _tree(case: Transmission) -> dict[str, Any]:
 def with_part_numbers(
     case: Transmission, numbers: Sequence[PartNumber], values: Sequence[float]
 ) -> Transmission:
-    """Return the case with other values for numbers of the parts.
+    """Return the case with other values of some numbers.
 
     Parameters
     ----------
@@ -165,7 +164,7 @@ def with_part_numbers(
 
 
 def _element(name: str, record: Mapping[str, Any], link_names: Sequence[str]) -> Element:
-    """Return the gear set of a record, in which an omitted key has the value None."""
+    """Return the gear set of a record. A key with the value None is omitted."""
     given = {key: value for key, value in record.items() if value is not None}
     for kind in ("suns", "rings"):
         wheels = given[kind]
@@ -174,7 +173,7 @@ def _element(name: str, record: Mapping[str, Any], link_names: Sequence[str]) ->
 
 
 def _put(part: Any, keys: Keys, number: float) -> Any:
-    """Return a part with a new number under the given, possibly nested keys."""
+    """Return a part with a number replaced; several keys lead into nested mappings."""
     if not keys:
         return number
     key, *others = keys
@@ -194,7 +193,7 @@ def is_assembled(case: Transmission, numbers: Sequence[PartNumber]) -> bool:
 
 
 def are_assembled(case: Transmission, names: Collection[str]) -> bool:
-    """Return whether the named gear sets can be assembled, ignoring doubts that the case allows."""
+    """Return whether gear sets can be assembled, apart from doubts that the case suppresses."""
     elements = drawing.elements if (drawing := drawing_of(case)) else ()
     faults = [fault for element in elements if element.name in names for fault in misfits(element)]
     return all(fault in case.untold for fault in faults)

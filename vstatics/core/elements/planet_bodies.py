@@ -1,8 +1,8 @@
 """Planets as bodies with inertia, and the inertias on links that replace them.
 
-A mechanism connects the links a and b and the carrier h by ``w_a - w_h = K (w_b - w_h)``, and its
-planet has the speed ``w_q = w_h + alpha (w_a - w_h)``. The kinetic energy of the planet then equals
-the energy of three inertias on the links a, b and h. Source: Tarasik, Puzanova, Kurstak, 2018; the
+A mechanism of links a and b and carrier h obeys ``w_a - w_h = K (w_b - w_h)``. The speed of its
+planet is ``w_q = w_h + alpha (w_a - w_h)``. The kinetic energy of the planet therefore equals the
+energy of three inertias on the links a, b and h. Source: Tarasik, Puzanova, Kurstak, 2018; the
 formulas were derived again.
 """
 
@@ -24,19 +24,19 @@ class Body(NamedTuple):
 
     name: str
     form: Form
-    """Coefficients of the link speeds, by index, whose weighted sum is the body's speed. [-]"""
+    """Coefficients of the link speeds, by index; the weighted sum is the speed of the body. [-]"""
     inertia: float
     """Moment of inertia. [kg*m^2]"""
 
 
 Shares = Mapping[int, float]
-"""Inertias on links that replace a planet, by index of the link; can be negative. [kg*m^2]"""
+"""Inertias on links that replace a planet, by index of the link. They can be negative. [kg*m^2]"""
 
 
 def planet_bodies(case: Transmission) -> Iterator[tuple[Body, Shares]]:
-    """Yield bodies for planets with inertia or mass: the spin, then the orbit with the carrier.
+    """Yield bodies for planets: one for the spin inertia, one for the mass on the carrier.
 
-    Each body comes with the inertias on links that replace it. With these inertias, the torques of
+    Each body comes with the inertias on links that replace it. With these, the torques of
     mechanisms follow from the equations of motion of the links alone.
     """
     drawing = drawing_of(case)
@@ -55,7 +55,7 @@ def planet_bodies(case: Transmission) -> Iterator[tuple[Body, Shares]]:
 
 
 def _shares(case: Transmission, motion: PlanetInertia) -> dict[int, float]:
-    """Return the inertias on the links of a mechanism that replace a unit inertia of a planet."""
+    """Return inertias on links, relative to the inertia of the planet that they replace [-]."""
     drawing = drawing_of(case)
     assert drawing is not None  # noqa: S101 - it has planets
     name = motion.name.rpartition(".")[0]
@@ -76,7 +76,7 @@ def _shares(case: Transmission, motion: PlanetInertia) -> dict[int, float]:
 
 
 def _by_first(mechanism: Mechanism, speed: Mapping[int, float], carried: float) -> float:
-    """Return ``alpha``: planet speed divided by first-link speed, both relative to the third."""
+    """Return ``alpha``: speed of planet divided by first link, both relative to the third [-]."""
     if mechanism.first in speed and mechanism.first != HOUSING:
         return speed[mechanism.first]
     if mechanism.second in speed and mechanism.second != HOUSING:

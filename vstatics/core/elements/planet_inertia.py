@@ -1,4 +1,4 @@
-"""Inertia of planets, whose speeds follow exactly from the speeds of links."""
+"""Inertia of planets, and the coefficients of link speeds that determine their speeds."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ class PlanetInertia(NamedTuple):
     Parameters
     ----------
     name : str
-        Names of the gear set and the planet, such as ``P1.planet``.
+        Gear set and planet, such as ``P1.planet``.
     inertia : float
         Inertia of all planets together. [kg*m^2]
     speed : mapping of int to float
-        Coefficients of the link speeds, in the weighted sum that is the speed of the planets. [-]
+        Coefficients of the link speeds; the weighted sum is the speed of the planets. [-]
     wheel : str
-        Member that, together with the carrier, determines the speed; empty if the planets rotate
-        with the carrier.
+        Central gear that determines the speed together with the carrier; empty if the planets
+        rotate with the carrier.
     by_wheel : float
-        Coefficient of the speed of the member `wheel`. [-]
+        Coefficient of the speed of `wheel`. [-]
     """
 
     name: str
@@ -38,11 +38,10 @@ class PlanetInertia(NamedTuple):
 
 
 def planet_inertias(drawing: DrawingFields) -> Iterator[PlanetInertia]:
-    """Yield the inertias of planets: about the pins, and of the planet mass about the carrier axis.
+    """Yield planet inertias: spin about the pin, then mass of the planets about the carrier axis.
 
-    The drawing must have passed the checks, which exclude planet masses in elastic gear sets. For a
-    planet whose axis is parallel to the axis of the gear set, the speed is absolute; for a bevel
-    planet, it is relative to the carrier.
+    The drawing must have passed the checks, which exclude planet masses in elastic gear sets. The
+    speed of a bevel planet is relative to the carrier, the speed of any other planet absolute.
 
     Examples
     --------
@@ -70,7 +69,7 @@ def planet_inertias(drawing: DrawingFields) -> Iterator[PlanetInertia]:
 
 
 def _by_wheel(element: Element, planet: str) -> tuple[str, int, Fraction]:
-    """Return a central gear, the link, and planet speed divided by gear speed, carrier held."""
+    """Return a central gear, its link, and planet speed divided by gear speed (carrier held)."""
     if not isinstance(element.shape, Planetary):
         first = element.shape.toothed[0]
         ratio = Fraction(element.teeth[first]) / Fraction(element.teeth[planet])

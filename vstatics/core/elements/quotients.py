@@ -24,7 +24,7 @@ class Quotient:
     value : Fraction
         Value of the quotient.
     powers : mapping of Formula to int
-        Factors and their exponents; a whole number is its own formula.
+        Factors with their exponents. A factor is a whole number or another formula.
 
     Examples
     --------
@@ -39,14 +39,14 @@ class Quotient:
 
     @classmethod
     def of(cls, formula: Formula, value: float | Fraction) -> Quotient:
-        """Return a quotient of a single factor: a number of teeth, or a formula."""
+        """Return a quotient with the single factor `formula`, such as a tooth number or a path."""
         return cls(Fraction(value), {tuple(formula) if isinstance(formula, list) else formula: 1})
 
     def __repr__(self) -> str:
         return f"Quotient({self.value}, {self.formula})"
 
     def __eq__(self, other: object) -> bool:
-        """Return whether the values are equal, for any formulas."""
+        """Return whether the values are equal; the formulas can differ."""
         return self.value == (other.value if isinstance(other, Quotient) else other)
 
     def __hash__(self) -> int:
@@ -76,7 +76,7 @@ class Quotient:
 
     @property
     def formula(self) -> Formula:
-        """Formula with a single division of products, so that evaluation rounds only once."""
+        """Formula with a single division of two products, so that only the division is rounded."""
         above, below = (
             [f for f, power in self.powers.items() for _ in range(max(power * way, 0)) if f != 1]
             for way in (1, -1)

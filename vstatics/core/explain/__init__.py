@@ -1,6 +1,6 @@
-"""Explanation of a gear: its matrix, its equations with solution, the formula of its ratio.
+"""Explanation of a gear: matrix, equations with their solution, and the formula of the ratio.
 
-`explain_gear` returns the explanation of a gear as data; `text` and `answer` write the data.
+`explain_gear` returns the explanation of a gear as data. `text` and `answer` write the data.
 
 >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
 >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])

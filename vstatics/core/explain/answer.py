@@ -11,7 +11,7 @@ from vstatics.core.tables.answer import document
 
 @document("vstatics-explanation")
 class ExplanationAnswer(NamedTuple):
-    """Explanations of the gears of a case, with the name of the case."""
+    """Explanations of the gears of a case."""
 
     case: str
     gears: Sequence[Explanation]

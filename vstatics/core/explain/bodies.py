@@ -1,4 +1,4 @@
-"""Links of a gear that rotate together by structure, not by coincidence of the ratios."""
+"""Links of a gear that rotate together for any ratios, not by coincidence."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ from vstatics.core.numerics.elimination import RIGHT, Equation
 from vstatics.core.statics import matrix
 
 GOLDEN = 0.6180339887498949
-"""Golden ratio minus 1, whose multiples modulo 1 are evenly distributed, as shifts of ratios."""
+"""Golden ratio minus 1. Its multiples modulo 1 are evenly distributed, and shift the ratios."""
 SHIFTED = 0.05
-"""Largest relative shift of ratios in the test for coincidences. [-]"""
+"""Largest relative shift of ratios in the test whether equal speeds are a coincidence. [-]"""
 
 
 class Structure(NamedTuple):
     """Bodies of a gear, and the mechanisms and springs that determine the speeds."""
 
     body: Sequence[int]
-    """Body of each link, the housing first, identified by the smallest link number of the body."""
+    """Body of each link, housing first, identified by the smallest link number of the body."""
     needed: Sequence[int]
     """Indices of mechanisms with independent equations."""
     springs: Sequence[int]
@@ -32,16 +32,16 @@ class Structure(NamedTuple):
 
 
 class OwnLinks(NamedTuple):
-    """Case without planets as links, with the speeds but not the losses of the original case."""
+    """Case without planets as links. It has the speeds of the original case, but not the losses."""
 
     case: Transmission
     parts: Sequence[DrawnPart]
-    """Gear sets with derived mechanisms, and directly given mechanisms."""
+    """Gear sets with their derived mechanisms, and other mechanisms."""
     variators: Collection[str] = ()
     """Names of gear pairs that represent variators."""
 
     def is_fixed(self, number: int) -> bool:
-        """Return whether the ratio of a mechanism, by index, does not depend on tooth numbers.
+        """Return whether a mechanism, by index, has a ratio that does not depend on tooth numbers.
 
         Such mechanisms are shafts, symmetrical differentials of ratio -1 (but not groups of planets
         with this ratio), mechanisms of ratio 1 (whose third link has no effect), variators and
@@ -60,7 +60,7 @@ class OwnLinks(NamedTuple):
 
 
 def as_solved(case: Transmission) -> Transmission:
-    """Return the case, without a drawing if ratios differ from the drawn teeth.
+    """Return the case, without its drawing if ratios differ from those of the drawing.
 
     >>> from vstatics import example, solve
     >>> case = example("simpson")
@@ -76,11 +76,11 @@ def as_solved(case: Transmission) -> Transmission:
 
 
 def on_own_links(case: Transmission) -> OwnLinks:
-    """Return the case without planets as links, with mechanisms between central gears."""
+    """Return the case with mechanisms between central gears, without planets as links."""
     drawing = drawing_of(case)
     if drawing is None:
         return OwnLinks(case, parts_of(case))
-    # These mechanisms include gear pairs for variators, which the drawing does not contain.
+    # These mechanisms include gear pairs for variators, which are not in the drawing.
     given = case.mechanisms[case.own_mechanisms]
     reduced = parts(replace(drawing, mechanisms=given, losses="reduced"))
     plain = _undrawn(
@@ -110,7 +110,7 @@ def structure(on_links: OwnLinks, gear: Gear) -> Structure:
     Parameters
     ----------
     gear : Gear
-        The gear with the freewheels that hold among the engaged shift elements.
+        Gear in which holding freewheels are listed as engaged.
 
     Examples
     --------
@@ -169,7 +169,7 @@ def _rows(case: Transmission, gear: Gear, ratios: Sequence[float]) -> list[Equat
 def _independent(rows: Sequence[Equation], mechanisms: int) -> list[int]:
     """Return the indices of independent equations.
 
-    Of dependent equations, those of mechanisms are dropped first.
+    If equations depend on each other, equations of mechanisms are dropped first.
     """
     numbers = list(range(len(rows)))
     while True:

@@ -16,7 +16,7 @@ from vstatics.core.texts import tr
 
 
 class ConverterPoint(NamedTuple):
-    """Working point of a converter that carries torque."""
+    """Operating point of a converter that carries torque."""
 
     converter: str
     speed_ratio: Known
@@ -32,18 +32,18 @@ class ConverterPoint(NamedTuple):
 
 
 CONVERTERS = "Converters: the torques M and -K M on the links, with and without losses"
-"""Heading above the working points."""
+"""Heading above the operating points of converters."""
 
 
 def converter_points(state: GearState, given: Gear) -> list[ConverterPoint]:
-    """Return the working points of the converters that carry torque.
+    """Return the operating points of the converters that carry torque.
 
     Parameters
     ----------
     state : GearState
         State of the gear with the solved speed ratios.
     given : Gear
-        Gear as given by the case, without speed ratios that the load determines.
+        Gear of the case, without speed ratios that the load determines.
 
     Examples
     --------
@@ -81,7 +81,7 @@ def loaded_converters(state: GearState) -> list[int]:
 
 
 def sought_ratio(point: ConverterPoint) -> Iterator[str]:
-    """Yield the equation of a speed ratio that the load determines, in words and in numbers."""
+    """Yield the equation of the pump, which determines the speed ratio, in words and in numbers."""
     if point.factor is None:
         return
     yield tr(

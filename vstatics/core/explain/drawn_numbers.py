@@ -1,4 +1,4 @@
-"""Random numbers for exercises: teeth that can be assembled, and ratios near the given ratios."""
+"""Random numbers for exercises: teeth that can be assembled, and ratios similar to the case."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
 
 FARTHEST = 0.25
-"""Largest relative difference of a random ratio from the given ratio."""
+"""Largest relative change of a ratio by random numbers. [-]"""
 
 
 def drawn(results: Results, seed: int) -> Results:
     """Return results for random numbers, with unchanged torque margins of shift elements.
 
-    Torque capacities are scaled with the torques; otherwise a shift element could be overloaded.
+    Torque capacities are scaled with the torques, because shift elements could be overloaded.
     """
     other_results = solve(drawn_numbers(results.case, seed))
     if not any(element.capacity for element in results.case.shift_elements):
@@ -44,7 +44,7 @@ def drawn(results: Results, seed: int) -> Results:
 
 
 def _largest(results: Results) -> Floats:
-    """Return the largest torque of each shift element over all gears."""
+    """Return the largest torque of each shift element in any gear [-]."""
     load = results.case.load
     torques, carrying = carried_torques(results, load.torque_size if load else 0.0)
     largest: Floats = np.where(carrying, torques, 0.0).max(axis=0)
@@ -52,9 +52,9 @@ def _largest(results: Results) -> Floats:
 
 
 def _with_capacity(element: ShiftElement, factor: float) -> ShiftElement:
-    """Return a shift element whose capacity is multiplied by a factor and rounded up.
+    """Return a shift element whose capacity is multiplied by a factor.
 
-    The new capacity is rounded up to three digits.
+    The capacity is rounded up to three digits.
     """
     given = element.capacity
     if given is None or not 0 < factor < math.inf:
@@ -72,9 +72,9 @@ def _with_capacity(element: ShiftElement, factor: float) -> ShiftElement:
 def drawn_numbers(case: Transmission, seed: int) -> Transmission:
     """Return the case with random teeth, and random ratios of parts without teeth.
 
-    Ratios of 1 and -1, such as those of shafts and reversing gears, are not changed. Speed ratios
-    of variators and converters are drawn separately for each gear. Successive seeds give different
-    teeth until all suitable teeth have been used.
+    Ratios of 1 and -1 do not change, for example of shafts and reversing gears. Variators and
+    converters get a random speed ratio for each gear. Successive seeds give different teeth until
+    all suitable teeth have been used.
 
     Examples
     --------
@@ -96,7 +96,7 @@ def drawn_numbers(case: Transmission, seed: int) -> Transmission:
 
 
 def unchanged(case: Transmission, changed: Transmission) -> list[str]:
-    """Return the names of gear sets and mechanisms for which no other ratio could be drawn.
+    """Return the names of gear sets and mechanisms for which no other ratio was possible.
 
     Gear sets and mechanisms of ratio 1 or -1 are not listed.
     """
@@ -123,10 +123,10 @@ def _gears(case: Transmission, random: Random) -> list[Gear]:
 
 
 def _speed_ratio(kind: str, ratio: float, random: Random) -> float:
-    """Return a random speed ratio near a given speed ratio.
+    """Return a random speed ratio near another speed ratio [-].
 
-    For a converter it is at most the given speed ratio, because the torque vanishes at the highest
-    speed ratio.
+    For a converter the result is not larger than `ratio`, because the torque vanishes at the
+    largest speed ratio.
     """
     return _near(ratio, random, -FARTHEST, 0 if kind == "converter" else FARTHEST)
 
@@ -150,13 +150,13 @@ def _with_sizes(element: Element, place: int, seed: int) -> Element:
     """Return a gear set with random teeth, diameters or ratios."""
     random = Random(f"{seed} {place}")  # noqa: S311 - equal gear sets get different numbers
     if element.kind == "belt":
-        # Both diameters change; together they change the ratio by the usual amount.
+        # Both diameters change, and together they change the ratio by up to `FARTHEST`.
         half = FARTHEST / 2
         teeth = {
             name: _near(diameter, random, -half, half) for name, diameter in element.teeth.items()
         }
         return replace(element, teeth=teeth)
-    if element.ratios:  # both ratios must fulfil 1 < -large < small
+    if element.ratios:  # the ratios of a Ravigneaux set must fulfil 1 < -large < small
         large = 1 + _near(-element.ratios["large_sun"] - 1, random)
         more = _near(element.ratios["small_sun"] + element.ratios["large_sun"], random)
         ratios = {"small_sun": round(large + more, 6), "large_sun": round(-large, 6)}
@@ -177,7 +177,7 @@ def _with_teeth(element: Element, place: int, seed: int) -> Element:
 
 
 def _changed(element: Element, teeth: Teeth) -> Element:
-    """Return a gear set with new teeth, given by index of a gear or by name of a rim or gear."""
+    """Return a gear set with new teeth, by index of a central gear or by name of a gear or rim."""
     if element.rims:
         wheels = [
             wheel._replace(teeth=teeth.get(index, wheel.teeth))

@@ -1,7 +1,7 @@
 """Speed and torque equations of a gear, written out with names.
 
 Source: figures 3 and 4 of Algin, Schematization and calculation of mobile machine presented as
-multibody system. The equations are those of `vstatics.core.statics.matrix`, with names and with
+multibody system. The equations correspond to `vstatics.core.statics.matrix`, with names, and with
 coefficients in symbols.
 """
 
@@ -32,7 +32,7 @@ def speed_system(
     Parameters
     ----------
     gear : Gear
-        The gear with the freewheels that hold among the engaged shift elements.
+        Gear in which holding freewheels are listed as engaged.
     matrix : ndarray, shape (links, devices)
         Structural-distribution matrix. [-]
     speeds : sequence of float
@@ -72,8 +72,8 @@ def torque_system(  # noqa: PLR0913 - all parameters are parts of the equations
 ) -> System:
     """Return the equilibrium equations of the links of a gear (figure 4).
 
-    The parameters are described in `speed_system`. Matrix and torques must both contain the losses,
-    or both omit them; `drag` contains the external torques of drag by link [-].
+    See `speed_system` for the parameters. `matrix` and `torques` must both include losses, or both
+    exclude losses. `drag` is the external torque of drag on each link [-].
     """
     rows: list[list[Term]] = [[] for _ in range(case.links + 1)]
     values = {}

@@ -1,4 +1,4 @@
-"""Exercise on a gear: its numbers are blanks to be filled in, with a solution."""
+"""Exercise on a gear, with blanks for numbers that students calculate, and with a solution."""
 
 from __future__ import annotations
 
@@ -39,11 +39,11 @@ IN_UNITS = {
     "lossy_torques": "lossy_torques_Nm",
     "losses": "losses_kW",
 }
-"""Tables that replace relative torques and powers in gears without an input torque."""
+"""Tables with units, which replace relative tables in gears whose input torque is 0."""
 MORE = ("power_balance",)
-"""Tables that also get blanks if other tables have fewer than `LEAST`."""
+"""Table that also gets blanks if the other tables have fewer than `LEAST` blanks."""
 LEAST = 10
-"""Number of blanks below which a worksheet gets further blanks."""
+"""Smallest number of blanks without blanks in the tables `MORE`."""
 LINE = "____"
 """Text printed for a blank."""
 SheetForm = Literal["text", "markdown", "latex"]
@@ -66,7 +66,7 @@ class SolvedExercise(NamedTuple):
     """Solution of an exercise as a record."""
 
     case: Mapping[str, Any]
-    """Case in the form of a file, which can be run."""
+    """Case with the keys of a case file, which can be run."""
     gear: str
     seed: int | None
     blanks: Sequence[Blank]
@@ -89,8 +89,8 @@ def exercise(results: Results, gear: int | str, *, seed: int | None = None) -> G
     Returns
     -------
     GearExercise
-        Exercise with the `blanks` and their values as in the JSON of a result; `worksheet` and
-        `solution` write it as text, Markdown or LaTeX; `document` returns the solution as plain
+        Exercise with the `blanks` and their values as in the JSON of a result. `worksheet` and
+        `solution` write it as text, Markdown or LaTeX. `document` returns the solution as plain
         data.
 
     Raises
@@ -125,12 +125,12 @@ class GearExercise(NamedTuple):
     place: int
     """Index of the gear."""
     seed: int | None
-    """Seed of the random numbers."""
+    """Seed of the random numbers; None for the numbers of the case."""
     asked: Sequence[Table]
     """Tables with at least one blank."""
     blanks: Sequence[Blank]
     unchanged: Sequence[str] = ()
-    """Names of parts with unchanged numbers in spite of the seed."""
+    """Names of parts whose numbers did not change in spite of the seed."""
 
     @property
     def gear(self) -> str:
@@ -182,8 +182,8 @@ def worksheet(
 ) -> GearExercise:
     """Return the exercise of a gear of a single case.
 
-    Given speeds and given signs are not blanks. Numbers that are always 0 in the gear-train layout
-    are blanks only if there are few others.
+    Prescribed speeds, and signs that follow from no rule, are not blanks. Numbers that are 0
+    because of the gear-train layout are blanks only if there are few other blanks.
 
     Parameters
     ----------
@@ -192,7 +192,7 @@ def worksheet(
     seed : int, optional
         Seed of the random numbers in the case.
     unchanged : sequence of str
-        Names of parts with unchanged numbers in spite of the seed.
+        Names of parts whose numbers did not change in spite of the seed.
 
     Raises
     ------
@@ -226,7 +226,7 @@ def worksheet(
 
 
 def asked_names(*, no_torque: bool) -> Iterator[str]:
-    """Yield the names of `ASKED`; without an input torque, names of tables with units."""
+    """Yield the names of `ASKED`, with units if the input torque is 0."""
     for name in ASKED:
         yield IN_UNITS.get(name, name) if no_torque else name
 
@@ -234,9 +234,9 @@ def asked_names(*, no_torque: bool) -> Iterator[str]:
 def _blanks(
     results: Results, index: int, wanted: Sequence[Table], *, telling: bool
 ) -> Iterator[Blank]:
-    """Yield blanks for all numbers of a gear that are not given.
+    """Yield blanks for all numbers of a gear that the worksheet does not state.
 
-    With `telling`, numbers that are always 0 in the gear-train layout are left out.
+    With `telling`, numbers that are 0 because of the gear-train layout are left out.
     """
     case, number = results.case, 0
     gear, signs = case.gears[index], told_signs(results.gear_at(index))

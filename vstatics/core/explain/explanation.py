@@ -38,11 +38,11 @@ from vstatics.core.tables.html import shown
 
 
 class Together(NamedTuple):
-    """Links that rotate together, for any ratios of the mechanisms."""
+    """Links that rotate together for any ratios of the mechanisms."""
 
     links: Sequence[str]
     stands: bool
-    """True if the links are joined to the housing and so at rest."""
+    """True if the links are joined to the housing, and therefore at rest."""
     elements: Sequence[str]
     """Engaged shift elements and shafts (springs) that join the links."""
 
@@ -64,14 +64,16 @@ class Explanation(NamedTuple):
     """Structural-distribution matrix, (rows, columns). [-]"""
     speeds: System
     torques: System | None
-    """Torque equations, unless the gear is tied up or has a freewheel conflict."""
+    """Torque equations; None if the gear is tied up or has a freewheel conflict."""
     signs: Sequence[PowerSign]
     lossy: System | None
-    """Torque equations with losses, if a solution exists."""
+    """Torque equations with losses; None without a solution."""
     input_torque: Known
-    """Input torque: 1, the reference of torques; 0 if the load has no torque (torques in N*m)."""
+    """Relative input torque: 1, or 0 if the input torque is 0 (torques are then in N*m)."""
     coasts: bool
-    """True if power enters at the output; the references of torque and power are then negative."""
+    """True if power enters at the output. The input torque and power, to which torques and powers
+    are relative, then have the negative sign.
+    """
     together: Sequence[Together]
     one_piece: Sequence[str]
     """Gear sets or mechanisms that rotate as a block."""
@@ -91,11 +93,11 @@ class Explanation(NamedTuple):
     messages: Sequence[str]
     """Messages about the gear."""
     balance: Sometimes[MachineBalance] = None
-    """Battery balance of electric machines, if given for the gear."""
+    """Battery balance of electric machines, if the gear has one."""
     tried: Sometimes[Sequence[TriedSigns]] = None
-    """Combinations of power signs, each with a contradiction, for a self-locking gear."""
+    """For a self-locking gear, combinations of power signs with their contradictions."""
     slipping: Sometimes[Sequence[str]] = None
-    """Shift elements with a given slip, if any."""
+    """Shift elements with a prescribed slip, if any."""
     converters: Sometimes[Sequence[ConverterPoint]] = None
     """Converters that carry torque, if any."""
 
@@ -197,7 +199,7 @@ def _messages_about(results: Results, gear: str) -> Iterator[str]:
 
 
 def _assumed_teeth(results: Results, case: Transmission) -> Iterator[str]:
-    """Yield a note on each planet that is a link without given teeth, which are assumed."""
+    """Yield a note on each planet that is a link and whose teeth are assumed."""
     drawing = drawing_of(results.case)
     elements = drawing.elements if drawing else ()
     for element in elements:
@@ -219,8 +221,8 @@ def _variators(case: Transmission) -> list[str]:
 def _with_pairs(results: Results, number: int) -> tuple[Transmission, Results]:
     """Return the case with gear pairs instead of variators and converters, and the results.
 
-    A gear pair has the speed equation of a converter, but not its torque ratio, so the results are
-    those of the case with converters. A case without variators and converters is returned
+    A gear pair has the speed equation of a converter, but not the torque ratio. The results are
+    therefore calculated with the converters. A case without variators and converters is returned
     unchanged.
     """
     state, given = results.gear_at(number), results.case.gears[number]
@@ -280,7 +282,7 @@ def _torques(state: GearState, names: Names, matrix: Floats) -> tuple[System | N
 def _formula(
     state: GearState, names: Names, symbols: Sequence[Symbol], on_links: OwnLinks, bodies: Structure
 ) -> tuple[RatioFormula | None, str]:
-    """Return the formula if the value is the calculated ratio, else the reason for no formula."""
+    """Return the formula if its value is the calculated ratio, else why it is missing."""
     try:
         ratio = formula(on_links, state.gear, names, symbols, bodies)
     except NoFormula as none:
@@ -310,7 +312,7 @@ def _together(on_links: OwnLinks, gear: Gear, bodies: Structure) -> Iterator[Tog
 def _pieces(on_links: OwnLinks, structure: Structure) -> tuple[list[str], list[str]]:
     """Return the names of gear sets and mechanisms that rotate as a block, or are at rest.
 
-    A mechanism with the housing as a link can be a block only at rest.
+    A mechanism that has the housing as a link can only be at rest.
     """
     one_piece, standing = [], []
     for part in on_links.parts:

@@ -1,8 +1,8 @@
 """Fractions of polynomials as written by hand: `(1 - u1)(1 - u3)`, `2 - 1/u`.
 
-A fraction can be written as factors, as single terms, or as 1 plus a remainder; the shortest form
-is chosen. Each factor gets the sign that reads best. Polynomials are objects of `sympy.polys` with
-integer coefficients.
+A fraction can be written as factors, as single terms, or as 1 plus a remainder, whichever is
+shortest. The sign of each factor is chosen for readability. Polynomials are objects of
+`sympy.polys` with integer coefficients.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ class Notation(NamedTuple):
 
 
 def python(count: int) -> Notation:
-    """Return the notation of Python and SymPy, with symbols u1, u2 and so on."""
+    """Return the notation of Python and SymPy, with the symbols u1, u2 and so on."""
     return Notation([f"u{number}" for number in range(1, count + 1)], "*", "**", "*")
 
 
@@ -61,7 +61,7 @@ def fraction(value: Fraction, notation: Notation) -> str:
     '(1 - 1/u)(1 - v)'
     """
     if len(factored(value.numer).factors) > 1:
-        return _in_factors(value, notation).text  # a product stays in factored form
+        return _in_factors(value, notation).text  # products stay in factored form
     # The length of symbol names must not affect the choice of form.
     measure = Notation(["u"] * len(notation.symbols))
     measured, texts = (
@@ -103,7 +103,7 @@ def weighted(values: Sequence[Fraction], unknowns: Sequence[str], notation: Nota
 
 
 def _signed(polynomial: Polynomial, notation: Notation) -> tuple[str, _Written]:
-    """Return the sign and the product form of a polynomial; a factor can absorb a minus sign."""
+    """Return the sign and the factors of a polynomial as text. A factor can absorb a minus sign."""
     product = factored(polynomial)
     if product.number < 0:
         product, _ = _turned(product, Factored(1, []))
@@ -139,8 +139,8 @@ def _quotient(
 def _inverse(above: Factored, below: Factored) -> tuple[Factored, Factored, Powers]:
     """Separate the factors ``1 - 1/u`` from a fraction.
 
-    The result is the remaining numerator and denominator, and each symbol u with the power of its
-    factor.
+    The result is the remaining numerator and denominator, and the symbols u with the powers of
+    their factors.
     """
     inverse = []
     top, bottom, number = [], below.factors, above.number
@@ -163,9 +163,9 @@ def _inverse(above: Factored, below: Factored) -> tuple[Factored, Factored, Powe
 
 
 def _turned(above: Factored, below: Factored) -> tuple[Factored, Factored]:
-    """Return a fraction without minus sign, absorbed by a factor that reads as well negated.
+    """Return a fraction whose minus sign is absorbed by a factor that is as readable when negated.
 
-    If there is no such factor, the fraction is unchanged.
+    Without such a factor, the fraction is unchanged.
     """
     for part in (below, above):
         for place, (factor, power) in enumerate(part.factors):
@@ -191,7 +191,7 @@ def _by_terms(value: Fraction, notation: Notation) -> _Written | None:
 
 
 def _one_and_rest(value: Fraction, notation: Notation) -> _Written | None:
-    """Return a fraction as 1 plus or minus a factored remainder, if simpler."""
+    """Return a fraction as 1 plus or minus a factored remainder; None for simple fractions."""
     remainder = value - 1
     if not remainder or len(remainder.numer) == len(value.numer) == 1:
         return None
@@ -204,7 +204,7 @@ _FORMS = (_in_factors, _by_terms, _one_and_rest)
 
 
 def _ordered(polynomial: Polynomial) -> list[Polynomial]:
-    """Return the terms of a polynomial: positive terms before negative, short before long."""
+    """Return the terms of a polynomial: positive before negative, then short before long."""
     terms = sorted(polynomial.terms(), key=lambda term: (term[1] < 0, sum(term[0])))
     ring = polynomial.ring
     return [ring({powers: factor}) for powers, factor in terms]
@@ -239,7 +239,7 @@ def _product(
 
 
 def _position(polynomial: Polynomial) -> tuple[int, ...]:
-    """Return the indices of the symbols in a polynomial, used as the sort key of factors."""
+    """Return the sort key of a factor: the indices of its symbols."""
     occurring = {place for powers, _ in polynomial.terms() for place, p in enumerate(powers) if p}
     return tuple(sorted(occurring))
 
@@ -276,7 +276,7 @@ class Factored(NamedTuple):
 
 
 def factored(polynomial: Polynomial) -> Factored:
-    """Return the factors of a polynomial, each with the sign that reads best."""
+    """Return the factors of a polynomial, each with its most readable sign."""
     number, primitive = polynomial.primitive()
     factors = []
     for factor, power in _factors(primitive):
@@ -292,9 +292,9 @@ def factored(polynomial: Polynomial) -> Factored:
 def _factors(polynomial: Polynomial) -> Powers:
     """Return the factors of a polynomial, whose coefficients must have no common factor.
 
-    If a symbol occurs only in the first power, as in ``a + b u``, the greatest common divisor of a
-    and b is a factor, and the quotient is irreducible. This rule replaces SymPy's factorisation,
-    which is slow for many symbols.
+    If a symbol u occurs only in the first power, the polynomial is ``a + b u``. The greatest common
+    divisor of a and b is then a factor, and the quotient is irreducible. SymPy's factorisation is
+    not used, because it is slow for many symbols.
     """
     if polynomial.is_ground:
         return [(polynomial, 1)]
@@ -320,7 +320,6 @@ def balance(polynomial: Polynomial) -> int:
 def _looks(polynomial: Polynomial) -> tuple[int, bool, bool]:
     """Return a sort key that is larger for the more readable of ``p`` and ``-p``.
 
-    The key contains the excess of positive over negative terms, then flags for a positive constant
-    term and a positive leading term.
+    The key contains `balance`, then flags for a positive constant term and a positive leading term.
     """
     return balance(polynomial), polynomial.coeff(1) > 0, polynomial.LC > 0

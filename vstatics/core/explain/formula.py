@@ -21,9 +21,9 @@ FOLLOWS = (
     "there is no formula, because the speed of link {link} is given as a multiple "
     "of the speed of {other}"
 )
-"""Reason for the missing formula of a gear with dependent speeds."""
+"""Reason for the missing formula of a gear with a speed that depends on another link."""
 SLIPS = "there is no formula, because a shift element slips"
-"""Reason for the missing formula of a gear with a given slip."""
+"""Reason for the missing formula of a gear with a prescribed slip."""
 SHARED = ("u", "v")
 """Symbols for ratios that are equal in several mechanisms."""
 
@@ -39,14 +39,14 @@ class Symbol(NamedTuple):
 
 
 class NumberedSymbol(NamedTuple):
-    """Symbol of a ratio, with the name in `expression`, such as u1."""
+    """Symbol of a ratio, with its name in `expression`, such as u1."""
 
     symbol: str
     meant: Flat[Symbol]
 
 
 class NumberedSpeed(NamedTuple):
-    """Given speed, with the name in `expression`, such as w1."""
+    """Prescribed speed, with its name in `expression`, such as w1."""
 
     symbol: str
     name: str
@@ -70,17 +70,18 @@ class RatioFormula(NamedTuple):
     expression: str
     """Formula as an expression that Python and SymPy can read.
 
-    Ratios are named u1, u2 and so on, in the order of the symbols; given speeds w1, w2 and so on.
+    Ratios have the names u1, u2 and so on, in the order of the symbols. Prescribed speeds have the
+    names w1, w2 and so on.
     """
     symbols: Sequence[Symbol]
     speeds: Mapping[str, float]
-    """Given speeds that occur in the formula, by symbol; empty for a ratio. [-]"""
+    """Prescribed speeds in the formula, by symbol; empty for a ratio. [-]"""
     value: float
     """Value of the formula. [-]"""
     shared: Mapping[str, Sequence[str]]
-    """Symbols with equal values, by the common replacement in `shared_text`."""
+    """Common symbols in `shared_text`, each with the symbols of equal value that it replaces."""
     shared_text: str
-    """Shorter formula with common symbols for equal ratios, if any; else empty."""
+    """Shorter formula with common symbols for equal ratios; empty if all ratios differ."""
 
     @property
     def numbered_symbols(self) -> list[NumberedSymbol]:
@@ -89,22 +90,22 @@ class RatioFormula(NamedTuple):
 
     @property
     def numbered_speeds(self) -> list[NumberedSpeed]:
-        """Given speeds with the names w1, w2 and so on."""
+        """Prescribed speeds with the names w1, w2 and so on."""
         return [NumberedSpeed(f"w{n}", *item) for n, item in enumerate(self.speeds.items(), 1)]
 
 
 def symbols_of(case: Transmission, names: Names, on_links: OwnLinks) -> list[Symbol]:
     """Return the symbols of the mechanisms in a case without planets as links.
 
-    Mechanisms that also occur in the case as calculated keep their symbols; mechanisms between
-    central gears get new symbols.
+    Mechanisms that also occur in the calculated case keep their symbols. Mechanisms between central
+    gears get new symbols.
 
     Parameters
     ----------
     case : Transmission
-        Case as calculated, with planets among the links.
+        Calculated case, in which planets can be links.
     on_links : OwnLinks
-        Case without planets among the links.
+        Case without planets as links.
     """
     symbols = []
     number, wheels = 0, 0
@@ -125,14 +126,14 @@ def symbols_of(case: Transmission, names: Names, on_links: OwnLinks) -> list[Sym
 def formula(
     on_links: OwnLinks, gear: Gear, names: Names, symbols: Sequence[Symbol], structure: Structure
 ) -> RatioFormula:
-    """Return the formula of a gear's ratio, or of the output speed if several speeds are given.
+    """Return the formula of a gear's ratio, or of the output speed if speeds are prescribed.
 
     Parameters
     ----------
     on_links : OwnLinks
-        Case without planets among the links.
+        Case without planets as links.
     gear : Gear
-        The gear with the freewheels that hold among the engaged shift elements.
+        Gear in which holding freewheels are listed as engaged.
     symbols : sequence of Symbol
         Symbol of each mechanism.
 
@@ -208,7 +209,7 @@ def _of_speed(
 def _in_occurring(
     values: Sequence[Any], symbols: Sequence[Symbol]
 ) -> tuple[list[Symbol], list[Any]]:
-    """Return the symbols that occur, and the fractions in terms of the symbols."""
+    """Return the symbols that occur in fractions, and the fractions in these symbols."""
     polynomials = [part for value in values for part in (value.numer, value.denom)]
     terms = [powers for part in polynomials for powers in part.monoms()]
     occurring = sorted({place for powers in terms for place, power in enumerate(powers) if power})
@@ -219,7 +220,7 @@ def _in_occurring(
 
 
 def _in_symbols(value: Any, places: Mapping[int, int]) -> Any:
-    """Return a fraction in other symbols, given a mapping from old to new numbers of symbols.
+    """Return a fraction in other symbols; `places` maps old to new numbers of symbols.
 
     The result is None if the denominator becomes 0 because two symbols are replaced by one.
     """

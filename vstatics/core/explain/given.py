@@ -1,7 +1,7 @@
-"""Given data of a gear: everything of the case that determines its numbers, as tables.
+"""Given data of a gear as tables: all data of the case that affect the gear.
 
-An exercise can be solved from these tables alone. `UNREAD` lists the keys that do not affect the
-solution. A key that is not in any list of this package appears in the last table.
+An exercise can be solved from these tables alone. `UNREAD` contains the keys that do not affect the
+solution. Keys that this package does not list appear in the last table.
 """
 
 from __future__ import annotations
@@ -44,11 +44,11 @@ _SHOWN = frozenset(
         *("balance", "slip"),
     )
 )
-"""Keys of a case or a gear that are shown in other tables."""
+"""Keys of a case or a gear that have their own tables."""
 
 
 def given(results: Results, place: int) -> Iterator[Grid]:
-    """Yield the given data of a gear: parts, connections, loads, and conventions.
+    """Yield the data of a gear for an exercise: parts, connections, loads and conventions.
 
     Parameters
     ----------
@@ -176,7 +176,7 @@ def _rules_of_drag(state: GearState) -> Iterator[str]:
             "Drag brakes its link, or the links of a disengaged shift element relative to "
             "each other. It acts only in the torques with losses."
         )
-    # This is the gear as given; the gear of the state has numbers instead of laws.
+    # The gear of the case contains laws, the gear of the state numbers.
     gear = case.gears[case.gear_number(state.gear.name) - 1]
     if gear.loss is not None:
         yield tr(
@@ -243,7 +243,7 @@ def _rest(data: Mapping[str, Any]) -> Grid:
 
 
 def _idle(state: GearState) -> Grid:
-    """Return the table of signs that no rule determines, only a convention or the losses."""
+    """Return the table of signs that follow from a convention or the losses, not from a rule."""
     signs = zip(state.case.mechanisms, state.signs, told_signs(state), strict=True)
     rows = [(mechanism.name, whole(plain(sign))) for mechanism, sign, is_given in signs if is_given]
     title = "Signs of unloaded mechanisms"
@@ -253,7 +253,7 @@ def _idle(state: GearState) -> Grid:
 
 
 def told_signs(state: GearState) -> list[bool]:
-    """Return, for each mechanism, whether no rule determines the sign, which must be given."""
+    """Return for each mechanism whether no rule gives the sign, so that an exercise states it."""
     return [
         idle or turned is True
         for idle, turned in zip(state.search.idle, state.search.turned, strict=True)

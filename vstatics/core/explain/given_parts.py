@@ -28,20 +28,20 @@ UNREAD = frozenset(
         *("converters", "planet", *KEYS),
     )
 )
-"""Keys of a case and of parts that do not affect any blank, including other gears."""
-_TOLD = frozenset(
+"""Keys of a case and of parts that do not affect any blank, such as other gears."""
+_SHOWN = frozenset(
     (
         *("kind", "teeth", "diameters", "planets", "suns", "rings", "rims", "meshes"),
         *("efficiency", "back_efficiency", "mesh_efficiency"),
     )
 )
-"""Keys of a gear set that are shown in other columns or tables."""
+"""Keys of a gear set that have their own columns or tables."""
 _SPEED, _TORQUE = "speed, rad/s", "torque, N*m"
 _OVER = {"speed": (_SPEED,), "torque": (_TORQUE,), "both": (_SPEED, _TORQUE)}
 
 
 def cell_of(value: Any) -> Value:
-    """Return a cell for a number, with six significant digits, or for a law with all points."""
+    """Return a cell for a number (six significant digits) or for a law (all points)."""
     if value is None or isinstance(value, str):
         return value or NOTHING
     if isinstance(value, Law):
@@ -62,7 +62,7 @@ def cell_of(value: Any) -> Value:
 
 
 def link_text(case: Transmission, link: int) -> str:
-    """Return the name of a link, or the word for the housing."""
+    """Return the name of a link, or the translated word for the housing."""
     return case.link_name(link) if link else tr("housing")
 
 
@@ -87,7 +87,7 @@ def elements(case: Transmission, data: Mapping[str, Mapping[str, Any]]) -> Grid:
         more = "; ".join(
             f"{in_words(key)}: {data_text(value)}"
             for key, value in data[element.name].items()
-            if key not in {*element.members, *_TOLD, *UNREAD}
+            if key not in {*element.members, *_SHOWN, *UNREAD}
         )
         teeth = ", ".join(_teeth(element))
         row = element.name, word(element.kind.replace("_", " ")), ", ".join(links), teeth
@@ -98,7 +98,7 @@ def elements(case: Transmission, data: Mapping[str, Mapping[str, Any]]) -> Grid:
 
 
 def fills_a_gap(element: Element) -> bool:
-    """Return whether teeth of planets follow from a sun and a ring, in a set with more planets."""
+    """Return whether a set with several rims has a rim whose teeth follow from a sun and a ring."""
     if not isinstance(element.shape, Planetary) or element.rims:
         return False
     planets = group_of(element).planets
@@ -109,7 +109,7 @@ def fills_a_gap(element: Element) -> bool:
 
 
 def _teeth(element: Element) -> Iterator[str]:
-    """Yield phrases with the teeth of gears and rims; for a planet group, also the rims in mesh."""
+    """Yield the teeth of gears and rims in words; for a planet group, also the rims in mesh."""
     front = f"{tr('diameters')}: " if getattr(element.shape, "size", "") == "diameters" else ""
     for name, count in element.teeth.items():
         yield f"{front}{in_words(name)} {count:g}"
@@ -125,7 +125,7 @@ def _teeth(element: Element) -> Iterator[str]:
 
 
 def data_text(value: Any) -> str:
-    """Return plain data as a phrase.
+    """Return plain data (mappings, lists, numbers) in words.
 
     >>> data_text({"large_sun": -2.0, "rest": [1, 2]})
     'large_sun -2, rest (1, 2)'
@@ -138,7 +138,7 @@ def data_text(value: Any) -> str:
 
 
 def mechanisms(case: Transmission, gear: Gear) -> Grid:
-    """Return the table of given mechanisms, with the speed ratios of variators in the gear."""
+    """Return the table of mechanisms, with the speed ratios of variators in the gear."""
     ratios = case.gear_ratios(gear)[case.own_mechanisms.start :]
     rows = [
         (
@@ -160,7 +160,7 @@ def mechanisms(case: Transmission, gear: Gear) -> Grid:
 
 
 def _points(mechanism: Mechanism) -> str:
-    """Return the points of a converter; with lambda if the load determines the speed ratio."""
+    """Return the points of a converter as text, with lambda if the speed ratio is unknown."""
     count = 3 if mechanism.can_be_open and math.isnan(mechanism.ratio) else 2
     points = ", ".join(
         f"({', '.join(f'{x:.6g}' for x in point[:count])})" for point in mechanism.points
@@ -192,7 +192,7 @@ def kind_of(element: ShiftElement) -> Cell:
 
 
 def shift_elements(case: Transmission, gear: Gear, state: GearState) -> Grid:
-    """Return the table of shift elements, with given slips and drag of disengaged elements."""
+    """Return the table of shift elements, with prescribed slips and drag of disengaged elements."""
     rows, drags = [], case.gear_open_drag(gear)
     for number, element in enumerate(case.shift_elements, 1):
         on, off = ("holds", "overruns") if element.is_freewheel else ("engaged", "disengaged")
@@ -213,7 +213,7 @@ def shift_elements(case: Transmission, gear: Gear, state: GearState) -> Grid:
 
 
 def springs(case: Transmission) -> Grid:
-    """Return the table of springs with twists."""
+    """Return the table of springs with their twists."""
     rows = ((spring.name, twist_text(case, spring)) for spring in case.springs)
     return grid_of("Springs", ["spring", "twist"], rows, key="springs")
 

@@ -16,7 +16,7 @@ from vstatics.core.tables.answer import Known
 
 
 class MachineShare(NamedTuple):
-    """Power of an electric machine: from the link, and to the battery."""
+    """Power of an electric machine in a battery balance."""
 
     link: str
     power_kW: Known  # noqa: N815 - as `port_powers_kW`
@@ -34,7 +34,7 @@ MACHINES = (
 
 
 class MachineBalance(NamedTuple):
-    """Battery balance of a gear: powers of the machines, and the balancing torque."""
+    """Battery balance of a gear: powers of the machines, and the torque that balances them."""
 
     link: str
     """Link with the balancing torque."""
@@ -46,7 +46,7 @@ class MachineBalance(NamedTuple):
 
 
 def machine_balance(results: Results, number: int) -> MachineBalance | None:
-    """Return the battery balance of a gear, by index, if given and solved.
+    """Return the battery balance of a gear, by index; None if it does not exist or is not solved.
 
     Examples
     --------

@@ -21,7 +21,7 @@ class Names(NamedTuple):
     torques: Sequence[str]
     """Symbol of the torque of each device, then of the output torque."""
     holding: Sequence[str]
-    """Symbol of the torque that holds a given speed, for each link, the housing first."""
+    """Symbol of the torque that holds a prescribed speed, for each link, housing first."""
     ratios: Sequence[str]
     """Symbol of the basic ratio of each mechanism."""
     efficiencies: Sequence[str]
@@ -60,8 +60,8 @@ class Names(NamedTuple):
 def names_of(case: Transmission) -> Names:
     """Return the symbols of a case: ``w_`` link, ``M_`` device, ``u_`` and ``eta_`` mechanism.
 
-    A name that is not a single word is in brackets. For a mechanism with such a name, the symbol
-    contains its number instead, because the equation would be hard to read.
+    A name that is not a single word is in brackets. The symbol of such a mechanism contains its
+    number instead, for short equations.
 
     Examples
     --------

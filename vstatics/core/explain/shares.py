@@ -1,7 +1,7 @@
-"""Symbolic solution of the speed equations: share of each given speed in the output speed.
+"""Symbolic solution of the speed equations: coefficients of prescribed speeds in the output speed.
 
 Links that rotate together form a body, whose speed is an unknown. All bodies are eliminated except
-the output and the bodies with a given speed.
+the output and the bodies with a prescribed speed.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from vstatics.core.statics.matrix import column
 from vstatics.core.statics.status import NEUTRAL
 
 MOST_FORMULA_TERMS = 400
-"""Largest number of terms of a formula; longer formulas are useless and slow to derive."""
+"""Largest number of terms of a formula. Longer formulas are useless and slow to derive."""
 
 Body = int
 """Body of links, identified by the smallest link number."""
@@ -38,7 +38,7 @@ def shares(
     given: Mapping[Body, str],
     output: Body,
 ) -> Row:
-    """Return the coefficient of each given speed in the formula of the output speed."""
+    """Return the coefficient of each prescribed speed in the formula of the output speed."""
     from sympy import ZZ
     from sympy.polys.fields import field
 
@@ -83,7 +83,7 @@ def _row(
 
 
 def _of_spring(spring: Spring, body: Sequence[Body], fractions: Any) -> Row:
-    """Return the speed equation of a spring with constant twist, with coefficients as fractions."""
+    """Return the speed equation of a spring with constant twist; coefficients are fractions."""
     sums: dict[Body, Fraction] = {}
     for link, part in spring.form.items():
         sums[body[link]] = sums.get(body[link], Fraction(0)) + as_typed(part)
@@ -96,7 +96,7 @@ def _of_spring(spring: Spring, body: Sequence[Body], fractions: Any) -> Row:
 
 
 def as_typed(number: float) -> Fraction:
-    """Return the simple fraction that a person probably meant by a number.
+    """Return the simple fraction that a user probably meant by a number.
 
     >>> as_typed(1 / 3), as_typed(-4.1), as_typed(0.95 - 1)
     (Fraction(1, 3), Fraction(-41, 10), Fraction(-1, 20))

@@ -19,17 +19,17 @@ from vstatics.core.texts import tr
 
 
 class PowerSign(NamedTuple):
-    """Sign of the power of a mechanism, which changes the ratio to ``ratio x efficiency**sign``."""
+    """Sign of the power of a mechanism, whose ratio with losses is ``ratio efficiency**sign``."""
 
     mechanism: str
     torque: float
-    """Torque on the first link, without losses in meshes but with drag. [-]"""
+    """Torque on the first link, with drag but without losses in meshes. [-]"""
     motion: float
     """Speed of the first link minus speed of the third link. [-]"""
     power: float
     """Power that enters by the first link, seen from the third: torque times motion. [-]
 
-    When coasting, the reference of power is negative, so a power that enters is below 0.
+    When coasting, the input power is negative, so entering power is below 0.
     """
     sign: float
     """Sign of the power: +1, -1 or 0; NaN if indeterminate."""
@@ -43,7 +43,7 @@ class PowerSign(NamedTuple):
 
     @property
     def told(self) -> str:
-        """Reason for the sign, in the current language."""
+        """Reason for the sign in the language of the output."""
         return "".join(tr(part) for part in re.split(r"([,;] )", self.why))
 
 
@@ -75,7 +75,7 @@ def signs_of(state: GearState) -> list[PowerSign]:
 
 
 MOST_TRIED = 3
-"""Largest number of moving mechanisms with losses for which all sign combinations are shown."""
+"""Largest number of moving mechanisms with losses for which all combinations of signs are shown."""
 
 
 class TriedSigns(NamedTuple):
@@ -84,15 +84,15 @@ class TriedSigns(NamedTuple):
     signs: Mapping[str, float]
     """Sign of each mechanism."""
     lossy_ratios: Mapping[str, float]
-    """Ratio of each mechanism with losses, u eta^x. [-]"""
+    """Ratio of each mechanism with losses, ``u eta^x``. [-]"""
     output_torque: Known
-    """Resulting torque that the output gives to the load. [-]"""
+    """Torque that the output gives to the load for these signs. [-]"""
     against: str
-    """Mechanism whose power flow contradicts the sign; empty if power enters at the output."""
+    """Mechanism whose power contradicts its sign; empty if power enters at the output."""
 
 
 def tried_signs(state: GearState) -> list[TriedSigns]:
-    """Return all combinations of signs of a self-locking gear, each with a contradiction.
+    """Return all combinations of signs of a self-locking gear, with their contradictions.
 
     The list is empty for other gears, and for more than `MOST_TRIED` moving mechanisms.
 
@@ -130,7 +130,6 @@ def tried_signs(state: GearState) -> list[TriedSigns]:
 
 
 def _why(state: GearState, place: int, motion: float, power: float) -> str:
-    """Return the reason for a sign, in words."""
     case, sign = state.case, state.signs[place]
     mechanism = case.mechanisms[place]
     if mechanism.efficiency == 1 and mechanism.back_efficiency in (None, 1):
@@ -144,7 +143,8 @@ def _why(state: GearState, place: int, motion: float, power: float) -> str:
         )
         if sign == 0:
             return why
-        # The convention is +1 without torque, else the sign of the ratio; see docs/method.md.
+        # By convention the sign is +1 without torque, else the sign of the ratio; see
+        # docs/method.md.
         chosen = (1.0, math.copysign(1, mechanism.ratio))[: 2 if motion == 0 else 1]
         by_convention = case.idle == "published" and sign in chosen
         by = "convention `published`" if by_convention else "flow with losses"

@@ -32,7 +32,7 @@ class Equation(NamedTuple):
     """Linear equation ``sum(coefficient x unknown) = right``."""
 
     of: str
-    """Name of the device, link or condition that the equation describes."""
+    """Name of the device, link or condition described by the equation."""
     terms: Sequence[Term]
     right: float
     """Right-hand side. [-]"""
@@ -83,7 +83,7 @@ def in_symbols(equation: Equation) -> list[str]:
 
 
 def in_numbers(equation: Equation, digits: int | None = None) -> list[str]:
-    """Return the terms and the right-hand side in numbers; `digits` is the number of decimals."""
+    """Return the terms and the right-hand side in numbers, with `digits` decimals."""
     shown = partial(short, digits=digits)
     terms = [(shown(term.coefficient), term.unknown) for term in equation.terms if term.coefficient]
     return _sum(terms, equation.right, digits)

@@ -13,7 +13,7 @@ from vstatics.core.texts import tr
 
 
 def explanation_grids(explained: Iterable[Explanation]) -> Iterator[Grid]:
-    """Yield the tables of gears; the tables of a gear share a sheet.
+    """Yield the tables of gears. In a workbook, all tables of a gear are on a common sheet.
 
     Examples
     --------
@@ -94,7 +94,7 @@ def _signs(explanation: Explanation) -> Grid:
 
 
 def _tried(explanation: Explanation) -> Grid:
-    """Return the table of sign combinations of a self-locking gear, each with a contradiction."""
+    """Return the table of sign combinations of a self-locking gear, with their contradictions."""
     rows: list[Values] = [
         (name, whole(sign), tried.lossy_ratios[name], tried.output_torque, speaks_against(tried))
         for tried in explanation.tried or ()
@@ -105,13 +105,11 @@ def _tried(explanation: Explanation) -> Grid:
 
 
 def _converters(explanation: Explanation) -> Grid:
-    """Return the table of working points of converters."""
     headings = "speed ratio", "K", "lambda", "speed, rad/s", "torque, N*m"
     return grid_of("converters", ["converter", *headings], explanation.converters or ())
 
 
 def _machines(explanation: Explanation) -> Grid:
-    """Return the table of the power of each machine to the battery, and the required power."""
     rows: list[Values] = []
     if explanation.balance is not None:
         rows = [tuple(share) for share in explanation.balance.shares]
@@ -121,7 +119,6 @@ def _machines(explanation: Explanation) -> Grid:
 
 
 def _ratio(explanation: Explanation) -> Grid:
-    """Return the table of the formula and the values of the symbols."""
     ends = [typeset.symbol(name) for name in (explanation.input, explanation.output)]
     ratio = Cell(
         f"{explanation.input}/{explanation.output}", math=rf"\frac{{{ends[0]}}}{{{ends[1]}}}"

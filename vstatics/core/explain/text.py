@@ -28,7 +28,7 @@ from vstatics.core.tables.text import lines as table_lines
 from vstatics.core.texts import tr
 
 LABEL = 20
-"""Width of labels before equations, in characters; a longer label is on a separate line."""
+"""Width of labels before equations, in characters. A longer label has its own line."""
 
 
 def write(explained: Iterable[Explanation], digits: int | None = None) -> str:
@@ -56,7 +56,6 @@ def _gear(explanation: Explanation, digits: int | None) -> Iterator[str]:
 
 
 def _wrapped(text: str, depth: int = 1) -> list[str]:
-    """Return the indented lines of a text; lines after the first are indented further."""
     further = INDENT * (depth + 1)
     return wrap(text, EQUATION_WIDTH, initial_indent=INDENT * depth, subsequent_indent=further)
 
@@ -114,24 +113,24 @@ LOSSES = (
     "u eta^x instead of u; x = +1 where power enters a mechanism by its "
     "first link, seen from the third: M (w_first - w_third) > 0"
 )
-"""Rule of the sign when driving, in the heading of torques with losses."""
+"""Rule for the sign when driving, part of the heading of torques with losses."""
 COASTING = (
     "u eta^x instead of u; x = +1 where power enters a mechanism by its "
     "first link, seen from the third: M (w_first - w_third) < 0, as the unit of M is negative "
     "when coasting"
 )
-"""Rule of the sign when coasting."""
+"""Rule for the sign when coasting."""
 
 
 def rule(*, coasts: bool, drags: bool) -> str:
-    """Return the rule that gives the sign of a mechanism from the torque."""
+    """Return the rule that determines the sign of a mechanism from the torque."""
     return tr(COASTING if coasts else LOSSES) + tr(", M with drag") * drags
 
 
 def engaged(
     elements: Sequence[str], holding: Sequence[str] = (), slipping: Sequence[str] = ()
 ) -> str:
-    """Return a phrase with the shift elements that are engaged, hold or slip under torque."""
+    """Return words for the shift elements that are engaged, hold or slip under torque."""
     count, names = len(elements), ", ".join(elements)
     parts = [tr("engaged {names}|engaged {names}", names=names, count=count)] * bool(elements)
     if holding:
@@ -159,7 +158,7 @@ def _matrix(explanation: Explanation, digits: int | None) -> Iterator[str]:
 
 
 def _system(system: System | None, digits: int | None, *, with_symbols: bool) -> Iterator[str]:
-    """Yield the lines of equations in symbols (if different), in numbers, and the solution."""
+    """Yield lines with equations in symbols (if they differ) and in numbers, and the solution."""
     if system is None:
         return
     labels = [equation.label for equation in system.equations]
@@ -224,7 +223,7 @@ def _tried(signs_tried: TriedSigns, digits: int | None) -> Iterator[str]:
 
 
 def speaks_against(tried: TriedSigns) -> str:
-    """Return the contradiction in a combination of signs, in the current language."""
+    """Return the contradiction in a combination of signs, in the language of the output."""
     if not tried.against:
         return tr("power enters at the output, too")
     leaves, enters = "power leaves by the first link", "power enters by the first link"
@@ -232,7 +231,7 @@ def speaks_against(tried: TriedSigns) -> str:
 
 
 def _efficiency(explanation: Explanation, digits: int | None) -> str:
-    """Return a phrase with the efficiency, which does not exist for a back-driven gear."""
+    """Return words for the efficiency, which a back-driven gear does not have."""
     assert explanation.lossy is not None  # noqa: S101 - for mypy
     if math.isnan(explanation.efficiency) and not any(
         map(math.isnan, explanation.lossy.values.values())
@@ -301,7 +300,6 @@ def _machines(explanation: Explanation, digits: int | None) -> Iterator[str]:
 
 
 def _together(explanation: Explanation) -> Iterator[str]:
-    """Yield lines about links that rotate together."""
     lines = []
     for body in explanation.together:
         by = tr(" (by {names})", names=", ".join(body.elements)) if body.elements else ""
@@ -343,7 +341,7 @@ _FOLLOWS = re.compile(re.sub(r"\\{(\w+)\\}", r"(?P<\1>.+)", re.escape(FOLLOWS)))
 
 
 def reason(text: str) -> str:
-    """Return the reason for a missing formula, in the current language."""
+    """Return the reason for a missing formula, in the language of the output."""
     match = _FOLLOWS.fullmatch(text)
     return tr(FOLLOWS, **match.groupdict()) if match else tr(text)
 
@@ -352,7 +350,7 @@ _BETWEEN_WHEELS = re.compile(r"(?P<part>.+): (?P<first>.+) to (?P<second>.+), (?
 
 
 def symbol_meaning(text: str) -> str:
-    """Return the meaning of a symbol, in the current language."""
+    """Return the meaning of a symbol, in the language of the output."""
     match = _BETWEEN_WHEELS.fullmatch(text)
     if match is None:
         return text

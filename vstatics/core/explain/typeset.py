@@ -1,6 +1,6 @@
 """Equations, symbols and formulas in the math mode of LaTeX, without the dollar signs.
 
-Names in subscripts are upright; names with special characters are set in text mode.
+Names in subscripts are upright. Names with special characters are set in text mode.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ _LETTER = re.compile(r"(eta|u|k|v|w|M|T)(?:_(?P<word>\w+)|\[(?P<name>.*)\]|(?P<n
 _RATIO = re.compile(r"\b(?:eta|u|k)(?:_\w+|\d+)")
 _PLAIN = re.compile(r"[A-Za-z0-9 .]+")
 LONGEST_WITH_BARS = 60
-"""Length in characters above which a formula has no fraction bars, to allow line breaks."""
+"""Number of characters above which a formula has no fraction bars, so that lines can break."""
 
 
 def symbol(name: str) -> str:
@@ -55,7 +55,7 @@ _IN_PROSE = re.compile(
     r"|i = w_\w+/w_\w+|i = 0|u = 1/i|-K M|M w_\w+ \(1 - K i\)|\(i, K\)"
     r"|(?<![\w.])[uMKib](?![\w.]))"
 )
-"""Pattern of formulas in sentences about an exercise, equal in every language."""
+"""Pattern of formulas in sentences of an exercise, which are equal in all languages."""
 
 
 def prose(sentence: str) -> str:
@@ -101,7 +101,7 @@ def equation(row: Equation, parts: Callable[[Equation], list[str]]) -> str:
 
 
 def _powers(text: str) -> str:
-    """Return a text with powers of ten instead of numbers such as 1e-05."""
+    """Return a text with powers of ten for numbers such as 1e-05."""
     return re.sub(r"(\d)e([+-]\d+)", lambda e: rf"{e[1]} \cdot 10^{{{int(e[2])}}}", text)
 
 
@@ -117,7 +117,7 @@ def formula(ratio_formula: RatioFormula) -> str:
 
 
 def _with_bars(part: ast.expr, names: Mapping[str, str]) -> str:
-    r"""Return an expression with fraction bars and an unchanged order of terms.
+    r"""Return an expression with fraction bars; the order of terms does not change.
 
     >>> tree = ast.parse("1 - (u1 - 1)*u2**2/-u1", mode="eval").body
     >>> print(_with_bars(tree, {"u1": "a", "u2": "b"}))
@@ -149,7 +149,7 @@ def _with_bars(part: ast.expr, names: Mapping[str, str]) -> str:
 
 
 def _named(text: str, names: Iterable[str]) -> str:
-    """Return a text with symbols instead of names; long names are replaced first."""
+    """Return a text in which symbols replace names, longest names first."""
     longest_first: Sequence[str] = sorted(names, key=len, reverse=True)
     anyone = "|".join(rf"(?<!\w){re.escape(name)}(?!\w)" for name in longest_first)
     return re.sub(anyone, lambda name: symbol(name[0]), text) if longest_first else text

@@ -10,6 +10,6 @@ converts a flow to tables, `text` writes them as text, and `answer` as JSON.
 >>> round(gear.lossy.lost, 3), text(gear).splitlines()[-2]
 (0.02, 'in 1.000 - out 0.980 - lost 0.020 = 0.000')
 
-`circulation` finds loops in any directed graph, `graph_cycles` the edges on cycles of an undirected
-graph.
+`circulation` finds cycles of power (loops) in a directed graph, `graph_cycles` the edges on cycles
+of an undirected graph.
 """

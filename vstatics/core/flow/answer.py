@@ -24,12 +24,12 @@ CONVENTIONS = {
     "by_convention": "locked-up nodes, whose share of the power statics does not determine",
     "null": "undefined or indeterminate",
 }
-"""Explanation of the numbers in the record, by key."""
+"""Explanations of the numbers in the record, by key."""
 
 
 @document("vstatics-flow")
 class FlowAnswer(NamedTuple):
-    """Power flow of the gears of a case, with the name of the case."""
+    """Power flow of the gears of a case."""
 
     conventions: Annotated[Mapping[str, str], Words(object_of(dict.fromkeys(CONVENTIONS, TEXT)))]
     case: str

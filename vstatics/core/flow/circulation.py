@@ -1,9 +1,9 @@
-"""Recirculating power: directed cycles of a power graph, removed one by one.
+"""Recirculating power: directed cycles in a graph of powers, removed one by one.
 
 A flow on a graph can be decomposed into paths from sources to sinks, and cycles (Ahuja, Magnanti
 and Orlin, Network Flows, 1993, theorem 3.5). Power in cycles is not transmitted. The decomposition
-is not always unique. Here the shortest cycle is removed first; of equally long cycles, the cycle
-with the most power.
+is not always unique. Here the shortest cycle is removed first. Of equally long cycles, the cycle
+with the most power is removed first.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from vstatics.core.tables.answer import json_keys
 from vstatics.core.texts import translated
 
 NodeKind = Literal["port", "link", "element", "mechanism", "spring", "drag", "gear"]
-"""Kind of a node; `element` is a shift element, `mechanism` can also be a drawn gear set."""
+"""Kind of a node. `element` is a shift element, `mechanism` can also be a drawn gear set."""
 
 
 class Node(NamedTuple):
@@ -26,7 +26,7 @@ class Node(NamedTuple):
 
     kind: NodeKind
     number: int
-    """Number among nodes of equal kind, from 1; for ports and drag, the number of the link."""
+    """Number (from 1) among nodes of the same kind; for ports and drag, the number of the link."""
     name: str
 
     def __str__(self) -> str:
@@ -36,7 +36,7 @@ class Node(NamedTuple):
 
 @json_keys(from_="source", to="target", power="power")
 class Edge(NamedTuple):
-    """Power (above 0) from a first node to a second node."""
+    """Power (above 0) that the first node gives to the second."""
 
     source: Node
     target: Node
@@ -45,7 +45,7 @@ class Edge(NamedTuple):
 
 
 class CommonLinks(NamedTuple):
-    """Two mechanisms that could share planets, and the common links."""
+    """Two mechanisms that could share planets, and their common links."""
 
     first: str
     second: str
@@ -55,13 +55,13 @@ class CommonLinks(NamedTuple):
 
 @json_keys("power", "nodes", "note")
 class Loop(NamedTuple):
-    """Cycle of power: the nodes in the direction of power, each once, and the power."""
+    """Cycle of power: the nodes in the direction of power, each once."""
 
     nodes: tuple[Node, ...]
     power: float
     """Recirculating power. [-]"""
     shared: tuple[CommonLinks, ...] = ()
-    """Common links of mechanisms; not empty if the loop can be an artefact of the model."""
+    """Mechanisms with common links, if the loop can be an artefact of the model; else empty."""
 
     @property
     def note(self) -> str:
@@ -69,7 +69,7 @@ class Loop(NamedTuple):
         return self.told(partial(translated, language="en"))
 
     def told(self, text: Callable[..., str]) -> str:
-        """Return the translated note, given the function that translates texts."""
+        """Return the note in another language; `text` translates texts."""
         reasons = [
             text(
                 "{first} and {second} share {links}",
@@ -86,22 +86,22 @@ class Loop(NamedTuple):
 
 
 class Cancelled(NamedTuple):
-    """Power graph without cycles, and the removed cycles."""
+    """Power graph without cycles, and the cycles that were removed."""
 
     edges: tuple[Edge, ...]
     loops: tuple[Loop, ...]
 
 
 def cancel(edges: Sequence[Edge], order: Sequence[Node] = ()) -> Cancelled:
-    """Remove directed cycles in turn, subtracting the smallest power along each cycle.
+    """Remove directed cycles in turn, by subtracting the smallest power on the cycle.
 
     Parameters
     ----------
     edges : sequence of Edge
-        Edges, with at most one edge from a node to another node.
+        Edges, at most one from a node to another node.
     order : sequence of Node
-        Order of nodes, for reproducible results. A loop begins with its first node in this order;
-        of cycles with equal length and power, the cycle with the earlier node is removed first.
+        Order of nodes, for reproducible results. A loop begins with its first node in this order.
+        Of cycles with equal length and power, the cycle with the earlier node is removed first.
         Default: the order in `edges`.
 
     Examples
@@ -134,7 +134,7 @@ def cancel(edges: Sequence[Edge], order: Sequence[Node] = ()) -> Cancelled:
 def _shortest_cycle(
     powers: Mapping[tuple[Node, Node], float], nodes: Sequence[Node]
 ) -> Loop | None:
-    """Return the shortest cycle; of equally short cycles, the cycle with most power."""
+    """Return the shortest cycle; of several, the cycle with the most power."""
     following: dict[Node, list[tuple[Node, float]]] = {}
     for (source, target), power in _without_ends(powers).items():
         following.setdefault(source, []).append((target, power))
@@ -149,7 +149,7 @@ def _shortest_cycle(
 def _without_ends(
     powers: Mapping[tuple[Node, Node], float],
 ) -> Mapping[tuple[Node, Node], float]:
-    """Return the edges without dead ends, which cannot be on a cycle."""
+    """Return the edges that are not dead ends, which cannot be on a cycle."""
     while True:
         sources = {source for source, _ in powers}
         targets = {target for _, target in powers}
@@ -168,7 +168,7 @@ def _is_before(cycle: Loop, earlier: Loop) -> bool:
 def _shortest_cycle_through(
     start: Node, following: Mapping[Node, Iterable[tuple[Node, float]]]
 ) -> Loop | None:
-    """Return the shortest cycle through a node, with the most power among equally short cycles."""
+    """Return the shortest cycle through a node; of several, the cycle with the most power."""
     layer = {start: Loop((start,), math.inf)}
     seen = {start}
     while layer:

@@ -1,8 +1,9 @@
 """Edges on cycles of an undirected graph.
 
-An edge is on a cycle unless it is a bridge, an edge whose removal separates its ends. Bridges are
-found in a single depth-first walk over the graph (Tarjan, A note on finding the bridges of a graph,
-Information Processing Letters 2, 1974): from the nodes beyond a bridge, no other edge leads back.
+An edge is on a cycle unless it is a bridge. The removal of a bridge separates its two nodes. A
+single depth-first walk over the graph finds the bridges, because no other edge leads back from the
+nodes beyond a bridge (Tarjan, A note on finding the bridges of a graph, Information Processing
+Letters 2, 1974).
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ def edges_on_cycles(edges: Iterable[tuple[_Node, _Node]]) -> set[tuple[_Node, _N
     Parameters
     ----------
     edges : iterable of pairs of nodes
-        Edges between different nodes; each edge occurs once, in any direction.
+        Edges between different nodes. Each edge occurs once, in any direction.
 
     Examples
     --------
@@ -41,10 +42,10 @@ def edges_on_cycles(edges: Iterable[tuple[_Node, _Node]]) -> set[tuple[_Node, _N
 def _closed(
     root: _Node, nodes: Mapping[_Node, Sequence[tuple[int, _Node]]], order: dict[_Node, int]
 ) -> Iterator[int]:
-    """Yield the numbers of edges on cycles in the part of the graph that is connected to `root`.
+    """Yield the numbers of edges on cycles, for all nodes connected to `root`.
 
-    A depth-first walk numbers the nodes in `order`. For each node, `back` is the smallest number
-    that an edge reaches from the node or from nodes visited after it.
+    A depth-first walk numbers the nodes in `order`. For each node, `back` is the smallest node
+    number that edges reach from the node or from nodes visited after it.
     """
     if root in order:
         return

@@ -1,7 +1,7 @@
-"""Parts that rotate as a block, and the power in them that is split by convention.
+"""Parts that rotate as a block, and the conventional power split in such parts.
 
-If a clutch locks up a gear set, its teeth do not move. Because of friction, tooth torques are then
-possible in a whole range; the calculation takes a value from this range by convention.
+If a clutch locks up a gear set, its teeth do not move. Friction then permits a whole range of tooth
+torques, from which the calculation takes a value by convention.
 """
 
 from __future__ import annotations
@@ -17,24 +17,24 @@ from vstatics.core.statics.state import GearState
 
 
 def links_of(state: GearState) -> dict[int, Node]:
-    """Return the nodes of links by number, without the planets of gear sets."""
+    """Return the node of each link, without planets."""
     case = state.case
     return {link: Node("link", link, case.link_name(link)) for link in range(1, case.own_links + 1)}
 
 
 def pieces_of(state: GearState) -> dict[Node, int]:
-    """Return the body of each link and of each device that rotates as a block, by number."""
+    """Return the body of each link and of each device that rotates as a block."""
     bodies = state.bodies
     pieces = {node: bodies[link] for link, node in links_of(state).items()}
     return pieces | {node: bodies[links[0]] for node, links in _in_pieces(state)}
 
 
 def _in_pieces(state: GearState) -> Iterator[tuple[Node, Sequence[int]]]:
-    """Yield each device that rotates as a block, with the links of the device."""
+    """Yield each device that rotates as a block, with its links."""
     case = state.case
     for number in state.engaged:
         element = case.shift_elements[number - 1]
-        if HOUSING not in element.links:  # a brake is at rest and passes no power
+        if HOUSING not in element.links:  # a brake is at rest and transmits no power
             yield Node("element", number, element.name), element.links
     for number, device in enumerate(case.own_devices, 1):
         links = [member.link for member in device.members]
@@ -48,12 +48,12 @@ def _in_pieces(state: GearState) -> Iterator[tuple[Node, Sequence[int]]]:
 def divided_by_convention(
     state: GearState, bearing: Container[Node], flows: Iterable[Sequence[Edge]]
 ) -> set[Node]:
-    """Return the devices and links of a gear whose power is determined only by convention.
+    """Return the devices and links of a gear whose power is a convention.
 
-    Within parts that rotate as a block, these are devices on a cycle, because statics does not
-    determine how power is split between two paths; mechanisms that rotate as a block only because
-    their speeds happen to be equal; and links that both receive power from such devices and give
-    power to such devices. A clutch through which all power must pass is not included.
+    In parts that rotate as a block, statics does not determine the power split between two paths.
+    The result contains devices on such cycles, three-link mechanisms in the block, and links that
+    receive power from such devices and give power to such devices. A clutch that transmits all
+    power is not included.
 
     Parameters
     ----------

@@ -2,8 +2,7 @@
 
 The power flow of a gear is a directed graph. Its nodes are links, shift elements that carry torque
 or drag, mechanisms or drawn gear sets, springs, ports where power enters or leaves, and the drag of
-links. Its edges are the powers that nodes exchange. The housing is not a node, because its power is
-0.
+links. Its edges are the powers that nodes exchange. The housing has no power, so it is not a node.
 """
 
 from __future__ import annotations
@@ -36,7 +35,7 @@ class Exchange(NamedTuple):
     """Name of the member; empty for ports and drag of links."""
     link: int
     power: float
-    """Power, NaN if indeterminate. [-]"""
+    """Power; NaN if indeterminate. [-]"""
 
 
 @refusing()
@@ -79,7 +78,7 @@ def flows(results: Results) -> list[GearFlow]:
 
 
 def shown_flow(state: GearState) -> PowerFlow | None:
-    """Return the power flow of a gear with losses if possible, else without losses.
+    """Return the power flow of a gear with losses or, if that does not exist, without losses.
 
     Examples
     --------
@@ -108,7 +107,7 @@ def _of_gear(state: GearState, by_unit: dict[str, float]) -> GearFlow:
 
 
 def _by_convention(state: GearState, sides: Sequence[PowerFlow]) -> Iterator[Node]:
-    """Yield nodes whose power is determined by convention, in the order of the flow."""
+    """Yield nodes whose power is a convention, in the order of the flow."""
     if not sides:
         return
     nodes = sides[0].throughput
@@ -164,7 +163,7 @@ _Powered = TypeVar("_Powered", Exchange, ToothPower)
 
 
 def _without_noise(powers: Sequence[_Powered]) -> list[_Powered]:
-    """Return the powers, with 0 instead of rounding errors."""
+    """Return powers, with 0 for rounding errors."""
     known = (abs(item.power) for item in powers if not math.isnan(item.power))
     noise = NO_POWER * max(known, default=0.0)
     return [item._replace(power=0.0) if abs(item.power) <= noise else item for item in powers]
@@ -173,7 +172,7 @@ def _without_noise(powers: Sequence[_Powered]) -> list[_Powered]:
 def _by_link(
     exchanged: Sequence[Exchange], links: Mapping[int, Node]
 ) -> dict[tuple[Node, Node], float]:
-    """Return the power that each node receives from each link, by node and link."""
+    """Return the power that each node receives from each link [-], by node and link."""
     powers: dict[tuple[Node, Node], float] = {}
     for exchange in exchanged:
         if exchange.link != HOUSING:
@@ -185,7 +184,7 @@ def _by_link(
 def _throughput(
     powers: Mapping[tuple[Node, Node], float], nodes: Sequence[Node]
 ) -> dict[Node, float]:
-    """Return the power that enters each node; for a port, the power that passes the port."""
+    """Return the power that enters each node [-]; for a port, the magnitude of its power."""
     entering = dict.fromkeys(nodes, 0.0)
     for (node, link), power in powers.items():
         if not power < 0 or node.kind == "port":

@@ -26,13 +26,13 @@ class MemberPower(NamedTuple):
 
     device: Flat[Node]
     member: str
-    """Member of a mechanism or gear set; ``first`` or ``second`` for a shift element.
+    """Member of a mechanism or gear set, ``first`` or ``second`` for a shift element.
 
     For a spring, the name of the link.
     """
     link: str
     power: float
-    """Power, NaN if indeterminate. [-]"""
+    """Power; NaN if indeterminate. [-]"""
 
 
 class NodePower(NamedTuple):
@@ -48,7 +48,7 @@ class NodeLoss(NamedTuple):
     node: Flat[Node]
     power: float
     share: float
-    """Fraction of all losses. [-]"""
+    """Loss as a fraction of all losses. [-]"""
 
 
 @defined("side")
@@ -67,17 +67,20 @@ class NodeLoss(NamedTuple):
 class PowerFlow(NamedTuple):
     """Power flow of a gear, without or with losses, relative to the power at the input link.
 
-    Directions are real: when coasting, the power 1 leaves at the input.
+    Directions are real. For example, when coasting the power 1 leaves at the input.
     """
 
     edges: tuple[Edge, ...]
-    """All determinate powers that exceed rounding errors."""
+    """All powers that are determinate and larger than rounding errors."""
     forward: tuple[Edge, ...]
     """Transmitted power: the edges minus all loops, a graph without cycles."""
     members: tuple[MemberPower, ...]
     """Powers of shift elements that carry torque or drag, of mechanisms and of springs."""
     throughput: Mapping[Node, float]
-    """Power that enters a node, or passes a port; NaN if indeterminate. [-]"""
+    """Power that enters each node, or the magnitude of the power of a port; NaN if indeterminate.
+
+    [-]
+    """
     losses: Mapping[Node, float]
     """Loss of each mechanism, each link with drag, and each shift element with drag or slip. [-]
 
@@ -88,14 +91,14 @@ class PowerFlow(NamedTuple):
     leaving: float
     """Power that leaves through all ports. [-]"""
     loops: tuple[Loop, ...]
-    """Cycles of recirculating power; indeterminate powers are not included."""
+    """Cycles of recirculating power, without indeterminate powers."""
     locked_in: tuple[Loop, ...]
     """Cycles of power within parts that rotate as a block.
 
     These cycles do not count as recirculating power, because nothing moves inside such parts.
     """
     teeth: tuple[ToothPower, ...] = ()
-    """Rolling power of every mechanism that can have teeth, and of each mesh."""
+    """Rolling power of each mechanism that can have teeth, and of each mesh."""
 
     @property
     def unknown(self) -> tuple[Node, ...]:
@@ -109,12 +112,12 @@ class PowerFlow(NamedTuple):
 
     @property
     def balance(self) -> float:
-        """Input power minus output power and losses [-]; 0 except for rounding."""
+        """Input power minus output power and losses [-], which is 0 except for rounding."""
         return self.entering - self.leaving - self.lost
 
     @property
     def shares(self) -> dict[Node, float]:
-        """Each loss as a fraction of all losses [-]; NaN without losses."""
+        """Each loss as a fraction of all losses [-]; NaN if all losses are 0."""
         lost = self.lost
         return {node: loss / lost if lost else math.nan for node, loss in self.losses.items()}
 
@@ -159,17 +162,17 @@ class GearFlow(NamedTuple):
 
     gear: str
     ideal: PowerFlow | None
-    """Flow without losses, unless speeds or torques are contradictory."""
+    """Flow without losses; None if speeds or torques are contradictory."""
     lossy: PowerFlow | None
-    """Flow with losses, if `ideal` exists and the gear is not self-locking."""
+    """Flow with losses; None without `ideal`, or if the gear is self-locking."""
     ports: Flat[PortTable]
     """Speed, torque and power of the ports where power enters and leaves."""
     status: Status
     """Reason for a missing flow, or `OK`."""
     by_convention: tuple[Node, ...] = ()
-    """Nodes that rotate as a block and whose power is determined by convention.
+    """Nodes that rotate as a block, and whose power is a convention.
 
-    Statics determines the power into and out of the block, but not how it is split inside.
+    Statics determines the power into and out of the block, but not the split inside.
     """
 
     def __repr__(self) -> str:
@@ -184,19 +187,19 @@ class GearFlow(NamedTuple):
 
     @property
     def kilowatts(self) -> float:
-        """Power at the input link, of 1 N*m if the load has no torque; NaN without a load [kW]."""
+        """Power at the input link [kW], for 1 N*m if the input torque is 0; NaN without a load."""
         return self.ports.scales["kW"]
 
     @property
     def shown(self) -> PowerFlow | None:
-        """Flow with losses if available, else the ideal flow."""
+        """Flow with losses or, if that does not exist, without losses."""
         return self.lossy or self.ideal
 
     def divided(self, side: PowerFlow) -> set[tuple[Node, Node]]:
-        """Return the edges of a flow whose power is determined by convention, as pairs of nodes.
+        """Return the edges of a flow whose power is a convention, as pairs of nodes.
 
-        Such edges end at nodes of `by_convention`. An edge that is the only connection between its
-        ends is left out, because all power must pass through it.
+        Such edges begin or end at nodes of `by_convention`. An edge that is the only connection
+        between its ends is not included, because it must transmit all power.
         """
         edges = [edge[:2] for edge in side.edges]
         devices = {node for node in self.by_convention if node.kind != "link"}

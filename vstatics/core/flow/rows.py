@@ -1,4 +1,4 @@
-"""Power flow of all gears in a few tables, for spreadsheets."""
+"""Power flow of all gears in a few common tables, for spreadsheets."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def flow_grids(flows: Sequence[GearFlow]) -> Iterator[Grid]:
 
 
 def _power(by_gear: Sequence[tuple[str, Grid]]) -> Grid:
-    """Return the merged tables of all gears; section, node and part become columns."""
+    """Return a common table of all gears, with columns for section, node and member."""
     columns = {column.heading: column for _, grid in by_gear for column in grid.columns[1:]}
     rows = []
     for gear, grid in by_gear:

@@ -1,8 +1,8 @@
-"""Loops of power within a gear set that is given as several mechanisms.
+"""Loops of power within a gear set that a case describes as several mechanisms.
 
 A deck describes a Ravigneaux set as two mechanisms. In the model, power can recirculate between
-them that no part of the real gear set carries. Only drawn gear sets show which mechanisms share
-planets.
+these mechanisms, although no part of the real gear set carries this power. Only drawn gear sets
+show which mechanisms share planets.
 """
 
 from __future__ import annotations
@@ -16,12 +16,12 @@ from vstatics.core.model.transmission import Transmission
 
 
 def shared(case: Transmission, loop: Loop) -> tuple[CommonLinks, ...]:
-    """Return the common links of mechanisms in a loop that can be an artefact of the model.
+    """Return the mechanisms with common links in a loop that can be an artefact of the model.
 
-    Shared planets have a single carrier, so all mechanisms have a common link. Two mechanisms that
-    share planets also have a common central gear, or each has a common central gear with a third
-    mechanism. Gear pairs have no planets. Links joined by a clutch count as two links, because a
-    loop through a clutch is real.
+    Mechanisms that share planets have the same carrier, which is a link common to all. Two of them
+    also have a common central gear, or each has a common central gear with a third mechanism. Gear
+    pairs have no planets. Links joined by a clutch count as two links, because a loop through a
+    clutch is real.
 
     Returns
     -------
@@ -59,7 +59,7 @@ def shared(case: Transmission, loop: Loop) -> tuple[CommonLinks, ...]:
 
 
 def _sets(case: Transmission) -> dict[int, tuple[int, ...]]:
-    """Return the links of each given mechanism that can be part of a gear set, by number."""
+    """Return the links of each mechanism, by number, that can belong to a gear set."""
     given = {
         number: part.lowered[0].mechanism
         for number, part in enumerate(parts_of(case), 1)

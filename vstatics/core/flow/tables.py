@@ -21,21 +21,20 @@ SECTIONS: Mapping[NodeKind, str] = {
     "drag": "drag of links",
     "gear": "loss of the gear as a whole",
 }
-"""Heading for each kind of node."""
+"""Section heading for each kind of node."""
 NO_LOSSES = (None, None)
 _Line = tuple[int, Row]
-"""Level of indentation and cells of a table row."""
+"""Indentation level of a table row, and its cells."""
 CONVENTION = "~"
-"""Mark of power that is split by convention in a part that rotates as a block."""
+"""Mark of power whose split within a block is a convention."""
 
 
 def power_grid(flow: GearFlow) -> Grid:
     """Return a table of the power through links, mechanisms, springs and shift elements.
 
     If the gear has a load, there are columns in kW. Below a mechanism are rows for its members and
-    its teeth; below a spring with more than two links, for its members. Nodes without power are
-    left out; the table is empty without a flow. The last column marks powers that are determined by
-    convention.
+    its teeth, and below a spring with more than two links, for its members. Nodes without power are
+    omitted. Without a flow the table is empty. The last column marks powers that are a convention.
 
     Examples
     --------
@@ -60,7 +59,7 @@ def power_grid(flow: GearFlow) -> Grid:
             lines.append((2, _of_node(flow, node)))
             if kind in ("mechanism", "spring"):
                 below = [*_of_members(flow, node), *_of_teeth(flow, node)]
-                # both ends of a shaft have equal power
+                # the power at both links of a shaft is equal
                 if kind == "spring" and len(below) < 3:
                     below = []
                 lines += below
@@ -76,7 +75,7 @@ def remarks(flow: GearFlow, digits: int | None = None, *, balanced: bool = True)
     digits : int, optional
         Number of decimals. Default: 3.
     balanced : bool
-        False if the balance of powers is shown elsewhere.
+        True to include the balance of powers.
     """
     if flow.ideal is None:
         return
@@ -120,7 +119,7 @@ def remarks(flow: GearFlow, digits: int | None = None, *, balanced: bool = True)
 
 
 def around(loop: Loop) -> str:
-    """Return a phrase with the nodes of a loop; the first node is repeated at the end."""
+    """Return words for the nodes of a loop, with the first node again at the end."""
     return " > ".join(map(str, (*loop.nodes, loop.nodes[0])))
 
 
@@ -135,14 +134,14 @@ def _circulating(ideal: PowerFlow, shown: PowerFlow, shown_as: Callable[[float],
 
 
 def doubt(side: PowerFlow, shown_as: Callable[[float], str]) -> str:
-    """Return a phrase about recirculating power that can be an artefact of the model; else ""."""
+    """Return words for recirculating power that can be an artefact of the model; else ""."""
     if not side.doubtful > 0:
         return ""
     return tr("{power} of it may be an artefact of the model", power=shown_as(side.doubtful))
 
 
 def _nodes(flow: GearFlow) -> dict[Node, bool]:
-    """Return all nodes of both flows, and whether power passes or can pass each node."""
+    """Return all nodes of both flows, and whether each node has or can have power."""
     carrying: dict[Node, bool] = {}
     for side in (flow.ideal, flow.lossy):
         for node, power in side.throughput.items() if side is not None else ():
@@ -171,7 +170,7 @@ def _of_members(flow: GearFlow, node: Node) -> Iterator[_Line]:
 
 
 def _of_teeth(flow: GearFlow, node: Node) -> Iterator[_Line]:
-    """Yield rows with the rolling power of a mechanism, and of each mesh with the loss."""
+    """Yield rows with the rolling power of a mechanism, and of each mesh with its loss."""
     assert flow.ideal is not None  # noqa: S101 - for mypy
     ideal = [tooth_power for tooth_power in flow.ideal.teeth if tooth_power.device == node]
     lossy = (
@@ -209,7 +208,7 @@ def _row(
     *,
     mark: str = "",
 ) -> Row:
-    """Return a row: powers without and with losses, loss, and share of loss; empty if missing."""
+    """Return a row: powers without and with losses, loss, and fraction of all losses."""
     (ideal, lossy), (loss, share), unit = powers, losses, flow.kilowatts
     load = not math.isnan(unit)
     return [

@@ -1,7 +1,7 @@
 """Rolling power: the power through the meshes of a mechanism, relative to its carrier.
 
-Rolling power can be a small fraction of the power through the mechanism, or a multiple of it. The
-losses of a mechanism are a share of its rolling power, equation (2) of docs/method.md.
+Rolling power can be a small fraction or a multiple of the power through the mechanism. The losses
+of a mechanism are a fraction of its rolling power, equation (2) of docs/method.md.
 """
 
 from __future__ import annotations
@@ -36,8 +36,8 @@ class ToothPower(NamedTuple):
 def tooth_powers(state: GearState, *, lossy: bool) -> Iterator[ToothPower]:
     """Yield the rolling power of each mechanism or drawn gear set, and of each mesh.
 
-    A mechanism loses the share ``1 - efficiency`` of its rolling power. Shafts, belts, held links,
-    variators and converters have no teeth, so nothing is yielded for them.
+    A mechanism loses the fraction ``1 - efficiency`` of its rolling power. Nothing is yielded for
+    shafts, belts, held links, variators and converters, which have no teeth.
     """
     case = state.case
     for number, (part, device) in enumerate(zip(parts_of(case), case.own_devices, strict=True), 1):
@@ -63,7 +63,7 @@ def _has_teeth(part: DrawnPart) -> bool:
 
 
 def _of_mechanism(state: GearState, index: int, *, lossy: bool) -> tuple[float, float]:
-    """Return the rolling power of a mechanism, taken at the first or second link, and the loss."""
+    """Return the rolling power of a mechanism at its first or second link, and the loss [-]."""
     torques = state.lossy_torques if lossy else state.torques
     torque = torques.on_first_link[len(state.case.shift_elements) + index]
     by_first = state.ideal.direction * plain(power(torque, state.relative_speeds[index]))
@@ -76,7 +76,7 @@ def _of_mechanism(state: GearState, index: int, *, lossy: bool) -> tuple[float, 
 
 
 def _of_wheels(state: GearState, number: int, device: OwnDevice, *, lossy: bool) -> float:
-    """Return the power that enters a gear set through central gears, relative to the carrier."""
+    """Return the rolling power that enters a gear set through its central gears [-]."""
     speeds = [0.0, *map(plain, state.speeds)]
     carrier = state.case.mechanisms[device.mechanisms[0]].third
     torques = state.member_torques(lossy=lossy)[number - 1]

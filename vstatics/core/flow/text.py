@@ -18,11 +18,11 @@ from vstatics.core.texts import tr
 FLOW_TEXT_WIDTH = 79
 """Width of the text, in characters."""
 NAME, NUMBER, SHARE = 27, 8, 6
-"""Widths of the columns; a longer name has a separate line."""
+"""Widths of the columns, in characters. A longer name has its own line."""
 HEADINGS = {"with losses": "lossy", "loss, kW": "kW", "share, %": "share"}
-"""Short headings that replace headings of tables."""
+"""Short headings that replace the headings of tables."""
 DECIMALS = {"kW": UNITS["kW"].decimals, "loss": 4, "loss, kW": UNITS["kW"].decimals}
-"""Number of decimals of the columns that do not have three decimals."""
+"""Number of decimals of columns, if not 3."""
 
 
 def text(flow: GearFlow, digits: int | None = None) -> str:
@@ -31,7 +31,7 @@ def text(flow: GearFlow, digits: int | None = None) -> str:
     Parameters
     ----------
     digits : int, optional
-        Number of decimals of every number; more than four widen the columns.
+        Number of decimals of every number. More than four make the columns wider.
 
     Examples
     --------
@@ -100,7 +100,7 @@ def _narrow(grid: Grid, heading: str, digits: int | None) -> Grid:
 
 
 def _field(name: str, cell: Cell, digits: int | None) -> str:
-    """Return the text of a number; an indeterminate number fills the field with asterisks."""
+    """Return the text of a number. An indeterminate number is a field of asterisks."""
     if cell.value is None:
         return ""
     if name == "share, %":

@@ -1,7 +1,7 @@
-"""Long work on many items: processes, resumable finished work, files written completely.
+"""Long work on many items, in several processes, with finished work that can be resumed.
 
-Each worker receives a state once; then `function(state, item)` is called for each item. A worker
-that dies is replaced. If a run is stopped, a later run can reuse its finished work.
+Each worker receives a state once. It then calls `function(state, item)` for each item. A worker
+process that dies is replaced. If a run is stopped, a later run can reuse its finished work.
 
 >>> from vstatics.core.jobs.workers import workers
 >>> with workers(10, describe=str, jobs=1) as called:

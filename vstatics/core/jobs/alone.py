@@ -1,4 +1,4 @@
-"""Interface of workers of every kind, and the simplest kind: the process itself.
+"""Interface of all workers, and the simplest workers: the present process.
 
 All workers provide `each(function, items)`, which calls `function(state, item)` for every item.
 Each worker receives the state only once, and only a few items are in progress at any time.
@@ -16,7 +16,7 @@ Item = TypeVar("Item")
 Result = TypeVar("Result")
 Describe = Callable[[Any], str]
 Work = Callable[[Any, Item], Result]
-"""Function that returns the result for an item, given the state of the workers."""
+"""Function that returns the result for an item, from the state of the workers and the item."""
 
 
 class Workers(ABC):
@@ -25,13 +25,13 @@ class Workers(ABC):
     Parameters
     ----------
     state : object
-        Data that every call needs; each worker receives them only once.
+        Data that every call needs. Each worker receives these data only once.
     describe : callable
         Function that returns the name of an item for error messages.
     """
 
     remote = False
-    """True if workers can be on other machines, without access to local files."""
+    """True if workers can be on other machines, which cannot read local files."""
 
     def __init__(self, state: object, describe: Describe) -> None:
         self.state = state
@@ -59,16 +59,17 @@ class Workers(ABC):
 
 
 class Rules(NamedTuple):
-    """Limits for waiting results and retries, and functions for special items."""
+    """Limits for retries and for results in memory, and functions for special items."""
 
     ahead: int = 2
-    """Largest number of unfinished items and waiting results per process while an item is slow."""
+    """Largest number, per process, of items in progress and of results that wait for a slow item.
+    """
     tries: int = 3
-    """Number of processes that may die while processing an item before the item is abandoned."""
+    """Number of deaths of processes at an item after which the item is abandoned."""
     lost: Callable[[Any], Any] | None = None
-    """Function that returns a result for an abandoned item; by default an error is raised."""
+    """Function that returns a result for an abandoned item; None to raise an error."""
     here: Callable[[Any], bool] = lambda item: False  # noqa: ARG005
-    """Function that returns True for an item that only the main process can process."""
+    """Function that returns True for items that only the main process can process."""
 
 
 def call(function: Work[Item, Result], state: object, item: Item, describe: Describe) -> Result:
@@ -90,13 +91,13 @@ def call(function: Work[Item, Result], state: object, item: Item, describe: Desc
 
 
 def failure(describe: Describe, item: object, error: BaseException) -> CaseError:
-    """Return the error for an unexpected exception (a fault in the program) at an item."""
+    """Return the error for an unexpected exception at an item, which is a fault in the program."""
     message = f"an error in vstatics, please report it: {type(error).__name__}: {error}"
     return CaseError("E002", f"{describe(item)}: {message}")
 
 
 class Alone(Workers):
-    """Workers of the simplest kind: the present process."""
+    """The present process as the only worker."""
 
     def each(
         self,

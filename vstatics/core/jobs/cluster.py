@@ -15,10 +15,10 @@ from vstatics.core.extras import __version__, build
 from vstatics.core.jobs.alone import Describe, Item, Result, Work, Workers, failure
 
 SCHEDULER_SECONDS = 10
-"""Longest time to wait for a scheduler, and again for the first worker. [s]"""
+"""Longest time to wait for a scheduler, and then for the first worker. [s]"""
 RETRIES = 3
 LOST = ("CommClosedError", "CancelledError", "FutureCancelledError")
-"""Names of Dask errors that mean the loss of the scheduler or of all workers with the state."""
+"""Names of Dask errors for the loss of the scheduler or of all workers with the state."""
 
 
 class Cluster(Workers):
@@ -33,7 +33,7 @@ class Cluster(Workers):
         self._sent: Any = None
 
     def __enter__(self) -> Self:
-        """Connect to the scheduler, compare builds, and send the state once to every worker.
+        """Connect to the scheduler, compare the builds of the package, and send workers the state.
 
         Raises
         ------
@@ -64,7 +64,7 @@ class Cluster(Workers):
         return self
 
     def __exit__(self, *_: object) -> None:
-        """Disconnect, and drop items in progress."""
+        """Disconnect, and abandon items in progress."""
         self._close()
 
     def _close(self) -> None:
@@ -89,7 +89,7 @@ class Cluster(Workers):
     def _loss(self, error: Exception) -> ReadError:
         """Return the error for a lost scheduler or for lost workers.
 
-        Dask can raise the same error for both; then the answer of the scheduler decides.
+        Dask can raise the same error for both. Whether the scheduler answers shows which is lost.
         """
         client = self._client
         is_scheduler_lost = getattr(error, "reason", None) == "scheduler-connection-lost"
@@ -100,7 +100,7 @@ class Cluster(Workers):
     def each(
         self, function: Work[Item, Result], items: Iterable[Item], *, ordered: bool = False
     ) -> Iterator[tuple[Item, Result]]:
-        """Process the items on the cluster; items of a lost worker go to other workers."""
+        """Process the items on the cluster. Items of a lost worker go to other workers."""
         entries = enumerate(items)
         under_way: dict[str, tuple[int, Item]] = {}
         done: dict[int, tuple[Item, Result]] = {}
@@ -134,7 +134,7 @@ class Cluster(Workers):
             raise self._loss(error) from None
 
     def _result(self, future: Any, item: object) -> Any:
-        """Return the result of a Dask future, which must come from an equal build.
+        """Return the result of a Dask future, which must be from the same build of the package.
 
         A worker with another build can join after the first comparison of builds.
 
@@ -165,7 +165,7 @@ class Cluster(Workers):
 
 
 async def _answers(client: Any) -> bool:
-    """Return whether the scheduler answers; the client may notice a loss only later."""
+    """Return whether the scheduler answers. The Dask client notices a loss only later."""
     request = asyncio.ensure_future(client.scheduler.ncores(workers=None))
     end = time.monotonic() + SCHEDULER_SECONDS
     while client.status == "running" and not request.done() and time.monotonic() < end:
@@ -183,7 +183,7 @@ class _Held:
 
 
 class _Answer(NamedTuple):
-    """Result of an item, and the build of the package that calculated the result."""
+    """Result of an item, and the build of the package of the worker."""
 
     version: str
     result: Any
@@ -199,7 +199,6 @@ def _call(function: Work[Item, Result], held: _Held, item: Item) -> _Answer:
 
 
 def _reason(error: Exception) -> str:
-    """Return the reason why a cluster cannot be reached, in a single line."""
     if isinstance(error, ValueError):
         return f"is not the address of a scheduler, expected tcp://HOST:PORT ({error})"
     if "worker" in str(error).lower():

@@ -19,7 +19,7 @@ STDIN_NAME = "<stdin>"
 OLD = ".old"
 PREFIX = ".vstatics-"
 OWN_FAULTS = {errno.EISDIR, errno.ENAMETOOLONG, errno.ELOOP, errno.EILSEQ}
-"""Error numbers for faults of a single file name; other errors affect all files."""
+"""Error numbers for faults of a single file name. Other errors affect all files."""
 Write = Callable[[bytes | memoryview], None]
 
 
@@ -49,7 +49,7 @@ def unwritable(output: str | None, error: OSError) -> Problem:
 
 
 def missing_folder(output: str) -> Problem | None:
-    """Return a problem if the directory of an output is missing.
+    """Return a problem if an output has a directory that does not exist.
 
     >>> str(missing_folder("nowhere/new.csv"))
     'nowhere/new.csv: error: cannot be written: there is no directory nowhere; create it [E030]'
@@ -62,7 +62,7 @@ def missing_folder(output: str) -> Problem | None:
 
 
 def opened(output: str) -> contextlib.AbstractContextManager[Write]:
-    """Open an existing stream for writing; a redirected file continues at the current position."""
+    """Open an existing stream for writing. A redirected file continues at its current position."""
     standard = re.fullmatch(r"/dev/std(?:(out)|err)|(?:/dev|/proc/self)/fd/(\d{1,9})", output)
     if standard is None:
         handle = os.open(output, os.O_WRONLY | os.O_APPEND)
@@ -73,7 +73,7 @@ def opened(output: str) -> contextlib.AbstractContextManager[Write]:
 
 @contextlib.contextmanager
 def descriptor_writing(handle: int) -> Iterator[Write]:
-    """Yield a function that writes to an open file, and close the file at the end of the block."""
+    """Yield a function that writes to an open file, and close the file after the block."""
     try:
         yield partial(write_all, handle)
     finally:
@@ -88,13 +88,13 @@ def replace(path: str, data: bytes, mark: str = "") -> None:
     path : str
     data : bytes
     mark : str, optional
-        Part of the name of temporary files. If a process is killed, a later process recognises and
-        removes its temporary files by this mark.
+        Text in the names of temporary files. If a process is killed, a later process removes the
+        temporary files with this mark.
 
     Raises
     ------
     OSError
-        If the file cannot be written; an earlier file is unchanged.
+        If the file cannot be written. An earlier file is then unchanged.
     """
     with replacing(path, mark) as write:
         write(data)
@@ -104,14 +104,14 @@ def replace(path: str, data: bytes, mark: str = "") -> None:
 def replacing(
     path: str, mark: str = "", folder: int | None = None, expected: bytes | None = None
 ) -> Iterator[Write]:
-    """Write a temporary file and move the file into place when the block ends without error.
+    """Write a temporary file, and move it into place when the block ends without error.
 
-    Permissions of an earlier file are preserved; if `path` is a link, its target is replaced.
+    An earlier file keeps its permissions. If `path` is a link, its target is replaced.
 
     Raises
     ------
     ChangedFileError
-        If the earlier file does not have the `expected` content; it is left unchanged.
+        If the earlier file, which then does not change, has other than the `expected` content.
     """
     if os.path.islink(path):  # noqa: PTH114
         path = os.path.realpath(path)
@@ -130,7 +130,7 @@ def whole_file(  # noqa: PLR0913
     target: int | None = None,
     expected: bytes | None = None,
 ) -> Iterator[Write]:
-    """Write a new file, renamed to a path when the block ends without error.
+    """Write a temporary file, and rename it to `path` when the block ends without error.
 
     Parameters
     ----------
@@ -138,16 +138,16 @@ def whole_file(  # noqa: PLR0913
     mark : str
         Mark in the temporary name; see `replace`.
     mode : int, optional
-        Permissions of the file; default: given by the umask.
+        Permissions of the file, by default from the umask.
     source, target : int, optional
-        Descriptors of the folders of the temporary file and of the path.
+        Descriptors of the folders of the temporary file and of `path`.
     expected : bytes, optional
-        Required content of the replaced file; not in combination with `source` and `target`.
+        Required content of the replaced file. It cannot be combined with `source` and `target`.
 
     Raises
     ------
     ChangedFileError
-        If the replaced file does not have the `expected` content; it is left unchanged.
+        If the replaced file, which then does not change, has other than the `expected` content.
     """
     folder = os.path.dirname(path) if source is None else ""  # noqa: PTH120
     temporary, handle = _new_file(folder, mark, source)
@@ -167,14 +167,14 @@ def whole_file(  # noqa: PLR0913
 
 
 class ChangedFileError(Exception):
-    """Error for a file changed by a different process after reading."""
+    """Error for a file that another process has changed."""
 
 
 def _exchange(new: str, path: str, expected: bytes) -> None:
     """Replace a file of known content by a new file.
 
-    If the system supports it, both files are exchanged in one step, and the content of the old file
-    is compared afterwards. So a change made just before the exchange is not lost.
+    If possible, both files are exchanged in a single step, and the content of the old file is
+    compared afterwards. A change just before the exchange is then not lost.
     """
     if not _holds(path, expected):
         raise ChangedFileError
@@ -188,7 +188,7 @@ def _exchange(new: str, path: str, expected: bytes) -> None:
 
 
 def _swapped(new: str, old: str) -> bool:
-    """Exchange two files in a single step; return False if unsupported by the system."""
+    """Exchange two files in a single step; return False if the system does not support this."""
     import ctypes  # costs start-up time
 
     rename = getattr(ctypes.CDLL(None), "renameat2", None) if os.name == "posix" else None
@@ -214,7 +214,7 @@ def sync(path: str) -> None:
 
 
 def set_aside(path: str) -> str:
-    """Rename an earlier regular file with the suffix `OLD`; return the new name, or ""."""
+    """Rename an earlier regular file with the suffix `OLD`; return its new name, or ""."""
     with contextlib.suppress(FileNotFoundError):
         if stat.S_ISREG(os.lstat(path).st_mode):
             os.replace(path, path + OLD)  # noqa: PTH105
@@ -230,7 +230,7 @@ def hash_of(case: bytes) -> str:
 
 
 def hash_of_file(name: str) -> str | None:
-    """Return the SHA-256 hash of a file, if regular and readable."""
+    """Return the SHA-256 hash of a file; None for an unreadable or special file."""
     try:
         if stat.S_ISREG(os.stat(name).st_mode):  # noqa: PTH116
             with open(name, "rb") as file:  # noqa: PTH123
@@ -242,7 +242,7 @@ def hash_of_file(name: str) -> str | None:
 
 def is_temporary(name: str) -> bool:
     """Return whether a file name denotes a temporary, unfinished file."""
-    return name.startswith(PREFIX) or name.endswith(".tmp")  # the suffix of earlier versions
+    return name.startswith(PREFIX) or name.endswith(".tmp")  # earlier versions used this suffix
 
 
 def front(mark: str) -> str:
@@ -251,29 +251,29 @@ def front(mark: str) -> str:
 
 
 def _new_file(folder: str, mark: str, opened: int | None) -> tuple[str, int]:
-    """Create a temporary file in a folder, and return the name and the descriptor."""
+    """Create a temporary file in a folder, and return its name and descriptor."""
     for number in itertools.count():
         temporary = os.path.join(folder, f"{front(mark)}{os.getpid()}-{number}")  # noqa: PTH118
         try:
             flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL
             return temporary, os.open(temporary, flags, 0o666, dir_fd=opened)
-        except FileExistsError:  # left by a killed process
+        except FileExistsError:  # a killed process left this file
             continue
         except OSError as error:
-            error.filename = folder or os.curdir  # name the folder, not the temporary file
+            error.filename = folder or os.curdir  # users know the folder, not the temporary file
             raise
     raise AssertionError
 
 
 def write_all(handle: int, data: bytes | memoryview) -> None:
-    """Write all data in several calls if necessary: a call writes 2 GB at most."""
+    """Write all data, in several calls if necessary, because a call writes 2 GB at most."""
     remaining = memoryview(data)
     while remaining:
         remaining = remaining[os.write(handle, remaining) :]
 
 
 def _mode(path: str) -> int | None:
-    """Return type and permissions of a file, if existing; raise an error for a directory."""
+    """Return type and permissions of a file, or None without a file; refuse a directory."""
     try:
         mode = os.stat(path).st_mode  # noqa: PTH116
     except FileNotFoundError:

@@ -1,11 +1,11 @@
 """Results in a directory, which a resumed run reuses.
 
-A run into a directory writes a hidden file (the record) for each format. Its first line contains
+A run into a directory writes a hidden file (the record) for each format. The first line contains
 the options and the build of this package. A line for each finished result follows. It contains the
 hashes of the case and of the files that the case names, a hash of the first line, size and time of
 the result, and whether the case failed (a gear is tied up). A result counts as done if its line
-agrees with the present case and run, and the result has not been changed since. Each line begins
-with its own hash, and damaged lines are ignored.
+agrees with the present case and run, and the result has not changed since. Each line begins with
+its own hash, and damaged lines are ignored.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ OTHER_BUILD = "the finished work belongs to another build of vstatics"
 
 
 def differing(known: Mapping[str, Any], wanted: Mapping[str, Any]) -> list[str]:
-    """Return the keys whose values differ between the descriptions of finished and new work.
+    """Return the keys with different values in the descriptions of finished and new work.
 
     >>> differing({"gears": [7, [6.5, 9]]}, {"gears": (7, (6.5, 9.0))})
     []
@@ -44,7 +44,7 @@ def differing(known: Mapping[str, Any], wanted: Mapping[str, Any]) -> list[str]:
 
 
 def sealed(text: bytes) -> bytes:
-    r"""Return a line of a record: a hash that reveals damage, and a text.
+    r"""Return a line of a record: a text after its hash, which reveals damage.
 
     >>> unsealed(sealed(b"[1, 2]").rstrip(b"\n")), unsealed(b"[1, 3]")
     (b'[1, 2]', None)
@@ -53,7 +53,7 @@ def sealed(text: bytes) -> bytes:
 
 
 def unsealed(line: bytes) -> bytes | None:
-    """Return the text of a line of a record (without line end), if undamaged."""
+    """Return the text of a line of a record (without line end); None if the line is damaged."""
     text = line[_SEAL + 1 :]
     return text if sealed(text) == line + b"\n" else None
 
@@ -69,12 +69,12 @@ def why_not_taken(
     path: str,
     anew: str = "calculate all cases again without --resume",
 ) -> str:
-    """Return the reason why finished work cannot be reused, or "" if reusable.
+    """Return the reason why finished work cannot be reused; "" if it can.
 
     Parameters
     ----------
     first : bytes
-        First line of the finished work, which identifies the run.
+        First line of the record of finished work, which identifies the run.
     options : dict
     path : str
         File that contains the line, for messages.
@@ -84,7 +84,7 @@ def why_not_taken(
     Raises
     ------
     ReadError
-        If the earlier run had other options, so that results would not belong together.
+        If the earlier run had other options, so that its results do not belong to the new run.
     """
     try:
         known = dict(json.loads(first))
@@ -111,13 +111,13 @@ class CaseMark(NamedTuple):
     """Hashes of the files that the case names."""
 
     def is_of(self, file: str) -> bool:
-        """Return whether a case file and all files named in the case are unchanged."""
+        """Return whether a case file, and all files that the case names, are unchanged."""
         hashes = {file: self.case, **self.named_files}
         return all(hash_of_file(name) == known for name, known in hashes.items())
 
 
 def case_mark(data: bytes, named_files: Iterable[str]) -> CaseMark:
-    """Return the hashes of a case, from the bytes, and of the files that the case names.
+    """Return the hashes of a case (from its bytes), and of the files that the case names.
 
     >>> case_mark(b"links: 2", ["nowhere.csv"]).named_files
     {'nowhere.csv': None}
@@ -126,17 +126,17 @@ def case_mark(data: bytes, named_files: Iterable[str]) -> CaseMark:
 
 
 class _Entry(NamedTuple):
-    """Line of the record about a result."""
+    """Line of the record for a result."""
 
     mark: CaseMark
     run: str
     """Hash of the options and the build of the run."""
     state: list[int]
-    """Size of the result, and time of writing [ns]."""
+    """Size of the result [bytes], and time of writing [ns]."""
 
 
 class FinishedCases:
-    """Results of a run in a directory, to which only a single run at a time may write."""
+    """Results of a run in a directory. Only a single run at a time may write to it."""
 
     def __init__(self, folder: str, suffix: str, options: Description) -> None:
         self.folder = folder
@@ -151,14 +151,14 @@ class FinishedCases:
         self._record: int | None = None
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return the attributes for pickling; the receiving process reopens the record."""
+        """Return the attributes for pickling. The receiving process opens the record again."""
         return vars(self) | {"_record": None}
 
     def __enter__(self) -> Self:
         return self
 
     def __exit__(self, *_: object) -> None:
-        """Release the lock, and remove files that workers left unfinished."""
+        """Release the lock, and remove the unfinished files of workers."""
         if self._record is not None:
             os.close(self._record)
         if self._lock is not None:
@@ -175,7 +175,7 @@ class FinishedCases:
         self._files.check(self.name, self.name + LOCKED)
         self._lock = lock(self._files, self.name + LOCKED, "run")
         if self._lock is not None:
-            self._files.forget(self.mark)  # unfinished files of a killed run
+            self._files.forget(self.mark)  # remove unfinished files of a killed run
 
     def begin(self) -> None:
         """Begin a run with a new record.
@@ -193,7 +193,7 @@ class FinishedCases:
         Raises
         ------
         ReadError
-            If the earlier run had other options, so that results would not belong together.
+            If the earlier run had other options, so that its results do not belong to the new run.
         """
         try:
             with self._files.reading(self.name) as file:
@@ -205,7 +205,7 @@ class FinishedCases:
             return why_not
         for line in lines:
             self._take(line)
-        if lines[-1:] != [b""]:  # the last line is incomplete, because the disk was full
+        if lines[-1:] != [b""]:  # a full disk can have cut off the last line
             self._append(b"\n")
         return ""
 
@@ -225,7 +225,7 @@ class FinishedCases:
             self._done[name] = _Entry(CaseMark(case, named_files), run, state)
 
     def is_done(self, file: str, target: str) -> bool:
-        """Return whether the run has a result for the present content of the case `file`."""
+        """Return whether the run has a result for the present content of a case."""
         entry = self._done.get(os.path.basename(target))  # noqa: PTH119
         if entry is None or entry.run != self._run or entry.state != _state(target):
             return False
@@ -240,7 +240,7 @@ class FinishedCases:
         *,
         failed: bool,
     ) -> None:
-        """Write a result, and record the hashes of the case and of the files named in the case.
+        """Write a result, and record the hashes of the case and of the files that it names.
 
         Parameters
         ----------

@@ -1,10 +1,10 @@
 """Parts of a single output of many cases, which a resumed run reuses.
 
 While a run writes a file, a directory next to it contains a file with the parts of finished cases.
-Its first line identifies the options and the build of this package. Each part follows a line with
+The first line identifies the options and the build of this package. Each part follows a line with
 the hashes of the case, of the files that the case names, and of the part. Every line begins with
 its own hash, and damaged lines are ignored. The directory is removed when the output is complete.
-It stays if a case failed, so that a resumed run calculates only the failed cases again.
+If a case failed, the directory stays, so that a resumed run calculates only the failed cases.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from vstatics.core.jobs.lock import lock, unlock
 from vstatics.core.jobs.state_files import StateFolder
 
 PARTS, OVER = "parts", "over"
-"""Names of the file with the parts, and of a file that marks a run as completed."""
+"""Names of the file with the parts, and of an empty file that marks a completed run."""
 ANEW = "remove the directory to begin anew"
 
 
@@ -44,7 +44,7 @@ class _Stretch(NamedTuple):
 
 
 class FinishedParts:
-    """Parts of an output that a single process writes.
+    """Parts of an output that a single process writes, one part for each case.
 
     Parameters
     ----------
@@ -61,7 +61,7 @@ class FinishedParts:
         self.path = self.folder.file(PARTS)
         self.options = options
         self.stays = False
-        """True if parts stay after a completed run."""
+        """True if parts stay after a completed run, because a case failed."""
         self._parts: dict[str, _Stretch] = {}
         """Positions of the parts of the earlier run, by file name of the case."""
         self._added = False
@@ -72,9 +72,9 @@ class FinishedParts:
         return self
 
     def __exit__(self, *error: object) -> None:
-        """Release the lock; parts are removed, except after an error or if still needed."""
+        """Release the lock. Remove the parts, unless an error occurred or they are still needed."""
         if self._file is not None:
-            with contextlib.suppress(OSError):  # a part that is lost is calculated again
+            with contextlib.suppress(OSError):  # a lost part is calculated again
                 os.close(self._file)
             self._leave(is_over=error[0] is None)
         elif self._lock is not None:
@@ -82,7 +82,6 @@ class FinishedParts:
         unlock(self._lock)
 
     def _leave(self, *, is_over: bool) -> None:
-        """Remove or leave the parts; mark a completed run, in contrast to a stopped run."""
         if (self._parts or self._added) and (self.stays or not is_over):
             if is_over:
                 with contextlib.suppress(OSError):
@@ -101,11 +100,11 @@ class FinishedParts:
         return len(self._parts)
 
     def exists(self) -> bool:
-        """Return whether the directory of parts, or a file of equal name, exists."""
+        """Return whether the directory of parts, or a file with this name, exists."""
         return self.folder.exists()
 
     def open(self, *, resume: bool) -> str:
-        """Begin a run or resume an earlier run; return "", or why the run cannot be resumed.
+        """Begin or resume a run; return "", or the reason why the run cannot be resumed.
 
         Raises
         ------
@@ -129,12 +128,12 @@ class FinishedParts:
             self.folder.replace(PARTS, first)
         self._file = self.folder.open(PARTS, os.O_RDWR)
         end = max([len(first), *(part.start + part.size for part in self._parts.values())])
-        os.ftruncate(self._file, end)  # remove a part that a killed run left incomplete
+        os.ftruncate(self._file, end)  # remove an incomplete part of a killed run
         os.lseek(self._file, end, os.SEEK_SET)
         return why_not if resume else ""
 
     def _refuse(self) -> None:
-        """Raise an error if parts of a stopped run would be overwritten."""
+        """Raise an error if the run would overwrite parts of a stopped run."""
         count = 0
         with contextlib.suppress(FileNotFoundError), self.folder.reading(PARTS) as file:
             file.readline()
@@ -145,7 +144,7 @@ class FinishedParts:
             raise ReadError([of_file("E033", self.directory, message)])
 
     def _take(self) -> str:
-        """Load the existing parts; return "", or the reason why resuming is impossible."""
+        """Load the existing parts; return "", or the reason why the run cannot be resumed."""
         try:
             with self.folder.reading(PARTS) as file:
                 why_not = why_not_taken(file.readline(), self.options, self.path, ANEW)
@@ -177,14 +176,14 @@ class FinishedParts:
         assert self._file is not None  # noqa: S101 - it was opened
         entry = [file, *mark, len(part), hash_of(part)]
         write_all(self._file, sealed(json.dumps(entry).encode()) + part)
-        # a flag is enough: `_parts` has no new parts; a resumed run reads them from the file
+        # A flag is enough, because a resumed run reads new parts from the file, not from `_parts`.
         self._added = True
 
 
 def _whole_parts(file: IO[bytes]) -> Iterator[tuple[str, _Stretch]]:
-    """Yield the undamaged parts after the first line, each with the file name of the case.
+    """Yield the undamaged parts after the first line, with the file names of the cases.
 
-    Reading stops at a truncated or damaged line, because the start of the next part is unknown.
+    Reading ends at a damaged line, because the start of the next part is then unknown.
     """
     while (text := unsealed(file.readline()[:-1])) is not None:
         name, case, named_files, length, known = json.loads(text)

@@ -1,7 +1,7 @@
 """Finished pieces of long work such as a sweep, which a resumed run reuses.
 
 While a sweep into `out.csv` runs, the directory `out.csv.parts` contains a file for each finished
-piece, a description of the sweep, and a lock file. Other kinds of work use the same format; the
+piece, a description of the sweep, and a lock file. Other kinds of work use the same format. The
 output can also be a directory.
 """
 
@@ -23,13 +23,13 @@ SUFFIX = ".parts"
 PLAN = "plan.json"
 LOCK = "lock"
 CASE = "the case, a file that it names, or an option"
-"""Phrase in a message for a change of the work that cannot be named more precisely."""
+"""Words in a message for a change of the work whose place is unknown."""
 OF_BUILDS = ("build", "fingerprint", "pieces")
-"""Keys of a description whose values can differ between builds of the package for equal work."""
+"""Keys of a description whose values depend on the build of the package."""
 
 
 class FinishedPieces:
-    """Directory of the finished pieces of a sweep or other work of a single process.
+    """Directory with the finished pieces of a sweep or other work, used by a single process.
 
     Parameters
     ----------
@@ -48,7 +48,7 @@ class FinishedPieces:
         self.folder = StateFolder(self.directory)
         self.accounts: dict[int, Account] = {}
         self.work = ""
-        """Hash of the definition of the work, stored in each piece."""
+        """Hash of the definition of the work, which each piece contains."""
         self._lock: int | None = None
         self.is_open = False
 
@@ -56,7 +56,7 @@ class FinishedPieces:
         return self
 
     def __exit__(self, *_: object) -> None:
-        """Release the directory without removing finished pieces."""
+        """Unlock the directory without removing finished pieces."""
         if self.is_open and not self.finished():
             self._remove()
         self.unlock()
@@ -66,11 +66,11 @@ class FinishedPieces:
         return self.folder.file(name)
 
     def exists(self) -> bool:
-        """Return whether the directory of pieces, or a file of equal name, exists."""
+        """Return whether the directory of pieces, or a file with this name, exists."""
         return self.folder.exists()
 
     def open(self, description: Description, pieces: int, *, resume: bool) -> str:
-        """Create the directory or load the pieces; return the reason for a failure, or "".
+        """Create the directory or load its pieces; return "", or why pieces cannot be used.
 
         Parameters
         ----------
@@ -78,7 +78,7 @@ class FinishedPieces:
             Definition of the work. Its `fingerprint` must equal the fingerprint of existing pieces.
             Pieces of another `build` of this package are removed.
         pieces : int
-            Number of all pieces.
+            Number of pieces of the whole work.
         resume : bool
             True to reuse existing pieces.
 
@@ -90,7 +90,7 @@ class FinishedPieces:
         """
         if os.path.isdir(self.output) and not self.into_folder:  # noqa: PTH112
             raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
-        if self.into_folder:  # results directories are created together with their parents
+        if self.into_folder:  # the parents of results directories are also created
             os.makedirs(os.path.dirname(self.output), exist_ok=True)  # noqa: PTH103, PTH120
         self.work = description["fingerprint"]
         self.lock()
@@ -103,7 +103,7 @@ class FinishedPieces:
             accounts = (read_account(self.directory, piece, self.work) for piece in trusted)
             self.accounts = {account.piece: account for account in accounts if account}
         self.is_open = True
-        for name in self.folder.names():  # remove files that a killed process left unfinished
+        for name in self.folder.names():  # remove unfinished files of a killed process
             if name not in (PLAN, LOCK) and not (name.isdigit() and int(name) in self.accounts):
                 self.folder.remove(name)
         self.folder.replace(PLAN, json.dumps(description, indent=2, ensure_ascii=False).encode())
@@ -123,7 +123,7 @@ class FinishedPieces:
         raise ReadError([of_file("E032", self.directory, message)])
 
     def finished(self) -> list[int]:
-        """Return the numbers of existing pieces, written by the current or an earlier process."""
+        """Return the numbers of the pieces that exist."""
         return sorted(int(name) for name in self.folder.names() if name.isdigit())
 
     def _check(
@@ -131,8 +131,7 @@ class FinishedPieces:
     ) -> str:
         """Raise an error for pieces of other work, or for existing pieces without --resume.
 
-        Otherwise return "", or the reason why pieces of this work cannot be used: they are from
-        another build.
+        Otherwise return "", or a message if the pieces are from another build of the package.
         """
         changed = differing(known, wanted)
         said = [key for key in changed if key not in OF_BUILDS]
@@ -170,12 +169,15 @@ class FinishedPieces:
         self.drop()
 
     def drop(self) -> None:
-        """Remove the pieces, after the output has been written."""
+        """Remove the pieces after the output has been written."""
         self._remove()
         self.unlock()
 
     def _remove(self) -> None:
-        """Remove the directory, the description last, so that resuming stays possible."""
+        """Remove the directory.
+
+        The description is removed last, so that the work can be resumed.
+        """
         for name in sorted(self.folder.names(), key=(PLAN, LOCK).__contains__):
             self.folder.remove(name)
         self.folder.drop()

@@ -1,4 +1,4 @@
-"""Input files and streams, with a limit on the size that is checked before reading."""
+"""Input files and streams. Their size is checked before reading."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from typing import BinaryIO, Protocol, TypeVar, cast
 from vstatics.core.errors import Problem, of_file
 
 DOCUMENT_BYTES = 10_000_000
-"""Largest size of a document: a case, a scenario, a list of files. [bytes]"""
+"""Largest size of a document, such as a case, a scenario or a list of files. [bytes]"""
 TABLE_BYTES = 256_000_000
-"""Largest size of a file of numbers: results, variants, records. [bytes]"""
+"""Largest size of a file of numbers, such as results, variants or records. [bytes]"""
 
 KINDS = {
     stat.S_IFLNK: "a link",
@@ -23,24 +23,24 @@ KINDS = {
     stat.S_IFCHR: "a device",
     stat.S_IFBLK: "a device",
 }
-"""Names of the kinds of files in messages, by the type bits of the file mode."""
+"""Names of the kinds of files in messages, by type in the file mode."""
 AT_ONCE = getattr(os, "O_NONBLOCK", 0)
-"""Flag to open a FIFO without waiting for a process at the opposite end."""
+"""Flag to open a pipe without waiting for another process to write to it."""
 _STREAM_PIECE = 2**20
-"""Size of the parts in which a stream is read. [bytes]"""
+"""Size of a single read from a stream. [bytes]"""
 Data = TypeVar("Data", str, bytes)
 Data_co = TypeVar("Data_co", str, bytes, covariant=True)
 
 
 class Readable(Protocol[Data_co]):
-    """Stream whose `read` returns at most the requested size, and an empty part at the end."""
+    """Stream with a method `read`, which returns an empty text or bytes at the end."""
 
     def read(self, size: int, /) -> Data_co:
         """Return the next part."""
 
 
 class TooLargeError(OSError):
-    """Error for an input that is too large or endless."""
+    """Error for an input that is larger than its limit, or endless."""
 
     def __init__(self, most: int, file: str | None = None) -> None:
         message = f"larger than {most / 1e6:g} MB, expected at most this size"
@@ -48,7 +48,7 @@ class TooLargeError(OSError):
 
 
 class NotRegularError(OSError):
-    """Error for a pipe or device, which could block, where a regular file is required."""
+    """Error for a pipe or device instead of a regular file, because it could block."""
 
     def __init__(self, mode: int, file: str) -> None:
         kind = KINDS.get(stat.S_IFMT(mode), "not a file")
@@ -66,13 +66,13 @@ def read_file(
     most : int
         Largest size. [bytes]
     regular : bool
-        True if the file must be regular. A user may name a pipe and wait for it, but a pipe that is
-        named in another file, or found in a folder, is refused.
+        True to refuse pipes and devices. A user may name a pipe and wait for it. But a pipe is
+        refused if it is in a folder, or if another file names it.
 
     Raises
     ------
     OSError
-        If the file cannot be opened or read; this includes `TooLargeError` and `NotRegularError`.
+        If the file cannot be opened or read. `TooLargeError` and `NotRegularError` are such errors.
     """
     with opened(file, regular=regular) as stream:
         about = os.fstat(stream.fileno())
@@ -106,14 +106,14 @@ def opened(file: str | os.PathLike[str], *, regular: bool = False) -> BinaryIO:
 
 
 def _at_once(name: str, flags: int) -> int:
-    """Open a file without waiting for a writing process."""
+    """Open a file without waiting for a process that writes to it."""
     return os.open(name, flags | AT_ONCE)
 
 
 def read_stream(
     stream: Readable[Data], most: int, file: str | None = None, first: int = _STREAM_PIECE
 ) -> Data:
-    r"""Return the whole content of a stream, text or bytes.
+    r"""Return the whole content of a stream of text or bytes.
 
     Parameters
     ----------
@@ -123,7 +123,7 @@ def read_stream(
     file : str, optional
         Name of the stream in the error message.
     first : int
-        Size of the first part read. [bytes]
+        Size of the first read. [bytes or characters]
 
     Raises
     ------

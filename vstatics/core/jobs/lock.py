@@ -11,15 +11,15 @@ from vstatics.core.errors import ReadError, of_file
 from vstatics.core.jobs.state_files import StateFolder
 
 WITHOUT = (errno.ENOLCK, errno.ENOSYS, errno.EOPNOTSUPP)
-"""Error numbers that a file system without locks returns."""
+"""Error numbers of file systems without locks."""
 LOCK_TENTHS = 10
-"""Longest time to wait for the lock, in tenths of a second."""
+"""Longest time to wait for the lock. [0.1 s]"""
 
 
 def lock(folder: StateFolder, name: str, what: str) -> int | None:
     """Create a folder if necessary, lock the folder, and return the descriptor of the lock file.
 
-    The descriptor is the argument of `unlock`; it is None on systems without locks.
+    The descriptor is the argument of `unlock`, or None on systems without locks.
 
     Parameters
     ----------
@@ -57,8 +57,8 @@ def lock(folder: StateFolder, name: str, what: str) -> int | None:
                 return None
             raise
         else:
-            if folder.has(name, file):  # false if its earlier owner removed it
-                with contextlib.suppress(OSError):  # a full disk must not prevent the lock
+            if folder.has(name, file):  # False if the previous owner has removed the file
+                with contextlib.suppress(OSError):  # the lock must also work on a full disk
                     os.ftruncate(file, 0)
                     os.write(file, f"{os.getpid()}\n".encode())
                 return file
@@ -71,5 +71,5 @@ def lock(folder: StateFolder, name: str, what: str) -> int | None:
 def unlock(file: int | None) -> None:
     """Release the lock of a folder."""
     if file is not None:
-        with contextlib.suppress(OSError):  # the file is empty if the disk was full
+        with contextlib.suppress(OSError):  # a full disk can have left the file empty
             os.close(file)

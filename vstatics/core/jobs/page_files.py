@@ -1,8 +1,7 @@
 """Pages of a picture in a series of files: NAME.svg, NAME-2.svg, NAME-3.svg.
 
 The user names only the file of the first page. The files of further pages therefore contain a mark
-that distinguishes them from other files; only marked files are replaced or, if no longer needed,
-removed.
+that distinguishes them from other files. Only marked files are replaced or removed.
 """
 
 from __future__ import annotations
@@ -19,12 +18,12 @@ PAGE_KEY = "data-page"
 """Attribute of an SVG, or text key of a PNG, with the number of a further page."""
 _MARK = re.compile(rb'(?:<svg\b[^>]*? data-page="|tEXtdata-page\0)([1-9]\d{0,5})')
 _LOOKED_AT = 2000
-"""Number of bytes at the beginning of a file in which the mark is searched for."""
+"""Number of bytes at the beginning of a file that can contain the mark."""
 _FURTHER = re.compile(r"(.+)-([1-9]\d{0,5})")
 
 
 def page_name(path: str, number: int) -> str:
-    """Return the file name of a page of a picture; pages are numbered from 1.
+    """Return the file name of a page of a picture. Pages count from 1.
 
     >>> page_name("flows/box.svg", 1), page_name("flows/box.svg", 2)
     ('flows/box.svg', 'flows/box-2.svg')
@@ -34,7 +33,7 @@ def page_name(path: str, number: int) -> str:
 
 
 def replace_pages(path: str, pages: Sequence[bytes], mark: str = "") -> None:
-    """Write all pages of a picture or no page, and remove further pages of an earlier picture.
+    """Write all pages of a picture or none, and remove other pages of an earlier picture.
 
     Parameters
     ----------
@@ -54,7 +53,7 @@ def replace_pages(path: str, pages: Sequence[bytes], mark: str = "") -> None:
         If a page cannot be written.
     """
     _refuse(path, len(pages))
-    with ExitStack() as stack:  # files are moved into place at the end
+    with ExitStack() as stack:  # files are moved into place after all are written
         for number, page in enumerate(pages, 1):
             stack.enter_context(replacing(page_name(path, number), mark))(page)
     for stale in further_pages(path, len(pages)):
@@ -62,7 +61,7 @@ def replace_pages(path: str, pages: Sequence[bytes], mark: str = "") -> None:
 
 
 def further_pages(path: str, count: int = 1) -> Iterator[str]:
-    """Yield the files of the pages after the first `count` pages."""
+    """Yield the existing files of the pages after the first `count` pages."""
     number = count + 1
     while _marked(page_name(path, number)) == number:
         yield page_name(path, number)
@@ -77,7 +76,7 @@ def set_pages_aside(path: str) -> str:
 
 
 def _refuse(path: str, count: int) -> None:
-    """Raise an error if files would be replaced that are not pages of an earlier picture."""
+    """Raise an error if files other than pages of an earlier picture would be replaced."""
     stem, suffix = os.path.splitext(path)  # noqa: PTH122
     named = _FURTHER.fullmatch(stem)
     if named and os.path.exists(named[1] + suffix) and _marked(path) == int(named[2]):  # noqa: PTH110
@@ -91,7 +90,7 @@ def _refuse(path: str, count: int) -> None:
 
 
 def _marked(path: str) -> int:
-    """Return the page number in the mark of a file; 0 without a mark."""
+    """Return the page number that marks a file; 0 without a mark."""
     if not os.path.isfile(path):  # noqa: PTH113 - a FIFO would never answer
         return 0
     with suppress(OSError), open(path, "rb") as file:  # noqa: PTH123

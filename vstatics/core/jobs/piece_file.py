@@ -1,8 +1,8 @@
 """File with a finished piece (a range of variants) of a sweep.
 
 The file is written under another name and then renamed, so it is complete or absent. It begins with
-the data, which can be copied unchanged into the output. Then follow a JSON description of the data
-with checksums (the account), and the length and checksum of the account.
+the data, which can be copied unchanged into the output. After the data, a JSON description with
+checksums follows (the account), then the length and checksum of the account.
 """
 
 from __future__ import annotations
@@ -20,52 +20,52 @@ from typing import Any, NamedTuple
 from vstatics.core.jobs.state_files import StateFolder
 
 ASSEMBLED = "output"
-"""Name of the file in which the output is assembled."""
+"""Name of the file in which the output is built from pieces."""
 _END = struct.Struct("<QL8s")
 _MAGIC = b"vstpiece"
 _BUFFER = 2**20
 
 
 class Segment(NamedTuple):
-    """Part of the data of a piece: a column of numbers, or the whole text."""
+    """Segment of the data of a piece: a column of numbers, or the whole text."""
 
     length: int
     crc: int
 
 
 class Noticed(NamedTuple):
-    """Message that applies to several variants, with different numbers in the text."""
+    """Message about several variants. The numbers in its text can differ between variants."""
 
     id: str
     text: str
     """Text of the message for the first variant."""
     first: int
-    """Number (position in the sweep) of the first variant with the message."""
+    """Number of the first variant with the message, in the order of the sweep."""
     variants: int
-    """Count of the variants with the message."""
+    """Number of variants with the message."""
 
     @property
     def alike(self) -> tuple[str, str]:
-        """Key that is equal for messages that differ only in numbers."""
+        """Key of messages that differ only in numbers."""
         return self.id, _NUMBER.sub("0", self.text)
 
 
 _NUMBER = re.compile(r"(?<![\w.])-?\d+(\.\d+)?(e[+-]?\d+)?(?!\w)")
-"""Pattern of a number in a message; digits of names such as C1 do not match."""
+"""Pattern of a number in a message, without digits of names such as C1."""
 
 
 class Account(NamedTuple):
-    """Account of a finished piece: counts, messages, and the layout of the data."""
+    """Description of a finished piece: counts, messages, and the layout of the data."""
 
     piece: int
     rows: int
     counts: dict[str, int]
-    """Number of variants by status, including variants that have no row in the output."""
+    """Number of variants by status, including variants without a row in the output."""
     segments: tuple[Segment, ...]
     removed: tuple[int, ...] = ()
-    """Numbers of variants removed by each part of the filter condition, in order."""
+    """Number of variants that each term of the filter condition removes, in order."""
     outside: tuple[str, ...] = ()
-    """Names of laws that were evaluated outside the given points."""
+    """Names of laws that were evaluated outside their points."""
     noticed: tuple[Noticed, ...] = ()
     """Messages of the variants."""
     work: str = ""
@@ -83,7 +83,7 @@ class Account(NamedTuple):
 
 
 class Copy(NamedTuple):
-    """Part of a piece to be copied: offsets in the piece file and in the output, in bytes."""
+    """Section of a piece to be copied: offsets in the piece file and in the output [bytes]."""
 
     piece: int
     source: int
@@ -101,7 +101,7 @@ def piece_bytes(  # noqa: PLR0913 PLR0917 (what an account holds)
     noticed: tuple[Noticed, ...] = (),
     work: str = "",
 ) -> tuple[Account, list[Any]]:
-    """Return the content of a piece file as buffers to be written in sequence.
+    """Return the account and the content of a piece file, as buffers to be written in sequence.
 
     Parameters
     ----------
@@ -135,7 +135,8 @@ def write_piece(directory: str, piece: int, buffers: Sequence[Any]) -> None:
 def read_account(directory: str, piece: int, work: str = "") -> Account | None:
     """Return the account (counts, messages, data layout) of a finished piece.
 
-    The result is None if the file is missing, damaged, or from another piece or other `work`.
+    The result is None if the file is missing or damaged, or belongs to another piece or other
+    `work`.
     """
     try:
         with StateFolder(directory).reading(piece_name(piece)) as file:
@@ -193,7 +194,7 @@ def piece_path(directory: str, piece: int) -> str:
 def copy(directory: str, copies: Sequence[Copy]) -> int:
     """Copy parts of pieces into the file `ASSEMBLED`; return the number of bytes copied.
 
-    If the system supports it, the kernel copies the data without passing them to Python.
+    If possible, the operating system copies the data without passing them to Python.
 
     Raises
     ------

@@ -1,7 +1,7 @@
-"""Several processes on this machine, replaced when one dies.
+"""Several processes on this machine, which are replaced when they die.
 
-Each process has its own pipe, so the item at which a process died is known. A new process tries
-this item again; after several deaths the item is abandoned. Other items are unaffected.
+Each process has its own pipe, so the item at which a process dies is known. A new process tries
+this item again. After several deaths the item is abandoned. Other items are not affected.
 """
 
 from __future__ import annotations
@@ -23,9 +23,9 @@ if TYPE_CHECKING:
     from multiprocessing.connection import Connection
 
 QUEUED = 2
-"""Number of items queued per process, so that processes need not wait for items."""
+"""Number of items that each process has in its queue, so that it never waits for items."""
 END_SECONDS = 5
-"""Time between closing the pipe of a process and killing the process if still running. [s]"""
+"""Time after closing the pipe of a process at which a running process is killed. [s]"""
 TELLING = "telling"
 """Name of the thread that prints progress, which holds locks only while printing."""
 
@@ -39,7 +39,7 @@ class Processes(Workers):
         self._processes: list[_Process] = []
 
     def __exit__(self, *error: object) -> None:
-        """End the processes; after an error, without waiting for items in progress."""
+        """End the processes. After an error, items in progress are abandoned."""
         self._end(list(self._processes), at_once=error[0] is not None)
 
     def each(
@@ -72,7 +72,7 @@ class Processes(Workers):
         return sum(len(process.items) for process in self._processes)
 
     def _give(self, function: Work[Any, Any], coming: _Coming, done: dict[int, Any]) -> None:
-        """Send items to the processes, up to the limits `QUEUED` and `Rules.ahead`."""
+        """Send items to processes, within the limits `QUEUED` and `Rules.ahead`."""
         under_way = self._under_way()
         while under_way + len(done) < self.rules.ahead * self.jobs:
             if under_way >= QUEUED * self.jobs:
@@ -88,7 +88,6 @@ class Processes(Workers):
                 under_way += 1
 
     def _free(self) -> _Process:
-        """Return a new process, or the process with the fewest items."""
         if len(self._processes) < self.jobs:
             try:
                 process = _Process(self.state, self.describe, self._processes)
@@ -100,7 +99,7 @@ class Processes(Workers):
         return min(self._processes, key=lambda process: len(process.items))
 
     def _gather(self, coming: _Coming, done: dict[int, Any]) -> None:
-        """Wait for results; queue the items of dead processes again."""
+        """Wait for results, and return the items of dead processes to the queue."""
         from multiprocessing.connection import wait
 
         ready = set(wait([process.connection for process in self._processes]))
@@ -118,7 +117,7 @@ class Processes(Workers):
             done[number] = process.items.pop(number), result
 
     def _again(self, entries: list[tuple[int, Any]], coming: _Coming, done: dict[int, Any]) -> None:
-        """Queue the items of a dead process again; the first item is counted as the cause."""
+        """Return the items of a dead process to the queue, and count a death at the first item."""
         if entries and coming.dies(entries[0][0]) >= self.rules.tries:
             number, item = entries.pop(0)
             if self.rules.lost is None:
@@ -136,7 +135,7 @@ class Processes(Workers):
 
 
 class _Coming:
-    """Numbered items that are not yet assigned to a process; items to be retried come first."""
+    """Numbered items without a process. Items to be tried again come first."""
 
     def __init__(self, items: Iterable[Any]) -> None:
         self.items = enumerate(items)
@@ -156,7 +155,7 @@ class _Coming:
 
 
 class _Process:
-    """Process with a pipe and queued items."""
+    """Process with a pipe and a queue of items."""
 
     def __init__(self, state: object, describe: Describe, others: Iterable[_Process]) -> None:
         import multiprocessing
@@ -166,7 +165,7 @@ class _Process:
         may_hold = [thread for thread in threading.enumerate() if thread.name != TELLING]
         fork = sys.platform == "linux" and len(may_hold) == 1
         context: Any = multiprocessing.get_context("fork" if fork else "spawn")
-        if not fork:  # start now, because a signal could interrupt a later start
+        if not fork:  # started now, because a signal could interrupt a later start
             resource_tracker.ensure_running()
         self.items: dict[int, Any] = {}
         self.connection, far = context.Pipe()
@@ -174,14 +173,14 @@ class _Process:
         arguments = (state, describe, far, inherited)
         self.process = context.Process(target=_serve, args=arguments, daemon=True)
         with _later(signal.SIGINT, signal.SIGTERM), warnings.catch_warnings():
-            # Python warns of forks with several threads; the threads of BLAS are no problem.
+            # Python warns of forks with several threads, but threads of BLAS do no harm.
             warnings.simplefilter("ignore", DeprecationWarning)
             self.process.start()
         far.close()
 
     def give(self, number: int, item: Any, function: Work[Any, Any]) -> None:
         self.items[number] = item
-        with suppress(OSError):  # the death of a process is detected when its results are read
+        with suppress(OSError):  # the death of a process is noticed when its results are read
             self.connection.send((number, item, function))
 
     def dismiss(self, *, at_once: bool) -> None:
@@ -208,7 +207,7 @@ def _later(*signals: signal.Signals) -> Iterator[None]:
 def _serve(
     state: object, describe: Describe, connection: Connection, inherited: Iterable[Connection]
 ) -> None:
-    """Process items until the pipe is closed or the parent ends; the parent handles Ctrl-C."""
+    """Process items until the pipe is closed or the parent ends, and leave Ctrl-C to the parent."""
     for other in inherited:
         other.close()
     signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -227,7 +226,7 @@ def _serve(
 
 
 def _end_with_parent() -> None:
-    """Ensure that the current process ends with the parent process, even within an item."""
+    """Let the current process end together with its parent, even in the middle of an item."""
     from multiprocessing import connection, parent_process
 
     parent = parent_process()

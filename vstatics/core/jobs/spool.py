@@ -17,11 +17,11 @@ PREFIX = "vstatics-table-"
 
 
 class Spool:
-    """Rows of doubles in a temporary file, written by a single process and readable by all.
+    """Rows of doubles in a temporary file, which a single process writes and all can read.
 
-    The original object owns the file, which is deleted by `close`, with the object, or at the end
-    of the process. A pickled copy can read the file on the same machine while the owner exists, and
-    never deletes it.
+    The original object owns the file. It deletes the file on `close`, when it is deleted itself, or
+    at the end of the process. A pickled copy can read the file on the same machine while the owner
+    exists.
 
     Parameters
     ----------
@@ -71,7 +71,7 @@ class Spool:
         self.rows += len(rows)
 
     def take(self, start: int, stop: int) -> Floats:
-        """Return the rows from `start` up to `stop`, (stop - start, columns).
+        """Return the rows from `start` up to `stop`, shape (stop - start, columns).
 
         Raises
         ------
@@ -90,12 +90,12 @@ class Spool:
         return np.frombuffer(data).reshape(stop - start, self.columns)
 
     def close(self) -> None:
-        """Remove the file, if owned by the object."""
+        """Delete the file, unless the object is a copy."""
         if self._remove is not None:
             self._remove()
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return the attributes for pickling, without ownership of the file."""
+        """Return the attributes of a copy that does not own the file, for pickling."""
         return {**vars(self), "_remove": None}
 
 

@@ -1,10 +1,10 @@
 """Locks and finished work in a folder to which other users can have access.
 
-State files are locks and records of finished work; only this module opens, renames or removes them.
-The folder is opened first, and its files are opened relative to it, so that the checked file is the
-file that is used. A file is accepted if it is a regular file of this user with a single name. A
+State files are locks and records of finished work. Only this module opens, renames or removes them.
+The folder is opened first, and its files are opened relative to the folder, so that no other file
+can replace a checked file. A state file must be a regular file of this user with a single name. A
 link, a FIFO, a device, a socket, a folder or a file of another owner is refused before anything is
-read or written. The folder itself is checked in the same way.
+read or written. The folder itself is also checked.
 """
 
 from __future__ import annotations
@@ -32,8 +32,8 @@ class StateFolder(NamedTuple):
     ----------
     path : str
     has_results : bool
-        True if the folder is the output itself, which can be a link or belong to others. Otherwise
-        the folder contains only state files.
+        True if the folder is the output itself, which can be a link or have another owner.
+        Otherwise the folder contains only state files.
     """
 
     path: str
@@ -44,7 +44,7 @@ class StateFolder(NamedTuple):
         return os.path.join(self.path, name)  # noqa: PTH118
 
     def exists(self) -> bool:
-        """Return whether the folder, or a file of equal name, exists."""
+        """Return whether the folder, or a file with its name, exists."""
         return os.path.lexists(self.path)
 
     def make(self) -> None:
@@ -53,7 +53,7 @@ class StateFolder(NamedTuple):
             os.mkdir(self.path)  # noqa: PTH102
 
     def check(self, *names: str) -> None:
-        """Check that named files, by default all files of the folder, are state files.
+        """Check that some files, by default all files of the folder, are state files.
 
         Raises
         ------
@@ -82,7 +82,7 @@ class StateFolder(NamedTuple):
             return sum(os.lstat(name, dir_fd=folder).st_size for name in names)
 
     def open(self, name: str, flags: int) -> int:
-        """Open a file, and return the descriptor, which the caller must close.
+        """Open a file, and return its descriptor, which the caller must close.
 
         Raises
         ------
@@ -101,7 +101,7 @@ class StateFolder(NamedTuple):
         return handle
 
     def has(self, name: str, handle: int) -> bool:
-        """Return whether an open file still has the given name in the folder."""
+        """Return whether an open file still has the name `name` in the folder."""
         try:
             with self._opened() as folder:
                 return os.path.samestat(os.fstat(handle), os.lstat(name, dir_fd=folder))
@@ -117,7 +117,7 @@ class StateFolder(NamedTuple):
         return descriptor_writing(self.open(name, os.O_WRONLY | os.O_APPEND | os.O_CREAT))
 
     def writing(self, name: str) -> IO[bytes]:
-        """Open a new file for writing, after removing an earlier file of equal name."""
+        """Open a new file for writing, after removing an earlier file with its name."""
         self.check(name)
         self.remove(name)
         return open(self.open(name, os.O_RDWR | os.O_CREAT | os.O_EXCL), "r+b")  # noqa: PTH123
@@ -137,17 +137,17 @@ class StateFolder(NamedTuple):
 
     @contextlib.contextmanager
     def replacing_output(self, path: str) -> Iterator[Write]:
-        """Write a file in the folder, and move the file to a path when the block ends."""
+        """Write a file in the folder, and move it to a path when the block ends."""
         with self._opened() as folder, replacing(path, folder=folder) as write:
             yield write
 
     def put_for_good(self, name: str, path: str) -> None:
-        """Move a file to a path, and wait until the file is on the disk.
+        """Move a file to a path, and wait until the disk contains the file.
 
         Raises
         ------
         OSError
-            If the data cannot be written; then both files are unchanged.
+            If the data cannot be written. Both files are then unchanged.
         """
         with self.reading(name) as file:
             os.fsync(file.fileno())
@@ -162,7 +162,7 @@ class StateFolder(NamedTuple):
             os.unlink(name, dir_fd=folder)
 
     def forget(self, mark: str = "") -> None:
-        """Remove unfinished files with a mark, which no process may be writing."""
+        """Remove unfinished files with a mark. No process may still be writing them."""
         for name in self.names():
             if re.fullmatch(rf"{re.escape(front(mark))}\d+-\d+", name):
                 self.remove(name)
@@ -174,7 +174,7 @@ class StateFolder(NamedTuple):
 
     @contextlib.contextmanager
     def _opened(self) -> Iterator[int]:
-        """Open the folder as a context, and yield the descriptor.
+        """Open the folder for a `with` block, and yield its descriptor.
 
         Raises
         ------
@@ -201,7 +201,7 @@ class StateFolder(NamedTuple):
 
 
 def _refuse(path: str, status: os.stat_result, kind: int) -> None:
-    """Raise an error for a path of a wrong kind or with a wrong owner.
+    """Raise an error for a path that has another owner or is not of the type `kind`.
 
     Raises
     ------

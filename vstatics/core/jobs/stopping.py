@@ -1,4 +1,4 @@
-"""Ctrl-C and SIGTERM as an exception, so that no output is left half written."""
+"""Ctrl-C and SIGTERM as an exception, so that outputs stay complete or absent."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from types import FrameType
 
 ENDING = (signal.SIGINT, signal.SIGTERM)
 AGAIN = (signal.SIGALRM,) if hasattr(signal, "setitimer") else ()
-"""Timer signal, in a tuple; empty on systems without timers."""
+"""Timer signal; empty on systems without timers."""
 SIGNAL_DELAY = 0.001
-"""Delay after which a signal that arrived during an import is raised again. [s]"""
+"""Delay after which a signal during an import is raised again. [s]"""
 
 
 class StoppedError(BaseException):
-    """Exception raised when a signal requests the end of the process."""
+    """Exception raised in the main thread when a signal ends the process."""
 
     def __init__(self, number: int) -> None:
         self.signal = number
@@ -31,7 +31,7 @@ class Stop:
     def check(self) -> None:
         """Raise the error again if a signal was received.
 
-        This is necessary because Python drops an exception that is raised in a finaliser.
+        Python can have dropped the error, if the signal occurred in a finaliser.
 
         Raises
         ------
@@ -46,8 +46,8 @@ class Stop:
 def stoppable() -> Iterator[Stop]:
     """Make SIGINT and SIGTERM raise `StoppedError` within the block.
 
-    A signal during an import raises the error after the import. Otherwise partly imported modules
-    and partly created classes would cause unrelated errors.
+    A signal during an import raises the error after the import, because partly imported modules
+    would cause other errors.
 
     >>> try:
     ...     with stoppable() as stop:
@@ -58,7 +58,7 @@ def stoppable() -> Iterator[Stop]:
     """
     stop = Stop()
     if threading.current_thread() is not threading.main_thread():
-        yield stop  # in other threads signals cannot be handled
+        yield stop  # other threads cannot handle signals
         return
     later = False
 

@@ -26,9 +26,9 @@ def workers(
     Parameters
     ----------
     state, describe
-        Arguments of `Workers`; both must be picklable.
+        Arguments of `Workers`, which must be picklable.
     jobs : int
-        Number of processes; 1 means that the present process does all the work.
+        Number of processes. With 1, the present process does all the work.
     scheduler : str, optional
         Address of a Dask scheduler.
     rules : Rules

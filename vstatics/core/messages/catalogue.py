@@ -21,14 +21,14 @@ _WIDTH = 80
 
 
 class ExplainedMessage(NamedTuple):
-    """Kind of message with an explanation."""
+    """Message id with its explanation."""
 
     id: str
     severity: Severity
     cause: str
     remedy: str
     example: str | None
-    """YAML case whose check prints the message, if a case alone can cause the message."""
+    """YAML case whose check prints the message; None if no single case can cause it."""
 
 
 @cache
@@ -76,7 +76,7 @@ def explained(identity: str) -> ExplainedMessage:
 
 
 def text(message: ExplainedMessage) -> str:
-    """Return the explanation of a message as text, with an example, if any.
+    """Return the explanation of a message as text, with an example if there is one.
 
     >>> print(text(explained("W432")), end="")
     W432 (warning)

@@ -8,8 +8,8 @@
 (['T1', 'F2', 'D1'], 3, ['1', '2'])
 
 `parts` defines the parts of a transmission, `fields` its derived quantities, and `checks` and
-`part_checks` find errors. `keys` declares the keys of YAML and JSON cases with the types of
-`shape`; `paths` defines paths to numbers, and `declared_numbers` finds their declarations.
-`springs`, `torsional_checks` and `torsional_keys` are for torsional vibration and are imported only
-for such cases.
+`part_checks` find errors. `keys` declares the keys of YAML and JSON cases, with classes from
+`shape`. `paths` handles paths to numbers such as `P1.teeth.sun`, and `declared_numbers` finds the
+declaration of a number. `springs`, `torsional_checks` and `torsional_keys` are imported only for
+cases with torsional vibration.
 """

@@ -1,4 +1,4 @@
-"""Data of annexes in a case, under keys that the annexes declare; the core does not use them."""
+"""Keys of a case that annexes (optional packages) declare; the core stores their data unread."""
 
 from __future__ import annotations
 
@@ -32,16 +32,18 @@ class CaseKey(NamedTuple):
     left_out: Callable[[TransmissionFields], Iterator[Problem]] = _nothing
     """Function that yields notes about data that simulation and vibration ignore."""
     names_members: bool = False
-    """True if the data refer to members of gear sets; not checked if a gear set has errors."""
+    """True if the data refer to members of gear sets. Such data are not checked if a gear set has
+    errors.
+    """
 
 
 def as_type(data: object, kind: type[Data]) -> Data | None:
-    """Return data of an annex, checked to have the type that the annex declares.
+    """Return `data` unchanged if it is None or of type `kind`.
 
     Raises
     ------
     TypeError
-        If the data are of another type.
+        If `data` is of another type.
     """
     if data is None or isinstance(data, kind):
         return data
@@ -49,5 +51,5 @@ def as_type(data: object, kind: type[Data]) -> Data | None:
 
 
 def installed_keys(names: Iterable[str] = KEYS) -> list[CaseKey]:
-    """Return the named keys of installed annexes."""
+    """Return the declarations of the keys in `names` whose annex is installed."""
     return [module(declaring).KEY for name in names if (declaring := module_of_key(name))]

@@ -89,7 +89,7 @@ def _in_motion(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def carried_keys(case: TransmissionFields) -> list[CaseKey]:
-    """Return the annexes' keys under which a case has data."""
+    """Return the declarations of the keys of annexes under which a case has data."""
     names = [name for name in KEYS if getattr(case, name) not in (None, {})]
     for name in names:
         if not module_of_key(name):
@@ -116,7 +116,7 @@ def _moves(case: TransmissionFields) -> bool:
 
 
 def doubts(case: TransmissionFields) -> Iterator[Problem]:
-    """Yield warnings about a case without errors."""
+    """Yield warnings about a case that has no errors."""
     for number, mechanism in _own_mechanisms(case):
         yield from doubtful(mechanism, ("mechanisms", number))
     for key in carried_keys(case):
@@ -186,7 +186,7 @@ def hints(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _turning(case: TransmissionFields) -> Iterator[Problem]:
-    """Yield notes about gears with a separate input link whose direction is assumed."""
+    """Yield notes about gears with another input link than the case, assumed to turn forward."""
     for number, gear in enumerate(case.gears if case.freewheels else (), 1):
         if gear.input not in (None, case.input) and not case.input_turns(gear):
             yield Problem(
@@ -198,7 +198,7 @@ def _turning(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _own_mechanisms(case: TransmissionFields) -> list[tuple[int, Mechanism]]:
-    """Return each mechanism that the case gives directly, not by a gear set, with its number."""
+    """Return the mechanisms that are not derived from gear sets, with their numbers."""
     return list(enumerate(case.mechanisms, 1))[case.own_mechanisms]
 
 
@@ -232,7 +232,6 @@ def _sizes(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _first_gear(case: TransmissionFields) -> str:
-    """Return an example, as text, of a gear that engages the required number of shift elements."""
     named = zip(case.shift_elements, element_names(case.shift_elements), strict=True)
     names = [name for element, name in named if not element.is_freewheel]
     count = max(case.links - len(case.mechanisms) - 1, 1)
@@ -241,7 +240,6 @@ def _first_gear(case: TransmissionFields) -> str:
 
 
 def _counted(case: TransmissionFields) -> str:
-    """Return a phrase with the numbers of components that can connect links."""
     parts = [f"{len(case.shift_elements)} shift elements", f"{len(case.mechanisms)} mechanisms"]
     parts += [f"{len(case.springs)} springs"] * bool(case.springs)
     return spoken(parts + [f"{len(case.heavy)} inertias"] * bool(case.heavy))
@@ -265,7 +263,7 @@ def _names(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _drawn(case: TransmissionFields) -> Iterator[Problem]:
-    """Check that the number of mechanisms agrees with the drawing."""
+    """Check that a case has as many mechanisms as were derived from the drawing."""
     if case.drawing is None:
         return
     count = sum(len(device.mechanisms) for device in case.drawing.devices)

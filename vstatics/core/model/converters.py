@@ -50,7 +50,7 @@ class Converter(NamedTuple):
 
 
 def converters_of(given: Mapping[str, Any]) -> tuple[Converter, ...]:
-    """Return the converters of a document, from its mapping of names to records."""
+    """Return the torque converters of a document, which maps names to mappings of values."""
     return tuple(
         Converter(name, pump, turbine, record["points"]).completed()
         for name, record in given.items()

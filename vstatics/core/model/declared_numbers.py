@@ -1,8 +1,8 @@
 """Search for the declaration of a number in a document, by the keys of the number.
 
-A document is a case as YAML or JSON; its shape declares the keys and their values. `leaf_at` finds
-the declaration of a value by its keys, `bare_unit` the unit of a number that is written without a
-unit, and `numbers_below` all numbers of a part of the model.
+A document is a case in YAML or JSON. Its shape declares the keys and their values. `leaf_at` finds
+the declaration of a value, `bare_unit` the unit of a number written without a unit, and
+`numbers_below` all numbers of a part of the model.
 """
 
 from __future__ import annotations
@@ -32,14 +32,14 @@ from vstatics.core.model.shape import (
 
 _UNITS = {str(kind): unit for kind, unit in UNIT_OF.items()}
 _NUMBERS = ("number", "count", "relative_torque", "efficiency", *get_args(Measure))
-"""Kinds of declared single values (leaves) that are always numbers."""
+"""Kinds of single values (leaves) that are always numbers, never words."""
 
 
 def leaf_at(shape: Shape, keys: Sequence[str]) -> Leaf | Parsed | None:
     """Return the declaration of the single value at the given keys; list items count from 1.
 
-    The result is None if there can be no single value, or if its declaration depends on other
-    values of the document.
+    The result is None if the keys cannot lead to a single value, or if the declaration depends on
+    other values of the document.
     """
     if isinstance(shape, Leaf | Parsed):
         return None if keys else shape
@@ -65,9 +65,9 @@ def bare_unit(shape: Shape, keys: Sequence[str]) -> str:
 
 
 def numbers_below(shape: Shape, part: Any, keys: Keys = ()) -> Iterator[tuple[Keys, Leaf]]:
-    """Yield keys and declarations of the numbers below a part of the model, given or omitted.
+    """Yield keys and declarations of all numbers in a part of the model, even omitted numbers.
 
-    Numbers given by laws or short forms are omitted.
+    Numbers within laws and short forms are not yielded.
 
     Parameters
     ----------
@@ -75,7 +75,7 @@ def numbers_below(shape: Shape, part: Any, keys: Keys = ()) -> Iterator[tuple[Ke
     part : object
         Part of the model: an object with attributes, a mapping or a sequence.
     keys : tuple of str
-        Keys of the part itself, which begin all yielded keys.
+        Keys of the part itself, to which the keys of the numbers are appended.
 
     Examples
     --------
@@ -102,7 +102,7 @@ def numbers_below(shape: Shape, part: Any, keys: Keys = ()) -> Iterator[tuple[Ke
 
 
 def value_at(part: Any, key: str) -> Any:
-    """Return the value of a part under a key or item number (from 1), unless omitted."""
+    """Return the value of a part under a key or item number (from 1); None if omitted."""
     if hasattr(part, "_fields"):
         return getattr(part, key, None)
     if isinstance(part, Sequence):
@@ -111,7 +111,7 @@ def value_at(part: Any, key: str) -> Any:
 
 
 _Below = tuple[Shape | None, Sequence[str]]
-"""Declaration of the value under the first key, and the keys that remain to be followed."""
+"""Declaration of the value under the first key, and the keys to follow from there."""
 
 
 def _by_key(shape: ByKey | ByKind, first: str, others: Sequence[str]) -> _Below:

@@ -28,7 +28,7 @@ from vstatics.core.model.parts import (
 from vstatics.core.model.springs import Spring, ends
 from vstatics.core.suggestions import nearest
 
-if TYPE_CHECKING:  # cases without converters must not import them
+if TYPE_CHECKING:  # imported only by cases with converters
     from vstatics.core.model.converters import Converter
 
 Value = TypeVar("Value")
@@ -46,11 +46,11 @@ class AnyDrawing(Protocol):
 
     @property
     def links(self) -> int:
-        """Number of links of the case, after which links of planets are numbered."""
+        """Number of links of the case. Links of planets have larger numbers."""
 
     @property
     def mechanisms(self) -> Sequence[Mechanism]:
-        """Mechanisms that the case gives directly, in addition to gear sets."""
+        """Mechanisms listed by the case itself, in addition to gear sets."""
 
     @property
     def devices(self) -> Sequence[OwnDevice]:
@@ -63,14 +63,14 @@ class AnyDrawing(Protocol):
         """Yield every error of the gear sets."""
 
     def lowered(self, link_names: Sequence[str]) -> dict[str, Any]:
-        """Return the fields of a case set by the drawing: links, link names, mechanisms."""
+        """Return the fields of a case that follow from the drawing, such as its mechanisms."""
 
 
 class Carried(Protocol):
     """Interface of data that an annex stores in a case and the core does not read."""
 
     def completed(self) -> Self:
-        """Return the data, already checked, with all numbers as floats."""
+        """Return the data with all numbers as floats; the data must have passed the checks."""
 
 
 @dataclass(frozen=True)
@@ -112,7 +112,7 @@ class TransmissionFields:
         """Leave all checks to `Transmission`."""
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return the fields without derived values, for copying and pickling."""
+        """Return the fields without cached derived values, for copying and pickling."""
         return {name: getattr(self, name) for name in self.__dataclass_fields__}
 
     @cached_property
@@ -120,7 +120,7 @@ class TransmissionFields:
         return {}
 
     def derived(self, derive: Callable[[Self], Value]) -> Value:
-        """Return the value that a function derives from the case, calculated only once.
+        """Return `derive(case)`, calculated only once.
 
         Cases that differ only in ratios, efficiencies and planet ratios share the value. The
         function must therefore not read these numbers.
@@ -147,7 +147,7 @@ class TransmissionFields:
 
     @property
     def heavy(self) -> dict[int, float]:
-        """Inertias of rotating links [kg*m^2] and masses of straight-moving links [kg]."""
+        """Inertia of each rotating link [kg*m^2], mass of each link that moves straight [kg]."""
         return {**self.inertias, **self.masses}
 
     def is_straight(self, spring: Spring) -> bool:
@@ -156,17 +156,17 @@ class TransmissionFields:
 
     @cached_property
     def own_devices(self) -> Sequence[OwnDevice]:
-        """Gear sets and mechanisms as named by the case, unlike the mechanisms of the solver."""
+        """Gear sets and mechanisms named in the case, each with its mechanisms of the solver."""
         if self.drawing is not None:
             return self.drawing.devices
         return [_own_device(number, mechanism) for number, mechanism in enumerate(self.mechanisms)]
 
     def ratio_range(self, index: int) -> tuple[float, float]:
-        """Return the bounds of a mechanism's basic ratio; infinite without a gear set."""
+        """Return the bounds of a mechanism's basic ratio [-]; infinite without gear sets."""
         return self.drawing.ratio_range(index) if self.drawing else (-math.inf, math.inf)
 
     def gear_number(self, asked: int | str) -> int:
-        """Return the number of a gear from 1, given the name or number.
+        """Return the number of a gear (from 1), found by name or number.
 
         Parameters
         ----------
@@ -193,7 +193,7 @@ class TransmissionFields:
         return number
 
     def link_number(self, asked: int | str) -> int:
-        """Return the number of a link that is not a planet, given the name or number.
+        """Return the number of a link that is not a planet, found by name or number.
 
         Raises
         ------
@@ -222,10 +222,10 @@ class TransmissionFields:
         return [link for link in self.outputs if link not in ends]
 
     def gear_load(self, gear: Gear) -> Load:
-        """Return the operating point of a gear, which inherits omitted values from the case.
+        """Return the operating point of a gear. The case supplies values that the gear omits.
 
-        If `coast` is given, it determines the sign of the torque: against the input speed if true,
-        along the speed if false.
+        If `coast` is given, it determines the sign of the torque: opposite to the sign of the input
+        speed if true, equal if false.
         """
         if gear.load is None and self.load is None:
             return NO_LOAD
@@ -240,7 +240,7 @@ class TransmissionFields:
         return load._replace(torque=-load.torque, power=power)
 
     def gear_coast(self, gear: Gear) -> bool | None:
-        """Return the `coast` setting of a gear, by default the setting of the case, if given."""
+        """Return the `coast` setting of a gear, by default the setting of the case."""
         return self.coast if gear.coast is None else gear.coast
 
     def coasts(self, gear: Gear) -> bool:
@@ -251,10 +251,10 @@ class TransmissionFields:
         return bool(self.gear_coast(gear))
 
     def torque_unit(self, gear: Gear) -> float:
-        """Return the reference of relative torques in a gear, the signed input torque [N*m].
+        """Return the torque to which the torques of a gear are relative: its input torque [N*m].
 
-        If the input torque is 0, the reference is 1 N*m, along the speed unless the gear coasts. If
-        no torque is given, the result is 0.
+        If the input torque is 0, the result is 1 N*m with the sign of the input speed, or the
+        opposite sign if the gear coasts. If the input torque is unknown, the result is 0.
         """
         load = self.gear_load(gear)
         if load.torque is None or load.torque:
@@ -271,7 +271,7 @@ class TransmissionFields:
         return [n for n, gear in enumerate(self.gears) if not self.input_torque(gear)]
 
     def input_turns(self, gear: Gear) -> Direction | Literal[""]:
-        """Return the direction of rotation of a gear's input; empty if not given."""
+        """Return the direction of rotation of a gear's input; empty if unknown."""
         if gear.input_turns:
             return gear.input_turns
         load = self.gear_load(gear)
@@ -288,11 +288,11 @@ class TransmissionFields:
         return [self.shift_elements[number - 1] for number in numbers]
 
     def conserves_power(self, gear: Gear) -> bool:
-        """Return whether, without mesh losses, the output of a gear takes the whole input power."""
+        """Return whether all input power reaches the output of a gear if meshes have no losses."""
         return not (gear.speeds or gear.torques or self.has_converter or gear.slipping)
 
     def bodies(self, gear: Gear) -> Bodies:
-        """Return the bodies into which engaged shift elements and shafts join the links.
+        """Return the bodies of a gear: links joined by engaged shift elements and shafts.
 
         Examples
         --------
@@ -310,7 +310,7 @@ class TransmissionFields:
         return bodies
 
     def bypassed(self, gear: Gear) -> set[int]:
-        """Return the indices of converters that a gear bypasses, as by a lock-up clutch.
+        """Return the indices of converters bypassed in a gear, for example by a lock-up clutch.
 
         Pump and turbine are then one body, so the converter carries no torque and has no equation
         in this gear, whatever its speed ratio in other gears.
@@ -333,7 +333,7 @@ class TransmissionFields:
         }
 
     def unloaded_converters(self, gear: Gear) -> set[int]:
-        """Return the indices of converters that a gear bypasses or opens.
+        """Return the indices of converters that are bypassed in a gear or listed under its `open`.
 
         Such converters carry no torque and have no equation in this gear.
 
@@ -368,19 +368,19 @@ class TransmissionFields:
 
     @property
     def own_mechanisms(self) -> slice:
-        """Slice of the mechanisms given directly by the case, after the mechanisms of gear sets."""
+        """Slice of the mechanisms that are not derived from gear sets; these are last."""
         drawn = len(self.mechanisms) - len(self.drawing.mechanisms) if self.drawing else 0
         return slice(drawn, len(self.mechanisms))
 
     def gear_ratios(self, gear: Gear, ratios: Sequence[Any] | None = None) -> list[Any]:
-        """Return the ratio of each mechanism in a gear [-], including speed ratios of the gear.
+        """Return the ratio of each mechanism in a gear, replaced by its `speed_ratios` [-].
 
         A converter that is bypassed or open gets the ratio 1 as a placeholder.
 
         Parameters
         ----------
         ratios : sequence, optional
-            Ratios that apply in all gears; default: the `ratio` of each mechanism. [-]
+            Ratios of the mechanisms in all gears, by default their `ratio`. [-]
         """
         in_gear = (
             list(ratios)
@@ -400,7 +400,7 @@ class TransmissionFields:
         return self.link_names[link - 1] if link else "housing"
 
     def speed_text(self, speed: float | SpeedOf) -> str:
-        """Return a given speed in words, such as ``0.5`` or, relative to a link, ``1.05*FL``."""
+        """Return a speed that the case prescribes as text, such as ``0.5`` or ``1.05*FL``."""
         if not isinstance(speed, SpeedOf):
             return f"{speed:g}"
         name = self.link_name(speed.link)
@@ -413,7 +413,7 @@ class TransmissionFields:
         return [n for n, element in enumerate(self.shift_elements, 1) if element.is_freewheel]
 
     def gear_drag(self, gear: Gear) -> dict[int, float]:
-        """Return the drag torque on links in a gear; the case gives the default for each link.
+        """Return the drag torque on links in a gear [-], by default the drag of the case.
 
         Examples
         --------
@@ -426,7 +426,7 @@ class TransmissionFields:
         return {**self._in_gear(gear, self.drag), **gear.drag}
 
     def gear_open_drag(self, gear: Gear) -> dict[int, float]:
-        """Return the drag torque of each shift element when disengaged in a gear, by number."""
+        """Return the drag torque of each shift element when disengaged in a gear [-], by number."""
         numbered = enumerate(self.shift_elements, 1)
         return {
             **self._in_gear(gear, {number: element.drag for number, element in numbered}),
@@ -435,14 +435,13 @@ class TransmissionFields:
 
     @cached_property
     def gears_with_drag(self) -> Sequence[Gear]:
-        """Gears that include the drag torques given by the case and by the shift elements."""
+        """Gears completed with the drag torques of the case and of the shift elements."""
         return [
             gear._replace(drag=self.gear_drag(gear), open_drag=self.gear_open_drag(gear))
             for gear in self.gears
         ]
 
     def _in_gear(self, gear: Gear, torques: Mapping[int, float]) -> dict[int, float]:
-        """Return torques, with torques given in N*m made relative to the input torque of a gear."""
         if not any(isinstance(torque, OfLoad) for torque in torques.values()):
             return dict(torques)
         unit = abs(self.torque_unit(gear))
@@ -468,7 +467,7 @@ class TransmissionFields:
 
     @property
     def depends(self) -> bool:
-        """True if drag, efficiency or a converter depends on the load, or a gear has a balance."""
+        """True if a loss or a converter depends on the load, or a gear has a battery balance."""
         return bool(self.laws) or any(
             gear.balance is not None or self.sought_converters(gear) for gear in self.gears
         )
@@ -482,7 +481,7 @@ class TransmissionFields:
 
     @property
     def has_own_rows(self) -> bool:
-        """True if results have rows that a deck cannot name, because of gear sets or springs."""
+        """True if results have rows for gear sets or springs, which a deck cannot name."""
         return self.drawing is not None or bool(self.springs)
 
     @property
@@ -493,10 +492,10 @@ class TransmissionFields:
 
 
 def gear_place(text: str, names: Sequence[str]) -> int | None:
-    """Return the number of a gear from a text such as ``#3``, if possible.
+    """Return the number of a gear from a text such as ``#3``, or None.
 
-    Without ``#`` a text is a number only if no name contains a digit. So with gears 1 to 8 and R,
-    `9` does not mean R, the ninth gear.
+    Without ``#`` a text is a number only if no name contains a digit. For example, with gears 1 to
+    8 and R, the text `9` does not select the ninth gear, R.
 
     >>> names = ["1", "2", "R"]
     >>> gear_place("3", names), gear_place("#3", names), gear_place("2", ["low", "high"])
@@ -508,7 +507,7 @@ def gear_place(text: str, names: Sequence[str]) -> int | None:
 
 
 def numbered_gear(text: str, names: Sequence[str]) -> str:
-    """Return a hint that names the gear, if a number was given instead of the name.
+    """Return a hint with the name of the gear, if the user wrote its number instead.
 
     >>> numbered_gear("3", ["1", "2", "R"]), numbered_gear("4", ["1", "2", "R"])
     ('; #3 is R', '')

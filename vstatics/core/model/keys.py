@@ -1,7 +1,7 @@
-"""Keys of a case in YAML and JSON; see `model.shape`.
+"""Declarations of the keys of a case in YAML and JSON; see `model.shape`.
 
-Keys have the names of the attributes of the model's classes. Their order is the order of reading;
-for example, links are read before the parts that refer to them.
+Each key has the name of an attribute of the model. Keys are read in the declared order, so links
+come before the parts that refer to them.
 """
 
 from __future__ import annotations
@@ -166,14 +166,14 @@ def _law(over: Any, points: Any) -> Any:
 
 
 def _map(columns: Any = (), rows: Any = (), unit: Any = "", **others: Any) -> Any:
-    """Return a map from values, or the plain values if a file contains the map."""
+    """Return a map, or the unchanged values if `file` names a file with the map."""
     from vstatics.core.model.laws import MapLaw  # costs start-up time
 
     return others if "file" in others else MapLaw(columns, rows, unit)
 
 
 def _map_fault(file: str | None = None, **others: object) -> str:
-    """Return the reason why a map is given twice; empty if given once."""
+    """Return a message if both a file and the document contain a map, else an empty text."""
     beside = [quoted(name) for name in ("columns", "rows", "unit") if name in others]
     if file is None or not beside:
         return ""
@@ -186,11 +186,11 @@ def _map_keys(values: str, head: str, of: str, *others: KeyShape) -> ByKey:
     Parameters
     ----------
     values : str
-        Name of the values.
+        Name of the values in messages, such as ``efficiency``.
     head : str
         Heading of the column of values in a file.
     of : str
-        Description of the speed and the torque.
+        Description of the key `over`: which speed and torque are meant.
     *others : KeyShape
         Further keys.
     """
@@ -240,12 +240,11 @@ MAP = "[speed, torque]"
 
 
 def _map_alone(values: str, head: str, of: str, *others: KeyShape) -> ByKind:
-    """Return the declaration of a law that must be a map; parameters as in `_map_keys`."""
+    """Return the declaration of a law that must be a map; see `_map_keys` for the parameters."""
     return ByKind({MAP: _map_keys(values, head, of, *others)}, "over")
 
 
 def _efficiency_over(over: str, measure: LeafKind, of: str) -> ByKey:
-    """Return the declaration of an efficiency given by points over speed or torque."""
     return ByKey(
         f"Efficiency over {over}",
         "Points, interpolated linearly and held constant outside.",
@@ -310,7 +309,7 @@ GEAR_LOSS = ByLaw(
     ),
     values="loss",
 )
-"""Declaration of the loss of a gear as a whole, over input speed [rad/s] and torque [N*m]."""
+"""Declaration of a loss measured for a whole gear, over input speed [rad/s] and torque [N*m]."""
 
 ELEMENT = ByKey(
     "Shift element",
@@ -463,7 +462,7 @@ COAST = KeyShape(
     "input speed, otherwise along it. By default the sign of the input power decides.",
 )
 ENGAGED = ListOf(Leaf("element"), "shift elements")
-"""Declaration of the shift elements that a gear engages."""
+"""Declaration of the key with the shift elements that a gear engages."""
 
 GEAR = ByKey(
     "Gear",
@@ -653,13 +652,13 @@ CASE = ByKey(
 
 
 def with_carried(case: ByKey, keys: Iterable[CaseKey]) -> ByKey:
-    """Return the declaration of a case extended by keys of annexes, which precede `allow`."""
+    """Return the declaration of a case with the keys of annexes added before the key `allow`."""
     *others, allow = case.keys
     return case._replace(keys=(*others, *(key.shape for key in keys), allow))
 
 
 def with_masses(case: ByKey) -> ByKey:
-    """Return the declaration of a case with springs or inertias, without required mechanisms."""
+    """Return the declaration of a case with springs or inertias, where mechanisms are optional."""
     free = {"mechanisms", "links"}
     keys = (key._replace(required=key.required and key.name not in free) for key in case.keys)
     return case._replace(keys=tuple(keys))

@@ -1,4 +1,4 @@
-"""Laws: drag, efficiency or loss over speed or torque, given by points or a map; checks."""
+"""Drag, efficiency or loss as function of speed or torque, and the checks of such laws."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.core.numerics.lookup_table import LookupTable
 
 _BOTH = "a `load` with both, such as `load: {speed: 2000 rpm, torque: 100 N*m}`"
-"""Expected operating point, in messages."""
+"""Words for the expected operating point in messages."""
 MOST_LAW_POINTS = 10_000
 """Largest number of points in a law."""
 ACase = TypeVar("ACase", bound=TransmissionFields)
@@ -26,12 +26,12 @@ LossUnit = Literal["", "W", "kW", "N*m"]
 
 
 class PointLaw(Law):
-    """Law given by points: interpolated linearly between points, constant outside.
+    """Law given by points. Values are interpolated linearly and held constant outside the points.
 
     Parameters
     ----------
     points : sequence of pairs
-        Speed [rad/s] or torque [N*m], 0 or more in ascending order, and the value there.
+        Speed [rad/s] or torque [N*m], 0 or more in ascending order, with the value of the law.
     over : {"speed", "torque"}
         Quantity on which the value depends.
 
@@ -45,7 +45,7 @@ class PointLaw(Law):
     def __new__(
         cls, points: Sequence[Sequence[float]], over: Literal["speed", "torque"] = "speed"
     ) -> Self:
-        """Create a law without checking the points, which are checked with the case."""
+        """Create a law. The points are checked later, with the case."""
         law = super().__new__(cls, points[0][1] if points else 1.0)
         law.points = tuple((float(x), float(y)) for x, y in points)
         law.over = over
@@ -69,13 +69,13 @@ class PointLaw(Law):
 
     @property
     def ends(self) -> tuple[float, float]:
-        """Smallest and largest value."""
+        """Smallest and largest value of the law."""
         values = [y for _, y in self.points]
         return min(values), max(values)
 
 
 class MapLaw(Law):
-    """Law given by a map: bilinear interpolation between points, constant values outside.
+    """Law given by a map. Values are interpolated bilinearly and held constant outside the map.
 
     Parameters
     ----------
@@ -100,7 +100,7 @@ class MapLaw(Law):
     def __new__(
         cls, columns: Sequence[float], rows: Sequence[Sequence[float]], unit: LossUnit = ""
     ) -> Self:
-        """Create a law without checking the map, which is checked with the case."""
+        """Create a law. The map is checked later, with the case."""
         law = super().__new__(cls, rows[0][1] if rows and rows[0][1:] else 1.0)
         law.over, law.unit = "both", unit
         law.columns = tuple(map(float, columns))
@@ -134,7 +134,7 @@ class MapLaw(Law):
 
     @property
     def ends(self) -> tuple[float, float]:
-        """Smallest and largest value."""
+        """Smallest and largest value of the law."""
         values = [value for row in self.rows for value in row[1:]]
         return min(values), max(values)
 
@@ -150,9 +150,9 @@ class MapLaw(Law):
 def of_law(  # noqa: PLR0913
     law: Law, path: Path, *, low: float, high: float, what: str, signed: bool = False
 ) -> Iterator[Problem]:
-    """Check the points or the map of a law, with values from `low` to `high`.
+    """Check the points or the map of a law, whose values must be from `low` to `high`.
 
-    Values of a formula are checked later, at the operating point. `signed` permits torques below 0.
+    Values of a formula are checked later, at the operating point. Torques below 0 need `signed`.
     """
     if isinstance(law, MapLaw):
         yield from _of_map(law, path, low=low, high=high, what=what, signed=signed)
@@ -162,7 +162,7 @@ def of_law(  # noqa: PLR0913
 
 
 def _of_points(law: Law, path: Path, *, low: float, high: float, what: str) -> Iterator[Problem]:
-    """Check that points ascend and begin at 0 or above, with values from `low` to `high`."""
+    """Check that points ascend, begin at 0 or above, and have values from `low` to `high`."""
     if len(law.points) > MOST_LAW_POINTS:
         yield Problem(
             "E266", f"read {len(law.points)} points, expected {MOST_LAW_POINTS} at most", path
@@ -186,9 +186,9 @@ def _of_points(law: Law, path: Path, *, low: float, high: float, what: str) -> I
 def _of_map(  # noqa: PLR0913
     law: MapLaw, path: Path, *, low: float, high: float, what: str, signed: bool
 ) -> Iterator[Problem]:
-    """Check that a map is complete and ascends, with values from `low` to `high`.
+    """Check that a map is complete, ascends and has values from `low` to `high`.
 
-    `signed` permits torques below 0.
+    Torques below 0 need `signed`.
     """
     columns, rows = law.columns, law.rows
     if len(columns) * len(rows) > MOST_LAW_POINTS:
@@ -228,7 +228,7 @@ def _ascending(numbers: Sequence[float], noun: str, least: float, path: Path) ->
 
 
 def of_balances(case: TransmissionFields) -> Iterator[Problem]:
-    """Check battery balances: links and efficiencies, and a link with an unknown torque."""
+    """Check battery balances: links, efficiencies, and at least one unknown torque."""
     for number, gear in enumerate(case.gears, 1):
         if gear.balance is None:
             continue
@@ -263,7 +263,7 @@ def of_balances(case: TransmissionFields) -> Iterator[Problem]:
 def without_loads(case: TransmissionFields) -> Iterator[Problem]:
     """Yield errors for laws in a gear whose operating point has no speed or no torque.
 
-    Statics needs both; simulation does not. Only the first such gear is reported.
+    Statics needs both, simulation does not. Only the first such gear is reported.
     """
     places: list[Path] = [
         ("mechanisms", number, name)
@@ -312,7 +312,7 @@ def of_sought_ratios(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def with_load(case: ACase, load: Load) -> ACase:
-    """Return a case at a load if its operating points lack a number that its losses need."""
+    """Return a case at `load` if its operating points lack a value that its losses need."""
     if not any(problem.id == "E267" for problem in (*without_loads(case), *of_sought_ratios(case))):
         return case
     gears = [gear._replace(load=None) for gear in case.gears]

@@ -1,4 +1,4 @@
-"""Conversion of torque converters with a given speed ratio to converters that slip freely."""
+"""Conversion of converters with a prescribed speed ratio to converters that slip freely."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from vstatics.core.model.transmission import Transmission
 
 
 def with_open_converters(case: Transmission) -> Transmission:
-    """Return a case with every converter moved from `mechanisms` to `converters`.
+    """Return a case with all torque converters moved from `mechanisms` to `converters`.
 
     Raises
     ------
@@ -41,7 +41,7 @@ def with_open_converters(case: Transmission) -> Transmission:
 
 
 def with_needed_ratios(case: Transmission) -> Transmission:
-    """Return the case; if any converter lacks a speed ratio, all are moved to `converters`.
+    """Return the case, with all converters moved to `converters` if any lacks a speed ratio.
 
     Examples
     --------
@@ -59,7 +59,7 @@ def with_needed_ratios(case: Transmission) -> Transmission:
 def with_mechanisms(
     case: Transmission, mechanisms: Sequence[Mechanism], **changes: Any
 ) -> Transmission:
-    """Return a case with replacements for the directly given mechanisms, and further changes."""
+    """Return a case with other mechanisms in addition to gear sets, and with further changes."""
     if case.drawing is None:
         return case.replace(mechanisms=mechanisms, **changes)
     drawing: Any = case.drawing

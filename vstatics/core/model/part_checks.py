@@ -35,7 +35,7 @@ from vstatics.core.numerics.tolerances import SAME_POWER
 
 
 def called(case: TransmissionFields, link: int) -> str:
-    """Return the name of a link, or the number of a link without a name."""
+    """Return the name of a link in messages, or its number if it has no name."""
     if link == HOUSING:
         return "0 (the housing)"
     return case.link_names[link - 1] if 0 < link <= len(case.link_names) else str(link)
@@ -47,7 +47,7 @@ def is_number(number: object, last: int, first: int = HOUSING) -> bool:
 
 
 def of_number(identity: str, number: object, noun: str, last: int, path: Path) -> list[Problem]:
-    """Return a problem unless an object is the number of a part, from 1 to `last`."""
+    """Return a problem if an object is not the number of a part, from 1 to `last`."""
     if is_number(number, last, 1):
         return []
     return [
@@ -56,7 +56,7 @@ def of_number(identity: str, number: object, noun: str, last: int, path: Path) -
 
 
 def expect(number: float, what: str, path: Path, *, right: bool) -> Iterator[Problem]:
-    """Yield a problem that states the expectation `what`, unless the number is right."""
+    """Yield a problem unless `right` is true; `what` states the expected number."""
     if not right:
         yield Problem("E216", f"read {number:g}, expected {what}", path)
 
@@ -140,7 +140,6 @@ def of_friction(friction: Friction, path: Path) -> Iterator[Problem]:
 def _of_temperatures(
     table: CoefficientTable, heat_capacity: float | None, path: Path
 ) -> Iterator[Problem]:
-    """Check that a table has ascending temperatures and a coefficient for each temperature."""
     if heat_capacity is None:
         message = "the coefficient depends on temperature, expected a `heat_capacity` as well"
         yield Problem("E261", message, path)
@@ -162,7 +161,6 @@ def _of_temperatures(
 
 
 def _of_heat(friction: Friction, path: Path) -> Iterator[Problem]:
-    """Check the heat capacity, cooling and ambient temperature of a friction pack."""
     for key, what, right in (
         ("heat_capacity", "a heat capacity above 0", 0 < (friction.heat_capacity or 0) < math.inf),
         ("cooling", "a cooling of 0 or more", 0 <= friction.cooling < math.inf),
@@ -187,7 +185,6 @@ def of_drag(torque: float, element: ShiftElement | None, path: Path) -> Iterator
 
 
 def _kind(element: ShiftElement, path: Path) -> Iterator[Problem]:
-    """Check that the kind of a shift element exists and agrees with the links."""
     to_housing = HOUSING in (element.first, element.second)
     if element.kind not in ELEMENT_KINDS:
         kinds = ", ".join(f"`{kind}`" for kind in ELEMENT_KINDS)
@@ -231,7 +228,6 @@ def of_mechanism_numbers(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
 
 
 def _of_kind(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
-    """Check the links, speed ratio and points of a variator or converter."""
     if mechanism.kind not in MECHANISM_KINDS:
         kinds = ", ".join(f"`{kind}`" for kind in MECHANISM_KINDS)
         yield Problem("E224", f"read {mechanism.kind!r}, expected one of {kinds}", (*path, "kind"))
@@ -255,7 +251,7 @@ def _of_kind(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
 def of_characteristic(
     points: Sequence[tuple[float, ...]], path: Path, numbers: int = 2
 ) -> Iterator[Problem]:
-    """Check the points of a converter: speed ratio, torque ratio and (always or never) lambda."""
+    """Check the points of a converter: speed ratio, torque ratio and optionally lambda."""
     if not points:
         yield Problem("E219", "read no points, expected at least one", path)
     before = -math.inf
@@ -276,7 +272,6 @@ def of_characteristic(
 
 
 def _speed_ratios(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]:
-    """Check the speed ratios that a gear gives to variators and converters."""
     mechanisms = case.mechanisms[case.own_mechanisms]
     last = len(mechanisms) + len(case.converters)
     for number, ratio in gear.speed_ratios.items():
@@ -304,7 +299,6 @@ def _speed_ratios(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[
 
 
 def _open(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]:
-    """Check the converters that a gear lists under `open`."""
     mechanisms = case.mechanisms[case.own_mechanisms]
     names = [*mechanism_names(mechanisms), *(converter.name for converter in case.converters)]
     for place, number in enumerate(gear.open, 1):
@@ -329,7 +323,7 @@ def _open(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]
 
 
 def _is_bypassed(case: TransmissionFields, gear: Gear, number: int) -> bool:
-    """Return whether a gear bypasses a converter, numbered among the given mechanisms.
+    """Return whether a gear bypasses a converter, given by its number in `mechanisms` of the case.
 
     The result is False if links or engaged elements are faulty, which other checks report.
     """
@@ -398,10 +392,10 @@ def _efficiencies(law: Law, path: Path) -> Iterator[Problem]:
 def sets_side_by_side(
     sets: Iterable[tuple[int, str, int, Iterable[int]]],
 ) -> Iterator[tuple[int, str]]:
-    """Yield gear sets that share the carrier and a central gear with an earlier gear set.
+    """Yield each gear set that shares its carrier and a central gear with an earlier gear set.
 
-    Each item is the number of the gear set and the name of the earlier one. `sets` contains
-    numbers, names, carriers and central gears.
+    Each item is the number of the gear set and the name of the earlier gear set. `sets` contains
+    the number, name, carrier and central gears of each gear set.
     """
     seen: dict[tuple[int, int], str] = {}
     for number, name, carrier, wheels in sets:
@@ -425,7 +419,7 @@ def doubtful(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
         )
     if mechanism.planet_ratio is None and not mechanism.is_plain(ratio):
         yield Problem(
-            "N204" if ratio == -1 else "W201",  # ratio of bevel differentials
+            "N204" if ratio == -1 else "W201",  # -1 is usual for bevel differentials
             f"ratio {ratio:g} is not the basic ratio of a simple planetary gear set, so there is "
             "no planet speed without `planet_ratio`",
             path,
@@ -433,7 +427,7 @@ def doubtful(mechanism: Mechanism, path: Path) -> Iterator[Problem]:
 
 
 def of_gear(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]:
-    """Check the engaged elements and all given values of a gear."""
+    """Check the shift elements, speeds, torques and other values of a gear."""
     yield from _engaged(case.shift_elements, gear.engaged, (*path, "engaged"))
     yield from _slipping(case.shift_elements, gear, (*path, "slip"))
     ends = gear.input or case.input, gear.output or case.main_output
@@ -470,7 +464,7 @@ def of_gear(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Proble
 def _sides_given(
     case: TransmissionFields, gear: Gear, ends: tuple[int, int], path: Path
 ) -> Iterator[Problem]:
-    """Check given speeds and torques, which must exclude the input speed and the output torque."""
+    """Check the speeds and torques that a gear prescribes on links other than input and output."""
     yield from _speeds(case, gear.speeds, (*path, "speeds"))
     yield from _finite(gear.torques, (*path, "torques"), case.own_links)
     if ends[0] in gear.speeds:
@@ -488,7 +482,7 @@ def _sides_given(
 
 
 def _turning(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]:
-    """Check that the given direction of the input agrees with the operating point."""
+    """Check that the direction `input_turns` agrees with the operating point."""
     turns = gear.input_turns
     if not turns:
         return
@@ -530,7 +524,6 @@ def of_load(load: Load | None, path: Path) -> Iterator[Problem]:
 
 
 def _of_power(load: Load, power: float, path: Path) -> Iterator[Problem]:
-    """Check that the power of an operating point is speed times torque."""
     if load.speed is None:
         yield Problem(
             "E238", f"read {power:g} kW without a speed, expected `speed` and `torque`", path
@@ -583,7 +576,6 @@ def _engaged(
 
 
 def _slipping(elements: Sequence[ShiftElement], gear: Gear, path: Path) -> Iterator[Problem]:
-    """Check the shift elements that slip under torque, and the slips."""
     for number, slip in gear.slip.items():
         inner = (*path, number)
         if wrong := of_number("E243", number, "a shift element", len(elements), inner):
@@ -605,7 +597,6 @@ def _slipping(elements: Sequence[ShiftElement], gear: Gear, path: Path) -> Itera
 def _speeds(
     case: TransmissionFields, speeds: Mapping[int, float | SpeedOf], path: Path
 ) -> Iterator[Problem]:
-    """Check given speeds: numbers, or multiples of the speed of a link."""
     numbers = {link: speed for link, speed in speeds.items() if not isinstance(speed, SpeedOf)}
     yield from _finite(numbers, path, case.own_links)
     for link, speed in speeds.items():
@@ -630,7 +621,7 @@ def _finite(values: Mapping[int, float], path: Path, links: int) -> Iterator[Pro
 
 
 def no_unit(value: float, unit: str, what: str, path: Path) -> Problem:
-    """Return a note about an implausibly large number that probably lacks a unit."""
+    """Return a note that a number is implausibly large and probably lacks a unit."""
     other = "mm" if unit == "m" else "rpm"
     hint = f"a number without a unit is in {unit}, so write `{value:g} {other}` if this is meant"
     return Problem("N205", f"read {value:g} {unit}, more than {what} can have: {hint}", path)

@@ -3,8 +3,8 @@
 Links, shift elements, mechanisms and gears are numbered from 1, as in the source of the method;
 link 0 is the housing. An index, by contrast, counts from 0.
 
-The solver calculates three-link mechanisms, with planets as links if needed, whereas results are
-listed for the gear sets of the case. `OwnDevice` relates the mechanisms to a gear set.
+The solver divides a gear set into three-link mechanisms, with planets as links if needed.
+`OwnDevice` lists the mechanisms of a gear set, for results.
 """
 
 from __future__ import annotations
@@ -27,8 +27,8 @@ class Damping(NamedTuple):
     viscous : float
         Torque per rate of twist. [N*m*s/rad]
     loss_factor : float
-        Ratio of damping torque to elastic torque at any frequency, as of a material. A mode in
-        which only this component is twisted has half of it as its damping ratio. [-]
+        Ratio of damping torque to elastic torque at any frequency, as for a material. If only this
+        component is twisted in a mode, the damping ratio of the mode is half the loss factor. [-]
 
     Examples
     --------
@@ -48,12 +48,12 @@ NO_DAMPING = Damping()
 
 
 def damping(given: Damping | float) -> Damping:
-    """Return a damping with floats; a number is a viscous damping.
+    """Return a `Damping` with floats; a number is taken as viscous damping.
 
     Parameters
     ----------
     given : Damping or float
-        Damping, or torque per rate of twist. [N*m*s/rad]
+        Damping, or viscous damping as a number. [N*m*s/rad]
 
     Returns
     -------
@@ -70,7 +70,7 @@ def damping(given: Damping | float) -> Damping:
 def damping_of(
     viscous: float = 0.0, ratio: float | None = None, loss_factor: float = 0.0
 ) -> Damping:
-    """Return the damping given by a single number; a ratio is half a loss factor.
+    """Return a damping from one of three numbers; the damping ratio is half the loss factor.
 
     >>> damping_of(ratio=0.02)
     Damping(viscous=0.0, loss_factor=0.04)
@@ -81,7 +81,7 @@ def damping_of(
 def damping_fault(
     viscous: float = 0.0, ratio: float | None = None, loss_factor: float = 0.0
 ) -> str:
-    """Return the reason why numbers do not define a damping; empty if valid.
+    """Return a message if the numbers do not define a damping, else an empty text.
 
     >>> damping_fault(ratio=0.02, loss_factor=0.1)
     'read several of `viscous`, `ratio` and `loss_factor`, expected one of them'
@@ -105,16 +105,16 @@ Direction = Literal["forward", "backward"]
 """Direction of rotation of an input."""
 DIRECTIONS: tuple[Direction, ...] = get_args(Direction)
 GearKind = Literal["gear", "neutral", "point"]
-"""Kind of a gear: ratio of the shift pattern, intended neutral, or operating point of a drive."""
+"""Kind of a gear: normal gear, intended neutral, or operating point of a variable drive."""
 GEAR_KINDS: tuple[GearKind, ...] = get_args(GearKind)
 ELEMENT_KINDS: tuple[ElementKind, ...] = get_args(ElementKind)
 MechanismKind = Literal["variator", "converter"]
-"""Kind of a mechanism whose speed ratio is given instead of a fixed basic ratio."""
+"""Kind of a mechanism that has a speed ratio instead of a basic ratio."""
 MECHANISM_KINDS: tuple[MechanismKind, ...] = get_args(MechanismKind)
 
 
 class CoefficientTable(NamedTuple):
-    """Coefficients of friction, interpolated over slip and temperature, constant outside."""
+    """Coefficients of friction, interpolated linearly over slip and temperature."""
 
     columns: tuple[float, ...]
     """Temperatures in ascending order. [degC]"""
@@ -122,7 +122,7 @@ class CoefficientTable(NamedTuple):
     """Rows with a slip [rad/s], in ascending order, and the coefficient at each temperature [-]."""
 
     def at(self, temperature: float) -> tuple[tuple[float, float], ...]:
-        """Return pairs of slip and coefficient at a temperature.
+        """Return pairs of slip [rad/s] and coefficient of friction [-] at a temperature [degC].
 
         >>> table = CoefficientTable((20, 120), ((0, 0.12, 0.10),))
         >>> table.at(70), table.at(0)
@@ -137,7 +137,7 @@ class CoefficientTable(NamedTuple):
         )
 
     def completed(self) -> CoefficientTable:
-        """Return the table, already checked, with all numbers as floats."""
+        """Return the table with all numbers as floats; it must have passed the checks."""
         rows = tuple(tuple(map(float, row)) for row in self.rows)
         return CoefficientTable(tuple(map(float, self.columns)), rows)
 
@@ -145,9 +145,9 @@ class CoefficientTable(NamedTuple):
 class Friction(NamedTuple):
     """Friction pack of a shift element, for torque capacity and temperature.
 
-    The torque capacity is ``pressure area radius surfaces mu(|slip|)`` with the coefficient of
-    friction mu. The temperature T of the pack follows from the friction power P:
-    ``heat_capacity dT/dt = P - cooling (T - ambient)``.
+    The torque capacity is ``pressure area radius surfaces mu(|slip|)``, where mu is the coefficient
+    of friction. The temperature T of the pack follows from the friction power P: ``heat_capacity
+    dT/dt = P - cooling (T - ambient)``.
     """
 
     radius: float = 0.0
@@ -168,23 +168,23 @@ class Friction(NamedTuple):
 
     @property
     def per_pressure(self) -> float:
-        """Product ``area radius surfaces``: torque capacity per pressure if mu were 1 [m^3]."""
+        """Product ``area radius surfaces``: torque capacity divided by pressure and by mu [m^3]."""
         return self.area * self.radius * self.surfaces
 
     @property
     def table(self) -> CoefficientTable | None:
-        """Table of the coefficient of friction, if dependent on temperature."""
+        """Table of the coefficient of friction, if the coefficient depends on temperature."""
         return self.coefficient if isinstance(self.coefficient, CoefficientTable) else None
 
     @property
     def points(self) -> tuple[tuple[float, float], ...]:
-        """Pairs of slip and coefficient at the ambient temperature."""
+        """Pairs of slip [rad/s] and coefficient of friction [-] at the ambient temperature."""
         if isinstance(self.coefficient, CoefficientTable):
             return self.coefficient.at(self.ambient)
         return self.coefficient
 
     def completed(self) -> Friction:
-        """Return the friction pack, already checked, with all numbers as floats."""
+        """Return the friction pack with all numbers as floats; it must have passed the checks."""
         table = self.table
         points = tuple((float(slip), float(coefficient)) for slip, coefficient in self.points)
         heat = None if self.heat_capacity is None else float(self.heat_capacity)
@@ -255,12 +255,12 @@ class ShiftElement(NamedTuple):
 
     @property
     def pack(self) -> Friction | None:
-        """Friction pack, if the capacity depends on a pressure."""
+        """Friction pack, if it determines the torque capacity from the pressure."""
         return self.friction if self.friction and self.friction.coefficient else None
 
     @property
     def heat_store(self) -> Friction | None:
-        """Friction pack, if the heat capacity is known."""
+        """Friction pack, if its heat capacity is known."""
         friction = self.friction
         return friction if friction and friction.heat_capacity is not None else None
 
@@ -351,7 +351,7 @@ class Mechanism(NamedTuple):
 def mechanism_of(
     third: int | None = None, speed_ratio: float | None = None, **others: Any
 ) -> Mechanism:
-    """Return the mechanism from the values of a document.
+    """Return the mechanism from the values of its keys in a document.
 
     A third link of 0 marks a planetary gear set with its carrier held; a gear pair has None.
 
@@ -370,7 +370,7 @@ def mechanism_of(
 def mechanism_fault(
     kind: str = "", ratio: float | None = None, speed_ratio: float | None = None, **others: Any
 ) -> str:
-    """Return the reason why values do not suit the kind of a mechanism; empty if valid.
+    """Return a message if values do not suit the kind of a mechanism, else an empty text.
 
     >>> mechanism_fault("variator", ratio=2.0)
     'read `ratio` of a variator, expected `speed_ratio`'
@@ -397,7 +397,7 @@ def mechanism_record(mechanism: Mechanism) -> dict[str, Any]:
 class Load(NamedTuple):
     """Operating point at the input link, for results in rpm, N*m and kW.
 
-    Arrays of a varied ``load.speed`` are in rad/s: 2000 rpm are ``2000 * math.pi / 30``.
+    When ``load.speed`` is varied as an array, the array is in rad/s, not in rpm.
 
     Parameters
     ----------
@@ -406,7 +406,8 @@ class Load(NamedTuple):
     torque : float, optional
         Input torque. [N*m]
     power : float, optional
-        Power from which the torque was calculated; it is kept when the speed changes. [kW]
+        Power, if the case prescribes it. When the speed changes, the power stays constant and the
+        torque is recalculated. [kW]
 
     Examples
     --------
@@ -422,7 +423,7 @@ class Load(NamedTuple):
 
     @property
     def torque_size(self) -> float:
-        """Reference of relative torques [N*m]: ``|torque|``, 1 for 0, and 0 if not given.
+        """Magnitude of the input torque [N*m], or 1 if that is 0; 0 if unknown.
 
         >>> Load(torque=-300).torque_size, Load(torque=0).torque_size, Load().torque_size
         (300, 1.0, 0.0)
@@ -430,7 +431,7 @@ class Load(NamedTuple):
         return 0.0 if self.torque is None else abs(self.torque) or 1.0
 
     def or_else(self, other: Load) -> Load:
-        """Return the operating point, with omitted values taken from a second operating point.
+        """Return the operating point with missing values replaced by values of `other`.
 
         >>> Load(speed=1000).or_else(load_of(speed=2000, power=50)).torque
         477.4648292756861
@@ -445,7 +446,7 @@ class Load(NamedTuple):
 
 
 NOMINAL_LOAD = Load(1000.0, 1.0)
-"""Operating point for results that do not depend on it."""
+"""Arbitrary operating point (1000 rpm, 1 N*m), for results that do not depend on the point."""
 
 
 NO_LOAD = Load()
@@ -455,7 +456,7 @@ NO_LOAD = Load()
 def load_of(
     speed: float | None = None, torque: float | None = None, power: float | None = None
 ) -> Load:
-    """Return the operating point given by two of speed [rpm], torque [N*m] and power [kW].
+    """Return the operating point from up to two of speed [rpm], torque [N*m] and power [kW].
 
     Raises
     ------
@@ -480,7 +481,7 @@ def load_of(
 def load_fault(
     speed: float | None = None, torque: float | None = None, power: float | None = None
 ) -> str:
-    """Return the reason why a power does not define an operating point; empty if valid.
+    """Return a message if `power` does not define an operating point, else an empty text.
 
     >>> load_fault(power=90)
     'read `power` alone, expected a speed or a torque as well'
@@ -499,17 +500,17 @@ def load_fault(
 
 
 class OfLoad(float):
-    """Relative speed or torque that was originally given with a unit.
+    """Relative speed or torque that the user wrote with a unit, in rpm or N*m.
 
-    The relative number has to be recalculated if the operating point of the case changes.
+    The relative number is recalculated if the operating point of the case changes.
 
     Parameters
     ----------
     given : float
-        Given speed [rpm] or torque [N*m].
+        Speed [rpm] or torque [N*m] that the user wrote.
     whole : float
-        Reference in the same unit, not 0: the input speed, or the input torque (1 N*m if that is
-        0).
+        Input speed [rpm] or input torque [N*m] of the operating point, not 0. An input torque of 0
+        is replaced by 1 N*m.
 
     Examples
     --------
@@ -522,7 +523,7 @@ class OfLoad(float):
     whole: float
 
     def __new__(cls, given: float, whole: float) -> Self:
-        """Create the relative number, together with the given value and the reference."""
+        """Create the number ``given / whole``."""
         number = super().__new__(cls, given / whole)
         number.given, number.whole = given, whole
         return number
@@ -532,12 +533,12 @@ class OfLoad(float):
         return self.given, self.whole
 
     def by(self, whole: float | None) -> OfLoad:
-        """Return the number for a new reference; unchanged if the reference is missing or 0."""
+        """Return the number relative to another speed or torque, unless that is missing or 0."""
         return OfLoad(self.given, whole) if whole else self
 
 
 def related(number: float, whole: float | None) -> float:
-    """Return a number relative to a reference [rpm, N*m] if given with a unit, else unchanged.
+    """Return an `OfLoad` relative to another input speed or torque; other numbers are unchanged.
 
     >>> related(OfLoad(10.0, 100.0), 200.0), related(0.1, 200.0)
     (0.05, 0.1)
@@ -550,7 +551,7 @@ Size = TypeVar("Size", float, "Floats")
 
 
 class Law(float):
-    """Drag torque [N*m], efficiency [-] or loss as function of speed [rad/s], torque [N*m] or both.
+    """Drag torque [N*m], efficiency [-] or loss over speed [rad/s], torque [N*m] or both.
 
     A law needs an operating point. The float itself is the value at speed or torque 0, for
     calculations without an operating point. A law is always true as a boolean, because it can be
@@ -559,22 +560,22 @@ class Law(float):
 
     over: Literal["speed", "torque", "both"] = "speed"
     points: tuple[tuple[float, float], ...] = ()
-    """Points of a `PointLaw`: speed or torque, and value."""
+    """Speed [rad/s] or torque [N*m], and the value; only for a `PointLaw`."""
     text: str = ""
     """Text of a law given by a formula; empty for other laws."""
     file: str = ""
-    """Name of the file with the points; ignored in comparisons of laws."""
+    """Name of the file with the points. Laws that differ only in the file name are equal."""
 
     def at(self, *sizes: Size) -> Size:
-        """Return the value at the arguments given by `sizes_of`, numbers or arrays."""
+        """Return the value at the arguments from `sizes_of`, which are numbers or arrays."""
         raise NotImplementedError
 
     def is_outside(self, *sizes: Floats) -> Booleans:
-        """Return whether the arguments given by `sizes_of` are outside the points of the law."""
+        """Return whether the arguments from `sizes_of` are outside the points of the law."""
         raise NotImplementedError
 
     def sizes_of(self, speed: Size, torque: Size) -> tuple[Size, ...]:
-        """Return the arguments of the law: speed, torque or both."""
+        """Return the arguments on which the law depends: speed [rad/s], torque [N*m] or both."""
         if self.over == "both":
             return speed, torque
         return (speed,) if self.over == "speed" else (torque,)
@@ -591,7 +592,7 @@ class Law(float):
         return isinstance(other, Law) and self._definition == other._definition
 
     def __ne__(self, other: object) -> bool:
-        """Negate `__eq__`, because float defines `__ne__`, too."""
+        """Negate `__eq__`; the `__ne__` inherited from float would compare only the value at 0."""
         return not self == other
 
     def __repr__(self) -> str:
@@ -603,17 +604,17 @@ class Law(float):
 
 
 def as_float(number: float) -> float:
-    """Return a number as a float; laws and numbers with a unit stay unchanged."""
+    """Return a number as a float, but `Law` and `OfLoad` unchanged."""
     return number if isinstance(number, Law | OfLoad) else float(number)
 
 
 class SpeedOf(NamedTuple):
-    """Given speed that is a multiple of the speed of a reference link, as for wheels on a curve.
+    """Speed prescribed as a multiple of another link's speed, as for road wheels in a turn.
 
     Parameters
     ----------
     link : int
-        Other link.
+        Number of the other link.
     factor : float
         Multiple of the other link's speed, not 0. [-]
     """
@@ -623,7 +624,7 @@ class SpeedOf(NamedTuple):
 
 
 class BatteryBalance(NamedTuple):
-    """Power balance of a battery and electric machines, which determines the torque of a machine.
+    """Power balance of a battery and electric machines, which fixes the torque of one machine.
 
     Parameters
     ----------
@@ -639,17 +640,18 @@ class BatteryBalance(NamedTuple):
 
 
 class Gear(NamedTuple):
-    """Shift state: the engaged shift elements and further given speeds and torques.
+    """Shift state: the engaged shift elements, and speeds and torques that are prescribed.
 
     Parameters
     ----------
     engaged : sequence of int
         Numbers of the engaged shift elements.
     speeds : mapping of int to float or SpeedOf
-        Given speeds of further links, relative to the input speed or (`SpeedOf`) to another link.
-        [-]
+        Prescribed speeds of links other than the input, relative to the input speed or (`SpeedOf`)
+        to another link. [-]
     torques : mapping of int to float
-        Given external torques on further links, relative to the input torque. [-]
+        Prescribed external torques on links other than the output, relative to the input torque.
+        [-]
     input, output : int, optional
         Input and output link of this gear, by default those of the case.
     name : str
@@ -680,13 +682,12 @@ class Gear(NamedTuple):
         the case are numbered first, then its `converters`. [-]
     slip : mapping of int to float
         Slip speed (first link minus second) of clutches and brakes that slip under torque, by
-        number, relative to the input speed. Such elements carry the torque that equilibrium
-        requires. [-]
+        number, relative to the input speed. Their torque follows from equilibrium. [-]
     loss : Law, optional
-        Loss of the gear as a whole, which brakes its input link, over the speed [rad/s] and torque
-        [N*m] of that link.
+        Loss measured for the whole gear, over the speed [rad/s] and torque [N*m] of the input link,
+        which it brakes.
     holding : tuple of int, optional
-        Links whose external torque follows from equilibrium; by default the links with a given
+        Links whose external torque follows from equilibrium; by default the links with a prescribed
         speed. Only the search for the torque of a `balance` sets this field.
     loss_torques : mapping of int to float
         Torque by which `loss` brakes the input link, relative to the input torque, by link number.
@@ -731,7 +732,7 @@ class Gear(NamedTuple):
 
     @property
     def joining(self) -> tuple[int, ...]:
-        """Numbers of shift elements whose links rotate together: engaged, or with a slip of 0."""
+        """Numbers of shift elements whose links rotate together: engaged elements, or slip 0."""
         return (*self.engaged, *(number for number, slip in self.slip.items() if slip == 0))
 
     @property
@@ -740,12 +741,12 @@ class Gear(NamedTuple):
         return tuple(number for number, slip in self.slip.items() if slip != 0)
 
     def open_links(self, ends: Sequence[int]) -> list[int]:
-        """Return the links of the battery balance without given speed or torque, except `ends`."""
+        """Return links of the battery balance of unknown speed and torque, except `ends`."""
         links = [link for link, _ in self.balance.efficiencies] if self.balance else []
         return [link for link in links if link not in (*ends, *self.speeds, *self.torques)]
 
     def renumbered(self, numbers: Mapping[int, int]) -> Gear:
-        """Return the gear with new numbers of variators and converters, given by old number.
+        """Return the gear with other numbers of variators and converters, mapped from old to new.
 
         Variators and converters without a new number are removed from the gear.
 
@@ -771,7 +772,7 @@ def element_name(number: int, element: ShiftElement) -> str:
 
 
 def element_names(elements: Sequence[ShiftElement]) -> list[str]:
-    """Return the given or default names of shift elements."""
+    """Return the names of shift elements, by default from `element_name`."""
     return [
         element.name or element_name(number, element) for number, element in enumerate(elements, 1)
     ]
@@ -783,7 +784,7 @@ def mechanism_name(number: int) -> str:
 
 
 def mechanism_names(mechanisms: Sequence[Mechanism]) -> list[str]:
-    """Return the given or default names of mechanisms."""
+    """Return the names of mechanisms, by default from `mechanism_name`."""
     return [
         mechanism.name or mechanism_name(number) for number, mechanism in enumerate(mechanisms, 1)
     ]
@@ -795,7 +796,9 @@ class Member(NamedTuple):
     name: str
     link: int
     places: tuple[tuple[int, int], ...]
-    """Index of each mechanism, and of the link at the member: 0 first, 1 second, 2 third."""
+    """For each of the mechanism torques: mechanism index, and index of the link (0 first to 2
+    third).
+    """
 
 
 class WheelOfPlanet(NamedTuple):
@@ -803,28 +806,34 @@ class WheelOfPlanet(NamedTuple):
 
     link: int
     mechanism: int
-    """Index of a mechanism with the gear, which shows if gear and carrier are locked up."""
+    """Index of a mechanism that contains the gear, to check whether gear and carrier are locked up.
+    """
     ratio: float
     """Speed of the gear divided by the speed of the planet train, relative to the carrier. [-]"""
 
 
 class Planet(NamedTuple):
-    """Planet, with the data for the speed relative to the carrier."""
+    """Planet gear, with the data to calculate its speed relative to the carrier."""
 
     name: str
     mechanism: int = -1
-    """Index of the mechanism that determines the speed of the planet, or -1."""
+    """Index of the mechanism that determines the speed of the planet, or -1 if there is no such."""
     ratio: float = 0.0
-    """Ratio of the mechanism according to the teeth; `wheels` do not apply to other ratios. [-]"""
+    """Ratio of the mechanism from the tooth numbers. If its ratio is changed, `wheels` do not
+    apply. [-]
+    """
     wheels: tuple[WheelOfPlanet, ...] = ()
-    """Central gears of the planet; empty if the mechanism's `planet_ratio` applies."""
+    """Central gears that mesh with the planet; empty if the mechanism's `planet_ratio` applies."""
     carrier: int = 0
     speed: float = 1.0
-    """Speed divided by the speed of the train of planets; NaN if teeth are unknown. [-]"""
+    """Speed of the planet divided by the speed of its planet train; NaN if teeth are unknown.
+
+    [-]
+    """
 
 
 class OwnDevice(NamedTuple):
-    """Gear set or mechanism as named by the case, in contrast to the mechanisms of the solver."""
+    """Gear set or mechanism named in the case; the solver may use several mechanisms for it."""
 
     name: str
     mechanisms: tuple[int, ...]
@@ -832,11 +841,11 @@ class OwnDevice(NamedTuple):
     members: tuple[Member, ...]
     planets: tuple[Planet, ...]
     meshes: tuple[bool, ...] = ()
-    """Flag for each mechanism that is a mesh of planets: True if the torque of the mesh is known,
-    because the teeth of the first gear are known.
+    """For each mechanism that is a mesh of planets: True if the tooth numbers of its first gear,
+    and so the mesh torque, are known.
     """
 
     @property
     def meshes_by_index(self) -> list[tuple[int, bool]]:
-        """Index of each mesh among the mechanisms, and a flag for a known torque."""
+        """Mechanism index of each mesh, and whether the mesh torque is known."""
         return list(zip(self.mechanisms, self.meshes, strict=False))

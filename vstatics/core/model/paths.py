@@ -18,11 +18,11 @@ Keys: TypeAlias = tuple[str, ...]
 """Keys of a path, without quotes."""
 
 PARTS = ("shift_elements", "elements", "mechanisms", "springs")
-"""Keys of a case that a path omits: the path begins with the name of a part."""
+"""Keys of a case that a path can omit, because it begins with the name of a part."""
 BODIES = ("inertias", "masses")
-"""Keys of a case with a number for each link, under a path such as `LINK.inertia`."""
+"""Keys of a case that map links to numbers. A path to such a number is `LINK.inertia`."""
 OWNERS: Mapping[str, int] = {"load": 1, "gears": 2, "drag": 1, "mesh_efficiency": 1}
-"""Keys of a case with which a path can begin, and the number of keys that identify the owner."""
+"""Keys of a case that can begin a path, and how many keys of the path name the owner."""
 MOST_PATH_PARTS = 16
 """Largest number of keys in a path; the keys of documents are nested less deeply."""
 
@@ -37,11 +37,11 @@ class PathPart(NamedTuple):
 
     name: str
     at: int
-    """Index of the first character of the key in the text."""
+    """Index of the first character of the key in the typed path."""
 
 
 class NoValueError(Exception):
-    """Error for a path that leads to no value; `at` is the index of the faulty key."""
+    """Error for a path that does not lead to a value; `at` is the index of the faulty key."""
 
     def __init__(self, message: str, at: int) -> None:
         super().__init__(message)
@@ -87,7 +87,7 @@ def in_quotes(name: str) -> str:
 
 
 def written(keys: Sequence[str]) -> str:
-    """Return a path with quotes around special names, ready to be typed.
+    """Return a path with quotes around keys that contain special characters, as a user types it.
 
     >>> written(("controls", "F.1", "2"))
     'controls."F.1".2'
@@ -115,7 +115,7 @@ def plain_keys(text: str) -> list[str]:
 
 
 def owner_and_key(text: str) -> tuple[str, str, str]:
-    """Return the text before the last point of a path, the point, and the last key.
+    """Split a path at its last point: the text before it, the point, and the last key.
 
     >>> owner_and_key(" P.x. inertia"), owner_and_key("inertia")
     (('P.x', '.', 'inertia'), ('', '', 'inertia'))
@@ -125,7 +125,7 @@ def owner_and_key(text: str) -> tuple[str, str, str]:
 
 
 def owner_and_number(path: str) -> tuple[Keys, Keys]:
-    """Return the keys that name the owner of a number, and the remaining keys.
+    """Split a path into the keys that name the owner of a number, and the remaining keys.
 
     >>> owner_and_number("P1.teeth.sun"), owner_and_number("gears.low.speeds.MG1")
     ((('P1',), ('teeth', 'sun')), (('gears', 'low'), ('speeds', 'MG1')))
@@ -136,7 +136,7 @@ def owner_and_number(path: str) -> tuple[Keys, Keys]:
 
 
 def with_unit(text: str) -> tuple[str, str | None]:
-    """Return a typed path and the unit in brackets, if any.
+    """Split a typed path into the path and the unit in brackets, if any.
 
     >>> with_unit("load.speed [rpm]"), with_unit("load.speed")
     (('load.speed', 'rpm'), ('load.speed', None))
@@ -146,7 +146,7 @@ def with_unit(text: str) -> tuple[str, str | None]:
 
 
 def by_name(keys: Keys) -> Keys:
-    """Return the path that begins with the name of a part, from the keys of a number in a document.
+    """Shorten the keys of a number in a document to a path that begins with the name of a part.
 
     >>> by_name(("springs", "damper", "stiffness")), by_name(("inertias", "wheel"))
     (('damper', 'stiffness'), ('wheel', 'inertia'))
@@ -157,7 +157,7 @@ def by_name(keys: Keys) -> Keys:
 
 
 def typed_by_name(text: str) -> str:
-    """Return a typed path shortened to begin with the name of a part.
+    """Shorten a typed path so that it begins with the name of a part.
 
     >>> typed_by_name("inertias.wl [kg*m^2]"), typed_by_name("D1.ratio")
     ('wl.inertia [kg*m^2]', 'D1.ratio')
@@ -169,7 +169,7 @@ def typed_by_name(text: str) -> str:
 
 
 def in_document(keys: Keys) -> list[Keys]:
-    """Return all keys in a document that a path beginning with the name of a part can mean.
+    """Return all full paths that a path beginning with the name of a part can mean.
 
     >>> in_document(("wheel", "inertia"))
     [('inertias', 'wheel'), ('masses', 'wheel')]

@@ -1,4 +1,4 @@
-"""Types that declare the shape of a document (a case): its keys and the values they accept.
+"""Classes that declare the shape of a document, such as a case: its keys and their values.
 
 The reader, the writer and the JSON Schema of YAML and JSON documents are all derived from the same
 declaration. `model.keys` and `elements.keys` declare a case.
@@ -6,6 +6,7 @@ declaration. `model.keys` and `elements.keys` declare a case.
 
 from __future__ import annotations
 
+import copyreg
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any, Literal, NamedTuple, Self, TypeAlias
@@ -61,7 +62,7 @@ UNIT_OF: Mapping[Measure, str] = {
     "straight_compliance": "m/N",
     "straight_damping": "N*s/m",
 }
-"""Unit of a number that is written without a unit, by quantity."""
+"""Unit of a number that the user writes without a unit, by quantity."""
 STRAIGHT: Mapping[Measure, Measure] = {
     "stiffness": "straight_stiffness",
     "compliance": "straight_compliance",
@@ -70,7 +71,7 @@ STRAIGHT: Mapping[Measure, Measure] = {
     "angle": "length",
     "si_speed": "velocity",
 }
-"""Quantity of straight motion that corresponds to a quantity of rotation."""
+"""Quantity of motion along a line that corresponds to a quantity of rotation."""
 
 LeafKind = (
     Measure
@@ -95,11 +96,26 @@ LeafKind = (
     ]
 )
 UNITS: Mapping[str, str] = {"speed": "rpm", "torque": "N*m", "power": "kW"}
-"""Units of speeds, torques and powers that are given without a unit but are not relative."""
+"""Units of absolute speeds, torques and powers that are written without a unit."""
 
 Limits: TypeAlias = Mapping[str, Any]
-"""Limits of a number as keywords of JSON Schema; the program's own checks are elsewhere."""
+"""Limits of a number as keywords of JSON Schema. The program checks numbers separately."""
 NO_LIMITS: Limits = MappingProxyType({})
+
+
+def read_only(items: dict[str, Any]) -> MappingProxyType[str, Any]:
+    """Return a mapping that cannot be changed; `pickle` and `copy` call this function.
+
+    >>> import copy
+    >>> copy.deepcopy(NO_LIMITS)
+    mappingproxy({})
+    """
+    return MappingProxyType(items)
+
+
+copyreg.pickle(MappingProxyType, lambda proxy: (read_only, (dict(proxy),)))
+# Default values of parts, scenarios and states of gears are such mappings, which Python itself
+# neither pickles nor copies.
 
 
 class Leaf(NamedTuple):
@@ -110,14 +126,14 @@ class Leaf(NamedTuple):
     infinite: bool = False
     """True if a number can be `.inf`."""
     straight: bool = False
-    """True if the value can also be in the corresponding unit of straight motion, such as N/m."""
+    """True if the value can also be in the unit for motion along a line, such as N/m."""
 
 
 class InUnit(float):
-    """Number in SI units, with the quantity of the written unit."""
+    """Number in SI units that stores the quantity of the unit with which it was written."""
 
     measure: Measure | None
-    """Quantity of the unit, if the number was written with a unit."""
+    """Quantity of the written unit; None if the number was written without a unit."""
 
     def __new__(cls, value: float, measure: Measure | None) -> Self:
         """Create a number that stores the quantity of the unit."""
@@ -146,13 +162,13 @@ class Numbers(NamedTuple):
 
 
 class Shares(NamedTuple):
-    """Declaration of a mapping from gear names to shares; names are not compared with a case."""
+    """Declaration of a mapping from gear names to shares of any sum. The names are not checked."""
 
 
 class KeyShape(NamedTuple):
-    """Declaration of a key, with the shape of the value; the attribute has an equal name.
+    """Declaration of a key and the shape of its value. The model has an attribute of this name.
 
-    `default` is set if the default applies to the document only, not to the class of the model.
+    `default` is set if only documents have the default, not the class of the model.
     """
 
     name: str
@@ -163,7 +179,7 @@ class KeyShape(NamedTuple):
     limits: Limits = NO_LIMITS
     examples: tuple[Any, ...] = ()
     unless: str = ""
-    """Name of a key whose presence makes the declared required key optional."""
+    """Name of another key. A document that has this other key can omit the declared key."""
 
     def leaves_out(self, value: Any) -> bool:
         """Return whether a value is the default, so that a document can omit the key.
@@ -192,7 +208,7 @@ class ByKey(NamedTuple):
 
 
 class Either(NamedTuple):
-    """Declaration of a mapping that can be shortened to the value of the most important key."""
+    """Declaration of a mapping that can be shortened to the value of a single key."""
 
     short: Ends | ListOf | Leaf
     key: str
@@ -257,18 +273,21 @@ class ByPoints(NamedTuple):
 
 
 class Parsed(NamedTuple):
-    """Declaration of a single value with a special parser."""
+    """Declaration of a single value that a function parses from text."""
 
     expected: str
     parse: Callable[[str], Any]
-    """Function from text to value; raises ValueError (expectation) or ReadError (with a column)."""
+    """Parser of the text.
+
+    It raises ValueError (with the expectation) or ReadError (with a column).
+    """
     stand_in: Any
     unit: str = ""
-    """Unit of numbers written without a unit, unless dependent on other keys."""
+    """Unit of a number written without a unit; empty if the unit depends on other keys."""
 
 
 class ByForm(NamedTuple):
-    """Declaration of a single value, list or mapping, with a shape for each form."""
+    """Declaration of a value that is a single value, list or mapping, each with its own shape."""
 
     expected: str
     scalar: Leaf | Parsed
@@ -286,7 +305,7 @@ class ByLaw(NamedTuple):
     """Declaration of a number or a law; a law is a text, a list of points or a mapping."""
 
     scalar: Leaf | None
-    """Shape of a number or text, unless the law is a mapping."""
+    """Shape of a number or formula; None if the law must be a mapping."""
     mapping: ByKey | ByKind
     row: RowOf | None = None
     """Shape of a point in a list of points."""
@@ -304,8 +323,7 @@ class Balances(NamedTuple):
 class ByKind(NamedTuple):
     """Declaration of a mapping whose keys depend on the value of a single key, such as `kind`.
 
-    The value can also be a list of words such as `[speed, torque]`, under which the keys are
-    declared.
+    The deciding value can also be a list of words, such as `[speed, torque]`.
     """
 
     records: Mapping[str, ByKey]

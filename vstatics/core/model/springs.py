@@ -12,7 +12,7 @@ from vstatics.core.model.parts import HOUSING, NO_DAMPING, Damping
 from vstatics.core.model.struts import Strut, StrutCurve
 
 Twist = tuple[tuple[int, float], ...]
-"""Links with coefficients; the twist is the sum of the link angles times the coefficients."""
+"""Pairs of link and coefficient. The twist is the sum of link angles times coefficients."""
 
 
 class TwistCurve(NamedTuple):
@@ -36,14 +36,14 @@ class TwistCurve(NamedTuple):
         return self.twists[1:-1]
 
     def piece(self, number: int) -> tuple[float, float]:
-        """Return the line of a piece: torque at zero twist [N*m] and slope [N*m/rad]."""
+        """Return the straight line of a piece: torque at zero twist [N*m] and slope [N*m/rad]."""
         left, right = self.twists[number : number + 2]
         below, above = self.torques[number : number + 2]
         slope = (above - below) / (right - left)
         return below - slope * left, slope
 
     def alone(self, number: int) -> TwistCurve:
-        """Return the straight line of a piece as a curve that extends beyond both ends."""
+        """Return the curve that extends a piece as a straight line to both sides."""
         return TwistCurve(self.twists[number : number + 2], self.torques[number : number + 2])
 
     @property
@@ -58,7 +58,7 @@ class TwistCurve(NamedTuple):
 
     @property
     def has_gap(self) -> bool:
-        """True if the torque is 0 on some but not all pieces of the curve (a gap or play)."""
+        """True if the torque is 0 on some pieces of the curve (a gap or play), but not on all."""
         pieces = self._pieces
         return (0.0, 0.0) in pieces and len({*pieces}) > 1
 
@@ -85,7 +85,7 @@ class TwistCurve(NamedTuple):
         return energy if twist > 0 else -energy
 
     def twist_at(self, torque: float) -> float | None:
-        """Return the twist nearest 0 with a given torque [rad], if a solution exists.
+        """Return the twist nearest 0 at which a torque [N*m] occurs [rad]; None if it never occurs.
 
         Examples
         --------
@@ -105,7 +105,7 @@ class TwistCurve(NamedTuple):
     def slope_at(self, torque: float) -> float:
         """Return the slope at a torque [N*m/rad]; 0 in play or if the torque is never reached.
 
-        At a corner the slope is that of the piece with the larger magnitude of torque.
+        At a corner the slope belongs to the piece with the larger magnitude of torque.
 
         Examples
         --------
@@ -151,12 +151,12 @@ class SpringLimit(NamedTuple):
 
 
 def limit_of(base: float, of: str = "", times: float = 0.0) -> float | SpringLimit:
-    """Return the limit from the values of a document: a number if no other spring is named."""
+    """Return the limit from the values of a document: a number unless `of` names another spring."""
     return SpringLimit(base, of, times) if of else base
 
 
 def limit_fault(of: str = "", times: float | None = None, **_others: Any) -> str:
-    """Return the reason why values do not define a limit; empty if valid.
+    """Return a message if values do not define a limit, else an empty text.
 
     >>> limit_fault("suspension")
     'expected both `of` and `times`, or neither'
@@ -214,7 +214,7 @@ class Spring(NamedTuple):
 
     @property
     def form(self) -> dict[int, float]:
-        """Coefficients of the twist by link, without the housing and without zeros."""
+        """Coefficients of the twist by link [-], without the housing and without zeros."""
         pairs = dict(self.twist).items()
         return {link: float(part) for link, part in pairs if link != HOUSING and part}
 
@@ -231,7 +231,7 @@ class Spring(NamedTuple):
 
     @property
     def is_damper(self) -> bool:
-        """True for a damper without stiffness, which has no torque at constant speeds."""
+        """True for a damper: it has no stiffness, and so no torque at constant speeds."""
         return not (self.stiffness or self.compliance or self.points or self.strut)
 
     @property
@@ -258,7 +258,7 @@ def between(first: int, second: int = HOUSING) -> Twist:
 
 
 def ends(twist: Mapping[int, float] | Twist) -> tuple[int, int] | None:
-    """Return the links of the shaft with a given twist, if the twist belongs to a shaft.
+    """Return both links of a shaft from its twist; None if the twist is not that of a shaft.
 
     >>> ends(between(2)), ends({1: 1, 2: -1, 3: -1})
     ((2, 0), None)
@@ -276,14 +276,14 @@ def ends(twist: Mapping[int, float] | Twist) -> tuple[int, int] | None:
 def spring_of(
     links: tuple[int, int] | None = None, twist: Mapping[int, float] | None = None, **others: Any
 ) -> Spring:
-    """Return the spring from the values of a document, with the links of a shaft or a twist."""
+    """Return the spring from the values of its keys in a document."""
     return Spring(between(*links) if links else twist or (), **others)
 
 
 def spring_fault(
     links: tuple[int, int] | None = None, twist: Mapping[int, float] | None = None, **_others: Any
 ) -> str:
-    """Return the reason why values do not define a spring; empty if valid.
+    """Return a message if values do not define a spring, else an empty text.
 
     >>> spring_fault((1, 2), {1: 1.0})
     'read both `links` and `twist`, expected one of them'
@@ -310,5 +310,5 @@ def spring_name(number: int) -> str:
 
 
 def spring_names(springs: Sequence[Spring]) -> list[str]:
-    """Return the given or default names of springs."""
+    """Return the names of springs, by default from `spring_name`."""
     return [spring.name or spring_name(number) for number, spring in enumerate(springs, 1)]

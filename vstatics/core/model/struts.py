@@ -1,4 +1,4 @@
-"""Force of a hydropneumatic strut: gas above a piston, and below it in a counter chamber.
+"""Force of a hydropneumatic strut, with gas above the piston and in a counter chamber below.
 
 Source: Tsitovich, Algin, Vehicle dynamics, Minsk, 1981, (4.12) to (4.18).
 """
@@ -43,7 +43,7 @@ class Strut(NamedTuple):
 
     @property
     def chambers(self) -> list[tuple[float, float]]:
-        """Force [N] and length [m] of each chamber at rest; negative for the counter chamber."""
+        """Force [N] and length [m] of chambers at rest; negative for the counter chamber."""
         counter = self.counter_pressure * self.counter_area
         below = [(-counter, -(self.counter_length or 0.0))] if counter else []
         return [(self.pressure * self.area, self.length), *below]
@@ -54,7 +54,7 @@ class Strut(NamedTuple):
         return -self.length, -self.chambers[1][1] if len(self.chambers) > 1 else math.inf
 
     def slope(self, longer: float) -> float:
-        """Return the stiffness [N/m] at an extension from rest [m]; NaN out of reach.
+        """Return the stiffness [N/m] at an extension from rest [m]; NaN outside `reach`.
 
         The stiffness overflows to infinity for extreme dimensions.
         """
@@ -93,7 +93,7 @@ class StrutCurve(NamedTuple):
 
     @property
     def steepest(self) -> float:
-        """Slope at rest [N/m], which replaces the largest slope of a `TwistCurve`."""
+        """Slope at rest [N/m]. In a `TwistCurve` the same property is the largest slope."""
         return self.strut.slope(0.0)
 
     def piece(self, number: int) -> tuple[float, float]:  # noqa: ARG002 - interface of TwistCurve
@@ -101,7 +101,7 @@ class StrutCurve(NamedTuple):
         return 0.0, 0.0
 
     def at(self, twist: Any) -> Any:
-        """Return the force [N] at an extension [m], or at each of an array; NaN out of reach."""
+        """Return the force [N] at an extension or an array of extensions [m]; NaN out of reach."""
         import numpy as np  # costs start-up time
 
         n = self.strut.exponent
@@ -124,7 +124,7 @@ class StrutCurve(NamedTuple):
         return stored
 
     def twist_at(self, force: float) -> float | None:
-        """Find the extension at a force [m] by bisection, if a solution exists."""
+        """Find the extension [m] at a force [N] by bisection; None if it is never reached."""
         low, high = self.strut.reach
         if math.isinf(high):
             if force >= self.strut.chambers[0][0]:

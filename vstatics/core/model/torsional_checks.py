@@ -69,7 +69,6 @@ def _of_spring(case: TransmissionFields, spring: Spring, path: Path) -> Iterator
 
 
 def _of_elastic_law(case: TransmissionFields, spring: Spring, path: Path) -> Iterator[Problem]:
-    """Check the stiffness, compliance, points or strut, and damping of a spring."""
     if spring.points:
         yield from _of_points(spring, path)
     if spring.strut:
@@ -115,7 +114,7 @@ def _of_points(spring: Spring, path: Path) -> Iterator[Problem]:
 
 
 def _beside(key: str, spring: Spring, path: Path) -> Iterator[Problem]:
-    """Report keys that contradict the points or the strut of a spring."""
+    """Report keys that `key` (points or strut) excludes."""
     given = {name: getattr(spring, name) is not None for name in ("stiffness", "compliance")}
     given |= {"limit": spring.limit is not None, "damping": damping(spring.damping).loss_factor > 0}
     for name, read in given.items():
@@ -127,7 +126,7 @@ def _beside(key: str, spring: Spring, path: Path) -> Iterator[Problem]:
 
 
 def _of_units(case: TransmissionFields, spring: Spring, path: Path) -> Iterator[Problem]:
-    """Check that the units of a spring suit the links, which rotate or move along a line."""
+    """Check that the units of a spring suit links that rotate or links that move along a line."""
     straight = [link for link in spring.form if link in case.masses]
     named = f"{called(case, straight[0])}, which is in" if straight else "no link of"
     numbers: list[tuple[Path, Any]] = [
@@ -187,7 +186,7 @@ def _of_strut(case: TransmissionFields, spring: Spring, path: Path) -> Iterator[
 
 
 def _of_followed(case: TransmissionFields, limit: SpringLimit, path: Path) -> Iterator[Problem]:
-    """Check a limit that grows with the torque of a second spring.
+    """Check the torque limit of a spring that grows with the torque of another spring.
 
     The other spring must have neither a limit nor friction.
     """
@@ -237,7 +236,7 @@ def of_elastic(
 
 
 def above_0(number: float, what: str, path: Path) -> Iterator[Problem]:
-    """Check that a number x and 1/x are finite and above 0."""
+    """Check that a number and its reciprocal are finite and above 0."""
     if not 0 < number < math.inf:
         yield Problem("E255", f"read {number:g}, expected {what} above 0", path)
     elif 1 / number == math.inf:
@@ -277,7 +276,6 @@ def _of_names(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _devices(case: TransmissionFields) -> Iterator[tuple[str, str, Path, Sequence[str]]]:
-    """Yield kind, name, path and names of members of each gear set and mechanism."""
     if case.drawing is None:
         for number, name in enumerate(mechanism_names(case.mechanisms), 1):
             yield "a mechanism", name, ("mechanisms", number), ()

@@ -59,14 +59,15 @@ class Transmission(TransmissionFields):
         Convention for the direction of power assumed in idle mechanisms.
     coast : bool, optional
         True if power enters at the output (engine braking): the input torque acts against the input
-        speed. False if it acts along the speed. By default the sign of the input power decides.
+        speed. False if it acts along the speed. By default the sign of the input power determines
+        this.
     link_names : sequence of str
         By default the link numbers.
     load : Load, optional
         Operating point at the input, for results in rpm, N*m and kW.
     drawing : Drawing, optional
         Gear sets from which links and mechanisms are derived. If `replace` changes the drawing,
-        they are derived again; if it changes only the mechanisms, these are used as given.
+        they are derived again. If it changes only the mechanisms, the changed mechanisms are used.
     outputs : sequence of int
         Output links, if there are several. The first is `output`; each further link needs a given
         speed or torque.
@@ -76,7 +77,7 @@ class Transmission(TransmissionFields):
         Elastic components. A case with springs needs no mechanisms and no gears; without gears it
         has a single gear with no engaged shift elements.
     converters : sequence of Converter
-        Torque converters for vibration and simulation; they are open in statics.
+        Torque converters for vibration and simulation. In statics they carry no torque.
     dump : ClutchDump, optional
         Clutch dump to be calculated.
     vehicle : Vehicle, optional
@@ -86,7 +87,7 @@ class Transmission(TransmissionFields):
     bearings : mapping of str to Bearing
         Rolling bearings, by their names.
     masses : mapping of int to float
-        Masses of links that move along a straight line, whose motion is in m instead of rad. [kg]
+        Masses of links that move along a straight line, in m instead of rad. [kg]
     cylinders : int, optional
         Number of cylinders of the four-stroke engine at the input; half of them fire per
         revolution.
@@ -157,7 +158,7 @@ class Transmission(TransmissionFields):
         return replace(self, load=Load(torque=torque).or_else(self.load or NO_LOAD), gears=gears)
 
     def as_pairs(self, gear: Gear) -> Transmission | None:
-        """Return the case with variators replaced by gear pairs, for the ratios of a single gear.
+        """Return the case with variators replaced by gear pairs, which have the ratios of one gear.
 
         The result is None if a converter carries torque in the gear, or a variator has the speed
         ratio 0.
@@ -205,7 +206,7 @@ class Transmission(TransmissionFields):
             raise CaseError(errors)
         case = object.__new__(type(self))
         vars(case).update(vars(self), _derived=self._derived, mechanisms=others)
-        vars(case).pop("laws", None)  # of all cached values, only laws depend on the numbers
+        vars(case).pop("laws", None)  # of all cached values, only `laws` depends on these numbers
         return case
 
     @staticmethod
@@ -231,7 +232,7 @@ class Transmission(TransmissionFields):
         return case
 
     def __post_init__(self) -> None:
-        """Check all parameters, then fill in the defaults."""
+        """Check all parameters, then complete them with defaults."""
         try:
             if self.drawing is not None and self.drawing != self._lowered:
                 self._follow(self.drawing)
@@ -246,7 +247,7 @@ class Transmission(TransmissionFields):
             raise
 
     def _follow(self, drawing: AnyDrawing) -> None:
-        """Derive links and mechanisms from a drawing; drop planet names of the previous drawing."""
+        """Derive links and mechanisms from a drawing; drop planet names of an earlier drawing."""
         if errors := list(drawing.problems()):
             raise CaseError(errors)
         before, names = self._lowered, list(self.link_names)
@@ -258,13 +259,12 @@ class Transmission(TransmissionFields):
         self._set(**drawing.lowered(names), output=output)
 
     def _set(self, **attributes: object) -> None:
-        """Set attributes of the frozen case during construction."""
         for attribute, value in attributes.items():
             object.__setattr__(self, attribute, value)
 
 
 def _completed(case: Transmission) -> dict[str, object]:
-    """Return the attributes of a checked case, with default names and with numbers as floats."""
+    """Return the attributes of a checked case, with default names added and numbers as floats."""
     return {
         "output": case.main_output,
         "outputs": tuple(case.outputs) if len(case.outputs) > 1 else (),
@@ -329,7 +329,7 @@ def _spring(spring: Spring, number: int) -> Spring:
 
 
 def _gear(case: Transmission, gear: Gear, number: int) -> Gear:
-    """Return a completed gear, whose numbers with a unit are relative to the operating point."""
+    """Return a completed gear. Numbers with a unit become relative to the operating point."""
     load, torque = case.gear_load(gear), case.torque_unit(gear)
     return gear._replace(
         engaged=tuple(gear.engaged),

@@ -9,11 +9,11 @@ Solution(values=[nan, nan, 5.0, 1.0], consistent=True, missing=1, excess=0)
 
 `elimination` solves linear systems; `tolerances` contains the limits below which an entry is zero.
 The same code also runs for arrays of variants. While one variant is calculated, `traced` numbers
-(of fixed sign) or `signed` numbers (of any sign) record their operations on a `tape`; a guard on
-the tape records each decision. `replay` repeats the operations on arrays in `memory`. `plans`
-manages the recorded calculations: a plan is a replay with the ranges of its inputs. `exact`
-converts fractions, `motions` finds the free solutions of equations, `lookup_table` interpolates
-over one or two variables, `sides` locates changes of sign, `fronts` selects the best points by
-several objectives, `steps` spaces numbers evenly, `compiled` compiles loops with Numba, and
-`constants` contains physical constants. No module here depends on transmissions.
+(of fixed sign) or `signed` numbers (of any sign) record their operations on a `tape`, with a guard
+for each decision. `replay` repeats the operations on arrays in `memory`. A plan in `plans` is a
+replay with the ranges of its inputs. `exact` converts fractions, `motions` finds the free solutions
+of equations, `lookup_table` interpolates over one or two variables, `sides` locates changes of
+sign, `fronts` selects the best points for several objectives, `steps` spaces numbers evenly,
+`compiled` compiles loops with Numba, and `constants` contains physical constants. No module here
+depends on transmissions.
 """

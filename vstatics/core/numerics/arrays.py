@@ -21,7 +21,7 @@ Booleans = np.ndarray[Any, np.dtype[np.bool_]]
 
 
 def as_floats(name: str, given: object, hint: str = "") -> Floats:
-    """Return the given numbers as an array of floats.
+    """Return numbers of any array-like type as an array of floats.
 
     Raises
     ------
@@ -83,7 +83,7 @@ def largest(values: np.ndarray[Any, np.dtype[np.inexact[Any]]]) -> float:
 
 
 def rounding_as_zero(values: Floats) -> Floats:
-    """Return values with 0 for values that are negligible relative to the column's largest value.
+    """Return values, with 0 for values that are tiny relative to the largest value of the column.
 
     >>> rounding_as_zero(np.array([[3.0, np.nan], [1e-15, 1e-15]])).tolist()
     [[3.0, nan], [0.0, 1e-15]]
@@ -93,7 +93,7 @@ def rounding_as_zero(values: Floats) -> Floats:
 
 
 def without(values: Floats, flags: Booleans) -> Floats:
-    """Return values with NaN where a flag is True; flags have the leading axes of the values.
+    """Return values with NaN where a flag is True. Flags have the leading axes of the values.
 
     >>> without(np.ones((2, 2)), np.array([False, True])).tolist()
     [[1.0, 1.0], [nan, nan]]
@@ -102,9 +102,9 @@ def without(values: Floats, flags: Booleans) -> Floats:
 
 
 def counted(lengths: Integers) -> tuple[Integers, Integers]:
-    """Return the list number and the position of each item of concatenated lists.
+    """Return the list and the position within the list, both from 0, of each concatenated item.
 
-    Lists and positions are counted from 0.
+    The second result restarts at 0 in each list.
 
         >>> [indices.tolist() for indices in counted(np.array([2, 0, 3]))]
         [[0, 0, 2, 2, 2], [0, 1, 0, 1, 2]]
@@ -114,7 +114,7 @@ def counted(lengths: Integers) -> tuple[Integers, Integers]:
 
 
 def portions(lengths: Integers, most: int) -> Iterator[slice]:
-    """Yield slices that group lists in order, each with at most `most` items or a longer list.
+    """Yield slices of consecutive lists with at most `most` items together, or of one longer list.
 
     >>> list(portions(np.array([2, 0, 3, 9, 1]), 5))
     [slice(0, 3, None), slice(3, 4, None), slice(4, 5, None)]

@@ -11,15 +11,15 @@ from contextlib import contextmanager, suppress
 from vstatics.core.extras import build
 
 CACHE_TROUBLE: list[str] = []
-"""Reasons why machine code could not be stored or read, for the command to report."""
+"""Reasons why machine code could not be stored or read, to be reported by the command."""
 
 
 def _cache() -> str:
     """Return a folder for machine code in which no other user can write; "" if no folder is safe.
 
-    The path is resolved once and its folders are checked from the root downwards, so that no other
-    user can replace a folder after its check. The name of the folder depends on the source files
-    and tolerances that are compiled, so that machine code of another version is never used.
+    Folders are checked from the root of the resolved path downwards, so that no other user can
+    replace a folder after its check. The name of the folder depends on the compiled source files
+    and tolerances, so that machine code of another version is never used.
     """
     home = os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")  # noqa: PTH111
     name = build(b"import compiled", b"Tolerances of", b"from numba")
@@ -34,7 +34,8 @@ def _cache() -> str:
         _check(folder)
         for inner, folders, names in os.walk(folder):
             for name in (*folders, *names):
-                with suppress(FileNotFoundError):  # another process has just finished a file
+                # another process can have just renamed a temporary file
+                with suppress(FileNotFoundError):
                     _check(os.path.join(inner, name))  # noqa: PTH118
         if not os.access(folder, os.W_OK):
             CACHE_TROUBLE.append(f"{folder} can't be written")
@@ -52,8 +53,8 @@ def _check(path: str, *, may_be_shared: bool = False) -> None:
     ----------
     path : str
     may_be_shared : bool
-        True if a folder that others can write to is accepted when its sticky bit protects the files
-        of each user.
+        True to accept a folder that others can write to, if its sticky bit protects the files of
+        each user.
 
     Raises
     ------
@@ -75,7 +76,7 @@ def _check(path: str, *, may_be_shared: bool = False) -> None:
 
 @contextmanager
 def private() -> Iterator[None]:
-    """Set the umask for the `with` block so that no other user can write new files."""
+    """Prevent other users from writing to files created in the `with` block."""
     before = os.umask(0o077)
     try:
         yield

@@ -15,7 +15,7 @@ __all__ = ["HAS_COMPILER", "WITHOUT_COMPILER", "compiled", "compiled_part", "fil
 HAS_COMPILER = find_spec("numba") is not None
 """True if Numba is installed."""
 WITHOUT_COMPILER = "without the package numba a long search takes ten to a hundred times as long"
-"""Reason for slow searches without Numba, a clause of messages to users."""
+"""Clause of messages: why a search without Numba is slow."""
 
 if TYPE_CHECKING or HAS_COMPILER:
     from vstatics.core.numerics.machine_code import compiled, compiled_part, shared

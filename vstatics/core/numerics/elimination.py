@@ -1,20 +1,20 @@
 """Sparse Gauss elimination of small linear systems that can be singular.
 
-Each entry of an equation is a value with a bound of its rounding error (see `Entry`), from which
-the elimination decides whether the entry is zero. So rank and consistency need no external scale.
-Pivots are chosen by sparsity, as far as their magnitude allows, so that systems of equal structure
-are eliminated in the same order.
+Each entry of an equation is a value with a bound of its rounding error (see `Entry`). From this
+bound the elimination decides whether the entry is zero, without an external scale. Pivots are
+chosen by sparsity if their magnitude allows, so that systems of equal structure are eliminated in
+the same order.
 
 The size of a value is the sum of the magnitudes from which it was calculated. The rounding error of
 the value is at most a few units in the last place of its size (running error analysis: Wilkinson
-1963). So a difference counts as zero if it is at most a unit in the last place of its size. It must
-also be less than a millionth of its larger term, because sizes overestimate the error of long
-calculations. `solve_with_certainty` also returns whether larger differences keep enough digits.
+1963). A difference therefore counts as zero if it is at most a unit in the last place of its size.
+It must also be less than a millionth of its larger term, because sizes overestimate the error of
+long calculations. `solve_with_certainty` also returns whether nonzero values keep enough digits.
 
-Traced numbers represent many variants. Whether their difference is zero is decided by the floats of
-the first variant; a guard checks the decision for every other variant. The guard compares the
-difference with its terms for numbers of fixed sign, and with sizes for numbers of any sign. These
-sizes are calculated only where a guard needs them.
+Traced numbers represent many variants. The floats of the first variant decide whether a difference
+is zero, and a guard checks the decision for every other variant. For numbers of fixed sign, the
+guard compares the difference with its terms. For numbers of any sign, it compares the difference
+with the size, which is calculated only for guards.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ from vstatics.core.numerics.traced import (
 )
 
 Entry = tuple[Number, Any]
-"""Value of an entry and the size (a float, or a `LaterSize` for numbers of any sign)."""
+"""Value, and size for its rounding error: a float, or a `LaterSize` for numbers of any sign."""
 Row = dict[int, Entry]
 """Entries of an equation by column."""
 Coefficient = Number | tuple[Number, ...]
@@ -76,14 +76,14 @@ EXACTLY_ONE: Entry = (1.0, 0.0)
 
 
 class Solution(NamedTuple):
-    """Solution of a system, as far as determined by the system."""
+    """Solution of a system, with NaN for values that the system does not determine."""
 
     values: list[Number]
     """Values of the unknowns, then of the requested sums; NaN if not unique."""
     consistent: bool
     """True if the equations are consistent."""
     missing: int
-    """Number of constraints that the unknowns lack: number of unknowns minus rank."""
+    """Number of missing equations: number of unknowns minus rank."""
     excess: int
     """Number of redundant or contradictory equations: number of equations minus rank."""
 
@@ -94,7 +94,7 @@ def solve(
     sums: Sequence[Mapping[int, Number]] = (),
     arithmetic: Arithmetic | None = None,
 ) -> Solution:
-    """Solve a system for all unique unknowns and sums of unknowns.
+    """Solve a system for all unknowns and sums of unknowns that have a unique value.
 
     Parameters
     ----------
@@ -125,7 +125,7 @@ def solve_with_certainty(
     sums: Sequence[Mapping[int, Number]] = (),
     arithmetic: Arithmetic | None = None,
 ) -> tuple[Solution, bool]:
-    """Solve a system, and return whether all pivots and values keep digits after rounding."""
+    """Solve a system, and return whether all pivots and values have enough correct digits."""
     arithmetic = arithmetic or arithmetic_of(equations)
     run = _Elimination([row_of(equation, arithmetic) for equation in equations], arithmetic)
     consistent = run.consistent()
@@ -141,16 +141,13 @@ def solve_with_certainty(
 
 
 def _has_digits(entry: Entry) -> bool:
-    """Return whether a number keeps digits after rounding, according to the size.
-
-    NaN, for a value that does not exist, counts as True.
-    """
+    """Return whether a number has enough correct digits, or is NaN because it does not exist."""
     value, size = _of_first_variant(entry)
     return not EPSILON * size > UNCERTAIN * abs(value)
 
 
 def arithmetic_of(equations: Iterable[Equation]) -> Arithmetic:
-    """Return the arithmetic for equations, from the first number other than float or int."""
+    """Return the arithmetic that the type of the numbers in equations requires."""
     for equation in equations:
         for coefficient in equation.values():
             for term in coefficient if isinstance(coefficient, tuple) else (coefficient,):
@@ -181,7 +178,7 @@ def dependencies(equations: Sequence[Equation]) -> Iterator[tuple[list[int], boo
     """Find redundant and contradictory equations.
 
     For each redundant equation, yield the indices of equations whose weighted sum contains no
-    unknown, and whether their right-hand sides agree.
+    unknown, and whether the sum of their right-hand sides is 0.
     """
     marked = [
         row_of({**equation, -2 - number: 1.0}, FLOATS) for number, equation in enumerate(equations)
@@ -193,8 +190,8 @@ def dependencies(equations: Sequence[Equation]) -> Iterator[tuple[list[int], boo
 class _Elimination:
     """Elimination of a system.
 
-    `pivots` lists, in the order of elimination, the column, the pivot entry and the other entries
-    of its row; `left` contains the remaining rows, which have no unknowns.
+    `pivots` contains the column, the pivot entry and the other entries of each pivot row, in the
+    order of elimination. `left` contains the remaining rows, which have no unknowns.
     """
 
     def __init__(self, rows: Sequence[Row], arithmetic: Arithmetic) -> None:
@@ -221,7 +218,6 @@ class _Elimination:
         (active if max(row, default=RIGHT) >= 0 else self.left).append(row)
 
     def _subtract(self, row: Row, factor: Entry, other: Row) -> None:
-        """Subtract ``factor * other`` from `row` in place, and drop entries that become zero."""
         less, remains = self.arithmetic.less, self.arithmetic.remains
         for column, term in other.items():
             entry = less(row.pop(column, NOTHING), factor, term)
@@ -233,7 +229,7 @@ class _Elimination:
         return not any(RIGHT in row for row in self.left)
 
     def by_free_unknowns(self, unknowns: int) -> dict[int, Row]:
-        """Return each unknown as a combination of free unknowns and a constant: back substitution.
+        """Return each unknown as a linear combination of free unknowns and a constant.
 
         The constant is under the column `RIGHT`.
         """
@@ -250,7 +246,7 @@ class _Elimination:
         return known
 
     def values(self, unknowns: int, sums: Sequence[Mapping[int, Number]]) -> list[Entry]:
-        """Return each unknown and each sum; NaN if dependent on a free unknown."""
+        """Return each unknown and each sum; NaN if it depends on a free unknown."""
         known = self.by_free_unknowns(unknowns)
         totals = [known[column] for column in range(unknowns)]
         for terms in sums:
@@ -267,7 +263,7 @@ class _Elimination:
 def _choose(active: Sequence[Row], arithmetic: Arithmetic) -> tuple[Row, int]:
     """Return the row and column of the next pivot.
 
-    Candidates are the sufficiently large entries of the shortest rows; the candidate with the least
+    Candidates are sufficiently large entries of the shortest rows. The candidate with the least
     fill-in is chosen (Markowitz).
     """
     lengths = [len(row) - (RIGHT in row) for row in active]
@@ -306,7 +302,6 @@ def row_of(equation: Equation, arithmetic: Arithmetic) -> Row:
 
 
 def _sum_of_terms(terms: Sequence[Number], arithmetic: Arithmetic) -> Entry:
-    """Return the sum of terms as an entry; exactly zero if the terms cancel."""
     total = arithmetic.entry(terms[0])
     for term in terms[1:]:
         total = arithmetic.less(total, EXACTLY_ONE, arithmetic.entry(-term))
@@ -317,12 +312,12 @@ class Arithmetic(NamedTuple):
     """Operations of an elimination on entries."""
 
     entry: Callable[[Number], Entry]
-    """Function that returns the entry of a given number."""
+    """Function that returns the entry of a number."""
     quotient: Callable[[Entry, Entry], Entry]
     less: Callable[[Entry, Entry, Entry], Entry]
-    """Function that returns a - b * c from (a, b, c); exactly 0 if only rounding is left."""
+    """Function that returns a - b * c from (a, b, c); exactly 0 if only rounding errors remain."""
     enough: Callable[[Number, Number], bool]
-    """Function that returns whether a number is large enough as a pivot beside a second number."""
+    """Function that returns whether a number can be the pivot of a row with a second number."""
     remains: Callable[[Number], bool]
     """Function that returns whether a number is nonzero in some variant."""
 
@@ -356,7 +351,7 @@ def less_of_floats(entry: FloatEntry, factor: FloatEntry, term: FloatEntry) -> F
 
 
 def large_enough(pivot: Number, other: Number) -> bool:
-    """Return whether a number can be the pivot of a row that contains a second number."""
+    """Return whether a number can be the pivot of a row with a second number."""
     return bool(absolute(pivot) >= PIVOT * absolute(other))
 
 
@@ -408,7 +403,7 @@ def _of_first_variant(entry: Entry) -> FloatEntry:
 
 
 TRACED = Arithmetic(_traced_entry, _traced_quotient, _traced_less, large_enough, _remains)
-"""Arithmetic of traced numbers of fixed sign; a size applies to the first variant."""
+"""Arithmetic of traced numbers of fixed sign, with sizes of the first variant."""
 
 
 class LaterSize(NamedTuple):
@@ -485,15 +480,15 @@ def _sum_of_sizes(a: Either, b: Either) -> Either:
 
 
 def _is_given(number: Either) -> bool:
-    """Return whether a number has no rounding error: a plain number or an input."""
+    """Return whether a number is a constant or an input, and so has no rounding error."""
     return not isinstance(number, Signed) or number.slot < number.tape.inputs
 
 
 def _signed_enough(pivot: Number, other: Number) -> bool:
-    """Return whether a number is large enough as a pivot beside a second number.
+    """Return whether a number can be the pivot of a row with a second number.
 
-    The limit is low: with ordinary ratios all pivots are large enough, so that only the structure
-    determines the order of elimination, which is then equal in all plans.
+    The limit is low, so that with ordinary ratios only the structure determines the order of
+    pivots, which is then equal in all plans.
     """
     return abs(value_of(of_any_sign(pivot))) >= SIGNED_PIVOT * abs(value_of(of_any_sign(other)))
 
@@ -503,7 +498,7 @@ SIGNED = Arithmetic(_signed_entry, _signed_quotient, _signed_less, _signed_enoug
 
 
 def _exact(number: Any) -> Any:
-    """Return a number as a fraction; a float as the fraction of the shortest decimals."""
+    """Return a number as a fraction; a float as the fraction of its shortest decimal form."""
     if is_exact(number):
         return number
     from fractions import Fraction  # the import costs start-up time

@@ -9,7 +9,7 @@ from typing import Any
 
 
 def rounded(value: Any) -> Any:
-    """Return a value with floats instead of fractions, also within records, lists and mappings.
+    """Return a value in which floats replace fractions, also in named tuples, lists and mappings.
 
     >>> rounded((Fraction(1, 4), [Fraction(10) ** 400], {"a": "b"}))
     (0.25, [inf], {'a': 'b'})

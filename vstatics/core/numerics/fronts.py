@@ -1,7 +1,7 @@
 """Pareto fronts: the points that no other point dominates, by several objectives.
 
 A point dominates another point if it is not worse in any objective and better in at least one.
-Equal points do not dominate each other. Smaller objectives are better; points with NaN are never in
+Equal points do not dominate each other. Smaller objectives are better. Points with NaN are never in
 a front.
 """
 
@@ -12,20 +12,20 @@ import numpy as np
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 
 LEAF = 128
-"""Largest number of points for which all pairs are compared."""
+"""Number of points up to which all pairs are compared."""
 BLOCK = 256
 """Number of points in a block that is compared with other points at once."""
 PIVOTS = 16
-"""Number of good points that are compared with all other points before sorting."""
+"""Number of good points with which all other points are compared before sorting."""
 
 
 def non_dominated(objectives: Floats) -> Integers:
     """Return the rows that no other row dominates, in ascending order.
 
-    A few good rows are compared with all others, and the remaining rows are sorted. Two objectives
-    then need a single pass. For three and more objectives the rows are halved recursively, and the
-    second half is compared with the front of the first half: with a running minimum for three
-    objectives, in blocks for more.
+    A few good rows first eliminate most other rows, and the remaining rows are sorted. Two
+    objectives then need a single pass. For more objectives the rows are halved recursively, and the
+    second half is compared with the front of the first half. The comparison uses a running minimum
+    for three objectives, and blocks for more.
 
     Parameters
     ----------
@@ -81,7 +81,7 @@ def merged(first: Floats, second: Floats) -> tuple[Integers, Integers]:
 
 
 def scaled(objectives: Floats) -> Floats:
-    """Return each objective scaled from 0 (best) to 1 (worst); infinite values are clipped."""
+    """Return each objective scaled to 0 (best) to 1 (worst), with infinite values clipped."""
     limits = np.finfo(np.float64).max / 4
     finite = np.clip(objectives, -limits, limits)
     span = np.ptp(finite, axis=0)
@@ -92,8 +92,8 @@ def scaled(objectives: Floats) -> Floats:
 def _sieved(rows: Integers, objectives: Floats) -> Integers:
     """Return the rows without most of the dominated rows.
 
-    The rows with the smallest sums of scaled objectives are compared with all others. Only
-    dominated rows are removed, so the choice of rows affects only the speed.
+    All rows are compared with the rows that have the smallest sums of scaled objectives. The choice
+    of these rows affects only the speed.
     """
     if len(rows) <= LEAF:
         return rows
@@ -110,7 +110,7 @@ def _sieved(rows: Integers, objectives: Floats) -> Integers:
 
 
 def _front(points: Floats) -> Integers:
-    """Return the indices of non-dominated points, given distinct points in ascending order."""
+    """Return the indices of non-dominated points; the points must be distinct and ascending."""
     if points.shape[1] == 1:
         return np.arange(min(len(points), 1))
     if points.shape[1] == 2:
@@ -123,7 +123,7 @@ def _front(points: Floats) -> Integers:
         as_good = np.ones((len(points), len(points)), dtype=np.bool_)
         for objective in points.T:
             as_good &= objective <= objective[:, None]
-        best: Booleans = as_good.sum(axis=1) == 1  # each point is counted once for itself
+        best: Booleans = as_good.sum(axis=1) == 1  # each point counts itself
         return np.flatnonzero(best)
     half = len(points) // 2
     before = _front(points[:half])
@@ -132,7 +132,7 @@ def _front(points: Floats) -> Integers:
 
 
 def _behind(points: Floats, by: Floats) -> Booleans:
-    """Return marks of points that are dominated by points with equal or smaller first objective."""
+    """Return flags of points dominated by `by`, whose first objectives are not larger."""
     if points.shape[1] > 3:
         return _dominated(by[:, 1:], points[:, 1:], strictly=False)
     order = np.argsort(by[:, 1], kind="stable")
@@ -143,9 +143,9 @@ def _behind(points: Floats, by: Floats) -> Booleans:
 
 
 def _dominated(by: Floats, points: Floats, *, strictly: bool) -> Booleans:
-    """Return marks of points for which some row of `by` is equal or better in all objectives.
+    """Return flags of points for which a row of `by` is equal or better in all objectives.
 
-    If `strictly` is true, equal points are not marked.
+    If `strictly` is true, equal points are not flagged.
     """
     dominated = np.zeros(len(points), dtype=np.bool_)
     left = np.arange(len(points))

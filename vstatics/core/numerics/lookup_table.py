@@ -17,8 +17,8 @@ class LookupTable(NamedTuple):
     Parameters
     ----------
     x : sequence of float
-        Variable of the rows, ascending. A table of one variable jumps at an x that appears twice:
-        the later value is valid from there.
+        Variable of the rows, ascending. A table of one variable jumps at an x that appears twice,
+        and has the later value there.
     values : sequence of sequence of float
         Row of values for each x, with one value for each of `columns`.
     columns : sequence of float
@@ -43,7 +43,7 @@ class LookupTable(NamedTuple):
         return 1 if len(self.columns) == 1 else 2
 
     def at(self, x: float, y: float = 0.0) -> float:
-        """Return the value at a point."""
+        """Return the value at x and y."""
         row, part = _place(self.x, x)
         if len(self.columns) == 1:
             first, last = self.values[row][0], self.values[row + (part > 0)][0]
@@ -57,7 +57,7 @@ class LookupTable(NamedTuple):
         return ends[0] + part * (ends[1] - ends[0])
 
     def along(self, x: Any, y: Any = 0.0) -> Floats:
-        """Return the values at several points."""
+        """Return the values at arrays of x and y."""
         (row, part), values = _places(self.x, np.asarray(x, float)), np.array(self.values)
         behind = row + (part > 0)
         if len(self.columns) == 1:
@@ -83,7 +83,7 @@ class LookupTable(NamedTuple):
 
 
 def _place(steps: Sequence[float], x: float) -> tuple[int, float]:
-    """Return the index of the point before x, and the fraction of the interval up to x."""
+    """Return the index of the point before x, and the position of x in the interval (0 to 1)."""
     behind = bisect_right(steps, x)
     if behind in (0, len(steps)):
         return max(0, behind - 1), 0.0
@@ -92,7 +92,6 @@ def _place(steps: Sequence[float], x: float) -> tuple[int, float]:
 
 
 def _places(steps: Sequence[float], x: Floats) -> tuple[Integers, Floats]:
-    """Return the results of `_place` for several x."""
     at = np.array(steps)
     behind = np.searchsorted(at, x, side="right")
     inside = (behind > 0) & (behind < len(at))

@@ -1,10 +1,10 @@
-"""Compilation with Numba, arranged so that it takes a quarter of its usual time.
+"""Compilation with Numba in a quarter of its usual time.
 
 Numba normally optimises each function separately, and again within each function that calls it.
-Here, functions that are called only by compiled code (parts) are translated without optimisation; a
-function called from Python is optimised once, together with all parts that it calls. Named tuples
-are passed by address instead of field by field. References are not counted, so compiled functions
-must not allocate arrays.
+Here, functions called only by compiled code (parts) are translated without optimisation. A function
+called from Python is optimised once, together with all parts that it calls. Named tuples are passed
+by address instead of field by field. References are not counted, so compiled functions must not
+allocate arrays.
 """
 # mypy: disable-error-code="no-untyped-call, untyped-decorator"
 # Numba has few types.
@@ -39,15 +39,15 @@ Compiled = TypeVar("Compiled", bound=Callable[..., Any])
 
 
 class _CachedCode(FunctionCache):
-    """Cache of machine code in files; unreadable code is compiled again."""
+    """Cache of machine code in files. Unreadable files are replaced by new compilation."""
 
     @contextmanager
     def _guard_against_spurious_io_errors(self) -> Iterator[None]:
-        """Ignore, but record for the user, faults while a cache file is read or written."""
+        """Record errors when a cache file is read or written, instead of raising them."""
         try:
             with private():
                 yield
-        except RuntimeError:  # the code is not ready to be stored yet; Numba compiles it again
+        except RuntimeError:  # code that is not ready to be stored is compiled again
             pass
         except Exception as error:  # noqa: BLE001 - a damaged pickle may raise anything
             CACHE_TROUBLE.append(f"{CACHE}: {type(error).__name__}: {error}")
@@ -59,7 +59,7 @@ class SharedType(types.NamedTuple):
     """Numba type of a named tuple that compiled functions receive by address."""
 
     def __init__(self, fields: Sequence[Any], cls: type) -> None:
-        """Create the type with a short name, because function names contain the name."""
+        """Create the type with a short name, which names of compiled functions contain."""
         super().__init__(fields, cls)
         self.name = f"{cls.__name__}{crc32(self.name.encode()):08x}"
 
@@ -105,10 +105,10 @@ def shared(cls: Shared) -> Shared:
 
 
 class _WholeCode(JITCodeLibrary):
-    """Machine code of a function and of all called parts (functions for compiled code)."""
+    """Machine code of a function and of all parts that it calls."""
 
     def add_linking_library(self, library: CodeLibrary) -> None:
-        """Add the code of a called function, including all parts called in turn."""
+        """Add the code of a called function, and of all parts that this function calls."""
         for code in (library, *getattr(library, "parts", ())):
             super().add_linking_library(code)
 
@@ -117,7 +117,7 @@ class _WholeCode(JITCodeLibrary):
         self._final_module.link_in(ll_module)
 
     def finalize(self) -> None:
-        """Link parts first, because the linker omits functions not yet called by a part."""
+        """Link parts first, because the linker drops functions that no part has called yet."""
         self._linking_libraries.sort(key=lambda code: not isinstance(code, _PartCode))
         super().finalize()
 
@@ -126,7 +126,8 @@ class _WholeCode(JITCodeLibrary):
             if function.linkage == binding.Linkage.weak_odr:
                 function.linkage = "internal"
             elif function.linkage == binding.Linkage.external and not function.is_declaration:
-                function.add_function_attribute("noinline")  # fields are constant only inside it
+                # fields are constant only within the function
+                function.add_function_attribute("noinline")
         if not hasattr(binding, "create_pass_builder"):  # an old version of llvmlite
             super()._optimize_final_module()
             return
@@ -145,7 +146,7 @@ class _PartCode(_WholeCode):
         return list(self._linking_libraries)
 
     def finalize(self) -> None:
-        """Leave the code to the linker; machine code is generated only for callers."""
+        """Omit machine code, which the linker generates only for callers."""
         for function in self._final_module.functions:
             if not function.is_declaration:
                 function.linkage = "weak_odr"
@@ -178,7 +179,7 @@ class _LowerPart(NativeLowering):
         super().run_pass(state)
         lowered = state["cr"]
         described = lowered.fndesc
-        entry = _dynfunc.make_function(  # placeholder that identifies the part but cannot be called
+        entry = _dynfunc.make_function(  # placeholder that represents the part and cannot be called
             described.lookup_module(), described.qualname, "", 0, lowered.env, ()
         )
         state["cr"] = lowered._replace(cfunc=entry)
@@ -219,21 +220,21 @@ def compiled(function: Compiled) -> Compiled:
             with private():
                 cache = _CachedCode(function)
             if cache.cache_path.startswith(CACHE):
-                dispatcher._cache = cache  # noqa: SLF001 - as its own enable_caching does
+                dispatcher._cache = cache  # noqa: SLF001 - as in Numba's enable_caching
     except (OSError, RuntimeError) as error:
         CACHE_TROUBLE.append(f"{CACHE}: {error}")
-    finally:  # the setting must not affect other packages
+    finally:  # other packages must keep their setting
         numba.config.CACHE_DIR = before  # type: ignore[attr-defined]
     return cast(Compiled, dispatcher)
 
 
 def compiled_part(function: Compiled) -> Compiled:
-    """Return a function for use in compiled functions only."""
+    """Return a function that only compiled functions can call."""
     return cast(Compiled, _compiled(function, _PartCompiler, no_cpython_wrapper=True))
 
 
 def _compiled(function: Compiled, compiler: type[CompilerBase], **options: bool) -> Any:
-    numba_compiled: Any = numba.njit  # whose types lack some options
+    numba_compiled: Any = numba.njit  # its types lack some options
     return numba_compiled(
         function,
         nogil=True,

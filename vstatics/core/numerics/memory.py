@@ -1,9 +1,9 @@
 """Memory for arrays of results, reused after the arrays have been deleted.
 
-New memory costs more time than the calculation that fills it: the operating system clears each
-page, and values that are equal for all variants are written every time. So a block that is no
-longer referenced is stored for the next results of the same shape, together with the constants it
-contains. Users get read-only arrays, so that these constants stay valid.
+New memory costs more time than the calculation that fills it, because the operating system clears
+each page, and because values that are equal for all variants must be written again. A block that is
+no longer referenced is therefore stored for the next results of the same shape, with the constants
+in it. Users get read-only arrays, so that these constants stay valid.
 """
 
 from __future__ import annotations
@@ -20,14 +20,14 @@ KEPT_BYTES = 2**27
 
 
 class Form(NamedTuple):
-    """Shape (gears, rows, variants) and data type of a table, the array of a result."""
+    """Shape (gears, rows, variants) and data type of a table, which is an array of results."""
 
     shape: tuple[int, int, int]
     kind: type
 
 
 class Layout(NamedTuple):
-    """Division of the rows of a gear: rows that vary, and constants of all other rows."""
+    """Rows of a gear that vary between variants, and constants of all other rows."""
 
     varied: Sequence[int]
     constants: Sequence[tuple[int, Any]]
@@ -39,9 +39,9 @@ class Rows:
     def __init__(self, arrays: Sequence[Any]) -> None:
         self.arrays = arrays
         self.holds: dict[int, Any] = {}
-        """Constants that rows contain for every variant, by row."""
+        """Constants by row, for rows that already contain the constant in every variant."""
         self._layout: Layout | None = None
-        """Layout in which the rows currently are; None if unknown."""
+        """Layout for which the rows are filled at present; None if unknown."""
 
     def lay_out(self, layout: Layout) -> list[Any]:
         """Fill the constant rows, and return the arrays of the varying rows for writing."""
@@ -60,13 +60,13 @@ class Rows:
         return known is not self and (known == value or (known != known and value != value))  # noqa: PLR0124
 
     def alike(self, variants: int, layout: Layout) -> Rows:
-        """Return empty rows of equal types for `variants` variants, without constant values."""
+        """Return uninitialised rows of the same data types for another number of variants."""
         rows = Rows([np.empty(variants, dtype=row.dtype) for row in self.arrays])
         rows._layout = layout
         return rows
 
     def put(self, places: Any, rows: Rows, chosen: Any, layout: Layout) -> None:
-        """Copy the chosen variants of other rows to the given places."""
+        """Copy the variants `chosen` of other rows to the variants `places`."""
         for row in layout.varied:
             self.vary(row)[places] = rows.arrays[row][chosen]
         for row, value in layout.constants:
@@ -81,14 +81,14 @@ class Rows:
             row[variant] = value
 
     def vary(self, row: int) -> Any:
-        """Return the array of a row for writing, and forget the constant of the row."""
+        """Return the array of a row for writing, which invalidates the constant of the row."""
         self.holds.pop(row, None)
         self._layout = None
         return self.arrays[row]
 
 
 class Block:
-    """Memory for the tables of a calculation, accessible by table and by gear."""
+    """Memory for the tables of a calculation, which can be addressed by table and by gear."""
 
     def __init__(self, forms: Mapping[str, Form]) -> None:
         self.forms = dict(forms)
@@ -101,7 +101,7 @@ class Block:
         ]
 
     def tables(self, memory: Any) -> dict[str, Any]:
-        """Return arrays that show the tables of the block in the given memory."""
+        """Return arrays for the tables of the block, located in `memory`."""
         return {
             name: np.ndarray(form.shape, form.kind, memory, start)
             for (name, form), start in zip(self.forms.items(), self.starts, strict=True)
@@ -114,9 +114,9 @@ def _size(form: Form) -> int:
 
 
 class _Lent:
-    """Owner of a block in use: the base object of all arrays that show the block.
+    """Owner of a block in use, which is the base object of all arrays on the block.
 
-    Python deletes the owner after the last of these arrays, and the block is stored for reuse.
+    Python deletes the owner after the last of these arrays. The block is then stored for reuse.
     """
 
     def __init__(self, block: Block) -> None:
@@ -128,7 +128,7 @@ class _Lent:
         }
 
     def __del__(self) -> None:
-        # The garbage collector can call this at any moment, so a lock could lead to a deadlock.
+        # The garbage collector can call this method at any time, so a lock could cause a deadlock.
         while (
             sum(block.bytes.nbytes for block in tuple(_free)) + self.block.bytes.nbytes > KEPT_BYTES
         ):
@@ -140,11 +140,11 @@ class _Lent:
 
 
 _free: deque[Block] = deque()
-"""Blocks for reuse, the oldest first."""
+"""Blocks for reuse, oldest first."""
 
 
 def block(forms: Mapping[str, Form]) -> Block:
-    """Return a block for tables of the given forms, which are sorted by type size, largest first.
+    """Return a block for tables; `forms` must be sorted by size of the data type, largest first.
 
     >>> made = block({"ratio": Form((6, 1, 100), np.float64)})
     >>> made.gears[0].lay_out(Layout([], [(0, 1.0)]))
@@ -157,11 +157,11 @@ def block(forms: Mapping[str, Form]) -> Block:
             try:
                 _free.remove(free)
             except ValueError:
-                continue  # another thread has just taken the block
+                continue  # another thread has just begun to use the block
             return free
     return Block(forms)
 
 
 def shown(block: Block) -> dict[str, Any]:
-    """Return read-only tables of a block; the block is reused after the last table is deleted."""
+    """Return the tables of a block, read-only; deletion of the last table frees the block."""
     return block.tables(np.asarray(_Lent(block)))

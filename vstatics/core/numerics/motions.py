@@ -1,7 +1,7 @@
 """Free motions: all solutions of homogeneous linear equations, as functions of free unknowns.
 
-Equations with two unknowns, from shafts and gear pairs, form trees that are solved in time
-proportional to their number. The remaining equations are solved by `elimination`.
+Equations with two unknowns (from shafts and gear pairs) form trees, which are solved in linear
+time. `elimination` solves the remaining equations.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ def free_motions(equations: Sequence[Form], unknowns: int) -> Floats:
     Returns
     -------
     ndarray, shape (unknowns, free)
-        One column per free unknown, in which it is 1 and the other free unknowns are 0.
+        Each column has the value 1 for one free unknown, and 0 for the other free unknowns.
 
     Examples
     --------
@@ -58,17 +58,20 @@ def values_of(forms: Sequence[Form], unknowns: int) -> Floats:
 
 
 class _Tree:
-    """Trees of unknowns joined by equations with two unknowns; an unknown alone must be 0."""
+    """Trees of unknowns connected by equations with two unknowns.
+
+    An equation with a single unknown requires that the unknown is 0.
+    """
 
     def __init__(self, unknowns: int) -> None:
         self.parent: list[int] = list(range(unknowns))
         self.factor: list[float] = [1.0] * unknowns
-        """Each unknown divided by its parent."""
+        """Value of each unknown divided by the value of its parent."""
         self.still: set[int] = set()
-        """Roots that are 0."""
+        """Roots of trees whose unknowns are all 0."""
 
     def root(self, unknown: int) -> tuple[int, float]:
-        """Return the root of an unknown, and the unknown divided by the root."""
+        """Return the root of an unknown's tree, and the unknown divided by the root."""
         path, factor = [], 1.0
         while self.parent[unknown] != unknown:
             path.append(unknown)
@@ -79,7 +82,7 @@ class _Tree:
         return unknown, factor
 
     def takes(self, form: Form) -> bool:
-        """Add an equation to the trees; return False for a closed loop, left to `elimination`."""
+        """Add an equation to the trees; return False for a closed loop, which is not added."""
         terms = [(unknown, part) for unknown, part in form.items() if part]
         if len(terms) == 1:
             root, _ = self.root(terms[0][0])
@@ -97,7 +100,7 @@ class _Tree:
         return True
 
     def followed(self) -> tuple[list[int], list[tuple[int, float]]]:
-        """Return the roots that can be nonzero, and the root index and factor of each unknown.
+        """Return the roots that can be nonzero, and root index and factor of each unknown.
 
         The index is -1 for unknowns that are 0.
         """
@@ -110,7 +113,7 @@ class _Tree:
 
 
 def _by_roots(form: Form, by_root: Sequence[tuple[int, float]]) -> dict[int, tuple[float, ...]]:
-    """Return an equation in terms of roots; terms stay separate, so that rounding is visible."""
+    """Return an equation in terms of roots. Terms stay separate, so that rounding is visible."""
     terms: dict[int, tuple[float, ...]] = {}
     for unknown, part in form.items():
         root, factor = by_root[unknown]

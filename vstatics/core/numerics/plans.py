@@ -1,15 +1,15 @@
-"""Plans: calculations recorded for one variant and repeated on arrays of similar variants.
+"""Plans: calculations recorded for one variant and repeated for similar variants.
 
-A plan is the recorded arithmetic of one variant, which is repeated on arrays of all variants. It
-contains guards: conditions under which the arithmetic applies to a variant. For variants that fail
-a guard, a further plan is recorded for one of them, and so on. The few remaining variants, and
-special cases that cannot represent others, are calculated individually. So every variant gets the
-numbers of an individual calculation: to the last bit with plans of fixed sign, within rounding with
-plans of any sign, which can choose another order of pivots.
+A plan is the recorded arithmetic of one variant, which is repeated on arrays of all variants.
+Guards in the plan are conditions under which the arithmetic applies to a variant. If variants fail
+a guard, a further plan is recorded for one of these variants, and so on. The few remaining
+variants, and special cases that cannot represent others, are calculated individually. All results
+equal individual calculations: to the last bit with plans of fixed sign, within rounding with plans
+of any sign, which can choose another order of pivots.
 
-A plan of fixed sign calculates only magnitudes, so it serves variants whose numbers have the signs
-of the recorded variant. A plan of any sign takes up to twice as many operations, but serves all
-variants of a structure.
+A plan of fixed sign calculates only magnitudes. It serves variants whose numbers have the same
+signs as in the recorded variant. A plan of any sign takes up to twice as many operations, but
+serves all variants of a structure.
 """
 
 from __future__ import annotations
@@ -29,31 +29,31 @@ from vstatics.core.numerics.tolerances import LEAST_INPUT
 from vstatics.core.numerics.traced import Magnitude, Number, Traced
 
 FEW_VARIANTS = 4
-"""Initial largest number of variants that are calculated individually, without a plan.
+"""Number of variants up to which all are calculated individually, without a plan.
 
-`Plans.few` starts with this number and grows by it after each plan that serves no more variants.
+`Plans.few` starts with this number, and grows by it after each plan that serves no more variants.
 """
 WORTH = 12
 """Cost of recording a plan, as a number of individually calculated variants."""
 STEPS_LIKE_ONE_VARIANT = 250
 """Number of steps of a plan that cost as much as an individually calculated variant."""
 LEAST_SERVED = 1 / 64
-"""Smallest share of variants that a plan is expected to serve in the next run."""
+"""Smallest fraction of the variants that a plan is expected to serve in the next run."""
 MOST_PLANS = 256
-"""Largest number of plans of a calculation; further variants are calculated individually."""
+"""Largest number of plans of a calculation. Further variants are calculated individually."""
 TRIALS = 6
-"""Number of successive plans that serve fewer than `WORTH` variants, before recording stops."""
+"""Number of successive plans with fewer than `WORTH` variants after which recording ends."""
 WIDENING = (1.05, 1.25, 2.0)
-"""Factors by which the input bounds of plans of fixed sign exceed the given numbers.
+"""Factors by which the input bounds of plans of fixed sign exceed the recorded inputs.
 
 Later plans have wider bounds, so that slowly changing inputs do not need a new plan in each run.
 """
 SERVED_PART = 0.5
-"""Share of variants that a plan of fixed sign must serve if a plan of any sign is available."""
+"""Fraction of variants that a plan of fixed sign must serve if a plan of any sign exists."""
 SAMPLE_VARIANTS = 64
-"""Number of variants from which the served share is estimated."""
+"""Number of variants in a sample, from which the served fraction is estimated."""
 SAMPLED = 8
-"""Number of runs between two estimates of the share of variants that a plan serves."""
+"""Number of runs between two such estimates."""
 
 
 class Plans:
@@ -62,7 +62,9 @@ class Plans:
     def __init__(self, function: Function) -> None:
         self.function = function
         self.plans: Sequence[Plan] = ()
-        """Recorded plans: plans of fixed sign first (they take fewer steps), then by use."""
+        """Recorded plans: first plans of fixed sign, which take fewer steps, then by number of
+        variants.
+        """
         self.calls = 0
         self.alone = 0
         """Number of variants that were calculated individually."""
@@ -90,17 +92,19 @@ class Plans:
         self.plans = sorted(self.plans, key=lambda plan: (plan.signed, -plan.served))
 
     def _with_new_plans(self, inputs: Inputs, rows: Rows, left: Integers) -> Integers:
-        """Record plans while worthwhile; return the variants that remain without a plan."""
+        """Record plans while this saves time; return the variants that remain without a plan."""
         trials, total = TRIALS, inputs.values.shape[1]
         while trials and len(self.plans) < MOST_PLANS and self._worth(left.size, inputs):
-            place = (TRIALS - trials) * left.size // TRIALS  # special cases are often neighbours
+            # special cases are often neighbours, so variants are taken from the whole range
+            place = (TRIALS - trials) * left.size // TRIALS
             before, variant = left, left[place]
             with contextlib.suppress(Untraceable):
                 alike = before.size == total and not any(plan.signed for plan in self.plans)
                 plan = self._new(prepared(inputs.values[:, left]), place, alike=alike)
                 left = self._run(plan, inputs, rows, left)
             served = before.size - left.size
-            if variant in left:  # the plan does not serve even its own variant
+            # the plan does not even serve the variant for which it was recorded
+            if variant in left:
                 self._alone(inputs, rows, np.array([variant]))
                 self.special += 1
                 left = left[left != variant]
@@ -132,7 +136,7 @@ class Plans:
         return left > self.few or (left > 0 and often)
 
     def _promises(self, plan: Plan, inputs: Inputs, rows: Rows, left: Integers) -> bool:
-        """Return whether a plan is worth running on the remaining variants."""
+        """Return whether a plan is likely to serve enough of the remaining variants."""
         if not max(plan.share, LEAST_SERVED) * left.size * STEPS_LIKE_ONE_VARIANT > plan.steps:
             return False
         if plan.signed or plan.share > SERVED_PART or not self.plans[-1].signed:
@@ -146,12 +150,12 @@ class Plans:
         return bool(passed.mean() > SERVED_PART)
 
     def _run(self, plan: Plan, inputs: Inputs, rows: Rows, chosen: Integers) -> Integers:
-        """Run a plan on the chosen variants with suitable inputs; return the remaining variants."""
+        """Run a plan on the suitable variants among `chosen`, and return the remaining variants."""
         everybody = chosen.size == inputs.values.shape[1]
         part = inputs if everybody else prepared(inputs.values[:, chosen])
         passed = plan.suits(part)
         count = int(np.count_nonzero(passed))
-        # If most variants are suitable, results are written directly to their final place.
+        # If most variants are suitable, the plan writes results directly to their final position.
         if everybody and 2 * count > chosen.size:
             passed &= plan.run(inputs, rows)
         elif count:
@@ -173,17 +177,17 @@ class Plans:
 
 
 SPREAD = 64.0
-"""Largest factor between an input bound of a plan of fixed sign and the recorded number."""
+"""Largest quotient of an input bound of a plan of fixed sign and the recorded input."""
 SIGNED_WIDENING = (1.005, 2.0)
-"""Factors by which the input bounds of plans of any sign exceed the given numbers.
+"""Factors by which the input bounds of plans of any sign exceed the recorded inputs.
 
-The first factor is for the first plan and inputs of a single sign. It is small, so that
-efficiencies stay near or below 1.
+The first factor, for the first plan and inputs of a single sign, is small so that efficiencies stay
+near or below 1.
 """
 
 
 Function = Callable[[Sequence[Number]], Sequence[Number | Residual | Truth]]
-"""Calculation of a variant: returns the results for given input numbers."""
+"""Function that calculates the results of a variant from input numbers."""
 
 
 class Range(NamedTuple):
@@ -194,7 +198,7 @@ class Range(NamedTuple):
 
 
 class Inputs(NamedTuple):
-    """Input numbers of shape (inputs, variants), with magnitudes and ranges."""
+    """Input numbers of shape (inputs, variants), with their magnitudes and ranges."""
 
     values: Floats
     magnitudes: Floats
@@ -202,7 +206,7 @@ class Inputs(NamedTuple):
 
 
 def prepared(values: Floats) -> Inputs:
-    """Return the inputs of plans for an array of shape (inputs, variants)."""
+    """Return an array of shape (inputs, variants) as the inputs of plans."""
     if values.shape[1] == 1:
         lows = highs = values[:, 0]
     else:
@@ -211,7 +215,7 @@ def prepared(values: Floats) -> Inputs:
 
 
 class Plan:
-    """Recorded calculation with the valid ranges of inputs."""
+    """Recorded calculation, with ranges of inputs for which it is valid."""
 
     def __init__(self, ranges: Sequence[Range], replay: Replay, *, signed: bool) -> None:
         self.ranges = ranges
@@ -221,7 +225,7 @@ class Plan:
         self.served = 0
         """Number of variants served in the last run."""
         self.share = 1.0
-        """Share of the variants of the last run that were served."""
+        """Fraction of variants served in the last run."""
 
     @property
     def steps(self) -> int:
@@ -229,11 +233,11 @@ class Plan:
         return len(self.replay.steps)
 
     def numbers(self, inputs: Inputs) -> Floats:
-        """Return the inputs, signed for a plan of any sign, else as magnitudes."""
+        """Return the inputs for the plan: with signs for a plan of any sign, else as magnitudes."""
         return inputs.values if self.signed else inputs.magnitudes
 
     def suits(self, inputs: Inputs) -> Booleans:
-        """Return marks of the variants whose inputs are within the ranges of the plan."""
+        """Return flags of variants whose inputs are within the ranges of the plan."""
         inside = np.ones(inputs.values.shape[1], dtype=np.bool_)
         for given, (low, high) in zip(inputs.ranges, self.ranges, strict=True):
             if given.high < low or given.low > high:
@@ -247,13 +251,13 @@ class Plan:
         return inside
 
     def run(self, inputs: Inputs, rows: Rows) -> Booleans:
-        """Write the results of all variants, and return marks of variants that pass all guards."""
+        """Write the results of all variants, and return flags of variants that pass all guards."""
         passed = np.ones(inputs.values.shape[1], dtype=np.bool_)
         self.replay.run(self.numbers(inputs), rows, passed)
         return passed
 
     def run_one(self, inputs: Inputs, rows: Rows) -> bool:
-        """Write the results of a single variant, and return whether the plan is valid."""
+        """Write the results of a single variant, and return whether the plan applies."""
         for given, bounds in zip(inputs.ranges, self.ranges, strict=True):
             if not bounds.low <= given.low <= bounds.high:
                 return False
@@ -311,7 +315,7 @@ def _wide(given: Range, *, again: bool) -> Range:
 
 
 def _bounds(value: float, values: Floats, given: Range, widening: float) -> Range:
-    """Return the input bounds of a plan of fixed sign around a value, limited by `SPREAD`."""
+    """Return the input bounds of a plan of fixed sign around an input, limited by `SPREAD`."""
     if given.low < 0 < given.high:
         values = values[(values > 0) == (value > 0)]
         given = Range(float(values.min()), float(values.max()))

@@ -16,7 +16,7 @@ from vstatics.core.numerics.tape import GUARDS, Operand, Plain, Residual, Tape
 from vstatics.core.numerics.traced import Number, Traced
 
 CHUNK = 20480
-"""Number of variants calculated together: large for few calls, small enough for the cache."""
+"""Number of variants calculated together: many for few calls, but few enough for the CPU cache."""
 
 
 def _absolute(operand: Floats, _: Floats, result: Floats) -> None:
@@ -29,7 +29,7 @@ def _choose(margin: Floats, yes: Floats, no: Floats, result: Floats) -> None:
 
 
 def _store(value: Floats, factor: float, result: Any) -> None:
-    """Write a value, times +1 or -1, to an array of any type."""
+    """Write a value, multiplied by `factor` (+1 or -1), to an array of any type."""
     np.multiply(value, factor, result, casting="unsafe")
 
 
@@ -38,7 +38,7 @@ def _minimum(first: Floats, second: Floats, result: Floats) -> None:
 
 
 def _of_arrays(first: float, second: float) -> float:
-    """Raise an error: single variants never use the functions of plans of any sign."""
+    """Raise an error, because only arrays use this function of plans of any sign."""
     raise NotImplementedError
 
 
@@ -47,7 +47,7 @@ ARRAYS: Mapping[str, Callable[..., Any]] = {
     "choose": _choose,
     "minimum": _minimum,
 }
-"""Array functions for operations of a tape without a NumPy function of equal name."""
+"""Functions on arrays, for operations of a tape that NumPy does not have under the same name."""
 
 PLAIN: Mapping[str, Callable[..., float]] = {
     "add": operator.add,
@@ -59,11 +59,11 @@ PLAIN: Mapping[str, Callable[..., float]] = {
     "equal": operator.eq,
     "not_equal": operator.ne,
 }
-"""Functions for the operations of a tape on floats."""
+"""Functions on floats, for operations of a tape."""
 
 
 class _WorkingMemory(threading.local):
-    """Working arrays of a thread, reused because new memory costs more time than the steps."""
+    """Working arrays of a thread, reused because new memory costs more time than the operations."""
 
     numbers: Floats = np.empty(0)
     holds: Booleans = np.empty(0, dtype=np.bool_)
@@ -83,20 +83,20 @@ def _working_arrays(count: int, guards: int, variants: int) -> tuple[Floats, Boo
 
 
 class Step(NamedTuple):
-    """Operation of a replay: functions for arrays and for floats, and the cells of the operands."""
+    """Operation of a replay: functions for arrays and for floats, and numbers of operand cells."""
 
     function: Callable[..., Any]
     plain: Callable[..., float]
     first: int
     second: int
     result: int | None
-    """Cell of the result, except for a guard, which only marks variants."""
+    """Cell of the result; None for a guard, which only marks variants."""
     third: int | None = None
     """Cell of the third operand of a choice."""
 
 
 PlainStep = tuple[Callable[..., float], int, int, int | None]
-"""Operation on floats: function, cells of two operands, cell of the result (except for a guard).
+"""Operation on floats: function, cells of two operands, cell of the result (None for a guard).
 
 Python unpacks a tuple in a fraction of the time of a named tuple.
 """
@@ -115,7 +115,7 @@ class Replay(NamedTuple):
     """Number of working arrays."""
     plain: Sequence[float]
     layout: Layout
-    """Division of the results into varying rows and constants."""
+    """Results that vary and results that are constant."""
     plain_steps: Sequence[PlainStep]
     """Steps with the functions for floats."""
 
@@ -192,7 +192,9 @@ def replay(tape: Tape, results: Sequence[Number | Residual | Truth]) -> Replay:
             if third is None:
                 cells.release(released)
             cell = None if name in GUARDS else cells.taken(slot, copies)
-            if third is not None:  # a choice writes its result before it has read all operands
+            # a choice writes its result before it has read all operands, so its cell cannot be
+            # reused
+            if third is not None:
                 cells.release(released)
             function = ARRAYS.get(name) or getattr(np, name)
             steps.append(Step(function, PLAIN.get(name, _of_arrays), *operands, cell, more))
@@ -225,8 +227,7 @@ def _slot(result: Traced | Signed | Residual | Truth) -> tuple[int, float]:
 def _last_uses(tape: Tape, copies: Mapping[int, Any]) -> dict[int, int]:
     """Return the slot of the last operation that uses each slot.
 
-    For guards, and for slots that only a result uses, the value is the slot itself. Unused slots
-    are omitted.
+    A guard, or a slot that only a result uses, is its own last use. Unused slots are omitted.
     """
     last = {slot: slot for slot in copies}
     for index in reversed(range(len(tape.operations))):
@@ -241,7 +242,7 @@ def _last_uses(tape: Tape, copies: Mapping[int, Any]) -> dict[int, int]:
 
 
 class _Cells:
-    """Assignment of tape slots and constants to cells, with reuse of working arrays."""
+    """Assignment of tape slots and constants to cells, which reuses working arrays."""
 
     def __init__(self, inputs: int, varied: int) -> None:
         self.plain: list[Plain] = []
@@ -259,7 +260,7 @@ class _Cells:
         return -1 - self.plain.index(operand)
 
     def taken(self, slot: int, copies: Mapping[int, Sequence[tuple[int, float]]]) -> int:
-        """Return a cell for a new slot: the cell of the result, or a working array."""
+        """Return a cell for a new slot: the cell of a result, or a working array."""
         result = next((cell for cell, sign in copies.get(slot, ()) if sign > 0), None)
         if result is None and not self._free:
             self._free.append(self._first_working + self.working)
@@ -268,13 +269,13 @@ class _Cells:
         return self._cells[slot]
 
     def release(self, slots: Iterable[int]) -> None:
-        """Free the working arrays of slots that are no longer needed."""
+        """Make the working arrays of slots available for reuse."""
         self._free += [self._cells[s] for s in slots if self._cells[s] >= self._first_working]
 
     def copied(
         self, slot: int, copies: Mapping[int, Sequence[tuple[int, float]]]
     ) -> Iterator[Step]:
-        """Yield steps that copy a slot to all other equal results."""
+        """Yield steps that copy a slot to all further results with the same value."""
         for cell, sign in copies.get(slot, ()):
             if cell != self._cells[slot]:
                 yield Step(_store, operator.mul, self._cells[slot], self.of(Plain(sign)), cell)

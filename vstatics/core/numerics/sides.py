@@ -10,12 +10,13 @@ import numpy as np
 from vstatics.core.numerics.arrays import Booleans, Floats
 
 Sided: TypeAlias = Callable[[Floats], tuple[Floats, Floats]]
-"""Function of an array of places; returns values, and the magnitudes up to which values are 0."""
+"""Function of x (an array) that returns values, and the magnitudes up to which values count as 0.
+"""
 
 _PLACES = 2**15 + 1
-"""Number of places at which a function is evaluated first."""
+"""Number of x at which a function is evaluated first."""
 _CLOSER = np.linspace(0.0, 1.0, 9)
-"""Relative positions in an interval (0 to 1) at which a function is evaluated for an extremum."""
+"""Positions in an interval (0 to 1) at which a function is evaluated near an extremum."""
 _TIMES_CLOSER = 24
 """Number of refinements near an extremum, each of which makes the interval four times shorter."""
 _BISECTIONS = 100
@@ -23,11 +24,11 @@ _BISECTIONS = 100
 
 
 def changes_of_side(of: Sided, low: float, high: float) -> Floats:
-    """Return the places where a function crosses or touches 0, even by a jump or a pole.
+    """Return the x where a function crosses or touches 0, even by a jump or a pole.
 
-    The function is evaluated at 32,769 places, and at closer places near extrema next to 0. A pair
-    of zeros between two places is found if the function is smooth there. The result for a crossing
-    is the first float after it.
+    The function is evaluated at 32,769 points, and at closer points near extrema next to 0. A pair
+    of zeros between two points is found if the function is smooth there. The result for a crossing
+    is the first float after the crossing.
 
     Examples
     --------
@@ -48,7 +49,8 @@ def changes_of_side(of: Sided, low: float, high: float) -> Floats:
         at, places, sides = places[touches], np.delete(places, touches), np.delete(sides, touches)
         changes = np.flatnonzero(sides[1:] != sides[:-1])
         before, behind, side = places[changes], places[changes + 1], sides[changes]
-        passes = side * sides[changes + 1] == -1  # small values of either sign count as nonzero
+        # at a change of sign, small values count as nonzero
+        passes = side * sides[changes + 1] == -1
         for _ in range(_BISECTIONS):
             middle = before / 2 + behind / 2
             same = _sides(of, middle, may_be_0=~passes) == side
@@ -57,14 +59,14 @@ def changes_of_side(of: Sided, low: float, high: float) -> Floats:
 
 
 def _sides(of: Sided, places: Floats, *, may_be_0: Booleans | bool = True) -> Floats:
-    """Return the sign of a function at places: +1, -1 or 0, and 2 for NaN."""
+    """Return the sign of a function: +1, -1 or 0, and 2 for NaN."""
     values, zero = of(places)
     is_0 = may_be_0 & (np.abs(values) <= zero)
     return np.where(np.isnan(values), 2.0, np.where(is_0, 0.0, np.sign(values)))
 
 
 def _nearest_to_0(of: Sided, places: Floats) -> Floats:
-    """Return places near extrema next to 0, where a function can touch or cross 0 unnoticed."""
+    """Return points near extrema next to 0, where a function can touch or cross 0 unnoticed."""
     values, sides = of(places)[0], _sides(of, places)
     stays = (sides[:-2] == sides[1:-1]) & (sides[1:-1] == sides[2:]) & (abs(sides[1:-1]) == 1)
     ahead, behind = (

@@ -1,9 +1,9 @@
 """Recorded arithmetic for numbers whose sign can differ between variants.
 
 `Signed` numbers replace `Traced` numbers if variants differ in sign. The tape (the list of recorded
-operations) contains signed numbers, so a sum needs no decision. A comparison is a `Truth`: it
-becomes a guard, which restricts the variants, if the calculation continues in one way only, or a
-choice in each variant if both ways are recorded. Guards of important sums require that terms do not
+operations) contains signed numbers, so a sum needs no decision. A comparison is a `Truth`. If the
+program branches on it, it becomes a guard, which restricts the variants. If the results of both
+branches are recorded, each variant chooses one. Guards of important sums require that terms do not
 cancel, so that rounding stays small for any order of the pivots.
 """
 
@@ -16,7 +16,7 @@ from vstatics.core.numerics.tolerances import SURE_BOUNDS
 
 
 class Signed:
-    """Number with any sign in each variant: a recorded result (tape slot), times +1 or -1."""
+    """Number with any sign in each variant: a slot of the tape, multiplied by +1 or -1."""
 
     __slots__ = ("high", "low", "negated", "slot", "tape", "value")
     __hash__ = None  # type: ignore[assignment]
@@ -34,7 +34,7 @@ class Signed:
 
     @property
     def settled(self) -> int:
-        """Common sign of all variants, +1 or -1; 0 if the sign can differ."""
+        """Sign common to all variants, +1 or -1; 0 if the sign can differ."""
         return 1 if self.low > 0 else -1 if self.high < 0 else 0
 
     @property
@@ -87,8 +87,8 @@ class Signed:
             return 0.0
         low, high = (x + y for x, y in zip(bounds_of(self), bounds_of(addend), strict=True))
         value = self.value + value_of(addend)
-        # Nonzero terms cancel only by chance, which makes the first variant a special case. Terms
-        # that result from choices can be 0.
+        # Nonzero terms cancel only by coincidence, which makes the first variant a special case.
+        # Terms that result from choices can be 0.
         if value == 0 and self.value != 0:
             raise Untraceable
         if negated == b_negated:
@@ -125,14 +125,14 @@ class Signed:
 
 
 Either = float | Signed
-"""A float, or a number of any sign, with a common set of operators."""
+"""A float or a number of any sign, which have the same operators."""
 
 
 class Truth:
     """Comparison whose result can differ between variants: left < right, or left <= right.
 
-    Converting it to a Python boolean gives its value in the first variant and records a guard,
-    which excludes the variants that differ.
+    Its conversion to a Python boolean has the value of the first variant, and records a guard that
+    excludes variants with the other value.
     """
 
     __slots__ = ("left", "name", "right", "tape")
@@ -169,7 +169,7 @@ class Truth:
 
     @property
     def margin(self) -> Signed:
-        """Number above 0 where the comparison is true, below 0 where false."""
+        """Number above 0 where the comparison is true, and below 0 where it is false."""
         if is_nothing(self.left) and isinstance(self.right, Signed):
             return self.right
         if is_nothing(self.right) and isinstance(self.left, Signed):
@@ -191,7 +191,7 @@ def _ends(tape: Tape, left: Either, right: Either) -> tuple[Operand, Operand]:
 
 
 def value_of(number: Either) -> float:
-    """Return the value in the first variant."""
+    """Return the value of a number in the first variant."""
     return number.value if isinstance(number, Signed) else number
 
 
@@ -220,12 +220,12 @@ def least(numbers: list[Signed]) -> Signed:
 
 
 def is_nothing(number: Either) -> bool:
-    """Return whether a number is a plain 0 or NaN, so that the result needs no calculation."""
+    """Return whether a number is a plain 0 or NaN, which makes an operation unnecessary."""
     return not isinstance(number, Signed) and not abs(number) > 0
 
 
 def _operand(number: Either) -> tuple[Operand, bool]:
-    """Return the tape operand that represents a number, and whether the sign is reversed."""
+    """Return the tape operand of a number, and whether its sign is reversed."""
     if isinstance(number, Signed):
         return number.slot, number.negated
     return Plain(float(abs(number))), number < 0
@@ -263,7 +263,7 @@ def _quotient(tape: Tape, dividend: Either, divisor: Either) -> Either:
 
 
 def _compared(tape: Tape, name: str, left: Either, right: Either) -> Condition:
-    """Return a comparison, or a boolean if the bounds decide the comparison for all variants."""
+    """Return a comparison; a boolean if the bounds of the numbers decide it for all variants."""
     if is_nan(left) or is_nan(right):
         return False
     below = is_below(bounds_of(left), bounds_of(right))
@@ -282,7 +282,7 @@ def is_nan(number: Either) -> bool:
 def _equal(number: Signed, other: object) -> bool:
     """Return whether two numbers are equal.
 
-    Equality is rare: a signed number equals another number only by chance or by a choice.
+    A signed number equals another number only by coincidence or by a choice.
     """
     if not isinstance(other, Signed):
         plain = float(other)  # type: ignore[arg-type]
@@ -301,7 +301,7 @@ def _equal(number: Signed, other: object) -> bool:
 
 
 def size_of(number: Either) -> Either:
-    """Return the magnitude of a number, with a type that `abs` has not."""
+    """Return the magnitude of a number; unlike `abs`, with a type for both kinds of numbers."""
     return abs(number)  # type: ignore[return-value]
 
 
@@ -350,7 +350,7 @@ def is_below(left: Interval, right: Interval) -> bool | None:
 
 
 def _lies_below(left: Interval, right: Interval) -> bool:
-    """Return whether `left` is below `right`, with a margin unless an end is 0 or infinite."""
+    """Return whether `left` is below `right`, with a margin unless a limit is 0 or infinite."""
     end, start = left[1], right[0]
     if start == math.inf or end == -math.inf or (0 in (end, start) and end < start):
         return True
@@ -358,7 +358,7 @@ def _lies_below(left: Interval, right: Interval) -> bool:
 
 
 def guarded_sum(first: Either, second: Either, part: float) -> Either:
-    """Return a sum, guarded so that the magnitude exceeds `part` of the magnitude of the terms."""
+    """Return a sum whose magnitude must exceed `part` times the magnitude of a term (a guard)."""
     total = first + second
     if not isinstance(total, Signed):
         return total
@@ -370,7 +370,7 @@ def guarded_sum(first: Either, second: Either, part: float) -> Either:
 
 
 def guard_equal(number: Either, reference: Either, rounding: Either, part: float) -> None:
-    """Require that two numbers differ at most by `rounding` and by `part` of the magnitude."""
+    """Require that two numbers differ by at most `rounding` and `part` times the magnitude."""
     if (
         isinstance(number, Signed)
         and isinstance(reference, Signed)

@@ -15,9 +15,9 @@ if TYPE_CHECKING:
     from fractions import Fraction
 
 _WHOLE = 2**53
-"""Limit up to which every whole number is exactly a double."""
+"""Limit up to which a double represents every whole number exactly."""
 _HIT = 1e-6
-"""Largest distance from `stop`, relative to the step, at which `stop` counts as reached."""
+"""Largest distance from `stop` at which it counts as reached, relative to the step."""
 
 
 @dataclass(frozen=True)
@@ -25,15 +25,15 @@ class Steps:
     """Numbers from `start` to `stop`, both included, evenly spaced.
 
     If start and step are short decimals or fractions, each number is the double closest to the
-    exact number: the middle of seven numbers from -0.3 to 0.3 is 0, not 5e-17. Otherwise the
-    numbers are interpolated with rounding.
+    exact number. For example, the middle of seven numbers from -0.3 to 0.3 is 0, not 5e-17.
+    Otherwise the numbers are interpolated with rounding.
 
     Parameters
     ----------
     start, stop : float
         First and last number, both finite.
     number : int
-        Count of the numbers, at least 1; 1 only if start and stop are equal.
+        Count of the numbers, at least 2 unless start and stop are equal.
 
     Examples
     --------
@@ -46,11 +46,11 @@ class Steps:
     number: int
 
     def __len__(self) -> int:
-        """Return the number of the evenly spaced numbers."""
+        """Return the count of the numbers."""
         return self.number
 
     def __getitem__(self, indices: Integers) -> Floats:
-        """Return the numbers at some indices, in an array of equal shape."""
+        """Return the numbers at the indices, in an array of the same shape."""
         if self._whole is not None:
             first, step, divisor = self._whole
             numbers: Floats = indices * np.float64(step)
@@ -62,7 +62,7 @@ class Steps:
 
     @cached_property
     def _whole(self) -> tuple[float, float, float] | None:
-        """Start, step and common divisor as whole numbers, unless too large."""
+        """Start, step and common divisor as whole numbers; None if too large."""
         start = _exact(self.start)
         step = (_exact(self.stop) - start) / max(self.number - 1, 1)
         divisor = lcm(start.denominator, step.denominator)

@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import NamedTuple, Never
 
 MOST_OPERATIONS = 20_000
-"""Largest number of operations on a tape; recording a longer calculation is not worthwhile."""
+"""Largest number of operations on a tape. Recording a longer calculation does not save time."""
 GUARDS = frozenset({"less", "less_equal", "equal", "not_equal"})
-"""Names of comparisons; a tape is valid only for variants in which all comparisons are true."""
+"""Names of comparisons. A tape applies only to variants in which all comparisons are true."""
 
 
 class Untraceable(Exception):  # noqa: N818
@@ -15,7 +15,7 @@ class Untraceable(Exception):  # noqa: N818
 
 
 class Plain(NamedTuple):
-    """Constant as an operand, as distinct from the number of a slot."""
+    """Constant as an operand, in contrast to the number of a slot."""
 
     number: float
 
@@ -24,20 +24,20 @@ Operand = int | Plain
 """Operand of an operation: number of a slot of the tape, or a constant."""
 
 HUGE = 1e100
-"""Largest permitted magnitude in the first variant; the inverse is the smallest permitted."""
+"""Largest permitted magnitude in the first variant, and inverse of the smallest."""
 NEGATIONS = {"less": "less_equal", "less_equal": "less"}
-"""Negation of each comparison, valid with exchanged operands."""
+"""Negation of each comparison, if the operands are also exchanged."""
 
 
 def ordered(first: Operand, second: Operand) -> tuple[Operand, Operand]:
-    """Return commutative operands in a canonical order, slots first."""
+    """Return the operands of a commutative operation in a standard order, slots first."""
     if isinstance(second, int) and (isinstance(first, Plain) or second < first):
         return second, first
     return first, second
 
 
 class Operation(NamedTuple):
-    """Operation on a tape: a named function of two or three operands."""
+    """Operation on a tape: name of a function, and two or three operands."""
 
     name: str
     first: Operand
@@ -52,7 +52,7 @@ class Operation(NamedTuple):
 
 
 class Tape:
-    """List of operations and guards; slots (numbered results) begin with the inputs."""
+    """List of operations and guards. Slots (numbered results) begin with the inputs."""
 
     def __init__(self, inputs: int) -> None:
         self.inputs = inputs
@@ -60,7 +60,7 @@ class Tape:
         self._slots: dict[Operation, int] = {}
 
     def note(self, name: str, first: Operand, second: Operand, third: Operand | None = None) -> int:
-        """Record an operation, unless already on the tape, and return the slot of the result.
+        """Return the slot of an operation's result, after recording the operation if it is new.
 
         Raises
         ------
@@ -84,7 +84,7 @@ class Tape:
 
 
 class Residual:
-    """Recorded sum of terms that nearly cancel, of any sign: a final result."""
+    """Recorded sum of any sign whose terms nearly cancel; only for final results."""
 
     __slots__ = ("slot", "tape", "value")
 

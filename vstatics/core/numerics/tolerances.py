@@ -9,35 +9,34 @@ from __future__ import annotations
 EPSILON = 2.0**-52
 """Unit in the last place of 1."""
 
-# Arithmetic of linear systems. "Fixed sign" and "any sign" are the two kinds of recorded
-# calculations (plans): for variants of equal signs, and for variants whose signs differ.
+# Arithmetic of linear systems. Plans (recorded calculations) are either of fixed sign, for variants
+# with equal signs, or of any sign.
 ZERO = EPSILON
 """Largest difference that counts as 0, relative to the size that bounds the rounding error.
 
 Such a difference must also be below `TRACED_REAL`.
 """
 TRACED_REAL = 2.0**-20
-"""Largest difference that counts as 0, relative to the larger of the two terms."""
+"""Largest difference that counts as 0, relative to the larger term."""
 TRACED_SAME = 32 * EPSILON
 """Fixed sign: largest difference that counts as 0 in a variant, relative to the larger term."""
 TRACED_DIFFERENCE = 1 / 64
 """Fixed sign: smallest difference for which a plan is valid, relative to the larger term.
 
-If the relative difference in the first variant is small, a sixteenth of it is enough, but at least
-1.5 times `TRACED_REAL`.
+For a small relative difference in the first variant, the limit is a sixteenth of this difference,
+but at least 1.5 times `TRACED_REAL`.
 """
 SIGNED_LEAST = 2.0**-16
 """Any sign: smallest difference for which a plan is valid, relative to the terms.
 
-Where terms cancel, the relative rounding error therefore grows at most by the inverse of this
-factor.
+If terms cancel, the relative rounding error therefore grows at most by the inverse of this number.
 """
 SIGNED_SAME = 2.0**-36
-"""Any sign: relative difference above which two terms differ, for any estimated rounding error."""
+"""Any sign: relative difference above which two terms differ, whatever their rounding error."""
 PIVOT = 0.1
 """Smallest pivot relative to the largest entry of the row, to limit the growth of rows."""
 SIGNED_PIVOT = 1 / 256
-"""Any sign: smallest relative pivot, in the first variant; low because sums are guarded."""
+"""Any sign: as `PIVOT`, in the first variant; small, because guards protect sums."""
 
 # Speeds, torques and powers of a gear.
 TIE = 1e-9
@@ -58,23 +57,23 @@ CYCLE = 1e-9
 STANDS_STILL = 1e-13
 """Change of an efficiency per iteration below which the iteration has converged."""
 SAME_SOLUTION = 1e-10
-"""Difference below which two efficiencies are equal; larger than the error after convergence."""
+"""Difference up to which two efficiencies or two speed ratios are equal."""
 BALANCED = 1e-9
-"""Largest error of a battery's power that counts as balanced, relative to all powers."""
+"""Largest error of a balanced battery's power, relative to the sum of all powers."""
 
 # Geometry and ratios: ratios of gears, rays of a speed plan, tips of teeth.
 SAME_RATIO = 1e-9
 """Relative difference below which ratios of gears, or rays of a speed plan, are equal."""
 TIP_CLEARANCE = 1e-9
-"""Largest clearance between toothed gears that counts as rounding, in modules."""
+"""Clearance below which toothed gears touch, in modules."""
 
 # Arrays of variants, and the plans that calculate them.
 LAST_BITS = 1e-12
-"""Largest relative difference between results of different processors."""
+"""Largest relative difference between results from different processors."""
 LEAST_INPUT = 1e-20
-"""Smallest magnitude of inputs for a plan of any sign; the inverse is the largest magnitude."""
+"""Smallest magnitude of inputs for a plan of any sign, and inverse of the largest magnitude."""
 SURE_BOUNDS = 1e-9
-"""Relative margin for rounding by which bounds must differ to decide a comparison."""
+"""Relative margin by which bounds must differ to decide a comparison in spite of rounding."""
 SURE_MAGNITUDES = 1 + 1e-9
 """Factor by which bounds of magnitudes must differ to decide a comparison."""
 
@@ -84,13 +83,13 @@ ROUNDED_COEFFICIENT = 1e-13
 SAME_POWER = 1e-9
 """Relative difference up to which power and the product of speed and torque agree."""
 VISIBLE_EXCESS = 1e-4
-"""Least relative excess of a torque over a capacity that shows in the printed digits."""
+"""Smallest relative excess of a torque over a capacity that printed digits show."""
 NO_SENSITIVITY = 1e-10
 """Magnitude below which a relative sensitivity is only the rounding of finite differences."""
 ROUNDED_NUMBER = 1e-12
 """Magnitude below which a printed value counts as rounding."""
 ROUNDED_PART = 1e-9
-"""Part of the largest value of a quantity below which a printed value counts as rounding."""
+"""Value that counts as rounding when printed, relative to the largest value of a quantity."""
 ROUNDED_DEVIATION = 1e-14
 """Relative standard deviation up to which numbers differ only by rounding."""
 ATOL = 1e-12
@@ -104,8 +103,7 @@ SAME_TRIAL = 1e-12
 SAME_PUMP_TORQUE = 1e-12
 """Largest difference of the torques on the pump of a converter that counts as equal.
 
-The difference is relative to the larger of the torque on the pump and the largest torque that the
-pump can take.
+The difference is relative to the torque on the pump or, if larger, the most that the pump can take.
 """
 SETTLED_PUMP_TORQUE = 1e-14
 """Difference of torques on a pump at which a search ends, relative like `SAME_PUMP_TORQUE`."""

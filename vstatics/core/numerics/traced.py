@@ -1,14 +1,14 @@
 """Arithmetic that is recorded for one variant and repeated on arrays for all variants.
 
-A calculation with `Traced` numbers instead of floats proceeds as for one variant, the first, while
-a `Tape` lists every operation. Where a comparison decides how to continue, the tape contains a
-guard: the condition that other variants must satisfy. A variant that passes all guards would
-perform exactly the recorded operations, so repeating them gives the same results to the last bit.
+A calculation with `Traced` numbers instead of floats follows the first variant, while a `Tape`
+records every operation. If the program branches on a comparison, the tape contains a guard: the
+condition that other variants must satisfy. A variant that passes all guards would perform exactly
+the recorded operations, so the replay has the same results to the last bit.
 
-A traced number is never 0. Its sign is equal in all variants; only its magnitude is on the tape, so
+A traced number is never 0. Its sign is equal in all variants. Only its magnitude is on the tape, so
 signs cost no operation. Bounds of the magnitude decide most comparisons without a guard.
 
-For plain numbers each function of this module does the same as ordinary Python arithmetic.
+With plain numbers, the functions of this module are ordinary Python arithmetic.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ class Magnitude(NamedTuple):
 
 
 class Traced:
-    """Number that represents all variants: a common sign, +1 or -1, and a magnitude."""
+    """Number in all variants: a common sign, +1 or -1, and a magnitude on the tape."""
 
     __slots__ = ("magnitude", "sign", "tape")
     __hash__ = None  # type: ignore[assignment]
@@ -108,11 +108,11 @@ class Traced:
 
 
 Number = float | Traced | Signed
-"""A float, or a number that represents all variants, with a common set of operators."""
+"""A float or a number for all variants, which have the same operators."""
 
 
 def is_traced(number: Number | Residual | Truth) -> TypeGuard[Traced | Signed]:
-    """Return whether a number represents all variants."""
+    """Return whether a number represents all variants (is recorded on a tape)."""
     return number.__class__ is Traced or number.__class__ is Signed
 
 
@@ -126,7 +126,7 @@ _ROUNDED = float, int, Traced, Signed
 
 
 def is_nothing_beside(number: Number, other: Number, part: float) -> bool:
-    """Return whether a magnitude is at most `part` times a reference; a fraction must be exactly 0.
+    """Return whether a magnitude is at most `part` times another; a fraction must be exactly 0.
 
     >>> is_nothing_beside(1e-12, 1.0, 1e-9), is_nothing_beside(1e-6, 1.0, 1e-9)
     (True, False)
@@ -135,7 +135,7 @@ def is_nothing_beside(number: Number, other: Number, part: float) -> bool:
 
 
 def may_lie(number: Number, low: float, high: float) -> bool:
-    """Return whether the bounds of a number allow a value between two limits in some variant.
+    """Return whether the bounds of a number allow a value from `low` to `high` in some variant.
 
     >>> may_lie(0.5, 0.0, 1.0), may_lie(0.5, 0.0, 0.25)
     (True, False)
@@ -168,7 +168,7 @@ def plain(number: Number | Residual) -> float:
 
 
 def first(number: Number) -> float:
-    """Return the magnitude in the first variant."""
+    """Return the magnitude of a number in the first variant."""
     return _magnitude(number).value
 
 
@@ -206,7 +206,7 @@ def _quotient(tape: Tape, dividend: Number, divisor: Number) -> Number:
 
 
 def _total(tape: Tape, left: Number, right: Number) -> Number:
-    """Return a sum; for a difference of magnitudes, a guard fixes the larger magnitude."""
+    """Return a sum. For a difference of magnitudes, a guard states which magnitude is larger."""
     for number, remaining in ((left, right), (right, left)):
         if _is_nothing(number):
             return number if number != number else remaining  # noqa: PLR0124 - NaN
@@ -220,14 +220,14 @@ def _total(tape: Tape, left: Number, right: Number) -> Number:
 
 
 def difference(larger: Number, smaller: Number, least: float = 0.0) -> Traced:
-    """Return the sum of numbers of unlike sign, larger than `least` times the larger magnitude.
+    """Return the sum of two numbers of opposite sign, at least one of which is traced.
 
-    At least one number is traced. A guard requires the condition in every variant.
+    A guard requires that the sum exceeds `least` times the larger magnitude in every variant.
     """
     tape = _tape(larger, smaller)
     a, b = _magnitude(larger), _magnitude(smaller)
     low = a.low - b.high * SURE_MAGNITUDES
-    if not low > least * a.high:  # also for an infinite upper bound
+    if not low > least * a.high:  # also if the upper bound is infinite
         _compare(tape, "less", absolute(smaller), absolute(larger) * (1 - least))
         low = max(least * a.low / SURE_MAGNITUDES, 0.0)
     slot = tape.note("subtract", a.operand, b.operand)
@@ -242,7 +242,7 @@ def _tape(first_number: Number, second_number: Number) -> Tape:
 
 
 def guard_same(number: Number, reference: Number, part: float) -> None:
-    """Require that two positive numbers, at least one traced, are equal within `part`."""
+    """Require that two positive numbers, of which one is traced, differ by `part` at most."""
     tape = _tape(number, reference)
     if _magnitude(number).operand != _magnitude(reference).operand:
         _compare(tape, "less_equal", number, reference * (1 + part))
@@ -250,7 +250,7 @@ def guard_same(number: Number, reference: Number, part: float) -> None:
 
 
 def _compare(tape: Tape, name: str, left: Number, right: Number) -> bool:
-    """Return a comparison, decided by signs, by bounds, or by the first variant with a guard."""
+    """Return a comparison, decided by signs or bounds, or by the first variant with a guard."""
     if _is_nothing(left) or _is_nothing(right) or math.inf in (first(left), first(right)):
         return _stand_in(left) < _stand_in(right)
     if _sign(left) != _sign(right):
@@ -270,7 +270,7 @@ def _compare(tape: Tape, name: str, left: Number, right: Number) -> bool:
 
 
 def _stand_in(number: Number) -> float:
-    """Return a float that compares with 0, infinity or NaN like the number in all variants."""
+    """Return a float that can replace a number in comparisons with 0, infinity or NaN."""
     return float(number.sign if isinstance(number, Traced) else plain(number))
 
 
@@ -287,14 +287,14 @@ def _equal(tape: Tape, left: Number, right: Any) -> bool:
 
 
 def operand_of(number: Number) -> tuple[Operand, int, float]:
-    """Return the tape operand, the sign, and the value in the first variant of a number."""
+    """Return the tape operand, sign, and value in the first variant of a number."""
     if isinstance(number, Signed):
         return number.slot, -1 if number.negated else 1, number.value
     return _magnitude(number).operand, _sign(number), _sign(number) * first(number)
 
 
 def sign(number: Number) -> Number:
-    """Return +1, -1, 0 or NaN; for a number of any sign, the sign in each variant.
+    """Return the sign of a number (+1, -1, 0 or NaN), for numbers of any sign in each variant.
 
     >>> [sign(number) for number in (-2.5, 0.0, 3.0)]
     [-1.0, 0.0, 1.0]
@@ -314,7 +314,7 @@ def is_nan(number: Number) -> bool:
 
 
 def of_any_sign(number: Number) -> float | Signed:
-    """Return a number that is plain or signed.
+    """Return a number unchanged if it is plain or of any sign.
 
     Raises
     ------
@@ -327,7 +327,7 @@ def of_any_sign(number: Number) -> float | Signed:
 
 
 def chosen(condition: Condition, yes: Number, no: Number) -> Number:
-    """Return `yes` where a condition is true, else `no`.
+    """Return `yes` if a condition is true, else `no`, in each variant.
 
     >>> chosen(2.0 > 1.0, 0.5, 0.25)
     0.5
@@ -346,7 +346,7 @@ def chosen(condition: Condition, yes: Number, no: Number) -> Number:
 
 
 def where(condition: Condition, number: Number) -> Number | Residual:
-    """Return a number where a condition is true, else NaN, as a final result.
+    """Return a number if a condition is true, else NaN, in each variant; only for final results.
 
     >>> where(False, 2.5)
     nan
@@ -364,7 +364,7 @@ def opposite(condition: Condition) -> Condition:
 
 
 def counted(conditions: Collection[Condition]) -> int:
-    """Return the number of true conditions; a guard excludes variants with a different number.
+    """Return the number of true conditions. A guard excludes variants with another number.
 
     >>> counted([True, False, True])
     2
@@ -385,7 +385,7 @@ def residual(terms: Sequence[Number]) -> Number | Residual:
     0.0
     """
     exact: Any = [term for term in terms if is_exact(term)]
-    if exact:  # the large terms are fractions, which cancel without rounding
+    if exact:  # large terms are fractions, which cancel without rounding
         return sum(exact) + sum(term for term in terms if not is_exact(term))  # type: ignore[no-any-return]
     plain, value = 0.0, 0.0
     total: Operand | None = None
@@ -408,7 +408,7 @@ def residual(terms: Sequence[Number]) -> Number | Residual:
 
 
 def guard_within(number: Traced | Signed | Residual, low: float, high: float) -> None:
-    """Require that a number is between bounds in every variant.
+    """Require that a number is from `low` to `high` in every variant.
 
     Raises
     ------

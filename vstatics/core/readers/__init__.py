@@ -1,4 +1,4 @@
-"""Readers of cases: a module or folder for each format turns bytes into a `Transmission`.
+"""Readers of cases: a module or folder for each format converts bytes to a `Transmission`.
 
 >>> text = "{links: 2, mechanisms: {D: {first: 1, second: 2, ratio: 3}}, gears: {low: , high: }}"
 >>> format_of("case.yaml", text.encode())
@@ -8,9 +8,9 @@
 (['low', 'high'], [])
 
 `load` reads a file, `loads` a text and `from_dict` a mapping. `expressions` reads formulas. `named`
-reads YAML and JSON, `deck` reads decks; both record the places of values, and `reading` builds and
-checks the case. `workbook` converts sheets to nodes, which `named` reads. `results` and
-`sweep_tables` read written results.
+reads YAML and JSON, and `deck` reads decks. Both record the places (line and column) of values, and
+`reading` builds and checks the case. `workbook` converts sheets to nodes, which `named` reads.
+`results` and `sweep_tables` read results that the program has written.
 """
 
 from __future__ import annotations
@@ -45,7 +45,9 @@ READERS: dict[Format, tuple[str, str]] = {
     "json": ("vstatics.core.readers.named.reader", "read_json"),
     "xlsx": ("vstatics.core.readers.workbook", "read"),
 }
-"""Module and function that reads each format, imported when needed to save start-up time."""
+"""Module and function that reads each format. Modules are imported when needed to save start-up
+time.
+"""
 
 SUFFIXES: dict[str, Format] = {
     ".dat": "deck",
@@ -62,13 +64,13 @@ _PACKED = b"PK\x03\x04"
 
 
 def format_of_name(file: str) -> Format | None:
-    """Return the format of a file from the suffix of the name, if known."""
+    """Return the format of a file from the suffix of its name; None if the suffix is unknown."""
     suffix = splitext(file)[1]  # noqa: PTH122 (importing pathlib costs as much as a solve)
     return SUFFIXES.get(suffix.lower())
 
 
 def format_of(file: str, data: bytes) -> Format:
-    """Return the format of a case, from the suffix of the file, or else from the content."""
+    """Return the format of a case from the suffix of the file name, or else from the content."""
     by_name = format_of_name(file)
     if by_name is not None:
         return by_name
@@ -101,7 +103,7 @@ def read(data: bytes, file: str, format: Format | None = None) -> Reading:  # no
     Raises
     ------
     ReadError
-        With every problem and its place.
+        The error contains every problem and its place.
 
     Examples
     --------
@@ -150,7 +152,7 @@ def load(source: str | PathLike[str] | Stream, *, format: Format | None = None) 
     Raises
     ------
     ReadError
-        With every problem and its place.
+        The error contains every problem and its place.
     ValueError
         If the format is unknown.
     OSError
@@ -173,8 +175,8 @@ def content(
 ) -> Iterator[tuple[bytes, str]]:
     """Yield the content (at most `most` bytes) and the name of a file or a stream.
 
-    The origin of a stream without a name is unknown. Within the block, its text therefore must not
-    name other files.
+    The origin of a stream without a name is unknown, so its text must not name other files within
+    the block.
 
     Raises
     ------
@@ -215,7 +217,7 @@ def loads(text: str | bytes, *, format: Format | None = None, name: str = "") ->
     Raises
     ------
     ReadError
-        With every problem and its place.
+        The error contains every problem and its place.
     ValueError
         If the format is unknown.
 
@@ -243,7 +245,7 @@ def from_dict(data: Mapping[str, Any]) -> Transmission:
     Raises
     ------
     ReadError
-        With every problem and its path.
+        The error contains every problem and its path.
     TypeError
         If `data` is not a mapping, or contains values other than numbers, texts, lists and
         mappings.
@@ -275,7 +277,7 @@ def from_dict(data: Mapping[str, Any]) -> Transmission:
 
 
 def _plain(value: Any) -> Any:
-    """Return NumPy numbers, arrays and mappings as plain data for `json.dumps`."""
+    """Return data with plain Python objects for NumPy numbers, arrays and mappings, for JSON."""
     if isinstance(value, Mapping):
         return dict(value)
     if hasattr(value, "tolist"):

@@ -1,4 +1,4 @@
-"""Cases as trees of nodes, from YAML, JSON or workbooks, so that numbers can be replaced."""
+"""Cases as trees of nodes, from YAML, JSON or workbooks. Numbers in the tree can be replaced."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ class CaseDocument(NamedTuple):
     source: Source
 
     def reading(self, root: Node) -> Reading:
-        """Read the case given by a modified tree of the document.
+        """Read the case from a modified copy of the tree.
 
         Raises
         ------
         ReadError
-            With every problem that does not follow from another.
+            The error contains every problem that does not follow from another.
         """
         return read_case_tree(root, DocumentText(self.source))
 

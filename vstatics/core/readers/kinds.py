@@ -17,11 +17,11 @@ KEYS: Mapping[str, str] = {
     "sweep file": "vary variants",
     "case": "links mechanisms elements springs inertias masses gears shift_elements dump",
 }
-"""Keys that identify a kind of document, separated by blanks; the first match counts."""
+"""Keys that identify a kind of document, separated by blanks. The first match counts."""
 
 
 def kind_of(root: Node) -> str | None:
-    """Return the kind of a document in YAML or JSON, if a key is known."""
+    """Return the kind of a document in YAML or JSON; None if it has no known key."""
     from vstatics.core.readers.named import nodes
 
     keys = {key.text for key, _ in root.entries} if isinstance(root, nodes.Mapping) else set()
@@ -29,7 +29,7 @@ def kind_of(root: Node) -> str | None:
 
 
 def is_foreign(data: bytes, file: str) -> bool:
-    """Return whether a file contains no key of a case, and so must not be quoted in messages.
+    """Return whether a file has no keys of a case, and so must not be quoted in messages.
 
     >>> is_foreign(b"root:x:0:0::/root:/bin/sh", "/etc/passwd"), is_foreign(b"{links: 2}", "a.yaml")
     (True, False)
@@ -43,7 +43,7 @@ def is_foreign(data: bytes, file: str) -> bool:
 
 
 def is_of_kind(kind: str, data: bytes, file: str) -> bool:
-    """Return whether a file is a document of a kind of `KEYS`, in YAML or JSON.
+    """Return whether a file in YAML or JSON is a document of a kind in `KEYS`.
 
     >>> is_of_kind("scenario", b"{case: box.yaml, duration: 6}", "up.yaml")
     True
@@ -65,7 +65,7 @@ def is_of_kind(kind: str, data: bytes, file: str) -> bool:
 
 
 def document_function(name: str, data: bytes, file: str) -> Any:
-    """Return the function of an annex that handles a kind of document, except for a case.
+    """Return the function `name` of the annex that handles the document; None for a case.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Parts that all readers of cases share: the text with line numbers, and the final checks."""
+"""Code shared by all readers of cases: the text with line numbers, and the final checks."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 class Source:
-    """Text of a file, with methods for places in the text."""
+    """Text of a file, with methods that return places (line and column)."""
 
     def __init__(self, file: str, text: str) -> None:
         self.file = file
@@ -33,17 +33,20 @@ class Source:
 
     @cached_property
     def lines(self) -> list[str]:
-        """Lines of the text, for any line ending; cached, and deleted by readers of long tables."""
+        """Lines of the text, with any line endings.
+
+        Readers of long tables delete this cached list.
+        """
         return self.text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
 
     def place(self, line: int, column: int = 1) -> Place:
-        """Return the place at a line and column, both from 1; line 0 is the file as a whole."""
+        """Return the place at a line and column, both from 1. Line 0 means the whole file."""
         text = self.lines[line - 1] if 0 < line <= len(self.lines) else ""
         return Place(self.file, line, column, text)
 
 
 class Reading(NamedTuple):
-    """Result of reading: the case, the warnings, and the places of all parts."""
+    """Case that was read, with warnings and the places of all parts."""
 
     case: Transmission
     warnings: list[Problem]
@@ -58,9 +61,9 @@ class Reading(NamedTuple):
         return self._replace(case=case, warnings=not_allowed(self.warnings, ids))
 
     def located_messages(self, results: Results, *, each_gear: bool) -> Iterator[Problem]:
-        """Yield the messages of results with places; equal messages of gears are merged.
+        """Yield the messages of results with places; equal messages are merged.
 
-        Messages that differ only in the gear are merged, too, unless `each_gear` is True.
+        Messages that differ only in the gear are also merged unless `each_gear` is True.
         """
         if not results.messages:
             return
@@ -83,7 +86,7 @@ def finish(
     unreadable: Iterable[Path],
     locate: Callable[[Problem], Problem],
 ) -> Reading:
-    """Return the case built from parts; report all problems of text and model together.
+    """Build the case from its parts, and report all problems of text and model together.
 
     Parameters
     ----------
@@ -99,7 +102,7 @@ def finish(
     Raises
     ------
     ReadError
-        If there is any error; contains the errors in the order of the text, then the warnings.
+        If there is any error. Contains the errors in the order of the text, then the warnings.
     """
     problems = list(problems)
     is_certain = certain(unreadable)
@@ -118,7 +121,7 @@ def finish(
 def certain(unreadable: Iterable[Path]) -> Callable[[Path], bool]:
     """Return a function that accepts paths neither containing nor inside a stand-in.
 
-    The function needs one set lookup per level of the path, for any number of stand-ins.
+    The time of a call does not depend on the number of stand-ins.
 
     >>> is_certain = certain([("gears", 2)])
     >>> is_certain(("gears", 1)), is_certain(("gears",)), is_certain(("gears", 2, "speeds"))

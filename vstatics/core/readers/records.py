@@ -34,7 +34,7 @@ class RecordedColumns(NamedTuple):
         return self.source.place(self.lines[row])
 
     def lacks(self, identity: str, heading: str) -> Problem:
-        """Return the problem that a column is missing; the message lists similar columns."""
+        """Return the problem that a column is missing, with the most similar headings."""
         kind, bracket, _ = heading.partition("[")
         alike = [name for name in self.headings if bracket and name.startswith(kind + bracket)]
         known = alike or self.headings
@@ -45,12 +45,12 @@ class RecordedColumns(NamedTuple):
         )
 
     def problem(self, identity: str, message: str) -> Problem:
-        """Return a problem located at the line of headings."""
+        """Return a problem at the line of headings."""
         return Problem(identity, message, (), self.source.place(1))
 
 
 def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) -> RecordedColumns:
-    """Read the requested columns that the file contains.
+    """Read those of the wanted columns that a file contains.
 
     Parameters
     ----------

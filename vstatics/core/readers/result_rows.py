@@ -1,4 +1,4 @@
-"""Readers of results with one number per row: CSV, and Parquet files of many cases."""
+"""Readers of results with a single number per row, in CSV or Parquet."""
 
 from __future__ import annotations
 
@@ -16,20 +16,20 @@ from vstatics.core.tables.written_results import Figure, WrittenResult
 
 
 def no_result(message: str, file: str, line: int = 0, column: int = 1) -> ReadError:
-    """Return the error that a file contains no result, located in the file."""
+    """Return the error that a file contains no result."""
     return ReadError("E110", message, place=Source(file, "").place(line, column))
 
 
 COLUMNS = ["table", "row", "gear", "value"]
 ABOUT = ("conventions", "program")
-"""Values of the column `table` in rows that contain a text instead of a number."""
+"""Values of the column `table` that mark rows with a text instead of a number."""
 PARQUET = b"PAR1"
 _Cells = dict[str, dict[str, dict[str, Figure]]]
 """Figures of a result: by table, by row, and by gear or device."""
 
 
 def finite_figure(value: str | float | None) -> Figure:
-    """Return a written number as a figure; `None` becomes NaN.
+    """Return a number or its text as a figure; None becomes NaN.
 
     Raises
     ------
@@ -113,7 +113,7 @@ def _put(
     results: dict[str, _Cells], case: str, place: tuple[str, str, str], figure: Figure
 ) -> None:
     table, name, gear = place
-    quantity = BY_NAME[table]  # results of version 1 have deck names
+    quantity = BY_NAME[table]  # in version 1, results had names of the deck
     if quantity.columns == "devices":
         name, _, gear = name.rpartition(":")
     results.setdefault(case, {}).setdefault(quantity.name, {}).setdefault(name, {})[gear] = figure
@@ -140,7 +140,7 @@ def checked(result: WrittenResult, file: str, line: int = 0) -> WrittenResult:
 
 
 def _csv_lines(text: str, file: str) -> Iterator[tuple[int, list[str]]]:
-    """Yield the rows of a CSV file with line numbers; a carriage return ends a line, too."""
+    """Yield the rows of a CSV file with line numbers. A carriage return also ends a line."""
     lines = csv.reader(io.StringIO(text, newline=None))
     try:
         for row in lines:

@@ -42,7 +42,7 @@ OTHERS = {
     "changed": "the output of `vstatics compare`",
     "gears": CASE,
 }
-"""Descriptions of other JSON documents, by a key that results do not have."""
+"""Keys of JSON documents that are not results, with descriptions of the documents."""
 NAMED_FILE = re.compile(r"==> (.+) <==$")
 """Pattern of the line with the file name above each of several listings."""
 
@@ -77,7 +77,7 @@ def read_results(data: bytes, file: str) -> list[WrittenResult]:
 def _is_lines(text: str, error: json.JSONDecodeError) -> bool:
     """Return whether a text that is not valid JSON is JSON lines, possibly with a faulty line.
 
-    It is JSON lines if the first object ends on its line, or objects begin on several lines.
+    Either the first object ends on its line, or objects begin on several lines.
     """
     if text.lstrip()[:1] != "{":
         return False
@@ -115,7 +115,7 @@ def _report(document: Any, file: str, number: int, line: int = 0) -> WrittenResu
         return WrittenResult({}, None, printed=False, errors=True, file=_file(document))
     tables = {}
     for quantity in QUANTITIES:
-        # Results of version 1 have names of the deck.
+        # In version 1, results had names of the deck.
         key = next((name for name in (quantity.name, quantity.deck_name) if name in document), "")
         if key:
             rows = document[key]
@@ -157,7 +157,7 @@ def _file(document: Mapping[str, Any]) -> str:
 
 
 def _row_names(given: Mapping[str, Any], tables: Mapping[str, Figures]) -> dict[str, list[str]]:
-    """Return the row names of each table, if equal in number to the rows."""
+    """Return the row names of each table that has as many names as rows."""
     named = ((plain_name(key), names) for key, names in given.items())
     return {
         table: [str(name) for name in names]
@@ -173,7 +173,7 @@ def _from_json(value: Any) -> Figure:
 
 
 def _case(text: str, kind: Format) -> Transmission | None:
-    """Return the case contained in a result, if any."""
+    """Return the case that a result contains; None without a case."""
     try:
         return read(text.encode(), "", format=kind).case
     except ReadError:
@@ -181,7 +181,7 @@ def _case(text: str, kind: Format) -> Transmission | None:
 
 
 def _read_listing(text: str, file: str) -> list[WrittenResult]:
-    """Read the reports of a listing; a new report begins at each `KJG=` after a table."""
+    """Read the reports of a listing. A new report begins at each `KJG=` that follows a table."""
     reports = []
     tables: dict[str, Figures] = {}
     names: dict[str, list[str]] = {}
@@ -217,9 +217,9 @@ def _read_listing(text: str, file: str) -> list[WrittenResult]:
 
 
 def _with_case(result: WrittenResult, lines: Sequence[str]) -> WrittenResult:
-    """Return a listing with the case in the head, or only the names if the case has springs.
+    """Return the result of a listing with the case from its head.
 
-    The head is a deck, which cannot contain springs, so such a case cannot be read back.
+    The head is a deck, which cannot contain springs. For a case with springs, only names are read.
     """
     springs = [line.partition(": ")[2] for line in lines if line.startswith(SPRING)]
     if not springs:
@@ -239,7 +239,7 @@ def _with_case(result: WrittenResult, lines: Sequence[str]) -> WrittenResult:
 
 
 def _figures(words: Sequence[str]) -> list[Figure] | None:
-    """Return the numbers of a printed row, unless the row contains words."""
+    """Return the numbers of a printed row; None if the row contains words."""
     figures = []
     for word in words:
         if set(word) == {"*"}:

@@ -1,4 +1,4 @@
-"""Typographic blanks and dashes that replace plain signs in printed and copied text."""
+"""Typographic blanks and dashes, which occur in printed and copied text."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import re
 _BLANKS = re.compile("[\u00a0\u1680\u2000-\u200a\u202f\u205f\u3000]")
 """No-break, thin and other typographic blanks."""
 DASHES = "\u2212\u2010\u2011\u2012\u2013\u2014"
-"""Minus sign, and the dashes that word processors substitute for a hyphen."""
+"""Minus sign, and dashes that word processors write for a hyphen."""
 
 
 def with_plain_blanks(text: str) -> str:

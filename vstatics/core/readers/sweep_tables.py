@@ -1,4 +1,4 @@
-"""Readers of written sweeps into columns: CSV, JSON lines, NPZ, Parquet, workbooks."""
+"""Readers of the results of sweeps, as columns: CSV, JSON lines, NPZ, Parquet, workbooks."""
 
 from __future__ import annotations
 
@@ -30,14 +30,15 @@ MOST_TABLE_CELLS = 20_000_000
 TOO_DEEP = "nested too deeply, expected numbers and texts"
 NUMBER, STATUS = "variant", "status"
 DURATION = "duration [s]"
-"""First column of the duty-cycle points that `vstatics cycle` writes after the time steps."""
+"""First column of the points of a duty cycle, which `vstatics cycle` writes below the time steps.
+"""
 SHEET = "Variants"
 WORKBOOK = b"xl/workbook.xml"
-"""Name of a file that every XLSX archive contains and an NPZ archive does not."""
+"""Name of a file in every XLSX archive, which distinguishes it from an NPZ archive."""
 
 
 def is_sweep(data: bytes) -> bool:
-    """Return whether a file begins like a table of variants."""
+    """Return whether a file begins like a table of variants, the result of a sweep."""
     return data.startswith((b"PK\x03\x04", b"PAR1", b"variant,", b'{"variant": '))
 
 
@@ -115,7 +116,7 @@ def _no_sweep(file: str, error: Exception, line: int = 0) -> ReadError:
 
 
 def expect_size(cells: int, size: int = 0) -> None:
-    """Check that the cells and the unpacked size [bytes] of a table fit into memory.
+    """Check that the number of cells and the unpacked size [bytes] of a table are not too large.
 
     Raises
     ------
@@ -247,7 +248,7 @@ def read_npz(data: bytes) -> dict[str, Column]:
 
 
 def _expect_declared(packed: ZipFile) -> None:
-    """Check before unpacking that the arrays are complete and not too large.
+    """Check before unpacking that the archive declares complete arrays of permitted size.
 
     Raises
     ------
@@ -269,7 +270,7 @@ def _expect_declared(packed: ZipFile) -> None:
 
 
 def open_parquet(data: bytes, file: str) -> Any:
-    """Open a Parquet file after checking the size that the file declares.
+    """Open a Parquet file after checking its declared size.
 
     Raises
     ------
@@ -324,14 +325,14 @@ def _of_columns(columns: Mapping[str, Column]) -> WrittenSweep:
 
 
 def _without_points(columns: Mapping[str, Column]) -> Mapping[str, Column]:
-    """Return the columns of the time steps of a driving cycle, without the duty-cycle points."""
+    """Return the columns of a driving cycle without the rows of duty-cycle points."""
     names = list(columns)
     points = names.index(DURATION) if DURATION in names else len(names)
     return {name: columns[name] for name in names[:points]} if GEAR in names[points:] else columns
 
 
 def _plain_headings(columns: Mapping[str, Column]) -> dict[str, Column]:
-    """Return columns with the present names; older sweeps can have names of the deck.
+    """Return columns with present names, also for older sweeps with names of the deck.
 
     A column keeps its deck name if another column already has the present name.
     """

@@ -31,7 +31,7 @@ from vstatics.core.readers.reading import Source
 _PLAIN = re.compile(r"[-+0-9.eE, \t]+")
 _BLOCK_LINES = 5000
 MOST_TABLE_ROWS = 1_000_000
-"""Maximum number of rows of a table; a day in time steps of 0.1 s has 864,000."""
+"""Maximum number of rows of a table. A day in steps of 0.1 s has 864,000 rows."""
 
 
 class UnitTable(NamedTuple):
@@ -87,7 +87,7 @@ def read_unit_table(  # noqa: PLR0913 (a table needs this many properties)
     Raises
     ------
     ReadError
-        With every problem and its place.
+        The error contains every problem and its place.
 
     Examples
     --------
@@ -127,7 +127,7 @@ def _filled(lines: Iterable[str], first: int) -> Iterator[tuple[int, str]]:
 
 
 class _ColumnsRead:
-    """Collector of the rows of a table, column by column."""
+    """Rows of a table, collected column by column."""
 
     def __init__(self, head: HeadingLine) -> None:
         self.head = head
@@ -190,7 +190,7 @@ class _ColumnsRead:
         Raises
         ------
         ValueError
-            With the cell that cannot be read.
+            The error names the cell that cannot be read.
         """
         if self._has_comments and line.lstrip().startswith(COMMENT_SIGNS):
             return

@@ -20,8 +20,8 @@ from vstatics.core.statics.speeds import is_tie
 def turning_as_one(case: Transmission, gear: Gear, speeds: Sequence[Number]) -> Bodies:
     """Return the bodies of a gear, detected from the speeds of the links.
 
-    Engaged shift elements join their links, and so do components and springs without internal
-    motion. A link that is held to the housing stays a body by itself.
+    Engaged shift elements join their links. Components and springs join links that rotate at equal
+    speeds. A link that is held to the housing stays a separate body.
     """
     bodies = list(range(case.links + 1))
     joined: list[tuple[int, ...]] = [element.links for element in case.elements_at(gear.joining)]
@@ -65,7 +65,7 @@ def _links(device: OwnDevice) -> tuple[int, ...]:
 
 
 def held_as_one(case: Transmission, gear: Gear) -> set[int]:
-    """Return the indices of mechanisms that are locked up for any losses.
+    """Return the indices of mechanisms that are locked up whatever the losses are.
 
     A mechanism is locked up if two of its links belong to one body, for example through an engaged
     shift element. Two mechanisms of different ratios between the same three bodies are locked up,
@@ -84,10 +84,9 @@ def held_as_one(case: Transmission, gear: Gear) -> set[int]:
 
 
 def _locked_up(case: Transmission, mechanisms: Iterable[int], bodies: Sequence[int]) -> set[int]:
-    """Return the indices of the given mechanisms whose links form a single body."""
     locked_up: set[int] = set()
     apart: dict[frozenset[int], list[int]] = {}
-    """Indices of mechanisms, by the set of the three bodies that each mechanism joins."""
+    """Indices of mechanisms, by the three different bodies that a mechanism connects."""
     for index in mechanisms:
         mechanism = case.mechanisms[index]
         if mechanism.kind:  # the ratio of a variator or converter depends on the gear
@@ -96,7 +95,7 @@ def _locked_up(case: Transmission, mechanisms: Iterable[int], bodies: Sequence[i
         bodies_joined = frozenset(ends)
         if len(bodies_joined) == 3:
             apart.setdefault(bodies_joined, []).append(index)
-        # first and second joined, ratio 1: the third link stays free
+        # with ratio 1 and first and second link joined, the third link can still turn
         elif ends[0] != ends[1] or mechanism.ratio != 1:
             locked_up.add(index)
     for first, *others in apart.values():

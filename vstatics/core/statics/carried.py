@@ -38,10 +38,10 @@ def larger_torques(torques: Floats, lossy_torques: Floats) -> Floats:
 
 
 def carried_torques(results: Results, common: float) -> tuple[Floats, Booleans]:
-    """Return the torques on shift elements, and marks of shift elements that carry torque.
+    """Return the torques on shift elements, and flags of shift elements that carry torque.
 
-    Both arrays have the shape (gears, shift elements). Torques are relative to `common`, an input
-    torque [N*m]; if it is 0, torques of each gear are relative to its own input torque.
+    Both arrays have the shape (gears, shift elements). Torques are relative to the input torque
+    `common` [N*m], or if that is 0, to the input torque of each gear.
 
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
     >>> case = Transmission(3, [ShiftElement(1, 2), ShiftElement(2, 0)],
@@ -69,7 +69,7 @@ def torque_of_pump(points: Sequence[tuple[float, ...]], speed_ratio: float, spee
     Parameters
     ----------
     points : sequence of (float, float, float)
-        i [-], K [-], lambda [N*m*s^2]; i ascends.
+        Speed ratio [-] in ascending order, torque ratio [-] and lambda [N*m*s^2].
     speed_ratio : float
         Speed ratio, turbine to pump. [-]
     speed : float
@@ -93,7 +93,7 @@ def torque_of_pump(points: Sequence[tuple[float, ...]], speed_ratio: float, spee
 
 
 def pump_factor(points: Sequence[tuple[float, ...]], speed_ratio: Size) -> Size:
-    """Return lambda [N*m*s^2] of a converter at a speed ratio, or at each of an array.
+    """Return lambda [N*m*s^2] of a converter at a speed ratio or an array of speed ratios.
 
     >>> pump_factor([(0, 2, 0.01), (1, 1, 0.0)], np.array([0.5, 2.0])).tolist()
     [0.005, 0.0]
@@ -106,8 +106,8 @@ def pump_factor(points: Sequence[tuple[float, ...]], speed_ratio: Size) -> Size:
 def out_of_balance(results: Results) -> Iterator[tuple[int, str]]:
     """Yield the gears in which the pump of a converter cannot take the incoming torque.
 
-    Each item is the index of a gear and the text of a message. A converter is checked at its given
-    speed ratio if its points contain lambda and the load has a speed and a torque.
+    Each item is the index of a gear and the text of a message. A converter with a prescribed speed
+    ratio is checked if its points contain lambda and the load has a speed and a torque.
     """
     case = results.case
     for index, given in enumerate(case.gears):
@@ -129,7 +129,7 @@ def out_of_balance(results: Results) -> Iterator[tuple[int, str]]:
 
 
 def disagree(brought: float, able: float) -> bool:
-    """Return whether the torque on a pump differs from the torque that the pump takes."""
+    """Return whether the torque that the train gives to a pump differs from what the pump takes."""
     return abs(brought - able) > SAME_TORQUE * max(abs(brought), abs(able))
 
 
@@ -152,7 +152,7 @@ def disagreement(name: str, brought: float, able: float, at: tuple[float, float]
 
 
 def overloads(results: Results) -> Iterator[tuple[int, str]]:
-    """Yield the overloaded shift elements of a case.
+    """Yield the shift elements that carry more than their torque capacity.
 
     Each item is the index of a gear and the text of a message.
     """
@@ -176,20 +176,19 @@ def overloads_at_points(
 ) -> Iterator[Message]:
     """Yield messages about shift elements that are overloaded at operating points.
 
-    Without an input torque capacities are relative, so nothing can be checked and nothing is
-    yielded.
+    Nothing is yielded for a case without an input torque, because its capacities are relative.
 
     Parameters
     ----------
     case : Transmission
         Case whose load is the reference of relative capacities.
     torques : array
-        Torques, shape (points, shift elements), NaN or 0 where a shift element carries nothing
-        [N*m].
+        Torques, shape (points, shift elements); NaN or 0 if a shift element carries no torque.
+        [N*m]
     of : str
         Plural noun for the points in the text, such as `rows`.
     where : callable
-        Function that describes the place of a point, given its index.
+        Function from the index of a point to words for the point.
     """
     common = case.load.torque_size if case.load else 0.0
     sizes = np.abs(np.nan_to_num(torques))

@@ -1,8 +1,8 @@
-"""Messages about irregular gears: why a value does not exist, and what to do.
+"""Messages about irregular gears: why a speed or torque does not exist, and what to do.
 
-`messages` derives them from the `Results`; `freedom` and `given_constraints` count the degrees of
-freedom of the train and the constraints on its speeds. All functions apply to a single case, not to
-arrays of variants.
+`messages` derives the messages from the `Results`. `freedom` and `given_constraints` count the
+degrees of freedom of the train and the constraints on its speeds. All functions apply to a single
+case, not to arrays of variants.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ def freedom(case: Transmission) -> int:
 
 
 def given_constraints(gear: Gear) -> int:
-    """Return the number of engaged or slipping shift elements and given speeds, input included."""
+    """Return the number of shift elements that carry torque plus that of prescribed speeds."""
     return len(gear.carrying) + 1 + len(gear.speeds)
 
 
@@ -99,7 +99,7 @@ def _messages(results: Results) -> Iterator[Message]:
 
 
 def _converters(case: Transmission, gear: Gear) -> Iterator[tuple[Mechanism, float]]:
-    """Yield the converters that carry torque in a gear, with speed ratios [-]."""
+    """Yield the converters that carry torque in a gear, with their speed ratios [-]."""
     unloaded = case.unloaded_converters(gear)
     for place, pair in enumerate(zip(case.mechanisms, case.gear_ratios(gear), strict=True)):
         if pair[0].kind == "converter" and place not in unloaded:
@@ -122,7 +122,7 @@ def _open_converters(case: Transmission, gear: Gear) -> Iterator[Said]:
 
 
 def outside_message(names: Sequence[str]) -> Message:
-    """Return the note that laws of the named parts are evaluated outside the given points."""
+    """Return the note that the laws of some parts are evaluated outside their points."""
     return Message(
         "N414", f"outside the points of {spoken(names)}, the value of the nearest end point applies"
     )
@@ -168,7 +168,7 @@ def _sharing_freewheels(case: Transmission, gear: Gear, held: Sequence[int]) -> 
 def _drag_messages(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     """Warn of drag at links or shift elements whose speed is unknown.
 
-    There is no warning for a single drag on otherwise unloaded links, which it brings to rest.
+    A single drag on otherwise unloaded links brings them to rest, so it needs no warning.
     """
     speeds, slips = results.speeds[number].tolist(), results.slip_speeds[number].tolist()
     unknown = unknown_drag(results.case, gear, speeds, slips)
@@ -228,7 +228,7 @@ def _missed_freewheels(results: Results, number: int, gear: Gear) -> list[int]:
 
 
 def _further_outputs(results: Results, number: int, gear: Gear) -> Iterator[Said]:
-    """Report outputs without a given speed or torque, and outputs where power enters."""
+    """Report further outputs without speed or torque, or through which power enters."""
     case = results.case
     given = {*gear.speeds, *gear.torques}
     driving = [
@@ -267,7 +267,7 @@ def _further_outputs(results: Results, number: int, gear: Gear) -> Iterator[Said
 def _taking(case: Transmission, gear: Gear, speed: float) -> tuple[str, str]:
     """Return the sign (above or below 0) and an example of a torque that takes power from a link.
 
-    The example is a share of the input torque, or in N*m without an input torque. When coasting,
+    The example is relative to the input torque, or in N*m without an input torque. When coasting,
     the input torque acts against the input speed, so the sign is reversed.
     """
     if case.input_torque(gear):
@@ -308,7 +308,7 @@ def _is_for_motion(case: Transmission, gear: Gear) -> bool:
 
 
 def _too_free(results: Results, number: int, gear: Gear, missing: int) -> Said:
-    """Return a warning about missing constraints: the gear is neutral, or a loaded link is free."""
+    """Return a warning that constraints are missing, so that the gear or a link is free."""
     case = results.case
     free = _without_value(case.link_names, results.gear_at(number).speeds)
     named = f" (link{_s(len(free))} {spoken(free)} can still turn freely)" if free else ""
@@ -327,7 +327,7 @@ def _too_free(results: Results, number: int, gear: Gear, missing: int) -> Said:
 
 
 def _overrunning(case: Transmission, state: GearState, numbers: Sequence[int]) -> tuple[str, str]:
-    """Return a clause about overrunning freewheels, and the advice to swap links if helpful."""
+    """Return a clause about overrunning freewheels, and advice to swap links if that helps."""
     if not numbers:
         return "", ""
     names = [element.name for element in case.elements_at(numbers)]
@@ -347,7 +347,6 @@ def _overrunning(case: Transmission, state: GearState, numbers: Sequence[int]) -
 
 
 def _is_adrift(results: Results, number: int) -> bool:
-    """Return whether a gear is neutral, with torques that cannot balance."""
     return _is_neutral(results, number) and not results.balanced[number]
 
 
@@ -365,7 +364,7 @@ def _driving_neutral(results: Results, number: int) -> Iterator[Said]:
 def undriven_gears(results: Results) -> Iterator[Problem]:
     """Yield an error for each gear that is neutral, but not marked `kind: neutral`.
 
-    `run` warns of such gears (W414) and gives the results of the others; `check` fails.
+    `run` only warns of such gears (W414), whereas `check` fails.
     """
     case = results.case
     for number, gear in enumerate(case.gears):
@@ -380,7 +379,7 @@ def undriven_gears(results: Results) -> Iterator[Problem]:
 
 
 def _speed_ratios(results: Results, number: int, gear: Gear) -> dict[str, float]:
-    """Return the speed ratios of variators and converters [-]; NaN if determined by the load."""
+    """Return the speed ratios of variators and converters [-]; NaN if the load determines them."""
     case = results.case
     calculated = results.points.gears[number] if results.points else gear
     ratios = zip(case.mechanisms, case.gear_ratios(calculated), strict=True)
@@ -394,10 +393,10 @@ def _cure(
     sought: Sequence[str],
     slipping: Collection[str],
 ) -> str:
-    """Return the remedies for contradictory constraints on the speeds; empty without constraints.
+    """Return words for the remedies for contradictory constraints on the speeds.
 
-    `fixed` are the converters and variators with a given speed ratio, `sought` those whose speed
-    ratio the load determines.
+    `fixed` are converters and variators with a prescribed speed ratio; for `sought`, the load
+    determines it.
     """
     slips = spoken(name for name in engaged if name in slipping) if sought else ""
     cures = [
@@ -459,7 +458,7 @@ def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     shared = f"; the torque of {spoken(unknown)} is indeterminate{advice}" if unknown else ""
     for text in same:
         yield Said("W416", text + shared)
-        shared = ""  # only the first message names the torques
+        shared = ""  # the torques are named only in the first message
 
 
 def _lost_digit_messages(results: Results, number: int) -> Iterator[Said]:
@@ -480,7 +479,7 @@ def _lost_digit_messages(results: Results, number: int) -> Iterator[Said]:
 def _torque_messages(results: Results, number: int, gear: Gear, *, is_told: bool) -> Iterator[Said]:
     """Report torques that do not exist, are indeterminate or are uncertain.
 
-    Uncertain torques are omitted if a message about lost digits mentions them (`is_told`).
+    Uncertain torques are not reported if a message about lost digits already did so (`is_told`).
     """
     case = results.case
     if results.tied_up[number] or results.conflict[number]:
@@ -508,7 +507,7 @@ def _torque_messages(results: Results, number: int, gear: Gear, *, is_told: bool
             "torque times output speed is not 1, so only a few digits are certain; give exact "
             "ratios, for example by teeth",
         )
-    elif not results.excess[number] and (  # redundant constraints are reported with the speeds
+    elif not results.excess[number] and (  # messages about the speeds mention redundant constraints
         np.isnan(results.torques[number]).any() or np.isnan(results.mesh_torques[number]).any()
     ):
         unknown = _unknown_torques(results, number)
@@ -530,8 +529,7 @@ def _driving_messages(results: Results, number: int) -> Iterator[Said]:
     solved = torques.solve_torques(case, state.gear, columns, drag)
     for element in ideal.driving(state.ideal, columns, solved):
         slip = state.gear.slip[element]
-        # In a driving cycle the input of the calculation is the wheels, so the slip refers to their
-        # speed.
+        # In a driving cycle the solver's input is the wheels, so slip is relative to their speed.
         relative = f"{slip:g} times the speed of {case.link_name(case.gear_input(state.gear))}"
         size, side = relative, "below" if slip > 0 else "above"
         if isinstance(slip, OfLoad):
@@ -554,7 +552,7 @@ def _gaining_converters(results: Results, number: int) -> str:
 
 
 def _unheld_torques(results: Results, number: int) -> str:
-    """Return a phrase for external torques without reaction, and freewheels that could react."""
+    """Return words for external torques that nothing reacts, and freewheels that could."""
     case, state = results.case, results.gear_at(number)
     gear, variant = state.gear, state.ideal.variant
     input_link = case.gear_input(gear)
@@ -564,7 +562,7 @@ def _unheld_torques(results: Results, number: int) -> str:
         return torques.solve_torques(case, alone, columns).consistent
 
     unheld = [link for link in (input_link, *gear.torques) if not is_held(link, variant.columns)]
-    # In a geared neutral the torques balance only with losses, of whatever size.
+    # In a geared neutral (output at rest), torques balance only with losses, whatever their size.
     factors = [0.98 - 0.01 / place for place, _ in enumerate(variant.ratios, 1)]
     lossy = [ratio * factor for ratio, factor in zip(variant.ratios, factors, strict=True)]
     if (
@@ -645,7 +643,7 @@ def _idle_messages(results: Results, number: int, gear: Gear, idle: set[int]) ->
 
 
 def _is_straight_ahead(results: Results, number: int, idle: Sequence[str]) -> bool:
-    """Return whether idle mechanisms rotate with a locked-up differential: straight driving."""
+    """Return whether all idle mechanisms rotate with a locked-up differential (no turn)."""
     speeds = [0.0, *results.speeds[number].tolist()]
     parts = [part for part in results.case.mechanisms if part.name in idle]
     of_differentials = [speeds[part.third] for part in parts if part.ratio == -1]
@@ -668,11 +666,11 @@ REGULAR = {
     "undecided": False,
     "choices": 1,
 }
-"""Values of arrays of `Results` in a gear whose speeds and torques exist and are unique."""
+"""Values of arrays of `Results` for a gear whose speeds and torques exist and are unique."""
 
 
 def regular_gears(results: Results) -> Iterator[bool]:
-    """Yield, for each gear, whether speeds and torques exist, agree and are unique.
+    """Yield for each gear whether its speeds and torques exist and are unique.
 
     >>> from vstatics import Mechanism, ShiftElement, Transmission, solve
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)],
@@ -696,7 +694,7 @@ def regular_gears(results: Results) -> Iterator[bool]:
 
 
 def is_uncertain(gear: Gear, output_speed: float, output_torque: float) -> bool:
-    """Return whether rounding makes output torque times output speed differ from 1.
+    """Return whether output torque times output speed differs from 1 because of rounding.
 
     By equation (1) of docs/method.md, ``Mx * w_output = 1`` in a gear without losses and without
     further given speeds or torques.

@@ -1,10 +1,10 @@
 """Number of correct digits in the results of a gear whose equations are nearly singular.
 
-The equations of a mechanism of ratio u near 1 contain the difference u - 1, and the product of
-several such differences is soon as small as rounding errors. The solver calculates such gears in
-fractions that equal the floats of the ratios. This module solves the systems again with fractions
-that equal the decimals as written (0.1 instead of its float). The difference between both results
-is due to rounding the given numbers to floats.
+The equations of a mechanism of ratio u near 1 contain the difference u - 1. The product of several
+such differences can be as small as rounding errors. The solver calculates such gears in fractions
+that equal the floats of the ratios. This module solves the equations again with fractions that
+equal the decimals as written (1/10 instead of the float 0.1). The results differ because of the
+rounding of the ratios to floats.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ class LostDigits(NamedTuple):
     """Links and devices of a gear whose speeds and torques have few correct digits."""
 
     digits: int
-    """Number of digits that are certain in all listed speeds and torques."""
+    """Number of correct digits in the least certain speed or torque."""
     links: list[str]
     """Names of the links with uncertain speeds."""
     devices: list[str]
@@ -40,7 +40,7 @@ class LostDigits(NamedTuple):
 
 
 def lost_digits(state: GearState) -> LostDigits | None:
-    """Return the speeds and torques of a gear that rounding makes uncertain.
+    """Return the names of speeds and torques of a gear that rounding makes uncertain.
 
     The gear must belong to one case, not to arrays of variants. The result is None if all speeds
     and torques are certain, and for large systems, which are not examined.
@@ -71,7 +71,7 @@ def lost_digits(state: GearState) -> LostDigits | None:
 def _torque_parts(
     state: GearState, torques: Torques, by_column: Sequence[Column], *, lossy: bool = True
 ) -> list[float]:
-    """Return the relative error of the torque of each device and of the output."""
+    """Return the relative errors of the torques of devices and of the output torque [-]."""
     case, gear = state.case, state.gear
     loaded = [*loaded_devices(case, gear), len(case.devices)]
     drag = state.drag.external if lossy else {}
@@ -93,7 +93,7 @@ def _solved_exactly(rows: Sequence[Equation], unknowns: int) -> list[float]:
 
 
 def _relative_errors(numbers: Sequence[Number], exact: Sequence[float]) -> list[float]:
-    """Return the relative errors of numbers; 1 if either the number or the exact value is NaN."""
+    """Return the relative errors of numbers [-]; 1 if a number or its exact value is NaN."""
     return [
         _relative_error(plain(number), value) for number, value in zip(numbers, exact, strict=True)
     ]

@@ -1,9 +1,10 @@
 """Efficiency of a mechanism for each direction of power, and the ratio with losses.
 
-With losses the basic ratio u of a mechanism becomes ``u * efficiency**x`` in the torque system: x
-is +1 where power enters by the first link, seen from the third, and -1 where power leaves by it
-(equation (5) of docs/method.md). Some mechanisms, such as worm gears, have another efficiency for x
-= -1. The speed ratio of a variator is second link to first, so it is divided by ``efficiency**x``.
+With losses the basic ratio u of a mechanism becomes ``u * efficiency**x`` in the torque system.
+Seen from the third link, x is +1 if power enters by the first link, and -1 if power leaves by the
+first link (equation (5) of docs/method.md). Some mechanisms, such as worm gears, have another
+efficiency for x = -1. The speed ratio of a variator is second link to first, so it is divided by
+``efficiency**x`` instead.
 """
 
 from __future__ import annotations
@@ -23,20 +24,20 @@ class Efficiency(NamedTuple):
     """Efficiency of a mechanism for each direction of power."""
 
     forward: Number
-    """Efficiency of power from the first link to the second."""
+    """Efficiency of power from the first link to the second. [-]"""
     back: Number
-    """Efficiency of power from the second link to the first; 0 for a self-locking mechanism."""
+    """Efficiency of power from the second link to the first; 0 for a self-locking mechanism. [-]"""
     divides: bool = False
     """True if losses divide the ratio, as in a variator."""
 
     @property
     def lossless(self) -> bool:
-        """True if neither direction has losses."""
+        """True if power has no losses in either direction."""
         return bool(self.forward == 1 and self.back == 1)
 
     @property
     def lossy(self) -> bool:
-        """True if at least one direction has losses."""
+        """True if power has losses in at least one direction."""
         return bool(self.forward < 1 or self.back < 1)
 
 
@@ -67,7 +68,7 @@ def efficiencies_by_direction(
 
 
 def lossy_ratio(ratio: Number, efficiency: Efficiency, exponent: Number) -> Number:
-    """Return ``u * efficiency**x``; NaN if power cannot flow back or x is indeterminate.
+    """Return the ratio with losses [-]; NaN if x is NaN, or -1 for a self-locking mechanism.
 
     >>> [lossy_ratio(-2.0, Efficiency(0.5, 0.25), x) for x in (1.0, -1.0)]
     [-1.0, -8.0]
@@ -86,7 +87,7 @@ def lossy_ratio(ratio: Number, efficiency: Efficiency, exponent: Number) -> Numb
 
 
 def passed(efficiency: Efficiency, exponent: Number) -> Number:
-    """Return ``efficiency**x``, calculated from the integer 1 so that fractions stay exact."""
+    """Return ``efficiency**x`` [-]; fractions stay exact."""
     multiplying = efficiency._replace(divides=False) if efficiency.divides else efficiency
     return lossy_ratio(1, multiplying, exponent)
 
@@ -94,12 +95,12 @@ def passed(efficiency: Efficiency, exponent: Number) -> Number:
 def lossy_ratios(
     ratios: Sequence[Number], efficiencies: Sequence[Efficiency], signs: Sequence[Number]
 ) -> list[Number]:
-    """Return the ratio with losses of each mechanism, for given signs of the power flow."""
+    """Return the ratio with losses of each mechanism, for assumed signs of the power flow [-]."""
     return list(map(lossy_ratio, ratios, efficiencies, signs))
 
 
 def is_possible(efficiencies: Sequence[Efficiency], signs: Signs) -> bool:
-    """Return whether no self-locking mechanism passes power back."""
+    """Return whether no self-locking mechanism is back-driven."""
     return not any(
         efficiency.back == 0 and x < 0 for x, efficiency in zip(signs, efficiencies, strict=True)
     )

@@ -1,9 +1,9 @@
 """Search for the freewheels that hold in a gear, by trial.
 
 A freewheel prevents its first link from turning backward relative to the second. If it holds, the
-torque that its first link gives to it is not above 0; if it overruns, its slip is not below 0.
-Speeds and torques are relative to the input, so both signs change where the input value is
-negative: the sign of slip if the input turns backward, the sign of torque also when coasting.
+torque that its first link gives to it is 0 or less. If it overruns, its slip is 0 or more. Speeds
+and torques are relative to the input. So the sign of the slip changes if the input turns backward,
+and the sign of the torque if the input torque is negative.
 """
 
 from __future__ import annotations
@@ -36,16 +36,16 @@ def find_state(
     """Return the state of a gear in which every freewheel holds or overruns.
 
     All sets of freewheels that could hold are tried, smallest sets first. The result is the first
-    set that is possible, determines the output speed and has torques in balance. Without such a set
-    all freewheels overrun: the gear is neutral, or an external torque has no reaction. If a
+    set that is possible, determines the output speed and balances the torques. Without such a set
+    all freewheels overrun, and the gear is neutral or an external torque has no reaction. If a
     freewheel is then driven backward, the gear has a conflict, because it would be tied up if the
-    freewheel held. A conflict is a state without values.
+    freewheel held. A state of conflict contains no values.
 
     Parameters
     ----------
     ratios, efficiencies : sequence of Number
-        Basic ratio and efficiency of each mechanism, as floats or traced numbers. Speed ratios
-        given by the gear override `ratios`. [-]
+        Basic ratio and efficiency of each mechanism, as floats or traced numbers. The gear's
+        `speed_ratios` override `ratios`. [-]
     """
     ratios = case.gear_ratios(gear, ratios)
     if not _is_nearly_one(case, ratios):
@@ -60,8 +60,7 @@ def find_state(
 def _is_nearly_one(case: Transmission, ratios: Sequence[Number]) -> bool:
     """Return whether any mechanism with three links has a ratio close to 1, but not 1.
 
-    Rounding can then leave no correct digit. For traced numbers the answer is the same for all
-    variants.
+    Rounding can then leave no correct digit. Traced numbers give a common answer for all variants.
     """
     return any(
         mechanism.third
@@ -82,10 +81,7 @@ def _traceable_numbers(gear: Gear, ratios: Sequence[Number], efficiencies: Losse
 def _exact_state(
     case: Transmission, gear: Gear, ratios: Sequence[Number], efficiencies: Losses
 ) -> GearState:
-    """Calculate a gear in fractions, because rounding leaves too few digits.
-
-    The fraction of a ratio or efficiency equals its float.
-    """
+    """Calculate a gear with fractions that equal the floats of its ratios and efficiencies."""
     from fractions import Fraction  # fractions cost start-up time
 
     from vstatics.core.numerics.exact import rounded
@@ -123,10 +119,7 @@ def _find_state(
 
 
 def _possible(variant: Variant, gear: Gear, speeds: Speeds) -> GearState | None:
-    """Return the state with some freewheels engaged, if possible.
-
-    The state is possible if the engaged freewheels can hold and the others can overrun.
-    """
+    """Return the state if engaged freewheels can hold and the others can overrun, else None."""
     case = variant.case
     held = [number for number in case.freewheels if number in gear.engaged]
     drives = speeds.consistent and not is_nan(speeds.links[case.gear_output(gear) - 1])
@@ -159,15 +152,15 @@ def alternatives(case: Transmission, gear: Gear, held: Sequence[int]) -> list[in
 
 
 def in_wrong_order(state: GearState, overrunning: Sequence[int]) -> list[int]:
-    """Return the numbers of freewheels whose links must be swapped for the gear to drive.
+    """Return the numbers of freewheels whose links must be swapped so that the gear can drive.
 
-    The links of each freewheel alone are swapped, then those of all freewheels together. The list
-    is empty if no swap helps, and when coasting, because freewheels then overrun by design.
+    Each freewheel is tried alone, then all freewheels together. The list is empty if no swap helps,
+    and when coasting, because freewheels then overrun by design.
 
     Parameters
     ----------
     state : GearState
-        State that is neutral or has no torques in balance.
+        Neutral state, or state whose torques do not balance.
     overrunning : sequence of int
         Numbers of freewheels that do not hold.
     """
@@ -194,7 +187,7 @@ def with_engaged(gear: Gear, held: Sequence[int]) -> Gear:
 
 
 def driven_backward(case: Transmission, gear: Gear, speeds: Speeds) -> list[int]:
-    """Return the numbers of freewheels that do not hold and would overrun backward."""
+    """Return the numbers of freewheels that do not hold, but whose slip is backward."""
     by_link = [0.0, *map(absolute, speeds.links)]
     turns = input_direction(case, gear)
     backward = []
@@ -207,7 +200,7 @@ def driven_backward(case: Transmission, gear: Gear, speeds: Speeds) -> list[int]
 
 
 def input_direction(case: Transmission, gear: Gear) -> int:
-    """Return the sign of the unit of speed: -1 for an input that turns backward, else +1."""
+    """Return -1 for an input that turns backward, else +1."""
     return -1 if case.input_turns(gear) == "backward" else 1
 
 
@@ -220,7 +213,7 @@ def _state(variant: Variant, gear: Gear, speeds: Speeds) -> GearState:
 def _can_hold(state: GearState, number: int) -> bool:
     """Return whether the torque of a holding freewheel has the right sign.
 
-    The sign of the torque with losses decides; if it does not exist, the torque without losses.
+    The torque with losses is tested, or if that does not exist, the torque without losses.
     """
     ideal, lossy = state.ideal, state.search.lossy
     torques, columns = ideal.torques_with_drag, ideal.variant.columns

@@ -15,7 +15,7 @@ from vstatics.core.statics.speeds import Speeds
 from vstatics.core.statics.torques import NO_DRAG, Drag, Torques, drag_torques, solve_torques, times
 
 OUTSIDE = -1
-"""Index of an external torque, where other torques have the index of a component."""
+"""Number that stands for an external torque in lists of component indices."""
 
 
 class IdealGear(NamedTuple):
@@ -23,9 +23,9 @@ class IdealGear(NamedTuple):
 
     variant: Variant
     gear: Gear
-    """The gear, with the freewheels that hold among the engaged shift elements."""
+    """Gear in which holding freewheels are listed as engaged."""
     direction: int
-    """+1, or -1 when coasting, where every flow of power is reversed."""
+    """-1 when coasting, where all power flows backward, else +1."""
     external: Mapping[int, float]
     """Known external torques by link, from `matrix.external_torques`. [-]"""
     speeds: Speeds
@@ -33,13 +33,14 @@ class IdealGear(NamedTuple):
     """Torques without drag."""
     drag: Drag
     torques_with_drag: Torques
-    """Torques with drag, because some mechanisms carry only drag; else equal to `torques`."""
+    """Torques with drag, because some mechanisms carry only drag; without drag equal to `torques`.
+    """
     overcome: bool = False
-    """True if power may enter at the output to overcome drag that exceeds the input power."""
+    """True if power can enter at the output to overcome drag that exceeds the input power."""
 
     @property
     def case(self) -> Transmission:
-        """The transmission."""
+        """Transmission to which the gear belongs."""
         return self.variant.case
 
     @property
@@ -49,7 +50,7 @@ class IdealGear(NamedTuple):
 
 
 def ideal_gear(variant: Variant, gear: Gear, speeds: Speeds) -> IdealGear:
-    """Return a gear without losses, from engaged shift elements and speeds."""
+    """Return the speeds and torques of a gear without losses."""
     case, columns = variant.case, variant.columns
     direction, external = direction_of(case, gear), matrix.external_torques(case, gear)
     torques = solve_torques(case, gear, columns, external=external)
@@ -69,7 +70,7 @@ def direction_of(case: Transmission, gear: Gear) -> int:
 
 
 def gaining(variant: Variant, direction: int, speeds: Speeds, torques: Torques) -> list[str]:
-    """Return the names of converters whose output power would exceed the input power.
+    """Return the names of converters whose output power would exceed their input power.
 
     Such a state is impossible. A converter whose speed ratio is unknown (NaN) counts as well.
     """
@@ -94,7 +95,7 @@ def _gains(variant: Variant, place: int, speeds: Speeds, torques: Torques, direc
 
 
 def slip_losses(ideal: IdealGear, columns: Sequence[Column], torques: Torques) -> list[Number]:
-    """Return the power that each shift element loses by the given slip, 0 without a slip [-]."""
+    """Return the power that each shift element loses by its prescribed slip [-]; 0 without slip."""
     slips, gear = ideal.speeds.slips, ideal.gear
     if not gear.slip:
         return [0.0] * len(slips)
@@ -109,7 +110,7 @@ def slip_losses(ideal: IdealGear, columns: Sequence[Column], torques: Torques) -
 
 
 def driving(ideal: IdealGear, columns: Sequence[Column], torques: Torques) -> list[int]:
-    """Return the numbers of slipping shift elements that would produce power, which cannot be."""
+    """Return the numbers of slipping shift elements that would produce power."""
     losses = slip_losses(ideal, columns, torques)
     return [n for n, loss in enumerate(losses, 1) if bool(loss * ideal.direction < 0)]
 
@@ -135,10 +136,10 @@ def no_torques(torques: Torques) -> Torques:
 def mechanism_torques(
     ideal: IdealGear, columns: Sequence[Column], torques: Torques
 ) -> list[Number]:
-    """Return the torque on the first link of each mechanism, 0 if negligible.
+    """Return the torque on the first link of each mechanism [-]; 0 if negligible.
 
-    A torque is negligible if on every link of the mechanism it is tiny relative to another torque
-    on the link. Torques elsewhere do not count: they can be larger by the ratio of a whole stage.
+    A torque is negligible if on every link of the mechanism another torque is much larger. Torques
+    on other links are not compared, because a ratio can make them larger.
     """
     case = ideal.case
     elements = len(case.shift_elements)
@@ -157,9 +158,7 @@ def is_nothing(ideal: IdealGear, columns: Sequence[Column], torques: Torques, nu
 
 
 _OnLink = tuple[int, Number]
-"""Index of a component (such as a shift element or mechanism), or `OUTSIDE`, and the magnitude of
-the torque on a link.
-"""
+"""Index of a component or `OUTSIDE`, and magnitude of its torque on a link."""
 
 
 def _is_nothing(by_link: Sequence[Sequence[_OnLink]], device: int, links: Sequence[int]) -> bool:

@@ -1,4 +1,4 @@
-"""Mechanisms that happen to transmit no power, so that their direction of power is assumed."""
+"""Mechanisms that transmit no power by coincidence, so that a direction of power is assumed."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ from vstatics.core.statics.torques import solve_torques
 
 
 def idle_with_torque(results: Results) -> list[set[int]]:
-    """Return, for each gear, the indices of mechanisms that carry torque but may transmit no power.
+    """Return for each gear the mechanisms that carry torque, but possibly no power, by index.
 
-    The answer follows from the arrays alone. It is empty for gears without consistent torques.
+    The sets are empty for gears without consistent torques.
     """
     case, consistent = results.case, results.consistent
     if case.drawing is not None:
@@ -38,9 +38,9 @@ def idle_with_torque(results: Results) -> list[set[int]]:
 def coincidences(results: Results, number: int, gear: Gear, idle: set[int]) -> dict[str, bool]:
     """Return the idle mechanisms whose assumed direction of power affects the results.
 
-    Keys are the names of mechanisms whose assumed direction changes a torque at the ports; a value
-    is True if it also changes the efficiency. A mechanism locked up by engaged shift elements is
-    left out, because the assumption affects only how the torque is split within the gear train.
+    Keys are names of mechanisms for which the direction changes a torque at the ports. The value is
+    True if it also changes the efficiency. Mechanisms locked up by engaged shift elements are left
+    out, because the direction then affects only the torque split within the gear train.
 
     Parameters
     ----------
@@ -57,7 +57,7 @@ def coincidences(results: Results, number: int, gear: Gear, idle: set[int]) -> d
 
 
 def _idle_in_sets(results: Results, number: int) -> Iterator[int]:
-    """Yield the indices of such mechanisms that belong to drawn gear sets."""
+    """Yield the indices of mechanisms in gear sets that carry torque, but possibly no power."""
     case, is_idle = results.case, results.idle[number].tolist()
     behind = len(case.springs) + 1
     torques = iter(results.lossy_torques[number, len(case.shift_elements) : -behind].tolist())
@@ -78,7 +78,6 @@ def _idle_in_sets(results: Results, number: int) -> Iterator[int]:
 
 
 def _coincidences_of_state(state: GearState) -> dict[str, bool]:
-    """Return the result of `coincidences` for the state of a gear."""
     case, gear, ideal = state.case, state.gear, state.ideal
     elements = len(case.shift_elements)
     idle = [
@@ -94,7 +93,7 @@ def _coincidences_of_state(state: GearState) -> dict[str, bool]:
         return {}
 
     def at_ports(place: int, sign: float) -> tuple[list[Number], Number]:
-        """Return torques at the ports and the input power, for an assumed direction of power."""
+        """Return torques at the ports, and the input power, for a direction `sign` of power [-]."""
         turned = [*state.signs[:place], sign, *state.signs[place + 1 :]]
         ratios = lossy_ratios(ideal.variant.ratios, ideal.variant.efficiencies, turned)
         torques = solve_torques(case, gear, columns(case, ratios), state.drag)
@@ -106,7 +105,7 @@ def _coincidences_of_state(state: GearState) -> dict[str, bool]:
 
     if not gear.speeds and not gear.torques:
         # By virtual work, the output torque depends on the ratio of a mechanism only if the
-        # mechanism has internal motion in a train with the lossy ratios.
+        # mechanism has internal motion in a train with the same ratios, here the lossy ratios.
         relative_speeds = solve_speeds(case, gear, rows(case, state.lossy_ratios)).relative_speeds
         idle = [place for place in idle if relative_speeds[place] != 0]
     matters = {}

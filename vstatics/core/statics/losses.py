@@ -1,8 +1,8 @@
-"""Losses of a gear under given signs of the power flow: torques, efficiency, balance.
+"""Losses of a gear for assumed directions of power: torques, efficiency, balance of power.
 
-The torque system is solved with ``u * efficiency**x`` instead of the basic ratio u. The sign x is
-+1 where power enters a mechanism by its first link, seen from the third, and -1 where it leaves.
-The power lost in a mechanism is ``M' (w_f - w_h) (1 - efficiency**x)``, equation (2) of
+The torque system is solved with ``u * efficiency**x`` instead of the basic ratio u. Seen from the
+third link, the sign x is +1 if power enters a mechanism by its first link, and -1 if power leaves
+there. The power lost in a mechanism is ``M' (w_f - w_h) (1 - efficiency**x)``, equation (2) of
 docs/method.md; M' is the torque on the first link with losses.
 """
 
@@ -29,24 +29,23 @@ from vstatics.core.statics.torques import Torques, acting_torques, solve_torques
 
 
 class LossyTorques(NamedTuple):
-    """Torques with losses for assumed signs of the power flows, with losses and efficiency."""
+    """Torques with losses, power losses and efficiency for assumed signs of power."""
 
     signs: Signs
     torques: Torques
     directions: Signs
-    """Resulting direction of power in each mechanism: sign of the power that enters by the first
-    link, +1, 0, -1 or NaN.
+    """Resulting sign of the power that enters each mechanism by its first link: +1, 0, -1 or NaN.
     """
     losses: Sequence[Number]
     """Power lost in each mechanism. [-]"""
     slip_losses: Sequence[Number]
     """Power lost in each slipping shift element. [-]"""
     efficiency: Number
-    """Efficiency for comparing signs; see `power_ratio` for the reported efficiency. [-]"""
+    """Efficiency for comparing signs; `power_ratio` returns the reported efficiency. [-]"""
     drag_losses: Number
     """Total power lost to drag. [-]"""
     gear_losses: Number
-    """Power that the gear loses as a whole. [-]"""
+    """Power loss measured for the whole gear (`Gear.loss`). [-]"""
     balance: Number | Residual
     """External power minus all losses. [-]"""
     admissible: Condition
@@ -54,9 +53,9 @@ class LossyTorques(NamedTuple):
 
 
 def torques_for_signs(ideal: IdealGear, signs: Signs) -> LossyTorques:
-    """Return the torques with losses under given signs, and whether the signs are admissible.
+    """Return the torques with losses for assumed signs, and whether the signs are admissible.
 
-    Signs by which power flows back through a self-locking mechanism are never admissible.
+    Signs are never admissible if power flows back through a self-locking mechanism.
     """
     if not is_possible(ideal.variant.efficiencies, signs):
         return no_solution(ideal, signs)
@@ -73,8 +72,8 @@ def check_signs(
 
     Signs are admissible if the sign of every mechanism with losses equals the direction of its
     power (or either is 0), no converter or slipping shift element produces power, and the
-    efficiency is above 0. The efficiency is not checked if power may enter at the output to
-    overcome drag, or if no power passes without losses.
+    efficiency is above 0. The efficiency is not checked if power can enter at the output to
+    overcome drag, or if the gear without losses transmits no power.
     """
     on_first_link = mechanism_torques(ideal, lossy_columns, torques)
     by_first_link = list(map(power, on_first_link, ideal.speeds.relative_speeds))
@@ -97,8 +96,8 @@ def check_signs(
         if not is_nan(of_slips[number - 1]):
             agrees = agrees & (of_slips[number - 1] * way >= 0)
     passes = ideal.overcome or (efficiency > 0) & (efficiency < math.inf)
-    # `passes` is False only for a single variant or if it is False for all variants. Variants with
-    # slip can differ, so each is tested for power.
+    # `passes` can be False for a single variant, or if all variants agree. Variants with slip can
+    # differ, so power is tested for each of these.
     if (passes is False or ideal.gear.slip) and not _passes_power(ideal):
         passes = True
     return LossyTorques(
@@ -135,7 +134,7 @@ def no_solution(ideal: IdealGear, signs: Signs) -> LossyTorques:
 
 
 def _losses(by_first_link: Sequence[Number], ideal: IdealGear, signs: Signs) -> Iterator[Number]:
-    """Yield the power lost in each mechanism, by equation (2), from the power by the first link."""
+    """Yield the power lost in each mechanism by equation (2) [-]."""
     variant = ideal.variant
     mechanisms = variant.case.mechanisms
     for place, (entering, x) in enumerate(zip(by_first_link, signs, strict=True)):
@@ -148,7 +147,7 @@ def _losses(by_first_link: Sequence[Number], ideal: IdealGear, signs: Signs) -> 
 def _entering(ideal: IdealGear, torques: Torques) -> list[Number]:
     """Return the power that enters by each link with an external torque [-].
 
-    A torque given at the output link is added to the load torque, unlike in `port_powers`.
+    Unlike in `port_powers`, an external torque on the output link is added to the load torque.
     """
     output, speeds = ideal.case.gear_output(ideal.gear), ideal.speeds.links
     acting = acting_torques(ideal.external, output, torques.holding, torques.on_first_link[-1])
@@ -156,11 +155,11 @@ def _entering(ideal: IdealGear, torques: Torques) -> list[Number]:
 
 
 def _efficiency(ideal: IdealGear, torques: Torques, entering: Sequence[Number]) -> Number:
-    """Return the efficiency for comparing combinations of signs.
+    """Return the efficiency for comparing combinations of signs [-].
 
     With one input and one output the efficiency is ``Mx_lossy/Mx``, or its inverse when coasting.
-    Otherwise it is the output power divided by the input power. The power flow without losses
-    decides if a port counts as an input or an output; a port without power counts as neither.
+    Otherwise it is the output power divided by the input power. A port is an input or an output
+    according to the power flow without losses. A port without power counts as neither.
     """
     if ideal.case.conserves_power(ideal.gear):
         lossy, lossless = torques.on_first_link[-1], ideal.torques.on_first_link[-1]
@@ -170,10 +169,10 @@ def _efficiency(ideal: IdealGear, torques: Torques, entering: Sequence[Number]) 
 
 
 def power_ratio(ideal: IdealGear, lossy: LossyTorques) -> Number:
-    """Return the reported efficiency: total output power divided by total input power.
+    """Return the reported efficiency [-]: total output power divided by total input power.
 
-    The power flow with losses decides if a port is an input or an output. In `_efficiency`, which
-    compares signs, the flow without losses decides.
+    Unlike in `_efficiency`, a port is an input or an output according to the power flow with
+    losses.
     """
     if not ideal.gear.speeds and not ideal.gear.torques:
         return lossy.efficiency
@@ -184,13 +183,13 @@ def power_ratio(ideal: IdealGear, lossy: LossyTorques) -> Number:
 def _output_by_input(
     ideal: IdealGear, flows: Sequence[Number], entering: Sequence[Number]
 ) -> Number:
-    """Return the output power divided by the input power; `flows` decide which ports are inputs.
+    """Return the output power divided by the input power.
 
     Parameters
     ----------
     flows, entering : sequence of Number
-        Power that enters by each port: `flows` decide if a port is an input or an output,
-        `entering` is summed. [-]
+        Power that enters at each port. The sign of `flows` determines whether a port is an input or
+        an output; the powers `entering` are summed. [-]
     """
     received: Number = 0.0
     given: Number = 0.0
@@ -204,10 +203,10 @@ def _output_by_input(
 
 
 def _passes_power(ideal: IdealGear) -> bool:
-    """Return whether power passes through the gear when losses are left out.
+    """Return whether the gear without losses transmits power.
 
-    The efficiency is then 1, or less with converters and slipping shift elements; it is 0 if the
-    output is at rest.
+    Without losses the efficiency is 1, or less with converters and slipping shift elements. It is 0
+    if the output is at rest.
     """
     entering = _entering(ideal, ideal.torques)
     return bool(0 < absolute(_efficiency(ideal, ideal.torques, entering)) < math.inf)

@@ -3,15 +3,15 @@
 Source: Algin, Schematization and calculation of mobile machine presented as multibody system
 (tables 1 and 3, figures 3 and 4).
 
-Sign convention, here and everywhere: the column of a device contains the torques that its links
-give to it when the torque on its first link is 1. External torques act on a link, with the sign of
-the input torque, which is 1; the output torque is the torque that the train gives to its load. So
-with a ratio ``w_input/w_output`` above 0 and no losses the output torque equals the ratio.
+Sign convention of the whole program: the column of a device contains the torques that its links
+give to the device when the torque on its first link is 1. External torques act on a link, and the
+input torque is +1. The output torque is the torque that the train gives to its load. Without
+losses, the output torque therefore equals the ratio ``w_input/w_output``.
 
 The coefficients of a gear set or gear pair in its column are also its coefficients in the speed
-equation (its row). A variator of the speed ratio i has the column and row (i, -1), valid also for i
-= 0: its second link is then at rest under any torque, and its first link carries no torque. A
-converter of the torque ratio K has the row (i, -1) and the column (1, -K).
+equation (its row). A variator of the speed ratio i has the column and row (i, -1). This also
+applies to i = 0: the second link is then at rest under any torque, and the first link carries no
+torque. A converter of the torque ratio K has the row (i, -1) and the column (1, -K).
 """
 
 from __future__ import annotations
@@ -36,11 +36,11 @@ if TYPE_CHECKING:
 
 
 Column = Mapping[int, Coefficient]
-"""Torque on each link, by link number, when the torque on the first link is 1."""
+"""Torque on each link of a device, by link number, if the torque on its first link is 1. [-]"""
 
 
 class Variant(NamedTuple):
-    """Transmission with numbers for the mechanisms, as floats or traced for many variants."""
+    """Transmission with ratios and efficiencies as floats, or traced for many variants."""
 
     case: Transmission
     ratios: Sequence[Number]
@@ -50,7 +50,7 @@ class Variant(NamedTuple):
     columns: Sequence[Column]
     """Columns of the structural-distribution matrix without losses."""
     rows: Sequence[Column]
-    """Speed equation of each device: coefficients of the link speeds; right-hand side 0."""
+    """Speed equation of each device: coefficients of the link speeds, whose weighted sum is 0."""
 
 
 def variant_of(
@@ -58,7 +58,7 @@ def variant_of(
     ratios: Sequence[Number] | None = None,
     efficiencies: Sequence[Number | Efficiency] | None = None,
 ) -> Variant:
-    """Return the variant with given ratios and efficiencies; default: the numbers of the case."""
+    """Return the variant with other ratios and efficiencies, by default the numbers of the case."""
     if ratios is None:
         ratios = [mechanism.ratio for mechanism in case.mechanisms]
     both = efficiencies_by_direction(case, efficiencies)
@@ -107,7 +107,7 @@ def _without_housing(links: Sequence[int], torques: Sequence[Coefficient]) -> Co
 
 
 def column_of(mechanism: Mechanism, ratio: Any) -> tuple[Any, Any, Any]:
-    """Return the torques on the links of a mechanism if the torque on the first is 1.
+    """Return the torques on the three links of a mechanism, relative to the torque on the first.
 
     >>> column_of(Mechanism(1, 2, 0, 0.4, kind="converter", points=((0, 2.4), (0.8, 1))), 0.4)
     (1, -1.7, (1.7, -1))
@@ -130,8 +130,7 @@ def row_of(mechanism: Mechanism, ratio: Any) -> tuple[Any, Any, Any]:
 def on_mechanism(ratio: Number) -> tuple[Number, Number, tuple[Number, Number]]:
     """Return the torques on the links of a mechanism: 1, -u, and u - 1 as the terms (u, -1).
 
-    The terms of the difference stay separate, because their sum loses digits if the basic ratio u
-    is near 1.
+    The difference is not calculated, because it would lose digits if the basic ratio u is near 1.
     """
     return 1, -ratio, (ratio, -1)
 
@@ -168,7 +167,7 @@ def column(ratio: Any) -> tuple[Any, Any, Any]:
 
 
 def value(coefficient: Any) -> Any:
-    """Return the value of a coefficient, which can be given as two terms."""
+    """Return the value of a coefficient, which is a number or a pair of terms to be added."""
     return coefficient[0] + coefficient[1] if isinstance(coefficient, tuple) else coefficient
 
 
@@ -211,11 +210,11 @@ def structural_matrix(case: Transmission, ratios: ArrayLike | None = None) -> Fl
 
 
 def speed_rows(case: Transmission, gear: Gear, rows: Sequence[Column]) -> list[Equation]:
-    """Return the equations for the link speeds of a gear; unknown ``n - 1`` is the speed of link n.
+    """Return the equations for the link speeds of a gear. Unknown ``n - 1`` is the speed of link n.
 
-    Mechanisms have the equation ``w_f - u w_s + (u - 1) w_h = 0``, engaged shift elements ``w_a -
-    w_b = 0`` (or the given slip on the right). The equation of a spring states that its twist is
-    constant at mean speeds. Further equations are ``w_input = 1`` and one for each given speed,
+    Mechanisms have the equation ``w_f - u w_s + (u - 1) w_h = 0``, shift elements ``w_a - w_b =
+    slip``, where the slip of an engaged element is 0. The equation of a spring states that its
+    twist is constant. Further equations are ``w_input = 1`` and one for each prescribed speed,
     which is a number or a multiple of another link's speed (figure 3). A converter that is bypassed
     or open has no equation.
 
@@ -244,7 +243,7 @@ def speed_rows(case: Transmission, gear: Gear, rows: Sequence[Column]) -> list[E
 INPUT_SPEED = "the input speed"
 """Name of the equation ``w_input = 1`` in messages."""
 GIVEN_SPEED = "the given speed of link "
-"""Prefix of the name of a given speed in messages, followed by the name of the link."""
+"""Prefix of the name of the equation of a prescribed speed; the name of the link follows."""
 
 
 def speed_row_names(case: Transmission, gear: Gear) -> list[str]:
@@ -268,11 +267,11 @@ def torque_rows(
 
     The system is ``A M + e_out Mx - E_held Mh = T`` with the matrix A of `columns`, the torques M
     on first links, the output torque Mx, the holding torques Mh, and the known external torques T
-    including drag. e_out and E_held select the output link and the held links.
+    including drag. e_out and E_held contain 1 for the output link and for the held links.
 
     Unknowns are the torque on the first link of each of `loaded_devices`, the output torque, and
-    the holding torque of each of `held_links`. An open shift element carries no torque, so it adds
-    no unknown.
+    the holding torque of each of `held_links`. A disengaged shift element carries no torque, so it
+    adds no unknown.
 
     Parameters
     ----------
@@ -300,8 +299,7 @@ def torque_rows(
 def loaded_devices(case: Transmission, gear: Gear) -> list[int]:
     """Return the indices of the devices that can carry torque.
 
-    These devices are the shift elements that are engaged or have a given slip, and the mechanisms
-    and springs listed by `always_loaded`.
+    These are shift elements that are engaged or have a prescribed slip, and `always_loaded`.
     """
     return sorted(number - 1 for number in gear.carrying) + always_loaded(case, gear)
 
@@ -309,7 +307,7 @@ def loaded_devices(case: Transmission, gear: Gear) -> list[int]:
 def always_loaded(case: Transmission, gear: Gear) -> list[int]:
     """Return the device indices of mechanisms and springs that can carry torque.
 
-    Converters that are bypassed or open, and springs that only damp, are left out.
+    Converters that are bypassed or open, and springs without stiffness, are left out.
     """
     elements, mechanisms = len(case.shift_elements), len(case.mechanisms)
     left_out = case.unloaded_converters(gear)
@@ -319,18 +317,19 @@ def always_loaded(case: Transmission, gear: Gear) -> list[int]:
 
 
 def held_links(case: Transmission, gear: Gear) -> list[int]:
-    """Return the links whose given speed is held by an unknown external torque.
+    """Return the links whose prescribed speed is held by an unknown external torque.
 
-    A speed given on the output adds no unknown: the torque there is the output torque.
+    A prescribed speed of the output adds no unknown, because its torque is the output torque.
     """
     holding = gear.speeds if gear.holding is None else gear.holding
     return [link for link in holding if link != case.gear_output(gear)]
 
 
 def external_torques(case: Transmission, gear: Gear) -> dict[int, float]:
-    """Return the known external torques by link: the input torque and the given torques [-].
+    """Return the known external torques by link: input torque and `torques` of the gear [-].
 
-    The input torque is 1. If the load has no torque it is 0, and the other torques are in N*m.
+    The relative input torque is 1, or 0 if the input torque is 0. The other torques are then in
+    N*m.
     """
     torques = {case.gear_input(gear): case.input_torque(gear)}
     for link, torque in gear.torques.items():
@@ -339,10 +338,10 @@ def external_torques(case: Transmission, gear: Gear) -> dict[int, float]:
 
 
 def given_torque(case: Transmission, gear: Gear, torque: Any) -> Any:
-    """Return a given torque relative to the input torque [-].
+    """Return an external torque of a gear relative to the input torque [-].
 
-    A given share of the input torque is 0 if the load has no torque. A torque that varies (traced
-    or an array) and an `OfLoad` are already relative, so they are returned unchanged.
+    The result is 0 for a fraction of an input torque of 0. A torque that varies (traced or an
+    array) or that is an `OfLoad` is returned unchanged.
     """
     if isinstance(torque, OfLoad) or not isinstance(torque, float | int):
         return torque
@@ -350,7 +349,7 @@ def given_torque(case: Transmission, gear: Gear, torque: Any) -> Any:
 
 
 def by_mechanism(name: str, given: ArrayLike, mechanisms: int) -> Floats:
-    """Return numbers as an array of floats with the length `mechanisms` of the last axis.
+    """Return `given` as an array of floats whose last axis has the length `mechanisms`.
 
     Raises
     ------
@@ -371,11 +370,11 @@ EXPECTED = {
     "ratio": "a finite ratio other than 0",
     "efficiency": "an efficiency above 0 and up to 1",
 }
-"""Description of the permitted numbers of each quantity, for messages."""
+"""Permitted numbers of each quantity in words, for messages."""
 
 
 def expected_ratio(between: tuple[float, float]) -> str:
-    """Return a phrase for the ratios that are possible between two bounds.
+    """Return words for the ratios that are possible between two bounds.
 
     >>> expected_ratio((-math.inf, -1.0)), expected_ratio((-math.inf, math.inf))
     ('a finite ratio below -1, as teeth give it', 'a finite ratio other than 0')
@@ -388,7 +387,7 @@ def expected_ratio(between: tuple[float, float]) -> str:
 def impossible(
     quantity: Quantity, numbers: Floats, between: tuple[float, float] = (-math.inf, math.inf)
 ) -> Booleans:
-    """Return marks of numbers that are not valid as a ratio or an efficiency of a mechanism.
+    """Return flags of numbers that are not valid as a ratio or an efficiency of a mechanism.
 
     Parameters
     ----------

@@ -20,18 +20,18 @@ _NEEDED = {
     "Nm": ("torque", "torque: 300 N*m"),
     "kW": ("speed and torque", "speed: 2000 rpm, torque: 300 N*m"),
 }
-"""Quantities that the key `load` must contain for results in a unit, and an example in YAML."""
+"""Key under `load` that results in a unit need, and an example in YAML."""
 
 
 def scales(case: Transmission) -> dict[str, Floats]:
     """Return the factors that convert relative numbers of each gear to rpm, Nm and kW.
 
-    The arrays have the shape (gears,), with NaN where the load lacks the quantity. The unit of
-    torque is 1 N*m if the load has no torque.
+    The arrays have the shape (gears,), with NaN if the load lacks the quantity. Torques are
+    relative to 1 N*m if the input torque is 0.
 
     The factors apply to arrays of `Results`, in which power enters at the input even when coasting.
-    In reality a coasting input is driven: its torque acts against its speed, so the factors of
-    torque and power are negative. For powers in their real direction use `gear_scales`.
+    In reality the torque of a coasting input acts against its speed, so the factors of torque and
+    power are negative. For powers in their real direction use `gear_scales`.
 
     >>> from vstatics.core.model.parts import Gear, Load, Mechanism
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear()], load=Load(2000, 300))
@@ -63,14 +63,14 @@ def gear_scales(case: Transmission) -> list[dict[str, float]]:
 
 
 def known_units(case: Transmission) -> set[str]:
-    """Return the units in which a case has numbers in at least one gear."""
+    """Return the units in which at least one gear of a case has results."""
     if case.load is None and not any(gear.load for gear in case.gears):
         return set()
     return {unit for unit, scale in scales(case).items() if not np.isnan(scale).all()}
 
 
 def lacking_load(name: str, unit: str) -> str:
-    """Return the message that no gear has the operating point that a unit of a number needs."""
+    """Return a message that no gear has the operating point that a unit requires."""
     what, given = _NEEDED[unit]
     return (
         f"the case gives no {what} at the input, so there is no `{name}`; give `load: {{{given}}}`"
@@ -90,9 +90,9 @@ class _PhysicalArray:
 class PhysicalResults(ResultFields):
     """Arrays of `Results` in rpm, N*m and kW, calculated on access.
 
-    Each array has the axes of the array of the same name without unit, such as `speeds` for
-    `speeds_rpm`. Gears without a load have NaN. If no gear has the load that a unit needs, access
-    raises a `CaseError`.
+    Each array has the axes of the relative array, such as `speeds` for `speeds_rpm`. Values are NaN
+    in gears without an operating point. If no gear has the operating point that a unit requires,
+    access raises a `CaseError`.
 
     Examples
     --------
@@ -152,8 +152,8 @@ class PhysicalResults(ResultFields):
     def output_power_kW(self) -> Floats:  # noqa: N802
         """Power that leaves by all external torques, with losses, shape ``(..., gears)`` [kW].
 
-        Drag does not count as an external torque: the difference from the input power is lost in
-        meshes or to drag.
+        Drag is not an external torque. The difference from the input power is lost in meshes or to
+        drag.
         """
         power: Floats = np.maximum(-self._port_powers("output_power"), 0.0).sum(axis=-1)
         return power
@@ -175,7 +175,7 @@ class PhysicalResults(ResultFields):
         return np.where(np.isfinite(values), values + 0.0, np.nan)
 
     def in_own_unit(self, name: str) -> Floats:
-        """Return an array relative to the input torque, or to 1 N*m without an input torque."""
+        """Return an array relative to the input torque, or to 1 N*m if the input torque is 0."""
         if name.endswith("output_torque"):
             return self.in_own_unit(name.replace("output_torque", "torques"))[..., -1]
         array: Floats = ResultFields.__dict__[name].__get__(self)
@@ -208,11 +208,11 @@ RELATIVE_TO_INPUT = (
     *("losses", "power_balance", "drag_losses", "gear_losses", "slip_losses"),
     *("mesh_torques", "lossy_mesh_torques", "mesh_losses"),
 )
-"""Arrays of torques and powers that do not exist in gears without an input torque."""
+"""Arrays that are NaN in gears whose input torque is 0."""
 
 
 def _relative(name: str) -> property:
-    """Return a property that contains NaN for gears without an input torque."""
+    """Return a property for an array that is NaN in gears whose input torque is 0."""
 
     def by_input(results: PhysicalResults) -> Floats:
         array, case = results.in_own_unit(name), results.case

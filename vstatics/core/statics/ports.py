@@ -22,9 +22,10 @@ class Port(NamedTuple):
     link: int
     is_output: bool
     speed: float
-    """Speed of the link. [-]"""
+    """Speed of the link, relative to the input speed. [-]"""
     torque: float
-    """Torque that an output gives to the load; on any other link, the external torque. [-]
+    """External torque on the link, but on an output the torque that the output gives to the load.
+    [-]
 
     NaN if indeterminate.
     """
@@ -34,20 +35,20 @@ class Port(NamedTuple):
 
 
 class GearPorts(NamedTuple):
-    """Ports and losses of a gear; the losses add up to input power minus output power."""
+    """Ports and losses of a gear. The sum of the losses is input power minus output power."""
 
     ports: Sequence[Port]
-    """Ports in the order: input, outputs, other links with a given speed or torque."""
+    """Ports in the order: input, outputs, other links with a prescribed speed or torque."""
     meshes: float
     """Power lost in mechanisms other than variators and converters. [-]"""
     drag: float
     """Power lost to drag. [-]"""
     gear: float
-    """Power that the gear loses as a whole. [-]"""
+    """Power loss measured for the whole gear (`Gear.loss`). [-]"""
     by_kind: Mapping[str, float]
     """Power lost in variators and in converters, if the case has any. [-]"""
     slips: Mapping[int, float]
-    """Power lost in each shift element with a given slip, by number. [-]"""
+    """Power lost in each shift element with a prescribed slip, by number. [-]"""
 
 
 def ports(state: GearState) -> GearPorts:

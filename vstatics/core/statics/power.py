@@ -11,12 +11,14 @@ from vstatics.core.statics.matrix import external_torques, held_links
 from vstatics.core.statics.torques import Drag, Torques, times
 
 DeviceKind = Literal["element", "mechanism", "spring", "port", "drag", "gear"]
-"""Kind of a device: `mechanism` covers drawn gear sets, `drag` is the drag of a link, and `gear`
-the loss of the gear as a whole."""
+"""Kind of a device.
+
+`mechanism` includes drawn gear sets, `drag` is the drag of a link, and `gear` the loss `Gear.loss`.
+"""
 
 
 class LinkPower(NamedTuple):
-    """Power that a link gives to a member of a device; negative if the link receives power."""
+    """Power that a link gives to a member of a device, negative if the link receives power."""
 
     kind: DeviceKind
     number: int
@@ -26,7 +28,7 @@ class LinkPower(NamedTuple):
     """Name of the member; empty for ports and drag of links."""
     link: int
     power: Number
-    """Power relative to the input power, NaN if indeterminate. [-]"""
+    """Power relative to the input power; NaN if indeterminate. [-]"""
 
 
 power = times
@@ -36,7 +38,7 @@ power = times
 def port_powers(
     case: Transmission, gear: Gear, speeds: Sequence[Number], torques: Torques
 ) -> Iterator[LinkPower]:
-    """Yield the power that leaves by external torques and by the load; negative if entering."""
+    """Yield the power that links give to external torques and the load, negative if entering."""
     external: dict[int, Number] = {**external_torques(case, gear)}
     for link in held_links(case, gear):
         external[link] = external.get(link, 0.0) + torques.holding[link]
@@ -99,7 +101,7 @@ def device_powers(  # noqa: PLR0913
 def drag_powers(
     case: Transmission, gear: Gear, speeds: Sequence[Number], drag: Drag
 ) -> Iterator[LinkPower]:
-    """Yield the power that each link loses to drag and to the loss of the gear as a whole."""
+    """Yield the power that each link loses to drag and to `Gear.loss`."""
     for link, torque in drag.links.items():
         name = case.link_name(link)
         yield LinkPower("drag", link, name, "", link, -power(torque, speeds[link - 1]))
@@ -109,10 +111,10 @@ def drag_powers(
 
 
 def slip_name(element: ShiftElement) -> str:
-    """Return the name of the slip loss of a shift element in lists of losses."""
+    """Return the name of the slip loss of a shift element, for lists of losses."""
     return f"slip.{element.name}"
 
 
 def loss_name(gear: Gear) -> str:
-    """Return the name of the loss of a gear as a whole in lists of losses."""
+    """Return the name of the loss `Gear.loss`, for lists of losses."""
     return f"gear.{gear.name}"

@@ -1,4 +1,4 @@
-"""The arrays of `Results`: their names, their types, and the meaning of their last axis."""
+"""Arrays of `Results`: names, types, and the meaning of the last axis."""
 
 from __future__ import annotations
 
@@ -17,10 +17,7 @@ if TYPE_CHECKING:
 
     @dataclass_transform(frozen_default=True)
     class _NamedFields:
-        """Named tuple whose subscripts are names.
-
-        Type checkers would take every subscript of a `NamedTuple` for the index of an item.
-        """
+        """Named tuple that is subscripted with names."""
 
         _fields: ClassVar[tuple[str, ...]]
 
@@ -57,33 +54,33 @@ class Message(NamedTuple):
 
 
 Outside: TypeAlias = Mapping[str, Booleans]
-"""Marks of laws evaluated outside the given points, (variants, gears), by name of the part."""
+"""Flags of laws evaluated outside their points, shape (variants, gears), by name of the part."""
 NOWHERE: Outside = MappingProxyType({})
 
 
 class OperatingPoints(NamedTuple):
-    """Operating points and gears whose numbers differ between variants."""
+    """Operating points of variants, and gears whose numbers differ between variants."""
 
     scales: Mapping[str, Floats]
-    """Factors of `vstatics.core.statics.physical.scales` by unit, (variants, gears)."""
+    """Factors by unit from `vstatics.core.statics.physical.scales`, shape (variants, gears)."""
     loaded: Booleans
-    """False where the input torque of the operating point is 0, (variants, gears)."""
+    """False if the input torque of the operating point is 0, shape (variants, gears)."""
     gears: Sequence[Gear]
-    """Gears of the case; a torque that varies is an array of shape (variants,).
+    """Gears of the case, in which a torque that varies is an array of shape (variants,).
 
     For a single variant, the drag of the gears is evaluated at their speeds.
     """
     efficiencies: Sequence[Sequence[Any]] = ()
     """Efficiencies that depend on speed or torque, by gear and mechanism. [-]"""
     open: Integers | None = None
-    """State of each gear, (variants, gears): 0 for a unique solution.
+    """State of each gear, shape (variants, gears); 0 for a unique solution.
 
     Efficiencies that depend on torque: 1 no solution, 2 several solutions, 5 a formula that gives
     no efficiency. Torque that balances a battery: 3 no solution, 4 several solutions. Speed ratio
     of a converter: 6 none agrees with the load, 7 no torques exist at any speed ratio.
     """
     outside: Outside = NOWHERE
-    """Marks of laws that are evaluated outside the given points."""
+    """Flags of laws evaluated outside their points."""
     other_ratios: Mapping[int, Sequence[float]] = MappingProxyType({})
     """Smaller speed ratios at which a converter agrees with the load of a single point, by gear."""
 
@@ -92,10 +89,11 @@ class ResultFields(_NamedFields):
     """Fields of `Results`.
 
     Axes are always in the same order: variants (absent for a single case), gears, and rows such as
-    links (see `row_names`). Devices are the mechanisms and drawn gear sets of the case; mechanisms
-    are those of the solver, including the ones it derives from drawn gear sets. NaN marks values
-    that do not exist. Speeds are relative to the input speed, torques to the input torque, powers
-    to the input power; signs follow `vstatics.core.statics.matrix`.
+    links (see `row_names`). Devices are the mechanisms and drawn gear sets named in the case. The
+    axis `mechanisms` refers to the mechanisms of the solver, including mechanisms derived from
+    drawn gear sets. NaN marks values that do not exist. Speeds are relative to the input speed,
+    torques to the input torque, powers to the input power; signs follow
+    `vstatics.core.statics.matrix`.
     """
 
     case: Transmission
@@ -110,7 +108,7 @@ class ResultFields(_NamedFields):
     ratio: Floats
     """Ratio ``w_input/w_output``, ``(..., gears)``. [-]"""
     speed_ratio: Floats
-    """Speed ratios of converters, NaN if bypassed or open, ``(..., gears, converters)``. [-]"""
+    """Speed ratios of converters, ``(..., gears, converters)``; NaN if bypassed or open. [-]"""
 
     torques: Floats
     """Torques without losses, ``(..., gears, shift elements + mechanisms + springs + 1)``. [-]
@@ -131,26 +129,29 @@ class ResultFields(_NamedFields):
     power_sign: Floats
     """Sign of power: +1 first link drives, -1 driven, 0 idle, ``(..., gears, mechanisms)``. [-]"""
     idle: Booleans
-    """Marks of devices that have no torque or are locked up, ``(..., gears, devices)``."""
+    """Flags of devices that have no torque or are locked up, ``(..., gears, devices)``."""
     losses: Floats
     """Power losses, negative when coasting (reversed flow), ``(..., gears, devices)``. [-]"""
     power_balance: Floats
-    """External power minus all losses, 0 but for rounding, ``(..., gears)``. [-]"""
+    """External power minus all losses, ``(..., gears)``; 0 except for rounding. [-]"""
     drag_losses: Floats
     """Total power lost to drag, negative when coasting, ``(..., gears)``. [-]"""
     gear_losses: Floats
-    """Power that gears lose as a whole, negative when coasting, ``(..., gears)``. [-]"""
+    """Loss measured for whole gears (`Gear.loss`), negative when coasting, ``(..., gears)``. [-]"""
     slip_losses: Floats
-    """Power that shift elements lose by a given slip, ``(..., gears, shift elements)``. [-]"""
+    """Power lost by prescribed slip, ``(..., gears, shift elements)``. [-]"""
 
     consistent: Booleans
-    """Gears with torques with losses that agree with the directions of power, ``(..., gears)``."""
+    """Gears with torques with losses that suit the directions of power, ``(..., gears)``."""
     locked: Booleans
     """Self-locking gears, ``(..., gears)``."""
     dragged: Booleans
     """Gears whose drag exceeds the input power, so power enters at the output, ``(..., gears)``."""
     undecided: Booleans
-    """Gears whose search for signs was cut short, so `locked` is unknown, ``(..., gears)``."""
+    """Gears for which the search for power directions ended early, ``(..., gears)``.
+
+    The array `locked` is then unknown.
+    """
     turned: Booleans
     """Mechanisms in which losses reverse the power flow, ``(..., gears, mechanisms)``."""
     choices: Integers
@@ -161,7 +162,7 @@ class ResultFields(_NamedFields):
     missing: Integers
     """Number of constraints that the speeds lack, ``(..., gears)``."""
     excess: Integers
-    """Number of constraints that other constraints imply or contradict, ``(..., gears)``."""
+    """Number of redundant or contradictory constraints on the speeds, ``(..., gears)``."""
     balanced: Booleans
     """Gears for which torques without losses exist, ``(..., gears)``."""
 
@@ -186,7 +187,7 @@ class ResultFields(_NamedFields):
     """Messages about the gears of a case; empty for arrays of variants."""
 
     points: OperatingPoints | None = None
-    """Operating points and gears of the variants, unless only ratios and efficiencies vary."""
+    """Operating points and gears of the variants; None if only ratios and efficiencies vary."""
 
     @property
     def output_torque(self) -> Floats:
@@ -212,10 +213,10 @@ Rows = Literal[
 ]
 """Meaning of the rows of an array or a table.
 
-`elements` are shift elements; `devices` are the mechanisms and drawn gear sets of the case;
-`mechanisms` are the mechanisms of the solver; `torques` are shift elements, mechanisms or members
-of drawn gear sets, springs, and the output; `meshes` are the meshes of drawn gear sets;
-`converters` are mechanisms of the kind `converter`; `one` is a single value for the gear.
+`elements` are shift elements, `devices` the mechanisms and drawn gear sets of the case, and
+`mechanisms` the mechanisms of the solver. `torques` are shift elements, mechanisms or members of
+drawn gear sets, springs, and the output. `meshes` are the meshes of drawn gear sets, `converters`
+the mechanisms of the kind `converter`. `one` is a single value for the gear.
 """
 
 
@@ -253,7 +254,7 @@ other table and gear.
 
 
 class GearArray(NamedTuple):
-    """Kind of rows and data type of an array of `Results`."""
+    """Meaning of the rows, and data type, of an array of `Results`."""
 
     rows: Rows
     dtype: type = np.float64
@@ -312,9 +313,9 @@ def row_names(case: Transmission, rows: Rows) -> list[str]:
 
 
 def first_rows(case: Transmission) -> dict[int, int]:
-    """Return the row of `torques` with the torque on the first link, by index of mechanism.
+    """Return the row of `torques` that contains the torque on a first link, by mechanism index.
 
-    A mechanism is left out if no row contains only this torque.
+    Mechanisms whose torque is only a term of a sum are left out.
 
     >>> from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement
     >>> case = Transmission(3, [ShiftElement(2, 0)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
@@ -365,7 +366,7 @@ def all_row_names(case: Transmission) -> dict[Rows, list[str]]:
 
 
 def row_counts(case: Transmission) -> dict[str, int | None]:
-    """Return the number of rows of each array of `Results`; a value per gear has no rows."""
+    """Return the number of rows of each array of `Results`; None for a single value per gear."""
     names = all_row_names(case)
     return {
         name: None if array.rows == "one" else len(names[array.rows])

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 REMEMBERED_STATES = 64
-"""Number of stored gear states; tables and pictures of a case use the states several times."""
+"""Number of stored gear states. Tables and pictures of a case use the states several times."""
 
 
 class Results(PhysicalResults):
@@ -56,8 +56,8 @@ class Results(PhysicalResults):
     def __getitem__(self, key: Any) -> Any:
         """Return an array, or a number, by names: ``results["speeds", "ring", "low"]``.
 
-        For variants, names that would select a number select an array over the variants, although
-        type checkers infer a float.
+        For variants the result is an array over the variants instead of a number, although type
+        checkers infer a float.
         """
         return higher("by_name")(self, key)
 
@@ -138,7 +138,7 @@ class Results(PhysicalResults):
         Parameters
         ----------
         file : str
-            Path of the case file. The text contains only its file name; nothing if empty.
+            Path of the case file. The text contains only its last part, the file name.
 
         Examples
         --------
@@ -241,10 +241,13 @@ class Results(PhysicalResults):
         return self.gear_at(self.case.gear_number(gear) - 1)
 
     def gear_at(self, index: int) -> GearState:
-        """Return the state of a gear of a single case, by index, calculated only once."""
+        """Return the state of a gear of a single case, by index.
+
+        Each state is calculated only once.
+        """
         state = _state_of(_CaseAtPoints(self.case, self.points), index)
         if self.points and self.undecided[index] and not state.search.undecided:
-            # No torques of the gear agree with efficiencies that depend on torque.
+            # No torques of the gear suit efficiencies that depend on torque.
             lossy = no_solution(state.ideal, (math.nan,) * len(self.case.mechanisms))
             search = state.search._replace(lossy=lossy, undecided=True, locked=False, dragged=False)
             return state._replace(search=search)
@@ -268,10 +271,7 @@ class Results(PhysicalResults):
 
     @property
     def with_freewheels_engaged(self) -> Transmission:
-        """Case with freewheels replaced by shift elements, engaged where the freewheels hold.
-
-        The results must belong to one case, not to arrays of variants.
-        """
+        """Case in which holding freewheels are replaced by engaged shift elements."""
         case = self.case
         if not case.freewheels:
             return case
@@ -286,10 +286,10 @@ class Results(PhysicalResults):
 
     @property
     def with_numbers_only(self) -> Transmission:
-        """Case for a deck: holding freewheels are engaged elements, given speeds are plain numbers.
+        """Case for a deck: holding freewheels become engaged elements, and speeds numbers.
 
-        A given speed that is a multiple of another link's speed becomes a number; it is left out if
-        indeterminate. The results must belong to one case, not to arrays of variants.
+        A prescribed speed that is a multiple of another link's speed becomes a number, or is left
+        out if indeterminate. The results must belong to one case, not to arrays of variants.
         """
         case = self.with_freewheels_engaged
         if not any(isinstance(v, SpeedOf) for gear in case.gears for v in gear.speeds.values()):
@@ -311,7 +311,7 @@ class Results(PhysicalResults):
 
 
 class _CaseAtPoints:
-    """Key for a cache: a case and operating points, compared by identity for speed."""
+    """Cache key of a case and operating points, compared by identity for speed."""
 
     __slots__ = ("case", "points")
 
@@ -351,7 +351,7 @@ def _equal_arrays(some: Mapping[str, Any], others: Mapping[str, Any]) -> bool:
 
 
 def expect_one_case(given: Results, function: str) -> None:
-    """Refuse results of variants, with the name of the function that needs a single case.
+    """Refuse results of variants; `function` is the name of a function that needs a single case.
 
     Raises
     ------

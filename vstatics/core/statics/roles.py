@@ -25,7 +25,7 @@ MEANINGS = {
 
 
 def role(torques: Iterable[float], *, still: bool) -> Role:
-    """Return the role of a mechanism; empty if power is transmitted.
+    """Return the role of a mechanism; empty if the mechanism transmits power.
 
     Parameters
     ----------
@@ -68,8 +68,8 @@ def roles(results: Results, number: int) -> list[Role]:
     device_roles = []
     for device, idle, *torques in zip(case.own_devices, results.idle[number], *sides, strict=True):
         links = [member.link for member in device.members]
-        # All members of a shaft of ratio 1 rotate at one speed, but it transmits power to its ends,
-        # so it counts only if it is idle.
+        # All members of a shaft with ratio 1 rotate at the same speed although the shaft transmits
+        # power. Such a shaft is locked up only if it is idle.
         still = _may_turn(links) and bool(idle) and is_one_piece(device, speeds)
         device_roles.append(role((torque for side in torques for torque in side), still=still))
     return device_roles
@@ -91,7 +91,7 @@ def mechanism_roles(state: GearState) -> list[Role]:
 
 
 def _may_turn(links: Sequence[int]) -> bool:
-    """Return whether a device connects at least two rotating links, unlike a support."""
+    """Return whether a device connects at least two rotating links; False for a support."""
     return len({*links} - {HOUSING}) > 1
 
 

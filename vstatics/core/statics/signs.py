@@ -1,7 +1,7 @@
 """Search for the directions of power through mechanisms that agree with the resulting torques.
 
-The sign x of a mechanism is +1 where power enters by its first link, -1 where it leaves. Without
-losses, ``x = sign(M (w_f - w_h))``, equation (5) of docs/method.md. If torques with losses
+The sign x of a mechanism is +1 if power enters by its first link, and -1 if power leaves there.
+Without losses, ``x = sign(M (w_f - w_h))``, equation (5) of docs/method.md. If torques with losses
 contradict these signs, other signs are searched for.
 """
 
@@ -38,15 +38,18 @@ from vstatics.core.statics.torques import Torques
 SEARCHED = 12
 """Largest number of mechanisms for which all combinations of signs are tried."""
 SIGN_ROUNDS = 200
-"""Largest number of iterations for gears with more than `SEARCHED` mechanisms. [-]"""
+"""Largest number of iterations for gears with more than `SEARCHED` mechanisms."""
 
 
 class SignSearch(NamedTuple):
-    """Result of the search for signs that agree with the power flow; names as in `Results`."""
+    """Result of the search for signs that agree with the power flow.
+
+    Fields are named as in `Results`.
+    """
 
     lossy: LossyTorques
     idle: list[bool]
-    """Marks of mechanisms without power, in the order of the mechanisms."""
+    """Flags of mechanisms without power."""
     dragged: bool
     locked: bool
     undecided: bool
@@ -57,13 +60,13 @@ class SignSearch(NamedTuple):
 def find_signs(ideal: IdealGear, *, moving: bool) -> SignSearch:
     """Find the signs that agree with the resulting power flow.
 
-    The signs without losses are tried first, then all combinations of signs. If none is admissible,
-    both steps are repeated with power allowed to enter at the output to overcome drag.
+    The signs without losses are tried first, then all combinations of signs. If no signs are
+    admissible, both steps are repeated for power that can enter at the output to overcome drag.
 
     Parameters
     ----------
     moving : bool
-        True if speeds, and torques without losses, exist.
+        True if speeds and torques without losses exist.
     """
     start = ideal_signs(ideal, moving=moving)
     admissible = Admissible(no_solution(ideal, start.signs))
@@ -81,8 +84,8 @@ def find_signs(ideal: IdealGear, *, moving: bool) -> SignSearch:
     elif lossy.admissible is True:
         lossy = lossy._replace(efficiency=power_ratio(ideal, lossy))
     idle = start.idle
-    # The sign of an idle mechanism is only a convention, so it cannot be reversed. Comparing
-    # objects first avoids tracing a product for signs that the search left unchanged.
+    # The sign of an idle mechanism is only a convention, so losses cannot reverse it. Comparing
+    # objects first avoids tracing a product for signs that did not change.
     turned = [
         lossy.admissible is True
         and not is_idle
@@ -100,28 +103,28 @@ def find_signs(ideal: IdealGear, *, moving: bool) -> SignSearch:
 
 
 class IdealSigns(NamedTuple):
-    """Direction of power without losses in each mechanism, and the reasons for no power."""
+    """Signs of power without losses, and the reasons why mechanisms have no power."""
 
     signs: Signs
     """Sign of the power of each mechanism: +1, -1 or 0; NaN if indeterminate."""
     unloaded: Sequence[bool]
-    """Marks of mechanisms without torque."""
+    """Flags of mechanisms without torque."""
     still: Sequence[bool]
-    """Marks of mechanisms that are locked up."""
+    """Flags of mechanisms that are locked up."""
 
     @property
     def idle(self) -> list[bool]:
-        """Marks of mechanisms whose sign does not follow from a power flow."""
+        """Flags of mechanisms that transmit no power, so that their sign is a convention."""
         return [a or b for a, b in zip(self.unloaded, self.still, strict=True)]
 
 
 def ideal_signs(ideal: IdealGear, *, moving: bool) -> IdealSigns:
-    """Return the signs of equation (5); the signs of idle mechanisms follow a convention.
+    """Return the signs of power without losses; the signs of idle mechanisms are a convention.
 
     Parameters
     ----------
     moving : bool
-        True if speeds, and torques without losses, exist.
+        True if speeds and torques without losses exist.
     """
     if not moving:
         nowhere = [False] * len(ideal.variant.ratios)
@@ -147,10 +150,10 @@ def _sign_of_idle(ideal: IdealGear, place: int, *, is_unloaded: bool) -> Number:
 
 
 class Admissible(NamedTuple):
-    """Signs that agree with the resulting power flow; the most efficient if there are several."""
+    """Signs that agree with the resulting power flow. Of several solutions, the most efficient."""
 
     lossy: LossyTorques | None = None
-    """Torques for the signs, unless the gear is self-locking or the search was cut short."""
+    """Torques for the signs; None if the gear is self-locking or the search ended early."""
     choices: int = 0
     """Number of admissible combinations of signs."""
     cut_short: bool = False
@@ -167,7 +170,8 @@ def _admissible(ideal: IdealGear, start: IdealSigns) -> Admissible:
 def _follow_unloaded(ideal: IdealGear, start: IdealSigns) -> LossyTorques:
     """Return the torques for the signs without losses.
 
-    Mechanisms that carry torque only with losses take the sign of their power with losses.
+    If a mechanism carries torque only because of losses, its sign follows from the torques with
+    losses.
     """
     signs = start.signs
     lossy = torques_for_signs(ideal, signs)
@@ -181,7 +185,7 @@ def _follow_unloaded(ideal: IdealGear, start: IdealSigns) -> LossyTorques:
 
 
 def _turned(signs: Signs, directions: Signs, allowed: Sequence[bool]) -> Signs:
-    """Return the signs, replaced by the resulting directions of power if `allowed` and not 0."""
+    """Return the signs, replaced by `directions` that are not 0 where `allowed` is true."""
     return tuple(
         direction if may and abs(direction) == 1 else x
         for x, direction, may in zip(signs, directions, allowed, strict=True)
@@ -217,7 +221,7 @@ def _search(ideal: IdealGear, start: IdealSigns) -> Admissible:
 def _every_set(ideal: IdealGear, start: IdealSigns, free: Sequence[int]) -> Iterator[LossyTorques]:
     """Yield the torques for all possible combinations of signs of the `free` mechanisms.
 
-    Before a slow calculation in fractions, floats rule out the combinations that certainly fail.
+    In calculations with fractions, floats first rule out combinations that certainly fail.
     """
     rough = _in_floats(ideal)
     for signs_of_free in product((1.0, -1.0), repeat=len(free)):
@@ -248,7 +252,7 @@ def _is_refused(rough: IdealGear, signs: Signs) -> bool:
 def _best(ideal: IdealGear, tried: Sequence[LossyTorques], start: IdealSigns) -> Admissible:
     """Return the admissible signs that give the largest efficiency.
 
-    Unloaded mechanisms without power keep their conventional sign.
+    Unloaded mechanisms that also have no power with losses keep their conventional sign.
     """
     possible = [lossy for lossy in tried if lossy.admissible is not False]
     flows: dict[tuple[float, ...], Condition] = {}
@@ -257,7 +261,7 @@ def _best(ideal: IdealGear, tried: Sequence[LossyTorques], start: IdealSigns) ->
         flows[flow] = flows.get(flow, False) | lossy.admissible
     choices = counted(flows.values())
     best = reduce(_better, possible)
-    if best.admissible is not True:  # the best signs differ between variants
+    if best.admissible is not True:  # the best signs can differ between variants
         best = torques_for_signs(ideal, best.signs)
         if not best.admissible:
             raise Untraceable
@@ -278,7 +282,7 @@ def _flow(x: Number, turns: Number) -> float:
 def _better(first: LossyTorques, second: LossyTorques) -> LossyTorques:
     """Return the result with the larger efficiency.
 
-    For traced numbers the choice is recorded, so that each variant makes its own.
+    For traced numbers the comparison is recorded, so that each variant has its own result.
     """
     if first.admissible is True and second.admissible is True:
         better = second.efficiency > first.efficiency or not first.efficiency < math.inf
@@ -327,7 +331,7 @@ def _possible(ideal: IdealGear, signs: Signs) -> Signs:
 
 
 def _decided(x: Number) -> float:
-    """Return a sign as a float; for a traced sign, the value in the first variant."""
+    """Return a sign as a float. A traced sign has the value of the first variant."""
     if is_traced(x):
         return 1.0 if x > 0 else -1.0
     return plain(x)
@@ -344,9 +348,9 @@ def _worst_turned(ideal: IdealGear, signs: Signs, turned: Signs, lossy: LossyTor
 
 
 def _overcome(ideal: IdealGear, start: IdealSigns) -> Admissible:
-    """Return the signs of a gear if power may enter at the output to overcome drag.
+    """Return the signs of a gear if power can enter at the output to overcome drag.
 
-    The gear must have admissible signs without drag; otherwise friction in meshes alone locks it.
+    Without drag the gear must also have admissible signs. Otherwise friction in meshes locks it.
     """
     bare = ideal.without_drag._replace(overcome=False)
     without_drag = _admissible(bare, ideal_signs(bare, moving=True))
@@ -354,7 +358,7 @@ def _overcome(ideal: IdealGear, start: IdealSigns) -> Admissible:
 
 
 def _is_dragged(ideal: IdealGear, lossy: LossyTorques) -> bool:
-    """Return whether power enters at the output to overcome drag without leaving at the input."""
+    """Return whether power enters at the output to overcome drag, and none leaves at the input."""
     if not ideal.drag.external or not (ideal.overcome or is_nan(lossy.efficiency)):
         return False
     case, gear, direction = ideal.case, ideal.gear, ideal.direction
@@ -377,7 +381,7 @@ def _indeterminate(ideal: IdealGear, start: IdealSigns) -> list[int]:
 def _common_values(ideal: IdealGear, start: IdealSigns) -> LossyTorques:
     """Return the values that are equal for all combinations of indeterminate signs, else NaN.
 
-    So a redundant part of a gear train does not hide the determinate values of other parts.
+    Redundant constraints in one train then do not hide the determinate values of other trains.
     """
     none = no_solution(ideal, start.signs)
     open_ = _indeterminate(ideal, start)
@@ -412,7 +416,6 @@ def _common_values(ideal: IdealGear, start: IdealSigns) -> LossyTorques:
 def _common(
     value_of: Callable[[Sequence[Number]], Number], rows: Iterable[Sequence[Number]]
 ) -> list[Number]:
-    """Return the common value at each position of several sequences."""
     return [value_of(column) for column in zip(*rows, strict=True)]
 
 

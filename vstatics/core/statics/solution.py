@@ -80,10 +80,9 @@ def _with_numbers(case: Transmission, u: Floats | None, eta: Floats | None) -> T
 def _variants(
     case: Transmission, ratios: ArrayLike | None, efficiencies: ArrayLike | None
 ) -> tuple[tuple[int, ...], Floats | None, Floats | None]:
-    """Return the shape of the variants, the given ratios and the given efficiencies.
+    """Return the shape of the variants, the ratios and the efficiencies.
 
-    The ratios and efficiencies have the shape (variants, mechanisms), with all axes of variants
-    flattened.
+    Ratios and efficiencies have the shape (variants, mechanisms), with a single axis of variants.
     """
     if ratios is None and efficiencies is None:
         return (), None, None
@@ -109,12 +108,12 @@ def _variants(
 
 
 def _wrong(case: Transmission, quantity: Quantity, given: Floats | None) -> list[Problem]:
-    """Return a problem for the first wrong number in an array ``(..., mechanisms)``."""
+    """Return a problem for the first invalid number in an array ``(..., mechanisms)``."""
     for number in range(len(case.mechanisms) if given is not None else 0):
         column = np.asarray(given)[..., number]
         default = float(getattr(case.mechanisms[number], quantity))
         wrong = impossible(quantity, column)
-        if wrong.any():  # a number of the case itself is never wrong
+        if wrong.any():  # numbers of the case itself are already checked
             wrong &= ~np.isclose(column, default, 0, 0, equal_nan=True)
         if wrong.any():
             variant = tuple(int(index) for index in np.argwhere(wrong)[0])

@@ -34,7 +34,7 @@ def solve(  # noqa: PLR0913
     case : Transmission
         Links, shift elements, mechanisms and gears.
     ratios, efficiencies : array_like, shape (..., mechanisms), optional
-        Basic ratios and efficiencies of the mechanisms; the leading axes are the variants. Planet
+        Basic ratios and efficiencies of the mechanisms. The leading axes are the variants. Planet
         ratios of the case do not change. Default: the numbers of the case. [-]
     coast : bool, optional
         True if power enters at the output. Default: the setting of the case.
@@ -103,7 +103,7 @@ def distribution_matrix(case: Transmission, ratios: ArrayLike | None = None) -> 
     Returns
     -------
     ndarray, shape (..., links, shift elements + mechanisms + springs)
-        Torque on each link per torque on the first link of each device. [-]
+        Torque on each link divided by the torque on the first link, for each device. [-]
 
     Raises
     ------

@@ -25,7 +25,7 @@ class Speeds(NamedTuple):
     missing: int
     excess: int
     certain: bool
-    """True if the pivots of the equations keep correct digits after rounding."""
+    """True if the equations keep correct digits in spite of rounding."""
 
 
 def solve_speeds(case: Transmission, gear: Gear, by_device: Sequence[Column]) -> Speeds:
@@ -62,5 +62,5 @@ def solve_speeds(case: Transmission, gear: Gear, by_device: Sequence[Column]) ->
 
 
 def is_tie(difference: Number, first: Number, third: Number) -> bool:
-    """Return whether `difference`, of two speeds, is negligible; all arguments are magnitudes."""
+    """Return whether `difference` is negligible relative to two speeds (all magnitudes)."""
     return is_nothing_beside(difference, first, TIE) or is_nothing_beside(difference, third, TIE)

@@ -34,7 +34,7 @@ from vstatics.core.statics.torques import NO_DRAG, Drag, Torques, solve_sums
 
 
 class GearState(NamedTuple):
-    """Speeds, torques and losses of a gear in which every freewheel either holds or overruns.
+    """Speeds, torques and losses of a gear; every freewheel either holds or overruns.
 
     Speeds are relative to the input speed, torques to the input torque, powers to the
     input power; signs as in `matrix`. NaN marks a value that does not exist.
@@ -66,12 +66,12 @@ class GearState(NamedTuple):
 
     @property
     def case(self) -> Transmission:
-        """The transmission."""
+        """Transmission to which the gear belongs."""
         return self.ideal.variant.case
 
     @property
     def gear(self) -> Gear:
-        """The gear, with the freewheels that hold among the engaged shift elements."""
+        """Gear in which holding freewheels are listed as engaged."""
         return self.ideal.gear
 
     @property
@@ -113,7 +113,7 @@ class GearState(NamedTuple):
 
     @property
     def drag(self) -> Drag:
-        """Drag of links and open shift elements."""
+        """Drag of links and disengaged shift elements."""
         return self.ideal.drag
 
     @property
@@ -128,7 +128,7 @@ class GearState(NamedTuple):
 
     @property
     def signs(self) -> Signs:
-        """Signs of power, +1 if the first link drives, -1 if driven, 0 idle, NaN indeterminate."""
+        """Signs of power: +1 first link drives, -1 driven, 0 idle, NaN indeterminate."""
         return self.search.lossy.signs
 
     @property
@@ -163,7 +163,7 @@ class GearState(NamedTuple):
 
     @property
     def certain(self) -> bool:
-        """True if the pivots of all systems of equations keep correct digits after rounding."""
+        """True if all systems of equations keep correct digits in spite of rounding."""
         ideal = self.ideal
         torques = ideal.torques, ideal.torques_with_drag, self.lossy_torques
         return ideal.speeds.certain and all(solution.certain for solution in torques)
@@ -189,12 +189,12 @@ class GearState(NamedTuple):
 
     @property
     def unloaded(self) -> list[str]:
-        """Names of links whose speeds are indeterminate for lack of a load and a drive.
+        """Names of links whose speeds are indeterminate because nothing drives or loads them.
 
-        Such links are free on purpose, such as the race between an open brake and a freewheel, or
-        an engine with its generator behind an open clutch. The list is empty if the freedom points
-        to a missing shift element: the output is indeterminate, or a device connects an
-        indeterminate link to a rotating link or loads it.
+        Such links are free on purpose, for example the race between a disengaged brake and a
+        freewheel, or an engine and generator behind a disengaged clutch. The list is empty if a
+        shift element is probably missing: the output is indeterminate, or a device loads an
+        indeterminate link or connects it to a rotating link.
         """
         case = self.case
         free = {link for link, speed in enumerate(self.speeds, 1) if is_nan(speed)}
@@ -217,9 +217,10 @@ class GearState(NamedTuple):
         return turning_as_one(self.case, self.gear, self.speeds)
 
     def powers(self, *, lossy: bool = True) -> list[LinkPower]:
-        """Return the powers that links give to devices, ports and drag, in real direction [-].
+        """Return the powers that links give to devices, ports and drag [-].
 
-        Devices come first, then ports and drag.
+        Unlike in `Results`, powers keep their real direction when coasting. Devices come first,
+        then ports and drag.
         """
         torques = self.lossy_torques if lossy else self.torques
         drag = self.drag if lossy else NO_DRAG
@@ -241,8 +242,8 @@ class GearState(NamedTuple):
     def member_torques(self, *, lossy: bool) -> list[dict[str, Number | Residual]]:
         """Return the torques from links to the members of each mechanism or drawn gear set [-].
 
-        The torque on a member of a drawn gear set is a sum over the mechanisms of the set; it can
-        be determinate even if the terms are not.
+        The torque on a member of a drawn gear set is a sum over the mechanisms of the set. The sum
+        can be determinate even if the terms are not.
         """
         ratios = self.ideal.variant.ratios
         if lossy:
@@ -279,7 +280,7 @@ Numbers = Sequence[Number]
 Values = Mapping[str, Number | Residual | Condition | Sequence[Number | Residual | Condition]]
 """Values of a gear, by the name of the array in `Results`.
 
-The values are floats, or traced numbers while the solver's arithmetic is being recorded.
+Values are floats, or traced numbers while a plan is recorded.
 """
 
 
@@ -374,7 +375,7 @@ def _planet_speed_by_wheels(state: GearState, planet: Planet) -> Number:
 
 
 def _torques(state: GearState, *, lossy: bool) -> list[Number] | list[Number | Residual]:
-    """Return torques on shift elements, mechanisms or members, springs, and the output."""
+    """Return torques on shift elements, mechanisms or members, springs, and the output [-]."""
     torques = (state.lossy_torques if lossy else state.torques).on_first_link
     if state.case.drawing is None:
         return torques
@@ -388,7 +389,7 @@ def _torques(state: GearState, *, lossy: bool) -> list[Number] | list[Number | R
 
 
 def _mesh_torques(state: GearState, torques: Numbers) -> Iterator[Number]:
-    """Yield the torque on the first gear of each mesh, NaN if the teeth are unknown."""
+    """Yield the torque on the first gear of each mesh [-]; NaN if the teeth are unknown."""
     elements = len(state.case.shift_elements)
     for device in state.case.own_devices:
         for index, is_known in device.meshes_by_index:
@@ -400,10 +401,10 @@ def _by_link(links: int, holding: Mapping[int, Number]) -> list[Number]:
 
 
 def guard_power(state: GearState) -> None:
-    """Require conservation of power, without and with losses, in each variant of traced numbers.
+    """Require conservation of power in each variant of traced numbers, without and with losses.
 
     Without losses output torque times output speed is 1, equation (1) of docs/method.md. A variant
-    that violates a requirement is calculated alone.
+    that violates conservation is calculated separately.
     """
     gear, balance = state.gear, state.search.lossy.balance
     power = state.torques.on_first_link[-1] * state.output_speed

@@ -8,14 +8,14 @@ from vstatics.core.numerics.traced import Number, absolute
 
 
 class Status(NamedTuple):
-    """Status of a gear as a whole."""
+    """Status of a gear: regular, or the fault or state that prevents results."""
 
     name: str
-    """Name in tables and in the output of sweeps, which is part of the output format."""
+    """Name in tables and in the output of sweeps. Programs may depend on it."""
     english: str
     """Name in sentences and pictures."""
     meaning: str
-    """Clause that explains the status to a new reader."""
+    """Clause that explains the status to users."""
     is_fault: bool = False
     """True if the status is a fault of the gear, not an intended state."""
     has_power: bool = False
@@ -92,9 +92,8 @@ def statuses(  # noqa: PLR0913
     output_speed : Number
         Speed of the output link. [-]
     missing : int
-        Number of constraints that the speeds lack. If it is 0 and the output speed is
-        indeterminate, the cause is an unknown speed ratio of a converter, and the gear is not
-        neutral.
+        Number of constraints that the speeds lack. If this is 0 but the output speed is
+        indeterminate, the speed ratio of a converter is unknown, and the gear is not neutral.
 
     Examples
     --------

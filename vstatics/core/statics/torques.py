@@ -1,12 +1,12 @@
-"""Torques of a gear: the equilibrium of its links, and drag of links and open shift elements.
+"""Torques of a gear from the equilibrium of links, and drag of links and shift elements.
 
 `solve_torques` solves the equilibrium equations of `matrix.torque_rows`; torques that are not
 unique are NaN. Drag follows from the speeds and acts as an external torque.
 
-Drag opposes motion, so it takes power. A link is braked against its rotation; an open shift element
-brakes its links against each other, with equal and opposite torques. Torques are relative to the
-input torque, which is negative when coasting. Relative drag torques then have the opposite sign,
-and the power lost to drag is negative, like all losses.
+Drag opposes motion, so it takes power. A link is braked against its rotation. A disengaged shift
+element brakes its links against each other, with equal and opposite torques. Torques are relative
+to the input torque, which acts against the speed when coasting. Relative drag torques then have the
+opposite sign, and the power lost to drag is negative, like all losses.
 """
 
 from __future__ import annotations
@@ -29,24 +29,24 @@ NOTHING: Mapping[int, Number] = MappingProxyType({})
 
 
 class Drag(NamedTuple):
-    """Drag of a gear, known from the speeds."""
+    """Drag of a gear, which depends only on speeds."""
 
     links: Mapping[int, Number] = NOTHING
     """External torque by which drag brakes each link, by link number. [-]"""
     elements: Mapping[int, Number] = NOTHING
-    """Drag torque on the first link of each open shift element, by index. [-]"""
+    """Drag torque on the first link of each disengaged shift element, by index. [-]"""
     external: Mapping[int, Number] = NOTHING
-    """Sum of all drag torques on each link, including open shift elements, by link number. [-]"""
+    """Sum of drag torques on each link, including those of shift elements, by link number. [-]"""
     losses: Sequence[Number] = ()
     """Power lost to drag at each link and in each shift element. [-]"""
     gear: Mapping[int, Number] = NOTHING
-    """Torque on the input link (by number) that represents the loss of the gear as a whole. [-]"""
+    """Torque on the input link (by number) equivalent to `Gear.loss`. [-]"""
     gear_loss: Number = 0.0
-    """Power that the gear loses as a whole. [-]"""
+    """Power loss measured for the whole gear (`Gear.loss`). [-]"""
 
     @property
     def all_losses(self) -> list[Number]:
-        """Power lost to drag, and to the loss of the gear as a whole [-]."""
+        """Power lost to drag, and to `Gear.loss` [-]."""
         return [*self.losses, self.gear_loss] if self.gear else [*self.losses]
 
 
@@ -59,23 +59,23 @@ class Torques(NamedTuple):
     on_first_link: list[Number]
     """Torque that the first link gives to each device, then the output torque. [-]
 
-    The value of an open shift element is its drag torque.
+    The value of a disengaged shift element is its drag torque.
     """
     holding: dict[int, Number]
-    """External torque that holds a given speed, by link number. [-]"""
+    """External torque that holds a prescribed speed, by link number. [-]"""
     consistent: bool
     """True if there is an equilibrium."""
     certain: bool = True
-    """True if the pivots of the equations keep correct digits after rounding."""
+    """True if the equations keep correct digits in spite of rounding."""
     of_columns: list[Number] | None = None
-    """Values of `factors` if different from `on_first_link`."""
+    """`factors`, if they differ from `on_first_link`."""
 
     @property
     def factors(self) -> list[Number]:
         """Factor by which the matrix column of each device is multiplied in the equilibrium [-].
 
-        The factor is the torque on the first link; for a variator, minus the torque on the second
-        link.
+        The factor is the torque on the first link, but for a variator minus the torque on the
+        second.
         """
         return self.on_first_link if self.of_columns is None else self.of_columns
 
@@ -96,7 +96,7 @@ def solve_torques(
     drag : Drag
         Known drag torques.
     external : mapping of int to Number, optional
-        `matrix.external_torques` of the gear, if they are calculated already. [-]
+        Result of `matrix.external_torques`, if already known. [-]
     """
     devices = matrix.loaded_devices(case, gear)
     held = matrix.held_links(case, gear)
@@ -138,7 +138,7 @@ def solve_sums(
     columns, drag
         See `solve_torques`.
     sums : sequence of mapping
-        Weights of the torques on the first links of devices, for each sum. [-]
+        For each sum, weights of the torques on first links, by device index. [-]
 
     Returns
     -------
@@ -170,7 +170,7 @@ def port_torques(
 ) -> dict[int, Number]:
     """Return the total external torque on each link, by link number [-].
 
-    The output torque of the load and torques that hold a given speed are included.
+    The load torque of the output and torques that hold prescribed speeds are included.
     """
     return acting_torques(
         matrix.external_torques(case, gear), case.gear_output(gear), holding, output_torque
@@ -183,7 +183,7 @@ def acting_torques(
     holding: Mapping[int, Number],
     output_torque: Number,
 ) -> dict[int, Number]:
-    """Return the result of `port_torques`, given known external torques and the output link [-]."""
+    """Return the result of `port_torques` from known external torques and the output link [-]."""
     acting: dict[int, Number] = {**external, **holding}
     acting[output] = acting[output] - output_torque if output in acting else -output_torque
     return acting
@@ -197,7 +197,7 @@ def drag_torques(
     Parameters
     ----------
     gear : Gear
-        The gear with the freewheels that hold among the engaged shift elements.
+        Gear in which holding freewheels are listed as engaged.
     speeds, slips : sequence of Number
         Speed of each link, slip of each shift element. [-]
 
@@ -257,10 +257,9 @@ def _direction(speed: Number) -> Number:
 def unknown_drag(
     case: Transmission, gear: Gear, speeds: Sequence[Number], slips: Sequence[Number]
 ) -> list[str]:
-    """Return the names of links and open shift elements with drag but an indeterminate speed.
+    """Return the names of links and disengaged shift elements with drag but unknown speed.
 
-    Drag that follows a law has been replaced by its value as an `OfLoad`. An `OfLoad` of 0 counts
-    as drag, because the law can have been evaluated at rest.
+    An `OfLoad` of 0 counts as drag, because it can be the value of a law at rest.
     """
 
     def unknown(drags: Mapping[int, float], values: Sequence[Number]) -> list[int]:

@@ -1,4 +1,4 @@
-"""Variants of a case, calculated gear by gear with recorded arithmetic (plans) on arrays."""
+"""Variants of a case. The arithmetic of each gear is recorded as a plan and applied to arrays."""
 
 from __future__ import annotations
 
@@ -32,22 +32,22 @@ from vstatics.core.statics.state import flat, guard_power, values_of
 REMEMBERED = 256
 """Number of gears whose plans are stored for later calls."""
 HOLDING = frozenset({"holding_torques", "lossy_holding_torques"})
-"""Arrays that contain only NaN unless the gear has a given speed."""
+"""Arrays that are NaN unless a gear has a prescribed speed."""
 SLIPPING = frozenset({"slip_losses"})
-"""Arrays that contain only 0 unless a shift element has a given slip."""
+"""Arrays that are 0 unless a shift element has a prescribed slip."""
 
 _plans: dict[Hashable, Plans] = {}
 _lock = threading.Lock()
 
 
 OfMechanism = Literal["ratio", "efficiency", "back_efficiency"]
-"""Name of a property of a mechanism that can vary in a gear."""
+"""Property of a mechanism that can vary in a gear."""
 OfGear = Literal["speeds", "slip", "torques", "drag", "open_drag", "loss_torques", "speed_ratios"]
-"""Name of a field of `Gear` that is a mapping whose numbers can vary."""
+"""Field of `Gear` that is a mapping of numbers that can vary."""
 
 
 class GearNumber(NamedTuple):
-    """Identification of a number that varies in a gear."""
+    """Number that varies in a gear."""
 
     quantity: OfMechanism | OfGear
     owner: int
@@ -57,7 +57,7 @@ class GearNumber(NamedTuple):
 GearNumbers = Mapping[GearNumber, Floats]
 """Arrays of shape (variants,); speeds and torques are relative to the input [-].
 
-The gear itself must contain a plain number for each of the keys.
+For each key, the gear itself must contain a number.
 """
 
 
@@ -77,7 +77,7 @@ def solve_variants(
     variants : int
         Number of variants.
     by_gear : sequence of mapping
-        Numbers that vary in a single gear, for each gear; a mapping can be empty.
+        For each gear, the numbers that vary only in this gear.
     """
     fixed, inputs = _inputs(case, ratios, efficiencies, variants)
     counts = case.derived(row_counts)
@@ -114,13 +114,13 @@ def solve_variants(
 def _inputs(
     case: Transmission, ratios: Floats | None, efficiencies: Floats | None, variants: int
 ) -> tuple[list[float | None], Inputs]:
-    """Return the fixed numbers and the varying numbers.
+    """Return the constant numbers (None for numbers that vary), and the numbers that vary.
 
-    A fixed number is None if the number varies. For a single variant all numbers count as varying,
-    so that its plans can be used for other cases with the same structure.
+    For a single variant all numbers count as varying, so that other cases with the same structure
+    can use its plans.
     """
     mechanisms = case.mechanisms
-    # NaN marks a ratio that each gear gives separately; 0 is a placeholder.
+    # A ratio is NaN if each gear has its own ratio; 0 is a placeholder.
     defaults = [0.0 if math.isnan(mechanism.ratio) else mechanism.ratio for mechanism in mechanisms]
     defaults += [mechanism.efficiency for mechanism in mechanisms]
     given = _columns(ratios, len(mechanisms)) + _columns(efficiencies, len(mechanisms))
@@ -141,7 +141,7 @@ def _inputs(
 
 
 class _GearInputs(NamedTuple):
-    """Numbers that replace the numbers of a gear: plan inputs that vary, and constants."""
+    """Numbers that replace numbers of a gear: inputs of the plan, and constants."""
 
     places: tuple[GearNumber, ...] = ()
     rows: Sequence[Floats] = ()
@@ -162,7 +162,7 @@ class _GearInputs(NamedTuple):
         return gear
 
     def put(self, gear: Gear, ratios: list[Any], efficiencies: list[Any], numbers: Any) -> Gear:
-        """Return the gear with `numbers`; also write into the lists of ratios and efficiencies."""
+        """Return the gear with other numbers; ratios and efficiencies are changed in place."""
         maps: dict[str, Any] = {}
         given = dict([*self.constants, *zip(self.places, numbers, strict=True)])
         for (quantity, owner), number in given.items():
@@ -220,7 +220,7 @@ def _forms(
 
 @lru_cache(maxsize=REMEMBERED)
 def _placeholder(kind: type, shape: tuple[int, ...], value: float) -> Any:
-    """Return a read-only array of a constant (True for booleans) that needs no memory."""
+    """Return a read-only array of equal values (True for booleans) that needs no memory."""
     return np.broadcast_to(kind(value), shape)
 
 
@@ -238,7 +238,7 @@ WITHOUT_EFFECT: dict[type, frozenset[str]] = {
     ),
     Gear: frozenset({"name", "load", "balance", "loss"}),
 }
-"""Fields of a case that affect no result, left out of the cache key of plans.
+"""Fields of a case that affect no result and are therefore not part of the cache key.
 
 A drawing affects results only through its devices, and a load only through its sign.
 """
@@ -257,20 +257,19 @@ _OF_CASE = _kept(
 _OF_ELEMENT = _kept(ShiftElement, ShiftElement._fields, "drag")
 """Function that returns the fields of a shift element for the cache key of plans.
 
-Drag is left out, because the gears in the key contain it (`Transmission.gears_with_drag`).
+Drag is omitted, because the gears in the key contain it (`Transmission.gears_with_drag`).
 """
 _OF_MECHANISM = _kept(Mechanism, Mechanism._fields, "ratio", "efficiency")
-"""Function that returns the fields of a mechanism for the key; other numbers are plan inputs."""
+"""Function that returns the fields of a mechanism for the cache key, except inputs of plans."""
 _OF_SPRING = _kept(Spring, Spring._fields)
 _OF_GEAR = _kept(Gear, Gear._fields)
 
 
 def _case_key(case: Transmission) -> tuple[Hashable, ...]:
-    """Return the part of the cache key that all gears share, without numbers that can vary.
+    """Return the cache key that all gears of a case share, without numbers that can vary.
 
-    The key contains all fields except those of `WITHOUT_EFFECT`, so that a new field cannot be
-    forgotten. With an incomplete key, the plans of another case would silently return wrong
-    numbers.
+    All fields except `WITHOUT_EFFECT` are included, so that a new field is included automatically.
+    With an incomplete key, plans of another case would silently return wrong numbers.
     """
     elements = tuple(map(_OF_ELEMENT, case.shift_elements))
     mechanisms = tuple(map(_OF_MECHANISM, case.mechanisms))
@@ -291,7 +290,7 @@ def _gear_key(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:
 
 
 def _torque_key(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:
-    """Return the given torques of a gear without an input torque; empty with an input torque."""
+    """Return the external torques of a gear if its input torque is 0, else an empty tuple."""
     if case.input_torque(gear):
         return ()
     by_part = gear.torques, gear.drag, gear.open_drag, gear.loss_torques
@@ -300,7 +299,7 @@ def _torque_key(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:
 
 
 def _remembered(key: Hashable, function: Callable[[], Function]) -> Plans:
-    """Return the plans of a gear, stored under a key that excludes the numbers that vary."""
+    """Return the plans of a gear, stored under a key without the numbers that vary."""
     with _lock:
         plans = _plans.pop(key, None) or Plans(function())
         _plans[key] = plans  # the most recently used plans are last

@@ -1,4 +1,4 @@
-"""Summary of a gearbox for its designer: ratios, step ratios, shifts, largest values, margins.
+"""Summary of a gearbox: ratios, step ratios, shifts, largest values, torque margins.
 
 `summarize` calculates a `Summary` from results, and `tables` converts it to tables.
 
@@ -49,32 +49,35 @@ __all__ = ["Summary", "summarize"]
 
 
 class Summary(NamedTuple):
-    """Summary of a case, as reported by `vstatics summary`."""
+    """Summary of a case, as printed by `vstatics summary`."""
 
     results: Results
     design: Design
     transitions: Sequence[Transition]
     largest: Mapping[str, Sequence[Largest]]
-    """Largest values over all gears, by name of the result table."""
+    """Largest values in any gear, by name of the result table."""
     sensitivities: Floats
-    """Sensitivities ``(u/i) di/du`` of gear ratios i to basic ratios u, (gears, mechanisms). [-]"""
-    efficiency_sensitivities: Floats
-    """Sensitivities ``(n/ETA) dETA/dn`` of the efficiency ETA of each gear. [-]
+    """Sensitivities ``(u/i) di/du`` of gear ratios i to basic ratios u, shape (gears, mechanisms).
 
-    n is the efficiency of a mechanism. The shape is (gears, mechanisms).
+    [-]
+    """
+    efficiency_sensitivities: Floats
+    """Sensitivities ``(n/ETA) dETA/dn`` of gear efficiencies ETA to mechanism efficiencies n. [-]
+
+    The shape is (gears, mechanisms).
     """
     margins: Sequence[Margin]
-    """Margins of the shift elements with a given capacity."""
+    """Margins of the shift elements whose torque capacity is known."""
     combinations: Sequence[Combination] | None = None
-    """Further combinations of shift elements, if requested."""
+    """Unused combinations of shift elements; None if not requested."""
     cycle: CycleSection | None = None
-    """Results over a duty cycle, if given."""
+    """Results over a duty cycle; None without a duty cycle."""
     inertias: Sequence[GearInertia] = ()
     """Inertias of the gears, reduced to the input; empty if the case has no inertia."""
     vehicle: Section | None = None
-    """Performance of the vehicle, if the case has a vehicle with an engine."""
+    """Performance of the vehicle; None if the case has no vehicle with an engine."""
     needed: Sequence[Needed] = ()
-    """Needed torque capacities of shift elements, if a reserve is given."""
+    """Required torque capacities of shift elements; empty without a `reserve`."""
 
     def __repr__(self) -> str:
         """Return the name of the case, the number of gears and the spread."""
@@ -82,7 +85,7 @@ class Summary(NamedTuple):
         return f"<Summary of {self.results.case.name!r}: {counts}>"
 
     def _repr_html_(self) -> str:
-        """Return all tables, for a notebook."""
+        """Return all tables in HTML, for a notebook."""
         return shown(higher("summary_grids")(self))
 
 
@@ -101,11 +104,12 @@ def summarize(
     results : Results
         Results of a single case, not of arrays of variants.
     at_most : int, optional
-        Largest number of further combinations of shift elements to calculate. Default: none.
+        Largest number of unused combinations of shift elements to calculate. By default, none is
+        calculated.
     output_torque : float
-        External torque on the output, for accelerations; the torque of a load is below 0. [N*m]
+        External torque on the output, for accelerations. The torque of a load is below 0. [N*m]
     reserve : float, optional
-        Ratio of needed torque capacity to largest torque. [-]
+        Ratio of required torque capacity to largest torque. [-]
 
     Returns
     -------
@@ -115,7 +119,7 @@ def summarize(
     Raises
     ------
     CaseError
-        If there are more than `at_most` combinations.
+        If there are more than `at_most` unused combinations.
 
     Examples
     --------

@@ -17,7 +17,7 @@ from vstatics.core.tables.ports import PortTable, port_tables
 
 @document("vstatics-summary")
 class SummaryAnswer(NamedTuple):
-    """Summary of a case as a record."""
+    """Summary of a case as a record for output."""
 
     name: str
     design: Flat[Design]
@@ -32,12 +32,12 @@ class SummaryAnswer(NamedTuple):
     vehicle: Sometimes[Annotated[object, Provided("Performance")]]
     duty: Sometimes[Annotated[object, Provided("DutyResults")]]
     damage: Sometimes[Annotated[object, Provided("Damages")]]
-    """Damage of components over a duty cycle with points."""
+    """Damage of components over a duty cycle that has points."""
     combinations: Sometimes[Sequence[Combination]]
 
 
 def summary_answer(summary: Summary) -> SummaryAnswer:
-    """Return a summary as a record."""
+    """Return a summary as a record for output."""
     case = summary.results.case
     names = [mechanism.name for mechanism in case.mechanisms]
     return SummaryAnswer(

@@ -31,7 +31,7 @@ LARGEST = {
     TORQUES: "largest torque",
     LOSSY_TORQUES: "largest torque with losses",
 }
-"""Names of the largest values, by the name of the table."""
+"""Words for the largest values, by name of the table."""
 
 
 def letters(count: int) -> list[str]:
@@ -45,7 +45,7 @@ def letters(count: int) -> list[str]:
 
 
 def contrasted(summaries: Sequence[Summary]) -> Iterator[Grid]:
-    """Yield tables with cases side by side, labelled A, B, C; gears of equal name share a row."""
+    """Yield tables with cases side by side as A, B, C; gears of the same name share a row."""
     yield _gears(summaries)
     headings = [part for letter in letters(len(summaries)) for part in (letter, "where")]
     if any(summary.inertias for summary in summaries):
@@ -70,7 +70,7 @@ def _by_gear(
     lines: Sequence[Mapping[str, object]],
     fields: Mapping[str, str],
 ) -> Grid:
-    """Return a table with a row for each gear, and the given fields of each case as columns."""
+    """Return a table with a row for each gear, and columns for some fields of each case."""
     labels = letters(len(summaries))
     headings = [f"{heading} {label}" for heading in fields for label in labels]
     rows = (
@@ -103,7 +103,7 @@ def _inertias(summaries: Sequence[Summary]) -> Grid:
 
 
 def _in_order(first: Sequence[str], second: Sequence[str]) -> list[str]:
-    """Return two merged lists of gears; a gear of only the second list follows the predecessor.
+    """Merge two lists of gears; a gear only in the second list follows its predecessor there.
 
     >>> _in_order(["1", "2", "R"], ["1", "2", "3", "R"])
     ['1', '2', '3', 'R']
@@ -122,11 +122,11 @@ def _in_order(first: Sequence[str], second: Sequence[str]) -> list[str]:
 
 
 Fact = tuple[Value, str]
-"""Value, and the shift element, gear or shift to which the value belongs."""
+"""Value, and the shift element, gear or shift that has this value."""
 
 
 def _mean_efficiency(summary: Summary) -> float:
-    """Return the mean efficiency of the forward gears; NaN if any efficiency is undefined."""
+    """Return the mean efficiency of the forward gears [-]; NaN if any efficiency is undefined."""
     forward = [
         line.efficiency for line in summary.design.gears if line.gear in summary.design.forward
     ]
@@ -177,7 +177,7 @@ FACTS: Mapping[str, Callable[[Summary], Fact]] = {
     "largest slip power": _most_slip_power,
     "largest required torque capacity": _most_needed,
 }
-"""Functions for overall values of a case, by label; values that no case has are omitted."""
+"""Functions for overall values of a case, by label. Values that no case has are omitted."""
 
 
 def _in_all(summaries: Sequence[Summary]) -> Iterator[Values]:

@@ -1,6 +1,6 @@
 """Design table of a gearbox: ratios, step ratios, spread and efficiencies.
 
-The gears of one direction are sorted by descending ratio; a step ratio is the quotient of the
+Gears of the same direction are sorted by descending ratio. A step ratio is the quotient of the
 ratios of neighbouring gears. The order of gears in the case does not matter.
 """
 
@@ -22,12 +22,12 @@ class GearLine(NamedTuple):
     gear: str
     ratio: float
     next: str
-    """Gear of equal direction with the next smaller ratio; empty for the last gear."""
+    """Gear of the same direction with the next smaller ratio; empty for the last gear."""
     step: float
     """Step ratio: ratio of the gear divided by the ratio of the next gear. [-]"""
     efficiency: float
     state: str
-    """Status that explains missing values; empty for a gear that is fully determined."""
+    """Status that explains missing values; empty if no value is missing."""
 
 
 class Design(NamedTuple):
@@ -74,7 +74,7 @@ def design(results: Results) -> Design:
 
 
 def is_same(first: float, second: float) -> bool:
-    """Return whether two ratios differ only by rounding.
+    """Return whether two ratios are equal except for rounding.
 
     >>> is_same(1.0, 1 + 1e-15), is_same(1.0, 1.001), is_same(math.nan, math.nan)
     (True, False, False)
@@ -83,11 +83,10 @@ def is_same(first: float, second: float) -> bool:
 
 
 def ranges(results: Results) -> list[list[int]]:
-    """Return the gears of a case grouped by input, output and direction, as lists of indices.
+    """Group the gears of a case by input, output and direction; return lists of indices.
 
-    A group (range) is sorted by the magnitude of the ratio, largest first. The first range is
-    assumed to be forward; see `ranges_of`. Gears without a ratio, and operating points, are left
-    out.
+    A group (range) is sorted by the magnitude of the ratio, largest first. The first range is taken
+    as forward; see `ranges_of`. Gears without a ratio, and gears of the kind `point`, are omitted.
 
     Examples
     --------
@@ -108,10 +107,10 @@ def ranges(results: Results) -> list[list[int]]:
 def ranges_of(
     ratios: Sequence[float], kinds: Sequence[Hashable | None], names: Sequence[str]
 ) -> list[list[int]]:
-    """Return ratios grouped by sign and kind (such as input and output), as lists of indices.
+    """Group ratios by sign and kind (such as input and output); return lists of indices.
 
-    The first group (range) is taken as forward. It is the longest range, because the sign is not
-    conclusive: a final drive can reverse all gears. Ranges that contain only names of reverse gears
+    The first group (range) is taken as forward. It is the longest range, because the sign of ratios
+    is not conclusive if a final drive reverses all gears. Ranges with only names of reverse gears
     are last. Of ranges with equal length, the range with the fewest such names is first, then the
     range whose gear is first in the case.
 
@@ -126,7 +125,8 @@ def ranges_of(
     for index, (ratio, kind) in enumerate(zip(ratios, kinds, strict=True)):
         if math.isfinite(ratio) and kind is not None:
             alike.setdefault((kind, ratio > 0), []).append(index)
-    for indices in alike.values():  # rounding must not reorder gears of equal ratio
+    # gears whose ratios are equal except for rounding keep their order
+    for indices in alike.values():
         indices.sort(key=lambda index: -float(f"{abs(ratios[index]):.9e}"))
     return sorted(alike.values(), key=lambda indices: _likeness_of_reverse(indices, names))
 
@@ -150,4 +150,6 @@ _REVERSE = re.compile(
     r"|.*([\W_]r[\W\d_]*$|revers|rückw|rueckw|backw|задн)",
     re.IGNORECASE,
 )
-"""Pattern of names of reverse gears: -1, R, R1, RL, 1R, low R, Rückwärts, ЗХ; not road, range."""
+"""Pattern of names of reverse gears, such as -1, R, R1, RL, 1R, low R, Rückwärts or ЗХ, but not
+road or range.
+"""

@@ -1,4 +1,4 @@
-"""Largest values over all gears, and smallest margins of torque capacity, with their gears."""
+"""Largest values and smallest torque margins in any gear, with the gears."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ PLANETS, SLIPS, TORQUES, LOSSY_TORQUES = (
 
 
 def quantity(name: str, *, loaded: bool) -> Quantity:
-    """Return the quantity with a name; if `loaded`, the version in rpm or N*m."""
+    """Return the quantity with a name, in rpm or N*m if `loaded`."""
     return in_unit(BY_NAME[name]) if loaded else BY_NAME[name]
 
 
@@ -35,14 +35,14 @@ class Largest(NamedTuple):
     value: float
     """Signed value; NaN if the row has no value in any gear."""
     gear: str
-    """First gear with the value; empty if the value is 0 or NaN."""
+    """First gear that has the value; empty if the value is 0 or NaN."""
 
 
 def largest(results: Results) -> dict[str, list[Largest]]:
-    """Return the largest values over all gears of a case, by name of the result table.
+    """Return the largest values in any gear of a case, by name of the result table.
 
-    The tables are speeds of planets, slip speeds of disengaged shift elements, and torques without
-    and with losses on shift elements that carry torque, in gears that can run. With an operating
+    The tables contain speeds of planets, slip speeds of disengaged shift elements, and torques on
+    shift elements without and with losses. Gears without torques are ignored. With an operating
     point there are also tables in rpm and N*m.
 
     Examples
@@ -66,13 +66,14 @@ def largest(results: Results) -> dict[str, list[Largest]]:
             by_name[name] = _of(table, np.where(_joined(results), np.nan, table.values))
         elif kind in (TORQUES, LOSSY_TORQUES):
             elements = table.values[: len(results.case.shift_elements)]
-            loaded = results.holds.T & results.calculable  # tied-up gears have no torques
+            # tied-up gears, for example, have no torques
+            loaded = results.holds.T & results.calculable
             by_name[name] = _of(table, np.where(loaded, elements, np.nan))
     return by_name
 
 
 def _joined(results: Results) -> Booleans:
-    """Return flags of shift elements whose links rotate together, (shift elements, gears)."""
+    """Return flags of shift elements whose links rotate together, shape (shift elements, gears)."""
     joined = results.holds.T.copy()
     for place, gear in enumerate(results.case.gears):
         joined[[number - 1 for number in gear.slipping], place] = False
@@ -80,7 +81,7 @@ def _joined(results: Results) -> Booleans:
 
 
 def overall(lines: Sequence[Largest]) -> Largest | None:
-    """Return the largest value of all rows, if any."""
+    """Return the largest value of all rows; None without values."""
     known = [line for line in lines if not math.isnan(line.value)]
     return max(known, key=lambda line: abs(line.value)) if known else None
 
@@ -88,7 +89,7 @@ def overall(lines: Sequence[Largest]) -> Largest | None:
 def _of(table: Table, values: Floats) -> list[Largest]:
     return [
         _largest(name, row, table.columns)
-        for name, row in zip(table.rows, values, strict=False)  # without rows of mechanisms
+        for name, row in zip(table.rows, values, strict=False)  # ignores rows of mechanisms
     ]
 
 
@@ -102,7 +103,7 @@ def _largest(name: str, row: Floats, gears: Sequence[str]) -> Largest:
 
 
 class Margin(NamedTuple):
-    """Margins of a shift element with a given torque capacity."""
+    """Torque margins of a shift element whose torque capacity is known."""
 
     element: str
     capacity: float
@@ -117,8 +118,8 @@ class Margin(NamedTuple):
 def margins(results: Results) -> list[Margin]:
     """Return the margins ``capacity/|M|`` of engaged shift elements in the gears of a case.
 
-    M is the torque at the operating point of the gear: the larger of the values without and with
-    losses, to be on the safe side.
+    M is the torque at the operating point of the gear. Of the values without and with losses, the
+    larger is taken.
 
     Examples
     --------
@@ -132,7 +133,7 @@ def margins(results: Results) -> list[Margin]:
     torques, carrying = carried_torques(results, case.load.torque_size if case.load else 0.0)
     lines = []
     for number, element in enumerate(case.shift_elements):
-        if not element.capacity:  # without operating point, a capacity in N*m is 0
+        if not element.capacity:  # without an operating point, a capacity in N*m is 0
             continue
         with np.errstate(all="ignore"):
             ratios = element.capacity / torques[:, number]
@@ -150,17 +151,17 @@ class Needed(NamedTuple):
 
     element: str
     capacity: float
-    """Largest torque times reserve, relative to the input torque of the case, or else to the
-    largest input torque of the gears. [-]
+    """Largest torque times reserve, relative to the input torque of the case or, without that, to
+    the largest input torque of the gears. [-]
     """
     gear: str
     """First gear with the largest torque; empty if the shift element never carries torque."""
     capacity_Nm: float  # noqa: N815
-    """Required capacity [N*m]; NaN if a gear has no input torque."""
+    """Required capacity [N*m]; NaN without an input torque."""
 
 
 def needed_capacities(results: Results, reserve: float) -> list[Needed]:
-    """Return the largest torque (as in `margins`) of each shift element, times a reserve.
+    """Return the largest torque on each shift element, as in `margins`, times a reserve.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Inertia of each gear reduced to the input, and the acceleration that torques cause."""
+"""Inertia of each gear reduced to the input, and the acceleration by the torques."""
 
 from __future__ import annotations
 
@@ -22,23 +22,22 @@ class GearInertia(NamedTuple):
     inertia: float
     """Reduced inertia ``sum J (w/w_input)^2``; NaN if a speed is indeterminate. [kg*m^2]"""
     acceleration: float
-    """Acceleration of the input, without losses and drag; NaN without input torque. [rad/s^2]"""
+    """Acceleration of the input without losses and drag; NaN without input torque. [rad/s^2]"""
 
 
 def reduced_inertias(results: Results, output_torque: float = 0.0) -> Sequence[GearInertia]:
-    """Return the reduced inertias of a case, including planets; empty if there is no inertia.
+    """Return the reduced inertias of a case, including planets; empty without inertias.
 
     Springs count as rigid. The acceleration is the power of the external torques divided by the
-    input speed and the reduced inertia. External torques are the input torque, torques given by the
-    gear or calculated from its battery balance, and the output torque. A link that is driven at a
-    given speed other than 0 needs a torque that depends on the acceleration; the acceleration is
-    then NaN.
+    input speed and the reduced inertia. External torques are the input torque, `torques` of the
+    gear, the torque that balances its battery, and the output torque. If a link has a prescribed
+    speed other than 0, its torque depends on the acceleration, which is then NaN.
 
     Parameters
     ----------
     results : Results
     output_torque : float
-        External torque on the output, positive in the direction of the input torque; the torque of
+        External torque on the output, positive in the direction of the input torque. The torque of
         a load is below 0. [N*m]
 
     Examples

@@ -30,21 +30,22 @@ POOR, BAD = 0.95, 0.9
 """Efficiencies below which a gear is shown in yellow, or in red. [-]"""
 
 NEEDS_DECIMALS = 10
-"""Speed [rpm] or torque [N*m] below which numbers are shown with a decimal."""
+"""Speed [rpm] or torque [N*m] below which numbers have a decimal."""
 
 NAMES_IN_HEADS = 12
-"""Largest total length of shift-element names as headings; longer names can become numbers."""
+"""Largest total number of characters of shift-element names for which headings are never numbers.
+"""
 
 SPEEDS = {
     "planet_speeds": "largest planet speed",
     "slip_speeds": "largest slip",
     "speeds": "largest speed",
 }
-"""Heading of the column of speeds, by quantity; the first quantity that exists is shown."""
+"""Heading of the column of speeds, by quantity. The first quantity that exists is shown."""
 
 DOTS = Marks(holds="◆")
 ASCII = Marks("x", "f", ".")
-"""Marks of shift elements for a terminal without Unicode."""
+"""Marks of the states of shift elements, for a terminal without Unicode."""
 
 
 def view(
@@ -52,9 +53,9 @@ def view(
 ) -> Group:
     """Return a table of the gears of a case, with a legend.
 
-    If the table is wider than the terminal, names of shift elements are replaced by numbers, which
-    a line above the table explains. If it is still too wide, the largest speeds and torques are in
-    a separate table.
+    If the table is wider than the terminal, numbers replace the names of shift elements, and a line
+    above the table explains the numbers. If it is still too wide, the largest speeds and torques
+    have a separate table.
 
     Parameters
     ----------
@@ -104,8 +105,8 @@ def gears_grid(
 ) -> Grid:
     """Return the table of gears: engaged shift elements, ratio, efficiency, largest values.
 
-    The column of speeds contains speeds of planets; in a case without planets, slip speeds; without
-    shift elements, link speeds.
+    The column of speeds contains speeds of planets, in a case without planets slip speeds, and
+    without shift elements link speeds.
 
     Parameters
     ----------
@@ -151,7 +152,7 @@ def gears_grid(
 
 
 def _converters(results: Results) -> list[str]:
-    """Return headings for speed ratios of converters, if the load determines any speed ratio."""
+    """Return headings for speed ratios of converters, if the load determines any of these."""
     case = results.case
     if not any(map(case.sought_converters, case.gears)):
         return []
@@ -163,7 +164,6 @@ def _speed_ratios(results: Results, number: int) -> list[float]:
 
 
 def _ports(results: Results) -> Grid:
-    """Return the table of ports, with the name of a gear only in the first row of the gear."""
     grid = ports_grid(port_tables(results))
     names = [row[0].text for row in grid.cells]
     rows = [
@@ -174,7 +174,6 @@ def _ports(results: Results) -> Grid:
 
 
 def _figures(line: GearLine, digits: int | None) -> list[Cell]:
-    """Return the cells of ratio, step ratio and efficiency of a gear."""
     good = line.efficiency
     colour = "red" if good < BAD else "yellow" if good < POOR else "green"
     return [
@@ -187,7 +186,7 @@ def _figures(line: GearLine, digits: int | None) -> list[Cell]:
 def _speed_column(
     by_name: dict[str, Table], *, rpm: bool
 ) -> tuple[str, Callable[[int], list[tuple[str, float]]]]:
-    """Return the heading of the largest speeds, and a function from gear index to named speeds."""
+    """Return the heading of the largest speeds, and a function from gear index to (name, speed)."""
     unit = "_rpm" if rpm else ""
     existing = (
         (heading, by_name[name + unit])
@@ -203,9 +202,9 @@ def _speed_column(
 
 
 def _torques(by_name: dict[str, Table], number: int) -> list[tuple[str, float]]:
-    """Return the torques of shift elements, mechanisms and members, with losses if calculated.
+    """Return the torques on shift elements, mechanisms and members, with losses if possible.
 
-    The list is empty if any torque is indeterminate, because it can be the largest.
+    The list is empty if any torque is indeterminate, because the largest torque is then unknown.
     """
     unit = "_Nm" if "lossy_torques_Nm" in by_name else ""
     for name in ("lossy_torques", "torques"):
@@ -221,7 +220,7 @@ def _column(table: Table, number: int) -> Iterator[tuple[str, float]]:
 
 
 def _largest(values: Iterable[tuple[str, float]], decimals: int, digits: int | None) -> Cell:
-    """Return a cell with the largest magnitude and the name; empty without numbers."""
+    """Return a cell with the value of largest magnitude and its name; empty without values."""
     known = [(abs(value), name) for name, value in values if not math.isnan(value)]
     if not known:
         return Cell("")
@@ -233,7 +232,7 @@ def _largest(values: Iterable[tuple[str, float]], decimals: int, digits: int | N
 
 
 def _by_role(results: Results, number: int, shown: Sequence[Role]) -> Iterator[Cell]:
-    """Yield a cell with the names of the gear sets of each role in a gear."""
+    """Yield for each role a cell with the names of gear sets that have the role in a gear."""
     names = [device.name for device in results.case.own_devices]
     by_name = [*zip(names, roles(results, number), strict=True)]
     for wanted in shown:
@@ -303,7 +302,7 @@ def _legend(results: Results, gears: Grid, marks: Marks) -> Iterator[str]:
 
 
 def _planets_without_speed(results: Results) -> list[str]:
-    """Return the planets that have no speed in any gear, usually because teeth are missing."""
+    """Return the planets without a speed in any gear, usually because teeth are missing."""
     if results.case.drawing is None:
         return []
     [planets] = [table for table in tables(results) if table.quantity.name == "planet_speeds"]
@@ -315,7 +314,7 @@ def _planets_without_speed(results: Results) -> list[str]:
 
 
 def _inverses(results: Results, digits: int | None) -> Iterator[str]:
-    """Yield a line with 1/i for gears with a faster output, as usual for bicycle hubs."""
+    """Yield a line with 1/i if an output is faster than the input, as usual for bicycle hubs."""
     fast = [line for line in design(results).gears if 0 < abs(line.ratio) < 1 - SAME_RATIO]
     if fast:
         words = tr("1/i = output speed / input speed")

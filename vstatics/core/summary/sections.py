@@ -36,25 +36,25 @@ class CycleSection(Section, Protocol):
 
 
 class GivenCycle(Protocol):
-    """Interface of a duty cycle read from a file."""
+    """Interface of a duty cycle."""
 
     @property
     def load(self) -> Load | None:
-        """Operating point for a case without one; None for a cycle without points."""
+        """Operating point for a case that has none; None for a cycle without points."""
 
     def of(self, results: Results) -> CycleSection:
         """Return the results of a case over the cycle."""
 
 
 class CycleOptions(Protocol):
-    """Interface of the options of a command that specify a duty cycle."""
+    """Interface of the command-line options for a duty cycle."""
 
     @property
     def files(self) -> list[str]:
         """Names of the files to read."""
 
     def read(self) -> GivenCycle | None:
-        """Return the duty cycle, if given."""
+        """Return the duty cycle; None without options."""
 
 
 def doubts(cycle: CycleSection | None, file: str) -> list[Problem]:

@@ -27,8 +27,8 @@ from vstatics.core.statics.torques import times
 def sensitivities(results: Results) -> Floats:
     """Return relative sensitivities ``(u/i) di/du`` of gear ratios i to basic ratios u.
 
-    For a variator or converter, u is the speed ratio. Given speeds are constant relative to the
-    input, or to the link whose multiple they are. The results must belong to a single case.
+    For a variator or converter, u is the speed ratio. Prescribed speeds stay constant relative to
+    the input, or to the link of `SpeedOf`. The results must belong to a single case.
 
     Returns
     -------
@@ -55,9 +55,9 @@ def sensitivities(results: Results) -> Floats:
 
 
 def _of_speeds(state: GearState) -> list[float]:
-    """Return the sensitivities of a gear's ratio to all basic ratios.
+    """Return the sensitivities of a gear's ratio to all basic ratios [-].
 
-    For the speed equations ``A w = b``, the solution v of ``A^T v = e_output`` is the change of
+    The speed equations are ``A w = b``. The solution v of ``A^T v = e_output`` is the change of the
     output speed per unit of each right-hand side. A change dA_k of row k causes ``dw_output = -v_k
     dA_k w``.
     """
@@ -72,7 +72,7 @@ def _of_speeds(state: GearState) -> list[float]:
     weights = elimination.solve(by_link, len(equations)).values
     by_device = dict(
         zip(always_loaded(case, state.gear), weights, strict=False)
-    )  # mechanisms come first
+    )  # mechanisms are first
     changes = []
     for place, (mechanism, u, motion) in enumerate(
         zip(case.mechanisms, state.ideal.variant.ratios, state.relative_speeds, strict=True),
@@ -85,13 +85,15 @@ def _of_speeds(state: GearState) -> list[float]:
 
 
 EFFICIENCY_DIFFERENCE = 1e-3
-"""Relative step of an efficiency in finite differences. [-]
+"""Relative step of efficiencies in finite differences. [-]
 
 With this step, finite differences of fourth order are accurate to about ten digits.
 """
 NEARLY_LOSSLESS = 1 - 1e-13
-"""Substitute for an efficiency of 1, because lossless variants differ in structure and could not be
-calculated together with other variants. [-]
+"""Substitute for an efficiency of 1. [-]
+
+Lossless variants have another structure, so they could not be calculated together with other
+variants.
 """
 BACKWARD = (25 / 12, -4.0, 3.0, -4 / 3, 1 / 4)
 """Weights of the values at 0, -1, -2, -3, -4 steps for the first derivative (Fornberg 1988)."""
@@ -100,8 +102,8 @@ BACKWARD = (25 / 12, -4.0, 3.0, -4 / 3, 1 / 4)
 def efficiency_sensitivities(results: Results) -> Floats:
     """Return relative sensitivities ``(n/ETA) dETA/dn`` to the efficiencies n of mechanisms.
 
-    Backward differences are used, because efficiencies cannot exceed 1. An efficiency given by a
-    law is replaced by its value in each gear. The results must belong to a single case.
+    Backward differences are used, because efficiencies cannot exceed 1. Each gear has the values of
+    its laws. The results must belong to a single case.
 
     Returns
     -------
@@ -130,7 +132,7 @@ def efficiency_sensitivities(results: Results) -> Floats:
 
 
 def _at_load(results: Results) -> list[tuple[Mechanism, ...]]:
-    """Return the mechanisms of each gear, with laws replaced by values."""
+    """Return the mechanisms in each gear, with values instead of laws."""
     case, points = results.case, results.points
 
     def plain(given: Any, there: float) -> Any:
@@ -151,14 +153,14 @@ def _at_load(results: Results) -> list[tuple[Mechanism, ...]]:
 
 
 def _efficiency_slopes(case: Transmission, mechanisms: tuple[Mechanism, ...]) -> Floats:
-    """Return ``n dETA/dn`` for a case with the given mechanisms, shape (mechanisms, gears)."""
+    """Return ``n dETA/dn`` of a case for the efficiencies n of mechanisms, (mechanisms, gears)."""
     given = np.minimum([mechanism.efficiency for mechanism in mechanisms], NEARLY_LOSSLESS)
     count, steps = len(given), len(BACKWARD)
     efficiencies = np.tile(given, (count, steps, 1))
     lower = 1 - EFFICIENCY_DIFFERENCE * np.arange(steps)
     efficiencies[range(count), :, range(count)] = given[:, np.newaxis] * lower
     efficiencies[[mechanism.kind == "converter" for mechanism in mechanisms]] = (
-        given  # loses by its points
+        given  # the loss of a converter follows from its points
     )
     totals = solve(case.with_numbers(mechanisms), efficiencies=efficiencies).efficiency
     return np.tensordot(totals, BACKWARD, axes=(1, 0)) / EFFICIENCY_DIFFERENCE

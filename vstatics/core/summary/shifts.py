@@ -21,29 +21,29 @@ WORDS = ("none", "single", "double", "triple")
     kind="word",
 )
 class Transition(NamedTuple):
-    """Upshift between two gears; in the downshift, `released` and `engaged` are exchanged."""
+    """Upshift between two gears. For the downshift, exchange `released` and `engaged`."""
 
     start: str
     end: str
     skipped: str
-    """Gear between start and end; empty unless a gear is skipped."""
+    """Gear between start and end that the shift skips; else empty."""
     released: Sequence[str]
     engaged: Sequence[str]
     slip_power: Mapping[str, float]
-    """Slip power of each oncoming shift element, relative to the input power: torque after times
-    slip before the shift. Elements in `released` are oncoming in the downshift. [-]
+    """Torque after the shift times slip before the shift, for each oncoming shift element, relative
+    to the input power. Elements in `released` are oncoming in the downshift. [-]
     """
     slip_power_kW: Mapping[str, float]  # noqa: N815
-    """Slip power at the operating point before the shift [kW]; NaN without an operating point."""
+    """The same slip power at the operating point before the shift [kW]; NaN without a load."""
 
     @property
     def changes(self) -> int:
-        """Number of simultaneous changes: the larger count of released or engaged elements."""
+        """Number of elements in `released` or in `engaged`, whichever is more."""
         return max(len(self.released), len(self.engaged))
 
     @property
     def word(self) -> str:
-        """Kind of transition: `single` for a replaced shift element, `double` for two, etc.
+        """Number of changes in words: `single` for a replaced shift element, `double` for two, etc.
 
         >>> Transition("1", "2", "", ["A", "B"], ["C"], {}, {}).word
         'double'
@@ -75,7 +75,7 @@ def transitions(results: Results) -> list[Transition]:
 
 
 def _over(results: Results, indices: Sequence[int], distance: int) -> Iterator[Transition]:
-    """Yield the shifts from each gear of a range to the gear `distance` positions further."""
+    """Yield the shifts from each gear of a range to the gear `distance` positions later."""
     case = results.case
     names = [element.name for element in case.shift_elements]
     for place, start in enumerate(indices[:-distance]):
@@ -95,7 +95,7 @@ def _over(results: Results, indices: Sequence[int], distance: int) -> Iterator[T
 def _slip_powers(
     results: Results, start: int, end: int
 ) -> tuple[dict[str, float], dict[str, float]]:
-    """Return the slip power of oncoming elements, relative to the input power and in kW."""
+    """Return the slip powers of oncoming elements, relative to the input power [-] and in kW."""
     case = results.case
     count = len(case.shift_elements)
     torques = np.abs(results.in_own_unit("lossy_torques")[:, :count])

@@ -19,7 +19,7 @@ SHOWN_STATES = {
     **{status.name: status.english for status in (NEUTRAL, LOCKED, DRAGGED)},
     OUTPUT_STANDS.name: "output at rest",
 }
-"""Displayed words for states of gears, where different from the names in data."""
+"""Words for states of gears, if they differ from the names in data."""
 WITH_LOAD = " with load"
 """Suffix of the keys of tables in rpm, N*m or kW, in contrast to relative numbers."""
 
@@ -36,12 +36,12 @@ class Marks(NamedTuple):
 def summary_grids(summary: Summary, ports: Sequence[PortTable] | None = None) -> Iterator[Grid]:
     """Yield all tables of a summary that are not empty.
 
-    If further combinations were requested but none exists, their table is yielded without rows.
+    If unused combinations were requested but none exists, their table has no rows.
 
     Parameters
     ----------
     ports : sequence of PortTable, optional
-        Ports of the gears, if already calculated.
+        Ports of the gears; None to calculate them.
     """
     lines = summary.design.gears
     headings = "gear", "ratio", "next", "step", "efficiency", "state"
@@ -70,7 +70,7 @@ def summary_grids(summary: Summary, ports: Sequence[PortTable] | None = None) ->
 
 
 def state(name: str) -> Cell:
-    """Return the cell with a gear's state, whose value is the name of the state in data.
+    """Return the cell for the state of a gear; its value is the name of the state in data.
 
     >>> state("open").text, state("open").datum, state("tied up").text
     ('neutral', 'open', 'tied up')
@@ -79,7 +79,7 @@ def state(name: str) -> Cell:
 
 
 def element_signs(results: Results, index: int, marks: Marks) -> Iterator[Cell]:
-    """Yield a cell for each shift element: engaged, slipping, holding (freewheel) or disengaged."""
+    """Yield a cell for each shift element: engaged, slipping, holding or disengaged."""
     gear = results.case.gears[index]
     for element, holds in enumerate(results.holds[index].tolist(), 1):
         if element in gear.joining:
@@ -110,7 +110,6 @@ def _transitions(summary: Summary) -> Grid:
 
 
 def _slip_powers(summary: Summary) -> Grid:
-    """Return the table of slip powers of shifts between neighbouring gears."""
     shifts = [shift for shift in summary.transitions if not shift.skipped]
     loaded = any(math.isfinite(power) for shift in shifts for power in shift.slip_power_kW.values())
     rows = [
@@ -137,7 +136,8 @@ def _planets(summary: Summary, *, loaded: bool) -> Grid:
     devices = summary.results.case.own_devices
     planets = [planet for device in devices for planet in device.planets]
     without_teeth = {planet.name for planet in planets if math.isnan(planet.speed)}
-    # Mechanisms without planets, such as gear pairs, have rows without a value, which are left out.
+    # Mechanisms without planets, such as gear pairs, have no planet speed, so their rows are
+    # omitted.
     known = (line for line in lines if line.row in without_teeth or not math.isnan(line.value))
     rows = [[line.row, *_cells(shown, line)] for line in known]
     parts = ["Largest planet speeds relative to the carrier"]
@@ -164,7 +164,7 @@ def _elements(summary: Summary, *, loaded: bool) -> Grid:
 
 
 def _relative(summary: Summary, names: Iterable[str]) -> list[str]:
-    """Return the suffix of a relative table's title, if a table with units exists as well."""
+    """Return a suffix for the title of a relative table, if there is also a table with units."""
     has_units = any(summary.largest.get(quantity(name, loaded=True).name) for name in names)
     return ["input = 1"] * has_units
 
@@ -193,14 +193,13 @@ def _by_gear(
     heading: str,
     rows: Iterable[tuple[str, Sequence[float]]],
 ) -> Grid:
-    """Return a table with a row for each name and a column for each gear."""
     gears = summary.results.case.gears
     columns = (Column(gear.name, over="gear") for gear in gears)
     return grid_of(title, (heading, *columns), ((name, *values) for name, values in rows), key=key)
 
 
 def other_combinations(summary: Summary) -> Grid:
-    """Return the table of combinations of shift elements that are not gears yet."""
+    """Return the table of combinations of shift elements that the case does not use."""
     others = summary.combinations or ()
     title = "Other combinations of shift elements"
     if not others:
@@ -220,7 +219,6 @@ def other_combinations(summary: Summary) -> Grid:
 
 
 def _margins(summary: Summary) -> Iterator[Grid]:
-    """Yield the table of smallest margins, then the table of margins in all gears."""
     load = summary.results.case.load
     torque = None if load is None else load.torque_size
     unit, size = ("Nm", abs(torque)) if torque else ("", 1.0)

@@ -1,4 +1,4 @@
-"""Further gears of a transmission: combinations of shift elements that the case does not use."""
+"""Further gears of a transmission: combinations of shift elements not used by the case."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from vstatics.core.statics.solve import solve
 from vstatics.core.summary.design_table import is_same
 
 MOST_UNUSED_SETS = 10_000
-"""Default for the largest number of combinations to calculate, which takes some seconds."""
+"""Default of the largest number of combinations to calculate, which takes some seconds."""
 
 Key = TypeVar("Key")
 
 
 class Combination(NamedTuple):
-    """Combination of engaged shift elements that yields a ratio."""
+    """Combination of engaged shift elements that has a ratio."""
 
     engaged: Sequence[str]
     holding: Sequence[str]
@@ -30,13 +30,13 @@ class Combination(NamedTuple):
     ratio: float
     efficiency: float
     gear: str
-    """Gear of the case with an equal ratio; empty without a match."""
+    """Gear of the case with the same ratio; empty without such a gear."""
     state: str
     """State of the combination, as in the design table."""
 
 
 def needed(case: Transmission) -> int:
-    """Return the number of engaged shift elements that a gear needs: degrees of freedom minus 1.
+    """Return how many shift elements a gear must engage: degrees of freedom minus 1.
 
     >>> from vstatics.core.model.transmission import Mechanism, ShiftElement
     >>> needed(Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])]))
@@ -46,12 +46,12 @@ def needed(case: Transmission) -> int:
 
 
 def combinations(results: Results, at_most: int = MOST_UNUSED_SETS) -> list[Combination]:
-    """Return the unused combinations of shift elements that give a gear, largest ratio first.
+    """Return unused combinations of shift elements that have a ratio, largest ratio first.
 
     All sets with the required number of shift elements are calculated, with input and output of the
-    case and without given speeds. Smaller sets are included if freewheels can hold instead of
-    engaged elements, and larger sets if they bypass converters. A set gives a gear if it has a
-    ratio and is not tied up. Drag torques that apply to all gears are included.
+    case and without prescribed speeds. Smaller sets are included if freewheels can hold instead of
+    engaged elements, and larger sets if they bypass converters. Tied-up sets are excluded. Drag
+    torques common to all gears are included.
 
     Parameters
     ----------
@@ -113,7 +113,7 @@ def _check(case: Transmission, at_most: int) -> None:
 
 
 def _tried(case: Transmission) -> Iterator[tuple[int, ...]]:
-    """Yield the sets of element numbers that no gear engages."""
+    """Yield the sets of shift elements, by number, that no gear engages."""
     numbers = [n for n, element in enumerate(case.shift_elements, 1) if not element.is_freewheel]
     used = {frozenset(gear.joining) for gear in case.gears if is_plain(case, gear)}
     most = needed(case)
@@ -124,7 +124,7 @@ def _tried(case: Transmission) -> Iterator[tuple[int, ...]]:
 
 
 def is_plain(case: Transmission, gear: Gear) -> bool:
-    """Return whether a gear has input and output of the case and no given speeds or slips.
+    """Return whether a gear has input and output of the case, and no prescribed speeds or slips.
 
     >>> from vstatics.core.model.transmission import Mechanism
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear(), Gear(input=2, output=1)])
@@ -136,7 +136,7 @@ def is_plain(case: Transmission, gear: Gear) -> bool:
 
 
 def shared(by_gear: Sequence[Mapping[Key, float]]) -> dict[Key, float]:
-    """Return the entries that all gears have in common.
+    """Return the entries that all mappings have in common.
 
     >>> shared([{"F1": 0.5, "F2": 0.1}, {"F1": 0.5, "F2": 0.2}])
     {'F1': 0.5}

@@ -1,4 +1,4 @@
-"""Tables of the results: quantities with their names, rows, and values in each unit.
+"""Tables of the results: quantities with names, rows, and values in each unit.
 
 >>> from vstatics.core.model.transmission import Gear, Mechanism, Transmission
 >>> from vstatics.core.statics.solve import solve
@@ -10,7 +10,7 @@
 
 `quantities` declares all quantities, `values` creates their tables, and `names` finds quantities
 and rows by the names that users type. `grid` defines tables of cells, each with a text and a value.
-`text`, `markdown`, `latex`, `html` and `terminal` write the texts; `csv` and `xlsx` write the
-values. `written_results` describes results that were read from a file. `answer` derives the JSON
-and the JSON Schema of a command's output from the types of a record.
+`text`, `markdown`, `latex`, `html` and `terminal` write the texts. `csv` and `xlsx` write the
+values. `written_results` represents results that were read from a file. `answer` derives JSON and
+JSON Schema from records, the outputs of commands.
 """

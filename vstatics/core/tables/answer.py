@@ -1,4 +1,4 @@
-"""Records, the outputs of commands, whose JSON and JSON Schema are derived from their types.
+"""Records: outputs of commands, whose JSON and JSON Schema follow from the types of fields.
 
 A record is a named tuple. Its keys in JSON are its fields, unless `json_keys` names other
 attributes. A `document` begins with the keys of `head`. Annotations describe special keys:
@@ -38,7 +38,7 @@ Schema = dict[str, Any]
 Answer = tuple[Any, ...] | dict[str, Any]
 """Output of a command: a record, or plain data."""
 VERSION = 2
-"""Version of the format of all documents."""
+"""Version of the format of documents."""
 PROGRAM = f"vstatics {__version__}"
 """Name and version of the program that writes a document."""
 
@@ -50,7 +50,7 @@ class Words(dict[str, Any]):
 
 
 class Provided(str):
-    """Name of a type that an annex defines, as in ``Annotated[object, Provided("Damages")]``."""
+    """Name of a type of an annex, as in ``Annotated[object, Provided("Damages")]``."""
 
     __slots__ = ()
 
@@ -59,13 +59,13 @@ SOMETIMES, ASKED, FLAT, FAILURE, UNFAILED = _MARKS = (
     *("sometimes", "asked", "flat", "failure", "unfailed"),
 )
 Sometimes = Annotated[T | None, SOMETIMES]
-"""Type of a key that is omitted if null or an empty mapping."""
+"""Type of a key that is omitted if its value is null or an empty mapping."""
 Asked = Annotated[T | None, ASKED]
-"""Type of a key that is omitted if null, but not if an empty mapping."""
+"""Type of a key that is omitted if its value is null, but not if it is an empty mapping."""
 Flat = Annotated[T, FLAT]
-"""Type of a record whose keys are merged into the surrounding record."""
+"""Type of a record whose keys become keys of the surrounding record."""
 Failure = Annotated[str, FAILURE]
-"""Type of an error message; if not empty, only the message and the first key are written."""
+"""Type of an error message. If the message is not empty, only it and the first key are written."""
 Unfailed = Annotated[T | None, UNFAILED]
 """Type of a key whose value is null only in records with a `Failure`."""
 Count = Annotated[int, Words(minimum=0)]
@@ -115,19 +115,19 @@ def document(form: str) -> Callable[[T], T]:
 
 
 def defined(name: str) -> Callable[[T], T]:
-    """Return a decorator that gives a record a named schema, to which other schemas refer."""
+    """Return a decorator for records to which schemas refer by name."""
     return _registering(_DEFINED, name)
 
 
 def json_keys(*names: str, **attributes: str) -> Callable[[T], T]:
-    """Return a decorator that declares attributes of a record as keys.
+    """Return a decorator that declares which attributes of a record are its keys.
 
     Parameters
     ----------
     *names
-        Attributes that have equal names as keys.
+        Attributes whose names are the keys.
     **attributes
-        Further attributes, by key; a final underscore of the key is removed.
+        Further attributes, by key. A final underscore of the key is removed.
     """
     renamed = {key.rstrip("_"): name for key, name in attributes.items()}
     return _registering(_JSON_KEYS, dict(zip(names, names, strict=True)) | renamed)
@@ -169,8 +169,8 @@ def _keys(kind: Any) -> Sequence[_Key]:
 def plain_data(value: Any) -> Any:
     """Convert a record to mappings, lists, texts and numbers, at any depth.
 
-    A missing value becomes None, a complex number a mapping of real and imaginary part, an array of
-    complex numbers the list of their moduli.
+    NaN becomes None, a complex number a mapping of real and imaginary part, and an array of complex
+    numbers a list of moduli.
 
     >>> from vstatics.core.model.parts import Load
     >>> plain_data({"load": Load(2000.0), "steps": (1.5, math.nan), "root": 1 - 2j})
@@ -213,8 +213,8 @@ def _of_record(record: Any) -> dict[str, Any]:
 def with_file(answer: Answer, file: str, *, folders: bool = False) -> dict[str, Any]:
     """Return a document as plain data, with the file of the case under the key `file`.
 
-    Data without the key `format` are returned unchanged. The document of a case in error already
-    contains the key `file`, whose value is replaced.
+    Data without the key `format` are returned unchanged. In the document of a case with errors, the
+    value of `file` is replaced.
 
     >>> with_file({"format": "f", "version": 1, "case": {}}, "cases/box.yaml")
     {'format': 'f', 'version': 1, 'file': 'box.yaml', 'case': {}}
@@ -310,7 +310,7 @@ def _of_parts(kind: Any, of: Callable[[Any], Schema]) -> Schema:
 def _of_marked(kind: Any, mark: Any, of: Callable[[Any], Schema]) -> Schema:
     """Return the schema of an annotated type.
 
-    The schema accepts nothing if the annex that defines the type is not installed.
+    The schema rejects everything if the annex that defines the type is not installed.
     """
     if isinstance(mark, Provided):
         declaring = module_of_type(mark)
@@ -356,13 +356,13 @@ def head_schema(form: str) -> Schema:
 
 
 def of_file(name: str, title: str, content: Schema) -> Schema:
-    """Return the schema of a file, given the schema of the content."""
+    """Return the schema of a file from the schema of its content."""
     start = {"$schema": "https://json-schema.org/draft/2020-12/schema"}
     return {**start, "$id": f"{name}.schema.json", "title": title, **content}
 
 
 def documents(name: str, title: str, content: Schema, definitions: Schema | None = None) -> Schema:
-    """Return the schema of a file with documents, or with reports about cases in error.
+    """Return the schema of a file whose documents are `content`, or reports of errors in cases.
 
     Parameters
     ----------
@@ -408,5 +408,5 @@ def documents_of(name: str, title: str, kind: Any) -> Schema:
 
 
 def failure(file: str, problems: Iterable[Problem]) -> dict[str, Any]:
-    """Return the document of a case in error."""
+    """Return the document of a case with errors."""
     return {"file": os.path.basename(file), "case": file, "errors": list(map(str, problems))}  # noqa: PTH119

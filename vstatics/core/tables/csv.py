@@ -1,4 +1,4 @@
-"""Tables as CSV, with texts that no spreadsheet mistakes for formulas."""
+"""Tables as CSV, in which spreadsheets do not mistake texts for formulas."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from vstatics.core.tables.grid import Grid
 
 NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
 FORMULA = re.compile(r"'*[=+\-@\t\r]")
-"""Pattern of the beginning of a text that a spreadsheet would evaluate as a formula.
+"""Pattern of the start of a text that a spreadsheet would evaluate as a formula.
 
 Leading apostrophes are included, so that `unguarded` removes only an added apostrophe.
 """
 
 
 def guarded(text: str) -> str:
-    """Return a text, preceded by an apostrophe if a spreadsheet would read the text as a formula.
+    """Return a text, with an apostrophe in front if a spreadsheet would evaluate the text.
 
     Examples
     --------
@@ -44,7 +44,7 @@ def lines(rows: Iterable[Iterable[str]], *, raw: bool = False) -> str:
     ----------
     rows : iterable of iterable of str
     raw : bool
-        True to leave texts unchanged that begin like a formula.
+        True to omit the apostrophes of `guarded`.
     """
     written = io.StringIO()
     texts = rows if raw else (map(guarded, row) for row in rows)
@@ -55,10 +55,10 @@ def lines(rows: Iterable[Iterable[str]], *, raw: bool = False) -> str:
 def write(
     cases: Iterable[tuple[str, Sequence[Grid]]], *, several: bool, raw: bool = False
 ) -> Iterator[str]:
-    """Yield the CSV text of each case: the tables in sequence, with all digits.
+    """Yield the CSV text of each case: all tables in sequence, with all digits.
 
-    Each row begins with the name of its table, which for several cases follows the file of the
-    case. A row of headings is written whenever the headings change.
+    Each row begins with the file of the case (if `several`) and the name of its table. A row of
+    headings is written whenever the headings change.
 
     Parameters
     ----------

@@ -26,10 +26,10 @@ def to_dataframe(results: Results) -> pd.DataFrame:
     Returns
     -------
     DataFrame
-        Values, indexed by the number of the variant, from 0 in the order of the arrays, and the
-        name of the gear; for one case by the gear alone. A column is named by a table and its
-        row: ``("speeds", "C1")``, with an operating point also ``("speeds_rpm", "C1")``. A table
-        of one value per gear has the row ``""``, so that ``"ratio"`` selects the column.
+        Values, indexed by the number of the variant (from 0) and the name of the gear, or for a
+        single case by the gear alone. The name of a column consists of a table and its row:
+        ``("speeds", "C1")``, with an operating point also ``("speeds_rpm", "C1")``. A table with
+        one value per gear has the row ``""``, so that ``"ratio"`` selects the column.
 
     Raises
     ------

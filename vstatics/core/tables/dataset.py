@@ -39,14 +39,14 @@ def to_xarray(results: Results) -> xr.Dataset:
     Returns
     -------
     Dataset
-        Variable for each table, by its name: ``speeds`` and, with an operating point,
-        ``speeds_rpm``. Its dimensions are the axes of variants, `gear`, and the kind of its rows:
-        `link`, `planet`, `shift_element`, `device` (shift elements, mechanisms or members of gear
-        sets, springs, ``Mx``), `mechanism` (or gear set, as named in the case),
-        `three_link_mechanism` (into which the solver divides gear sets) or `mesh`. A single axis
-        of variants is `variant`; several are `variant_1`, `variant_2`, ... Values that do not
-        exist are NaN; flags are 0 and 1. The attributes of a variable are `long_name` and
-        `units`; a variable without `units` is relative to the input. [-]
+        Variable for each table, such as ``speeds`` and, with an operating point, ``speeds_rpm``.
+        Its dimensions are the axes of variants, `gear`, and the kind of its rows: `link`, `planet`,
+        `shift_element`, `device` (shift elements, mechanisms or members of gear sets, springs,
+        ``Mx``), `mechanism` (or gear set, as named in the case), `three_link_mechanism` (into which
+        the solver divides gear sets) or `mesh`. A single axis of variants is `variant`; several are
+        `variant_1`, `variant_2`, ... Values that do not exist are NaN. Flags are 0 and 1. The
+        attributes of a variable are `long_name` and `units`. A variable without `units` is relative
+        to the input. [-]
 
     Raises
     ------
@@ -67,6 +67,7 @@ def to_xarray(results: Results) -> xr.Dataset:
     from vstatics.core.extras import require
 
     require("xarray", "to_xarray")
+    import numpy as np
     import xarray as xr
 
     case, axes = results.case, results.ratio.shape[:-1]
@@ -78,7 +79,7 @@ def to_xarray(results: Results) -> xr.Dataset:
         along = [*names, GEAR]
         if quantity.rows != "one":
             along.append(DIMENSIONS[quantity.rows])
-            coordinates[along[-1]] = list(table_rows(quantity.name, case))
+            coordinates[along[-1]] = np.array(table_rows(quantity.name, case), str)
         attributes = {"long_name": quantity.title}
         if quantity.unit:
             unit = UNITS[quantity.unit].text

@@ -28,7 +28,7 @@ SUFFIXES = {
     "png": (".png",),
     "pdf": (".pdf",),
 }
-"""Suffixes of each format; the first is used for results written to a directory."""
+"""Suffixes of each format. Results in a directory have the first suffix."""
 
 
 def suffix_of(file: str) -> str:
@@ -37,13 +37,13 @@ def suffix_of(file: str) -> str:
 
 
 def format_of(file: str, formats: Iterable[Form]) -> Form | None:
-    """Return the format, among `formats`, to which the suffix of a file name belongs.
+    """Return the format among `formats` that the suffix of a file name belongs to, or None.
 
     >>> format_of("a.NDJSON", ["json", "jsonl"]), format_of("a", ["text"])
     ('jsonl', None)
     """
     suffix = suffix_of(file)
-    return next((form for form in formats if suffix in SUFFIXES[form]), None)
+    return next((form for form in formats if suffix in SUFFIXES.get(form, ())), None)
 
 
 def known(formats: Sequence[str]) -> list[str]:
@@ -56,7 +56,7 @@ def known(formats: Sequence[str]) -> list[str]:
 
 
 def mismatch(form: str | None, file: str) -> str:
-    """Return the message about a format that contradicts the suffix; empty if consistent.
+    """Return a message if a format contradicts the suffix of a file name, else an empty text.
 
     >>> mismatch("csv", "a.json"), mismatch("csv", "a.csv"), mismatch("csv", "a")
     ('csv is not the format of a.json: expected .csv', '', '')

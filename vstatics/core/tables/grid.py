@@ -1,6 +1,6 @@
-"""Table of cells (text and value), from which all formats are written.
+"""Table of cells, each with a text and a value.
 
-The modules `text`, `markdown`, `latex`, `html` and `terminal` write the texts; `csv` and `xlsx`
+The modules `text`, `markdown`, `latex`, `html` and `terminal` write the texts. `csv` and `xlsx`
 write the values.
 """
 
@@ -18,7 +18,7 @@ from vstatics.core.texts import heading, labelled, spoken, title, tr
 NOTHING = "-"
 """Text for a number that does not exist, and for an empty list."""
 LARGE_CELL = 1e7
-"""Smallest magnitude of numbers that are written with a power of ten."""
+"""Magnitude from which numbers are written with a power of ten."""
 YES, NO = "●", "·"
 
 
@@ -28,9 +28,9 @@ class Column(NamedTuple):
     heading: str
     is_number: bool = True
     is_sign: bool = False
-    """True for a column of single signs, which is narrow at a terminal."""
+    """True for a column of single signs, such as dots, which is narrow at a terminal."""
     over: str = ""
-    """Heading above the heading, in HTML, shared by adjacent columns with equal text."""
+    """Common heading in HTML above the headings of adjacent columns with the same `over`."""
     is_name: bool = False
     """True if the heading is a name from the case, which is not translated.
 
@@ -39,7 +39,7 @@ class Column(NamedTuple):
 
 
 Datum = float | int | bool | str | None
-"""Value of a cell, unless missing."""
+"""Value of a cell in data formats; None if missing."""
 
 
 class Cell(NamedTuple):
@@ -47,21 +47,21 @@ class Cell(NamedTuple):
 
     text: str
     value: float | None = None
-    """Number before rounding, NaN if missing; for words, the sorting key."""
+    """Number before rounding, NaN if missing. For words, the sorting key."""
     says: str = ""
     """Meaning of a sign, for screen readers."""
     style: str = ""
-    """Colour at a terminal, as named by `rich`."""
+    """Colour at a terminal, in the words of the package `rich`."""
     kind: type[Any] = str
-    """Type of the value in data formats: float, int, bool, or str for words."""
+    """Type of the value in data formats; str for words."""
     marks: Mapping[str, str] = {}
     """HTML data attributes for the scripts of a page."""
     is_said: bool = False
-    """True for a word of the program, which is translated; False for a name from the case."""
+    """True for a translated word of the program, False for a name from the case."""
     written_as: str = ""
     """Word in data formats; empty if equal to the text."""
     look: str = ""
-    """Additional class of the cell in HTML."""
+    """Additional HTML class of the cell."""
     math: str = ""
     """Formula in LaTeX math mode, instead of the text."""
 
@@ -75,7 +75,7 @@ class Cell(NamedTuple):
 
     @property
     def spoken(self) -> Cell:
-        """Cell translated to the language of the output, including the meaning of a sign."""
+        """Cell in the language of the output, including the meaning of a sign."""
         if spoken() == "en":
             return self
         text = labelled(self.text) if self.is_said else self.text
@@ -83,23 +83,23 @@ class Cell(NamedTuple):
 
 
 Row = list[Cell | str]
-"""Cells of a row; a plain text is a cell of words."""
+"""Cells of a row. A plain text is a cell of words."""
 
 
 class Grid(NamedTuple):
-    """Table of cells, with the names of the rows in the first column."""
+    """Table of cells. The first column contains the names of the rows."""
 
     title: str
     columns: Sequence[Column]
     rows: Sequence[Sequence[Cell | str]]
     levels: Sequence[int] = ()
-    """Level of each row in a hierarchy, from 1; deeper rows are indented."""
+    """Level of each row in a hierarchy, from 1. Rows of higher levels are indented."""
     key: str = ""
     """Short unique name, for a table with a long title."""
     group: str = ""
-    """Name of a sheet that several tables of a workbook share; empty if not shared."""
+    """Name of the sheet that several tables of a workbook share; empty for a separate sheet."""
     prose: str = ""
-    """LaTeX text of a table that is only a sentence (the title), with formulas in math mode."""
+    """LaTeX text with formulas, for a table that is only a sentence (the title)."""
 
     @property
     def cells(self) -> list[list[Cell]]:
@@ -113,7 +113,7 @@ class Grid(NamedTuple):
 
     @property
     def data(self) -> list[list[Datum]]:
-        """Values of all cells; the first cell of a row is always a name."""
+        """Values of all cells. The first cell of a row is a name."""
         named = bool(self.columns) and not self.columns[0].is_number
         return [
             [cell.text if named and not place else cell.datum for place, cell in enumerate(row)]
@@ -122,7 +122,7 @@ class Grid(NamedTuple):
 
     @property
     def spoken(self) -> Grid:
-        """Table translated to the language of the output; data formats stay English.
+        """Table in the language of the output, for texts only; data formats stay English.
 
         >>> from vstatics.core.texts import speaking
         >>> with speaking("ru"):
@@ -144,7 +144,7 @@ class Grid(NamedTuple):
         return translated.changed(attrgetter("spoken"))
 
     def with_columns(self, chosen: Sequence[int]) -> Grid:
-        """Return the table with the chosen columns only."""
+        """Return the table with only some columns, by index."""
         rows = [[row[place] for place in chosen] for row in self.rows]
         return self._replace(columns=[self.columns[place] for place in chosen], rows=rows)
 
@@ -153,7 +153,7 @@ class Grid(NamedTuple):
         return self._replace(rows=[list(map(change, row)) for row in self.cells])
 
     def with_digits(self, digits: int | None) -> Grid:
-        """Return the table with the given number of decimals, if any.
+        """Return the table with `digits` decimals; unchanged if None.
 
         Blank cells stay blank, and words before a number stay.
         """
@@ -171,7 +171,7 @@ class Grid(NamedTuple):
 
 
 Value = Cell | Datum | Sequence[str]
-"""Value for a new cell, converted by `exact`, `whole` or `sign`."""
+"""Value from which `grid_of` creates a cell."""
 Values = Sequence[Value]
 """Values of a new row."""
 
@@ -184,7 +184,7 @@ def grid_of(
     key: str = "",
     optional: Collection[str] = (),
 ) -> Grid:
-    """Return a table of plain values; a column without numbers is a column of words.
+    """Return a table of plain values. A column without numbers is a column of words.
 
     Parameters
     ----------
@@ -233,7 +233,7 @@ def text(heading: str) -> Column:
 
 
 def word(text: str) -> Cell:
-    """Return a cell with an English word of the program; see `Grid.spoken`."""
+    """Return a cell with an English word of the program, which `Grid.spoken` translates."""
     return Cell(text, is_said=True)
 
 
@@ -247,11 +247,11 @@ def exact(
     value : float or None
         Number; None if it does not exist.
     decimals : int
-        Usual number of decimals; a small number has more, see `rounded`.
+        Usual number of decimals. Small numbers have more; see `rounded`.
     digits : int, optional
         Number of decimals, for numbers of any size.
     largest : float
-        Largest number of its kind; numbers below a billionth of it are shown as 0.
+        Largest number of the same kind. Numbers below a billionth of this are shown as 0.
 
     Examples
     --------
@@ -282,7 +282,7 @@ def whole(value: float) -> Cell:
 
 
 def sign(value: float) -> Cell:
-    """Return a cell with a dot for yes or no; NaN means unknown."""
+    """Return a cell with a dot for yes (1) or no (0); NaN means unknown."""
     if math.isnan(value):
         return Cell(NOTHING, math.nan, kind=bool)
     return Cell(YES, 1.0, "yes", kind=bool) if value else Cell(NO, 0.0, "no", kind=bool)

@@ -1,4 +1,4 @@
-"""Tables as HTML, and functions that build HTML and escape everything but markup."""
+"""Tables as HTML, and functions that build HTML and escape plain text."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from vstatics.core.tables.numbers import typeset
 
 
 class Markup(str):
-    """Text that is HTML already, and so is not escaped."""
+    """HTML text, which is not escaped again."""
 
     __slots__ = ()
 
@@ -31,8 +31,8 @@ def tag(name: str, /, *children: str, **attributes: object) -> Markup:
         Name of the HTML element.
     *children : str
     **attributes
-        Attributes; False omits an attribute, True writes only its name. ``class_`` is written
-        ``class``, other underscores become hyphens.
+        Attributes. False omits an attribute, and True writes only its name. ``class_`` becomes
+        ``class``, and other underscores become hyphens.
 
     Examples
     --------
@@ -54,7 +54,7 @@ def _attribute(key: str, value: object) -> str:
 
 
 def joined(*parts: str) -> Markup:
-    """Return joined parts of HTML; plain text is escaped.
+    """Join parts of HTML, and escape plain text.
 
     >>> joined(tag("b", "1"), " < 2")
     '<b>1</b> &lt; 2'
@@ -63,7 +63,7 @@ def joined(*parts: str) -> Markup:
 
 
 def filled(text: str, **places: str) -> Markup:
-    """Return a text with placeholders replaced by texts or HTML.
+    """Return a text in which texts or HTML replace the placeholders.
 
     >>> filled("{spread} > {first}", spread="7 < 8", first=tag("b", "1"))
     '7 &lt; 8 &gt; <b>1</b>'
@@ -76,15 +76,15 @@ _LONE_MINUS = re.compile(r"(?<=\s)-(?=\s)")
 
 
 def printed(shown: Markup, names: Iterable[str] = ()) -> Markup:
-    """Return HTML with minus signs and dashes in the visible texts.
+    """Return HTML with typographic minus signs and dashes in the visible texts.
 
-    Pictures are left unchanged, because they already have minus signs.
+    Pictures do not change, because they already have minus signs.
 
     Parameters
     ----------
     shown : Markup
     names : iterable of str
-        Names that are left unchanged even if they look like numbers.
+        Names that do not change, even if they look like numbers.
 
     Examples
     --------
@@ -123,7 +123,7 @@ def terms(entries: Iterable[tuple[str, str]]) -> Markup:
 
 
 def table(grid: Grid, *, headed: bool = True, level: int = 3) -> Markup:
-    """Return a scrollable HTML table with a title; a table without rows is only a title.
+    """Return a scrollable HTML table with a title. A table without rows is only a title.
 
     The attribute ``data-value`` contains all digits of a number.
 
@@ -152,7 +152,7 @@ def bare(grid: Grid) -> Markup:
 
 
 def _over(grid: Grid) -> Iterator[Markup]:
-    """Yield the row of headings above groups of columns, if there are any."""
+    """Yield a row with the headings `over` groups of columns, if there are any."""
     if any(column.over for column in grid.columns):
         heads = []
         for over, columns in groupby(grid.columns, lambda column: column.over):
@@ -163,7 +163,7 @@ def _over(grid: Grid) -> Iterator[Markup]:
 
 
 NARROW_TABLE = 72
-"""Largest width of tables that are placed side by side, in characters."""
+"""Largest width of tables that can be side by side, in characters."""
 
 
 def tables(grids: Iterable[Grid], level: int = 3) -> Iterator[Markup]:
@@ -178,7 +178,7 @@ MOST_SHOWN = 50
 
 
 def shown(grids: Iterable[Grid]) -> Markup:
-    """Return tables for a notebook; a long table is cut, with a count of the hidden rows.
+    """Return tables for a notebook. A long table is cut, with a count of the hidden rows.
 
     >>> from vstatics.core.tables.grid import grid_of
     >>> numbers = grid_of("Numbers < 60", ["number"], [[n] for n in range(60)])
@@ -192,7 +192,7 @@ def shown(grids: Iterable[Grid]) -> Markup:
         rows = [
             [first._replace(text="\N{EM SPACE}" * (level - 1) + first.text), *others]
             for level, (first, *others) in zip(levels, grid.cells, strict=True)
-        ]  # a notebook has no style sheet to indent rows
+        ]  # a notebook has no style sheet for indented rows
         first = table(grid._replace(rows=rows[:MOST_SHOWN], levels=()))
         if more <= 0:
             return first
@@ -221,7 +221,7 @@ def _row(grid: Grid, row: list[Cell], level: int) -> Markup:
 
 
 def _cell(column: Column, cell: Cell) -> str:
-    """Return a cell like `tag`, in a third of the time; pages have thousands of cells."""
+    """Return a table cell like `tag`, but in a third of the time, because pages have many cells."""
     look = "sign" if cell.says else _kind(column) or ""
     if cell.look:
         look = f"{look} {cell.look}".lstrip()
@@ -243,5 +243,5 @@ def _text(cell: Cell) -> str:
 
 
 def _kind(column: Column) -> str | bool:
-    """Return the HTML class of the cells of a column; numbers, the usual kind, have no class."""
+    """Return the HTML class of the cells of a column; False for numbers, the usual content."""
     return "words" if not column.is_number else "sign" if column.is_sign else False

@@ -66,8 +66,8 @@ def escaped(text: str) -> str:
 PAGE, SMALL_PAGE = 66, 86
 """Number of characters per line in usual and in small type."""
 SHORT, ENOUGH = 20, 24
-"""Width in characters up to which a column of words is not broken into lines, and smallest width
-of a broken column for which the usual type size is used.
+"""Width of a column of words [characters]: up to SHORT, lines are not broken; from ENOUGH on, a
+column with broken lines needs no smaller type.
 """
 
 MOST_ROWS = 28
@@ -75,7 +75,7 @@ MOST_ROWS = 28
 
 
 def _pages(grid: Grid) -> Iterator[Grid]:
-    """Split a table into parts that fit a page, each with the first column."""
+    """Split a table into pieces that fit a page. Each piece has the first column."""
     if not grid.rows:
         yield grid
         return
@@ -156,14 +156,13 @@ def _broken(grid: Grid, lengths: Sequence[int]) -> tuple[int, dict[int, float]]:
     page = PAGE if unbroken + ENOUGH * len(long) <= PAGE else SMALL_PAGE
     room: float = max(page - unbroken, SHORT)
     widths: dict[int, float] = {}
-    for index in sorted(long, key=long.__getitem__):  # short columns leave room for longer columns
+    for index in sorted(long, key=long.__getitem__):  # short columns leave room for long columns
         widths[index] = min(long[index], room / (len(long) - len(widths)))
         room -= widths[index]
     return page, widths
 
 
 def _heading(text: str) -> str:
-    """Return a heading above numbers, with a word on each line."""
     words = escaped(text).split()
     stacked = r"\\ ".join(words)
     return rf"\shortstack[r]{{{stacked}}}" if len(words) > 1 else stacked
@@ -179,7 +178,7 @@ def _cell(cell: Cell, column: Column) -> str:
 
 
 def _row(cells: Iterable[str], broken: Container[int]) -> str:
-    r"""Return a row; a ragged cell redefines `\\`, so the row needs another end."""
+    r"""Return a row. A ragged cell redefines `\\`, so a row with broken cells needs another end."""
     ragged = (
         rf"\raggedright {cell}" if index in broken else cell for index, cell in enumerate(cells)
     )

@@ -23,7 +23,7 @@ def quantity_named(name: str) -> Quantity:
     Parameters
     ----------
     name : str
-        Name or deck name; upper and lower case must be right.
+        Name or deck name, in which upper and lower case matter.
 
     Raises
     ------
@@ -46,7 +46,7 @@ def quantity_named(name: str) -> Quantity:
 
 
 def plain_name(name: str) -> str:
-    """Return the name in outputs for a name or deck name; other texts are unchanged.
+    """Return the output name of a quantity for a name or deck name; other texts do not change.
 
     >>> plain_name("ETA"), plain_name("efficiency"), plain_name("eta")
     ('efficiency', 'efficiency', 'eta')
@@ -55,9 +55,9 @@ def plain_name(name: str) -> str:
 
 
 def plain_names(text: str) -> str:
-    """Return a formula or heading with deck names replaced by the names in outputs.
+    """Return a formula or heading with output names of quantities instead of deck names.
 
-    Texts in quotes or brackets, and names with a point, are left unchanged.
+    Texts in quotes or brackets, and names with a point, do not change.
 
     >>> plain_names("ETA[low]"), plain_names('max(W["ETA",:]) - W.ratio')
     ('efficiency[low]', 'max(speeds["ETA",:]) - W.ratio')
@@ -117,16 +117,16 @@ def row_named(name: str, kind: Rows, case: Transmission) -> int:
 
 
 def rows_called(name: str, kind: Rows, case: Transmission) -> list[int]:
-    """Return the indices of rows with a name, or else of all rows of a gear set with the name."""
+    """Return the indices of rows with a name; if there are none, of rows of that gear set."""
     indices = [index for index, row in enumerate(row_names(case, kind)) if row == name]
     return indices or [index for index, owner in enumerate(_owners(kind, case)) if owner == name]
 
 
 def _owners(kind: Rows, case: Transmission) -> list[str]:
-    """Return, for each row, the name of the drawn gear set to which the row belongs, or ""."""
+    """Return for each row the name of its drawn gear set, or ""; empty if not needed."""
     devices = case.own_devices
     if case.drawing is None:
-        return []  # rows are mechanisms, found by their own names
+        return []  # rows are mechanisms with their own names
     if kind == "planets":
         return [device.name for device in devices for _ in device.planets]
     if kind == "torques":
@@ -140,7 +140,7 @@ def _owners(kind: Rows, case: Transmission) -> list[str]:
 
 
 def several(name: str, indices: Sequence[int], names: Sequence[str], what: str = "rows") -> str:
-    """Return the message about a name that is shared by several rows.
+    """Return the message that several rows have the same name.
 
     >>> several("C1", [0, 2], ["C1", "B", "C1"])
     'there are two rows `C1`, expected #1 or #3'
@@ -155,7 +155,7 @@ def several(name: str, indices: Sequence[int], names: Sequence[str], what: str =
 
 
 def no_row(name: str, kind: Rows, names: Sequence[str], hint: str = "") -> str:
-    """Return the message about a name without a row; the default hint is the most similar name."""
+    """Return the message that no row has a name, with `hint` or the most similar name."""
     known = f"there is no {ROWS[kind].singular} {quoted(name)}, expected one of {listed(names)}"
     return known + (hint or nearest(name, names))
 
@@ -166,7 +166,7 @@ DOTTED = re.compile(rf"{NAME.pattern}(?:\.\w+)*")
 """Pattern of a name that needs no quotes in brackets, such as `P1.ring`."""
 _QUOTED = r"\"[^\"]*\"|'[^']*'"
 _IN_FORMULA = re.compile(rf"{_QUOTED}|\[(?:{_QUOTED}|[^\]\"'])*\]|[\w.]+")
-"""Pattern of a part of a formula: text in quotes, brackets, or name or number with points."""
+"""Pattern of an item in a formula: text in quotes or brackets, or name or number with points."""
 BEFORE_NAME = "|"
 """Character that precedes the name of a row in a listing."""
 
@@ -210,7 +210,7 @@ def table_rows(name: str, case: Transmission) -> Sequence[str]:
 
 
 def written(index: int, names: Sequence[str]) -> str:
-    """Return the unambiguous text for a row or gear in brackets.
+    """Return an unambiguous text by which users select a row or gear in brackets.
 
     >>> [written(index, ["C1", "4-5", "C1"]) for index in range(3)]
     ['#1', '"4-5"', '#3']
@@ -235,21 +235,20 @@ ALL = slice(None)
 
 
 def by_name(results: Results, key: Any) -> Any:
-    """Return ``results[key]``: values selected by names.
+    """Return ``results[key]``, the values selected by names.
 
     Parameters
     ----------
     results : Results
     key : str or tuple
-        Name or deck name of a table; then a row, if the table has rows; then a gear by its name or
-        number: ``"ratio"``, ``("ratio", "low")``, ``("speeds", "ring")``,
-        ``("speeds", "ring", "low")``. ``:`` selects all rows or gears.
+        Name or deck name of a table, then a row (if the table has rows), then the name or number of
+        a gear: ``"ratio"``, ``("ratio", "low")``, ``("speeds", "ring")``, ``("speeds", "ring",
+        "low")``. ``:`` selects all rows or gears.
 
     Returns
     -------
     ndarray or float
-        Values with the axes of variants, gears and rows; the axis of a selected gear or row is
-        dropped.
+        Values with the axes of variants, gears and rows, without axes of a selected gear or row.
 
     Raises
     ------
@@ -277,12 +276,12 @@ def by_name(results: Results, key: Any) -> Any:
         raise TypeError(f"results of {type_and_value(name)}: {expected}")
     try:
         return _selected(results, name, selection)
-    except ReadError as error:  # names in Python code have no place in a file
+    except ReadError as error:  # names in Python code do not have a place in a file
         raise ValueError(str(error)) from None
 
 
 def _selected(results: Results, name: str, selection: list[Any]) -> Any:
-    """Return a table, or the part selected by the names of row and gear."""
+    """Return a table, or the values selected by the names of row and gear."""
     quantity = quantity_named(name)
     if quantity.columns == "devices":
         array, wanted = structural_matrix(results.case), "its name: it is of no gear"

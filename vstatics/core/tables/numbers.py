@@ -13,7 +13,7 @@ from vstatics.core.numerics.tolerances import ROUNDED_NUMBER
 _MINUS = re.compile(r"(?<![\w.)\]-])-(?=\.?\d|[A-Za-z]+[_\[])")
 
 EXPONENT_DIGITS = 4
-"""Smallest number of digits in E format."""
+"""Smallest number of significant digits in E format."""
 SMALL, SIGNIFICANT = 0.1, 4
 """Magnitude below which a number is small, and number of significant digits of small numbers."""
 
@@ -21,7 +21,8 @@ SMALL, SIGNIFICANT = 0.1, 4
 def certain(value: float) -> float:
     """Round a number to twelve significant digits, because last bits depend on the processor.
 
-    Decisions about digits, scales or maxima use the rounded number, so that all processors agree.
+    The choice of digits, scales or maxima depends on the rounded number, so that all processors
+    agree.
 
     >>> certain(0.1 + 0.2), certain(99.99999999999999), certain(float("nan"))
     (0.3, 100.0, nan)
@@ -58,8 +59,8 @@ def fixed(value: float, width: int = 0, decimals: int = 3) -> str:
 def fixed_rows(values: Sequence[Sequence[float]], width: int, decimals: int = 3) -> list[str]:
     """Format the rows of a listing in Fortran's F format, with a blank between two fields.
 
-    As in the published listing, there is no zero before the point. Formatting the whole table at
-    once takes a fifth of the time of `fixed` for each number.
+    As in the published listing, there is no zero before the point. This function takes a fifth of
+    the time of `fixed`, because it formats the whole table at once.
 
     Parameters
     ----------
@@ -106,7 +107,7 @@ def places(value: float, decimals: int = 3, digits: int | None = None) -> int:
     ----------
     value : float
     decimals : int
-        Usual number of decimals; a number below 0.1 has four significant digits instead.
+        Usual number of decimals. A number below 0.1 has four significant digits instead.
     digits : int, optional
         Requested number of decimals, for numbers of any size.
 
@@ -134,7 +135,7 @@ def rounded(value: float, decimals: int = 3, digits: int | None = None) -> str:
 
 
 def exponent(value: float) -> str:
-    """Format a number for a deck in E format, with four digits, or more for an exact value.
+    """Format a number for a deck in E format with four digits, or as many as it needs.
 
     Examples
     --------
@@ -159,7 +160,7 @@ def short(value: float, digits: int | None = None) -> str:
     ----------
     value : float
     digits : int, optional
-        Number of decimals instead of five significant digits; whole numbers have none.
+        Number of decimals instead of five significant digits. Whole numbers have no decimals.
 
     Examples
     --------
@@ -177,9 +178,9 @@ def short(value: float, digits: int | None = None) -> str:
 
 @lru_cache(maxsize=4096)
 def typeset(text: str) -> str:
-    """Return a text in which the hyphens of negative numbers are minus signs.
+    """Return a text with minus signs instead of hyphens before negative numbers.
 
-    The function is for pictures and pages; text for programs keeps the hyphen.
+    Only pictures and pages use this function. Programs read the hyphen.
 
     >>> typeset("-0.953"), typeset("sun 1-2: -0.5, 2.5 (-1e-07)")
     ('−0.953', 'sun 1-2: −0.5, 2.5 (−1e-07)')

@@ -8,11 +8,11 @@ from typing import TypeVar
 T = TypeVar("T")
 
 GROUP = 262_144
-"""Intended number of rows of a row group, which the last table of a group can exceed."""
+"""Number of rows from which a row group is complete."""
 
 
 def row_groups(tables: Iterable[T], rows: Callable[[T], int]) -> Iterator[list[T]]:
-    """Yield lists of consecutive tables that together are large enough for a row group.
+    """Yield lists of consecutive tables. Each but the last is large enough for a row group.
 
     Parameters
     ----------

@@ -16,11 +16,11 @@ from vstatics.core.tables.grid import Cell, Grid, exact, grid_of, word
 from vstatics.core.tables.quantities import UNITS, headed
 
 MEASURES = (("speed", "rpm"), ("torque", "Nm"), ("power", "kW"))
-"""Quantities of a port, each with a physical unit."""
+"""Quantities of a port, and their physical units."""
 
 
 class NamedPort(NamedTuple):
-    """Port of a gear, with quantities also in physical units if the gear has a load."""
+    """Port of a gear, with quantities in physical units if there is an operating point."""
 
     link: str
     way: str | None
@@ -47,13 +47,13 @@ class PortTable(NamedTuple):
 
     gear: str
     rows: Sequence[tuple[str, Port]]
-    """Name of the link, and the port, for each port."""
+    """Name of the link, and port."""
     losses: Sequence[tuple[str, float]]
-    """Name of each loss, as in `LostPower`, and the relative power of the loss. [-]"""
+    """Name of each loss, as in `LostPower`, and its relative power. [-]"""
     scales: dict[str, float]
-    """Factors to physical units, by unit; see `gear_scales`."""
+    """Factors to physical units by unit, from `gear_scales`."""
     input_torque: float
-    """Relative input torque: 1, or 0 for an operating point without torque. [-]"""
+    """Relative input torque: 1, or 0 if the input torque is 0. [-]"""
 
     @property
     def ports(self) -> list[NamedPort]:
@@ -80,11 +80,11 @@ class PortTable(NamedTuple):
         ]
 
     def relative(self, number: float) -> float:
-        """Return a relative torque or power [-]; NaN without an input torque."""
+        """Return a relative torque or power [-]; NaN if the input torque is 0."""
         return number if self.input_torque else math.nan
 
     def _with_units(self, values: Sequence[float]) -> list[float | None]:
-        """Return the quantities of `MEASURES` in physical units, if known."""
+        """Return the quantities of `MEASURES` in physical units; None if unknown."""
         pairs = zip(values, [self.scales[unit] for _, unit in MEASURES], strict=True)
         return [None if math.isnan(scale) else value * scale for value, scale in pairs]
 
@@ -96,7 +96,7 @@ def port_tables(results: Results) -> list[PortTable]:
 
 
 def port_table(state: GearState, by_unit: dict[str, float]) -> PortTable:
-    """Return the ports of a gear, given the factors from `gear_scales`."""
+    """Return the ports of a gear; `by_unit` are its factors from `gear_scales`."""
     case, of_gear = state.case, ports(state)
     rows = [(case.link_name(port.link), port) for port in of_gear.ports]
     losses = {f"{kind}s": loss for kind, loss in of_gear.by_kind.items()}

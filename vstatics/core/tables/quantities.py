@@ -1,9 +1,9 @@
-"""All quantities of the results: their names, headings and units, and when they exist.
+"""All quantities of the results: names, headings, units, and conditions for their existence.
 
-A new quantity needs an array in `vstatics.core.statics.result_arrays.ARRAYS` and an entry here. All
-outputs contain its name, except the listing, which contains its deck name. Users can type either
-name (see `names`). Tables, JSON, CSV, listing, schema of results, report, comparison of results,
-and the detection of the end of a deck are derived from these entries.
+A new quantity needs an array in `vstatics.core.statics.result_arrays.ARRAYS` and an entry here.
+Outputs contain its name, but the listing its deck name. Users can type either name (see `names`).
+Tables, JSON, CSV, listing, schema of results, report, comparison of results, and the detection of
+the end of a deck are derived from these entries.
 """
 
 from __future__ import annotations
@@ -22,18 +22,18 @@ KINDS: dict[type, type] = {np.float64: float, np.int16: int, np.bool_: bool}
 
 
 class Quantity(NamedTuple):
-    """Quantity of the results, as shown by all formats."""
+    """Quantity of the results, as shown in all formats."""
 
     name: str
-    """Name in JSON, CSV, sweeps and Python; most quantities are attributes of `Results`."""
+    """Name in JSON, CSV, sweeps and Python. Most quantities are arrays of `Results`."""
     deck_name: str
-    """Name in listings and decks, or a name in a similar style, which users can type as well."""
+    """Name in listings and decks (or a name of this style), which users can also type."""
     heading: str
     """Heading in a listing, without the colon."""
     own_title: str = ""
     """Title in a report; empty if equal to the heading."""
     members: tuple[str, str] | None = None
-    """Headings of the second part of a table of torques, if the table has two parts.
+    """Headings of the second table of torques in a listing, if there is one.
 
     The first heading is for mechanisms, the second for members of gear sets in a drawn case.
     """
@@ -45,17 +45,17 @@ class Quantity(NamedTuple):
     published: bool = False
     """True for a table of the published report."""
     exists: Callable[[Results], bool] | None = None
-    """Condition, if any, under which the table is written."""
+    """Condition for the table; None if the table always exists."""
     decimals: int = 3
-    """Decimals in a report."""
+    """Number of decimals in a report."""
     with_load: str = ""
-    """Unit of a further table for a case with an operating point; empty without a further table."""
+    """Unit of a further table for a case with an operating point; empty without such a table."""
     brief: str = ""
-    """Heading of the table in the unit `with_load`; empty for the usual heading."""
+    """Heading of the table with the unit `with_load`; empty for the usual heading."""
     unit: str = ""
     """Unit of the numbers; empty if relative to the input."""
     of: str = ""
-    """Name of the relative quantity from which the quantity in `unit` is calculated; else ""."""
+    """Name of the relative quantity that is converted to `unit`; empty without conversion."""
 
     @property
     def printed(self) -> str:
@@ -86,7 +86,7 @@ class Quantity(NamedTuple):
 
 
 class Table(NamedTuple):
-    """Table of a quantity: a row for each link, device or mechanism, a column for each gear.
+    """Table of a quantity, usually with a row for each link or device and a column for each gear.
 
     The columns of the distribution matrix are devices. A quantity with one value per gear has a
     single row.
@@ -113,7 +113,7 @@ UNITS = {
 
 
 def headed(name: str, unit: str) -> str:
-    """Return the heading of a column with the unit; an empty unit means relative to the input.
+    """Return the heading of a column with its unit; relative values have no unit.
 
     >>> headed("slip", "rpm"), headed("torque", "Nm"), headed("slip", "")
     ('slip, rpm', 'torque, N*m', 'slip')
@@ -376,19 +376,19 @@ WITH_UNITS = (
     ),
     *_PORTS,
 )
-"""Physical quantities of a case with an operating point, ordered by unit and kind of rows."""
+"""Quantities with physical units for a case with an operating point, by unit and kind of rows."""
 
 QUANTITIES = RELATIVE + WITH_UNITS
 """All written quantities, in the order of the tables."""
 
 ASKED = _ASKED + tuple(in_unit(quantity) for quantity in _ASKED if quantity.with_load)
-"""Quantities that are output only if requested by name.
+"""Quantities in outputs only if users request them by name.
 
-They include the output torque, which is also the last row of the tables of torques.
+The output torque is such a quantity, because it is also the last row of the tables of torques.
 """
 
 PRINTED = {quantity.printed: quantity for quantity in QUANTITIES}
-"""Quantities by name in a listing; each name also ends the preceding deck."""
+"""Quantities by name in a listing. Such a name also ends the deck above."""
 
 BY_NAME = {
     name: quantity

@@ -1,4 +1,4 @@
-"""Tables of the results of a case for people, with blanks for trivial zeros."""
+"""Tables of the results of a case, in which zeros without information can be blank."""
 
 from __future__ import annotations
 
@@ -31,13 +31,13 @@ T = TypeVar("T")
 
 
 def of_results(results: Results, *, blanks: bool = False) -> Iterator[Grid]:
-    """Yield all tables of the results; the first has a row for each gear.
+    """Yield all tables of the results. The first table has a row for each gear.
 
     Parameters
     ----------
     results : Results
     blanks : bool
-        True to leave zeros blank that follow from the gear-train layout; see `structural_zeros`.
+        True for blanks instead of `structural_zeros`.
     """
     in_order = tables(results)
     yield _by_gear([table for table in in_order if table.quantity.rows == "one"])
@@ -46,7 +46,7 @@ def of_results(results: Results, *, blanks: bool = False) -> Iterator[Grid]:
             grid = _of_table(table)
             if table.quantity.name == "idle":
                 grid = _with_roles(grid, results)
-            if blanks:  # texts become blank, values remain
+            if blanks:  # only texts become blank, values remain
                 zero = structural_zeros(table, results).tolist()
                 grid = _by_place(
                     grid, zero, lambda cell, no: cell._replace(text="") if no else cell
@@ -55,7 +55,7 @@ def of_results(results: Results, *, blanks: bool = False) -> Iterator[Grid]:
 
 
 def _with_roles(grid: Grid, results: Results) -> Grid:
-    """Return the table of idle mechanisms with role names instead of marks."""
+    """Return the table of idle mechanisms with the names of roles instead of marks."""
     by_gear = [roles(results, number) for number in range(len(results.case.gears))]
 
     def with_role(cell: Cell, role: str) -> Cell:
@@ -67,7 +67,7 @@ def _with_roles(grid: Grid, results: Results) -> Grid:
 
 
 def _by_place(grid: Grid, data: Iterable[Sequence[T]], change: Callable[[Cell, T], Cell]) -> Grid:
-    """Return a table with a function of cell and datum applied to all but the first column."""
+    """Return a table after applying a function of cell and datum to all but the first column."""
     pairs = zip(grid.cells, data, strict=True)
     return grid._replace(
         rows=[[row[0], *map(change, row[1:], row_data)] for row, row_data in pairs]
@@ -81,7 +81,7 @@ def of_messages(results: Results) -> Grid:
 
 
 def _by_gear(lists: Sequence[Table]) -> Grid:
-    """Return a table with a row for each gear and a column for each single-valued quantity."""
+    """Return a table with a row for each gear, and a column for each of several `Table`."""
     columns = [text("gear")]
     columns += [Column(table.quantity.name.replace("_", " ")) for table in lists]
     rows = [
@@ -106,7 +106,7 @@ def _of_table(table: Table) -> Grid:
 
 
 _HEADS = {"elements": "shift element", "torques": "torque of"}
-"""Headings above row names that differ from the word for the kind of row."""
+"""Headings of columns of row names, if not the word for the kind of row."""
 
 
 def _number(table: Table, value: float) -> Cell:
@@ -122,11 +122,12 @@ _TORQUES = {"torques", "lossy_torques"}
 
 
 def structural_zeros(table: Table, results: Results) -> Booleans:
-    """Return marks of zeros that follow from the gear-train layout, shape (rows, columns).
+    """Return flags of zeros that follow from the gear-train layout, shape (rows, columns).
 
     Such zeros are torques of disengaged shift elements and unloaded members, slip speeds of engaged
-    shift elements, losses of unloaded mechanisms, and links that a mechanism does not have. The
-    zeros of links at rest and of engaged shift elements without torque are not marked.
+    shift elements, losses of unloaded mechanisms, and matrix entries for links that a mechanism
+    does not have. Zeros of links at rest, and of engaged shift elements without torque, are not
+    flagged.
 
     Examples
     --------
@@ -154,7 +155,7 @@ def structural_zeros(table: Table, results: Results) -> Booleans:
 
 
 def without_zeros(grid: Grid) -> Grid:
-    """Return a table with blank texts for numbers that are exactly 0; the values remain.
+    """Return a table with blank texts, but unchanged values, for numbers that are exactly 0.
 
     >>> from vstatics.core.tables.grid import Column, exact, text
     >>> cells = [exact(0.0), exact(0.5)]

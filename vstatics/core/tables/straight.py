@@ -1,4 +1,4 @@
-"""Headings with units of straight motion, for a case with links that move along a line."""
+"""Headings with units of motion along a line, for a case with links that move so."""
 
 from __future__ import annotations
 
@@ -18,15 +18,15 @@ _UNITS = {
     "rad/s^2": "m/s^2",
     "rad/s": "m/s",
 }
-"""Units of straight motion, by the corresponding units of rotation."""
+"""Units of motion along a line, by unit of rotation."""
 _ANY = "|".join(map(re.escape, [*_UNITS][:-1]))
 _SPEEDS = "|".join(rf"(?<={word} \[)" for word in ("speed", "rate", "velocity"))
 _UNIT = re.compile(rf"(?:(?<=\[)|(?<=, ))(?:{_ANY})(?=\]|$)|(?:{_SPEEDS})rad/s(?=\])")
-"""Pattern of units of rotation; rad/s is included for speeds, but not for frequencies."""
+"""Pattern of units of rotation. It includes rad/s for speeds, but not for frequencies."""
 
 
 def in_both_units(case: Transmission, grids: Iterable[Grid]) -> Iterator[Grid]:
-    """Yield tables whose headings also give units of straight motion, if links move straight.
+    """Yield tables; headings also contain units of motion along a line if links move so.
 
     Examples
     --------

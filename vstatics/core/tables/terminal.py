@@ -1,4 +1,4 @@
-"""Tables with colours for terminals; the only module of this package that imports `rich`."""
+"""Tables with colours for terminals, written with the package `rich`."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ from vstatics.core.tables.grid import Cell, Grid
 
 
 class _TerminalColumn(NamedTuple):
-    """Column for a terminal: heading and texts, and possible widths in characters."""
+    """Column for a terminal: heading, texts, and three widths in characters."""
 
     heading: Text
     texts: list[Text]
     least: int
     """Smallest width at which no word or number is cut."""
     whole: int
-    """Smallest width at which no text below the heading is folded (wrapped)."""
+    """Smallest width at which no text below the heading is folded."""
     natural: int
     """Smallest width at which neither a text nor the heading is folded."""
     is_number: bool
@@ -32,8 +32,8 @@ class _TerminalColumn(NamedTuple):
 def tables(grid: Grid, width: int, keys: int = 1) -> list[RichTable]:
     """Return a table without a title, or several tables if the columns are too wide.
 
-    A word is cut only if it is wider than the terminal. Columns of signs are close together,
-    without a gap if their headings are single letters.
+    A word is cut only if it is wider than the terminal. Columns of signs have small gaps, or no
+    gaps if their headings are single letters.
 
     Parameters
     ----------
@@ -54,20 +54,20 @@ def tables(grid: Grid, width: int, keys: int = 1) -> list[RichTable]:
 
 
 def natural_width(grid: Grid) -> int:
-    """Return the width of a table without folded lines, in characters."""
+    """Return the width of a table without folded lines [characters]."""
     grid = grid.spoken
     return _sum(_column(grid, group).natural for group in _groups(grid))
 
 
 def whole_width(grid: Grid) -> int:
-    """Return the smallest width at which only headings are folded, in characters."""
+    """Return the smallest width at which only headings are folded [characters]."""
     grid = grid.spoken
     columns = (_column(grid, group) for group in _groups(grid))
     return _sum(max(column.least, column.whole) for column in columns)
 
 
 def _sum(widths: Iterable[int]) -> int:
-    """Return the width of a table with the given column widths and gaps of two blanks."""
+    """Return the width of a table from its column widths, with gaps of two blanks."""
     return sum(width + 2 for width in widths)
 
 
@@ -110,8 +110,8 @@ def _table(columns: Sequence[_TerminalColumn], width: int) -> RichTable:
 def _widths(columns: Sequence[_TerminalColumn], width: int) -> list[int]:
     """Return the column widths for which as few texts as possible are folded.
 
-    Available width is given to the columns that need least: first so that no text is folded, then
-    so that no heading is folded.
+    Columns that need the least additional width get it first: to avoid folded texts, then to avoid
+    folded headings.
     """
     least = [column.least for column in columns]
     widths = [max(min(need, width - _sum(least) + need), 1) for need in least]
@@ -125,7 +125,7 @@ def _widths(columns: Sequence[_TerminalColumn], width: int) -> list[int]:
 
 
 def _groups(grid: Grid) -> list[list[int]]:
-    """Return groups of column indices; adjacent columns of signs form a group."""
+    """Return groups of column indices. Adjacent columns of signs form a group."""
     indices = range(len(grid.columns))
     groups = groupby(indices, lambda index: -1 if grid.columns[index].is_sign else index)
     return [list(group) for _, group in groups]

@@ -10,11 +10,11 @@ from vstatics.core.tables.grid import Grid
 TABLE_WIDTH = 80
 """Largest number of characters in a line.
 
-Wider tables are split between columns of numbers, or between pairs of a number and a word.
+Wider tables are split between columns of numbers, or between pairs of number and word.
 """
 GAP = "  "
 INDENT = "  "
-"""Indentation per level of a row."""
+"""Indentation of a row for each level."""
 
 
 def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
@@ -34,7 +34,7 @@ def write(titles: Sequence[str], tables: Iterable[Grid]) -> str:
     parts = [list(titles)] if titles else []
     for grid in tables:
         part = list(lines(grid))
-        if grid.title:  # a title can be a sentence
+        if grid.title:  # a title can be a whole sentence
             part[:1] = wrap(part[0], TABLE_WIDTH, break_long_words=False, break_on_hyphens=False)
         parts.append(part)
     return "\n\n".join("\n".join(part) for part in parts) + "\n"
@@ -50,7 +50,7 @@ def lines(
     grid : Grid
     widths : sequence of int, optional
         Fixed widths of the columns, to align several tables. A longer cell shifts the cells after
-        it; a longer first cell is on a line by itself. Default: the width of the widest cell.
+        it. A longer first cell has its own line. Default: the width of the widest cell.
     gap : str, optional
         Text between columns.
     indent : str, optional
@@ -83,7 +83,7 @@ def lines(
 
 
 def broken(parts: Sequence[str], width: int = TABLE_WIDTH, indent: str = 2 * INDENT) -> list[str]:
-    """Return the lines of a text that may be broken only between the parts.
+    """Return lines of a text, broken only between `parts`.
 
     Examples
     --------
@@ -100,7 +100,7 @@ def broken(parts: Sequence[str], width: int = TABLE_WIDTH, indent: str = 2 * IND
 
 
 def _pieces(grid: Grid, widths: Sequence[int], room: int, gap: int) -> Iterator[list[int]]:
-    """Yield the columns of each part of a split table; the first column is repeated."""
+    """Yield the columns of each piece of a split table. The first column is repeated."""
     columns, width = [0], widths[0]
     for group in _inseparable(grid):
         needed = sum(gap + widths[column] for column in group)
@@ -115,8 +115,7 @@ def _pieces(grid: Grid, widths: Sequence[int], room: int, gap: int) -> Iterator[
 def _inseparable(grid: Grid) -> list[list[int]]:
     """Return the groups of columns that must stay together, after the first column.
 
-    Columns of numbers, or pairs of a number and a word, can be separated; other tables are not
-    split.
+    Columns of numbers, or pairs of number and word, can be separated. Other tables are not split.
     """
     kinds = [column.is_number for column in grid.columns[1:]]
     places = list(range(1, len(kinds) + 1))

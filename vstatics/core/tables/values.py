@@ -1,4 +1,4 @@
-"""Tables of the results that every output format shows, in the order of the source.
+"""Tables of the results in all output formats, in the order of the published listing.
 
 For a case with springs, the headings mention springs.
 """
@@ -48,9 +48,9 @@ def tables(results: Results) -> list[Table]:
 
 
 def places(table: Table) -> list[tuple[str, str, str | None]]:
-    """Return table, row and gear of each value, for the long form of CSV and Parquet.
+    """Return table, row and gear of each value, for outputs with a value on each line.
 
-    The distribution matrix does not depend on the gear: its rows are ``link:device``.
+    The distribution matrix does not depend on the gear. Its rows are ``link:device``.
     """
     key, of_matrix = table.quantity.name, table.quantity.columns == "devices"
     return [
@@ -61,7 +61,7 @@ def places(table: Table) -> list[tuple[str, str, str | None]]:
 
 
 def with_units(results: Results) -> list[Quantity]:
-    """Return the quantities in rpm, N*m and kW that the operating point of a case determines."""
+    """Return the quantities in rpm, N*m and kW for which the case has an operating point."""
     units = known_units(results.case)
     return _existing([quantity for quantity in WITH_UNITS if quantity.unit in units], results)
 
@@ -75,7 +75,7 @@ WORDS = {
     "mechanisms and output": "mechanisms, springs and output",
     "the elements and of the output": "the elements, of springs and of the output",
 }
-"""Phrases in headings, and the replacements for a case with springs."""
+"""Words in headings, and what a case with springs has instead."""
 
 
 def among_springs(quantity: Quantity) -> Quantity:

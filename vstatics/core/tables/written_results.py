@@ -1,4 +1,4 @@
-"""Numbers of written results, as read from a listing or JSON for a comparison."""
+"""Results read from a listing, JSON or other file, for a comparison."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from typing import NamedTuple
 from vstatics.core.model.transmission import Transmission
 
 GEAR_NUMBER = "gear number"
-"""Column of a written driving cycle that contains the numbers of gears."""
+"""Column with the numbers of gears in the output for a driving cycle."""
 
 
 class Figure(NamedTuple):
-    """Number as written in a result; NaN without a value."""
+    """Number read from a result; NaN if its value is missing."""
 
     value: float
     slack: float = 0.0
@@ -21,7 +21,7 @@ class Figure(NamedTuple):
 
 
 Figures = list[list[Figure]]
-"""Rows of a table; a table with a value per gear has a single row."""
+"""Rows of a table. A table with a value per gear has a single row."""
 
 
 class WrittenResult(NamedTuple):
@@ -29,23 +29,23 @@ class WrittenResult(NamedTuple):
 
     tables: dict[str, Figures]
     case: Transmission | None
-    """Case of the result, which gives the names of rows and gears, if known."""
+    """Case of the result, which contains the names of rows and gears; None if unknown."""
     printed: bool
     """True if the result was read from a listing."""
     errors: bool = False
     """True if the case failed."""
     rows: Mapping[str, Sequence[str]] = MappingProxyType({})
-    """Names of the rows of each table, if contained in the file (for a drawn case, or in CSV)."""
+    """Names of the rows of each table, if the file contains them (for a drawn case, or in CSV)."""
     file: str = ""
-    """File of the case, with folders if written; empty if unknown."""
+    """File of the case, with its folders if the result contains them; empty if unknown."""
     gears: Sequence[str] = ()
-    """Names of the gears, if the file contains names without the case."""
+    """Names of the gears, if the file contains names but not the case."""
     devices: Sequence[str] = ()
-    """Names of the devices, if the file contains names without the case."""
+    """Names of the devices, if the file contains names but not the case."""
 
     @property
     def is_of_source(self) -> bool:
-        """True if the result is a listing with the tables of the published report only."""
+        """True for a listing that has only the tables of the published report."""
         return self.printed and "ratio" not in self.tables
 
     @property
@@ -58,14 +58,14 @@ class WrittenResult(NamedTuple):
 
     @property
     def gear_names(self) -> Sequence[str]:
-        """Names of the gears, if known; a published listing has only numbers."""
+        """Names of the gears; empty if unknown, as in a published listing."""
         if self.is_of_source:
             return ()
         return self.gears or ([gear.name for gear in self.case.gears] if self.case else ())
 
     @property
     def device_names(self) -> Sequence[str]:
-        """Names of the devices, if known."""
+        """Names of the devices; empty if unknown."""
         if self.is_of_source:
             return ()
         return self.devices or (self.case.devices if self.case else ())

@@ -29,11 +29,11 @@ _EPOCH = (1980, 1, 1, 0, 0, 0)
 def write(
     cases: Iterable[tuple[str, Sequence[Grid]]], *, several: bool, digits: int | None = None
 ) -> bytes:
-    """Return the tables of cases as a workbook; tables with equal names share a sheet.
+    """Return the tables of cases as a workbook, with a sheet for tables of the same name.
 
     For several cases, the first column of a sheet contains the file of the case. A row of headings
     is written whenever the headings change. Tables of the same group share a sheet, with a column
-    of titles. If tables have keys, the first sheet lists their titles. Equal tables give equal
+    of titles. If tables have keys, the first sheet lists their titles. Equal tables result in equal
     bytes.
 
     Parameters
@@ -43,7 +43,7 @@ def write(
     several : bool
         Whether the first column is the file of the case.
     digits : int, optional
-        Number of decimals shown; the stored numbers keep all digits.
+        Number of visible decimals. The stored numbers have all digits.
 
     Raises
     ------
@@ -63,9 +63,9 @@ def write(
 
 
 def sheet_data(sheets: Mapping[str, Sequence[Sequence[Any]]]) -> bytes:
-    """Return a workbook of named sheets; the first row of each sheet contains the headings.
+    """Return a workbook of sheets by name, whose first row contains the headings.
 
-    Equal sheets give equal bytes.
+    Equal sheets result in equal bytes.
     """
     from openpyxl import Workbook
 
@@ -101,7 +101,7 @@ class _Book:
         )
 
     def data(self) -> bytes:
-        """Return the content of the workbook file, with a sheet of contents."""
+        """Return the bytes of the workbook, with a sheet of contents if necessary."""
         if self.titles or not self.sheets:
             contents = _Worksheet(self.book.create_sheet(CONTENTS, 0), self)
             contents.add([], ["sheet", "table"], list(map(list, self.titles.items())))
@@ -125,7 +125,7 @@ class _Worksheet:
         self.rows = 0
 
     def add(self, front: Sequence[str], headings: list[str], rows: Sequence[Sequence[Any]]) -> None:
-        """Add rows, preceded by headings if different from the last headings."""
+        """Add rows, after headings if these differ from the previous headings."""
         from openpyxl.styles import Font
 
         bold = Font(bold=True)
@@ -141,7 +141,7 @@ class _Worksheet:
             self.sheet.append([self._cell(datum) for datum in (*front, *row)])
 
     def _cell(self, datum: Datum, font: Any = None) -> Any:
-        """Return a cell with a value; texts never become formulas."""
+        """Return a cell with a value. Texts never become formulas."""
         from openpyxl.cell import WriteOnlyCell
 
         if datum is None:
@@ -161,7 +161,7 @@ class _Worksheet:
 
 
 def sheet_name(name: str, taken: set[str]) -> str:
-    """Return a valid, unused name for a sheet, and add the name to `taken`.
+    """Return a valid name for a sheet that is not in `taken`, and add the name to `taken`.
 
     >>> taken = set()
     >>> sheet_name("Gear 1/2: [low]", taken), sheet_name("gear 1 2  (low)", taken)
@@ -179,7 +179,7 @@ def sheet_name(name: str, taken: set[str]) -> str:
 
 
 def _without_dates(written: io.BytesIO) -> bytes:
-    """Return a workbook without the time of creation, so that equal tables give equal bytes."""
+    """Return a workbook without creation times, so that equal tables result in equal bytes."""
     dateless = io.BytesIO()
     with (
         zipfile.ZipFile(written) as old,

@@ -1,7 +1,7 @@
-"""Translation of the program's texts; English texts are written in the code.
+"""Translation of the program's texts. The code contains the English texts.
 
 `tr` returns a text in the current language, which `speaking` selects. The file `table.txt` contains
-a row with the translations of each English text. Numbers and names are inserted into named fields,
+a row with the translations of each English text. Texts contain named fields for numbers and names,
 because word order depends on the language. A text without a row stays English.
 
 >>> with speaking("ru"):
@@ -24,12 +24,12 @@ Language = Literal["en", "ru"]
 
 _SPOKEN: ContextVar[Language] = ContextVar("language", default="en")
 FORMS = "|"
-"""Separator between the singular and plural forms of a text; Russian has two plurals."""
+"""Separator between the singular and plural forms of a text. Russian has two plural forms."""
 
 
 @contextmanager
 def speaking(language: Language) -> Iterator[None]:
-    """Run the block with a language for all texts that are translated in the block."""
+    """Run the block with all texts translated into a language."""
     before = _SPOKEN.set(language)
     try:
         yield
@@ -64,7 +64,7 @@ def tr(text: str, /, **places: object) -> str:
 
 
 def translated(text: str, /, language: Language, **places: object) -> str:
-    """Return a text in a given language; see `tr`.
+    """Return a text in any language; see `tr`.
 
     >>> translated("efficiency", "ru")
     'КПД'
@@ -123,7 +123,7 @@ def title(text: str) -> str:
 
 
 def labelled(text: str) -> str:
-    """Return a translated text; without a translation, only the label before the colon is.
+    """Return a translated text; if unknown, only the label before the colon is translated.
 
     >>> with speaking("ru"):
     ...     labelled("sun: ring"), labelled("lost: meshes")
@@ -143,7 +143,7 @@ def table(language: Language) -> Mapping[str, str]:
 
 @cache
 def rows() -> list[dict[str, str]]:
-    """Return the rows of the table, each a text in every language; \\n stands for a new line."""
+    """Return the rows of the table: a text in each language, in which \\n stands for a new line."""
     from importlib import resources  # costs start-up time
 
     source = resources.files(__package__).joinpath("table.txt").read_text(encoding="utf-8")

@@ -1,4 +1,4 @@
-"""Writers of cases and results: a module for each format, without any calculation.
+"""Writers of cases and results: a module for each format. Writers do not calculate anything.
 
 >>> from vstatics.core.model.transmission import Gear, Mechanism, Transmission
 >>> from vstatics.core.statics.solve import solve

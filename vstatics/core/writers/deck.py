@@ -18,26 +18,26 @@ if TYPE_CHECKING:
 
 SPRINGS = "Springs, their twists by links (no deck has them: take the YAML or JSON of the case):"
 NAME = "NAME "
-"""Beginning of a line that gives a name."""
+"""Beginning of a line with a name."""
 KINDS = {
     "dog_clutch": "that {} is a dog clutch",
     "freewheel": "that {} is a freewheel; it is engaged where it holds",
 }
-"""Messages about kinds of shift elements that a deck cannot contain."""
+"""Messages about kinds of shift elements for which a deck has no field."""
 
 DECK_KEYS = {
     *("name", "links", "input", "output", "idle", "coast", "shift_elements", "mechanisms", "gears"),
     *("kind", "engaged", "speeds", "torques"),
     *("first", "second", "third", "ratio", "efficiency", "planet_ratio"),
 }
-"""Keys of YAML and JSON that have fields in a deck; some values of `kind` have no field."""
+"""Keys of YAML and JSON that have fields in a deck. Some values of `kind` have no field."""
 
 
 def write(case: Transmission, lang: Language = "en") -> str:
-    """Return a case as a deck that reads back as an equal case, except for parts listed by `lost`.
+    """Return a case as a deck. Reading the deck gives an equal case, except for parts from `lost`.
 
-    A case with speeds that are multiples of other links' speeds must first be converted by
-    `Results.with_numbers_only`. Springs are written under a heading that marks them as unreadable;
+    Speeds that are multiples of other links' speeds must first be converted by
+    `Results.with_numbers_only`. Springs are written under a heading that marks them as unreadable.
     `check_deck` raises an error for springs.
 
     Parameters
@@ -118,7 +118,7 @@ def lost(case: Transmission) -> list[str]:
 
 
 def _unkept(part: object, shape: ByKey) -> Iterator[str]:
-    """Yield the keys of a part that have no field in a deck and differ from the defaults."""
+    """Yield the keys of a part that have no field in a deck and a value other than the default."""
     for key in shape.keys:
         if key.name not in DECK_KEYS and not key.leaves_out(getattr(part, key.name, None)):
             yield key.name
@@ -131,7 +131,7 @@ def _links_of_devices(case: Transmission) -> list[str]:
 
 
 def _lists(part: str, parts: Sequence[object], kind: type[float]) -> Iterator[str]:
-    """Yield the lists of numbers of a type; lists for gears are omitted if all are defaults."""
+    """Yield the lists of numbers of a type. Lists for gears with only defaults are omitted."""
     for key, field in FIELDS.items():
         if field.part != part or field.kind is not kind:
             continue
@@ -170,7 +170,7 @@ def _gears(case: Transmission) -> list[str]:
 def _given(
     gears: Sequence[Mapping[int, Any]], count: str, links: str, values: str
 ) -> Iterator[str]:
-    """Yield the links and values of given speeds or torques, with a line for each gear."""
+    """Yield links and values of prescribed speeds or torques, with a line for each gear."""
     if any(gears):
         yield "Their links:"
         yield f"({links}(K,I),K=1,{count}(I)),I=1,NP:"
@@ -185,7 +185,7 @@ def _further_lines(case: Transmission) -> list[str]:
 
 
 def _conditions(case: Transmission) -> Iterator[str]:
-    """Yield the fields of input, output and conventions that differ from the defaults."""
+    """Yield the fields of input, output and conventions that do not have the default value."""
     conditions = {
         f"INP= {case.input}": case.input != 1,
         f"IOUT= {case.output}": case.output != case.links,

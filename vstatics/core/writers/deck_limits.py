@@ -13,7 +13,7 @@ from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Tran
 from vstatics.core.statics.results import Results
 
 SHOWN = 20
-"""Largest number of names that a message lists for each kind of part."""
+"""Largest number of names of each kind of part in a message."""
 
 
 def check_deck(case: Transmission) -> None:
@@ -45,7 +45,7 @@ def check_deck(case: Transmission) -> None:
 
 
 def _unheld(case: Transmission) -> Iterator[tuple[str, list[str]]]:
-    """Yield each used key that has no field in a deck, with the names of the parts concerned."""
+    """Yield each key that has no field in a deck but is in use, with the names of parts."""
     parts: list[ShiftElement | Mechanism] = [*case.shift_elements, *case.mechanisms]
     drawing = drawing_of(case)
     elements = drawing.elements if drawing else ()
@@ -68,7 +68,7 @@ def _unheld(case: Transmission) -> Iterator[tuple[str, list[str]]]:
 
 
 def check_published_listing(results: Results) -> None:
-    """Raise an error for a case whose results depend on more than the fields of the listing.
+    """Raise an error for a case whose results depend on keys without a field in the listing.
 
     Raises
     ------
@@ -96,7 +96,7 @@ def check_published_listing(results: Results) -> None:
 
 
 def _unprinted_parts(case: Transmission) -> Iterator[tuple[str, dict[str, Path]]]:
-    """Yield each kind of part for which the listing has no field, with paths by name."""
+    """Yield each kind of part without a field in the listing, with paths by name."""
     yield "springs", {spring.name: ("springs", n) for n, spring in enumerate(case.springs, 1)}
     yield "speed ratios", _mechanisms(case, "kind", lambda part: bool(part.kind))
     yield (
@@ -122,7 +122,7 @@ def _unprinted_parts(case: Transmission) -> Iterator[tuple[str, dict[str, Path]]
 
 
 def _unprinted_gears(results: Results) -> Iterator[tuple[str, dict[str, Path]]]:
-    """Yield each key of gears for which the listing has no field, with paths by gear name."""
+    """Yield each key of gears without a field in the listing, with paths by gear name."""
     case = results.case
     yield "slip in gears", _gears(case, "slip", lambda gear: bool(gear.slip))
     yield "losses of gears as a whole", _gears(case, "loss", lambda gear: gear.loss is not None)
@@ -172,12 +172,12 @@ def _gears(case: Transmission, key: str, applies: Callable[[Gear], bool]) -> dic
 
 
 def _differs(case: Transmission, port: Callable[[Gear], int]) -> Callable[[Gear], bool]:
-    """Return a test for gears whose port differs from the port of the first gear."""
+    """Return a test whether a gear has another port (input or output) than the first gear."""
     return lambda gear: port(gear) != port(case.gears[0])
 
 
 def _load_path(index: int, key: str, of_gear: object) -> Path:
-    """Return the path of a key of the gear, or of the case if the gear inherits the value."""
+    """Return the path of a key of the gear, or of the case if the gear omits the key."""
     return (key,) if of_gear is None else ("gears", index + 1, key)
 
 

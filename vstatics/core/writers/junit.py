@@ -1,4 +1,4 @@
-"""Outcomes of a check or comparison as JUnit XML, which CI systems show as tests."""
+"""Outcomes of a check or comparison as JUnit XML, which CI systems display as tests."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from vstatics.core.errors import printable
 
 
 class CaseOutcome(NamedTuple):
-    """Outcome of a check or comparison for a case; a failure if `type` is not empty."""
+    """Outcome of a check or comparison for a case, which is a failure unless `type` is empty."""
 
     name: str
     type: str = ""
@@ -19,7 +19,7 @@ class CaseOutcome(NamedTuple):
 
 
 def junit(suite: str, outcomes: Sequence[CaseOutcome]) -> str:
-    """Return the outcomes as a test suite with a `testcase` for each.
+    """Return the outcomes as a test suite, with a `testcase` for each outcome.
 
     Examples
     --------

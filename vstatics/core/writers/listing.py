@@ -1,8 +1,8 @@
 """Listing of results in the form of the published report: the deck, then the tables.
 
-Rows, columns, names and index lists are printed as in the published report; additional tables of
-this program follow. The listing begins with the deck of the case, so it can be run again as a deck,
-except for a case with springs.
+Rows, columns, names and index lists are printed as in the published report. Additional tables of
+this program follow. The listing begins with the deck of the case. So it can be run again as a deck,
+unless the case has springs.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ def table_lines(results: Results, shown: Iterable[Table], digits: int) -> Iterat
     named = results.case.has_own_rows
     for table in shown:
         for title, indices, part in parts(table, results.case):
-            mark = " (1)" if part.quantity.kind is bool else ""  # 1 means yes
+            mark = " (1)" if part.quantity.kind is bool else ""  # in these tables, 1 means yes
             yield from ("", f"{heading(title)}{mark}:", indices)
             yield from _rows(part, digits, named=named and table.quantity.rows != "one")
 
@@ -70,7 +70,7 @@ def messages(results: Results) -> list[str]:
 
 
 def parts(table: Table, case: Transmission) -> Iterator[tuple[str, str, Table]]:
-    """Yield heading, index list and rows of a table; a table of torques has two parts."""
+    """Yield heading, index list and rows of a table, or of both parts of a table of torques."""
     quantity = table.quantity
     if quantity.members is None:
         if table.values.size:
@@ -86,7 +86,7 @@ def parts(table: Table, case: Transmission) -> Iterator[tuple[str, str, Table]]:
 
 @lru_cache(maxsize=100)
 def _indices(quantity: Quantity, rows: str = "") -> str:
-    """Return the name with an index list, as in ``(W(I,J),J=1,NP),I=1,KJG:``."""
+    """Return a name with an index list, as in ``(W(I,J),J=1,NP),I=1,KJG:``."""
     column = "K" if quantity.columns == "devices" else "J"
     columns = f"{column}=1,{'KLG' if quantity.columns == 'devices' else 'NP'}"
     if quantity.rows == "one":
@@ -96,9 +96,10 @@ def _indices(quantity: Quantity, rows: str = "") -> str:
 
 
 def _rows(table: Table, digits: int, *, named: bool) -> list[str]:
-    """Return rows with fields of equal width: 7 for three decimals, 3 for integers, or wider.
+    """Return rows with fields of equal width: 7 characters for three decimals, 3 for integers.
 
-    With `named`, each row ends with its name (for cases with gear sets or springs).
+    Longer numbers widen the fields. With `named`, each row ends with its name (for cases with gear
+    sets or springs).
     """
     decimals, width = (digits, digits + 4) if table.quantity.kind is float else (0, 3)
     rows = fixed_rows(table.values.tolist(), width, decimals)

@@ -8,16 +8,16 @@ from vstatics.core.model.transmission import ShiftElement, Transmission
 from vstatics.core.tables import csv
 
 MEMBERS = {"sun": "a", "carrier": "h", "ring": "b", "first": "a", "third": "h", "second": "b"}
-"""Letter for each member of a gear set or mechanism, in the order of the columns."""
+"""Letter of each member of a gear set or mechanism, in the order of the columns."""
 
 
 def write(case: Transmission) -> str:
-    """Return both matrices as CSV tables, separated by a blank line; rows are links.
+    """Return both matrices as CSV tables, with a row for each link and a blank line between.
 
-    The matrix of rigid connections has a column for each member of each gear set, unless the
-    member is fixed to the housing: 1 in the row of its link, or -1 if the link is the input. The
-    matrix of variable connections has a column for each shift element: -1 in the row of its first
-    or braked link, 1 in the row of its second link.
+    The matrix of rigid connections has a column for each member of a gear set that is not fixed to
+    the housing. The column contains 1 in the row of the member's link, or -1 if the link is the
+    input. The matrix of variable connections has a column for each shift element. It contains -1 in
+    the row of the first or braked link, and 1 in the row of the second link.
 
     Raises
     ------
@@ -35,7 +35,7 @@ def write(case: Transmission) -> str:
 def _links(case: Transmission, device: OwnDevice) -> dict[str, int]:
     links = {member.name: member.link for member in device.members}
     if case.mechanisms[device.mechanisms[0]].is_set and "first" in links:
-        links["third"] = HOUSING  # the housing has no row of torques
+        links["third"] = HOUSING  # the matrix has no row for the housing
     if not links.keys() <= MEMBERS.keys() or len(links) != 3:
         message = f"{device.name} has the members {listed(list(links))}"
         raise CaseError("E871", f"{message}; expected a set of sun, carrier and ring")

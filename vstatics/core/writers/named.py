@@ -1,4 +1,4 @@
-"""Writers of cases as YAML and JSON; reading the text gives an equal case."""
+"""Writers of cases as YAML and JSON. Reading the text gives an equal case."""
 
 from __future__ import annotations
 
@@ -40,20 +40,20 @@ _WORD = re.compile(r"[^\W\d]\w*")
 
 
 class _OnOneLine(dict[str, Any]):
-    """Mapping that is written in YAML on a single line, in braces."""
+    """Mapping that YAML writes on a single line, in braces."""
 
 
 def mapping(case: Transmission, *, units: bool = True) -> dict[str, Any]:
     """Convert a case to a mapping of plain data with the keys of YAML and JSON.
 
-    Keys whose values are the default are omitted.
+    Keys with the default value are omitted.
 
     Parameters
     ----------
     case : Transmission
     units : bool
-        True if values given in physical units keep their units, so that they do not change with the
-        operating point. False to write them relative to the input speed or torque.
+        True to write units if the user gave them, so that a new operating point does not change the
+        values. False to write values relative to the input speed or torque.
 
     Examples
     --------
@@ -125,15 +125,15 @@ def write_json(case: Transmission) -> str:
 def _wholes(case: Transmission) -> set[float]:
     """Return the magnitudes of the speeds and torques of all operating points.
 
-    A number relative to any other value is written without a unit, because no operating point could
-    convert the unit back when the case is read.
+    A number relative to another value is written without a unit, because no operating point could
+    convert it back when the case is read.
     """
     loads = [case.load, *(gear.load and case.gear_load(gear) for gear in case.gears)]
     return {size for load in loads if load for size in (load.torque_size, abs(load.speed or 0.0))}
 
 
 def _drag_by_gear(case: Transmission) -> dict[str, Any]:
-    """Return the written gears, with all drags relative to the operating point of each gear."""
+    """Return the gears for writing, with all drags relative to the operating point of each gear."""
     gears = []
     for gear, with_drag in zip(case.gears, case.gears_with_drag, strict=True):
         dragging = {
@@ -145,7 +145,7 @@ def _drag_by_gear(case: Transmission) -> dict[str, Any]:
 
 
 def _link_words(case: Transmission) -> list[int | str]:
-    """Return how links are written, housing first: by name or, without names, by number."""
+    """Return links as written, housing first: by name or, without names, by number."""
     own_links = case.own_links
     if list(case.link_names[:own_links]) == [str(number) for number in range(1, own_links + 1)]:
         return ["housing", *range(1, case.links + 1)]
@@ -153,7 +153,7 @@ def _link_words(case: Transmission) -> list[int | str]:
 
 
 def _as_written(case: ByKey) -> ByKey:
-    """Return the declaration of a case with the keys in the order of writing."""
+    """Return the declaration of a case with keys in the order in which they are written."""
     keys = {key.name: key for key in case.keys}
     load = keys.pop("load")
     position = [*keys].index("coast") + 1
@@ -165,25 +165,25 @@ _CASE = _as_written(CASE)
 
 
 class _Writer(NamedTuple):
-    """Converter of parts of the model to plain data, following the declared shapes.
+    """Converter of parts of the model to plain data of the declared shapes.
 
-    Its fields contain the written names of links, shift elements and mechanisms, by number.
+    Its fields contain the names of links, shift elements and mechanisms in the text, by number.
     """
 
     links: Sequence[int | str]
     elements: Sequence[str]
     mechanisms: Sequence[str]
     wholes: Collection[float]
-    """Speeds and torques of operating points; values relative to a quantity keep the given unit."""
+    """Speeds and torques of operating points. Values relative to these are written with a unit."""
 
     def by_key(self, part: Any, shape: ByKey) -> dict[str, Any]:
-        """Return the keys of a part or mapping, without default values."""
+        """Return the keys and values of a part or mapping, without default values."""
         values = part if isinstance(part, dict) else None
         data: dict[str, Any] = {}
         for key in shape.keys:
             value = getattr(part, key.name, None) if values is None else values.get(key.name)
-            # A value with a unit is written even if it equals the default 0, as without an
-            # operating point.
+            # A value with a unit is written even if it equals the default, because it can be 0 only
+            # for lack of an operating point.
             is_written = key.required or isinstance(value, OfLoad) or not key.leaves_out(value)
             if key.name == "torque" and getattr(part, "power", None) is not None:
                 is_written = False  # the power determines the torque
@@ -210,7 +210,7 @@ class _Writer(NamedTuple):
         return f"{float(value)!r} {UNITS[shape.kind]}" if shape.kind in UNITS else value
 
     def speed_of(self, speed: SpeedOf) -> str:
-        """Write a speed relative to a link; the word `link` precedes ambiguous names."""
+        """Write a speed relative to a link. The word `link` precedes ambiguous names."""
         name = str(self.links[speed.link])
         link = name if _WORD.fullmatch(name) else f"link {name}"
         return link if speed.factor == 1 else f"{speed.factor!r}*{link}"
@@ -243,7 +243,7 @@ class _Writer(NamedTuple):
         ]
 
     def by_law(self, value: Any, shape: ByLaw) -> Any:
-        """Write a number or a law; points from a file are written in full."""
+        """Write a number or a law. Points from a file are written in full."""
         if not isinstance(value, Law):
             return value if shape.scalar is None else self.leaf(value, shape.scalar)
         if value.text:
@@ -300,7 +300,7 @@ _PLAIN: Mapping[str, Callable[[Any], Any]] = {
     **dict.fromkeys(("text", "choice"), str),
     "flag": bool,
 }
-"""Type to which plain values are converted for writing, by kind of the declared value."""
+"""Type of plain values in a document, by kind of the declared value."""
 
 
 def _dumper() -> type[yaml.SafeDumper]:
@@ -312,9 +312,10 @@ def _dumper() -> type[yaml.SafeDumper]:
             return True
 
     def text(dumper: yaml.SafeDumper, data: str) -> yaml.ScalarNode:
-        plain = printable(data, lines=True) == data  # otherwise escapes need quotes
+        # other texts need escapes, and therefore quotes
+        plain = printable(data, lines=True) == data
         style = ("|" if "\n" in data else None) if plain else '"'
-        if data in {*"yYnN"}:  # other readers of YAML 1.1 take these for true or false
+        if data in {*"yYnN"}:  # in YAML 1.1 these mean true or false
             style = "'"
         return dumper.represent_scalar("tag:yaml.org,2002:str", data, style=style)
 

@@ -1,4 +1,4 @@
-"""Problems of files in formats for CI: annotations of GitHub and SARIF 2.1.0."""
+"""Problems of files in formats for CI: GitHub annotations and SARIF 2.1.0."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
 
 
 def github(problems: Iterable[Problem]) -> str:
-    """Return a line for each problem, which GitHub shows as an annotation of the file.
+    """Return a line for each problem, which GitHub displays as an annotation of the file.
 
     >>> from vstatics.core.errors import Place
     >>> place = Place("scenarios/../a,b.yaml", 3, 7)

@@ -16,33 +16,33 @@ CONVENTIONS = (
 )
 """Sign conventions and units of the numbers, as sentences.
 
-They are written as rows without a value, because spreadsheets do not support comments in CSV.
+They are written in rows without a value, because spreadsheets do not support comments in CSV.
 """
 
 
 def write(results: Results, *, raw: bool = False) -> str:
     """Write the results of a case as CSV.
 
-    The columns are table, row, gear and value. The distribution matrix does not depend on the gear:
-    its rows are named ``link:device``, and the gear is empty. A value that does not exist is empty.
-    The last rows state the conventions and the program, without a value.
+    The columns are table, row, gear and value. A value that does not exist is empty. The
+    distribution matrix does not depend on the gear, so the column is empty, and the row is
+    ``link:device``. The last rows contain the conventions and the program instead of a value.
 
     Parameters
     ----------
     results : Results
     raw : bool
-        True to leave texts unchanged that begin like a formula; see `csv.guarded`.
+        True to omit the apostrophes of `csv.guarded`.
     """
     return "".join([head(several=False), rows(None, results, raw=raw), tail(several=False)])
 
 
 def head(*, several: bool) -> str:
-    """Return the line of column names; several results need a column `case`."""
+    """Return the line of column names, with `case` first for several results."""
     return csv.lines([["case"] * several + ["table", "row", "gear", "value"]])
 
 
 def rows(file: str | None, results: Results, *, raw: bool = False) -> str:
-    """Return the rows of a result; for several results, with the file of the case."""
+    """Return the rows of a result, for several results with the file of the case."""
     front = [] if file is None else [file]
     cells = []
     for table in tables(results):
@@ -55,7 +55,7 @@ def rows(file: str | None, results: Results, *, raw: bool = False) -> str:
 
 
 def tail(*, several: bool) -> str:
-    """Return the rows that state the conventions and the program."""
+    """Return the rows with the conventions and the program."""
     about = [("conventions", convention) for convention in CONVENTIONS]
     return csv.lines(
         [""] * several + [table, text, "", ""] for table, text in [*about, ("program", PROGRAM)]

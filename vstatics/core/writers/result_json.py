@@ -1,4 +1,4 @@
-"""Results as a JSON object; the schema is `schemas/result.schema.json`."""
+"""Results as a JSON object. Its schema is `schemas/result.schema.json`."""
 
 from __future__ import annotations
 
@@ -34,8 +34,8 @@ CONVENTIONS = {
 def document(results: Results) -> dict[str, Any]:
     """Convert results to a mapping of plain data for JSON.
 
-    A table becomes a list of rows, a table with one value per gear a plain list; NaN becomes None.
-    The key `idle` of the case is always written.
+    A table becomes a list of rows, a table with one value per gear a plain list. NaN becomes None.
+    The case always has the key `idle`.
     """
     case = results.case
     result: dict[str, Any] = {
@@ -61,7 +61,7 @@ def document(results: Results) -> dict[str, Any]:
 
 
 def _converters(results: Results, number: int) -> Iterator[tuple[str, Any]]:
-    """Yield the speed ratio of each converter in a gear, and further ratios that fit the load.
+    """Yield the speed ratio of each converter in a gear, and further ratios that suit the load.
 
     The speed ratio is None for a converter that is bypassed or open.
     """
@@ -84,7 +84,7 @@ def to_json(results: Results, file: str = "") -> str:
     results : Results
         Results of one case, not of arrays of variants.
     file : str
-        File of the case, for the key `file`, which is omitted if this is empty.
+        File of the case, for the key `file`; empty to omit the key.
     """
     expect_one_case(results, "to_json")
     data = document(results)
@@ -92,7 +92,7 @@ def to_json(results: Results, file: str = "") -> str:
 
 
 def text(data: dict[str, Any]) -> str:
-    """Format a document with a line for each row of a table, without a final line end.
+    """Return a document as text with a line for each row of a table, without a final line end.
 
     Examples
     --------
@@ -114,13 +114,13 @@ def _braced(entries: Iterable[tuple[str, str]], indent: str = "") -> str:
 
 
 def _value(key: str, value: Any) -> str:
-    """Format a value on several lines (tables, mappings, lists of messages) or on a single line."""
+    """Return a value on several lines (tables, mappings, lists of messages) or on a single line."""
     if value is CONVENTIONS:
         return _conventions()
     if isinstance(value, dict) and value:
         return _mapping(value)
     if isinstance(value, list) and value:
-        if isinstance(value[0], list):  # a table, in which "], [" only separates rows
+        if isinstance(value[0], list):  # in a table, "], [" only separates rows
             return "[\n    " + _text(value)[1:-1].replace("], [", "],\n    [") + "\n  ]"
         if key == "messages":
             return "[\n" + ",\n".join(f"    {_text(entry)}" for entry in value) + "\n  ]"
@@ -133,7 +133,7 @@ def _mapping(value: dict[str, Any]) -> str:
 
 @cache
 def _conventions() -> str:
-    """Format the conventions; cached, because equal for all results."""
+    """Return the conventions, which are equal for all results, as text."""
     return _mapping(CONVENTIONS)
 
 

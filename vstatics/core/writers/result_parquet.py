@@ -18,11 +18,11 @@ NAMES = ("case", "table", "row", "gear")
 
 
 def rows(file: str, results: Results) -> bytes:
-    """Return the rows of a result as an Arrow stream, for `joined`.
+    """Return the rows of a result as an Arrow stream, which `joined` reads.
 
-    The columns are case, table, row, gear and value. The distribution matrix does not depend on the
-    gear: its rows are named ``link:device``, and the gear is empty. A value that does not exist is
-    null.
+    The columns are case, table, row, gear and value. A value that does not exist is null. The
+    distribution matrix does not depend on the gear, so the column is empty, and the row is
+    ``link:device``.
     """
     pa = import_module("pyarrow")  # costs start-up time, and may be missing
     shown = tables(results)
@@ -39,7 +39,7 @@ def rows(file: str, results: Results) -> bytes:
 
 
 def joined(parts: Iterable[bytes]) -> Iterator[bytes]:
-    """Yield, in pieces, a Parquet file of all results, with the program in the metadata.
+    """Yield a Parquet file of all results, piece by piece.
 
     Parameters
     ----------
@@ -59,7 +59,7 @@ def joined(parts: Iterable[bytes]) -> Iterator[bytes]:
 
 
 class _Drained(io.RawIOBase):
-    """File object in memory whose content can be taken out during writing."""
+    """File object in memory whose bytes can be taken out while it is written."""
 
     def __init__(self) -> None:
         self.pieces: list[bytes] = []

@@ -1,4 +1,4 @@
-"""Cases as files of any format, with a list of the parts that a format cannot contain."""
+"""Cases as files of any format, and the parts of a case that a format cannot contain."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ SUFFIXES = {
 
 @refusing()
 def save(case: Transmission, path: str | os.PathLike[str]) -> list[str]:
-    """Write a case to a file, in the format given by the suffix.
+    """Write a case to a file, in the format of the suffix.
 
     The file is written completely or not at all.
 

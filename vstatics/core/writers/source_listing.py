@@ -1,8 +1,8 @@
 """Listing in the Russian wording of the published report, with its fields and tables only.
 
-The published report has fields for links, shift elements, mechanisms and gears. Its input is the
-first link, its output the last link, and idle mechanisms have a sign. `published_results` solves
-the case within these limits, so running the listing as a deck gives the same results.
+The published report has fields for links, shift elements, mechanisms and gears. The input is the
+first link, the output the last link, and idle mechanisms have a sign. `published_results` solves
+the case within these limits, so that the listing gives the same results when run as a deck.
 """
 
 from __future__ import annotations
@@ -84,16 +84,16 @@ GIVEN = {
         "Число дополнительных внешних моментов на каждой передаче:"
     ),
 }
-"""Russian headings by the headings of a deck; values of given speeds have no heading."""
+"""Russian headings by deck heading. Values of prescribed speeds have no heading."""
 BELOW = ("NNM(", "KFRI(", "KWZ(", "KMZ(")
-"""Lists whose numbers are below the name of the list (in a deck on the line of the name)."""
+"""Lists whose numbers are below the name of the list (in a deck after the name)."""
 
 SECTIONS = {
     "W": "А. Скоростной расчет",
     "AMLG": "Б. Силовой расчет",
     "AMLGP": "В. Силовой расчет с учетом потерь в преобразующих механизмах",
 }
-"""Title of each section, by the first table of the section."""
+"""Title of each section, by the name of the section's first table."""
 _OF_ELEMENTS = "Крутящие моменты на звеньях муфт и тормозов на каждой передаче"
 _OF_MECHANISMS = (
     "Крутящие моменты на первых звеньях (обычно солнечных шестернях дифференциалов) "
@@ -129,10 +129,10 @@ NO_FOLLOWING = (
 
 
 def published_results(results: Results) -> Results:
-    """Solve the case with the fields of the published listing only.
+    """Solve the case with only the data for which the published listing has fields.
 
     The links are renumbered with the input first and the output last. Freewheels become shift
-    elements that are engaged if the freewheel holds, and given speeds become numbers.
+    elements, which are engaged if the freewheel holds. Prescribed speeds become numbers.
 
     Raises
     ------
@@ -176,7 +176,7 @@ def changed_efficiencies(results: Results, published: Results) -> list[Problem]:
 
 
 def _published_case(results: Results) -> Transmission:
-    """Return the case reduced to the fields of the listing, with renumbered links."""
+    """Return the case with only the data of the listing, and with renumbered links."""
     case = results.with_numbers_only
     ends = case.gear_input(case.gears[0]), case.gear_output(case.gears[0])
     between = (link for link in range(1, case.links + 1) if link not in ends)

@@ -1,4 +1,4 @@
-"""Writer of cases as workbooks (XLSX); reading the file gives an equal case."""
+"""Writer of cases as workbooks (XLSX). Reading the file gives an equal case."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from vstatics.core.writers.named import mapping
 
 _Row = list[Any]
 _Values = Iterator[tuple[Path, Any]]
-"""Paths with values."""
+"""Paths and their values."""
 
 
 def write(case: Transmission) -> bytes:
@@ -37,19 +37,19 @@ def write(case: Transmission) -> bytes:
     Raises
     ------
     CaseError
-        If openpyxl is missing, or the case exceeds the size of sheets that can be read.
+        If openpyxl is missing, or the case is larger than the largest sheets that can be read.
     """
     require("xlsx", "a case in XLSX")
     return sheet_data(sheets(mapping(case)))
 
 
 def sheets(data: Mapping[str, Any]) -> dict[str, list[_Row]]:
-    """Return the sheets of a case given as plain data; the first row of a sheet is the headings.
+    """Return the sheets of a case in plain data. The first row of a sheet contains the headings.
 
     Raises
     ------
     CaseError
-        If the case exceeds the size of sheets that can be read.
+        If the case is larger than the largest sheets that can be read.
 
     Examples
     --------
@@ -85,12 +85,11 @@ def sheets(data: Mapping[str, Any]) -> dict[str, list[_Row]]:
 
 
 def _parts(parts: Mapping[str, Any], key: str) -> list[_Row]:
-    """Return a row for each part, with a column for each path that occurs in any part."""
     first = {path: heading for heading, path in PART_SHEETS[key].first.items()}
     cells: dict[str, dict[str, Any]] = {}
     for name, part in parts.items():
         whole, ends = part, []
-        if first:  # a shift element can be given by its links alone
+        if first:  # some shift elements have no keys except links
             whole = dict(part) if isinstance(part, dict) else {"links": part}
             ends = whole.pop("links")
         cells[name] = {first["links", end]: _cell(link) for end, link in enumerate(ends, 1)}
@@ -130,7 +129,7 @@ def _gears(gears: Mapping[str, Any], names: Sequence[str]) -> list[_Row]:
 
 
 def _in_order(names: Sequence[str], engaged: Sequence[Sequence[str]]) -> list[str]:
-    """Return the shift elements, sorted by the order within the gears as far as possible."""
+    """Return shift elements in an order that suits the order within all gears, if possible."""
     best, known = list(names), set[tuple[str, str]]()
     for elements in engaged:
         pairs = known | {*pairwise(elements)}
@@ -138,7 +137,7 @@ def _in_order(names: Sequence[str], engaged: Sequence[Sequence[str]]) -> list[st
             continue
         try:
             best, known = _sorted(names, pairs), pairs
-        except CycleError:  # numbers in the cells then give the order
+        except CycleError:  # numbers in the cells then state the order
             continue
     return best
 
@@ -158,7 +157,7 @@ def _sorted(names: Sequence[str], pairs: Collection[tuple[str, str]]) -> list[st
 
 
 def _flat(value: Mapping[str, Any], path: Path = ()) -> _Values:
-    """Yield the paths of plain data, each with the content of the cell."""
+    """Yield the paths of plain data with the contents of cells."""
     for key, item in value.items():
         yield from _flat_value(item, (*path, str(key)))
 

@@ -1,5 +1,5 @@
-"""The commands `vstatics report` and `vstatics serve`.
+"""Commands `vstatics report` and `vstatics serve`.
 
-`report` writes the page of one case, of two cases or of found gearboxes. `serve` serves the page
-of a case until it is stopped.
+`report` writes the page of a case, of two cases, or of gearboxes listed by `synth box`. `serve`
+serves the page of a case until it is stopped.
 """

@@ -1,4 +1,4 @@
-"""`vstatics report`: write a case and its results as one HTML page."""
+"""Command `vstatics report`: write a case and its results as an HTML page."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 
 class PageOptions(NamedTuple):
-    """Options of `vstatics report`: sections, digits, language, settings of cases, duty cycle."""
+    """Options of `vstatics report`: sections, digits, language, case settings, duty cycle."""
 
     asked: AskedPage
     digits: int | None
@@ -41,7 +41,7 @@ class PageOptions(NamedTuple):
 
     @property
     def duty_files(self) -> list[str]:
-        """Names of the files of the duty cycle; empty without a duty cycle."""
+        """Files of the duty cycle; empty without a duty cycle."""
         return self.duty.files if self.duty else []
 
 
@@ -168,14 +168,14 @@ def report_command(
             return _report_two(cases, output, page._replace(settings=takes))
     to = to._replace(style=TextStyle(page.lang))
     files.spare(page.duty_files, to.output)
-    show = partial(_shown, page=page, cycle=page.duty.read() if page.duty else None)
+    show = partial(_page_output, page=page, cycle=page.duty.read() if page.duty else None)
     return carry_out(Job("report", takes, to, show), cases, others=page.duty_files)
 
 
 def _listing_in(file: str) -> tuple[object, object] | None:
-    """Return the gearboxes listed in a file of `synth box`, and the document.
+    """Return the gearboxes listed in a file of `synth box`, and its document.
 
-    The result is None for a case.
+    The result is None if the file is a case.
     """
     if not module_of_method("listing_in"):
         return None
@@ -212,10 +212,9 @@ def _report_two(cases: tuple[str, ...], output: str, page: PageOptions) -> int:
     return FAILED if failed else DONE
 
 
-def _shown(
+def _page_output(
     outcome: CalculatedCase, results: Results, page: PageOptions, cycle: GivenCycle | None
 ) -> texts.CaseOutput:
-    """Return the page of a case as output of `vstatics report`."""
     asked, quiet = page.asked, page.settings.telling.quiet
     chosen = arguments.gear_indices(results.case, asked.gears, "--gears") if asked.gears else ()
     chosen_page = asked._replace(gears=[results.case.gears[index].name for index in chosen])

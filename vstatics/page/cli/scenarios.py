@@ -1,4 +1,4 @@
-"""Simulated run and name of a scenario that is given instead of a case."""
+"""Simulated run and name of a scenario that replaces a case on a page."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ if TYPE_CHECKING:
 
 
 def run_of(outcome: CalculatedCase) -> PicturedRun | None:
-    """Return the simulated run of a scenario, and print the problems of the run.
+    """Return the simulated run of a scenario, and print its problems.
 
-    The result is None for a case.
+    The result is None if the document is a case.
 
     Raises
     ------
     ReadError
-        If the run cannot begin; each problem has the place of its reason.
+        If the run cannot begin; each problem is located at its cause.
     """
     if outcome.scenario is None:
         return None
@@ -31,7 +31,7 @@ def run_of(outcome: CalculatedCase) -> PicturedRun | None:
 
 
 def naming_of(outcome: CalculatedCase) -> Naming:
-    """Return the file name and description by which a page names a case or a scenario."""
+    """Return the file name and description of a case or scenario on a page."""
     from vstatics.page.report.material import Naming
 
     path, read = outcome.file, outcome.scenario

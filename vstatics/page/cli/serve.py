@@ -1,4 +1,4 @@
-"""`vstatics serve`: serve the page of a case on loopback, and change its file from the page."""
+"""Command `vstatics serve`: serve the page of a case on loopback, and change its file from it."""
 
 from __future__ import annotations
 
@@ -31,10 +31,10 @@ if TYPE_CHECKING:
     from vstatics.page.serve.states import Calculated
 
 TOKEN_BYTES = 24
-"""Number of random bytes in the secret part of the address; three bytes give four characters."""
+"""Number of random bytes in the secret token of the address; three bytes give four characters."""
 MOST_PORT = 65535
 GARBAGE = 50_000
-"""Number of new objects after which Python collects garbage, about as many as a page state has."""
+"""Number of new objects after which Python collects garbage, about the size of a page state."""
 
 
 @command
@@ -99,7 +99,7 @@ def serve_page(
     """
     if case == files.STDIN:
         raise click.UsageError("standard input is not saved again: expected a file")
-    # A missing file is an error; an invalid file is shown on the page.
+    # A missing file is an error, but an invalid file is shown on the page.
     files.read_input(case, regular=True)
     from vstatics.page.serve.server import PageServer
     from vstatics.page.serve.states import ShownStates
@@ -140,7 +140,7 @@ async def _until_stopped(server: PageServer, port: int, *, opens: bool) -> None:
 
 
 def calculated(file: str, settings: CaseOptions, texts: Texts) -> Calculated:
-    """Calculate a case or a scenario, with edited texts in place of some files' contents."""
+    """Calculate a case or scenario; `texts` replace the contents of files."""
     from vstatics.core.readers.named.csv_files import noted_files
     from vstatics.page.serve.states import Calculated
 
@@ -153,14 +153,14 @@ def calculated(file: str, settings: CaseOptions, texts: Texts) -> Calculated:
             regular=True,
         )
     if outcome.results is not None and len(texts_read) < len(file_names):
-        return calculated(file, settings, texts)  # the missing file has appeared since
+        return calculated(file, settings, texts)  # the missing file has appeared in the meantime
     return Calculated(
         outcome.results,
         outcome.problems,
         naming_of(outcome),
         texts_read,
         [*file_names, *sorted(tables)],
-        cache(partial(run_of, outcome)),  # a run is calculated when it is first shown
+        cache(partial(run_of, outcome)),  # a run is not calculated before it is shown
         outcome.is_run,
     )
 
@@ -168,7 +168,7 @@ def calculated(file: str, settings: CaseOptions, texts: Texts) -> Calculated:
 def _read(file: str, texts: Texts) -> tuple[dict[str, bytes], list[str]]:
     """Return the contents of all readable files, scenario first, and the names of all files."""
     texts_read, file_names = {}, [file]
-    with contextlib.suppress(ReadError):  # the calculation will report the reason
+    with contextlib.suppress(ReadError):  # the calculation reports the reason
         texts_read[file] = texts.get(file) or files.read_input(file, regular=True)[0]
         if documents.is_a("scenario", texts_read[file], file) and module_of_method("read_scenario"):
             case = higher("read_scenario")(texts_read[file], file).case_file

@@ -1,4 +1,4 @@
-"""Choice of the parts of a page: sections, gears, what to print, and a stamp."""
+"""Choice of a page's contents: sections, gears, printed sections, and stamp."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _PLACES = {
     "conventions": ("Conventions", 160),
 } | {key: (part.name, part.place) for key, part in report_parts().items()}
 SECTIONS = {key: _PLACES[key][0] for key in sorted(_PLACES, key=lambda key: _PLACES[key][1])}
-"""Headings of the sections by key, in the order of the page, including annexes."""
+"""Headings of the sections by key, in the order of the page; includes annexes."""
 PRINTED = (
     *("overview", "gears", "flow", "efficiency", "vehicle", "duty", "largest"),
     *(key for key, part in report_parts().items() if part.is_printed),
@@ -35,7 +35,7 @@ PRINTED = (
 
 
 class AskedPage(NamedTuple):
-    """Choice of the parts of a case's page, and of the parts that are printed.
+    """Choice of the sections and gears on the page of a case, and of its printed sections.
 
     Parameters
     ----------
@@ -44,7 +44,7 @@ class AskedPage(NamedTuple):
     gears : sequence of str
         Names of the gears to show; empty for all gears.
     prints_all : bool
-        Whether to print everything that the screen shows.
+        True to print everything that the screen shows.
     stamp : mapping of str to str
         Entries of the stamp at the head of the page, by name, such as author, project and date.
     """
@@ -55,7 +55,7 @@ class AskedPage(NamedTuple):
     stamp: Mapping[str, str] = {}
 
     def has(self, section: str) -> bool:
-        """Check whether the page has a section.
+        """Return whether the page has a section.
 
         >>> AskedPage().has("input"), AskedPage(["flow"]).has("input")
         (True, False)
@@ -63,7 +63,7 @@ class AskedPage(NamedTuple):
         return section in (self.sections or SECTIONS)
 
     def prints(self, section: str) -> bool:
-        """Check whether a section is printed.
+        """Return whether a section is printed.
 
         >>> AskedPage().prints("lever"), AskedPage(["lever"]).prints("lever")
         (False, True)
@@ -71,7 +71,7 @@ class AskedPage(NamedTuple):
         return self.prints_all or section in (self.sections or PRINTED)
 
     def in_full(self, section: str) -> bool:
-        """Check whether a section is printed in full, with everything that the screen shows.
+        """Return whether a section is printed in full, with everything that the screen shows.
 
         >>> AskedPage().in_full("flow"), AskedPage(["flow"]).in_full("flow")
         (False, True)
@@ -79,7 +79,7 @@ class AskedPage(NamedTuple):
         return self.prints_all or section in self.sections
 
     def shows(self, gear: str) -> bool:
-        """Check whether the page shows a gear."""
+        """Return whether the page shows a gear."""
         return gear in self.gears if self.gears else True
 
     def cut(self, grid: Grid) -> Grid:
@@ -100,7 +100,7 @@ EVERYTHING = AskedPage()
 
 
 def section(name: str) -> str:
-    """Return the key of a section, or raise an error with the nearest key.
+    """Return the key of a section, after a check; an error suggests the nearest key.
 
     Raises
     ------

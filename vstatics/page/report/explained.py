@@ -16,9 +16,9 @@ from vstatics.page.report.material import Material
 
 
 def explained(material: Material) -> list[Sequence[Markup]]:
-    """Return the explanation of each gear shown: ratio, equations and signs.
+    """Return the explanation of each gear on the page: ratio, equations and signs.
 
-    The matrix, which is common to all gears, is shown among the tables. If ratios have no formula,
+    The matrix is common to all gears, so it is among the tables. If ratios have no formula,
     `no_formula` returns the reason, which is the same for all gears.
     """
     return [
@@ -36,12 +36,12 @@ def _explained(material: Material, gear: str) -> Iterator[Markup]:
 
 
 def no_formula() -> str:
-    """Return the reason why ratios have no formula, such as a missing package, or ""."""
+    """Return the reason why ratios have no formula, such as a missing package, or an empty text."""
     return missing("formula", "the formula of the ratio")
 
 
 def _gear(explanation: Explanation, digits: int | None) -> Iterator[Markup]:
-    """Yield the elements of an explanation, the ratio first."""
+    """Yield the HTML elements of an explanation, beginning with the ratio."""
     if no_formula():
         explanation = explanation._replace(reason="")
     parts = sorted(sections(explanation, digits), key=lambda part: part.key != "ratio")
@@ -60,7 +60,7 @@ _BEFORE = re.compile(r"\S.*?\s{2,}|\s*")
 
 
 def _lines(lines: Sequence[str]) -> Markup:
-    """Return equations as HTML; a long line continues below the equation, after the name.
+    """Return equations as HTML; a long line continues below its equation, after the name.
 
     >>> print(_lines(["in  M = 1", "2 M = 2"]))
     <pre style="--before: 4ch"><span>in  M = 1
@@ -81,7 +81,7 @@ _MINUS, _TIMES = re.compile(r"(?<![^\s(])-(?=[a-z(])"), re.compile(r"(?<=[\d)]) 
 
 
 def _typeset(text: str) -> str:
-    """Replace minus signs, multiplication signs and eta in equations by typographic characters.
+    """Replace minus signs, multiplication signs and `eta` by typographic characters.
 
     >>> _typeset("-w[sun 1-2] - (1 - u) w_in = -0.5; -2 x (-0.5) = 1, u eta^x")
     '−w[sun 1-2] - (1 - u) w_in = -0.5; -2 × (-0.5) = 1, u η^x'

@@ -1,4 +1,4 @@
-"""Input data of a case as tables: components, gears, inertias and springs."""
+"""Tables of the input data of a case: components, gears, inertias and springs."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _NAMED = (
     *("name", "description", "source", "shift_elements", "elements", "mechanisms", "gears"),
     *("inertias", "masses", "springs"),
 )
-"""Keys of a case that the page shows in separate tables or texts."""
+"""Keys of a case that have tables or texts of their own on the page."""
 _LABELS = {"idle": "sign of unloaded mechanisms", "coast": "coasting"}
 
 
@@ -36,7 +36,7 @@ def given(
     mapping : mapping
         Case as plain data, the value of ``case`` in its result as JSON.
     marked : callable, optional
-        Function that adds marks for the scripts of the page to tables.
+        Function that marks tables for the scripts of the page.
     """
     common = {key: value for key, value in mapping.items() if key not in _NAMED}
     common = {"input": case.link_name(case.input), "output": case.link_name(case.output), **common}
@@ -46,7 +46,7 @@ def given(
 
 
 def _grids(case: Transmission, mapping: Mapping[str, Any], digits: int | None) -> Iterator[Grid]:
-    """Yield tables of the components of a case, and of further data of gears."""
+    """Yield tables of the components of a case, and of data of its gears."""
     drawing = drawing_of(case)
     if drawing is not None and drawing.elements:
         yield _elements(drawing, mapping["elements"])
@@ -71,7 +71,7 @@ def _elements(drawing: Drawing, mapping: Mapping[str, Mapping[str, Any]]) -> Gri
 
 
 def _mechanisms(case: Transmission) -> Grid:
-    """Return the table of mechanisms, with planet ratios if defined by a gear set."""
+    """Return the table of mechanisms, with planet ratios if a gear set defines them."""
     rows: list[Values] = [
         (
             mechanism.name,
@@ -95,7 +95,7 @@ def _mechanisms(case: Transmission) -> Grid:
 
 
 def _number_or_law(value: float | None) -> Any:
-    """Return a number, with the unit if given, or the description of a characteristic curve."""
+    """Return a number with its unit, or the description of a characteristic curve."""
     if isinstance(value, OfLoad):
         return f"{value.given:g} N*m"
     if isinstance(value, Law):
@@ -108,7 +108,7 @@ def _number_or_law(value: float | None) -> Any:
 
 
 def _shift_elements(case: Transmission) -> Grid:
-    """Return the table of shift elements, with columns for drag and friction ratio if given."""
+    """Return the table of shift elements, with columns for drag and friction ratio if present."""
     elements = case.shift_elements
     drags, slips = (
         any(element.drag for element in elements),
@@ -142,7 +142,7 @@ def _shift_elements(case: Transmission) -> Grid:
 
 
 def _gears(gears: Mapping[str, Mapping[str, Any]]) -> Grid:
-    """Return the table of the data of gears other than engaged shift elements."""
+    """Return the table of gear data, except engaged shift elements."""
     rows = (
         (name, _said({key: value for key, value in gear.items() if key != "engaged"}))
         for name, gear in gears.items()
@@ -151,7 +151,7 @@ def _gears(gears: Mapping[str, Mapping[str, Any]]) -> Grid:
 
 
 def _said(value: Any) -> str:
-    """Describe a value of a case as text: a number, text, list or mapping.
+    """Return a number, text, list or mapping of a case as text.
 
     >>> _said({"teeth": {"sun": 48, "ring": 96}, "planets": 3})
     'teeth: sun 48, ring 96; planets: 3'
@@ -172,11 +172,11 @@ def _key(key: str) -> str:
 
 
 KEYED = ("teeth", "load", "mesh_efficiency", "efficiency", "planet", "damping", "suns", "rings")
-"""Keys whose values are mappings with words of the format as keys; other mappings have names."""
+"""Keys whose mappings have words of the case format as keys; other mappings have names."""
 
 
 def _inner(value: Any, *, keyed: bool = False) -> str:
-    """Describe a value within a list or mapping as text, with deeper levels in brackets."""
+    """Return a value in a list or mapping as text, with deeper levels in brackets."""
     if isinstance(value, bool):
         return tr("yes" if value else "no")
     if isinstance(value, Mapping):
@@ -196,11 +196,11 @@ def _single(value: Any, *, keyed: bool = False) -> str:
 
 DAMPED = ("damping, N*m*s/rad", "loss factor")
 ELASTIC = ("stiffness, N*m/rad", *DAMPED)
-"""Headings of columns of elastic components: stiffness, compliance, damping."""
+"""Headings of the columns of elastic components: stiffness, compliance and damping."""
 
 
 def torsion_grids(case: Transmission) -> Iterator[Grid]:
-    """Yield tables of the inertias and masses of links, and of springs, if the case has any.
+    """Yield tables of inertias and masses of links, and of springs, if the case has any.
 
     Examples
     --------
@@ -215,11 +215,11 @@ def torsion_grids(case: Transmission) -> Iterator[Grid]:
     """
     if case.inertias:
         of_links = (
-            (case.link_name(link), _number(inertia)) for link, inertia in case.inertias.items()
+            (case.link_name(link), _six_digits(inertia)) for link, inertia in case.inertias.items()
         )
         yield grid_of("Inertias", ["link", "inertia, kg*m^2"], of_links)
     if case.masses:
-        of_links = ((case.link_name(link), _number(mass)) for link, mass in case.masses.items())
+        of_links = ((case.link_name(link), _six_digits(mass)) for link, mass in case.masses.items())
         yield grid_of("Masses", ["link", "mass, kg"], of_links)
     if case.springs:
         rows: list[Values] = [
@@ -229,7 +229,7 @@ def torsion_grids(case: Transmission) -> Iterator[Grid]:
                 *_stiffness(spring),
                 *_damped(spring),
                 _limit(spring),
-                _number(spring.friction or None),
+                _six_digits(spring.friction or None),
             )
             for spring in case.springs
         ]
@@ -240,35 +240,34 @@ def torsion_grids(case: Transmission) -> Iterator[Grid]:
 
 
 def _elastic(part: Mechanism | ShiftElement) -> list[Cell]:
-    return [_number(part.stiffness), *_damped(part)]
+    return [_six_digits(part.stiffness), *_damped(part)]
 
 
 def _stiffness(spring: Spring) -> list[Cell]:
-    """Return the stiffness and compliance of a spring, or the number of points of the curve."""
+    """Return stiffness and compliance of a spring, or the number of points of its curve."""
     if spring.strut:
-        return [_number(spring.rate), word("strut")]
+        return [_six_digits(spring.rate), word("strut")]
     if spring.points:
-        return [Cell(tr("{count} points", count=len(spring.points)), None), _number(None)]
+        return [Cell(tr("{count} points", count=len(spring.points)), None), _six_digits(None)]
     if spring.is_damper:
-        return [_number(None), _number(None)]
-    return [_number(spring.rate), _number(1 / spring.rate)]
+        return [_six_digits(None), _six_digits(None)]
+    return [_six_digits(spring.rate), _six_digits(1 / spring.rate)]
 
 
 def _limit(spring: Spring) -> Cell:
-    """Return the torque limit of a spring, or a formula if the limit depends on a second spring."""
+    """Return the torque limit of a spring, or its formula if it depends on another spring."""
     limit = spring.limit
     if isinstance(limit, SpringLimit):
         return Cell(
             tr("{base:.6g} + {times:.6g} of {of}", base=limit.base, times=limit.times, of=limit.of)
         )
-    return _number(limit)
+    return _six_digits(limit)
 
 
 def _damped(part: Spring | Mechanism | ShiftElement) -> list[Cell]:
     given = damping(part.damping)
-    return [_number(given.viscous or None), _number(given.loss_factor or None)]
+    return [_six_digits(given.viscous or None), _six_digits(given.loss_factor or None)]
 
 
-def _number(value: float | None) -> Cell:
-    """Return a cell with six significant digits, for quantities of any magnitude."""
+def _six_digits(value: float | None) -> Cell:
     return Cell(NOTHING if value is None else f"{value:.6g}", value, kind=float)

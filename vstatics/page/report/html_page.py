@@ -19,30 +19,30 @@ from vstatics.pictures.paged.inline import palette, shared
 from vstatics.pictures.paged.parts import SCREEN, Part
 
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'"
-"""Content security policy, by which browsers do not load anything for the page."""
+"""Content security policy, which keeps browsers from loading anything for the page."""
 NOTHING = Markup()
 
 
 class PageFrame(NamedTuple):
-    """Parts of a page around the sections."""
+    """Contents of a page around its sections."""
 
     choice: Markup = NOTHING
-    """Links that choose a gear, which stay visible while the page scrolls."""
+    """Links that choose a gear, visible while the page scrolls."""
     panel: Markup = NOTHING
     """Panel below the title of the page, with buttons and errors."""
     scripts: Sequence[Markup] = ()
     """Additional scripts, after the script of every page."""
     end: Markup = NOTHING
-    """End of the page after the sections, such as scripts that contain names of the case."""
+    """Contents after the sections, such as scripts that contain names of the case."""
     style: Markup = NOTHING
     policy: str = POLICY
     """Content security policy in the page; empty if a server sends the policy as a header."""
     state: Mapping[str, object] = {}
     """Attributes of the HTML element `body`."""
     revision: int | None = None
-    """Number of the first state on a served page, as an attribute."""
+    """Number of the first state on a served page."""
     named: object = None
-    """Plain data whose names are not translated; by default the case in the embedded document."""
+    """Plain data whose names are not translated; by default the case in the document."""
 
 
 BARE = PageFrame()
@@ -61,10 +61,10 @@ _LITERAL = re.compile(r'"((?:[^"\\\n]|\\u\w{4})*)"|`([^`\\\n]*)`')
 
 
 def in_language(script: Markup) -> Markup:
-    """Translate the visible texts of a script to the language of the page.
+    """Translate the visible texts of a script into the language of the page.
 
-    A text is visible if it begins with a capital letter or contains a blank, which no key in the
-    scripts does.
+    A text is visible if it begins with a capital letter or contains a blank; no key in the scripts
+    does.
 
     >>> from vstatics.core.texts import speaking
     >>> with speaking("ru"):
@@ -101,7 +101,7 @@ def page(material: Material) -> str:
 
 
 def choice(material: Material) -> Markup:
-    """Return the links by which the reader chooses a gear; empty if no gear is shown."""
+    """Return the links that choose a gear, empty if no gear is shown."""
     gears = material.results.case.gears
     names = [gear.name for gear in gears if material.asked.shows(gear.name)]
     return chooser(names) if names else NOTHING
@@ -114,7 +114,7 @@ def framed(
     document: dict[str, Any],
     frame: PageFrame = BARE,
 ) -> str:
-    """Return a page of given sections, with table of contents, style sheet and embedded data.
+    """Return a page of sections, with table of contents, style sheet and embedded data.
 
     Parameters
     ----------
@@ -123,14 +123,14 @@ def framed(
     document : dict
         Data that the page contains as JSON.
     frame : PageFrame, optional
-        Parts around the sections.
+        Contents around the sections.
     """
     links = (tag("a", tr(part.name), href=f"#{id_of(part.name)}") for part in parts)
     contents = tag("nav", *links, class_="contents", aria_label=tr("Contents"))
     shown = tag("main", *map(_section, parts))
     main, looks = shared(printed(shown, _names(frame.named or document.get("case"))))
     data = json.dumps(document, ensure_ascii=False, allow_nan=False)
-    data = data.replace("<", "\\u003c")  # so that no text in the data can end the script element
+    data = data.replace("<", "\\u003c")  # text in the data cannot end the script element
     body = tag(
         "body",
         tag("header", tag("h1", title), *notes, contents),
@@ -164,17 +164,17 @@ def stamped_page(
     parts: Sequence[Part],
     document: dict[str, Any],
 ) -> str:
-    """Return the page of a document other than a case; parameters as in `framed`."""
+    """Return the page of a document that is not a case; parameters as in `framed`."""
     return framed(title, [*stamped(stamp), *notes], parts, document)
 
 
 def shown_alone(part: Part, document: Mapping[str, Any]) -> Markup:
-    """Return the contents of a section; names that occur in the document are not translated."""
+    """Return the contents of a section; names from the document are not translated."""
     return printed(joined(*part.shown), _names(document.get("case")))
 
 
 def section_alone(part: Part, document: Mapping[str, Any]) -> Markup:
-    """Return a section with the heading; names that occur in the document are not translated."""
+    """Return a section with its heading; names from the document are not translated."""
     return printed(_section(part), _names(document.get("case")))
 
 
@@ -184,7 +184,7 @@ def _section(part: Part) -> Markup:
 
 
 def stamped(stamp: Mapping[str, str]) -> Iterator[Markup]:
-    """Yield the stamp of a page with entries such as author and project, if any.
+    """Yield the stamp of a page, with entries such as author and project, if it has any.
 
     >>> print(*stamped({"author": "A < B"}))
     <dl class="stamp"><div><dt>author</dt><dd>A &lt; B</dd></div></dl>
@@ -195,7 +195,7 @@ def stamped(stamp: Mapping[str, str]) -> Iterator[Markup]:
 
 
 def about(material: Material) -> Iterator[Markup]:
-    """Yield the texts below the title of the page of a case."""
+    """Yield the texts below the title on the page of a case."""
     case = material.results.case
     yield from stamped(material.asked.stamp)
     if material.has_run:
@@ -217,7 +217,7 @@ def about(material: Material) -> Iterator[Markup]:
 
 
 def _names(data: Any) -> Iterator[str]:
-    """Yield all texts in plain data, among which is every name.
+    """Yield all texts in plain data, including all names.
 
     >>> [*_names({"links": ["in", "-3"], "gears": {"R": {"speeds": {"in": 1}}}})]
     ['links', 'in', '-3', 'gears', 'R', 'speeds', 'in']
@@ -253,7 +253,7 @@ def _styles(title: str) -> Markup:
 
 
 def _quoted(text: str) -> str:
-    """Quote a text for a style sheet, escaped so that no text can end the style element.
+    """Return a text quoted for a style sheet, escaped so that it cannot end the style element.
 
     >>> print(_quoted('a "b" </style>'))
     "a \\22 b\\22  \\3c \\2f style\\3e "

@@ -1,4 +1,4 @@
-"""Marks on results of gears and on powers, by which scripts of a page find the numbers."""
+"""Marks on results and powers of gears, by which the scripts of a page find the numbers."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ _OF_GEARS = {"ratio": "ratio", "step": "step", "efficiency": "efficiency"} | {
     for quantity in QUANTITIES
     if quantity.rows == "one"
 }
-"""Keys of quantities, by the heading of the column in the table with a row for each gear."""
+"""Keys of quantities by their heading in the table with a row for each gear."""
 _WITH_ROWS = {quantity.name for quantity in QUANTITIES if quantity.columns == "gears"}
-"""Keys of quantities whose tables have a column for each gear."""
+"""Keys of quantities whose table has a column for each gear."""
 
 
 def marked(grid: Grid) -> Grid:
-    """Return a table of results of gears with marks on the numbers.
+    """Return a table of results of gears with marks on its numbers.
 
     Examples
     --------
@@ -44,7 +44,7 @@ def marked(grid: Grid) -> Grid:
 
 
 def marked_powers(grid: Grid, gear: str) -> Grid:
-    """Return the table of powers of a gear with marks on the numbers.
+    """Return the table of a gear's powers with marks on its numbers.
 
     Rows are named by kind and name, as in ``link ring`` or ``mechanism P1.sun``. Powers of tooth
     meshes and of spring members are marked with their present unit only, because scripts convert
@@ -79,7 +79,7 @@ def marked_powers(grid: Grid, gear: str) -> Grid:
 
 
 def _in_units(cells: Sequence[Cell], names: Sequence[str], gear: str) -> Iterator[Cell]:
-    """Yield cells of powers with the present unit, for scripts that only convert the values."""
+    """Yield cells of powers with their present unit, for scripts that only convert values."""
     for cell, name in zip(cells, names, strict=True):
         if cell.kind is not float or name in ("", LOSS_SHARE):
             yield cell

@@ -1,4 +1,4 @@
-"""Contents of the page of a case: everything that is calculated for it."""
+"""Contents of the page of a case, calculated from its results."""
 
 from __future__ import annotations
 
@@ -27,10 +27,10 @@ from vstatics.pictures.runs import PicturedRun
 
 
 class Naming(NamedTuple):
-    """Name and description for a page, from the file of the case or of the scenario."""
+    """Name and description of a page, from the file of the case or scenario."""
 
     name: str = ""
-    """Name of the scenario, or of the file of the case without a scenario."""
+    """Name of the scenario, or of the case's file if there is no scenario."""
     description: str = ""
     """Description of the scenario."""
 
@@ -42,7 +42,7 @@ class Naming(NamedTuple):
         case : str
             Name of the case; can be empty.
         runs : bool
-            Whether the page shows a simulated run.
+            True if the page shows a simulated run.
 
         Examples
         --------
@@ -71,30 +71,30 @@ class Material(NamedTuple):
     messages: Sequence[str]
     """Messages about the input, then messages about the results."""
     without: str
-    """Reason why the page has no pictures at all; empty for a page with pictures."""
+    """Reason why the page has no pictures at all, or an empty text."""
     parts: Mapping[str, PagePart] = {}
-    """Sections of annexes, by key in `SECTIONS`."""
+    """Sections of annexes, by their key in `SECTIONS`."""
     digits: int | None = None
-    """Number of decimals; by default a number that suits each quantity."""
+    """Number of decimals; None means a number that suits each quantity."""
     naming: Naming = UNNAMED
     asked: AskedPage = EVERYTHING
     has_marks: bool = False
-    """Whether numbers have marks for a script that changes values."""
+    """True if numbers have marks for a script that changes values."""
 
     def marked(self, grids: Iterable[Grid]) -> Iterator[Grid]:
-        """Return tables with marks on the numbers, if the page has marks."""
+        """Return tables with marks on their numbers, if the page has marks."""
         if not self.has_marks:
             return iter(grids)
         return (with_tool_marks(marked(grid), self.results.case) for grid in grids)
 
     @property
     def has_run(self) -> bool:
-        """Whether the page shows the simulated run of a scenario."""
+        """True if the page shows the simulated run of a scenario."""
         return "run" in self.parts
 
     @property
     def shown_flows(self) -> Sequence[GearFlow]:
-        """Power flows of the gears that the page shows."""
+        """Power flows of the gears on the page."""
         return [flow for flow in self.flows if self.asked.shows(flow.gear)]
 
 
@@ -114,9 +114,9 @@ def gather(  # noqa: PLR0913 - contents and options of the page
     Parameters
     ----------
     results : Results
-        Results of one case, not of arrays of variants.
+        Results of a single case, not of variants.
     problems : iterable of Problem
-        Warnings about the input, without those that the results repeat.
+        Warnings about the input; those that the results repeat are left out.
     digits : int, optional
         Number of decimals; by default a number that suits each quantity.
     motion : Motion, optional
@@ -126,9 +126,9 @@ def gather(  # noqa: PLR0913 - contents and options of the page
     asked : AskedPage, optional
         Sections and gears of the page.
     has_marks : bool, optional
-        Whether numbers have marks for scripts; see `vstatics.page.report.marks`.
+        True if numbers have marks for scripts; see `vstatics.page.report.marks`.
     drawn : Pictures, optional
-        Placeholders to use instead of pictures.
+        Placeholders instead of pictures.
     """
     without = ""
     if drawn is None:
@@ -148,7 +148,7 @@ def gather(  # noqa: PLR0913 - contents and options of the page
     messages = []
     for problem in problems:
         if not _is_among(problem, results.messages):
-            # Messages on the page contain the line, but not the name of the file.
+            # A message on the page contains the line, but not the name of the file.
             place = f"line {problem.place.line}: " if problem.place and problem.place.line else ""
             messages.append(f"{problem.severity}: {place}{problem.message}")
     return Material(
@@ -174,18 +174,18 @@ def _parts(request: PartRequest, asked: AskedPage) -> Iterator[tuple[str, PagePa
 
 
 def part_of(key: str, request: PartRequest) -> PagePart | None:
-    """Return the section of an annex with a key, unless the case lacks the data."""
+    """Return the section of an annex, None if the case lacks its data."""
     part: PagePart | None = module_of_part(key).part(request)
     return part
 
 
 def module_of_part(key: str) -> ModuleType:
-    """Import the module of the section of an annex with a key."""
+    """Import the module of an annex's section."""
     return module(report_parts()[key].module)
 
 
 def _is_among(problem: Problem, messages: Iterable[Message]) -> bool:
-    """Check whether results repeat a problem of the input, apart from the named part."""
+    """Return whether results repeat a problem of the input, except for the component it names."""
     text = problem.message
     return any(
         text.endswith(f": {message.text}" if message.gear else message.text.partition(": ")[2])

@@ -1,4 +1,4 @@
-"""Overview of a case: a line with the main figures, and the messages by severity."""
+"""Overview of a case: a line of main figures, and messages by severity."""
 
 from __future__ import annotations
 
@@ -16,15 +16,14 @@ from vstatics.page.report.tools.marks import RELATIVE
 from vstatics.pictures.paged.parts import gear_link, line_of
 
 WEIGHTS = {"error": "errors", "warning": "warnings", "note": "notes"}
-"""Plural of each severity by the singular, the most severe first."""
+"""Singular -> plural of each severity, most severe first."""
 
 
 def overview(material: Material) -> Iterator[Markup]:
     """Yield the line of the main figures, with the gear of each figure.
 
-    The figures are the number of gears, the ratio spread, the lowest efficiency, the largest torque
-    of a shift element, the largest share of recirculating power, and the number of messages by
-    severity.
+    These are the number of gears, the ratio spread, the lowest efficiency, the largest torque of a
+    shift element, the largest share of recirculating power, and the number of messages by severity.
     """
     facts = [*_gears(material), *_efficiency(material), *_torque(material)]
     facts += [*_circulation(material), (tr("alerts"), _alerts(material.messages))]
@@ -32,7 +31,7 @@ def overview(material: Material) -> Iterator[Markup]:
 
 
 def alerts(messages: Sequence[str]) -> Iterator[Markup]:
-    """Yield a list of messages for each severity, the most severe first."""
+    """Yield a list of messages for each severity, most severe first."""
     for weight, name in WEIGHTS.items():
         items = [tag("li", message, class_=weight) for message in _of_weight(messages, weight)]
         if items:
@@ -44,7 +43,7 @@ def _gears(material: Material) -> Iterator[tuple[str, str]]:
     yield tr("gears"), str(len(design.gears))
     if len(design.forward) > 1:
         first, last = (
-            _link(material, gear, gear) for gear in (design.forward[0], design.forward[-1])
+            _link_if_shown(material, gear, gear) for gear in (design.forward[0], design.forward[-1])
         )
         spread = _number(material, design.spread)
         yield (
@@ -64,7 +63,7 @@ def _efficiency(material: Material) -> Iterator[tuple[str, str]]:
 
 
 def _torque(material: Material) -> Iterator[tuple[str, str]]:
-    """Yield the largest torque of a shift element, with losses and in N*m if known."""
+    """Yield the largest torque of a shift element: with losses and in N*m, if known."""
     largest = material.summary.largest
     for loaded in (True, False):
         for key in (LOSSY_TORQUES, TORQUES):
@@ -83,7 +82,7 @@ def _torque(material: Material) -> Iterator[tuple[str, str]]:
 
 
 def _in_unit(text: str, unit: str, value: float, gear: str, *, loaded: bool) -> Markup:
-    """Return a torque as text, with marks for conversion by the choice of units."""
+    """Return a torque as text, marked for conversion by the choice of units."""
     marks = {"data_gear": gear, "data_value": value, "data_unit" if loaded else "data_scaled": "Nm"}
     return joined(tag("span", text, **marks), " ", tag("span", unit, class_="unit"))
 
@@ -113,11 +112,10 @@ def _of_weight(messages: Sequence[str], weight: str) -> list[str]:
 
 
 def _in_gear(material: Material, text: str, gear: str) -> Markup:
-    return joined(text, ", ", _link(material, gear, tr("gear {gear}", gear=gear)))
+    return joined(text, ", ", _link_if_shown(material, gear, tr("gear {gear}", gear=gear)))
 
 
-def _link(material: Material, gear: str, text: str) -> str:
-    """Return a link to a gear, or plain text if the page does not show the gear."""
+def _link_if_shown(material: Material, gear: str, text: str) -> str:
     return gear_link(gear, text) if material.asked.shows(gear) else text
 
 

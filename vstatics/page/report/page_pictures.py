@@ -13,32 +13,32 @@ from vstatics.pictures.paged.drawn import HALF, PAGE, Drawn, of_each, picture_of
 
 OF_ALL_GEARS = ("efficiency", "plan")
 OF_A_VEHICLE = ("traction", "sawtooth")
-"""Kinds of pictures of a case that need a vehicle with an engine."""
+"""Kinds of pictures that need a vehicle with an engine."""
 
 
 def of_all_gears(case: Transmission) -> tuple[str, ...]:
-    """List the kinds of pictures of a case that show all gears together."""
+    """Return the kinds of pictures that show all gears of a case together."""
     return (*OF_ALL_GEARS, *(OF_A_VEHICLE if getattr(case.vehicle, "engine", ()) else ()))
 
 
 class Pictures(NamedTuple):
-    """Pictures on the page of a case, except pictures of vibration and of a simulated run."""
+    """Pictures on the page of a case, except those of vibration and of a simulated run."""
 
     of_gears: Mapping[str, Sequence[Drawn]] = {}
-    """Pictures of each gear that the page shows, by kind."""
+    """Pictures of each gear on the page, by kind."""
     of_all: Mapping[str, Drawn] = {}
     small_sticks: Sequence[Drawn] = ()
-    """Small stick diagrams of each gear that the page shows, for print."""
+    """Small stick diagrams of each gear on the page, for print."""
     bare_stick: Drawn | None = None
     """Stick diagram without a gear, for print."""
     flows: Drawn | None = None
-    """Power flow of all gears that the page shows, for print."""
+    """Power flow of all gears on the page, for print."""
 
 
 def pictures(results: Results, asked: AskedPage = EVERYTHING) -> Pictures:
     """Draw the pictures on the page of a case, except vibration and simulated run.
 
-    If no stick diagram can be drawn, the structure of each gear replaces it.
+    The structure of a gear replaces a stick diagram that cannot be drawn.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Parts of the page of a case that several sections use."""
+"""HTML that several sections of the page of a case use."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _TITLE = re.compile("<title>[^<]*</title>")
 
 
 def in_gear(kind: str, gear: str) -> str:
-    """Return the name of a picture of a gear.
+    """Return the caption of a picture of a gear.
 
     >>> in_gear("flow", "R")
     'Power flow, gear R'
@@ -25,7 +25,7 @@ def in_gear(kind: str, gear: str) -> str:
 
 
 def conventions(said: Mapping[str, str]) -> Markup:
-    """Return the conventions of results as a list; `null` of JSON is a dash, as in tables.
+    """Return the conventions of results as a list; JSON `null` is a dash, as in tables.
 
     >>> conventions({"null": "does not exist"})
     '<dl><dt>-</dt><dd>does not exist</dd></dl>'
@@ -35,19 +35,19 @@ def conventions(said: Mapping[str, str]) -> Markup:
 
 
 def chooser(gears: Iterable[str]) -> Markup:
-    """Return links that choose the gear to show; without scripts, all gears are shown."""
+    """Return links that choose a gear; without scripts all gears are shown."""
     links = (gear_link(gear) for gear in gears)
     status = tag("span", role="status", class_="unseen")
     return tag("nav", tr("Gear"), *links, status, class_="chooser", aria_label=tr("Gear"))
 
 
 def _without_titles(drawn: Drawn) -> Drawn:
-    """Return a picture without tooltips, which paper does not show."""
+    """Return a picture without its tooltips, which paper does not show."""
     return drawn._replace(sheets=[Markup(_TITLE.sub("", sheet)) for sheet in drawn.sheets])
 
 
 def on_paper(drawn: Drawn, name: str, *, most: int = MOST_SHEETS) -> Markup:
-    """Return a picture for print only, with at most `most` of the sheets."""
+    """Return a picture for print only, with at most `most` of its sheets."""
     first_sheets = _without_titles(drawn._replace(sheets=drawn.sheets[:most]))
     shown = [*figures(first_sheets, name, captioned=False, scrolls=False)]
     omitted = len(drawn.sheets) - len(first_sheets.sheets)
@@ -58,7 +58,7 @@ def on_paper(drawn: Drawn, name: str, *, most: int = MOST_SHEETS) -> Markup:
 
 
 def side_by_side(gears: Sequence[str], drawn: Sequence[Drawn]) -> Markup:
-    """Return small pictures of gears for print only, as many as the paper has room for."""
+    """Return small pictures of gears for print only, as many as the paper holds."""
     count = with_room(drawn)
     shown = (
         part

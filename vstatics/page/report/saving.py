@@ -1,4 +1,4 @@
-"""Writing the page of a case to a file."""
+"""Saving of the page of a case to a file."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ if TYPE_CHECKING:
 def write_report(
     results: Results, path: str | os.PathLike[str], *, motion: Motion | None = None
 ) -> None:
-    """Write a case and the results as a single HTML page, completely or not at all.
+    """Write a case and its results as an HTML page, completely or not at all.
 
     Parameters
     ----------
     results : Results
-        Results of one case.
+        Results of a single case.
     path : path-like
         File to write; an existing file is replaced.
     motion : Motion, optional
-        Simulated run of the case, shown in a section of its own.
+        Simulated run of the case, shown in a section.
 
     Raises
     ------

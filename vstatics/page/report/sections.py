@@ -27,20 +27,20 @@ from vstatics.pictures.paged.drawn import Drawn, name_of
 from vstatics.pictures.paged.parts import Part, figures, gear_link, of_gear, on_screen
 
 ALREADY = ("efficiency", "ratio")
-"""Headings of columns of the results by gear that the table of gears already contains."""
+"""Headings of columns of results by gear that the table of gears already contains."""
 WELL = {
     "power balance": (0.0, "power balance 0"),
     "consistent": (1.0, "directions of power agree with the losses"),
     "locked": (0.0, "no self-locking gear"),
 }
-"""Values of columns of the results if all is well, and the sentences that replace the columns."""
+"""Heading of a column of results -> its value if all is well, and the sentence that replaces it."""
 PORTS, LARGEST = "ports", ("planets", "shift elements")
-"""Keys of the table of ports, and of the tables of largest values, which also exist in units."""
+"""Keys of the table of ports, and of the tables of largest values, which also exist with units."""
 MARKS = Marks(holds="○", open="")
 SPREAD = "spread"
 """Key of the table of the ratio spread, which the overview shows instead."""
 SHIFTS = ("transitions", "margins", "margins by gear")
-"""Keys of the tables of shifts, and of torque margins of shift elements."""
+"""Keys of the tables of shifts and of torque margins of shift elements."""
 VEHICLE = ("vehicle gears", "vehicle")
 """Keys of the tables of a vehicle."""
 DUTY = ("duty", "duty members", "damage")
@@ -48,7 +48,7 @@ DUTY = ("duty", "duty members", "damage")
 
 
 def sections(material: Material) -> Iterator[Part]:
-    """Yield the sections of a page in order, without empty sections."""
+    """Yield the sections of a page in order, except empty sections."""
     asked, pictures = material.asked, material.pictures.of_all
     grids = summary_grids(material.summary, [flow.ports for flow in material.flows])
     gears, *others = (asked.cut(grid).with_digits(material.digits) for grid in grids)
@@ -96,7 +96,7 @@ def _overview(material: Material) -> Iterator[Markup]:
 
 
 def _gears(material: Material, grid: Grid) -> Iterator[Markup]:
-    """Yield the table of gears, with a sign for each engaged or holding shift element.
+    """Yield the table of gears, with a sign for each engaged or locked shift element.
 
     The name of a gear is a link that chooses the gear for all sections.
     """
@@ -116,7 +116,7 @@ def _gears(material: Material, grid: Grid) -> Iterator[Markup]:
 
 
 def gears_grid(material: Material, grid: Grid) -> Grid:
-    """Return the gears of a summary with signs for shift elements, and marks for scripts."""
+    """Return the table of gears with signs for shift elements, and marks for scripts."""
     results = material.results
     signs = [
         Column(element.name, is_sign=True, is_name=True) for element in results.case.shift_elements
@@ -133,7 +133,7 @@ def gears_grid(material: Material, grid: Grid) -> Grid:
 
 
 def _without_last_step(grid: Grid) -> Grid:
-    """Return the table of gears with an empty step ratio for gears without a next gear."""
+    """Return the table of gears with an empty step ratio where the next gear is missing."""
     step = [column.heading for column in grid.columns].index("step")
     blank = Cell("", math.nan, kind=float)
     rows = [
@@ -144,7 +144,7 @@ def _without_last_step(grid: Grid) -> Grid:
 
 
 def _of_gears(material: Material, kind: str) -> Iterator[Markup]:
-    """Yield a picture of each gear, or the reason why no picture is drawn."""
+    """Yield a picture of each gear, or the reason why it is not drawn."""
     drawn = material.pictures.of_gears.get(kind, ())
     if drawn and not _differ(drawn):
         yield from figures(drawn[0], name_of(drawn[0].kind))
@@ -157,15 +157,14 @@ def _of_gears(material: Material, kind: str) -> Iterator[Markup]:
 
 
 def _differ(drawn: Sequence[Drawn]) -> bool:
-    """Check whether gears have pictures, or different reasons for missing pictures."""
+    """Return whether gears have pictures, or different reasons for missing pictures."""
     return any(picture.sheets for picture in drawn) or len({picture.why for picture in drawn}) > 1
 
 
 def _flows(material: Material) -> Iterator[Markup]:
-    """Yield the power flow of each gear as a picture and as numbers."""
     drawn = material.pictures.of_gears.get("flow", ())
     has_stick = _differ(material.pictures.of_gears.get("stick", ()))
-    # Links that choose a gear lead to the first section about gears.
+    # The links that choose a gear lead to the first section about gears.
     section = "flow" if has_stick else "gear"
     whole = material.pictures.flows
     if whole is not None:
@@ -205,7 +204,7 @@ def _equations(material: Material) -> Iterator[Markup]:
 
 
 def _largest(summary: Sequence[Grid]) -> Iterator[Markup]:
-    """Yield the largest speeds and torques; in print, only the tables in units if there are any."""
+    """Yield the largest speeds and torques; in print only the tables with units, if any."""
     largest = [grid for grid in summary if grid.key.removesuffix(WITH_LOAD) in LARGEST]
     loaded = [grid for grid in largest if grid.key.endswith(WITH_LOAD)]
     if loaded:
@@ -214,7 +213,6 @@ def _largest(summary: Sequence[Grid]) -> Iterator[Markup]:
 
 
 def _vehicle(material: Material, summary: Sequence[Grid]) -> Iterator[Markup]:
-    """Yield the tables of the vehicle in each gear, the traction, and the engine speeds."""
     yield from tables(grid for grid in summary if grid.key in VEHICLE)
     drawn = material.pictures.of_all
     for kind in (kind for kind in OF_A_VEHICLE if kind in drawn):
@@ -222,7 +220,7 @@ def _vehicle(material: Material, summary: Sequence[Grid]) -> Iterator[Markup]:
 
 
 def _tables(material: Material, summary: Sequence[Grid]) -> Iterator[Markup]:
-    """Yield the remaining tables of the summary, and results that no other section shows."""
+    """Yield the other tables of the summary, and results that no section shows."""
     asked = material.asked
     results = map(asked.cut, of_results(material.results, blanks=True))
     by_gear, *others = (grid.with_digits(material.digits) for grid in results)
@@ -249,7 +247,7 @@ def _tables(material: Material, summary: Sequence[Grid]) -> Iterator[Markup]:
 
 
 def _has_further_ports(material: Material) -> bool:
-    """Check whether a gear has more ports than an input and an output."""
+    """Return whether a gear has more ports than an input and an output."""
     return any(len(flow.ports.rows) > INPUT_AND_OUTPUT for flow in material.flows)
 
 
@@ -257,7 +255,7 @@ INPUT_AND_OUTPUT = 2
 
 
 def _well(by_gear: Grid) -> list[str]:
-    """List the headings of columns whose values are good in all gears."""
+    """Return the headings of columns in which all gears have good values."""
     columns = zip(by_gear.columns, zip(*by_gear.cells, strict=True), strict=True)
     return [
         column.heading

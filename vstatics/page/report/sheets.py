@@ -11,20 +11,20 @@ from vstatics.pictures.drawing.style import PAGE_HEIGHT
 from vstatics.pictures.paged.drawn import HALF, PAGE, Drawn
 
 MOST_SHEETS = 10
-"""Largest number of printed sheets of paper for a case."""
+"""Largest number of printed sheets for a case."""
 STICK_ROOM = 1.7
-"""Room on paper for the small stick diagrams of all gears. [sheets]"""
+"""Room on paper for small stick diagrams of all gears. [sheets]"""
 FLOW_SHEETS = 5
-"""Number of printed sheets of power flow, if the page has no sections of annexes."""
+"""Number of printed sheets of power flow on a page without sections of annexes."""
 LESS_BESIDE = 2
 """Number of sheets of power flow that each section of an annex replaces."""
 CAPTION = 22.0
-"""Height of a caption with margins. [pt]"""
+"""Height of a caption including margins. [pt]"""
 _SIZE = re.compile(r'viewbox="0 0 ([\d.]+) ([\d.]+)"', re.IGNORECASE)
 
 
 def size_of(sheet: Markup) -> tuple[float, float]:
-    """Return the width and height of a picture in points.
+    """Return the width and height of a picture [pt].
 
     >>> size_of(Markup('<svg viewBox="0 0 482 300.5">'))
     (482.0, 300.5)
@@ -34,7 +34,7 @@ def size_of(sheet: Markup) -> tuple[float, float]:
 
 
 def with_room(pictures: Sequence[Drawn]) -> int:
-    """Return the number of small pictures that fit on the sheets, two in a row.
+    """Return the number of small pictures, two in a row, that fit on the sheets.
 
     >>> low, high = (Drawn("stick", [Markup(f'<svg viewBox="0 0 200 {h}">')]) for h in (60, 340))
     >>> with_room([low] * 20), with_room([high] * 20)
@@ -60,12 +60,12 @@ def with_room(pictures: Sequence[Drawn]) -> int:
 
 
 def flow_sheets(others: int) -> int:
-    """Return the number of printed sheets of power flow on a page with sections of annexes."""
+    """Return the number of printed sheets of power flow if a page has `others` annex sections."""
     return FLOW_SHEETS - LESS_BESIDE * others
 
 
 def left_out(names: Sequence[str]) -> Iterator[Markup]:
-    """Yield a note about gears whose pictures are not printed."""
+    """Yield a note on gears whose pictures are not printed."""
     if names:
         note = tr(
             "Not printed: diagram of gear {gears}; --all prints all of them.|"

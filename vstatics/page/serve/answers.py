@@ -27,7 +27,7 @@ HTML, JSON, TEXT, EVENTS = (
 
 
 class HttpAnswer(NamedTuple):
-    """HTTP response: status, content type, body and further header fields."""
+    """HTTP response: status, content type, body and other header fields."""
 
     status: int
     kind: str
@@ -50,12 +50,12 @@ def head(status: int, kind: str, fields: Mapping[str, str]) -> bytes:
 
 
 def html(text: str) -> HttpAnswer:
-    """Return a response with a page or a part of a page."""
+    """Return a response with HTML: a page or one of its sections."""
     return HttpAnswer(200, HTML, text.encode(errors="backslashreplace"))
 
 
 def as_json(data: dict[str, Any], status: int = 200) -> HttpAnswer:
-    """Return a response with data for the script of the page."""
+    """Return a response with JSON data for the script of the page."""
     text = json.dumps(data, ensure_ascii=False, allow_nan=False)
     return HttpAnswer(status, JSON, text.encode(errors="backslashreplace"))
 
@@ -66,7 +66,7 @@ def refusal(error: RefusedError) -> HttpAnswer:
 
 
 def event(data: dict[str, Any]) -> bytes:
-    r"""Return a server-sent event with data for the script of the page.
+    r"""Return a server-sent event with JSON data for the script of the page.
 
     >>> event({"number": 3})
     b'data: {"number": 3}\n\n'

@@ -21,17 +21,15 @@ from vstatics.pictures.runs import PicturedRun
 OF_GEARS = ("stick", "flow", "lever", "modes")
 """Kinds of pictures of a single gear."""
 OF_ALL_GEARS = ("campbell",)
-"""Kinds of pictures in sections of annexes that show all gears together."""
+"""Kinds of pictures in annex sections that show all gears together."""
 OF_RUN = ("shift", "plan", "stick")
 SOON, LATER = tuple(report_parts()), ("equations",)
-"""Keys of sections that are requested right after loading, and of sections that are requested when
-visible.
-"""
+"""Keys of sections that are requested right after loading, and when they become visible."""
 QUICK = [key for key in SECTIONS if key not in (*SOON, *LATER)]
 
 
 def awaited(name: str, *, soon: bool = False) -> Markup:
-    """Return a placeholder that the script replaces once visible, or with `soon` at once.
+    """Return a placeholder that the script replaces once it is visible, or at once if `soon`.
 
     >>> print(awaited("flow:2"))
     <div class="awaited" data-awaited="flow:2"></div>
@@ -40,7 +38,7 @@ def awaited(name: str, *, soon: bool = False) -> Markup:
 
 
 def awaited_pictures(results: Results) -> Pictures:
-    """Return placeholders of all pictures of a case."""
+    """Return placeholders for all pictures of a case."""
     gears = range(1, len(results.case.gears) + 1)
     return Pictures(
         {kind: [_drawn(f"{kind}:{gear}") for gear in gears] for kind in ("stick", "flow", "lever")},
@@ -68,7 +66,7 @@ def awaited_sections(material: Material, *, runs: bool) -> Iterator[Part]:
 def awaited_part(
     name: str, material: Material, run: Callable[[], PicturedRun | None]
 ) -> Markup | None:
-    """Draw the part that replaces a placeholder, if the part exists.
+    """Return the HTML that replaces a placeholder, None if it does not exist.
 
     Parameters
     ----------
@@ -77,7 +75,7 @@ def awaited_part(
     material : Material
         Contents of the page.
     run : callable
-        Function that returns the simulated run of a scenario, or None for a case; it can raise a
+        Function that returns the simulated run of a scenario, None for a case; it can raise a
         `CaseError`.
     """
     try:
@@ -87,7 +85,7 @@ def awaited_part(
 
 
 def _section(name: str, material: Material, run: Callable[[], PicturedRun | None]) -> Markup | None:
-    """Return a section with placeholders instead of pictures."""
+    """Return a section with placeholders for its pictures."""
     shown: Iterable[Markup] = ()
     if name in report_parts():
         motion = run() if name == "run" else None
@@ -109,7 +107,7 @@ def _awaited_picture(
 
 
 def _picture(name: str, results: Results, run: Callable[[], PicturedRun | None]) -> Markup | None:
-    """Return a picture, or the reason why no picture can be drawn."""
+    """Return a picture, or the reason why it cannot be drawn."""
     kind, _, of = name.partition(":")
     drawn = None
     if kind == "run-picture" and of in OF_RUN and (motion := run()):
@@ -125,7 +123,7 @@ def _picture(name: str, results: Results, run: Callable[[], PicturedRun | None])
 
 
 def _of_gear(results: Results, kind: str, gear: int) -> Drawn:
-    """Draw a picture of a gear; the structure replaces a stick diagram that cannot be drawn."""
+    """Draw a picture of a gear; if its stick diagram cannot be drawn, draw its structure."""
     if kind == "modes":
         return picture_of(results, kind, [gear])
     [drawn] = of_each(results, kind, [gear], PAGE)

@@ -1,4 +1,4 @@
-"""Limits on the number and duration of connections: a new one can end the slowest."""
+"""Limits on the number and duration of connections; a new connection can end the slowest."""
 
 from __future__ import annotations
 
@@ -8,22 +8,20 @@ from collections.abc import Iterator
 from typing import Literal
 
 MOST_CONNECTED = 200
-"""Largest number of connections, below the number of files that a process can open."""
+"""Largest number of connections, below the number of files that a process can have open."""
 MOST_LISTENING = 32
-"""Largest number of pages that listen for events; a browser has at most six."""
+"""Largest number of pages that listen for events; a browser opens at most six."""
 WRITE_SECONDS = 10.0
-"""Largest time a browser can take to receive a response. [s]"""
+"""Time in which a browser must receive a response. [s]"""
 LINGERING_SECONDS, LINGERING_BYTES = 2.0, 16_000_000
-"""Largest time [s] and size [bytes] of discarding the unread body of a refused request, so that the
-response arrives.
-"""
+"""Largest time [s] and size [bytes] in discarding an unread body, so that a refusal arrives."""
 
 Phase = Literal["slow", "busy", "listening"]
-"""Phase of a connection: transfer of data, calculation of the answer, or waiting for events."""
+"""Phase of a connection: data transfer, calculation of the answer, or waiting for events."""
 
 
 class Connections:
-    """Open connections with the phases, ordered by the time of the last change of phase."""
+    """Open connections and their phases, ordered by their last change of phase."""
 
     def __init__(self) -> None:
         """Begin with no connections."""
@@ -35,7 +33,7 @@ class Connections:
 
     @contextlib.contextmanager
     def joined(self) -> Iterator[bool]:
-        """Register the current connection within the context, and yield whether there is room."""
+        """Register the current connection within the context; yield whether it has room."""
         task = asyncio.current_task()
         assert task is not None  # noqa: S101 - the server calls this within a task
         has_room = len(self) < MOST_CONNECTED or self._end_first("slow")
@@ -49,7 +47,7 @@ class Connections:
             self._phases.pop(task, None)
 
     def now(self, phase: Phase) -> None:
-        """Set the phase of the current connection, which becomes the last in the order."""
+        """Set the phase of the current connection, and move it to the end of the order."""
         task = asyncio.current_task()
         if self._phases.pop(task, None) is None or task is None:  # type: ignore[arg-type] # None is not a key
             return
@@ -58,7 +56,7 @@ class Connections:
         self._phases[task] = phase
 
     def _end_first(self, phase: Phase) -> bool:
-        """End the connection that has been in a phase for the longest time, if there is any."""
+        """End the connection that has been in a phase longest; return whether there was any."""
         for task, task_phase in self._phases.items():
             if task_phase == phase:
                 del self._phases[task]
@@ -75,7 +73,7 @@ class Connections:
 
 
 async def send(writer: asyncio.StreamWriter, data: bytes) -> None:
-    """Send data to a browser, and wait until the browser has received all data.
+    """Send data to a browser, and wait until it has received all data.
 
     Raises
     ------

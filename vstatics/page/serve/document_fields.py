@@ -1,4 +1,4 @@
-"""Numbers in the documents of a case, with paths as in a sweep and places in the text."""
+"""Numbers in the documents of a case, with paths as in a sweep and positions in the text."""
 
 from __future__ import annotations
 
@@ -24,15 +24,15 @@ from vstatics.sweep.variants.path_numbers import case_path
 from vstatics.sweep.variants.targets import target
 
 _NO_NUMBERS = ("name", "description", "source", "case", "engaged", "gear", "to", "columns", "file")
-"""Keys of a scenario for names or references, even if a value looks like a number."""
+"""Keys of a scenario for names or references, even if their values look like numbers."""
 
 _TURNING = {UNIT_OF[measure] for measure in STRAIGHT}
-"""Units of rotation that would be wrong for links that move straight."""
+"""Units of rotation, which would be wrong for links that move straight."""
 _ABSCISSAS = {"time": "s", "speed": "rad/s", "angle": "rad"}
-"""Unit of the abscissa of a torque that is given by points, by the value of the key `over`."""
+"""Unit of the abscissa of torque points, by the value of the key `over`."""
 
 Texts = Mapping[str, bytes]
-"""Contents of files by name."""
+"""File name -> contents of the file."""
 
 
 class DocumentNumber(NamedTuple):
@@ -46,12 +46,12 @@ class DocumentNumber(NamedTuple):
 
 
 class CaseDocuments(NamedTuple):
-    """Documents of a case, or of a scenario and the case; a deck has no numbers to change.
+    """Documents of a case, or of a scenario and its case; a deck has no numbers to change.
 
     Parameters
     ----------
     texts : mapping of str to bytes
-        Contents of the files by name; a scenario comes before its case.
+        Contents of the files by name, with a scenario before its case.
     """
 
     texts: Texts
@@ -60,11 +60,11 @@ class CaseDocuments(NamedTuple):
 
     @property
     def fields(self) -> list[PageField]:
-        """Fields of all numbers that can be changed, in the order of the documents."""
+        """Fields of all numbers that can be changed, in document order."""
         return [number.field for number in self.numbers.values()]
 
     def with_changes(self, changes: Mapping[str, float]) -> dict[str, bytes]:
-        """Return the new contents of all files in which numbers change, by name.
+        """Return the new contents of files in which numbers change, by file name.
 
         Raises
         ------
@@ -85,12 +85,12 @@ class CaseDocuments(NamedTuple):
 
 
 def documents_of(texts: Texts, case: Transmission) -> CaseDocuments:
-    r"""Return the documents of a case with all numbers that can be changed on the page.
+    r"""Return the documents of a case, with all numbers that can be changed on the page.
 
     Parameters
     ----------
     texts : mapping of str to bytes
-        Contents of the files by name; a scenario comes before its case.
+        Contents of the files by name, with a scenario before its case.
     case : Transmission
         Case that was read from these texts.
 
@@ -108,14 +108,14 @@ def documents_of(texts: Texts, case: Transmission) -> CaseDocuments:
     candidates = [number for file in scenario for number in _of_scenario(file, texts[file], case)]
     candidates += _of_case(of_case, texts[of_case], case)
     numbers: dict[str, DocumentNumber] = {}
-    # If scenario and case have a number at the path, the scenario has priority, as in a sweep.
+    # If scenario and case both have a number at the path, the scenario's is meant, as in a sweep.
     for number in candidates:
         numbers.setdefault(number.field.path, number)
     return CaseDocuments(texts, _with_same(numbers))
 
 
 def _with_same(numbers: Mapping[str, DocumentNumber]) -> dict[str, DocumentNumber]:
-    """Add to each number the paths of numbers that are aliases of a common text."""
+    """Add to each number the paths of numbers that are aliases of the same text."""
     places: dict[tuple[str, int], list[str]] = {}
     for path, number in numbers.items():
         places.setdefault((number.file, number.start), []).append(path)
@@ -129,7 +129,7 @@ def _with_same(numbers: Mapping[str, DocumentNumber]) -> dict[str, DocumentNumbe
 
 
 def spots_of(file: str, data: bytes) -> dict[Keys, NumberSpot]:
-    """Find the numbers in the text of a case or scenario; decks and workbooks give no numbers."""
+    """Return the numbers in the text of a case or scenario; decks and workbooks have none."""
     try:
         document = case_document(data, file, None)
     except ReadError:
@@ -139,7 +139,7 @@ def spots_of(file: str, data: bytes) -> dict[Keys, NumberSpot]:
 
 
 def _of_scenario(file: str, data: bytes, case: Transmission) -> Iterator[DocumentNumber]:
-    """Yield the numbers of a scenario that can be changed, with paths as in a sweep."""
+    """Yield the numbers of a scenario that can change, with paths as in a sweep."""
     text = decode(data, file)
     root = yaml_tree(text)
     spots = number_spots(text.source.text, root)
@@ -150,7 +150,7 @@ def _of_scenario(file: str, data: bytes, case: Transmission) -> Iterator[Documen
 
 
 def _over(root: Node, keys: Keys) -> str:
-    """Return the unit of the first number of a point, which the key `over` determines."""
+    """Return the unit of the abscissa of a torque point, which the key `over` determines."""
     *owner_keys, points, _, place = ("", "", *keys)
     if points != "points" or place != "1":
         return ""
@@ -161,13 +161,13 @@ def _over(root: Node, keys: Keys) -> str:
 
 
 def _unit(unit: str, keys: Keys, case: Transmission) -> str:
-    """Return a unit; "" if links that move straight or pressures make the unit uncertain."""
+    """Return a unit, or "" if uncertain: links can move straight, and controls can be pressures."""
     pressed = keys[0] == "controls" and any(element.friction for element in case.shift_elements)
     return "" if (unit in _TURNING and case.masses) or pressed else unit
 
 
 def _of_case(file: str, data: bytes, case: Transmission) -> Iterator[DocumentNumber]:
-    """Yield the changeable numbers of a case, which are the numbers that a sweep can vary."""
+    """Yield the numbers of a case that can change: those that a sweep can vary."""
     shape = with_elements(CASE) if drawing_of(case) else CASE
     for keys, spot in spots_of(file, data).items():
         path = dotted(by_name(keys))

@@ -1,7 +1,7 @@
 """Fields and sliders for the numbers of a case on its page.
 
-Field and slider have the attribute ``data-path``, the path of the number as in a sweep, so that a
-script can handle their ``input`` events.
+Field and slider have the attribute ``data-path``, the path of the number as in a sweep. A script
+uses it to handle their ``input`` events.
 """
 
 from __future__ import annotations
@@ -24,15 +24,15 @@ from vstatics.sweep.variants.targets import OF_MECHANISM
 
 _EFFICIENCY = re.compile(r"efficiency$|(^|\.)mesh_efficiency\.\w+$")
 _BY_LINK = ("speeds", "torques")
-"""Keys of numbers that each link can have; the last word of the path is the name of a link."""
+"""Keys whose paths end with the name of a link, as in ``gears.1.speeds.2``."""
 _PARTS = ("load", "mesh_efficiency")
-"""Keys of a case that can begin a path; other paths begin with the name of a component."""
+"""Keys of a case with which a path can begin; other paths begin with the name of a component."""
 _REACH = 2.0
-"""Upper end of a slider, relative to the given number. [-]"""
+"""Upper end of a slider, divided by the number. [-]"""
 _UNITS = {"load.speed": "rpm", "load.torque": "N*m"}
 """Units of numbers that a case does not store in SI units, by the end of the path."""
 _UNSAID = {"static": 1.0, "drag": 0.0, "open_drag": 0.0}
-"""Default values by key; a number equal to the default has no field."""
+"""Default values by key; a number with its default value has no field."""
 
 
 SCRIPT, STYLE = (
@@ -43,7 +43,7 @@ SCRIPT, STYLE = (
 
 
 class PageField(NamedTuple):
-    """Number that can be changed on the page, by a field and a slider."""
+    """Number that a field and a slider on the page change."""
 
     path: str
     """Path of the number as in a sweep, such as ``P1.teeth.sun``."""
@@ -51,13 +51,13 @@ class PageField(NamedTuple):
     unit: str = ""
     """Unit of the value; empty for a number without a unit."""
     whole: bool = False
-    """Whether the number is an integer, such as a tooth number."""
+    """True if the number is an integer, such as a tooth number."""
     same: tuple[str, ...] = ()
-    """Paths of other numbers that change with the number, because of aliases in YAML."""
+    """Paths of numbers that change together with this number, because of aliases in YAML."""
 
     @property
     def owner(self) -> str:
-        """Path of the component or gear with the number: the path without the quantity.
+        """Path of the component or gear that has the number: the path without the quantity.
 
         >>> PageField("P1.teeth.sun", 30).owner, PageField("gears.low.speeds.MG1", 0).owner
         ('P1', 'gears.low')
@@ -66,7 +66,7 @@ class PageField(NamedTuple):
 
     @property
     def limits(self) -> tuple[float, float]:
-        """Ends of the slider; tooth numbers stay positive, ratios can change sign.
+        """Ends of the slider; tooth numbers remain positive, ratios can change sign.
 
         >>> PageField("P1.teeth.sun", 30, whole=True).limits, PageField("D1.ratio", -2.5).limits
         ((1.0, 60.0), (-5.0, 5.0))
@@ -80,7 +80,7 @@ class PageField(NamedTuple):
 
     @property
     def step(self) -> float:
-        """Step of the field's arrow keys: a power of 10, about a hundredth of the range.
+        """Step of the arrow keys in the field: a power of 10, about a hundredth of the range.
 
         >>> PageField("P1.teeth.sun", 30, whole=True).step, PageField("D1.ratio", -2.5).step
         (1.0, 0.1)
@@ -92,7 +92,7 @@ class PageField(NamedTuple):
 
 
 def case_fields(case: Transmission) -> Iterator[PageField]:
-    """Yield fields for the numbers given in a case: teeth, ratios, efficiencies, loads, speeds.
+    """Yield fields for the numbers in a case: teeth, ratios, efficiencies, loads, speeds.
 
     Numbers that follow from gear sets with teeth, zero drag, and the first point of an efficiency
     curve have no field.
@@ -114,7 +114,7 @@ def case_fields(case: Transmission) -> Iterator[PageField]:
             continue
         try:
             value = relative[path] if path in relative else own_number_at(number, case)
-        except ValueError:  # the case does not give this number
+        except ValueError:  # the case lacks this number
             continue
         default = _UNSAID.get(owner_and_key(path)[2], _UNSAID.get(number.quantity))
         if value is None or value == default:
@@ -125,7 +125,7 @@ def case_fields(case: Transmission) -> Iterator[PageField]:
 
 
 def _derived(case: Transmission) -> Iterator[str]:
-    """Yield the paths of numbers of mechanisms that follow from gear sets with teeth."""
+    """Yield the paths of mechanism numbers that follow from gear sets with teeth."""
     drawing = drawing_of(case)
     given = (
         {mechanism.name for mechanism in drawing.mechanisms}
@@ -138,7 +138,7 @@ def _derived(case: Transmission) -> Iterator[str]:
 
 
 def _relative(case: Transmission) -> Mapping[str, float]:
-    """Return the given speeds and torques of gears that are relative to the input, by path."""
+    """Return speeds and torques of gears relative to the input, by path."""
     return {
         f"gears.{gear.name}.{kind}.{case.link_name(link)}": value
         for gear in case.gears
@@ -149,14 +149,14 @@ def _relative(case: Transmission) -> Mapping[str, float]:
 
 
 def shown_fields(fields: Iterable[PageField], *, fixed: bool = False) -> Iterator[Markup]:
-    """Yield fields with sliders, grouped by the component or gear with the number.
+    """Yield fields with sliders, grouped by the component or gear that has the number.
 
     Parameters
     ----------
     fields : iterable of PageField
-        Fields, those of one component or gear in succession.
+        Fields, ordered by component or gear.
     fixed : bool
-        Whether to disable the fields, as for a deck, which cannot be changed.
+        True to disable the fields, as for a deck, which cannot be changed.
 
     Examples
     --------
@@ -171,23 +171,24 @@ def shown_fields(fields: Iterable[PageField], *, fixed: bool = False) -> Iterato
 
 
 def _owner(path: str) -> str:
-    """Return the words for the owner of a number: a name, or a translated key of the case."""
+    """Return the words for the owner of a number: its name, or a translated key of the case."""
     (kind, *gear), _ = owner_and_number(path)
-    return dotted([_word(kind), *gear]) if gear or kind in _PARTS else kind
+    return dotted([_translated(kind), *gear]) if gear or kind in _PARTS else kind
 
 
 def _name(words: Sequence[str]) -> str:
-    """Return the words for a number without the owner; names of links are not translated.
+    """Return the words for a number without its owner; names of links are not translated.
 
     >>> _name(["teeth", "small_sun"]), _name(["speeds", "ratio"])
     ('teeth small_sun', 'speeds ratio')
     """
     kind, *others = words
-    return " ".join([_word(kind), *(others if kind in _BY_LINK else map(_word, others))])
+    return " ".join(
+        [_translated(kind), *(others if kind in _BY_LINK else map(_translated, others))]
+    )
 
 
-def _word(key: str) -> str:
-    """Return a key of a case as a word in the language of the page."""
+def _translated(key: str) -> str:
     return key if spoken() == "en" else tr(key.replace("_", " "))
 
 
@@ -199,7 +200,7 @@ def _row(field: PageField, *, fixed: bool) -> Markup:
     unit = f", {tr(field.unit)}" if field.unit else ""
     label = f"{field.path if spoken() == 'en' else f'{_owner(field.path)} {name}'}{unit}"
     typed = {"class_": "field", "autocomplete": "off", "data_step": digits_of(field.step)}
-    # Some telephones show a keyboard without a minus sign for this input mode.
+    # In this input mode some telephones show a keyboard without a minus sign.
     if field.limits[0] >= 0:
         typed["inputmode"] = "decimal"
     moved = {"class_": "slider", "step": "1" if field.whole else "any", "min": low, "max": high}

@@ -1,4 +1,4 @@
-"""HTML of the served page of a case: the whole page with the panel, or single sections."""
+"""HTML of the served page of a case: the whole page with its panel, or single sections."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ SCRIPTS = (SCRIPT, toolbar.SCRIPT, *_RUN_SCRIPTS, *_OWN_SCRIPTS)
 
 @cache
 def policy_in(language: Language) -> str:
-    """Return the content security policy, which permits only `SCRIPTS` and the local server."""
+    """Return the content security policy, which allows only `SCRIPTS` and the local server."""
     with speaking(language):
         scripts = " ".join(map(_hashed, SCRIPTS))
     return (
@@ -73,7 +73,7 @@ def policy_in(language: Language) -> str:
 def material_of(
     results: Results, problems: Iterable[Problem], digits: int | None, naming: Naming
 ) -> Material:
-    """Calculate the contents of the page, except pictures and slow sections."""
+    """Calculate the contents of the page, without pictures and slow sections."""
     return gather(
         results,
         problems,
@@ -87,13 +87,13 @@ def material_of(
 
 
 def parts_of(material: Material, fields: Sequence[PageField], *, runs: bool) -> list[Part]:
-    """Return the sections of the page; without fields from documents, fields are disabled."""
+    """Return the sections of the page; fields are disabled unless they are from documents."""
     fixed = not fields
     shown = fields or [*case_fields(material.results.case)]
     changed = Part(CHANGE, [tag("div", *shown_fields(shown, fixed=fixed), class_="fields")])
     first, *others = awaited_sections(material, runs=runs)
     tools = toolbar.tools_of(material.results.case, digits=material.digits)
-    # Fields and tools are in one section, so that an update replaces both.
+    # Fields and tools are in the same section, so that an update replaces both.
     first = first._replace(shown=[*first.shown, tools])
     return [*([changed] if shown else []), first, *others]
 
@@ -104,7 +104,7 @@ def sections_of(material: Material, parts: Iterable[Part]) -> dict[str, str]:
 
 
 def told(problems: Iterable[Problem]) -> str:
-    """Return errors as text in the format of a compiler, with source line and caret.
+    """Return errors as text in the format of compilers, with source line and caret.
 
     >>> from vstatics.core.errors import Place
     >>> print(told([Problem("E107", "no", (), Place("a.yaml", 2, 3, "a b"))]))
@@ -141,13 +141,13 @@ def _title(material: Material, *, runs: bool) -> str:
 
 
 def head_of(material: Material, *, runs: bool) -> str:
-    """Return a hash that changes if the whole page must be reloaded, not just sections."""
+    """Return a hash that changes if the page must be reloaded, not just its sections."""
     parts = [_title(material, runs=runs), *about(material), choice(material)]
     return hashlib.sha256("\n".join(parts).encode(errors="backslashreplace")).hexdigest()[:16]
 
 
 def page_of_errors(file: str, state: Mapping[str, Any]) -> str:
-    """Return the page of a case that has never been valid, with the errors."""
+    """Return the page of a case without any valid state, with its errors."""
     return _framed(file, [], [], {}, Markup(), state)
 
 
@@ -174,7 +174,7 @@ def _framed(  # noqa: PLR0913, PLR0917 - as `framed`
 
 
 def _panel(state: Mapping[str, Any]) -> Markup:
-    """Return the panel of buttons, errors and conflicts; empty parts are hidden."""
+    """Return the panel of buttons, errors and conflicts, whose empty elements are hidden."""
     errors = state["errors"]
     buttons = {"save": tr("Save"), "revert": tr("Revert"), "undo": tr("Undo")}
     choices = {"keep-mine": tr("Keep my numbers"), "take-file": tr("Take the file")}

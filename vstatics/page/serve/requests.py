@@ -1,4 +1,4 @@
-"""Requests of a browser, read within limits; requests from foreign pages are refused."""
+"""Requests of a browser, read within limits; requests from other pages are refused."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ from urllib.parse import parse_qsl
 
 HOST = "127.0.0.1"
 MOST_HEAD = 16_384
-"""Largest size of the request line and header fields together. [bytes]"""
+"""Largest size of the request line and the header fields together. [bytes]"""
 MOST_BODY = 1_000_000
 MOST_CHANGES = 10_000
 READ_SECONDS = 10.0
-"""Largest time a browser can take to send a request. [s]"""
+"""Time in which a browser must send its request. [s]"""
 _LINE = re.compile(r"([A-Za-z]{1,16}) (/[\x21-\x7e]*) HTTP/1\.[01]")
 _FIELD = re.compile(r"([!#$%&'*+.^_`|~0-9A-Za-z-]+):[ \t]*([\x20-\x7e\x80-\xff\t]*?)[ \t]*")
 METHODS = {"": "GET", "events": "GET", "shown": "GET", "part": "GET", "try": "POST", "save": "POST"}
-"""HTTP method of each route, the part of the path after the token."""
+"""HTTP method of each route, which is the path after the token."""
 
 
 class RefusedError(Exception):
@@ -38,7 +38,7 @@ class Request(NamedTuple):
 
     method: str
     route: str
-    """Route of the request, a key of `METHODS`."""
+    """Route of the request: a key of `METHODS`."""
     query: dict[str, str]
     fields: list[tuple[str, str]]
     """Header fields, with names in lower case."""
@@ -68,7 +68,7 @@ async def read_request(reader: asyncio.StreamReader, port: int, token: str) -> R
 
 
 def checked(head: bytes, port: int, token: str) -> Request:
-    r"""Check host, origin, path and method of a request.
+    r"""Return a request after checks of its host, origin, path and method.
 
     Raises
     ------
@@ -99,12 +99,12 @@ def checked(head: bytes, port: int, token: str) -> Request:
 
 
 def _check_sender(request: Request, host: str) -> None:
-    """Check that a request is meant for the server, and does not come from a foreign page."""
+    """Check that a request is addressed to the server, and does not come from another page."""
     if request.all_of("host") != [host]:
         raise RefusedError(403, f"expected the host {host}, once")
     if any(origin != f"http://{host}" for origin in request.all_of("origin")):
         raise RefusedError(403, "comes from another page")
-    # Browsers send this field with every POST; another program that knows the token may omit it.
+    # Browsers send this field with every POST. Other programs that know the token can omit it.
     sites = request.all_of("sec-fetch-site")
     if request.method == "POST" and any(origin != "same-origin" for origin in sites):
         raise RefusedError(403, "comes from another page")
@@ -137,7 +137,7 @@ async def read_changes(request: Request, reader: asyncio.StreamReader) -> dict[s
 
 
 def changes_of(body: bytes) -> dict[str, float]:
-    """Return the changed numbers from the body of a request, by path.
+    """Return the changed numbers in the body of a request, by path.
 
     Raises
     ------

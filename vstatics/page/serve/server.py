@@ -24,11 +24,11 @@ from vstatics.page.serve.states import ChangedMeanwhileError, RefusedChangeError
 from vstatics.page.serve.studio import StudioProcess
 
 LOOK_SECONDS = 0.02
-"""Time between two checks of the files for changes. [s]"""
+"""Time between checks of the files for changes. [s]"""
 BEAT_SECONDS = 10.0
-"""Time between two comments that keep the event stream to a page open. [s]"""
+"""Time between comments that keep the event stream of a page open. [s]"""
 END_TRIES, END_SECONDS = 20, 0.1
-"""Number of attempts to end the process that draws pictures, and time for each attempt [s]."""
+"""Number of attempts to end the drawing process, and time for each attempt [s]."""
 
 T = TypeVar("T")
 
@@ -43,11 +43,11 @@ class PageServer:
     studio : StudioProcess
         Process that draws pictures and slow sections.
     token : str
-        Secret part of the address; requests without this token are refused.
+        Secret part of the address; requests without it are refused.
     """
 
     def __init__(self, make: Callable[[], ShownStates], studio: StudioProcess, token: str) -> None:
-        """Prepare the server, but calculate nothing yet."""
+        """Prepare the server; nothing is calculated yet."""
         self._make = make
         self._studio = studio
         self._token = token
@@ -56,8 +56,7 @@ class PageServer:
         self._connections = Connections()
         self._news = asyncio.Event()
         self._numbers = ThreadPoolExecutor(1, "numbers")
-        """Single thread for all calls that change states, so that they do not run at the same time.
-        """
+        """Single thread for all calls that change states, so that they run one after another."""
         self._pictures = ThreadPoolExecutor(1, "pictures")
 
     async def serve(self, port: int, ready: Callable[[str], None], stop: asyncio.Event) -> None:
@@ -105,7 +104,7 @@ class PageServer:
                 return
 
     def _in(self, pool: ThreadPoolExecutor, work: Callable[[], T]) -> asyncio.Future[T]:
-        context = copy_context()  # the context contains the language of the page
+        context = copy_context()  # the context includes the language of the page
         return asyncio.get_running_loop().run_in_executor(pool, context.run, work)
 
     async def _watch(self) -> None:
@@ -116,13 +115,12 @@ class PageServer:
                 self._wake_listeners()
                 self._in(
                     self._numbers, self._file_state
-                )  # the answer is cached for the pages that will request it next
+                )  # the response is cached for the pages that request it next
 
     def _look_again(self) -> bool:
         return self._states.look_again()
 
     def _wake_listeners(self) -> None:
-        """Wake the tasks of the listening pages to send the new state."""
         self._news.set()
         self._news = asyncio.Event()
 

@@ -1,4 +1,4 @@
-"""States of a page: states of the saved files, and states with changed numbers not yet saved."""
+"""States of a page: of the saved files, and with changed numbers that are not yet saved."""
 
 from __future__ import annotations
 
@@ -27,11 +27,11 @@ from vstatics.pictures.paged.parts import Part
 from vstatics.pictures.runs import PicturedRun
 
 WRITE_SECONDS = 0.1
-"""Time after which an invalid file, perhaps half-written, is read again. [s]"""
+"""Time after which an invalid file is read again, because it can be half-written. [s]"""
 SETTLE_SECONDS = 0.005
-"""Waiting time before the last comparison of files, for editors that react to a new file. [s]"""
+"""Wait before the last comparison of files, for editors that react to a new file. [s]"""
 MOST_KEPT = 32
-"""Number of states with unsaved changes whose pictures can still be drawn."""
+"""Number of latest states with unsaved changes whose pictures can be drawn."""
 
 
 class Calculated(NamedTuple):
@@ -39,54 +39,54 @@ class Calculated(NamedTuple):
 
     results: Results | None
     problems: Sequence[Problem]
-    """Problems, with the places in the documents."""
+    """Problems, located in the documents."""
     naming: Naming
     texts: Texts
-    """Contents of the readable files by name; a scenario comes before the case."""
+    """Contents of the readable files by name, with a scenario before its case."""
     files: Sequence[str] = ()
-    """Names of all files on which the case depends, including missing files."""
+    """Names of all files on which the case depends, even missing files."""
     run: Callable[[], PicturedRun | None] = lambda: None
     """Function that returns the simulated run of a scenario, and can raise a `CaseError`."""
     is_run: bool = False
 
 
 Calculate = Callable[[Texts], Calculated]
-"""Function that calculates the case; the argument replaces the contents of some files."""
+"""Function that calculates the case; its argument replaces the contents of files."""
 
 
 class Shown(NamedTuple):
-    """State of the page: the calculated case with the number and contents of the state."""
+    """State of the page: the calculated case, with number and contents of the state."""
 
     number: int
     """Number of the state; later states have larger numbers."""
     calculated: Calculated
     material: Material | None
-    """Contents of the page, if the case has results."""
+    """Contents of the page, None without results."""
     errors: str
 
     @property
     def state(self) -> str:
-        """Words for the state of the page, for the attribute of the HTML element `body`."""
+        """Word for the state of the page, as attribute of the HTML element `body`."""
         return "error" if self.errors else "good"
 
 
 class ChangedMeanwhileError(Exception):
-    """Refusal of a request, because files have changed meanwhile."""
+    """Refusal of a request because files have changed in the meantime."""
 
 
 class RefusedChangeError(Exception):
-    """Refusal of a change that cannot be made, with the reason."""
+    """Refusal of an impossible change, with the reason."""
 
 
 class ShownStates:
     """All current states of the page of a case."""
 
     shown: Shown
-    """State of the files at present."""
+    """Present state of the files."""
     good: Shown | None = None
-    """Last state of the files with results, if any."""
+    """Last state of the files that had results, if any."""
     _documents = CaseDocuments({}, {})
-    """Documents of the last state with results."""
+    """Documents of the last state that had results."""
 
     def __init__(self, calculate: Calculate, file: str, digits: int | None = None) -> None:
         """Calculate the case from the files."""
@@ -102,10 +102,10 @@ class ShownStates:
             pass
 
     def look_again(self) -> bool:
-        """Calculate the case again if a file has changed; return True if so.
+        """Calculate the case again if a file has changed; return whether it was calculated.
 
-        Metadata of files are read before their contents, so that a change in between is noticed at
-        the next check. An invalid file is checked twice, because it can be half-written.
+        Metadata of files are read before their contents, so that the next check notices a change in
+        between. An invalid file is checked twice, because it can be half-written.
         """
         signature = signature_of(self._files)
         if signature == self._signature:
@@ -130,14 +130,14 @@ class ShownStates:
         return digest_of(self.shown.calculated.texts)
 
     def kept(self, number: str) -> Shown | None:
-        """Return a state of the files or with unsaved changes, by the state number as text."""
+        """Return the state with a number (as text): of the files, or with unsaved changes."""
         of_files = (
             state for state in (self.shown, self.good) if state and str(state.number) == number
         )
         return next(of_files, self._kept.get(number))
 
     def tried(self, changes: Mapping[str, float]) -> Shown:
-        """Calculate the state of the page with changed numbers, without saving the changes.
+        """Return the state of the page with changed numbers, without saving the changes.
 
         Raises
         ------
@@ -178,8 +178,8 @@ class ShownStates:
     def _write(self, texts: Texts) -> None:
         """Write new contents into all files, or leave all files unchanged.
 
-        The files are compared once more when the new files are ready, so that a simultaneous save
-        by an editor is not lost.
+        The files are compared again when the new files are ready, so that a simultaneous save by an
+        editor is not lost.
 
         Raises
         ------
@@ -209,7 +209,7 @@ class ShownStates:
             raise RefusedChangeError(str(error)) from None
 
     def _shown(self, texts: Texts) -> Shown:
-        """Calculate a state from the files, with the given texts in place of some contents."""
+        """Calculate a state from the files; `texts` replace some of their contents."""
         calculated = self._calculate(texts)
         material = None
         if calculated.results is not None:
@@ -233,7 +233,7 @@ class ShownStates:
             self._documents = documents_of(calculated.texts, calculated.results.case)
 
     def page(self) -> str:
-        """Return the page of the present state, or of the last state with results."""
+        """Return the page of the present state, or of the last state that had results."""
         state, good = self.told_of(self.shown), self.good
         if good is None or good.material is None:
             return page_of_errors(self.file, state)
@@ -250,11 +250,11 @@ class ShownStates:
         return self._documents.fields
 
     def answer(self, shown: Shown) -> dict[str, Any]:
-        """Return a state as data for the script of the page, with sections if results exist."""
+        """Return a state as data for the script of the page, with sections if it has results."""
         number, answer = self._answered
         if (
             number == shown.number and shown is self.shown
-        ):  # several open pages request the same state
+        ):  # several open pages can request the same state
             return answer
         answer = self.told_of(shown)
         if shown.material is not None:
@@ -268,7 +268,7 @@ class ShownStates:
         return answer
 
     def told_of(self, shown: Shown) -> dict[str, Any]:
-        """Return the number, hash, condition and errors of a state, as data for the script."""
+        """Return number, hash, condition and errors of a state, as data for the script."""
         return {
             "number": shown.number,
             "revision": shown.number,

@@ -1,4 +1,4 @@
-"""Drawing of pictures and slow sections in another process, so that numbers are not delayed."""
+"""Drawing of pictures and slow sections in another process, which does not delay numbers."""
 
 from __future__ import annotations
 
@@ -23,16 +23,16 @@ if TYPE_CHECKING:
 
 
 GENTLE = 15
-"""Niceness (low priority) of the process that draws pictures."""
+"""Niceness (low priority) of the drawing process."""
 
 
 class Studio:
-    """Drawing of parts of a page from texts of documents, with a cache of the last case.
+    """Drawing of sections and pictures from texts of documents, with a cache of the last case.
 
     Parameters
     ----------
     calculate : callable
-        Function that calculates a case, as in `states`; it is sent to another process.
+        Function of `states` that calculates a case; it is sent to another process.
     digits : int, optional
         Number of decimals.
     language : str
@@ -40,7 +40,7 @@ class Studio:
     """
 
     def __init__(self, calculate: Calculate, digits: int | None, language: Language = "en") -> None:
-        """Store the settings; no case is calculated yet."""
+        """Store the settings; nothing is calculated yet."""
         self._calculate = calculate
         self._digits = digits
         self._language = language
@@ -48,7 +48,7 @@ class Studio:
         self._case: tuple[Calculated, Material] | None = None
 
     def part(self, texts: Texts, name: str) -> str | None:
-        """Return the named part of the page as HTML, or None if it does not exist."""
+        """Return the picture or section with a name as HTML, None if it does not exist."""
         with speaking(self._language):
             return self._part(texts, name)
 
@@ -69,9 +69,9 @@ class Studio:
 
 
 class StudioProcess:
-    """Studio in a separate process, which is started by the first request.
+    """Studio in another process, which the first request starts.
 
-    All methods except `stop` must be called from one thread.
+    All methods except `stop` must be called in the same thread.
     """
 
     def __init__(self, studio: Studio) -> None:
@@ -79,10 +79,10 @@ class StudioProcess:
         self._processes = Processes(studio, str, 1, Rules(tries=1))
 
     def part(self, texts: Texts, name: str) -> str | None:
-        """Return the named part of the page as HTML, or None if it cannot be drawn."""
+        """Return the picture or section with a name as HTML, None if it cannot be drawn."""
         try:
             [(_, part_html)] = self._processes.each(_part_of, [(dict(texts), name)])
-        except CaseError:  # the process ended or raised an error
+        except CaseError:  # the process ended, or raised an error
             return None
         return part_html
 
@@ -97,12 +97,11 @@ class StudioProcess:
 
 
 def _part_of(studio: Studio, item: tuple[Texts, str]) -> str | None:
-    _give_way()
+    _lower_priority()
     return studio.part(*item)
 
 
 @cache
-def _give_way() -> None:
-    """Lower the priority of the process once, so that new states are calculated sooner."""
+def _lower_priority() -> None:
     if hasattr(os, "nice"):
         os.nice(GENTLE)

@@ -1,4 +1,4 @@
-"""Detection of changed files by their metadata and contents."""
+"""Detection of changed files by metadata and contents."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def digest_of(texts: Texts) -> str:
 
 
 def signature_of(files: Sequence[str]) -> dict[str, tuple[int, ...]]:
-    """Return the metadata of each file that change on writing; empty for a missing file."""
+    """Return the metadata of each file that change when it is written; empty if it is missing."""
     signature: dict[str, tuple[int, ...]] = {}
     for file in files:
         signature[file] = ()

@@ -159,13 +159,12 @@ def _plot_ratios(
 
     with wrong_value("--ratios"):
         case = case_of_ratios(ratios, style)
-    drawn = pages(solve(case), "plan", cast("Format", to.form), style, _chosen(case, gears))
+    drawn = pages(solve(case), "plan", cast("Format", to.form), style, _gear_numbers(case, gears))
     files.write_pages(drawn, to.output, quiet=quiet)
     return DONE
 
 
-def _chosen(case: Transmission, gears: Sequence[str]) -> list[int]:
-    """Return the numbers of the chosen gears, without repetitions."""
+def _gear_numbers(case: Transmission, gears: Sequence[str]) -> list[int]:
     return [arguments.gear_number(case, gear) for gear in dict.fromkeys(gears)]
 
 
@@ -181,7 +180,7 @@ def _asked_case(
     """
     kind_options, chosen, motion = (
         picture_kinds()[asked.kind].options,
-        _chosen(results.case, asked.gears),
+        _gear_numbers(results.case, asked.gears),
         None,
     )
     if "motion" in kind_options and outcome.scenario is not None:
@@ -193,7 +192,7 @@ def _asked_case(
 
 
 def _excited(outcome: CalculatedCase, results: Results, style: Style) -> Style:
-    """Return a style whose excitation includes the input speeds of a scenario, if given.
+    """Return the style with the input speeds of the scenario, if any, added to the excitation.
 
     Raises
     ------

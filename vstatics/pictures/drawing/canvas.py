@@ -51,7 +51,8 @@ class PartMark(NamedTuple):
     data: Mapping[str, str] = {}
     """Attributes ``data-...`` of an SVG path or text with a class, otherwise of the SVG group."""
     groups: tuple[MarkGroup, ...] = ()
-    """Enclosing SVG groups, the outermost first, with the drawing order of the first part."""
+    """Enclosing SVG groups, the outermost first; a group is drawn together with its first member.
+    """
 
 
 class CanvasPlace(NamedTuple):
@@ -172,7 +173,7 @@ class Canvas(NamedTuple):
 
     @property
     def ordered(self) -> list[CanvasPart]:
-        """Names of curves or vertical lines, written where the lines meet the edge of a panel."""
+        """Lines, areas and texts by ascending `order`; at equal `order`, texts are last."""
         return sorted(
             self.parts, key=lambda part: (part.shape.order, isinstance(part.shape, CanvasText))
         )

@@ -14,7 +14,7 @@ Taken = list[tuple[Span, Span]]
 def first_free(
     places: Iterable[Point], wide: float, high: float, size: Point, taken: Taken
 ) -> Point | None:
-    """Return the first place where a centred text is free, and add the text extent to `taken`.
+    """Return the first place where a centred text overlaps no other, and add it to `taken`.
 
     Parameters
     ----------

@@ -49,11 +49,10 @@ class PictureState(NamedTuple):
     loaded_links: Sequence[frozenset[int]]
     """Links on which each mechanism or gear set exerts a torque, or an unknown torque."""
     leaving: Mapping[tuple[int, str], float]
-    """Power that leaves the gear at each port without losses, by link and role. [-]
+    """Power that leaves the gear at each port, calculated without losses, by link and role. [-]
 
-    Power that enters is negative.
-
-    The roles are ``input``, ``output``, and ``given`` for other links with a given torque.
+    Entering power is negative. The roles are ``input``, ``output``, and ``given`` for other links
+    with a given torque.
     """
 
 

@@ -137,7 +137,8 @@ def ticks(low: float, high: float, most: int) -> list[float]:
     sizes = [(digit, power + more) for more in (1, 0, -1) for digit in (5, 2, 1)]
     enough = [size for size in sizes if size[0] * 10.0 ** size[1] >= (high - low) / most]
     values: list[float] = []
-    # smallest step with at most `most` intervals; smaller steps if fewer than two numbers result
+    # Try the smallest step with at most `most` intervals, then smaller steps, until at least two
+    # numbers are in the range.
     for digit, tens in sizes[len(enough) - 1 :]:
         step, parts = digit * 10 ** max(tens, 0), 10 ** max(-tens, 0)
         numbers = range(math.floor(low * parts / step), math.ceil(high * parts / step) + 1)

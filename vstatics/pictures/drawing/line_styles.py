@@ -66,7 +66,7 @@ def loss_look(place: int, style: Style) -> Look:
 
 
 def mixed(colour: str, other: str, part: float) -> str:
-    """Mix two colours, with a given share of the first colour.
+    """Mix two colours, with the fraction `part` of the first colour.
 
     >>> mixed("#ff0000", "#ffffff", 0.5)
     '#ff8080'

@@ -84,7 +84,7 @@ class Pen(NamedTuple):
         return self.place.part
 
     def panel(self, corner: Point, size: Point, x: AxisScale = WHOLE, y: AxisScale = WHOLE) -> Pen:
-        """Return a pen for a part of the rectangle, with scales along the edges of the part."""
+        """Return a pen for a panel within the rectangle, with scales along the panel's edges."""
         return self._replace(corner=corner, size=size, x=x, y=y)
 
     def within(self, kind: str, **data: str) -> Pen:

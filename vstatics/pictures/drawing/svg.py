@@ -112,7 +112,7 @@ class SvgWriter(NamedTuple):
         """Add the SVG elements of the canvas, then the hatches and clip rectangles in use."""
         for part in self.canvas.ordered:
             self._add(part)
-        hatches = [_pattern(name, *key) for key, name in self.hatches.items()]
+        hatches = [_hatch_pattern(name, *key) for key, name in self.hatches.items()]
         clips = [_clip(name, key) for key, name in self.clips.items()]
         for definitions in (hatches, clips):
             if definitions:
@@ -153,7 +153,7 @@ class SvgWriter(NamedTuple):
                 data = _outline_data(outline, part.place, self.canvas.size[1])
                 yield ET.Element("path", {"d": data, **self._area_look(look)})
             case CanvasText() as letters:
-                yield from _lines(letters, part.place, self.canvas)
+                yield from _text_lines(letters, part.place, self.canvas)
 
     def _stroke(self, stroke: CanvasLine, place: CanvasPlace) -> Iterator[ET.Element]:
         look, clip = stroke.look, self._clip_of(stroke, place)
@@ -311,8 +311,7 @@ def _marker(x: float, y: float, look: Look, clip: dict[str, str]) -> ET.Element:
     )
 
 
-def _lines(letters: CanvasText, place: CanvasPlace, canvas: Canvas) -> Iterator[ET.Element]:
-    """Yield an SVG element for each line of a text."""
+def _text_lines(letters: CanvasText, place: CanvasPlace, canvas: Canvas) -> Iterator[ET.Element]:
     attributes = {}
     if letters.is_bold:
         attributes["font-weight"] = "700"
@@ -344,8 +343,7 @@ def _clip(name: str, key: tuple[str, ...]) -> ET.Element:
     return clip
 
 
-def _pattern(name: str, hatch: str, face: str, edge: str) -> ET.Element:
-    """Return the SVG pattern of a hatch."""
+def _hatch_pattern(name: str, hatch: str, face: str, edge: str) -> ET.Element:
     from matplotlib.hatch import get_path
     from matplotlib.path import Path
 

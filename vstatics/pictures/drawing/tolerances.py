@@ -11,10 +11,11 @@ EFFICIENCY_STEP = 0.001
 LEAST_SHOWN_POWER = 0.0005
 """Smallest relative power that is not shown as 0.000. [-]"""
 SAME_POWER = 1e-9
-"""Relative difference up to which the powers of a port and the nodes are equal, written once. [-]
+"""Relative difference up to which the power of a port equals the power of its run, so that it is
+not written again. [-]
 """
 SAME_CROSSINGS = 1 - 1e-9
-"""Cost ratio below which an order of a column counts as better, because sums are rounded. [-]"""
+"""Quotient of new and old cost of crossings below which a new order counts as better. [-]"""
 STANDS_IN_ALL_MODES = 1e-9
 """Relative amplitude below which a link counts as at rest in a mode. [-]"""
 NO_LEVER_TORQUE = 1e-12
@@ -22,7 +23,7 @@ NO_LEVER_TORQUE = 1e-12
 SAME_LEVER_COST = 1e-9
 """Smallest improvement of the cost of an order of levers that counts."""
 LEAST_POINT_DISTANCE = 1e-3
-"""Smallest point distance that limits the height of a lever, relative to the lever length. [-]"""
+"""Smallest distance of lever points that limits the lever's height, relative to its length. [-]"""
 SAME_RUN_SPEED = 1e-6
 """Relative difference up to which speeds or torques of a run count as equal, or as 0. [-]"""
 NO_RUN_TORQUE = 1e-9
@@ -32,4 +33,5 @@ SAME_CURVE = 1e-9
 SAME_FREQUENCY = 0.005
 """Relative difference up to which the frequencies of several gears are drawn as equal. [-]"""
 SAME_RADIUS = 1e-9
-"""Difference of coefficients up to which the links of a twist have a common axis. [-]"""
+"""Difference of two coefficients in the twist of a spring up to which the links share an axis. [-]
+"""

@@ -36,7 +36,7 @@ SUNS = {
     "small_sun": "small sun: {teeth}",
     "large_sun": "large sun: {teeth}",
 }
-"""Texts at sun gears with the tooth number; entries exist because translated names are long."""
+"""Texts with the name and tooth number of a sun gear; translations can abbreviate the name."""
 
 
 def wheel(name: str, teeth: float, style: Style) -> str:

@@ -19,7 +19,7 @@ GROWTH = 1.3
 
 
 class BackRow(NamedTuple):
-    """Row of a returning band, with the nodes and text."""
+    """Row below the picture for a band that returns to the left, with its nodes and text."""
 
     number: int
     """Index of the band in the graph."""
@@ -93,7 +93,7 @@ def _middle_of_cell(rows: Sequence[BackRow], place: int, spaced: Across) -> floa
 
 
 def crowded(rows: Sequence[BackRow], spaced: Across) -> list[int]:
-    """Return the indices of returning bands without enough room for nodes."""
+    """Return the indices of returning bands that are too short for their nodes."""
     return [
         row.number
         for place, row in enumerate(rows)

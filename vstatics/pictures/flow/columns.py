@@ -22,7 +22,7 @@ PORT_ARROW = 11.0
 SPACE = 16.0
 """Distance between the texts of neighbouring columns, and between cells of a column. [pt]"""
 BAND_CLEARANCE = 8.0
-"""Distance between a band that turns back and other parts. [pt]"""
+"""Distance between a returning band and neighbouring nodes, bands and texts. [pt]"""
 LOSS_LENGTH = 8.0
 """Length of the band of a loss below the node, in addition to half the band width. [pt]"""
 BEND = 2.4

@@ -1,4 +1,4 @@
-"""Vertical positions of runs, bands and ports in a power flow, as depths below the top."""
+"""Vertical positions of runs (nodes in series), bands and ports, as depths below the top."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from vstatics.pictures.flow.graph import EndPort, Graph
 from vstatics.pictures.flow.order import Near, mean, neighbours, ordered
 
 RUN_SWEEPS = 12
-"""Number of passes that move runs and passing bands towards neighbours."""
+"""Number of passes that move the cells of all columns towards their neighbours."""
 
 _Columns = Sequence[Mapping[Key, FlowCell]]
 
@@ -24,15 +24,16 @@ class Depths(NamedTuple):
     middles: Mapping[Key, float]
     """Depth of the middle of each cell, by layer and number."""
     starts: Mapping[int, float]
-    """Depth of each band between runs at the source, by index of the band."""
+    """Depth where each band leaves its source, by index of the band; bands within a run are absent.
+    """
     ends: Mapping[int, float]
-    """Depth of each band between runs at the target, by index of the band."""
+    """Depth where each band reaches its target, by index of the band."""
     ports: Mapping[EndPort, float]
     """Depth of each input or output port."""
 
 
 def depths(graph: Graph, scale: float, cells: NodeColumns, back: Sequence[int]) -> Depths:
-    """Return depths of runs, bands and ports with few crossings and short bands.
+    """Return depths of runs, bands and ports, chosen for few crossings and short bands.
 
     Parameters
     ----------

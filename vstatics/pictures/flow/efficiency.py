@@ -179,15 +179,15 @@ def _panel(pen: Pen, losses: _Losses, upright: bool, name_off: float) -> None:  
 
 
 def loss_shares(results: Results, style: Style) -> tuple[list[str], Floats]:
-    """Return the losses of mechanisms and drag as shares of the input power.
+    """Return the losses of mechanisms and drag as fractions of the input power.
 
     Returns
     -------
     list of str
         Names of gear sets or mechanisms, then drag if present.
     ndarray, shape (rows, gears)
-        Shares of the input power, NaN if the efficiency is undefined. Shares and efficiency have
-        the sum 1. [-]
+        Losses divided by input power, NaN if the efficiency is undefined. Losses and efficiency
+        have the sum 1. [-]
 
     Examples
     --------
@@ -206,7 +206,7 @@ def loss_shares(results: Results, style: Style) -> tuple[list[str], Floats]:
         names += map("slip.{}".format, by_name["slip_losses"].rows)
         losses = np.vstack([losses, by_name["slip_losses"].values])
     total = losses.sum(axis=0)
-    # The power balance gives the sum 1 - efficiency. Shares are negative when coasting.
+    # The power balance gives the sum 1 - efficiency. Losses are negative when coasting.
     entered = np.where(total == 0, 1.0, total)
     return names, losses / entered * (1.0 - results.efficiency) + 0.0
 

@@ -13,7 +13,7 @@ from vstatics.core.flow.power_flow import PowerFlow
 from vstatics.core.numerics.tolerances import NO_POWER
 
 AT_LINKS = ("drag", "gear")
-"""Losses drawn at a link: the drag on the link, and a loss of the whole gear."""
+"""Kinds of losses drawn at a link: the drag on the link, and a loss of the whole gear."""
 
 Run = tuple[Node, ...]
 """Nodes in series with equal power, without losses or branches in between."""
@@ -40,7 +40,7 @@ class Band(NamedTuple):
 
 
 class EndPort(NamedTuple):
-    """Port where power enters or leaves the gear, or the drawn row, at a link."""
+    """Link where power enters or leaves the gear, or the row in which the gear is drawn."""
 
     node: Node
     power: float
@@ -117,7 +117,7 @@ def graph(side: PowerFlow) -> Graph:
     bands = [Band(*edge) for edge in edges]
     for number, piece in pieces:  # a piece that does not close a cycle is drawn from left to right
         power = side.loops[number].power
-        if piece[0] in _behind(piece[-1], pairs):
+        if piece[0] in _reachable(piece[-1], pairs):
             ends = piece[0], piece[-1]
             bands.append(Band(*ends, power, number, back=True, between=tuple(piece[1:-1])))
         else:
@@ -152,8 +152,7 @@ def _cut(loop: Loop, known: Iterable[Node]) -> Iterator[Sequence[Node]]:
         yield twice[start : end + 1]
 
 
-def _behind(start: Node, pairs: Sequence[tuple[Node, Node]]) -> set[Node]:
-    """Return a node and all nodes reachable from the node."""
+def _reachable(start: Node, pairs: Sequence[tuple[Node, Node]]) -> set[Node]:
     reached, ahead = {start}, [start]
     while ahead:
         node = ahead.pop()
@@ -185,10 +184,10 @@ def _runs(nodes: Iterable[Node], drawn: Graph) -> Iterator[Run]:
 
 
 def _numbered(drawn: Graph) -> Iterator[int]:
-    """Yield the indices of bands from a node with several exits to a node with several entries.
+    """Yield the indices of bands whose power must be written.
 
-    Bands next to a loop are left out: their power is the power of the node minus the power of the
-    loop.
+    They lead from a run with several exits to a run with several entries. Bands next to a loop are
+    left out: their power is the power of the node minus the power of the loop.
     """
     forth = [(n, b) for n, b in enumerate(drawn.bands) if not drawn.is_within(b)]
     sources = [drawn.ends(band)[0] for _, band in forth]
@@ -205,7 +204,7 @@ def _numbered(drawn: Graph) -> Iterator[int]:
 
 
 def _layers(drawn: Graph) -> tuple[int, ...]:
-    """Return the layer of each run: the longest path from the left, numbered bands twice."""
+    """Return the layer of each run: the longest path from the left; bands with numbers count 2."""
     layers = [0] * len(drawn.runs)
     ways = [
         (*drawn.ends(band), 2 if number in drawn.numbered else 1)

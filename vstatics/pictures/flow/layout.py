@@ -22,7 +22,7 @@ STRAIGHT = 0.5
 
 
 class _Placed(NamedTuple):
-    """Positions of runs and passing bands."""
+    """Positions of runs (nodes in series), and of bands that pass through columns."""
 
     graph: Graph
     scale: float

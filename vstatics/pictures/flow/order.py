@@ -1,4 +1,4 @@
-"""Vertical order of runs and passing bands in the columns of a power flow."""
+"""Vertical order of runs (nodes in series) and passing bands in the columns of a power flow."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ def mean(near: Sequence[tuple[Key, float, float]], places: Mapping[Key, float], 
 
 
 def _settle(columns: list[list[Key]], near: tuple[Near, Near], turn: int) -> None:
-    """Sort the cells of every column by neighbours, alternately to the left and right."""
+    """Sort the cells of every column by the mean position of neighbours on one side."""
     side = near[turn % 2]
     for place in range(len(columns)) if turn % 2 == 0 else reversed(range(len(columns))):
         ranks = {key: float(rank) for column in columns for rank, key in enumerate(column)}
@@ -105,7 +105,10 @@ def _exchanged(
 
 
 def _crossings(columns: Sequence[Sequence[Key]], after: Near, graph: Graph) -> float:
-    """Return the sum of power products at crossings; returning bands cross all below."""
+    """Return the sum, over all crossings of bands, of the product of both powers.
+
+    A returning band crosses all bands below its ends.
+    """
     ranks = {key: rank for column in columns for rank, key in enumerate(column)}
     total = 0.0
     for column in columns:

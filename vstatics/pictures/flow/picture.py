@@ -87,7 +87,7 @@ def placed(gear_flows: Sequence[GearFlow], style: Style) -> list[list[FlowLayout
 
 
 def _rows(flow: GearFlow, drawn: Graph, scale: float, style: Style) -> list[FlowLayout]:
-    """Return the rows of a gear in the width of the page, after narrower wrapping of names."""
+    """Return the rows of a gear; names are wrapped to smaller widths to avoid a further row."""
     room, side = style.width - 2 * WIDE_MARGIN, flow.shown
     assert side is not None  # noqa: S101 - gears without power were sorted out
     ways = [

@@ -13,7 +13,7 @@ from vstatics.pictures.flow.graph import Band, EndPort, Graph
 
 
 class Box(NamedTuple):
-    """Rectangle of a run of nodes; the text is centred above it, and the loss is below."""
+    """Rectangle of a run of nodes; the text is centred above it, and the loss is below it."""
 
     cell: FlowCell
     middle: float
@@ -23,17 +23,17 @@ class Box(NamedTuple):
 
     @property
     def left(self) -> float:
-        """Left side [pt]."""
+        """Left edge of the rectangle [pt]."""
         return self.middle - self.cell.body / 2
 
     @property
     def right(self) -> float:
-        """Right side [pt]."""
+        """Right edge of the rectangle [pt]."""
         return self.middle + self.cell.body / 2
 
     @property
     def bottom(self) -> float:
-        """Bottom [pt]."""
+        """Lower edge of the rectangle [pt]."""
         return self.top + self.cell.thick
 
     def signs(self) -> Iterator[tuple[Node, float, float]]:

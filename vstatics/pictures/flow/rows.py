@@ -24,7 +24,7 @@ TRIES_OF_ROWS = 6
 
 
 class RowsCost(NamedTuple):
-    """Division of the first layers into rows, with the cost."""
+    """Division of the first layers (columns) of a graph into rows, with the cost."""
 
     cost: float
     ends: tuple[int, ...]
@@ -75,7 +75,7 @@ def parts(drawn: Graph, ends: Sequence[int]) -> list[Graph]:
 
 
 def _cuts(drawn: Graph) -> dict[int, int]:
-    """Return the number of bands cut after each layer, by layer, if no loop would be cut."""
+    """Return, by layer, the number of bands cut after it; layers within loops are missing."""
     by_layer = {}
     for layer in range(max(drawn.layers)):
         behind = [place > layer for place in drawn.layers]

@@ -177,7 +177,7 @@ def gear_blocks(gears: Sequence[FlowGear], room: float, style: Style) -> Iterato
             text = heading(gear.flow, wide, style)
             head = _head_block(name, text, wide)
             first, *others = row_blocks(gear, wide) or [head._replace(high=0.0, draw=nothing)]
-            yield _over(head, first, gear)
+            yield _under_heading(head, first, gear)
             yield from (row._replace(is_rest=True) for row in others)
 
 
@@ -206,8 +206,7 @@ def _head_block(name: str, text: str, wide: float) -> FlowBlock:
     return FlowBlock([], wide, height(name) + height(text), FLOW_GEAR_GAP, draw)
 
 
-def _over(head: FlowBlock, row: FlowBlock, gear: FlowGear) -> FlowBlock:
-    """Return the first row of a gear below the heading with the name."""
+def _under_heading(head: FlowBlock, row: FlowBlock, gear: FlowGear) -> FlowBlock:
     below = head.high + BELOW_TEXT * bool(row.high)
 
     def draw(pen: Pen, left: float, top: float) -> None:

@@ -21,7 +21,7 @@ LEAST_BAND_WIDTH = 0.6
 TURN_RADIUS = 6.0
 """Radius of the inner side of a turn. [pt]"""
 BAND_COVER = 0.75
-"""Opacity of a band of recirculating power drawn over other parts. [-]"""
+"""Opacity of a band of recirculating power drawn over other bands and nodes. [-]"""
 CURVE_PIECES = 6
 """Number of straight lines that replace the curve of a thin band."""
 HATCH = "////"
@@ -31,7 +31,7 @@ MILD_HATCH = "...."
 
 
 class FlowView(NamedTuple):
-    """Drawing of a gear with a given upper left corner in a figure."""
+    """Tool that draws the power flow of a gear, with the upper left corner at (`left`, `top`)."""
 
     pen: Pen
     left: float

@@ -13,7 +13,7 @@ from vstatics.pictures.lever.places import LeverPage
 from vstatics.pictures.lever.routes import LeverStep, steps
 
 LEAD_IN = 9.0
-"""Length of the piece of line that comes from the previous row."""
+"""Length of the piece of line that comes from the previous row. [pt]"""
 BandPoint = tuple[int, Point]
 """Index of a row of levers, and a point relative to the left end of the row's foot."""
 

@@ -26,9 +26,9 @@ from vstatics.pictures.lever.marks import (
 from vstatics.pictures.lever.places import LeverPage, any_freewheel
 
 KEY_ROW_HEIGHT = 13.0
-"""Height of a row of the key."""
+"""Height of a row of the key. [pt]"""
 KEY_SIGN_WIDTH = 24.0
-"""Width of the symbol before the explanation."""
+"""Width of the symbol before the explanation. [pt]"""
 
 
 class LeverKey(NamedTuple):
@@ -37,9 +37,9 @@ class LeverKey(NamedTuple):
     entries: Sequence[tuple[str, str]]
     """Kind and explanation of each symbol."""
     wide: float
-    """Width of the page."""
+    """Width of the page. [pt]"""
     arrow: float
-    """Length of the arrow that shows the scale of torques."""
+    """Length of the arrow that shows the scale of torques. [pt]"""
 
     def _places(self) -> Iterator[Point]:
         """Yield the position of each entry, in rows from the upper left."""
@@ -56,7 +56,7 @@ class LeverKey(NamedTuple):
 
     @property
     def height(self) -> float:
-        """Height of all rows."""
+        """Height of all rows [pt]."""
         return KEY_ROW_HEIGHT - min(y for _, y in self._places())
 
     def put(self, sheet: LeverSheet) -> None:
@@ -150,7 +150,7 @@ def _signs(page: LeverPage, gear: LeverGear) -> Iterator[str]:
 
 
 def _held_by(case: Transmission, names: str) -> Iterator[str]:
-    """Yield the kind of each symbol at a held point, for the names of the brakes."""
+    """Yield the kinds of symbols at a held point: the housing, or each brake in `names`."""
     if not names:
         yield "housing"
     for name in filter(None, names.split(", ")):

@@ -15,7 +15,7 @@ from vstatics.pictures.drawing.pen import Pen, corners
 from vstatics.pictures.lever.places import LeverPage
 
 ARROW_HEAD = 5.0
-"""Length of the head of an arrow."""
+"""Length of the head of an arrow. [pt]"""
 _TURNS = [step * math.pi / 6 for step in range(12)]
 MARKS: dict[str, Sequence[Point]] = {
     "in": [(2.8 * math.cos(turn), 2.8 * math.sin(turn)) for turn in _TURNS],
@@ -26,7 +26,7 @@ MARKS: dict[str, Sequence[Point]] = {
 }
 """Corners of the mark of a point, relative to the point, by the kind of point."""
 MARK_SIZE = 6.0
-"""Smallest distance between two points at which marks do not overlap."""
+"""Smallest distance between two points at which marks do not overlap. [pt]"""
 
 
 class LeverSheet(NamedTuple):
@@ -37,7 +37,7 @@ class LeverSheet(NamedTuple):
     speeds: Span
     """Smallest and largest speed, common to all levers. [-]"""
     per_torque: float
-    """Length of the arrow for the input torque."""
+    """Length of the arrow for the input torque. [pt]"""
     lines: dict[tuple[str, float, Any], list[Sequence[Point]]]
     """Collected lines, by colour, width and dashes."""
     areas: dict[str, list[Outline]]

@@ -13,7 +13,7 @@ from vstatics.pictures.lever.points import Lever
 LEVER_SEARCH_ROUNDS = 20
 """Largest number of changes by a search; more changes improve little."""
 MOVES = 60
-"""Number that, divided by the number of levers, limits how far a lever is moved, plus 2."""
+"""A lever moves by at most this number divided by the number of levers, plus 2 places."""
 CROSSING_COST = 2.0
 """Cost of two lines that cross in all gears, in heights of a lever. [-]"""
 Order = tuple[int, ...]
@@ -55,7 +55,7 @@ def ordered(case: Transmission, drawn: Sequence[Lever]) -> list[Lever]:
 
 
 def _moves(low: int, high: int) -> list[Move]:
-    """Return the changes of an order between two places: swap, shift left or right, reverse."""
+    """Return the changes of an order between two positions: swap, shift left or right, reverse."""
     return [
         lambda o: (*o[:low], o[high], *o[low + 1 : high], o[low], *o[high + 1 :]),
         lambda o: (*o[:low], *o[low + 1 : high + 1], o[low], *o[high + 1 :]),

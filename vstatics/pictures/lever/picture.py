@@ -45,7 +45,7 @@ class LeverBlock(NamedTuple):
     """Index of the row of levers."""
     low: float
     high: float
-    """Heights of the lowest and highest point of the row, above the foot of the levers."""
+    """Heights of the lowest and highest point of the row, above the foot of the levers. [pt]"""
     same: dict[int, str]
     """Name of an earlier gear with an equal picture of a lever, by the index of the lever."""
     names: dict[int, str]
@@ -53,17 +53,17 @@ class LeverBlock(NamedTuple):
 
     @property
     def over(self) -> float:
-        """Height of the texts above the levers."""
+        """Height of the texts above the levers [pt]."""
         return LEVER_NAME_HEIGHT + max(map(height, self.names.values())) - height("")
 
     @property
     def above(self) -> float:
-        """Height of the heading with the gap below."""
+        """Height of the heading with the gap below [pt]."""
         return self.head.high if self.head else 0.0
 
     @property
     def size(self) -> float:
-        """Total height of the row."""
+        """Total height of the row [pt]."""
         return self.above + self.over + self.high - self.low + BELOW_LEVERS
 
 
@@ -96,7 +96,7 @@ class LeverPaper(NamedTuple):
 
     @property
     def above(self) -> float:
-        """Height of the title with margins."""
+        """Height of the title with margins [pt]."""
         title_high = height(self.head, TITLE) + WIDE_MARGIN / 2 if self.head else 0.0
         return WIDE_MARGIN + title_high
 

@@ -17,21 +17,21 @@ from vstatics.pictures.lever.points import Lever, held_for_good, levers, shafts
 from vstatics.pictures.lever.routes import UNDER, LeverRow, gaps_of
 
 ARROW = 26.0
-"""Length of the arrow for the largest torque."""
+"""Length of the arrow for the largest torque. [pt]"""
 SPEEDS = 32.0
-"""Width of the area next to a lever in which speeds are drawn."""
+"""Width of the area next to a lever in which speeds are drawn. [pt]"""
 NUMBER_WIDTH = 30.0
-"""Width reserved for a number."""
+"""Width reserved for a number. [pt]"""
 BESIDE_LEVER = 6.0
-"""Distance between a lever and the horizontal lines of the points."""
+"""Distance between a lever and the horizontal lines of the points. [pt]"""
 LEAST, MOST = 62.0, 84.0
-"""Smallest and largest height of levers with three points."""
+"""Smallest and largest height of levers with three points. [pt]"""
 MOST_FOR_POINT = 22.0
-"""Largest height per point of levers with many points."""
+"""Largest height per point of levers with many points. [pt]"""
 GROUND_WIDTH, FREEWHEEL_WIDTH = 14.0, 9.0
-"""Widths of the symbol of a support, and of a freewheel before the support."""
+"""Widths of the symbol of a support, and of a freewheel before the support. [pt]"""
 BRAKE_NAME_WIDTH = 40.0
-"""Width reserved for the name of a brake; longer names extend over the speeds."""
+"""Width reserved for the name of a brake; longer names extend over the speeds. [pt]"""
 
 
 class LeverCell(NamedTuple):
@@ -42,17 +42,17 @@ class LeverCell(NamedTuple):
     """Horizontal line of each point except the housing of a gear pair, by index of the point."""
     left: float
     at: float
-    """Horizontal position of the lever."""
+    """Horizontal position of the lever. [pt]"""
     right: float
-    """Right end of the cell."""
+    """Right end of the cell. [pt]"""
     gap: float
-    """Width of the gap to the right, for connections."""
+    """Width of the gap to the right, for connections. [pt]"""
     band: int = 0
     """Index of the row of levers."""
 
     @property
     def speeds(self) -> Span:
-        """Left and right end of the area of speeds; equal for a shaft, which shows no speeds."""
+        """Left and right end of the area of speeds [pt]; equal for a shaft without speeds."""
         end = self.right - NUMBER_WIDTH - BESIDE_LEVER
         return (end - SPEEDS, end) if self.lever.devices else (end, end)
 
@@ -77,11 +77,11 @@ class LeverPage(NamedTuple):
 
     @property
     def width(self) -> float:
-        """Width of the widest row, with the connections after the last lever."""
+        """Width of the widest row, with the connections after the last lever [pt]."""
         return max(cell.right + cell.gap for cell in self.cells)
 
     def extent(self, band: int) -> Span:
-        """Return the heights of the lowest and highest point of a row of levers."""
+        """Return the heights of the lowest and highest point of a row of levers [pt]."""
         spans = [row.span for n in self.bands[band] for row in self.cells[n].rows.values()]
         return min(low for low, _ in spans), max(high for _, high in spans)
 
@@ -141,7 +141,7 @@ def broken(sizes: Sequence[tuple[float, float]], cuts: Sequence[int], room: floa
 
 
 def _held(case: Transmission, drawn: Sequence[Lever]) -> list[float]:
-    """Return the width at each lever for support symbols and the names of brakes."""
+    """Return the width at each lever for support symbols and the names of brakes [pt]."""
     spots = spots_of(drawn)
     widths = [0.0] * len(drawn)
     good = (spots[link][0] for link in held_for_good(case) if link in spots)
@@ -161,7 +161,7 @@ def any_freewheel(case: Transmission, names: Sequence[str]) -> bool:
 
 
 def _height(lever: Lever, shares: Sequence[float]) -> float:
-    """Return the height of a lever, sufficient for the texts between the points up to a limit."""
+    """Return the height of a lever [pt], sufficient for the texts between points up to a limit."""
     if len(lever.nodes) < 2:
         return LEAST
     least = min(abs(end - start) for start, end in pairwise(sorted(shares)))

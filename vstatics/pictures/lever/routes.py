@@ -13,17 +13,17 @@ from vstatics.pictures.lever.gear import LeverTie, joins, spots_of, ties_of
 from vstatics.pictures.lever.points import Lever
 
 UNDER = 1.25 * SIZE + 3.0
-"""Height reserved for a number below the horizontal line of a point."""
+"""Height reserved for a number below the horizontal line of a point. [pt]"""
 LANE = 6.0
-"""Distance between lines that pass above or below levers."""
+"""Distance between lines that pass above or below levers. [pt]"""
 UPRIGHT_PITCH = 8.0
-"""Distance between vertical parts of lines."""
+"""Distance between vertical parts of lines. [pt]"""
 LEAST_GAP = 14.0
-"""Smallest distance between levers."""
+"""Smallest distance between levers. [pt]"""
 SHORT_STEP = 20.0
-"""Rise of a line below which the symbol of a clutch is on its horizontal part."""
+"""Rise of a line below which the symbol of a clutch is on its horizontal part. [pt]"""
 BESIDE_SIGN = 8.0
-"""Distance from the middle of a symbol on a vertical line to the name."""
+"""Distance from the middle of a symbol on a vertical line to the name. [pt]"""
 MOST_ORDERED = 6
 """Largest number of vertical parts in a gap for which all orders are tried."""
 OVERLAP_COST = 10
@@ -36,13 +36,13 @@ class LeverRow(NamedTuple):
     name: str
     """Name of the link, wrapped into lines."""
     at: float
-    """Height of the point on the lever."""
+    """Height of the point on the lever. [pt]"""
     y: float
-    """Height of the horizontal line, moved away from neighbouring lines."""
+    """Height of the horizontal line, moved away from neighbouring lines. [pt]"""
 
     @property
     def span(self) -> Span:
-        """Vertical range of the texts."""
+        """Vertical range of the texts [pt]."""
         return self.y - UNDER, self.y + height(self.name) + 3
 
 
@@ -54,37 +54,37 @@ The housing point of a gear pair is not drawn.
 
 
 def middle_of(rows: PointRows) -> float:
-    """Return the middle between the lowest and highest point of a lever."""
+    """Return the middle between the lowest and highest point of a lever [pt]."""
     heights = [row.at for row in rows.values()]
     return (min(heights) + max(heights)) / 2
 
 
 class LeverStep(NamedTuple):
-    """Part of a connection in the gap to the right of a lever."""
+    """Piece of a connecting line in the gap to the right of a lever."""
 
     tie: LeverTie
     gap: int
     """Index of the lever that is left of the gap."""
     start: float
-    """Height at the left end."""
+    """Height at the left end. [pt]"""
     end: float
-    """Height at the right end."""
+    """Height at the right end. [pt]"""
     is_signed: bool
     """True if the symbol of a clutch or spring is in the gap."""
     is_back: bool
     """True if the connection returns to the lever of origin."""
     x: float = 0.0
-    """Position of the vertical part, from the start of the gap."""
+    """Position of the vertical part, from the start of the gap. [pt]"""
     sign: float = 0.0
-    """Height of the symbol of the clutch or spring."""
+    """Height of the symbol of the clutch or spring. [pt]"""
     slant: float = 0.0
-    """Horizontal length of a slanted rise, for two lines that exchange heights."""
+    """Horizontal length of a slanted rise, for two lines that exchange heights. [pt]"""
     is_late: bool = False
     """True for a symbol on the horizontal part after the rise, if other lines branch off before."""
 
     @property
     def span(self) -> Span:
-        """Vertical range of the vertical part."""
+        """Vertical range of the vertical part [pt]."""
         return min(self.start, self.end), max(self.start, self.end)
 
     @property
@@ -94,7 +94,7 @@ class LeverStep(NamedTuple):
 
     @property
     def wide(self) -> float:
-        """Width that the part needs in the gap; 0 for a straight line."""
+        """Width that the piece needs in the gap; 0 for a straight line [pt]."""
         if not self.is_signed:
             return UPRIGHT_PITCH * (self.start != self.end)
         named = width(self.tie.name)
@@ -102,21 +102,21 @@ class LeverStep(NamedTuple):
 
     @property
     def sign_at(self) -> float:
-        """Position of the symbol of the clutch or spring, from the start of the gap."""
+        """Position of the symbol of the clutch or spring, from the start of the gap [pt]."""
         if self.is_upright:
             return self.x
         return self.x + self.wide / 2 if self.is_late else self.x - self.wide / 2 + 3
 
     @property
     def levels(self) -> list[tuple[float, bool]]:
-        """Height of each horizontal part, with True for a part left of the vertical part."""
+        """Height of each horizontal part [pt], with True for a part left of the vertical part."""
         return [(self.start, True), (self.end, self.is_back)]
 
 
 def steps(
     rows: Sequence[PointRows], boxes: Sequence[bool], ties: Iterable[LeverTie]
 ) -> list[LeverStep]:
-    """Return the parts of connections in all gaps, with vertical parts that do not overlap.
+    """Return the pieces of connecting lines in all gaps; their vertical parts do not overlap.
 
     Parameters
     ----------
@@ -159,7 +159,7 @@ def _lane(
     wanted: float,
     used: list[tuple[int, float]],
 ) -> float:
-    """Return the free height nearest to a wanted height, for a line past some levers."""
+    """Return the free height nearest to a wanted height, for a line past some levers [pt]."""
     spans = [row.span for place in between for row in rows[place].values()]
     taken = [(low - 1, high + 2) for low, high in spans]
     middles = [middle_of(rows[place]) for place in between if boxes[place]]
@@ -173,7 +173,7 @@ def _lane(
 
 
 def _apart(here: Sequence[LeverStep]) -> list[LeverStep]:
-    """Return the parts in a gap with separate vertical parts, in an order with few crossings."""
+    """Return the pieces in a gap with separate vertical parts, in an order with few crossings."""
     here = [step._replace(is_late=_is_late(step, here)) for step in here]
     turning = [number for number, step in enumerate(here) if step.wide]
     orders = permutations(turning) if len(turning) <= MOST_ORDERED else [tuple(turning)]
@@ -200,7 +200,7 @@ def _change_places(first: LeverStep, second: LeverStep) -> bool:
 
 
 def _is_late(step: LeverStep, here: Sequence[LeverStep]) -> bool:
-    """Return whether other lines share the start of a part, but no line shares the end."""
+    """Return whether other lines share the start of a piece, but no line shares its end."""
     others = [other for other in here if other is not step]
     begins = any(abs(other.start - step.start) < 1 for other in others)
     return (
@@ -211,7 +211,7 @@ def _is_late(step: LeverStep, here: Sequence[LeverStep]) -> bool:
 
 
 def _hides(signed: LeverStep, other: LeverStep, *, is_after: bool) -> bool:
-    """Return whether `other`, a neighbouring part, runs through the symbol of `signed`."""
+    """Return whether the neighbouring piece `other` passes through the symbol of `signed`."""
     height = signed.end if signed.is_late else signed.start
     levels = (abs(y - height) < 1 for y, is_left in other.levels if is_left == is_after)
     return signed.is_signed and not signed.is_upright and any(levels)
@@ -233,7 +233,7 @@ def _crossings(ordered: Sequence[LeverStep]) -> int:
 
 
 def _sign(step: LeverStep, here: Sequence[LeverStep]) -> float:
-    """Return the height at which lines avoid the name of a symbol."""
+    """Return the height at which lines avoid the name of a symbol [pt]."""
     if not step.is_upright:
         return step.end if step.is_late else step.start
     low, high = step.span
@@ -256,7 +256,7 @@ def _sign(step: LeverStep, here: Sequence[LeverStep]) -> float:
 
 
 def gaps_of(case: Transmission, drawn: Sequence[Lever], rows: Sequence[PointRows]) -> list[float]:
-    """Return the width of the gap after each lever, sufficient for the connections of any gear."""
+    """Return the width of the gap after each lever [pt], sufficient for the lines of any gear."""
     spots, boxes = spots_of(drawn), [lever.ratio is not None for lever in drawn]
     gaps = [LEAST_GAP] * (len(drawn) - 1) + [0.0]
     for gear in [*case.gears, Gear(case.freewheels)]:

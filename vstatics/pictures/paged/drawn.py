@@ -42,7 +42,7 @@ class Draw(Protocol):
 
 
 def bare_stick(draw: Draw, motion: PicturedRun) -> Drawn:
-    """Return the stick diagram of a run without a gear, or else the structure."""
+    """Return the stick diagram of a simulated run, or its structure if no diagram is possible."""
     stick = draw("stick", motion=motion)
     return stick if stick.sheets else draw("structure", motion=motion)
 

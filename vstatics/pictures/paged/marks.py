@@ -13,7 +13,7 @@ from vstatics.core.tables.grid import Cell
 
 
 def with_mark(cell: Cell, result: str, **place: str) -> Cell:
-    """Return a cell of a table with marks: quantity, place, and all digits of the number.
+    """Return a cell of a table with marks: quantity, row or gear, and all digits of the number.
 
     >>> with_mark(Cell("1.5", 1.5), "ratio", gear="R").marks
     {'result': 'ratio', 'gear': 'R', 'number': '1.5'}

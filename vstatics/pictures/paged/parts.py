@@ -34,7 +34,7 @@ class PartRequest(NamedTuple):
     motion: PicturedRun | None = None
     """Simulated run of the case, if any."""
     in_full: bool = True
-    """True if everything is printed on paper; False to print only the essential parts."""
+    """True if everything is printed on paper; False to print only the essential contents."""
     has_pictures: bool = True
     """Whether pictures can be drawn."""
     has_marks: bool = False

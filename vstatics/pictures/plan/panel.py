@@ -34,7 +34,7 @@ LEAST_PLAN_HEIGHT = 108.0
 UPRIGHT_NAME = 78.0
 """Width to which the vertical label of a gear is wrapped. [pt]"""
 NARROW_ABSCISSA = 0.4
-"""Smallest share of the range of gears in a horizontal scale that is extended to 0. [-]"""
+"""Smallest fraction of a horizontal scale that gears must cover if the scale extends to 0. [-]"""
 
 
 class DrawnPlan(NamedTuple):
@@ -99,7 +99,7 @@ class GearRow(NamedTuple):
 def drawn_plan(
     case: Transmission, plan: KinematicPlan, run: PlanCourse | None, wide: float, style: Style
 ) -> DrawnPlan:
-    """Lay out a plan, and a simulated run if given, with axes of a width [pt]."""
+    """Lay out a plan, and a simulated run if any, with axes that are `wide` points wide."""
     x = _abscissa(plan, has_run=run is not None)
     ordinates = [ray.at(end) for ray in plan.rays for end in (x.low, x.high)] + [0.0, 1.0]
     room = 0.05 * (max(ordinates) - min(ordinates))

@@ -62,7 +62,7 @@ class PlanSheet(NamedTuple):
 
     @property
     def size(self) -> float:
-        """Width of a page."""
+        """Width of a page [pt]."""
         cells = self.columns * (self.left + self.wide + self.right)
         gaps = PLAN_GAP * (self.columns - 1) + ORDINATE_NAME_WIDTH * (self.motion is None)
         return 2 * MARGIN + cells + gaps

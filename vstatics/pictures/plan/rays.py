@@ -68,7 +68,7 @@ class KinematicPlan(NamedTuple):
     engaged: tuple[str, ...]
     """Names of the shift elements engaged in all gears, with equivalent elements as "A/B"."""
     given: tuple[str, ...]
-    """Given link speeds of the plan, as text."""
+    """Link speeds that all gears of the plan prescribe, as text."""
     rays: tuple[Ray, ...]
     marks: tuple[Mark, ...]
     standing: tuple[int, ...]
@@ -169,7 +169,7 @@ def _marks(
     state: Sequence[Condition],
     free: FreeOutputs,
 ) -> tuple[Mark, ...]:
-    """Return the gears with common constraints that need each further loaded shift element.
+    """Return the marks of the gears that share the constraints `state`, for the horizontal axis.
 
     The result is empty if all these gears have the same ratio.
     """

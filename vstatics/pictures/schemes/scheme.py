@@ -101,7 +101,7 @@ class SchemeState:
     pieces: AbstractSet[int] = frozenset()
     """Indices of components that carry torque but rotate as a block."""
     loaded: Sequence[AbstractSet[int]] | None = None
-    """Links on which each component exerts a torque; undefined without a gear."""
+    """Links on which each component exerts a torque; None without a gear."""
     idle_links: AbstractSet[int] = frozenset()
     idle_ports: AbstractSet[SchemePort] = frozenset()
     leaving: Mapping[SchemePort, bool] = field(default_factory=dict)

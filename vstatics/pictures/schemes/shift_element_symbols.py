@@ -20,7 +20,7 @@ PACK = 6.5
 HALF_BOX_SIGN = 8.0
 """Half the length of a box, for a component without a symbol. [pt]"""
 PLATES, BETWEEN = (-7.0, 0.0, 7.0), (-3.5, 3.5)
-"""Positions across the line of the plates of the first side, and of the second side. [pt]"""
+"""Positions across the line of the plates of the first and of the second link. [pt]"""
 GAP_IN_LINE = 5.0
 """Gap between a spring with play and the end of the symbol. [pt]"""
 PLATE_CLEARANCE = 2.5

@@ -88,7 +88,7 @@ def simulate_command(asked: SimulateOptions) -> int:
         needs("parquet", "Parquet")
     from vstatics.simulation.cli.documents import (
         read_with_case,
-    )  # slow import, not needed for --help
+    )  # slow imports, not needed for --help
 
     read = read_with_case(*files.read_input(scenario), asked.input_format, case, to.output)
     read = read.allowing(telling.allow)
@@ -123,7 +123,7 @@ def simulate_command(asked: SimulateOptions) -> int:
 
 
 def _check_method(asked: SimulateOptions) -> None:
-    """Refuse options of the method `events` with any other method."""
+    """Reject options of the method `events` if another method is used."""
     events = {"--limit": asked.limit, "--out": asked.sampling.out, "--damage": asked.damage or None}
     used = [option for option, given in events.items() if given is not None]
     refuse(
@@ -155,7 +155,7 @@ def _check_step(step: float | None, duration: float) -> None:
 def show(
     scenario: str, to: Destination, read: ScenarioFile, motion: Motion, *, damage: bool
 ) -> None:
-    """Write a motion in the format of the output."""
+    """Write a motion in the format of the destination."""
     from vstatics.core.tables.straight import in_both_units
     from vstatics.simulation.record.answer import lay_out, motion_answer
     from vstatics.simulation.record.columns import as_csv, as_npz, as_parquet

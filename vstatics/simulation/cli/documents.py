@@ -1,4 +1,4 @@
-"""Scenarios as files of commands: reading with their cases, checks, and sweeps."""
+"""Scenario files in commands: reading with their cases, checks, and sweeps."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def read_with_case(
     output: str | None = None,
     texts: Mapping[str, bytes] = NO_TEXTS,
 ) -> ScenarioFile:
-    """Read a scenario with the case named in the scenario, or with a given case.
+    """Read a scenario with the case that it names, or with another case.
 
     `texts` replaces the contents of files, by name.
 
@@ -94,7 +94,7 @@ def read_swept_document(
     case: str | None = None,
     case_format: readers.Format | None = None,
 ) -> tuple[VariedScenario, list[Problem]]:
-    """Read a scenario, and the case named there or `case`, as the subject of a sweep."""
+    """Read a scenario, and its own or another case, as the subject of a sweep."""
     from vstatics.simulation.variants.subject import VariedScenario
     from vstatics.sweep.variants.subject import Document
 
@@ -109,11 +109,11 @@ def read_swept_document(
 
 
 TRIED, LONG = 1.0, 60.0
-"""Processor time of a trial run, and estimated time above which a run gets a note. [s]"""
+"""Processor time of a trial run, and estimated time above which a note is printed. [s]"""
 
 
 def check_document(file: str, options: CaseOptions) -> tuple[str, list[Problem], bool, Grid | None]:
-    """Return the name, problems, failure flag and summary of a scenario."""
+    """Return name, problems, failure flag and summary of a scenario."""
     try:
         read = read_with_case(*files.read_input(file), options.input_format)
         read = read.allowing(options.telling.allow)
@@ -141,7 +141,7 @@ def check_document(file: str, options: CaseOptions) -> tuple[str, list[Problem],
 
 
 def _tried(scenario: Scenario) -> list[Problem]:
-    """Return problems if a trial run fails or takes long; without scipy, the list is empty."""
+    """Return the problems of a trial run that fails or would take long; empty without scipy."""
     if extras.missing("simulation", "a simulation"):
         return []
     from vstatics.core.cli.shared.estimates import duration_text

@@ -24,18 +24,18 @@ class SampleOptions(NamedTuple):
     """Options of samples: number of runs, additional columns and worker processes."""
 
     samples: int | None = None
-    """Number of runs; without a number, the scenario runs once as written."""
+    """Number of runs; None for a single run as written."""
     seed: int | None = None
     out: str | None = None
     sharing: Sharing = Sharing()
 
     def check(self, **of_one_run: bool) -> None:
-        """Refuse options of samples without samples, and options of a single run with samples.
+        """Reject options of samples without samples, and options of a single run with samples.
 
         Parameters
         ----------
         **of_one_run : bool
-            Name of each option of a single run, and whether it is given.
+            Whether each option of a single run, by name, is present.
 
         Raises
         ------
@@ -131,4 +131,4 @@ options = gathered(
     arguments.input_format,
     arguments.telling,
 )
-"""Decorator with all options, which the command receives as `asked`."""
+"""Decorator with all options, which the command receives as its argument `asked`."""

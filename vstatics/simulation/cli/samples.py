@@ -65,7 +65,7 @@ def run_samples(asked: SimulateOptions) -> int:
     out = sampling.out
     if asked.damage:
         expect_damage(varied.own.reading)
-        out = out and f"{out},damage"  # the default columns contain the damage
+        out = out and f"{out},damage"  # the default columns already contain the damage
     options = SweepOptions.of(sample=sampling.samples, seed=sampling.seed, out=out)
     try:
         build.check_packages(SweepOptions(), form or "csv", sampling.sharing.scheduler)
@@ -91,7 +91,7 @@ def run_samples(asked: SimulateOptions) -> int:
 
 
 Collected: TypeAlias = tuple[Mapping[str, Floats] | int, Sequence[Problem]]
-"""Results of all runs by column, or the exit status of a failure; then messages of the runs."""
+"""Results of all runs by column, or the exit status of a failure; then the messages of runs."""
 
 
 def _written(run: SweepRun) -> Collected:
@@ -101,7 +101,7 @@ def _written(run: SweepRun) -> Collected:
     status, messages = carry_out(run)
     if status:
         return status, messages
-    output = Path(str(run.output))  # no limit of size: the command has just written it
+    output = Path(str(run.output))  # the file needs no size limit, because this command wrote it
     read = sweep_tables.read(output.read_bytes(), str(output))
     return {name: np.array(numbers) for name, numbers in read.columns.items()}, messages
 

@@ -26,7 +26,7 @@ INSTANTS = 400
 
 
 def expect_damage(reading: Reading) -> None:
-    """Refuse to report damage if no life can be calculated.
+    """Raise an error if damage is requested but no life can be calculated.
 
     Raises
     ------
@@ -41,7 +41,7 @@ def expect_damage(reading: Reading) -> None:
 
 
 def run_of(outcome: CalculatedCase, out: str = "") -> Motion | None:
-    """Run the scenario of a case, with enough instants for pictures, and print all messages.
+    """Run the scenario of a case with enough instants for pictures, and print all messages.
 
     Without a scenario, the result is None.
 
@@ -75,7 +75,7 @@ def run_of(outcome: CalculatedCase, out: str = "") -> Motion | None:
 
 
 def run_columns(out: str | None, scenario: Scenario) -> Sequence[tuple[str, str]]:
-    """Return the additional columns named by the text of an option."""
+    """Return the additional columns that the text of an option names."""
     if out is None:
         return ()
     from vstatics.simulation.variants.asked import read_asked  # imports the annex `sweep`
@@ -84,7 +84,7 @@ def run_columns(out: str | None, scenario: Scenario) -> Sequence[tuple[str, str]
 
 
 def drawn_run(outcome: CalculatedCase, results: Results, out: str) -> tuple[Results, Motion | None]:
-    """Return the results, renamed after the scenario, and the run as from `run_of`."""
+    """Return the results, renamed after the scenario, and the run (see `run_of`)."""
     motion = run_of(outcome, out)
     if outcome.scenario is None or not outcome.scenario.name:
         return results, motion
@@ -92,7 +92,7 @@ def drawn_run(outcome: CalculatedCase, results: Results, out: str) -> tuple[Resu
 
 
 def run_problems(read: ScenarioFile, motion: Motion) -> Iterator[Problem]:
-    """Yield the messages of a run and the reason of an early stop, with places in the file."""
+    """Yield the messages of a run, and the reason for an early stop, with places in the file."""
     file = read.spots.place(())._replace(line=0, column=0, text="")
     for message in motion.messages:
         text = f"gear {message.gear}: {message.text}" if message.gear else message.text

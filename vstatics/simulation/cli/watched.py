@@ -1,4 +1,4 @@
-"""Supervision of a run: time limit, Ctrl-C, and progress on the terminal."""
+"""Supervision of a run: time limit, Ctrl-C and progress on the terminal."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from vstatics.simulation.bounds import wall_limit
 
 
 class RunWatch:
-    """Progress of a run, and the reason for a stop.
+    """Progress of a run, and the reason to stop it.
 
     Parameters
     ----------
@@ -45,7 +45,7 @@ class RunWatch:
         return self.why
 
     def said(self) -> str:
-        """Return the progress line with the estimated remaining time; empty once the run stops."""
+        """Return the progress line with the estimated remaining time; empty once a stop is due."""
         if self.why:
             return ""
         progress = done_text(self.time / self.duration, time.monotonic() - self.began)
@@ -61,7 +61,7 @@ def watched(file: str, duration: float, limit: float | None, *, quiet: bool) -> 
     file : str
         Name of the scenario in the progress line.
     quiet : bool
-        Whether progress is not shown.
+        True if no progress is shown.
     """
     watch = RunWatch(file, duration, limit)
     is_main = threading.current_thread() is threading.main_thread()

@@ -43,14 +43,14 @@ class ModeChoices:
         rows = system.rows(contact.row for contact in system.contacts)
         touched = np.abs(rows @ loose.light) if loose.light.size else np.zeros((len(rows), 1))
         self.touched = touched.max(axis=1, initial=0.0) > STANDING
-        """Flags of contacts whose slip can jump, because it depends on a motion without inertia."""
+        """Flags of contacts whose slip can jump, because it depends on links without inertia."""
         motions = np.hstack([loose.free, loose.light])
         self.idle = [not (np.abs(mesh.slip @ motions) > STANDING).any() for mesh in system.meshes]
         """Flags of mechanisms whose links always rotate as a block, so that they have no losses."""
         self.carried = [
             bool((np.abs(mesh.slip @ loose.light) > STANDING).any()) for mesh in system.meshes
         ]
-        """Flags of mechanisms whose slip can jump, as it depends on a motion without inertia."""
+        """Flags of mechanisms whose slip can jump, because it depends on links without inertia."""
         self.leaping = [
             bool((np.abs(loose.light[load.link]) > STANDING).any()) for load in system.outside
         ]
@@ -58,7 +58,7 @@ class ModeChoices:
         self.within = AHEAD * system.scenario.span
         """Length of the look-ahead, the time after which margins are compared with now. [s]"""
         self.carrying: dict[int, bool] = {}
-        """Index of a shift element -> whether its feedback control lets it carry torque now."""
+        """Shift element index -> whether its feedback control lets it carry torque now."""
 
     def at(
         self,
@@ -138,7 +138,7 @@ class ModeChoices:
     def _switch(
         self, index: int, at: Instant, scales: LargeSizes, choices: list[Choice], *, met: bool
     ) -> str:
-        """Return the side of a torque jump on which the motion is; at the jump, add a choice."""
+        """Return the side of a torque jump; at the jump, add a choice and return "stick"."""
         switch = self.system.contacts[index].switch
         assert switch is not None  # noqa: S101 - it is asked of these alone
         over, curve, side, _ = switch.jump

@@ -85,7 +85,7 @@ class Exponential:
         return np.ascontiguousarray(inner).reshape(rows, columns * nodes)
 
     def moved(self, parts: Floats, states: Floats) -> Floats:
-        """Return the first rows of ``exp(A s) x`` for each x in `states` with s in `parts`."""
+        """Return first rows of ``exp(A s) x`` for paired s in `parts` and columns x of `states`."""
         steps, powers = self._split(parts)
         result = states.copy()
         for halved, far in steps:
@@ -102,8 +102,8 @@ class Exponential:
     def _split(self, parts: Floats) -> tuple[list[tuple[Floats, Integers]], Floats]:
         """Split each s in `parts` into terms 1, 1/2, 1/4, ... (binary digits) and a remainder.
 
-        Returns the exponential of each term with the indices in `parts` that contain the term, then
-        the powers of the remainders in units of the last term, shape (powers, parts).
+        Returns the exponential of each term, with the indices of `parts` that contain the term.
+        Powers of the remainders in units of the last term follow, shape (powers, parts).
         """
         numbers = parts * 2.0**self.halvings
         whole = numbers.astype(int)

@@ -23,20 +23,20 @@ from vstatics.simulation.tolerances import LIGHT_MOTION, STANDING
 
 
 class Impact(NamedTuple):
-    """Speeds after an impact, and energies of the impact."""
+    """Result of an impact."""
 
     speeds: Floats
     """Speeds of all links after the impact. [rad/s]"""
     energies: tuple[float, ...]
     """Energy lost in each joining contact. [J]"""
     work: float
-    """Work that maintains the given speeds of links. [J]"""
+    """Work of the drives that maintain the given speeds of links. [J]"""
 
 
 def impact(
     system: MotionSystem, at: Instant, rigid: Sequence[int], joining: Sequence[int]
 ) -> Impact:
-    """Calculate the impact of closing contacts; given speeds do not change.
+    """Calculate the speeds and energies of an impact; links with given speeds keep them.
 
     Parameters
     ----------
@@ -86,11 +86,6 @@ def impact(
 def _projected(
     system: MotionSystem, speeds: Floats, rows: Floats, given: Sequence[Floats]
 ) -> tuple[Floats, Floats]:
-    """Project speeds onto the motions that constraint rows allow, orthogonally in the mass matrix.
-
-    Returns the speeds after the impact and the impulses of all rows; the impulses of links with
-    given speeds come last.
-    """
     mass = system.mass
     every = np.vstack([rows, system.rows(given)])
     free = null(every)

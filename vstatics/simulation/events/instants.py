@@ -20,7 +20,8 @@ from vstatics.simulation.system.structure import MotionStructure
 from vstatics.simulation.tolerances import STANDING
 
 _MOST_JUMPS = 8
-"""Largest number of iterations to balanced twists if an efficiency depends on the torque."""
+"""Largest number of iterations until twists are balanced, if an efficiency depends on the torque.
+"""
 
 
 class Instant(NamedTuple):
@@ -41,7 +42,7 @@ class Instant(NamedTuple):
 
 
 class Jump(NamedTuple):
-    """Sudden change of spring twists, possible at links without inertia."""
+    """Sudden change of spring twists, which balances the torques on links without inertia."""
 
     link: str
     energy: float
@@ -51,7 +52,7 @@ class Jump(NamedTuple):
 def consistent(
     equations: Equations, state: Floats, scales: LargeSizes
 ) -> tuple[Floats, Jump | None]:
-    """Return the state vector with twists that balance the torques on links without inertia."""
+    """Return the state with twists that balance torques on links without inertia, and any jump."""
     if not equations.light or not equations.by_slope.shape[1]:
         return state, None
     balanced, given = state.copy(), np.zeros(equations.layout.ports)
@@ -154,13 +155,13 @@ def start_instant(
 
 
 def seen_at(system: MotionSystem, at: Instant) -> list[float]:
-    """Return all quantities that formulas can read at an instant, except functions of torques."""
+    """Return the values of all quantities that formulas can read, except functions of torques."""
     rates = system.port_rows @ at.speeds
     return [*rates.tolist(), *at.twists.tolist(), *at.angles.tolist(), *at.values.tolist()]
 
 
 def break_times(system: MotionSystem, until: float) -> list[float]:
-    """Return the sorted times before `until` at which an input bends or jumps [s]."""
+    """Return the sorted times [s] before `until` at which an input over time bends or jumps."""
     curves: list[object] = [device.programme.curve for device in system.may_slip]
     curves += [load.law for load in system.outside]
     curves += [state.rate for state in system.scenario.states]

@@ -31,7 +31,7 @@ _LOW = 0.1
 Lower minima are examined closely, since they could be negative.
 """
 _PLACES = 65
-"""Number of points at which a polynomial is evaluated between two instants."""
+"""Number of points at which a polynomial is evaluated to find its minimum between two instants."""
 _NEAR = np.append(2.0 ** np.arange(-32, 0), 1.0)
 """Fractions of an interval at which a margin that begins at 0 is evaluated."""
 
@@ -45,7 +45,7 @@ def _in_gaps(nodes: tuple[float, ...]) -> Floats:
 
 
 def _lowest(nodes: tuple[float, ...], values: Floats, gap: int) -> float:
-    """Return the place of the minimum of an interpolating polynomial between two nodes.
+    """Return the abscissa at which an interpolating polynomial is lowest between two nodes.
 
     >>> round(_lowest((0.0, 0.3, 0.6, 1.0), (np.array([0.0, 0.3, 0.6, 1.0]) - 0.41)**2, 1), 9)
     0.41
@@ -60,7 +60,7 @@ def _lowest(nodes: tuple[float, ...], values: Floats, gap: int) -> float:
 
 
 class MarginEnd(NamedTuple):
-    """Time, state and identities of the first margins that become negative."""
+    """Time at which the first margins become negative, with the state and their identities."""
 
     time: float
     state: Floats
@@ -68,7 +68,7 @@ class MarginEnd(NamedTuple):
 
 
 class Finder:
-    """Finder of events as long as the equations of motion remain unchanged.
+    """Finder of the first negative margin; valid while the equations of motion remain unchanged.
 
     Parameters
     ----------
@@ -151,7 +151,7 @@ class Finder:
             part, gap = divmod(number, count)
             place = _lowest(nodes, by_parts[watch, part], gap)
             time = float(edges[part] + (edges[part + 1] - edges[part]) * place)
-            minimum = self._between(step, time)
+            minimum = self._margins_at(step, time)
             if (minimum < -self.noise).any():
                 return number, (time, minimum)
         return None
@@ -203,9 +203,10 @@ class Finder:
     def _after_rise(self, step: TimeStep, index: int, first: float, last: float) -> float:
         """Return the next zero of a margin that is also 0 at the start of an interval.
 
-        A margin that never rises ends at the start if a state depends on it. Otherwise it ends
-        where it is below 0 by more than rounding. So do margins of kind `split`: they are 0 while a
-        clutch without capacity sticks in a loop of other clutches.
+        If the margin never rises and a state depends on it, it ends at the start. Any other margin
+        that never rises ends where it is below 0 by more than rounding. This also holds for margins
+        of kind `split`, which are 0 while a clutch without capacity sticks in a loop of other
+        clutches.
         """
         times = first + (last - first) * _NEAR
         margins = self.margins.along(times, step.between(times))[index]
@@ -223,12 +224,11 @@ class Finder:
         """Return the time at which a margin falls below 0 by more than rounding, by bisection."""
         first, last = ends
         while first < (middle := first + (last - first) / 2) < last:
-            is_below = self._between(step, middle)[index] < -self.noise[index]
+            is_below = self._margins_at(step, middle)[index] < -self.noise[index]
             first, last = (first, middle) if is_below else (middle, last)
         return last
 
-    def _between(self, step: TimeStep, time: float) -> Floats:
-        """Return the margins at a time within a step, by dense output."""
+    def _margins_at(self, step: TimeStep, time: float) -> Floats:
         return self.margins.at(time, step.between(np.array([time]))[:, 0])
 
     def _root(self, step: TimeStep, index: int, first: float, last: float) -> float:
@@ -241,7 +241,7 @@ class Finder:
         if values[-1] >= 0:
             return last
         kind = self.margins.watches[index].kind
-        jumps = self.margins.sees and kind in ("hold", "limit", "grip")  # formulas can jump
+        jumps = self.margins.sees and kind in ("hold", "limit", "grip")  # a formula can jump
         if not jumps and kind not in ("split", *FOLLOWING):  # smooth, so a polynomial fits
             powers: list[float] = (_TO_POWERS @ values).tolist()
 
@@ -250,15 +250,16 @@ class Finder:
 
             if near(0.0) > 0 > near(1.0):
                 return first + (last - first) * float(brentq(near, 0.0, 1.0, xtol=ROOT_PART))
-        return float(
-            brentq(
-                lambda time: self._between(step, time)[index],
-                first,
-                last,
-                xtol=ROOT_TIME * max(1.0, last),
-                rtol=ROOT_TIME,
-            )
-        )
+
+        def at(time: float) -> float:
+            return float(self._margins_at(step, time)[index])
+
+        # the margins at a time and along many times have different rounding errors, too
+        if at(first) <= 0:
+            return first
+        if at(last) >= 0:
+            return last
+        return float(brentq(at, first, last, xtol=ROOT_TIME * max(1.0, last), rtol=ROOT_TIME))
 
     def _refined(
         self, step: TimeStep, time: float, state: Floats, index: int

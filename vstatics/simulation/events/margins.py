@@ -57,11 +57,11 @@ FOLLOWING = ("state", "awaited", "corner")
 
 
 class Watch(NamedTuple):
-    """Identity of a margin: kind, index of a part, and side."""
+    """Identity of a margin: kind of margin, index of its component, and side."""
 
     kind: Watched
     of: int
-    """Index of the contact, mechanism, spring, law or other part to which the margin belongs."""
+    """Index of the contact, mechanism, spring, law, control state, sequence step or corner."""
     side: int = 1
     """Sign of the torque at the limit, or of the step to the next linear piece of a law."""
 
@@ -70,16 +70,15 @@ class LargeSizes(NamedTuple):
     """Speed and torque that count as large in a run, as scales of rounding errors."""
 
     speed: float
-    """Large speed. [rad/s]"""
+    """Speed that counts as large. [rad/s]"""
     torque: float
-    """Large torque. [N*m]"""
+    """Torque that counts as large. [N*m]"""
 
 
 class SplitRoom(NamedTuple):
-    """Distances of redundant torques to torque limits.
+    """Slacks of redundant torques: distances to their torque limits.
 
-    Redundant torques can be split between sticking contacts and mechanisms in many ways. A slack is
-    the distance of a torque to its limit.
+    Redundant torques can be split between sticking contacts and mechanisms in many ways.
     """
 
     slack: Floats
@@ -91,7 +90,7 @@ class SplitRoom(NamedTuple):
     """Slacks of the split whose smallest slack is largest."""
 
     def is_of(self, slack: Floats, directions: Floats) -> bool:
-        """Return whether the result was calculated from given slacks and directions."""
+        """Return whether this object was calculated from the slacks and directions."""
         given = self.slack * self.ways, self.directions * self.ways[:, None]
         return np.array_equal(given[0], slack) and np.array_equal(given[1], directions)
 
@@ -120,7 +119,7 @@ class Awaited(NamedTuple):
     side: str
     """Sign of the difference from now on: `+`, `-`, `0` for a lasting 0, `?` if not a number."""
     size: float
-    """Scale of the compared numbers, relative to which a difference can be rounding."""
+    """Scale of the compared numbers; a tiny difference relative to it is rounding."""
     is_equal: bool
     """True if both numbers are equal now, even if the difference changes from now on."""
     change: float
@@ -128,7 +127,7 @@ class Awaited(NamedTuple):
 
 
 class Margins:
-    """Margins of a set of equations; torques in N*m, speeds in rad/s."""
+    """Margins of a set of equations: torques in N*m, speeds in rad/s."""
 
     def __init__(self, equations: Equations) -> None:
         self.equations = equations
@@ -151,7 +150,7 @@ class Margins:
             for place, (mesh, *_) in enumerate(self.cones)
             if largest(structure.redundant[mesh]) > SHARED_TORQUE
         ]
-        """Slacks of each mechanism whose torque is indeterminate, so that its sign is open."""
+        """Rows of both slacks of each mechanism whose torque has an indeterminate sign."""
         self.last_room: SplitRoom | None = None
         """Latest result of `_roomiest`, which is often needed again."""
         self.straight_limits = self._straight_limits()
@@ -163,9 +162,9 @@ class Margins:
         self.switches = [
             (row, contact.switch) for row, contact in enumerate(contacts) if contact.switch
         ]
-        """Rows, among the slips, of contacts at a jump, with the data of the jump."""
+        """Torque jumps: row of their contact among the slipping contacts, and data of the jump."""
         self.jumping = [row for row, holding in enumerate(self.holding) if holding[0].switch][::2]
-        """Row of the first of the two limits of each contact at a jump."""
+        """First of the two rows in `holding` of each contact that represents a torque jump."""
         self.by_torques = self._limits_by_torques() if self.jumping else None
         self.deciding = len(self.watches)
         """Number of leading margins that decide between sticking and slipping."""
@@ -173,7 +172,7 @@ class Margins:
         self.sequences: list[Awaited] = []
 
     def follow(self, kind: Watched, compared: Iterable[tuple[int, Awaited]]) -> None:
-        """Add margins of comparisons, given with indices of sequences or corners."""
+        """Add margins of comparisons, each with the index of its sequence or corner."""
         for number, comparison in compared:
             self._watch(kind, number, torque=False)
             self.sequences.append(comparison)
@@ -245,9 +244,9 @@ class Margins:
                 self.gripping.append((index, SIGNS[state]))
                 self._watch("grip", index, torque=spring.viscous > 0)
         self.touching: list[tuple[int, float]] = []
-        """Springs that are twisted beyond their play: index, and sign of the torque in the margin.
+        """Springs twisted beyond their play: index, and sign of the torque in the margin.
 
-        The sign is that of the elastic torque while the spring is in contact, and the opposite sign
+        The sign is that of the elastic torque while the spring is in contact, and the opposite
         while it is parted.
         """
         for index, (spring, state) in springs:
@@ -260,14 +259,14 @@ class Margins:
         return self.equations.states.pieces[self.equations.layout.curves + spring]
 
     def _pieces(self) -> None:
-        """Watch for corners (breakpoints) of piecewise-linear curves.
+        """Add margins of the breakpoints of piecewise-linear curves.
 
         The curves are outside torques over speed or angle, friction over slip, springs over twist,
         and converters over speed ratio.
         """
         equations = self.equations
         self.corners: list[tuple[int, bool, float, float]] = []
-        """Corners: row, True for a row of the state (else of the port speeds), value, and side."""
+        """Corners: row, True if the row is in the state (else the port speeds), value, and side."""
         for index, load in enumerate(equations.system.outside):
             law = load.law
             if not isinstance(law, Points) or law.over == "time":
@@ -280,20 +279,19 @@ class Margins:
                 row = equations.angles.start + equations.layout.angles.index(load.link)
             for corner, side in self._ends(index, law.x):
                 self.corners.append((row, by_angle, corner, side))
-        self._frictions()
+        self._friction_corners()
         for index, spring in enumerate(equations.system.springs):
             row, at = equations.twists.start + index, equations.layout.curves + index
             for corner, side in self._ends(at, spring.curve.corners, torque=True):
                 self.corners.append((row, True, corner, side * spring.stiffness))
         self.ratios: list[tuple[int, float, float]] = []
-        """Corners of converters: index of the converter, speed ratio at the corner, and side."""
+        """Breakpoints of converters: index of the converter, speed ratio, and side."""
         for place, converter in enumerate(equations.system.converters):
             ratios = [ratio for ratio, _, _ in converter.points]
             for corner, side in self._ends(equations.layout.outside + place, ratios):
                 self.ratios.append((place, corner, side))
 
-    def _frictions(self) -> None:
-        """Add margins of the corners of the friction coefficient of slipping contacts."""
+    def _friction_corners(self) -> None:
         equations = self.equations
         contacts = zip(equations.system.contacts, equations.states.contacts, strict=True)
         for index, (contact, state) in enumerate(contacts):
@@ -314,7 +312,7 @@ class Margins:
                 yield corners[place], float(-step)
 
     def _positive_directions(self) -> Floats:
-        """Return the changes of the slacks along redundant directions, for positive torques."""
+        """Return the changes of slacks along redundant torques, for positive mechanism torques."""
         redundant = self.equations.structure.redundant
         rows = [-side * redundant[row] for _, row, side in self.holding]
         for mesh, friction, mechanism in self.cones:
@@ -324,7 +322,7 @@ class Margins:
         return np.array(rows).reshape(len(rows), redundant.shape[1])
 
     def _straight_limits(self) -> Floats | None:
-        """Return torque limits of sticking contacts as (c0, c1) of ``c0 + c1 t``, if straight."""
+        """Return (c0, c1) of the torque limits ``c0 + c1 t`` of contacts, None if not linear."""
         time = self.equations.time
         lines = []
         for contact, _, side in self.holding:
@@ -357,13 +355,13 @@ class Margins:
         return weights
 
     def limits(self, times: Floats, seen: Floats | None) -> Floats:
-        """Return the torque limits of sticking contacts at times, shape (limits, times) [N*m]."""
+        """Return torque limits of sticking contacts [N*m], shape (limits, times)."""
         if self.straight_limits is not None:
             return self.straight_limits[:, :1] + self.straight_limits[:, 1:] * times
         return np.array([_limits(contact, side, times, seen) for contact, _, side in self.holding])
 
     def units(self, scales: LargeSizes) -> Floats:
-        """Return scales of margins: a violation that is tiny relative to the scale is rounding."""
+        """Return the scale of each margin, relative to which a tiny violation is rounding."""
         units = np.where(self.is_torque, scales.torque, scales.speed)
         at = self.deciding
         for _, _, limit in self.limits_of_states:
@@ -439,14 +437,15 @@ class Margins:
         return np.array(margins)
 
     def _slack(self, times: Floats, held: Floats, torques: Floats, seen: Floats | None) -> Floats:
-        """Return slacks of sticking contacts, then of resting mechanisms, shape (slacks, times)."""
+        """Return slacks of sticking contacts, then of mechanisms at rest, shape (slacks, times)."""
         cones = [self.limits(times, seen) - self.sides[:, None] * held[self.held_rows]]
         if self.by_torques is not None:
             cones[0] += self.by_torques @ torques
             for row in self.jumping:
                 both = cones[0][row : row + 2]
                 width = both.sum(axis=0)
-                both[:, width < 0] = width[width < 0]  # both torques push off the jump
+                # below width 0, the torques on both sides drive the motion off the jump
+                both[:, width < 0] = width[width < 0]
         for mesh, friction, mechanism in self.cones:
             torque, taken = held[mesh], held[friction]
             less, more = mechanism.friction_at_rest(torque)
@@ -455,13 +454,13 @@ class Margins:
         return np.concatenate(cones)
 
     def _directions(self, held: Floats) -> Floats:
-        """Return the changes of the slacks along redundant directions."""
+        """Return the changes of the slacks along redundant torques."""
         signs = [1.0 if held[mesh] >= 0 else -1.0 for mesh, *_ in self.cones]
         ways = np.append(np.ones(len(self.holding)), np.repeat(signs, 2))
         return ways[:, None] * self.directions
 
     def _together(self, slack: Floats, held: Floats) -> Floats:
-        """Return the smallest slack of the best split at each time [N*m]."""
+        """Return the smallest slack [N*m] of the best split at each time."""
         smallest = slack.min(axis=0)
         is_within = smallest >= -PASSED_LIMIT * np.abs(held).max(axis=0, initial=0.0)
         room: Floats = np.maximum(smallest, 0.0)
@@ -470,12 +469,12 @@ class Margins:
         return room
 
     def _roomiest(self, slack: Floats, held: Floats) -> SplitRoom:
-        """Return the slacks with the torque sign of each mechanism that leaves most slack.
+        """Return the slacks for the signs of mechanism torques that leave most slack.
 
-        The friction torque of a mechanism at rest is within limits proportional to its torque, for
-        both signs of this torque (a double cone). The least-norm split does not determine the sign
-        of a redundant torque, so other signs are tried until some split is within all limits. Only
-        a mechanism at its limit can gain slack by the other sign.
+        The friction torque of a mechanism at rest is limited in proportion to its torque, for both
+        signs of this torque (a double cone). The least-norm split does not determine the sign of a
+        redundant torque, so other signs are tried until some split is within all limits. Only a
+        mechanism at its limit can gain slack by the other sign.
         """
         directions = self._directions(held)
         if self.last_room and self.last_room.is_of(slack, directions):
@@ -508,7 +507,7 @@ class Margins:
         ]
 
     def breaking(self, watch: Watch, time: float, state: Floats) -> Watch:
-        """Return the identity with the direction of the beginning motion, new for mechanisms."""
+        """Return the identity of a margin, with the direction in which a mechanism moves."""
         if watch.kind != "cone":
             return watch
         _, torques = self.equations.acting(time, state)
@@ -516,7 +515,7 @@ class Margins:
         return watch._replace(side=watch.side if held >= 0 else -watch.side)
 
     def split(self, times: Floats, states: Floats, rates: Floats, torques: Floats) -> Floats:
-        """Return constraint torques, of least norm within the limits, shape (multipliers, times).
+        """Return constraint torques of least norm within the limits, shape (multipliers, times).
 
         Times are the last axis of all arguments; `rates` and `torques` have a row for each port.
         """

@@ -16,7 +16,7 @@ _PASSED = 4
 _SWITCHES = 8
 """Number of arrivals at a jump in quick succession that count as switching without end."""
 _DOUBLINGS = 3
-"""Number of successive doublings of the number of arrivals whose durations are compared."""
+"""Number of doublings of the number of arrivals whose durations are compared."""
 _FIRST_DOUBLING = 3
 """Number of first doublings that are not compared, because the first arrivals are irregular."""
 _LONGER = 1.2
@@ -26,7 +26,7 @@ _MOST_MEETINGS = 1e5
 
 
 class CornerPlace(NamedTuple):
-    """Place of a corner of a formula: a comparison of two numbers."""
+    """Identity of a formula corner, at which two compared numbers are equal."""
 
     corner: int
     """Index in `EventRun.corners`."""
@@ -35,12 +35,12 @@ class CornerPlace(NamedTuple):
 
 
 class CornerMeetings:
-    """Record of recent arrivals at corners.
+    """Record of the times at which a motion reaches formula corners.
 
     Parameters
     ----------
     span : float
-        Time scale of the scenario; times that differ by a small part of it count as near. [s]
+        Time scale of the scenario; times closer than a small fraction of it are near. [s]
     """
 
     def __init__(self, span: float) -> None:
@@ -67,7 +67,7 @@ class CornerMeetings:
         """Return whether a jump is reached ever faster, so that the run cannot reach the end.
 
         A cycle of constant period needs twice the time for each doubling of the number of arrivals.
-        If no doubling takes longer than the doubling before, this number grows at least
+        If no doubling takes longer than the doubling before, the number of arrivals grows at least
         exponentially.
         """
         doublings = self.doublings[place]
@@ -88,7 +88,7 @@ class CornerMeetings:
         return len(times) == _PASSED and time - times[0] <= _PASSED * AHEAD * self.span
 
     def switches(self, place: CornerPlace, judged: Awaited, within: float) -> bool:
-        """Return whether a jump is reached again and again, as both sides drive the motion back.
+        """Return whether both sides of a jump drive the motion back to the jump again and again.
 
         Parameters
         ----------

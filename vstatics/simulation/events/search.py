@@ -11,13 +11,13 @@ from vstatics.simulation.events.margins import Watch
 from vstatics.simulation.system.ports import States
 
 _FIRST_TRIED = 12
-"""Number of combinations tried in order of rank, before a guess."""
+"""Number of combinations tried in order of rank before the guess."""
 _MOST_PIVOTS = 300
 """Largest number of steps of block pivoting."""
 _IN_VAIN = 3
 """Number of block pivots allowed without a decrease of the number of failing states."""
 _WORTH_WHILE = 24_000
-"""Number of further combinations tried, times the squared number of choices.
+"""Limit for the number of further combinations times the squared number of choices.
 
 Fewer combinations are tried in a large system, where a trial takes longer.
 """
@@ -26,17 +26,17 @@ Fewer combinations are tried in a large system, where a trial takes longer.
 Kind = Literal["contacts", "meshes", "springs", "pieces"]
 """Kinds of choices: fields of `States`."""
 Choice = tuple[Kind, int, tuple[Any, ...]]
-"""Choice between states: kind, index of the part, and options, sticking first."""
+"""Choice between states: field of `States`, index in this field, and options, sticking first."""
 Changed = tuple[tuple[int, Any], ...]
-"""Combination of states: index and state of each choice that is not in the first state."""
+"""Changed states of a combination: number of the choice, and state other than its first option."""
 
 
 class ModeSearch:
     """Search through combinations of states: most sticking states first.
 
-    Of equally many, the combination nearest to the states before comes first. The failing margins
-    of a combination show which combinations to try next. If this is not successful, a guess is
-    tried, and finally all remaining combinations.
+    Among equally many, the combination nearest to the preceding states comes first. The failing
+    margins of a combination show which combinations to try next. If no combination is admissible, a
+    guess is tried, and finally all remaining combinations.
     """
 
     def __init__(
@@ -56,9 +56,9 @@ class ModeSearch:
         self.turned: list[tuple[int, Any]] = []
 
     def __iter__(self) -> Iterator[States]:
-        """Yield the combinations that are tried first, then a guess."""
+        """Yield the best-ranked combinations, then the guess."""
         yield from self._best(_FIRST_TRIED)
-        if (guess := self.guess()) is not None:  # only its states of the open choices are used
+        if (guess := self.guess()) is not None:  # only the guessed states of open choices are used
             guessed = {n: getattr(guess, kind)[at] for n, (kind, at, _) in enumerate(self.choices)}
             self.changed = tuple(sorted(self._changes(guessed).items()))
             yield self._with(self.changed)
@@ -68,7 +68,7 @@ class ModeSearch:
         yield from self._best(_WORTH_WHILE // max(1, len(self.choices)) ** 2)
 
     def _best(self, count: int) -> Iterator[States]:
-        """Yield up to `count` new combinations: first those waiting, by rank, then all others."""
+        """Yield up to `count` new combinations: the queue by rank, then all others."""
         others = (changed for changed in self._all() if changed not in self.seen)
         for _ in range(count):
             changed = heappop(self.waiting)[-1] if self.waiting else next(others, None)
@@ -79,7 +79,7 @@ class ModeSearch:
             yield self._with(changed)
 
     def pivoting(self) -> Iterator[States]:
-        """Yield combinations by block pivoting, beginning with all parts sticking.
+        """Yield combinations by block pivoting, beginning with all candidates sticking.
 
         Without progress, single states change by Murty's rule, which solves a linear
         complementarity problem in finitely many steps (J. Judice, F. Pires, Computers and
@@ -90,7 +90,7 @@ class ModeSearch:
         singly = set()
         for _ in range(_MOST_PIVOTS):
             self.changed = tuple(sorted(changes.items()))
-            if self.changed in singly:  # a cycle
+            if self.changed in singly:  # the pivoting repeats itself
                 return
             yield self._with(self.changed)
             turned = dict(reversed(self.turned))
@@ -135,7 +135,7 @@ class ModeSearch:
         self.seen.add(changed)
         meshes = sum(self.choices[number][0] == "meshes" for number in changes)
         slipping = len(changes) - meshes + min(meshes, 1)
-        distance = sum(  # number of states that differ from the states before
+        distance = sum(  # number of states that differ from the preceding states
             state != other
             for states, others in zip(
                 self._with(changed)[:3], (self.before or ())[:3], strict=False

@@ -1,9 +1,9 @@
-"""Selection of the sticking and slipping states of all parts from an instant on.
+"""Selection of the states of contacts, mechanisms and springs from an instant on.
 
-Of all admissible combinations of states, the combination with most sticking states is selected; of
-equally many, the combination nearest to the states before. The search begins with all candidates
-sticking, then lets a single candidate slip, and so on. A combination is admissible if no margin is
-negative, and no margin of 0 falls.
+Among all admissible combinations of states, the combination with most sticking states is selected;
+among equally many, the combination nearest to the preceding states. The search begins with all
+candidates sticking, then lets a single candidate slip, and so on. A combination is admissible if no
+margin is negative, and no margin of 0 falls.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ _AMPLE = 1e300
 _NEARER = (1e-2, 1e-4)
 """Factors on the length of the look-ahead, tried in turn if the full length gives no result."""
 _MOST_TURNED = 8
-"""Largest number of corrections for slips that torques depending on the motion reverse."""
+"""Largest number of corrections where torques that depend on the motion would reverse a slip."""
 
 
 class NoChoice(Exception):  # noqa: N818 - it never leaves the room
@@ -42,7 +42,7 @@ class NoChoice(Exception):  # noqa: N818 - it never leaves the room
 
 
 class Selected(NamedTuple):
-    """Selected combination of states: margins, consistent state vector, and jump of twists."""
+    """Admissible combination of states: margins, consistent state vector, and jump of twists."""
 
     margins: Margins
     state: Floats
@@ -55,20 +55,20 @@ class Selected(NamedTuple):
 
     @property
     def states(self) -> States:
-        """Sticking and slipping states of all parts."""
+        """States of all contacts, mechanisms, springs and laws."""
         return self.margins.equations.states
 
 
 class ModesAsked(NamedTuple):
-    """Request for the states from an instant on."""
+    """Request for the sticking and slipping states from an instant on."""
 
     at: Instant
     before: States | None
     scales: LargeSizes
     left: Sequence[States] = ()
-    """Combinations that already ended at the present instant and cannot be selected again."""
+    """Combinations that already ended at this instant and cannot be selected again."""
     met: Sequence[int] = ()
-    """Indices of contacts whose slip ends at the present instant."""
+    """Indices of contacts whose slip ends at this instant."""
 
 
 class ModeSelection:
@@ -82,7 +82,7 @@ class ModeSelection:
         self.within = self.choices.within
 
     def of(self, system: MotionSystem) -> ModeSelection:
-        """Return the selection for a system with other programmes or settings."""
+        """Return the selection for the system with other programmes or settings."""
         if system is self.system and not self.choices.carrying:
             return self
         selection = copy(self)
@@ -91,13 +91,13 @@ class ModeSelection:
         return selection
 
     def select(self, asked: ModesAsked) -> Selected:
-        """Return the selected combination of states from an instant on.
+        """Return an admissible combination of states from an instant on.
 
         Raises
         ------
         NoChoice
         CaseError
-            If the speed of a link without inertia is not determined.
+            If the speed of a link without inertia is indeterminate.
         """
         try:
             return self.selected(asked, thorough=False)
@@ -134,7 +134,7 @@ class ModeSelection:
                 joined = self._joined(candidate.states, choices)
                 if joined == candidate.states:
                     return candidate
-                spare = spare or candidate  # differs from the joined states by rounding only
+                spare = spare or candidate  # rounding alone can separate it from the joined states
                 candidate = self._admissible(joined, at, scales)
                 if candidate is not None and candidate.states not in left:
                     return candidate
@@ -168,7 +168,7 @@ class ModeSelection:
         return states._replace(contacts=tuple(contacts))
 
     def _guess(self, asked: ModesAsked) -> States | None:
-        """Return the states a little later if all links had inertia, to avoid singularity."""
+        """Return the states selected a little later in a system where all links have inertia."""
         ahead = SelectionAhead(self.system)
         ahead.within = self.within
         return ahead.found(asked)
@@ -176,10 +176,10 @@ class ModeSelection:
     def _driven(
         self, states: States, choices: Sequence[Choice], at: Instant, scales: LargeSizes
     ) -> States:
-        """Return states in which all mechanisms move whose speeds follow from links with inertia.
+        """Return the states with all mechanisms moving whose speeds follow from links with inertia.
 
-        While a gear is engaged, nearly all mechanisms do. Only a mechanism next to slipping
-        contacts can be at rest, or have a speed that jumps.
+        While a gear is engaged, this holds for nearly all mechanisms. Only a mechanism next to
+        slipping contacts can be at rest, or have a speed that jumps.
         """
         options = {index: options for kind, index, options in choices if kind == "meshes"}
         if not options:
@@ -198,7 +198,7 @@ class ModeSelection:
         return states._replace(meshes=tuple(meshes))
 
     def _may_change(self, watch: Watch, states: States) -> bool:
-        """Return whether a failing mechanism could move although the sticking contacts stick."""
+        """Return whether the mechanism of a margin can move while the sticking contacts stick."""
         if KIND_OF.get(watch.kind) != "meshes":
             return True
         meshes = tuple("" if state == "stick" else state for state in states.meshes)
@@ -210,7 +210,7 @@ class ModeSelection:
         return _moves(slip, motions.free) or _moves(slip, motions.light)
 
     def _released(self, states: States, at: Instant, choices: Sequence[Choice]) -> States | None:
-        """Return states in which all mechanisms move that would move without friction."""
+        """Return the states in which mechanisms move that would move without friction, or None."""
         held = [
             index
             for kind, index, _ in choices
@@ -245,7 +245,7 @@ class ModeSelection:
     def _tried(
         self, states: States, at: Instant, scales: LargeSizes
     ) -> tuple[Selected | None, list[Watch]]:
-        """Try a combination, and adjust the power flows of mechanisms and the pieces of laws.
+        """Try a combination of states; adjust power flows of mechanisms and pieces of laws.
 
         Returns the combination if it is admissible, and the failing margins otherwise.
         """
@@ -276,7 +276,7 @@ class ModeSelection:
         return None, failing
 
     def _caught(self, states: States, at: Instant, scales: LargeSizes) -> list[Watch]:
-        """Return the margins of parts that move at the given instant but are assumed to stick."""
+        """Return the margins of components that move at an instant but are assumed to stick."""
         least = STANDING * scales.speed
         watches = []
         for index, contact in enumerate(self.system.contacts):
@@ -292,7 +292,7 @@ class ModeSelection:
     def _failing(
         self, margins: Margins, time: float, state: Floats, scales: LargeSizes
     ) -> list[Watch]:
-        """Return the identities of margins that are negative, or 0 and falling."""
+        """Return the failing margins: negative, or 0 and falling."""
         units = margins.units(scales)[: margins.deciding]
         now = _finite(margins.at(time, state)[: margins.deciding])
         below = ~(now >= -STANDING * units)
@@ -305,16 +305,16 @@ class ModeSelection:
         falls = near & (then - now < -least)
         sizes = np.where(falls, then / units, np.inf)
         failing = _failed(margins, time + self.within, ahead, sizes)
-        # A mechanism that other parts hold at rest needs no friction, so its margins cannot fail.
+        # A mechanism that others hold at rest needs no friction, so its margins cannot fail.
         states = margins.equations.states
         return failing if any(self._may_change(watch, states) for watch in failing) else []
 
     def _ahead(self, margins: Margins, time: float, state: Floats) -> tuple[Floats, Floats, Floats]:
-        """Return state and margins a little later, and the least significant changes of margins.
+        """Return state and margins a little later, and the least significant change of each margin.
 
-        Torques are taken at the later time: a brake whose capacity begins at 0 does nothing before.
-        The small change from rest that such a brake causes is only compared with the speeds and
-        torques at the later time.
+        Torques are evaluated at the later time, because a brake whose capacity begins at 0 carries
+        nothing before. The brake changes a motion from rest only slightly. Its change is therefore
+        compared with the speeds and torques at the later time only.
         """
         later, count, equations = time + self.within, margins.deciding, margins.equations
         ahead = state + self.within * equations.derivative(later, state)
@@ -325,7 +325,7 @@ class ModeSelection:
         acting = np.abs(equations.acting(later, ahead)[1])
         motions = motions + self.within * np.abs(structure.accelerations) @ acting
         speeds, torques = np.abs(structure.free) @ motions, np.abs(structure.torques) @ acting
-        # the torque of a spring at its limit is not contained in the constraint torques
+        # the constraint torques do not contain the torque of a spring at its limit
         sprung = largest(acting[equations.layout.spring_ports])
         # A twist grows with a difference of speeds, whose rounding error is not zero at rest.
         twisted = self.within * largest(equations.ports.stiffness) * largest(speeds)
@@ -333,10 +333,10 @@ class ModeSelection:
         return ahead, then, FALLING_MARGIN * margins.units(sizes)[:count]
 
     def _seen(self, margins: Margins, later: float, state: Floats, ahead: Floats) -> Floats:
-        """Return the state a little later under torques that depend on the later state.
+        """Return the state a little later, under torques that depend on this later state.
 
         A steep law around zero slip can reverse a slip that is too small for the look-ahead. Such a
-        slip counts as begun if the torques at zero slip make it begin.
+        slip counts as begun if the torques at zero slip start it.
         """
         slips = slice(len(margins.slipping))
         for _ in range(_MOST_TURNED):
@@ -351,7 +351,7 @@ class ModeSelection:
 
 
 class SelectionAhead(ModeSelection):
-    """Selection in a system with a small inertia on all links, by the margins a little later."""
+    """Selection with a small inertia on all links, by the margins a little later."""
 
     def __init__(self, system: MotionSystem) -> None:
         links = len(system.names)
@@ -365,7 +365,7 @@ class SelectionAhead(ModeSelection):
         )
 
     def found(self, asked: ModesAsked) -> States | None:
-        """Return the first admissible combination of block pivoting, if any."""
+        """Return the first admissible combination of states by block pivoting, if any."""
         search = ModeSearch(*self.choices.at(*asked[:3], asked.met), asked.before)
         for states in search.pivoting():
             try:
@@ -394,7 +394,7 @@ def _moves(slip: Floats, motions: Floats) -> bool:
 
 
 def _failed(margins: Margins, time: float, state: Floats, sizes: Floats) -> list[Watch]:
-    """Return failing margins, worst first; torques at a limit replace a split."""
+    """Return failing margins, worst first; torques at a limit replace a margin `split`."""
     failed: list[Watch] = []
     for index in np.argsort(sizes, kind="stable")[: int(np.isfinite(sizes).sum())]:
         watch = margins.watches[index]
@@ -403,7 +403,7 @@ def _failed(margins: Margins, time: float, state: Floats, sizes: Floats) -> list
 
 
 def turned(states: States, watches: Sequence[Watch]) -> States:
-    """Return states after given changes: reversed power flows and next pieces of laws."""
+    """Return the states with reversed power flows and next linear pieces where margins fail."""
     meshes, pieces = list(states.meshes), list(states.pieces)
     for watch in watches:
         if watch.kind == "flow":

@@ -16,7 +16,7 @@ from vstatics.simulation.system.sight import looking, with_settings
 
 
 class StepCommands:
-    """Actions of all finished sequence steps, written into the scenario as inputs at given times.
+    """Actions of finished sequence steps, written into the scenario as inputs at their times.
 
     Parameters
     ----------
@@ -31,7 +31,7 @@ class StepCommands:
     def given(
         self, system: MotionSystem, time: float, step: SequenceStep, values: Mapping[str, float]
     ) -> MotionSystem:
-        """Return the system after a sequence step.
+        """Return the system after a sequence step has acted.
 
         Parameters
         ----------
@@ -65,14 +65,14 @@ class StepCommands:
 
 
 def value_of(system: MotionSystem, value: Curve, time: float, seen: Sequence[float]) -> float:
-    """Return the value to which a step sets a number."""
+    """Return the value that a step assigns to a number."""
     if isinstance(value, Formula):
         return looking(system, value).at(time, seen)
     return value.y[0]
 
 
 def with_states(scenario: Scenario, now: Floats, values: Mapping[str, float]) -> Floats:
-    """Return the values of control states after a step sets some states, within limits."""
+    """Return the values of control states after a step has set some, clipped to their limits."""
     after = now.copy()
     for index, state in enumerate(scenario.states):
         if state.name in values:

@@ -1,4 +1,4 @@
-"""Sequences of steps: the next step of each, its condition, and the time at which it is due."""
+"""Sequences of steps: next step of each, its condition, and the time at which it is due."""
 
 from __future__ import annotations
 
@@ -17,15 +17,15 @@ Happened = Callable[[Seen, float], bool]
 
 
 class SequenceProgress:
-    """Progress of a sequence: next step, and time since the step before."""
+    """Progress of a sequence: next step, and time of the preceding step."""
 
     def __init__(self, sequence: StepSequence) -> None:
         self.sequence = sequence
         self.index = 0
         self.since = 0.0
-        """Time at which the step before was done. [s]"""
+        """Time at which the preceding step was finished. [s]"""
         self.true_at: float | None = None
-        """Time at which the condition of the step became true. [s]"""
+        """Time at which the condition of the next step became true. [s]"""
 
     @property
     def step(self) -> SequenceStep | None:
@@ -58,7 +58,7 @@ class SequenceProgress:
         Raises
         ------
         CaseError
-            If its condition is overdue, or compares a value that is not a number.
+            If the condition of the step is overdue, or compares a value that is not a number.
         """
         step = self.step
         if step is None:
@@ -89,7 +89,7 @@ class SequenceProgress:
         return step.when.holds(sides, lambda seen: happened(seen, self.since))
 
     def go_on(self, time: float) -> int:
-        """Advance to the next step; return the number of the finished step."""
+        """Advance to the next step, and return the number of the finished step."""
         self.index += 1
         done = self.index
         if self.sequence.repeat and self.step is None:
@@ -126,7 +126,7 @@ class SequenceRun:
         )
 
     def awaited(self, judge: Judge) -> list[tuple[int, Awaited]]:
-        """Return the comparisons in open conditions, each with the index of the sequence."""
+        """Return the comparisons in conditions not yet true, with the index of the sequence."""
         return [
             (number, judge.awaited(comparison))
             for number, progress in enumerate(self.going)

@@ -1,10 +1,10 @@
 """Sign of the difference of two compared numbers from an instant on.
 
-Two numbers that are equal at an instant are compared a little later, where the motion is known with
-an error of fifth order, and then at growing distances: the first difference above rounding decides.
-The result is therefore the sign of the first derivative that is not zero. If no difference decides,
-both numbers count as equal. A formula that bends there is continuous, so the run goes on until the
-difference exceeds rounding.
+Two numbers that are equal at an instant are compared at growing distances after it. The first is
+small, because the motion is extrapolated with an error of fifth order. The first difference above
+rounding decides, so the result is the sign of the first derivative that is not zero. If no
+difference decides, both numbers count as equal: a formula is continuous there, so the run goes on
+until the difference exceeds rounding.
 """
 
 from __future__ import annotations
@@ -100,7 +100,7 @@ class Judge:
         return "0"
 
     def nearest(self, group: Sequence[Compared]) -> list[tuple[int, Awaited]]:
-        """Compare a number with the nearest neighbours among ascending numbers.
+        """Return comparisons of a number with its nearest neighbours in an ascending group.
 
         Returns
         -------
@@ -113,14 +113,14 @@ class Judge:
         return judged[max(0, above - 1) : above + 2 if above < len(judged) else None]
 
     def _size(self, pair: Compared) -> float:
-        """Return the size of the inputs of two numbers, in the unit of the difference.
+        """Return the scale of the inputs of two numbers, in the unit of their difference.
 
-        The rounding error of the difference is proportional to this size.
+        The rounding error of the difference is proportional to this scale.
         """
         return self._sensed(pair.first) + self._sensed(pair.second)
 
     def _sensed(self, look: Look) -> float:
-        """Return the size of the inputs of a formula, in the unit of the value, by slopes."""
+        """Return the scale of the inputs of a formula, converted by slopes to its unit."""
         if look not in self._sizes:
             time, values = self.ahead
             seen, base, sum_of_changes = [*values], look.at(time, values), 0.0

@@ -12,7 +12,7 @@ from vstatics.core.numerics.arrays import Floats, largest
 from vstatics.simulation.tolerances import NO_SPLIT, REGULAR_CORNER, WITHIN_LIMITS
 
 _MOST_TORQUE_CORNERS = 3000
-"""Largest number of candidate splits that are enumerated instead of linear programming."""
+"""Number of candidate splits up to which all are enumerated, instead of linear programming."""
 
 
 def widest(slack: Floats, directions: Floats) -> Floats:
@@ -49,8 +49,8 @@ def widest(slack: Floats, directions: Floats) -> Floats:
 def _to_corners(bytes_of_directions: bytes, limits: int, count: int) -> Floats | None:
     """Return the matrix from slacks to all splits in which d + 1 slacks are equal.
 
-    The split with the largest smallest slack is among them. A run contains few sets of directions,
-    so each matrix is used for many slacks.
+    One of them has the largest smallest slack. A run contains few sets of directions, so each
+    matrix is used for many slacks.
 
     Returns
     -------
@@ -92,7 +92,7 @@ def _by_programming(slack: Floats, directions: Floats) -> Floats:
 
 
 def least(slack: Floats, directions: Floats) -> Floats | None:
-    """Return the smallest change that brings a split within all limits, if possible.
+    """Return the smallest change that brings a split within all limits, None if impossible.
 
     Examples
     --------

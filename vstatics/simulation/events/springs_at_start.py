@@ -27,10 +27,10 @@ from vstatics.simulation.tolerances import DEPENDENT, LIGHT_MOTION, RIGID_SQUARE
 def with_viscous_damping(
     system: MotionSystem, speeds: Floats
 ) -> tuple[MotionSystem, tuple[Message, ...]]:
-    """Return the system with loss factors as viscous damping at the lowest natural frequency.
+    """Return the system with loss factors replaced by equivalent viscous damping.
 
     A loss factor eta of a stiffness k is equivalent to viscous damping ``eta k/omega`` at a single
-    frequency omega: here the lowest natural frequency while all contacts without slip stick.
+    frequency omega. This is the lowest natural frequency while all contacts without slip stick.
     """
     if not any(spring.loss_factor for spring in system.springs):
         return system, ()
@@ -53,7 +53,7 @@ def with_viscous_damping(
 
 
 def _lowest_frequency(system: MotionSystem, speeds: Floats) -> float:
-    """Return the lowest natural frequency while contacts without slip stick, or 0 [rad/s]."""
+    """Return the lowest natural frequency while contacts without slip stick [rad/s], or 0."""
     scale = max(1.0, largest(speeds))
     rows = [mesh.row for mesh in system.meshes]
     for contact in system.contacts:
@@ -85,9 +85,10 @@ def _lowest_frequency(system: MotionSystem, speeds: Floats) -> float:
 
 
 def settled_twists(system: MotionSystem, speeds: Floats) -> Floats:
-    """Return the twists of the springs at rest under the torques of t = 0 [rad].
+    """Return the twists of springs that carry the torques of t = 0 at rest [rad].
 
-    The springs carry the torques of rigid connections at their places, within their torque limits.
+    Their torques are those of rigid connections instead of the springs, clipped to the torque
+    limits.
 
     Raises
     ------
@@ -114,7 +115,7 @@ def settled_twists(system: MotionSystem, speeds: Floats) -> Floats:
 
 
 def _held_torques(system: MotionSystem, speeds: Floats, bent: Sequence[int]) -> dict[int, float]:
-    """Return the torques of rigid connections that replace springs, by spring index [N*m]."""
+    """Return the torques [N*m] of rigid connections that replace springs, by spring index."""
     stiff = Programme(constant(math.inf), is_dog=True)
     others = [contact for contact in system.contacts if contact.beside is None]
     rigid = [Contact(system.springs[n].name, system.springs[n].row, stiff) for n in bent]

@@ -1,4 +1,4 @@
-"""Speeds, angles and twists at the start, from the given values."""
+"""Speeds, angles and twists at the start, calculated from the given values."""
 
 from __future__ import annotations
 
@@ -48,10 +48,9 @@ def with_all_converters(scenario: Scenario) -> Scenario:
 
 
 def with_fixed_ratios(scenario: Scenario) -> Scenario:
-    """Return the scenario with gear pairs instead of variators with constant ratio.
+    """Return the scenario with gear pairs instead of variators of constant ratio.
 
-    The pairs have the ratios of the start gear. Moving variators, and variators with the ratio 0,
-    remain.
+    The pairs have the ratios of the start gear. Variators that move or have the ratio 0 remain.
     """
     case, name = scenario.case, scenario.start.gear
     if not any(mechanism.kind for mechanism in case.mechanisms):
@@ -62,14 +61,14 @@ def with_fixed_ratios(scenario: Scenario) -> Scenario:
     for number, mechanism in enumerate(case.mechanisms, 1):
         if mechanism.kind and not ratios[number]:
             moving.setdefault(number, constant(0.0))  # a gear pair cannot have the ratio 0
-    others = dict.fromkeys(moving, 1.0)  # any ratio, since these pairs are not used
+    others = dict.fromkeys(moving, 1.0)  # any ratio will do, since these pairs are not used
     pairs = case.as_pairs(gear._replace(speed_ratios={**gear.speed_ratios, **others}))
     assert pairs is not None  # noqa: S101 - no ratio is 0, and converters are left out
     return scenario._replace(case=pairs, speed_ratios=moving)
 
 
 def start_gear(scenario: Scenario) -> Gear | None:
-    """Return the gear of the start, with locked freewheels among the engaged elements.
+    """Return the start gear with its locked freewheels engaged, None without a start gear.
 
     Raises
     ------
@@ -91,7 +90,8 @@ def start_gear(scenario: Scenario) -> Gear | None:
 
     if any(without_loads(case)):  # a run needs no load
         case = without_laws(case)
-    # Only the engaged elements are used: the solver also fixes drags at the speed of the gear.
+    # Only the engaged shift elements are used, because drag torques are solved for the gear's
+    # speed.
     return gear._replace(engaged=solve(case).gear_at(number - 1).gear.engaged)
 
 
@@ -200,7 +200,7 @@ def given_angles(system: MotionSystem) -> tuple[Floats, Floats]:
 
 
 def _contradiction(matrix: Floats, values: Floats, certain: int) -> tuple[int, float] | None:
-    """Return the first equation that contradicts earlier equations, with the expected value.
+    """Return the first equation, if any, that contradicts earlier ones, and its expected value.
 
     The first `certain` equations are taken as correct, and the index counts from there.
     """
@@ -212,7 +212,7 @@ def _contradiction(matrix: Floats, values: Floats, certain: int) -> tuple[int, f
 
 
 def fixed_rows(system: MotionSystem) -> list[Floats]:
-    """Return the constraint rows of all mechanisms, and of moving variators at the start."""
+    """Return the constraint rows of all mechanisms, and of moving variators at t = 0."""
     rows = [mesh.row for mesh in system.meshes]
     return rows + [system.contacts[variator.contact].row for variator in system.variators]
 
@@ -235,9 +235,9 @@ def _check_ties(system: MotionSystem, given: Iterable[int]) -> None:
 def _backward(
     system: MotionSystem, speeds: Floats, free: Floats, scale: float
 ) -> Iterator[Problem]:
-    """Yield a problem for each locking freewheel that slips backward at the start.
+    """Yield a problem for each freewheel that should lock but slips backward at the start.
 
-    Freewheels whose slip is open and without inertia can change it at once.
+    A slip that depends on links without inertia can jump, so it is allowed.
     """
     _, light = split_motions(system.heavy, free)
     for contact in system.contacts:
@@ -255,9 +255,9 @@ def _backward(
 
 
 def _filled_in(system: MotionSystem, speeds: Floats, free: Floats, scale: float) -> Floats:
-    """Return speeds with open values chosen so that springs do not twist and freewheels hold.
+    """Return speeds whose open values leave springs untwisted and freewheels locked.
 
-    A motion without inertia needs no given speed: the torques at t = 0 determine it.
+    Motions without inertia need no given speed, because the torques at t = 0 determine them.
     """
     heavy, _ = split_motions(system.heavy, free)
     rows = system.rows(

@@ -1,11 +1,11 @@
 """Solution of the equations of motion in closed form, by matrix exponentials.
 
-In ``dx/dt = A x + B c + D dc/dt`` x is the state, and the matrix A contains all linear terms. The
-torques c, which are given over time or are nonlinear in the state, are polynomials over a stretch
-of time. Nonlinear torques and the motion depend on each other, so both are iterated to convergence
-(waveform relaxation). The slopes of the torques at the start are in A, so few iterations are
-needed. Works and losses are integrals by Gauss points. A stretch has equal parts; in each part the
-fastest motion that has not decayed turns through about three radians.
+In ``dx/dt = A x + B c + D dc/dt``, x is the state, and the matrix A contains all linear terms. The
+torques c are given over time or nonlinear in the state; over a stretch of time they are
+polynomials. Nonlinear torques and the motion depend on each other, so both are iterated to
+convergence (waveform relaxation). The slopes of the torques at the start are in A, so few
+iterations are needed. Works and losses are integrated by Gauss points. A stretch has equal parts.
+In each part, the fastest eigenmotion that has not decayed turns through about three radians.
 """
 
 from __future__ import annotations
@@ -52,11 +52,11 @@ _GONE = 40.0
 _FIRST_PARTS = 4
 """Initial number of parts of a stretch with nonlinear torques."""
 _FIRST_JOINED = 4
-"""Number of parts after which the first time step of a motion ends; later steps are longer."""
+"""Number of parts in the first time step of a motion; later steps are longer."""
 _SMOOTH = 4
 """Number of successful stretches of a single part before a longer stretch is tried."""
 _LIKE = 1.5
-"""Ratio of lengths of parts below which the last length is kept, to save a new exponential."""
+"""Ratio of part lengths below which the last length is kept, to save a new exponential."""
 _MOST_AT_START = 64.0
 """Largest error of polynomials at the start of a stretch, relative to the error limit."""
 _RELAXATION_ROUNDS = 12
@@ -68,7 +68,7 @@ _BALANCINGS = 3
 _FEW = 64
 """Number of state variables above which eigenvalues are first estimated by a bound."""
 _SQUARINGS = 6
-"""Number of squarings of a matrix for the bound of the eigenvalues."""
+"""Number of times that a matrix is squared for the bound of its eigenvalues."""
 
 
 def _degree(count: int) -> int:
@@ -108,7 +108,7 @@ def _places(count: int) -> Floats:
 
 @lru_cache(maxsize=32)
 def _continuing(ratio: float, count: int) -> Floats:
-    """Return the matrix that continues Chebyshev series into the next stretch.
+    """Return the matrix that extrapolates Chebyshev series into the next stretch.
 
     Parameters
     ----------
@@ -170,7 +170,7 @@ class Parts(NamedTuple):
         return self.begin + self.length * (np.arange(self.number)[:, None] + NODES)
 
     def end_near(self, end: float) -> float:
-        """Return the end of the last part, or the given time if both differ by rounding only."""
+        """Return the end of the last part, or `end` itself if both differ by rounding only."""
         last = self.begin + self.length * self.number
         return end if abs(end - last) <= SAME_END * abs(end) else last
 
@@ -186,7 +186,7 @@ class GivenSeries(NamedTuple):
 
     @property
     def fit_twice(self) -> bool:
-        """Whether polynomials of equal degree would fit a stretch of twice the length."""
+        """True if polynomials of the same degree would fit a stretch of twice the length."""
         last = _degree(self.parts.number)
         orders = np.arange(last - 1, last + 1)
         return largest(self.coefficients[:, orders] * 2.0**orders) <= self.limit
@@ -214,7 +214,7 @@ class TimeStretch(NamedTuple):
         return state / self.balance
 
     def continued(self, following: TimeStretch) -> TimeStretch:
-        """Return the stretch joined to the following stretch, which has equally long parts."""
+        """Return this stretch joined to the following stretch, whose parts have equal length."""
         parts = self.parts._replace(number=self.parts.number + following.parts.number)
         return self._replace(parts=parts, starts=np.hstack([self.starts, following.starts]))
 
@@ -223,7 +223,7 @@ def _equal_parts(length: float, left: float, most: int) -> tuple[float, int]:
     """Return length and number of parts: `most` parts, or fewer and shorter to end after `left`."""
     if most * length < left:
         return length, most
-    count = 1  # the number of parts is a power of 2
+    count = 1  # keep the number of parts a power of 2
     while count * length < left * (1 - SAME_TIME):
         count *= 2
     return left / count, count
@@ -260,7 +260,8 @@ class Closed:
         looks = {*rates, *equations.coupled}
         orders = np.array([2 if port in looks else _ORDERS for port in self.bending], dtype=int)
         self.is_used: Booleans = np.arange(_ORDERS) < orders[:, None]
-        """Flags of used orders in each polynomial; only 0 and 1 for laws linear in their inputs."""
+        """Used orders of each polynomial, as flags; only 0 and 1 for laws linear in their inputs.
+        """
         self.latest: Floats = np.zeros(len(self.bending))
         """Nonlinear torques and rates at the end of the last stretch."""
         self.series: GivenSeries | None = None
@@ -279,7 +280,9 @@ class Closed:
         """Rounding error of the torques that depend on the state. [N*m]"""
         try:
             self.affine = Affine(equations, by_rate, by_state)
-        except np.linalg.LinAlgError:  # a speed without inertia depends on a law of another speed
+        except (
+            np.linalg.LinAlgError
+        ):  # a speed of a link without inertia depends on another such speed
             raise NoFit from None
         self.latest, self.series = np.zeros(len(self.bending)), None
         matrix = self.affine.change.by_state
@@ -295,7 +298,7 @@ class Closed:
         return equations.slopes_by_rate(time, state), equations.slopes_by_state(time, state)
 
     def _bends_elsewhere(self, time: float, state: Floats) -> bool:
-        """Return whether the slopes of torques in a state differ from the slopes in the matrix."""
+        """Return whether torque slopes in a state differ from the slopes in the matrix."""
         now, before = (
             np.hstack([*map(np.ravel, slopes)])
             for slopes in (self._slopes(time, state), self.known)
@@ -376,7 +379,7 @@ class Closed:
                     shorter = min(1.0, 2 * shorter)
             elif time > straightened and self._bends_elsewhere(time, state):
                 self._straighten(time, state)
-                straightened = time  # only once, as slopes near 0 are rounded differently
+                straightened = time  # only once at a time, as slopes near 0 are rounded differently
             else:
                 smooth = 0
                 shorter = shorter if count > 1 else shorter / 2
@@ -404,9 +407,9 @@ class Closed:
         return float(speeds[decays * gone < _GONE].max(initial=0.0))
 
     def _exponential(self, length: float) -> tuple[Exponential, float]:
-        """Return the exponential over a part, and the unit of variables other than the state.
+        """Return the exponential over a part, and the factor of all entries other than the state.
 
-        Its vector contains the scaled state, time, 1, and derivatives of the nonlinear torques.
+        The exponential acts on the scaled state, time, 1, and derivatives of the nonlinear torques.
         """
         known = self.exponentials.get(length)
         if known is not None:
@@ -428,7 +431,7 @@ class Closed:
             rows = np.arange(first, first + orders - 1)
             matrix[rows, rows + 1] = 1.0
             first += orders
-        # The unit keeps the effect of torques as small as the effect of the state.
+        # The factor keeps the effect of torques as small as the effect of the state.
         unit = max(largest(np.abs(matrix[:size, size:]).sum(axis=0)), NOT_ZERO)
         matrix[:size, size:] /= unit
         exponential = Exponential(matrix, NODES, size), unit
@@ -436,7 +439,7 @@ class Closed:
         return exponential
 
     def _calculated(self, parts: Parts, state: Floats) -> TimeStretch | None:
-        """Calculate a stretch from the first state, if polynomials fit."""
+        """Return a stretch that begins with a state, or None if polynomials do not fit."""
         given, self.series = self._expected(parts), None
         times = np.concatenate([[parts.begin], parts.times.reshape(-1)])
         times = self.equations.ports.inside(times)
@@ -472,7 +475,7 @@ class Closed:
         return None
 
     def _uses_more(self, given: Floats, limit: float) -> bool:
-        """Set unused orders of polynomials to 0; return whether a torque needs all from now on."""
+        """Clear unused orders of polynomials; return whether a torque now needs all orders."""
         bends = (np.abs(given) * ~self.is_used > limit).any(axis=1)
         if bends.any():
             self.is_used[bends] = True
@@ -499,15 +502,14 @@ class Closed:
         return TimeStretch(parts, exponential, self.balance, starts)
 
     def _states(self, stretch: TimeStretch) -> Floats:
-        """Return the states at all instants of a stretch, shape (size, instants)."""
         inner = stretch.exponential.at_nodes(stretch.starts)
         return inner / stretch.balance[:, None]
 
     def _bent(self, times: Floats, states: Floats, given: Floats, to_values: Floats) -> Floats:
-        """Return the nonlinear torques and rates without the linear part in the matrix."""
+        """Return the nonlinear torques and rates, minus the linear terms that are in the matrix."""
         equations, affine = self.equations, self.affine
         rates = affine.rates.by_state @ states
-        if equations.light:  # speeds of links without inertia follow from torques
+        if equations.light:  # the speeds of links without inertia follow from torques
             all_given, slopes = affine.given_at(times)
             all_given[self.bending] = given @ to_values
             rates += affine.rates.by_given @ all_given + affine.rates.by_slope @ slopes

@@ -40,15 +40,16 @@ class TimeStep(NamedTuple):
     """State at the end."""
     between: Between
     exact: Callable[[float], Floats]
-    """Function from a time within the step to the state, as accurate as the end of a step."""
+    """Function from a time within the step to the state, as accurate as the state at the end."""
     times: Floats
     """Instants of the step at which margins are evaluated, including the end. [s]"""
     states: Floats
     """States at `times`, shape (size, instants)."""
     nodes: Floats
-    """Instants in each of the equal parts of a step, as fractions of a part, from above 0 to 1."""
+    """Instants in each of the equal parts of a step, as fractions of the part, from above 0 to 1.
+    """
     accuracy: float = BETWEEN_INSTANTS
-    """Error of states from `between`, relative to the largest value in the step."""
+    """Error of `between`, relative to the largest value in the step."""
 
 
 _STEPS_OF_PROGRESS = 1000
@@ -56,7 +57,7 @@ _STEPS_OF_PROGRESS = 1000
 
 
 class TooSmall(Exception):  # noqa: N818 - it never leaves the room
-    """Signal that steps are as small as rounding errors, or too small to progress."""
+    """Signal that steps are as small as rounding errors, or too small for progress."""
 
 
 def steps(

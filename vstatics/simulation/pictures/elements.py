@@ -14,7 +14,7 @@ from vstatics.simulation.record.motion import Motion
 
 
 class ElementStates(NamedTuple):
-    """Times of slip under torque and times of sticking of a shift element."""
+    """Periods of slip under torque, and of sticking, of a shift element."""
 
     name: str
     element: int
@@ -25,20 +25,20 @@ class ElementStates(NamedTuple):
 
 
 def loaded(motion: Motion) -> list[tuple[int, str]]:
-    """List the indices and names of shift elements that carry torque at any time."""
+    """Return index and name of the shift elements that carry torque at any time."""
     carries = carrying(motion)
     return [(place, name) for place, name in enumerate(motion.elements) if carries[place]]
 
 
 def carrying(motion: Motion) -> Booleans:
-    """Return a flag for each component that carries torque above rounding noise at any time."""
+    """Return a flag for each component: True if it ever carries torque above rounding noise."""
     peaks = np.fmax.reduce(np.abs(motion.torques), axis=0, initial=0.0)
     carries: Booleans = peaks > NO_RUN_TORQUE * peaks.max(initial=0.0)
     return carries
 
 
 def states(motion: Motion) -> list[ElementStates]:
-    """Return the times at which shift elements slip and stick under torque.
+    """Return the periods in which shift elements slip or stick under torque.
 
     A shift element without torque, or with drag torque alone, counts as disengaged.
     """
@@ -58,20 +58,20 @@ def states(motion: Motion) -> list[ElementStates]:
 
 
 def _gripped(motion: Motion, place: int) -> Floats:
-    """Return the magnitude of the torque of a shift element, without drag torque [N*m]."""
+    """Return the torque magnitude of a shift element without its drag torque [N*m]."""
     name, torques = motion.elements[place], np.abs(motion.torques[:, place])
     capacities = motion.beside.get("capacities", {}).get(name)
     if capacities is None:
         return torques
     case = motion.case
-    if case and case.shift_elements[place].is_freewheel:  # may overrun at any capacity
+    if case and case.shift_elements[place].is_freewheel:  # a freewheel can overrun at any capacity
         sticks = motion.beside["sticks"][name] > 0
         return np.where(sticks | (torques > capacities * (1 - SAME_RUN_SPEED)), torques, 0.0)
     return np.minimum(torques, capacities)
 
 
 def spans(time: Floats, holds: Booleans) -> Iterator[Span]:
-    """Yield the start and end times of a state; `holds` has a flag for each interval of `time`.
+    """Yield start and end of each period of a state; `holds` has a flag per interval of `time`.
 
     >>> list(spans(np.array([0.0, 1.0, 1.0, 3.0]), np.array([True, False, True])))
     [(0.0, 1.0), (1.0, 3.0)]

@@ -1,4 +1,4 @@
-"""Words such as "locks" at the events in pictures of a run, and their places."""
+"""Words such as "locks" at the events in pictures of a run, and their positions."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from vstatics.pictures.runs import IMPORTANCE, event_word
 from vstatics.simulation.record.motion import Event
 
 MOST_ROW_EVENTS = 80
-"""Largest number of events of a row that can get a word."""
+"""Largest number of events of a row for which words are placed."""
 FAR_WORD = 26.0
-"""Largest distance between an event and the corresponding word. [pt]"""
+"""Largest distance from an event to its word. [pt]"""
 
 
 class EventWord(NamedTuple):
-    """Word in the row of a component, at an event."""
+    """Word at an event in the row of a component."""
 
     event: Event
     text: str
@@ -31,7 +31,7 @@ class EventWord(NamedTuple):
 def placed_words(
     events: Sequence[tuple[Event, float]], room: float, style: Style
 ) -> list[EventWord]:
-    """Place words at the events of a row without overlap, the most important events first.
+    """Place words at the events of a row without overlap, most important events first.
 
     Parameters
     ----------
@@ -49,7 +49,7 @@ def placed_words(
     texts = [event_word(event, style) for event, _ in events]
     first_step = next((n for n, (event, _) in enumerate(events) if event.step), None)
     for n, (event, _) in enumerate(events):
-        if event.step and n != first_step:  # the name of the row is known
+        if event.step and n != first_step:  # the first step of the row names the sequence
             texts[n] = str(event.step)
     sizes = [width(text) + 2 * LABEL_GAP for text in texts]
     order = sorted(range(len(events)), key=lambda n: (IMPORTANCE[events[n][0].event], n))
@@ -61,7 +61,7 @@ def placed_words(
         spread_out = spread(wanted, [sizes[place] for place in candidates], 0.0, room)
         fits = spread_out[-1] + sizes[candidates[-1]] / 2 <= room + LABEL_GAP
         if fits and all(
-            # A word at an end of the row is shifted inwards.
+            # a word at the left or right end of the row is shifted inwards
             abs(x - at) <= FAR_WORD + max(size / 2 - at, at + size / 2 - room, 0.0)
             for x, at, size in zip(
                 spread_out, wanted, (sizes[place] for place in candidates), strict=True

@@ -17,9 +17,9 @@ Phase = Literal["torque", "inertia", "slip", "part"]
 """Kinds of shift phases.
 
 `torque`: a gear is engaged while a shift element of another gear takes over torque. `inertia`: no
-gear is engaged, and speeds change from a gear to another. `slip`: shift elements slip, but the gear
-is the same before and after. `part`: all shift elements of a gear stick except elements common to
-all gears, such as a lock-up clutch.
+gear is engaged, and speeds change from one gear to another. `slip`: shift elements slip, but the
+gear is the same before and after. `part`: all shift elements of a gear stick except elements common
+to all gears, such as a lock-up clutch.
 """
 
 
@@ -42,15 +42,15 @@ class ShiftPhase(NamedTuple):
     end: float
     """End of the phase. [s]"""
     gear: str = ""
-    """Gear of a phase `part`; empty for other phases."""
+    """Name of the gear in a phase `part`; empty for other phases."""
 
 
 GearSets = Mapping[str, frozenset[str]]
-"""Names of the shift elements of each gear."""
+"""Gear name -> names of its shift elements."""
 
 
 def element_sets(results: Results) -> GearSets:
-    """Return the shift elements of each gear, including the freewheels that hold."""
+    """Return the shift elements of each gear, including locked freewheels."""
     case = results.with_freewheels_engaged
     names = [element.name for element in case.shift_elements]
     return {
@@ -61,7 +61,7 @@ def element_sets(results: Results) -> GearSets:
 
 
 def common(sets: GearSets, motion: Motion) -> list[str]:
-    """List the shift elements that belong to all gears but do not always stick.
+    """Return the shift elements that belong to all gears but do not always stick.
 
     A lock-up clutch is an example.
     """
@@ -71,15 +71,15 @@ def common(sets: GearSets, motion: Motion) -> list[str]:
 
 
 def gear_pieces(sets: GearSets, motion: Motion) -> list[GearPiece]:
-    """Return the periods of engaged gears in the order of time.
+    """Return the periods of engaged gears, sorted by time.
 
-    Gears with identical shift elements are engaged at the same time. If an engaged gear has all
-    shift elements of another gear and more, the other gear does not count as engaged.
+    Gears with identical shift elements are engaged at the same time. An engaged gear does not count
+    if another engaged gear has all its shift elements and more.
     """
     sticks = motion.beside.get("sticks")
     if sticks is None:
         return []
-    holds = {  # the state at an instant is valid since the instant before
+    holds = {  # the state at an instant holds since the preceding instant
         gear: np.logical_and.reduce([sticks[name][1:] > 0 for name in elements])
         for gear, elements in sets.items()
     }
@@ -94,7 +94,7 @@ def gear_pieces(sets: GearSets, motion: Motion) -> list[GearPiece]:
 def phases(
     sets: GearSets, motion: Motion, pieces: Sequence[GearPiece], rows: Sequence[ElementStates]
 ) -> list[ShiftPhase]:
-    """Return the shift phases in the order of time.
+    """Return the shift phases, sorted by time.
 
     Parameters
     ----------

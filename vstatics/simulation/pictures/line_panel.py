@@ -24,11 +24,11 @@ LINE_NAME_WIDTH = 72.0
 CAPACITY: Look = {"linestyle": (0, (2.5, 2)), "width": 0.8}
 """Line style of torque capacities."""
 CAPACITY_ROOM = 1.25
-"""Largest factor by which a capacity enlarges the scale of the torques."""
+"""Largest factor by which a capacity enlarges the scale of torques."""
 
 
 def line_ends(shown: MotionPanel, style: Style, numbers: Mapping[str, int]) -> list[LineEnd]:
-    """Return the names of lines, each at the height of the last value of the line."""
+    """Return the names of lines, each at the height of the line's last value."""
     scale = range_of(shown)
     return [
         LineEnd(
@@ -43,7 +43,7 @@ def line_ends(shown: MotionPanel, style: Style, numbers: Mapping[str, int]) -> l
 def names_over(
     shown: MotionPanel, style: Style, numbers: Mapping[str, int], room: float
 ) -> list[list[KeySign]]:
-    """Return the names of lines in rows above a panel, for a page without room at the right."""
+    """Return the names of lines in rows above a panel, for a page without room to the right."""
     rows: list[list[KeySign]] = []
     for line in shown.lines:
         for name, look in zip(line.labels, line.looks(style, numbers), strict=True):
@@ -71,7 +71,7 @@ def draw_lines(
     Parameters
     ----------
     numbers : mapping of str to int
-        Numbers that determine the colours of lines that do not belong to links.
+        Colour numbers of components, by name; lines of links have other colours.
     off : float
         Distance from the left edge to the title of the scale. [pt]
     """
@@ -81,7 +81,7 @@ def draw_lines(
     pen.line((0.0, zero), (wide, zero), color=style.soft, width=LEADER_WIDTH, zorder=0.5)
     further = (
         {"part": str(shown.part)} if shown.part > 1 else {}
-    )  # panels of a kind need distinct groups
+    )  # panels of the same kind need distinct groups
     group = pen.within("panel", panel=shown.kind.replace("_", "-"), **further)
     for line in shown.lines:
         looks = line.looks(style, numbers)
@@ -96,17 +96,17 @@ def draw_lines(
 
 
 def what_of(shown: MotionPanel, style: Style) -> str:
-    """Return the title of the vertical scale of a panel."""
+    """Return the title of a panel's vertical scale."""
     return wrapped(style.text(shown.text), PANEL_HEIGHT)
 
 
 def ticks_of(scale: AxisScale) -> list[float]:
-    """Return the numbers printed at the scale of a panel."""
+    """Return the numbers printed along the scale of a panel."""
     return ticks(scale.low, scale.high, 5)
 
 
 def _draw_capacity(pen: Pen, name: str, line: MotionLine, time: Floats, look: Look) -> None:
-    """Draw the torque capacity of a shift element, where finite, on the side of the torque."""
+    """Draw the finite torque capacity of a shift element, on the side of its torque."""
     assert line.capacity is not None  # noqa: S101 - callers check
     side = capacity_side(line.values, line.capacity)
     drawn = np.where(np.isfinite(line.capacity), side * line.capacity, np.nan)
@@ -119,7 +119,7 @@ def _draw_capacity(pen: Pen, name: str, line: MotionLine, time: Floats, look: Lo
 
 
 def range_of(shown: MotionPanel) -> AxisScale:
-    """Return the vertical scale of a panel in the panel's unit, with 0, margins and other runs."""
+    """Return the vertical scale of a panel in its unit, with 0, margins and other runs."""
     ends = [_ends(panel) for panel in (shown, *shown.others)]
     low, high = min(low for low, _ in ends), max(high for _, high in ends)
     room = 0.06 * (high - low) if math.isfinite(high - low) and high > low else 1.0

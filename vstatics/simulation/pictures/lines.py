@@ -14,20 +14,20 @@ from vstatics.pictures.drawing.line_styles import link_looks, thing_look
 from vstatics.pictures.drawing.style import Style
 
 MOST_LINES = 6
-"""Largest number of names in a panel; lines with more names are drawn in further panels."""
+"""Largest number of names in a panel; further lines get another panel."""
 LARGE_PEAK_RATIO = 20.0
-"""Least ratio of the largest values of two lines in separate panels."""
+"""Ratio of the largest values of two lines from which the lines get separate panels."""
 LARGE_PART = 0.5
-"""Ratio of torque to capacity above which the capacity changes to the side of the torque."""
+"""Ratio of torque to capacity above which the capacity moves to the side of the torque."""
 PARTS_OF_TIME = 1500
-"""Number of equal parts of the time of which a thinned line keeps ends and extremes."""
+"""Number of equal time intervals in which a thinned line keeps its ends and extremes."""
 
 
 class MotionLine(NamedTuple):
     """Quantity over time, drawn as a line."""
 
     names: tuple[str, ...]
-    """Name of a component, or of links that always turn together."""
+    """Name of a component, or of links that always rotate together."""
     values: Floats
     """Values in SI units."""
     links: tuple[int, ...] = ()
@@ -44,11 +44,11 @@ class MotionLine(NamedTuple):
 
     @property
     def labels(self) -> list[str]:
-        """Labels at the end of the line: names with the distinguishing word."""
+        """Labels at the end of the line: names, each with the distinguishing word."""
         return [f"{name} ({self.distinction})" if self.distinction else name for name in self.names]
 
     def looks(self, style: Style, numbers: Mapping[str, int]) -> list[Look]:
-        """Return the line style of each name; except for links, `numbers` determines colours."""
+        """Return the line style of each name; for components `numbers` has their colours."""
         if self.links:
             return link_looks(self.links, style)
         return [thing_look(numbers[name], style) for name in self.names]
@@ -90,12 +90,12 @@ def panels_of(
     *,
     by_size: bool = False,
 ) -> list[MotionPanel]:
-    """Divide lines into panels; a line joins the first panel with room.
+    """Divide lines into panels, each line into the first panel with room for it.
 
     Parameters
     ----------
     by_size : bool
-        Separate lines of very different size, among which small lines would appear flat.
+        Separate lines of very different size, so that small lines do not appear flat.
 
     Examples
     --------
@@ -129,7 +129,7 @@ def _parts(line: MotionLine) -> list[MotionLine]:
 
 
 def numbers_of(elements: Sequence[str], panels: Iterable[MotionPanel]) -> dict[str, int]:
-    """Return a colour number for each component other than links.
+    """Return the colour number of each component.
 
     >>> numbers_of(["A", "B"], [MotionPanel("heat", "", 1.0, (MotionLine(("P1",), None),))])
     {'A': 0, 'B': 1, 'P1': 2}
@@ -165,7 +165,7 @@ def capacity_side(torques: Floats, capacity: Floats) -> Floats:
 
 
 def thinned(time: Floats, values: Floats) -> tuple[Floats, Floats]:
-    """Reduce a line, without visible change, to ends and extremes of parts of the time.
+    """Reduce a long line to ends and extremes in equal time intervals, without visible change.
 
     >>> time = np.linspace(0.0, 1.0, 100_001)
     >>> fewer, values = thinned(time, np.sin(1e4 * time))

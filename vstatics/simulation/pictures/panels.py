@@ -15,7 +15,7 @@ from vstatics.simulation.pictures.lines import MotionLine, MotionPanel, panels_o
 from vstatics.simulation.record.motion import Motion
 
 LEAST_HEAT_SHARE = 0.01
-"""Heat below which a line is omitted, relative to the largest heat. [-]"""
+"""Heat below which a line is left out, relative to the largest heat. [-]"""
 
 _ASKED = {
     "accelerations": ("acceleration, rad/s²", 1.0),
@@ -38,9 +38,9 @@ _ASKED = {
 
 
 def panels(case: Transmission, motion: Motion) -> list[MotionPanel]:
-    """Return the panels of a run that are not empty.
+    """Return the panels of a run, as far as they contain lines.
 
-    The panels that matter for every shift come first, other links and springs last.
+    The panels that matter for every shift come first, further speeds and springs last.
     """
     speeds = panels_of("speed", "speed, rpm", RAD_PER_RPM, _speeds(case, motion), by_size=True)
     main = [
@@ -58,7 +58,6 @@ def panels(case: Transmission, motion: Motion) -> list[MotionPanel]:
 
 
 def _speeds(case: Transmission, motion: Motion) -> list[MotionLine]:
-    """Return lines of moving links: input, output, links of shift elements with events, fastest."""
     largest = np.abs(motion.speeds).max(initial=0.0)
     near = SAME_RUN_SPEED * largest
     groups: list[list[int]] = []
@@ -72,7 +71,7 @@ def _speeds(case: Transmission, motion: Motion) -> list[MotionLine]:
                 break
         else:
             groups.append([link])
-    # The rank of links: input, output, links of shift elements with events, all others.
+    # Links are sorted: input, output, links of shift elements with events, then fast before slow.
     happens = {event.element for event in motion.events}
     wanted = [case.input, case.output]
     for element in case.shift_elements:
@@ -104,7 +103,7 @@ def _slips(motion: Motion) -> Iterator[MotionLine]:
 
 
 def _carried(motion: Motion) -> list[MotionPanel]:
-    # Capacities that are never finite are not drawn.
+    # A capacity that is never finite is not drawn.
     capacities = {
         name: capacity
         for name, capacity in motion.beside.get("capacities", {}).items()
@@ -119,7 +118,7 @@ def _carried(motion: Motion) -> list[MotionPanel]:
 
 def _elastic_torques(case: Transmission, motion: Motion) -> list[MotionPanel]:
     springs = {spring.name for spring in case.springs}
-    # Rigid mechanisms are left out; only springs and converters are drawn.
+    # Only springs and converters are drawn, not rigid mechanisms.
     rigid = {*case.devices} - springs
     carries = carrying(motion)
     lines = [
@@ -132,7 +131,7 @@ def _elastic_torques(case: Transmission, motion: Motion) -> list[MotionPanel]:
 
 
 def _kinds(springs: Collection[str], names: Sequence[str]) -> str:
-    """Return the title of the scale for torques of springs, of converters, or of both.
+    """Return the title of the scale for torques of springs, converters, or both.
 
     >>> _kinds((), ["TC"])
     'torque of converters, N·m'
@@ -159,7 +158,7 @@ def _output(case: Transmission, motion: Motion) -> list[MotionPanel]:
 
 
 def _heat(motion: Motion) -> list[MotionPanel]:
-    """Return panels of heat and losses in descending order; negligible energies are only named."""
+    """Return panels of heat and losses, largest first; negligible energies are only named."""
     over_time = motion.beside or {
         "heat": dict(zip(motion.elements, motion.heat.T, strict=True)),
         "losses": {},
@@ -189,7 +188,7 @@ def _heat(motion: Motion) -> list[MotionPanel]:
 def _asked(
     case: Transmission, motion: Motion, shown: Sequence[MotionPanel]
 ) -> Iterator[MotionPanel]:
-    """Yield panels of the requested columns that `shown` does not contain."""
+    """Yield panels of the requested columns that are not among the panels `shown`."""
     tables_of_panels = {"heat": "heat", "acceleration": "vehicle_acceleration"}
     present = {
         (tables_of_panels[panel.kind], name)
@@ -209,5 +208,4 @@ def _asked(
 
 
 def _links(case: Transmission, name: str) -> tuple[int, ...]:
-    """Return the number of a link as a tuple, empty for other names."""
     return tuple(number for number, link in enumerate(case.link_names, 1) if link == name)

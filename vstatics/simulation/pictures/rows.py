@@ -1,4 +1,4 @@
-"""Rows above the panels of a run: gears with shift phases, shift elements, other events."""
+"""Rows above the panels of a run: gears with shift phases, shift elements, and other events."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from vstatics.simulation.pictures.gears import GearPiece, Phase, ShiftPhase
 from vstatics.simulation.record.motion import Event
 
 GEAR_ROW_HEIGHT, GEAR_BAR_HEIGHT = 17.0, 12.0
-"""Height of the row of gears, and of the bar in the row. [pt]"""
+"""Height of the row of gears, and of its bar. [pt]"""
 BAR_ROW_HEIGHT, BAR_HEIGHT = 11.0, 6.0
-"""Height of the row of a shift element without events, and of the bar in the row. [pt]"""
+"""Height of the row of a shift element without events, and of its bar. [pt]"""
 WORD_HEIGHT = 11.0
 """Height of the words above a bar. [pt]"""
 ROW_NAME_WIDTH = 76.0
-"""Width at which names of rows are wrapped. [pt]"""
+"""Width at which the names of rows are wrapped. [pt]"""
 BEFORE_ROW = 5.0
 """Distance from the name of a row to the row. [pt]"""
 
@@ -38,7 +38,7 @@ PHASES: Mapping[Phase, str] = {
 
 
 class RunRow(NamedTuple):
-    """Row of a shift element, or of any other part or sequence with events."""
+    """Row of a shift element, or of another component or a sequence with events."""
 
     name: str
     label: str
@@ -88,7 +88,7 @@ class RunRows(NamedTuple):
 
 
 def name_width(names: Sequence[str], style: Style) -> float:
-    """Return the width that the names of rows need, with the distance to the rows [pt]."""
+    """Return the width of the names of rows, including the distance to the rows [pt]."""
     labels = [*(_label(name) for name in names), style.text("gear")]
     return max(map(width, labels)) + BEFORE_ROW
 
@@ -103,7 +103,7 @@ def run_rows(
     events: Sequence[Event],
     pen: Pen,
 ) -> list[RunRow]:
-    """Return the rows of shift elements, then of `others`; `pen` has the length of a row."""
+    """Return the rows of shift elements, then of `others`; `pen` is as long as a row."""
     style = pen.style
     rows = []
     for name, states in [*((row.name, row) for row in shown), *((name, None) for name in others)]:
@@ -113,7 +113,7 @@ def run_rows(
 
 
 def draw_rows(pen: Pen, shown: RunRows, numbers: Mapping[str, int]) -> None:
-    """Draw all rows from the top of a panel down."""
+    """Draw all rows downward from the top."""
     top = pen.size[1]
     if shown.has_gears:
         _draw_gears(pen.within("panel", panel="gear"), top - GEAR_ROW_HEIGHT, shown)
@@ -129,7 +129,6 @@ def _name(pen: Pen, middle: float, label: str) -> None:
 
 
 def _draw_gears(pen: Pen, low: float, shown: RunRows) -> None:
-    """Draw the bar of gears and the shift phases."""
     style = pen.style
     low += (GEAR_ROW_HEIGHT - GEAR_BAR_HEIGHT) / 2
     _name(pen, low + GEAR_BAR_HEIGHT / 2, style.text("gear"))
@@ -154,7 +153,7 @@ def _draw_gears(pen: Pen, low: float, shown: RunRows) -> None:
 
 
 def _box(pen: Pen, span: Span, upright: Span, name: str, look: Look) -> None:
-    """Draw a box titled with name and times; `upright` is the lower edge and height."""
+    """Draw a box with a title of name and times; `upright` is its lower edge and height."""
     (low, high), (left, right) = upright, map(pen.across, span)
     start, end = map(number, span)
     title = f"{name}, {start}–{end} {pen.style.text('s')}"

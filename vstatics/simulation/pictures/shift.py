@@ -42,13 +42,13 @@ BEFORE_SCALE = 3.0
 TIME_SCALE_HEIGHT = 30.0
 """Height of the time scale. [pt]"""
 MOST_ROWS, MOST_OTHER_ROWS = 14, 6
-"""Largest number of rows of shift elements, and of rows of other parts and sequences."""
+"""Largest number of rows of shift elements, and of other components and sequences."""
 BETWEEN_PANELS = 9.0
 """Distance between panels. [pt]"""
 NARROW = 150.0
-"""Width of a panel below which the names of lines are above the panel. [pt]"""
+"""Width of a panel below which the names of lines are above it. [pt]"""
 TICKS_APART = 28.0
-"""Least distance between numbers of the time scale. [pt]"""
+"""Smallest distance between numbers of the time scale. [pt]"""
 
 
 class _Content(NamedTuple):
@@ -65,11 +65,11 @@ class _Content(NamedTuple):
     wide: float
     """Width of a panel, without scale and names. [pt]"""
     over: bool
-    """True if the names of lines are above the panels instead of at the right."""
+    """True if the names of lines are above the panels, False if to the right."""
     notes: str
 
     def names_high(self, panel: MotionPanel, style: Style) -> float:
-        """Return the height of the names of lines above a panel [pt]."""
+        """Return the height of the names above a panel [pt]."""
         rows = names_over(panel, style, self.numbers, self.wide) if self.over else []
         return SIGN_ROW_HEIGHT * len(rows)
 
@@ -87,7 +87,7 @@ def draw(
     motion: Motion | None = None,
     others: Sequence[tuple[Results, Motion]] = (),
 ) -> list[Canvas]:
-    """Draw a run of a case on a page or several pages, with common scales for other runs.
+    """Draw a run of a case on one or more pages, on scales that also cover the other runs.
 
     Raises
     ------
@@ -173,7 +173,6 @@ def _pages(content: _Content, name: str, style: Style) -> Iterator[Canvas]:
 def _draw_panels(
     pen: Pen, content: _Content, on_page: slice, heights: Sequence[float], upper: Sequence[Pen]
 ) -> None:
-    """Draw a column of panels with a common time scale."""
     top, time = pen.size[1], _time(content.motion)
     drawn: list[Pen] = []
     for shown, high in zip(content.panels[on_page], heights, strict=True):
@@ -211,7 +210,7 @@ def _signs(content: _Content, style: Style) -> list[Meaning]:
 def _notes(
     motion: Motion, shown: Sequence[MotionPanel], rows: RunRows, unseen: Sequence[str], style: Style
 ) -> str:
-    """Return the remarks below the title, on parts of the run that the picture omits."""
+    """Return the remarks below the title about contents that the picture leaves out."""
     remarks = []
     if unseen:
         names = ", ".join(map(short, unseen))

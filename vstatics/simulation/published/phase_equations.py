@@ -1,4 +1,4 @@
-"""Equations (12) to (15) of the published method for one phase of a clutch.
+"""Equations (12) to (15) of the published method for a phase of a clutch.
 
 The state contains the speeds w_in and w_out of input and output [rad/s], their angles [rad], the
 work of outside torques [J] and the heat of the clutch [J]. The equations are in `tarasik`.
@@ -17,7 +17,7 @@ from vstatics.simulation.system.matrices import MotionSystem
 
 
 class ClutchPhase(NamedTuple):
-    """Phase of a run: a clutch slips, a clutch has locked, or no clutch is active."""
+    """Phase of a run: a clutch slips, a clutch has locked, or no clutch joins input and output."""
 
     masses: TwoMasses
     clutch: int | None
@@ -27,14 +27,14 @@ class ClutchPhase(NamedTuple):
 
 
 class PublishedEquations:
-    """Equations of motion for a phase: equation (12) of the published method."""
+    """Equations of motion (12) to (15) of the published method for a phase."""
 
     def __init__(
         self, system: MotionSystem, ends: tuple[int, int], phase: ClutchPhase, end: float
     ) -> None:
         self.phase, self.masses = phase, phase.masses
         self.last = math.nextafter(end, -math.inf)
-        """Last instant before `end`; outside torques and the capacity can jump at `end`. [s]"""
+        """Last instant before `end`, at which outside torques and the capacity can jump. [s]"""
         self.contact = None if phase.clutch is None else system.contacts[phase.clutch]
         self.laws = [(ends.index(outside.link), outside.law) for outside in system.outside]
 
@@ -88,7 +88,7 @@ class PublishedEquations:
         return [dw_in, dw_out, state[0], state[1], work, heat]
 
     def slip(self, _time: float, state: Floats) -> float:
-        """Return w_f times the sign of the slip; 0 at the end of the slip [rad/s]."""
+        """Return w_f times its sign during the phase; it reaches 0 when the slip ends [rad/s]."""
         return self.phase.direction * self.w_f(state)
 
     def passed(self, time: float, state: Floats) -> float:
@@ -99,11 +99,11 @@ class PublishedEquations:
         return m_through / (self.masses.ratio * self.masses.efficiency)
 
     def margin(self, time: float, state: Floats) -> float:
-        """Return M_f less the magnitude of the transmitted torque, by equation (15) [N*m]."""
+        """Return M_f minus the magnitude of the transmitted torque, by equation (15) [N*m]."""
         return self.friction(time, state) - abs(self.passed(time, state))
 
     def torque(self, time: float, state: Floats) -> float:
-        """Return the torque that the first link gives to the clutch [N*m]."""
+        """Return the torque on the clutch from its first link [N*m]."""
         if self.contact is None:
             return 0.0
         if self.phase.locked:

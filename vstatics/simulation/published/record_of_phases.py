@@ -32,13 +32,13 @@ class TarasikRecord:
         self.heats: list[Floats] = []
         self.work = 0.0
         self.heat = np.zeros(count)
-        """Heat of shift elements until the end of the last phase. [J]"""
+        """Heat of shift elements up to the end of the last phase. [J]"""
         self.events: list[Event] = []
 
     def add(
         self, time: float, speeds: Floats, torque: float, clutch: int | None, state: Floats
     ) -> None:
-        """Add an instant, except for a repetition of the last instant without a jump of torque."""
+        """Add an instant, unless it repeats the last instant without a jump of torque."""
         torques = np.full(len(self.heat), np.nan)
         for index, column in self.column.items():
             if capacity_at(self.system.contacts[index], time) == 0:
@@ -57,12 +57,12 @@ class TarasikRecord:
         self.heats.append(heat)
 
     def heat_of(self, clutch: int | None, heat: float) -> None:
-        """Add the heat of the clutch in a finished phase [J]."""
+        """Add the heat [J] of the clutch in a finished phase."""
         if clutch is not None:
             self.heat[self.column[clutch]] += heat
 
     def motion(self, problem: Problem | None) -> Motion:
-        """Return the recorded motion; `problem` is the reason of an early stop."""
+        """Return the recorded motion; `problem` is the reason for an early stop."""
         case = self.system.case
         names = tuple(element.name for element in case.shift_elements)
         devices = (*names, *(mechanism.name for mechanism in case.mechanisms))

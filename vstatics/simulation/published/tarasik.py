@@ -6,11 +6,11 @@
 
 M_in and M_out are the outside torques, M_f the capacity of the clutch, u and eta the ratio and
 efficiency of the engaged gear. L = 1 after the clutch has locked, otherwise 0; P = 1 while M_f
-exceeds the transmitted torque. `TwoMasses.input_inertia` gives J_in. Equation (12) omits the rate
-of change of a lumped inertia and its share at the output, so the energy does not balance; a message
-reports the deviation. Errors that would stop the method at once are corrected: M_f is reduced to
-the input, (14) uses the magnitude of w_f and (15) the magnitude of u, and a clutch that does not
-hold slips.
+exceeds the transmitted torque. `TwoMasses.input_inertia` calculates J_in. Equation (12) omits the
+rate of change of a lumped inertia and its share at the output, so the energy does not balance; a
+message reports the deviation. Errors that would stop the method at once are corrected: M_f is
+reduced to the input, (14) uses the magnitude of w_f and (15) the magnitude of u, and a clutch that
+does not hold slips.
 
 Source: V. P. Tarasik, Planetary gearbox simulation (in Russian), 2018; (12) to (15).
 """
@@ -43,9 +43,9 @@ from vstatics.simulation.system.matrices import Contact, MotionSystem
 from vstatics.simulation.tolerances import PUBLISHED_RTOL, RTOL, STANDING
 
 _FINER = 1e-2
-"""Integration tolerance, relative to the requested tolerance."""
+"""Integration tolerance relative to the requested tolerance."""
 _CHANGES = 1000
-"""Largest number of changes between slipping and locking in an interval."""
+"""Largest number of changes between slipping and locking in a time interval."""
 
 
 def tarasik(scenario: Scenario, *, step: float | None = None, rtol: float = RTOL) -> Motion:
@@ -69,7 +69,7 @@ def tarasik(scenario: Scenario, *, step: float | None = None, rtol: float = RTOL
     Raises
     ------
     CaseError
-        If the scenario has parts that the method does not cover.
+        If the scenario contains something that the method does not cover.
     """
     gear = start_gear(scenario)
     engaged = tuple(gear.engaged) if gear else scenario.start.engaged
@@ -94,7 +94,7 @@ def tarasik(scenario: Scenario, *, step: float | None = None, rtol: float = RTOL
 
 
 class _BoxEnds:
-    """Event function that ends an integration where the value falls through zero."""
+    """Event function that ends an integration where its value falls through 0."""
 
     terminal = True
     direction = -1.0
@@ -103,12 +103,12 @@ class _BoxEnds:
         self.function = function
 
     def __call__(self, time: float, state: Floats) -> float:
-        """Return the value of the function at a time and state."""
+        """Return the value at a time and state."""
         return self.function(time, state)
 
 
 class _Run:
-    """Run of the published method, integrated piecewise between changes of the clutch."""
+    """Run of the published method, integrated from change to change of the clutch."""
 
     def __init__(
         self, system: MotionSystem, ends: tuple[int, int], speeds: Floats, rtol: float
@@ -138,7 +138,7 @@ class _Run:
         return None
 
     def _begin(self, middle: float, time: float) -> ClutchPhase:
-        """Return the phase at the start of an interval, from the capacities in the middle [s]."""
+        """Return the phase at `time`, from the capacities in the middle of its interval [s]."""
         contacts = self.system.contacts
         active = [n for n, contact in enumerate(contacts) if capacity_at(contact, middle) > 0]
         for n in self.stuck:
@@ -163,12 +163,12 @@ class _Run:
             masses = two_masses(self.system, self.ends, self.stuck, clutch)
         except NotTwoError as error:
             raise NotTwoError(f"{contacts[clutch].name} slips, and {error}") from None
-        # Signs are multiplied separately, as a product of small numbers can be 0.
+        # The signs are multiplied, because the product of two small slips can underflow to 0.
         direction = math.copysign(1.0, slips[clutch]) * math.copysign(1.0, masses.slip)
         return ClutchPhase(masses, clutch, locked=False, direction=direction)
 
     def _holding(self) -> ClutchPhase:
-        """Return a phase without slip, with the last suitable sticking contact as the clutch."""
+        """Return a phase without slip, whose clutch is the last suitable sticking contact."""
         reason: NotTwoError | None = None
         for clutch in reversed(self.stuck):
             others = [n for n in self.stuck if n != clutch]
@@ -186,7 +186,7 @@ class _Run:
             raise (reason or NotTwoError("nothing joins input and output")) from None
 
     def _piece(self, phase: ClutchPhase, begin: float, end: float) -> tuple[float, ClutchPhase]:
-        """Integrate to the next change of the clutch or to `end`; return time and next phase."""
+        """Integrate to the next change of the clutch or to `end`; return that time and phase."""
         equations = PublishedEquations(self.system, self.ends, phase, end)
         self.state[5] = 0.0
         if phase.locked and equations.margin(begin, self.state) < 0:
@@ -232,12 +232,12 @@ class _Run:
     def _breaks_away(
         self, phase: ClutchPhase, equations: PublishedEquations, time: float
     ) -> ClutchPhase:
-        """Return the phase after a clutch breaks away: slip along the torque, or along a drift."""
+        """Return the phase after a clutch breaks away: slip along its torque or a drift of w_f."""
         assert phase.clutch is not None  # noqa: S101 - for mypy: it was locked
         self.stuck.remove(phase.clutch)
         self._tell(time, phase.clutch, "slips")
         drift = equations.w_f(self.state)
-        if abs(drift) > STANDING * np.abs(self.state[:2]).max():  # losses make w_f drift
+        if abs(drift) > STANDING * np.abs(self.state[:2]).max():  # losses let w_f drift
             return phase._replace(locked=False, direction=math.copysign(1.0, drift))
         self.state[0] = phase.masses.ratio * self.state[1]
         passed = equations.passed(time, self.state)
@@ -251,7 +251,7 @@ _INSTEAD = "use the default method, `events`"
 
 
 def refusals(system: MotionSystem) -> Iterator[Problem]:
-    """Yield problems for parts of a scenario that equations (12) to (15) do not cover."""
+    """Yield problems for items of a scenario that equations (12) to (15) do not cover."""
     numbers = {spring.name: k for k, spring in enumerate(system.scenario.case.springs, 1)}
     for key in ("states", "sequences", "speeds", "speed_ratios"):
         if getattr(system.scenario, key):

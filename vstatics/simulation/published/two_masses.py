@@ -1,4 +1,4 @@
-"""Reduction of a gearbox with two degrees of freedom to a mass at each end.
+"""Reduction of a gearbox with two degrees of freedom to a mass at input and output.
 
 Source: V. P. Tarasik, Planetary gearbox simulation (in Russian), 2018; (1) to (11).
 """
@@ -31,9 +31,9 @@ class TwoMasses(NamedTuple):
     efficiency: float
     """Efficiency eta with the clutch locked."""
     turning: Floats
-    """Speeds of the bodies lumped at the input per unit speed of both ends, shape (bodies, 2)."""
+    """Speeds of bodies lumped at the input per unit speed of both ends, shape (bodies, 2)."""
     inertias: Floats
-    """Inertias of the bodies lumped at the input. [kg*m^2]"""
+    """Inertias of bodies lumped at the input. [kg*m^2]"""
     output_inertia: float
     """Inertia J_out. [kg*m^2]"""
 

@@ -4,6 +4,6 @@
 `drawn` chooses the instants that draw these columns, from the polynomials of `curves`. `asked`
 calculates additional columns, `row_names` lists their names, `changes` differentiates speeds, and
 `converters` calculates converter efficiencies. `picture_tables` adds columns for pictures.
-`account` balances the energy, and `dynamic_factors` compares torques with statics. `motion`
-declares the result; `tables`, `columns` and `answer` write it, with the words of `words`.
+`account` balances the energy, and `dynamic_factors` compares torques with static torques. `motion`
+declares the result. `tables`, `columns` and `answer` write it, and `words` names its events.
 """

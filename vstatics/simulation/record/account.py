@@ -17,9 +17,9 @@ from vstatics.simulation.system.equations import Equations
 
 
 def element_heat(equations: Equations, states: Floats) -> Floats:
-    """Return the heat of shift elements in each state, shape (shift elements, states) [J].
+    """Return the heat of each shift element [J], shape (shift elements, states).
 
-    The states are columns of `states`, shape (size, states).
+    Each column of `states`, shape (size, states), is a state.
     """
     system, works = equations.system, states[equations.works]
     heat = np.zeros((len(system.case.shift_elements), states.shape[1]))
@@ -45,7 +45,7 @@ def energy_account(
     ----------
     start : Instant
     end : float
-        Time of the end of the run. [s]
+        End of the run. [s]
     equations : Equations
         Equations at the end.
     state : ndarray
@@ -80,7 +80,7 @@ def energy_account(
 def heat_and_losses(
     equations: Equations, state: Floats
 ) -> tuple[dict[str, Floats], dict[str, Floats]]:
-    """Return heat and losses by name [J], in a single or several states; equal names are summed."""
+    """Return heat and losses [J] by name, in a single or several states; equal names are summed."""
     system, layout = equations.system, equations.layout
     works = state[equations.works]
     heat: dict[str, Floats] = {}
@@ -109,7 +109,7 @@ def heat_and_losses(
 
 
 def _of_meshes(equations: Equations, state: Floats) -> Iterator[tuple[str, Floats]]:
-    """Yield the losses of mechanisms; varying efficiencies add a loss at a port."""
+    """Yield losses with the names of their mechanisms; a varying efficiency adds a second loss."""
     system, works = equations.system, state[equations.works]
     for index, mesh in enumerate(system.meshes):
         if not mesh.lossless:

@@ -12,7 +12,7 @@ from vstatics.core.tables.answer import Flat, Provided, Sometimes, document
 from vstatics.simulation.record.motion import Energy, Event, Motion, Peak, Reached
 
 Rows: TypeAlias = Sometimes[Mapping[str, Floats]]
-"""Table of a run: values over time by name of the row; absent unless requested."""
+"""Table of a run: name of the row -> values over time. Absent unless requested."""
 
 
 class AskedAnswer(NamedTuple):
@@ -51,7 +51,7 @@ class MotionAnswer(NamedTuple):
     dynamic_factors: Sometimes[Mapping[str, float | None]]
     """Largest torques divided by static torques, if the scenario has `static`."""
     damage: Sometimes[Annotated[object, Provided("Damages")]]
-    """Fatigue damage by component, if requested."""
+    """Fatigue damage by component name, if requested."""
     targets: Sometimes[Sequence[Reached]]
     """Time and distance at target speeds, if the scenario has `targets`."""
     messages: Sequence[Message]
@@ -96,7 +96,7 @@ def motion_answer(
 
 
 def lay_out(document: Mapping[str, Any]) -> str:
-    """Return a document as JSON with a line for each list of numbers.
+    """Return a document as JSON, with each list of numbers on its own line.
 
     >>> print(lay_out({"time": [0.0, 1.0], "speeds": {"in": [3.0, None]}, "events": []}))
     {
@@ -112,7 +112,7 @@ def lay_out(document: Mapping[str, Any]) -> str:
 
 
 def _laid_out(value: Any, encode: Callable[[Any], str], end: str) -> str:
-    """Return JSON in which mappings, and lists of mappings, extend over several lines."""
+    """Return JSON text in which mappings, and lists of mappings, extend over several lines."""
     inner = end + " "
     if isinstance(value, Mapping) and value:
         items = (f"{encode(key)}: {_laid_out(item, encode, inner)}" for key, item in value.items())

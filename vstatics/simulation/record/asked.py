@@ -26,7 +26,7 @@ from vstatics.simulation.system.values import outside_torques
 
 
 class Moments(NamedTuple):
-    """State of a run at several times between two events; time is the last axis of all arrays."""
+    """State of a run at several times between two events; the last axis of arrays is time."""
 
     motion: PieceMotion
     times: Floats
@@ -58,7 +58,7 @@ Maker: TypeAlias = Callable[[Moments, Sequence[str]], Floats]
 
 
 def _powers(at: Moments, rows: Sequence[str]) -> Floats:
-    """Return the powers of outside torques on links, and of springs [W]."""
+    """Return the powers of outside torques by link, and of springs [W]."""
     system = at.system
     of_links = outside_torques(at.motion.equations) @ at.ports * at.speeds
     powers = {
@@ -88,7 +88,7 @@ def _of_vehicles(values: Callable[[Moments], Floats], at: Moments, rows: Sequenc
 def _on_loaded_wheel(
     wheel: LoadedWheel, values: Callable[[Moments], Floats], at: Moments, name: str
 ) -> Floats:
-    """Return speed, acceleration or jerk of a vehicle with a speed-dependent rolling radius."""
+    """Return speed, acceleration or jerk of a vehicle with a torque-dependent rolling radius."""
     [turning] = _of_links(attrgetter("speeds"), at, [name])
     velocity = wheel.velocity(turning)
     if values not in (Moments.accelerations, Moments.jerks):
@@ -155,11 +155,11 @@ def _values(word: str, at: Moments, rows: Sequence[str]) -> Floats:
 
 
 class AskedTable(NamedTuple):
-    """Additional table: kind of rows, unit, and function that calculates the values."""
+    """Additional table: kind of its rows, unit, and function that calculates its values."""
 
     kind: Kind
     unit: str
-    """Unit of the values; empty for a dimensionless number or a control state of any unit."""
+    """Unit of the values; empty for dimensionless numbers and for control states."""
     make: Maker
 
 
@@ -190,7 +190,7 @@ TABLES: Mapping[str, AskedTable] = {
 PER_AREA = "_per_area"
 """Suffix of tables of energy or power divided by the friction area."""
 MOST_EMPTY = 12
-"""Largest number of columns that are named in the warning about empty columns."""
+"""Largest number of empty columns that a warning names; it only counts the others."""
 ALWAYS = ("speeds", "slips", "torques")
 """Tables of every run."""
 
@@ -223,7 +223,7 @@ def rows_of_tables(
 
 
 def empty_columns(asked: Mapping[str, Mapping[str, Floats]]) -> list[Message]:
-    """Return a warning about columns in which all values are NaN, if any.
+    """Return a warning about columns that contain only NaN, if any.
 
     Examples
     --------

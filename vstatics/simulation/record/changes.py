@@ -35,9 +35,9 @@ class PieceMotion(NamedTuple):
         return self._along(times, states, self._accelerations)
 
     def _accelerations(self, times: Floats, states: Floats) -> tuple[Floats, Floats]:
-        """Return accelerations, and for each the scale of the rounding error.
+        """Return the accelerations [rad/s^2], and for each the scale of its rounding error.
 
-        The scale is the sum of the magnitudes of the terms.
+        The scale is the sum of the magnitudes of all terms.
         """
         equations, structure = self.equations, self.equations.structure
         _, torques = equations.acting_at(times, states)
@@ -59,7 +59,7 @@ class PieceMotion(NamedTuple):
         states: Floats,
         function: Callable[[Floats, Floats], tuple[Floats, Floats]],
     ) -> Floats:
-        """Return the derivative along the motion of a function of time and state.
+        """Return the time derivative, along the motion, of a function of time and state.
 
         The derivative is a one-sided difference of second order along the tangent of the motion:
         forward, or backward near `end`.

@@ -71,7 +71,7 @@ def motion_dataset(motion: Motion) -> xr.Dataset:
 def as_csv(motion: Motion, *, raw: bool = False) -> str:
     """Return comma-separated values: a line of headings, then a line for each instant.
 
-    NaN is an empty cell.
+    A cell is empty for NaN.
     """
     named = columns(motion)
     lines = (

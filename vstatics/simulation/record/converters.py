@@ -12,12 +12,12 @@ from vstatics.simulation.tolerances import STANDING
 
 
 def turbine(converter: str) -> str:
-    """Return the row name of the torque that a converter gives to the link of the turbine."""
+    """Return the row name of the torque that a converter gives to its turbine link."""
     return f"{converter}.turbine"
 
 
 def speed_ratios(converters: Sequence[Converter], speeds: Floats) -> Floats:
-    """Return turbine speed divided by pump speed, shape (converters, times); NaN if the pump rests.
+    """Return turbine speed over pump speed, shape (converters, times); NaN if the pump is at rest.
 
     Parameters
     ----------
@@ -30,18 +30,18 @@ def speed_ratios(converters: Sequence[Converter], speeds: Floats) -> Floats:
 
 
 def turning(divisors: Floats, speeds: Floats) -> Floats:
-    """Return speeds for use as divisors: NaN instead of 0.
+    """Return speeds as divisors, with NaN instead of 0.
 
-    A speed counts as 0 if it is only rounding noise relative to the fastest link.
+    A speed counts as 0 if it is rounding noise relative to the fastest link.
     """
     return np.where(np.abs(divisors) > STANDING * np.abs(speeds).max(axis=0), divisors, np.nan)
 
 
 def efficiencies(converters: Sequence[Converter], ratios: Floats, given: Floats) -> Floats:
-    """Return the ratio of output to input power, shape (converters, times).
+    """Return output power divided by input power, shape (converters, times).
 
-    With torque ratio K and speed ratio i, the efficiency is ``K i`` (Tarasik, figure 7), its
-    inverse while the turbine drives, and 0 while power enters at both ends.
+    With torque ratio K and speed ratio i, the efficiency is ``K i`` (Tarasik, figure 7). It is the
+    inverse while the turbine drives, and 0 while power enters at both sides.
 
     Parameters
     ----------

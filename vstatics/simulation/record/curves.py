@@ -1,9 +1,9 @@
 """Choice of the instants that draw the columns of a run: extremes, and ends of chords.
 
 In each part of a time step a column is approximated by the polynomial through its values at some
-nodes. Its second derivative gives the number of straight lines (chords) that draw it, its first
-derivative the extremes. The polynomials only choose instants; the values drawn there are calculated
-from the states.
+nodes. The second derivative gives the number of straight lines (chords) that draw it, and the first
+derivative gives the extremes. The polynomials only choose instants; the values drawn at the
+instants are calculated from states.
 """
 
 from __future__ import annotations
@@ -18,21 +18,21 @@ from vstatics.core.numerics.arrays import Floats, Integers
 from vstatics.simulation.tolerances import CHORD, EQUAL_EXTREMES, NO_RANGE
 
 _NEAR_TOP = 0.1
-"""Distance from the extreme nodes within which turning points are sought, relative to the range."""
+"""Height below the highest node (or above the lowest) in which turning points are candidates."""
 _NEWTON_OF_EXTREMES = 4
 _MOST_CHORDS = 1e6
 """Square of the largest number of chords of a part; more would only draw a wild polynomial."""
 
 
 class Curves(NamedTuple):
-    """Columns of a run as polynomials over consecutive parts of time."""
+    """Columns of a run as polynomials over consecutive time intervals (parts)."""
 
     begins: Floats
     """Start times of the parts. [s]"""
     lengths: Floats
     """Durations of the parts. [s]"""
     nodes: tuple[float, ...]
-    """Instants of the values, as fractions of a part, from 0 to 1."""
+    """Instants of the values, as fractions of the part, from 0 to 1."""
     values: Floats
     """Values at the nodes, shape (columns, parts, nodes)."""
 
@@ -48,7 +48,7 @@ class CurveRanges(NamedTuple):
 def ranges(
     curves: Sequence[Curves], kinds: Sequence[slice], before: CurveRanges | None = None
 ) -> CurveRanges:
-    """Return the ranges of columns; a column with changes negligible in the group is constant.
+    """Return the ranges of columns; a column with negligible changes counts as constant.
 
     Parameters
     ----------
@@ -70,9 +70,9 @@ def ranges(
 
 
 def drawn_times(curves: Sequence[Curves], column_ranges: CurveRanges, most: int) -> list[Floats]:
-    """Return the times, for each curve, whose chords approximate all columns [s].
+    """Return, for each curve, the times whose chords approximate all columns [s].
 
-    The ends of parts are left out. If more than `most` times are needed, the chords become longer.
+    The ends of parts are left out. If more than `most` times are needed, fewer are returned.
 
     Examples
     --------
@@ -105,9 +105,9 @@ def _counts(curves: Curves, column_ranges: CurveRanges) -> Integers:
 
 
 def extreme_times(curves: Sequence[Curves], column_ranges: CurveRanges) -> list[Floats]:
-    """Return the times, for each curve, at which columns are largest or least [s].
+    """Return, for each curve, the times at which columns are largest or least [s].
 
-    Of several equal extremes, the first is included.
+    The first of several equal extremes is included.
 
     Examples
     --------
@@ -135,7 +135,7 @@ def extreme_times(curves: Sequence[Curves], column_ranges: CurveRanges) -> list[
 
 
 class _Turns(NamedTuple):
-    """Candidates for extremes of columns: index of the column, time and value."""
+    """Candidates for extremes: index of the column, time and value."""
 
     columns: Integers
     times: Floats
@@ -166,7 +166,7 @@ def _turns(curves: Curves, column_ranges: CurveRanges) -> _Turns:
         column, part, node = np.nonzero(turns)
         powers = rises[column, part] @ polynomials.powers.T
         place = _turning(powers, nodes[node], nodes[node + 1])
-        reached = values[column, part, 0] + _along(powers, place)
+        reached = values[column, part, 0] + _values_at(powers, place)
         candidates.append(_Turns(moving[column], _times(curves, part, place), reached))
     return _Turns(*(np.concatenate(fields) for fields in zip(*candidates, strict=True)))
 
@@ -176,10 +176,10 @@ def _turning(powers: Floats, low: Floats, high: Floats) -> Floats:
     orders = np.arange(1.0, powers.shape[1])
     slopes = powers[:, 1:] * orders
     bends = slopes[:, 1:] * orders[:-1]
-    first, last = _along(slopes, low), _along(slopes, high)
+    first, last = _values_at(slopes, low), _values_at(slopes, high)
     place = low + (high - low) * np.fmin(np.fmax(first / (first - last), 0.0), 1.0)
     for _ in range(_NEWTON_OF_EXTREMES):
-        step = _finite(_along(slopes, place) / _along(bends, place))
+        step = _finite(_values_at(slopes, place) / _values_at(bends, place))
         place = np.minimum(np.maximum(place - step, low), high)
     return np.asarray(place, float)
 
@@ -189,23 +189,20 @@ def _times(curves: Curves, parts: Integers, within: Floats) -> Floats:
 
 
 def _risen(values: Floats) -> Floats:
-    """Return values minus the value at the first node."""
     return _finite(values - values[..., :1])
 
 
 def _finite(values: Floats) -> Floats:
-    """Return values with 0 instead of NaN and infinity."""
     return np.where(np.isfinite(values), values, 0.0)
 
 
-def _along(powers: Floats, places: Floats) -> Floats:
-    """Evaluate each polynomial at the corresponding place."""
+def _values_at(powers: Floats, places: Floats) -> Floats:
     values: Floats = (powers * places[:, None] ** np.arange(powers.shape[1])).sum(axis=1)
     return values
 
 
 class _Polynomials(NamedTuple):
-    """Matrices from values at nodes to coefficients (`powers`), and to derivatives at the nodes."""
+    """Matrices from values at nodes to coefficients (`powers`), and to derivatives there."""
 
     powers: Floats
     slopes: Floats

@@ -1,4 +1,4 @@
-"""Instants of a run for its result, chosen to draw all columns, and thinned out if too many."""
+"""Choice of the instants of a run that draw all columns; excess instants are removed."""
 
 from __future__ import annotations
 
@@ -25,20 +25,20 @@ from vstatics.simulation.tolerances import CHORD
 _MOST_BISECTIONS = 20
 """Largest number of bisections in the search for corners of columns."""
 _MOST_NEAR_CORNERS = 2000
-"""Largest number of instants added at corners; more corners are rounding noise."""
+"""Largest number of instants added at corners; more corners would be rounding noise."""
 _MOST_DRAWN, _MOST_HURRIED = (200_000, 8_000_000), (20_000, 500_000)
-"""Largest number of instants of a run, and of values in all columns; less if a user waits."""
+"""Largest numbers of instants and of column values in a run; smaller if a user waits."""
 
 
 class _SteppedCourse(NamedTuple):
-    """Consecutive time steps between two events, with columns as curves."""
+    """Consecutive time steps between two events, with their columns as curves."""
 
     piece: int
     steps: Sequence[tuple[TimeStep, float]]
     curves: Curves
 
     def inside(self, times: Floats) -> Floats:
-        """Return the times that are strictly within the time steps, sorted, without duplicates."""
+        """Return the sorted, distinct times that are strictly inside the time steps."""
         ends = np.array([self.curves.begins[0], *(end for _, end in self.steps)])
         is_inside = (times > ends[0]) & (times < ends[-1]) & ~np.isin(times, ends)
         return np.unique(times[is_inside])
@@ -53,7 +53,7 @@ class _SteppedCourse(NamedTuple):
 
 
 class DrawnRun:
-    """Times and columns of a run until the simulated time.
+    """Times and columns of a run up to the simulated time.
 
     Parameters
     ----------
@@ -71,12 +71,12 @@ class DrawnRun:
         self.times: Floats = np.zeros(0)
         self.columns: Floats = np.zeros((self.table.heat.stop, 0))
         self.picture_tables: Tables = {}
-        """Tables for pictures at the same times; they do not influence the choice of times."""
+        """Tables for pictures at the same times, which do not influence the choice of times."""
         self._ranges: CurveRanges | None = None
         self._parts, self._is_thin = 0, False
 
     def add(self, pieces: Sequence[Piece], *, hurried: bool = False) -> None:
-        """Add pieces of the run, with the instants that draw the columns, and extremes.
+        """Add pieces of the run, at instants that draw the columns and their extremes.
 
         Parameters
         ----------
@@ -108,7 +108,7 @@ class DrawnRun:
             self._is_thin = True
 
     def _thin(self, most: int) -> None:
-        """Remove instants evenly, down to a number, except needed instants."""
+        """Remove instants evenly until `most` remain, except needed instants."""
         # Ends, extremes, both sides of jumps and multiples of `every` are needed.
         times, columns = self.times, self.columns.T
         remaining = np.zeros(len(times), dtype=bool)
@@ -128,11 +128,11 @@ class DrawnRun:
     def _added(
         self, pieces: Sequence[Piece], most: int, *, hurried: bool
     ) -> Iterator[tuple[_SteppedCourse, Floats]]:
-        """Yield the added times that draw each group of consecutive steps, including extremes."""
+        """Yield each group of equal time steps in succession, with times that draw the columns."""
         courses = [
             _SteppedCourse(number, steps, self.table.curves(piece, steps))
             for number, piece in enumerate(pieces)
-            # `Curves` needs the same number of nodes in all parts.
+            # `Curves` needs the same number of nodes in each part.
             for _, equal in groupby(piece.steps, lambda step: len(step[0].nodes))
             for steps in [[*equal]]
         ]
@@ -158,7 +158,7 @@ class DrawnRun:
     def _with_corners(
         self, piece: Piece, course: _SteppedCourse, times: Floats, size: Floats
     ) -> Floats:
-        """Add times near corners of columns, where the split of a redundant torque changes."""
+        """Add times near corners of columns, where the split of redundant torques changes."""
 
         def points(at: Floats) -> Floats:
             columns = self.table.at(self.table.moments(piece, at, course.states(at)))

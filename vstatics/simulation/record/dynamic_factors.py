@@ -24,7 +24,7 @@ def static_torques(scenario: Scenario) -> dict[str, float]:
     Parameters
     ----------
     scenario : Scenario
-        Scenario with `static`; without it, the result is empty. Losses are calculated at the speed
+        Scenario with `static`, or the result is empty. Losses are calculated at the speed
         in the `load` of the gear, or else at the speed of the input at the start, if not 0.
 
     Raises
@@ -59,7 +59,7 @@ def static_torques(scenario: Scenario) -> dict[str, float]:
 def dynamic_factors(
     static: Mapping[str, float], peaks: Mapping[str, Peak]
 ) -> dict[str, float | None]:
-    """Return the largest torques divided by the static torques; undefined for a divisor of 0.
+    """Return the largest torques divided by the static torques, None for a static torque of 0.
 
     >>> dynamic_factors({"C": 50.0, "B": 0.0}, {"C": Peak(-91.5, 0.2), "B": Peak(3.0, 0.1)})
     {'C': 1.83, 'B': None}

@@ -29,9 +29,9 @@ class Event(NamedTuple):
     element: str
     event: EventKind
     energy: Annotated[float | None, SOMETIMES] = 0.0
-    """Energy lost in an impact, otherwise 0; undefined for a step of a sequence. [J]"""
+    """Energy lost in an impact, otherwise 0; absent for a step of a sequence. [J]"""
     word: str = ""
-    """Usual word: dog clutches open and close, freewheels overrun, loads start."""
+    """Word for the event: dog clutches open and close, freewheels overrun, loads start."""
     step: Annotated[int | None, SOMETIMES] = None
     """Number of the completed step of a sequence."""
 
@@ -42,9 +42,9 @@ class Energy(NamedTuple):
     work: float
     """Work of outside torques."""
     heat: Mapping[str, float]
-    """Heat of friction, by name of shift element or spring, or of a link with a resistance."""
+    """Heat of friction by name: shift elements, springs, and links with a resistance."""
     heat_per_area: Annotated[Mapping[str, float], SOMETIMES]
-    """Heat per friction area of shift elements with a known area. [J/m^2]"""
+    """Heat per friction area, by name of each shift element with a known area. [J/m^2]"""
     losses: Mapping[str, float]
     """Losses by name: of mechanisms, converters and dampers, and of links with drag."""
     kinetic: float
@@ -58,15 +58,15 @@ class Energy(NamedTuple):
 
 
 class Damage(Protocol):
-    """Fatigue damage of a component by the torque of a run."""
+    """Fatigue damage of a component by the torque in a run."""
 
     @property
     def damage(self) -> float:
-        """Damage of the run; the component fails at a total of 1 [-]."""
+        """Damage by the run; the component fails at the `sum` of its fatigue strength [-]."""
 
     @property
     def repeats(self) -> float | None:
-        """Number of runs to failure, if limited [-]."""
+        """Number of runs to failure, None if unlimited [-]."""
 
 
 class Peak(NamedTuple):
@@ -75,7 +75,7 @@ class Peak(NamedTuple):
     torque: float
     """Torque, with sign. [N*m]"""
     time: float
-    """Time at which the torque first occurs. [s]"""
+    """Time at which the torque is reached first. [s]"""
 
 
 class Reached(NamedTuple):
@@ -85,11 +85,11 @@ class Reached(NamedTuple):
     speed: float
     """Target speed. [rad/s]"""
     time: float
-    """Time; NaN if the speed is not reached. [s]"""
+    """Time at which the speed is reached, NaN if never. [s]"""
     angle: float
-    """Angle of the link at the time `time`. [rad]"""
+    """Angle of the link at `time`. [rad]"""
     distance: float
-    """Distance of the vehicle; NaN without a road, or with a varying rolling radius. [m]"""
+    """Distance of the vehicle; NaN without a road or with a varying rolling radius. [m]"""
 
 
 class Motion(NamedTuple):
@@ -174,7 +174,7 @@ class Motion(NamedTuple):
         return shown(higher("motion_grids")(self))
 
     def to_dataframe(self) -> pd.DataFrame:
-        """Return the motion over time, with the columns of `vstatics simulate -o run.csv`.
+        """Return the motion as a data frame, with the columns of `vstatics simulate -o run.csv`.
 
         Returns
         -------
@@ -229,7 +229,7 @@ class Motion(NamedTuple):
         return dataset
 
     def plot(self, kind: str = "shift", **how: Any) -> AnyPicture:
-        """Draw the run; a notebook displays the returned picture.
+        """Draw the run; a notebook displays the picture.
 
         Parameters
         ----------

@@ -19,15 +19,17 @@ from vstatics.simulation.system.matrices import SIGNS, Contact
 from vstatics.simulation.system.values import outside_torques
 
 Tables: TypeAlias = Mapping[str, Mapping[str, Floats]]
-"""Columns over time, by name of the table and name of the row."""
+"""Table name -> row name -> values over time."""
 
 
 def picture_tables(at: Moments) -> Tables:
-    """Return the tables for pictures and the report, at times between two events.
+    """Return the tables for pictures and the report at times between two events.
 
-    The tables are `sticks` of shift elements (1 if sticking), their `capacities` [N*m], `heat` and
-    `losses` by name [J], `vehicle_acceleration` of links with a road [m/s^2], and `output_torque`,
-    which the gear train gives to the output link [N*m].
+    - `sticks`: 1 for each sticking shift element, 0 for others;
+    - `capacities` of shift elements [N*m];
+    - `heat` and `losses`, by name [J];
+    - `vehicle_acceleration` of links with a road [m/s^2];
+    - `output_torque`, which the gear train gives to the output link [N*m].
     """
     equations, torques, roads = at.motion.equations, at.ports, roads_of(at.system.scenario)
     heat, losses = heat_and_losses(equations, at.states)
@@ -39,7 +41,7 @@ def picture_tables(at: Moments) -> Tables:
     return {
         "sticks": {
             name: np.full(len(at.times), float(sticks))
-            for name, sticks in zip(names, _sticks(equations), strict=True)
+            for name, sticks in zip(names, _sticking_flags(equations), strict=True)
         },
         "capacities": dict(zip(names, _capacities(at), strict=True)),
         "heat": heat,
@@ -55,7 +57,7 @@ def picture_tables(at: Moments) -> Tables:
 
 
 def joined(parts: Sequence[Tables]) -> Tables:
-    """Return tables in which the columns of consecutive parts of the run are joined."""
+    """Return the tables of consecutive parts of a run joined in time."""
     return {
         table: {row: np.concatenate([part[table][row] for part in parts]) for row in rows}
         for table, rows in parts[0].items()
@@ -70,8 +72,7 @@ def chosen(tables: Tables, selected: Booleans) -> Tables:
     }
 
 
-def _sticks(equations: Equations) -> Iterator[bool]:
-    """Yield a flag for each shift element, True for sticking."""
+def _sticking_flags(equations: Equations) -> Iterator[bool]:
     system, states = equations.system, equations.states
     contacts = dict(zip(map(id, system.contacts), states.held, strict=True))
     springs = dict(zip(map(id, system.springs), states.springs, strict=True))
@@ -83,7 +84,7 @@ def _sticks(equations: Equations) -> Iterator[bool]:
 
 
 def _capacities(at: Moments) -> Iterator[Floats]:
-    """Yield the torque capacity of each shift element: kinetic if slipping, static if sticking."""
+    """Yield the torque capacity of each shift element: static if sticking, otherwise kinetic."""
     equations, system = at.motion.equations, at.system
     active, seen = equations.states, None
     if any(device.programme.look is not None for device in system.may_slip):
@@ -120,7 +121,7 @@ def _output_torque(equations: Equations, accelerations: Floats, torques: Floats)
     """Return the torque that the gear train gives to the output link [N*m].
 
     It is the inertia torque of the link minus the outside torques on it. Springs count as outside
-    unless the link has neither gear sets nor shift elements: then the springs drive it.
+    torques if the link belongs to a gear set or shift element; otherwise they drive it.
     """
     system, layout = equations.system, equations.layout
     link = system.case.output - 1

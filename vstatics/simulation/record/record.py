@@ -1,4 +1,4 @@
-"""Record that collects a run, time step by time step, and returns its motion."""
+"""Record of a run, collected time step by time step, which returns the motion."""
 
 from __future__ import annotations
 
@@ -30,6 +30,7 @@ from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.known import DISTANCES
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.tolerances import (
+    EXACT_SIDES,
     LEAST_VALUE,
     MADE_CAPACITY,
     SAME_TIME,
@@ -39,11 +40,11 @@ from vstatics.simulation.tolerances import (
 )
 
 _MOST_NUMBERS, _OF_A_STEP = 200_000, 300
-"""Number of stored values from which steps are reduced to instants, and allowance per step."""
+"""Number of stored values from which steps are reduced to instants, and number added per step."""
 
 
 class Record:
-    """Record of a run until the simulated time.
+    """Record of a run up to the simulated time.
 
     Parameters
     ----------
@@ -68,16 +69,16 @@ class Record:
         self.impact_work = 0.0
         """Work of impacts at links with given speeds. [J]"""
         self.joined: set[int] = set()
-        """Indices of the contacts that have closed in an impact at the present instant."""
+        """Indices of contacts that have closed in an impact at the present instant."""
         self.messages: list[Message] = []
         self.cut: set[str] = set()
-        """Names that have a note: controls above a capacity, states set beyond their limits."""
+        """Names that already have a note: controls above a capacity, states set beyond limits."""
         self.pieces: list[Piece] = []
-        """Latest pieces of the run, with all time steps; earlier pieces are reduced in `drawn`."""
+        """Latest pieces of the run with all time steps; `drawn` contains the earlier pieces."""
         self.drawn, self.numbers = DrawnRun(system, step, asked), 0
         self.sharing: set[tuple[int, ...]] = set()
         self.open: set[frozenset[int]] = set()
-        """Sets of contacts that have a note, since other contacts could break away instead."""
+        """Sets of contacts that already have a note, since others could break away instead."""
         self.time = start.time
         self.energy_scale = max(kinetic_energy(system, start.speeds), 1.0)
         self.worked, self.stored = 0.0, 0.0
@@ -91,7 +92,7 @@ class Record:
         self.reached: dict[tuple[int, float], tuple[float, float]] = {}
 
     def copy(self) -> Record:
-        """Return a copy that continues independently, but without recorded pieces."""
+        """Return a copy that continues independently, without the recorded pieces."""
         copied = copy(self)
         copied.events, copied.messages, copied.pieces = [*self.events], [*self.messages], []
         copied.drawn = DrawnRun(self.system, self.every, self.drawn.table.asked)
@@ -104,12 +105,12 @@ class Record:
     def turnover(self) -> float:
         """Largest energy transferred or stored until now, the scale of errors of the balance [J].
 
-        Net work is not a scale, because a torque can take the energy that another torque gives.
+        Net work is not a scale, because torques can cancel each other's work.
         """
         return max(self.worked, self.stored)
 
     def happened(self, seen: Seen, since: float) -> bool:
-        """Return whether an event with a word such as `locks` has occurred since a time [s]."""
+        """Return whether an event such as `locks` of a component has occurred since a time [s]."""
         return any(
             (event.element, event.event) == (seen.of, seen.word) and event.time >= since
             for event in self.events
@@ -129,7 +130,7 @@ class Record:
         return largest(np.array(speeds) @ row)
 
     def done(self, time: float, sequence: str, step: int) -> None:
-        """Record that a step of a sequence is done at a time [s]."""
+        """Record that a step of a sequence has acted at a time [s]."""
         self.events.append(Event(time, sequence, "step", None, "step", step))
 
     def jumps(self, time: float, jump: Jump) -> None:
@@ -142,7 +143,7 @@ class Record:
         self.messages.append(Message("W602", text))
 
     def sets(self, time: float, values: Mapping[str, float]) -> None:
-        """Add a note, once for each state, if a sequence step sets the state beyond limits."""
+        """Add a note if a sequence step sets a state beyond its limits, once for each state."""
         for state in self.system.scenario.states:
             beyond = state.beyond(values.get(state.name, state.start))
             if beyond and state.name not in self.cut:
@@ -151,7 +152,7 @@ class Record:
                 self.messages.append(Message("N611", f"{text}; it is kept at this limit"))
 
     def cuts(self, system: MotionSystem, now: tuple[float, Sequence[float]]) -> None:
-        """Add a note, once for each control, if the control exceeds a capacity of the case."""
+        """Add a note if a control exceeds the capacity in the case, once for each control."""
         for device in system.may_slip:
             programme = device.programme
             if programme.look is None or programme.largest is None or device.name in self.cut:
@@ -162,7 +163,7 @@ class Record:
                 self.messages.append(Message("N605", text))
 
     def fits_too(self, time: float, broken: Iterable[int], others: Iterable[int]) -> None:
-        """Add a note that other contacts could break away instead, once for each set."""
+        """Add a note that other contacts could break away instead, once for each combination."""
         if (both := frozenset([*broken, *others])) in self.open:
             return
         self.open.add(both)
@@ -177,7 +178,7 @@ class Record:
         self.messages.append(Message("N606", text))
 
     def begin(self, margins: Margins, state: Floats) -> None:
-        """Begin a piece of the run, to which the equations of `margins` apply."""
+        """Begin a piece of the run, with the equations of `margins`."""
         equations = margins.equations
         self.pieces.append(Piece(margins, equations.time, state))
         self.time = equations.time
@@ -188,10 +189,10 @@ class Record:
             largest(state[equations.works]),
         )
         self.energy_scale = max(self.energy_scale, scale)
-        self._store(equations, equations.time, state)
+        self._update_stored_energy(equations, equations.time, state)
 
     def step(self, step: TimeStep, end: float, state: Floats) -> None:
-        """Record a time step until `end`: the end of the step, or an event within the step [s]."""
+        """Record a time step up to its end, or up to an event at the time `end` [s]."""
         if self.numbers > _MOST_NUMBERS:
             self._draw()
         piece = self.pieces[-1]
@@ -210,15 +211,15 @@ class Record:
         values = np.abs(state[equations.values])
         self.value_scales = np.maximum(self.value_scales, SMALL_VALUE * values)
         self.worked += float(np.abs(state - step.first)[equations.works.start :].sum())
-        self._store(equations, end, state)
-        self._targets(step, end, state, equations)
+        self._update_stored_energy(equations, end, state)
+        self._record_targets(step, end, state, equations)
         self.numbers += step.states.size + _OF_A_STEP
 
     def leaves_zero(self, equations: Equations, time: float, state: Floats) -> bool:
-        """Return whether a control value is about to exceed the scale; if so, raise the scale.
+        """Return whether a control value is about to exceed its scale; if so, raise the scale.
 
         A value that leaves 0 cannot be integrated with a small error relative to itself. Its error
-        is compared with the magnitude that it soon reaches.
+        is therefore relative to the magnitude that it soon reaches.
         """
         length = DISTANCES[-1] * equations.within
         later = equations.moved(time, state, length)
@@ -236,14 +237,15 @@ class Record:
         last = self.pieces[-1]
         self.pieces, self.numbers = [Piece(last.margins, self.time, last.states[-1])], 0
 
-    def _store(self, equations: Equations, time: float, state: Floats) -> None:
-        """Update the largest stored energy with the kinetic and elastic energy of a state."""
+    def _update_stored_energy(self, equations: Equations, time: float, state: Floats) -> None:
         kinetic = kinetic_energy(self.system, equations.speeds(time, state))
         elastic = self.system.elastic_energy(state[equations.twists])
         self.stored = max(self.stored, kinetic + elastic)
 
-    def _targets(self, step: TimeStep, end: float, state: Floats, equations: Equations) -> None:
-        """Record the time and angle at which links reach target speeds in a time step."""
+    def _record_targets(
+        self, step: TimeStep, end: float, state: Floats, equations: Equations
+    ) -> None:
+        fastest = largest(equations.speeds(end, state))
         for link, speed in self.targets:
             if (link, speed) in self.reached:
                 continue
@@ -253,16 +255,21 @@ class Record:
                 return float(equations.speeds(time, at)[link]) - speed
 
             first, last = short(step.start), short(end)
-            if first == 0 or (first < 0) != (last < 0):
+            # a link that is held at its target keeps a rounding error, of any sign
+            near = EXACT_SIDES * max(abs(speed), fastest)
+            passes = (first < 0) != (last < 0)
+            if passes or min(abs(first), abs(last)) <= near:
                 from scipy.optimize import brentq
 
-                time = step.start if first == 0 else float(brentq(short, step.start, end))
+                time = step.start if abs(first) <= near else end
+                if passes and time == end:
+                    time = float(brentq(short, step.start, end))
                 at = step.between(np.array([time]))[:, 0]
                 angle = float(at[equations.angles][equations.layout.angles.index(link)])
                 self.reached[link, speed] = time, angle
 
     def motion(self, stopped: Problem | None, *, hurried: bool) -> Motion:
-        """Return the motion; `hurried` (after a time limit or Ctrl-C) means fewer instants."""
+        """Return the motion, with fewer instants if `hurried` (after a time limit or Ctrl-C)."""
         self._draw(hurried=hurried)
         self._tell_backward()
         system, [last], table = self.system, self.pieces, self.drawn.table
@@ -276,7 +283,7 @@ class Record:
         }
         messages = [*self.messages, *empty_columns(asked)]
         damages: Mapping[str, Damage] = {}
-        if system.case.fatigue:  # calculated by the annex `vehicle`
+        if system.case.fatigue:  # the annex `vehicle` calculates fatigue damage
             by_device = dict(zip(table.devices, torques.T, strict=True))
             damages = higher("damages")(system.case, by_device)
         return Motion(
@@ -321,7 +328,7 @@ class Record:
                 self.messages.append(Message("N613", text))
 
     def _tell_shared(self, equations: Equations) -> None:
-        """Add a note, once for each set of shift elements that share an indeterminate torque."""
+        """Add a note on shift elements that share an indeterminate torque, once for each set."""
         structure, contacts = equations.structure, equations.system.contacts
         sharing = tuple(
             multiplier.of
@@ -352,7 +359,7 @@ class Record:
 
 
 def _different(times: Floats, columns: Floats) -> Booleans:
-    """Return a mask that leaves out the second of two equal times if no column jumps there."""
+    """Return a mask without the second of two equal times, unless a column jumps there."""
     distinct = np.ones(len(times), dtype=bool)
     for number in np.flatnonzero(np.diff(times) == 0) + 1:
         before, after = columns[:, number - 1], columns[:, number]

@@ -35,7 +35,7 @@ Kind = Literal[
 
 
 def rows_of_kind(kind: Kind, scenario: Scenario) -> tuple[str, ...]:
-    """Return the row names of tables with a kind of rows."""
+    """Return the names of the rows of a kind."""
     return tuple(_ROWS[kind](scenario))
 
 
@@ -56,7 +56,7 @@ def _links(scenario: Scenario) -> Sequence[str]:
 
 
 def _links_and_springs(scenario: Scenario) -> Iterable[str]:
-    """List the names of links and springs; a common name denotes the link, as in formulas."""
+    """Return the names of links and springs; a name of both denotes the link, as in formulas."""
     return dict.fromkeys([*_links(scenario), *vocabulary(scenario.case).rows["twist"]])
 
 
@@ -83,7 +83,6 @@ def _devices(scenario: Scenario) -> list[str]:
 
 
 def _converters(scenario: Scenario) -> list[str]:
-    """List the names of converters, including converters declared as mechanisms."""
     names = [converter.name for converter in scenario.converters]
     names += [part.name for part in scenario.case.mechanisms if part.kind == "converter"]
     return [*dict.fromkeys(names)]

@@ -21,12 +21,12 @@ from vstatics.simulation.system.matrices import MotionSystem, between
 
 
 class Piece:
-    """Piece of a run between changes of the sticking contacts and thus of the equations."""
+    """Piece of a run, in which the sticking contacts and thus the equations do not change."""
 
     def __init__(self, margins: Margins, time: float, state: Floats) -> None:
         self.margins = margins
         self.times = [time]
-        """Start, ends of parts of time steps, and multiples of a requested interval. [s]"""
+        """Start, ends of parts of time steps, and multiples of the requested interval. [s]"""
         self.states = [state]
         self.steps: list[tuple[TimeStep, float]] = []
         """Time steps, each with the time until which it is valid. [s]"""
@@ -38,19 +38,19 @@ class Piece:
         return PieceMotion(self.margins.equations, self.times[0], end)
 
     def add(self, time: float, state: Floats) -> None:
-        """Add an instant and state to the end of the piece."""
+        """Add an instant and its state to the end of the piece."""
         self.times.append(time)
         self.states.append(state)
 
 
 class MotionColumns:
-    """Recorded columns of a run: order and calculation.
+    """Order and calculation of the recorded columns of a run.
 
     Parameters
     ----------
     system : MotionSystem
     asked : mapping of str to sequence of str
-        Names of the rows of additional tables, by name of the table.
+        Name of each additional table -> names of its rows.
     """
 
     def __init__(self, system: MotionSystem, asked: Mapping[str, Sequence[str]]) -> None:
@@ -64,7 +64,7 @@ class MotionColumns:
         sizes = (links, len(elements), len(self.devices), *map(len, asked.values()), len(elements))
         ends = np.cumsum((0, *sizes)).tolist()
         self.kinds = [slice(*pair) for pair in pairwise(ends)]
-        """Ranges of columns: speeds, slips, torques, each additional table, heat."""
+        """Slices of columns: speeds, slips, torques, each additional table, heat."""
         self.speeds, self.slips, self.torques, *_, self.heat = self.kinds
 
     def moments(self, piece: Piece, times: Floats, states: Floats) -> Moments:
@@ -77,13 +77,13 @@ class MotionColumns:
         return Moments(piece.motion, times, states, speeds, self.rows @ speeds, torques, ports)
 
     def at(self, at: Moments) -> Floats:
-        """Return all columns at given moments, shape (columns, times)."""
+        """Return all columns, shape (columns, times)."""
         asked = [TABLES[table].make(at, rows) for table, rows in self.asked.items()]
         heat = element_heat(at.motion.equations, at.states)
         return np.concatenate([at.speeds, at.slips, at.torques, *asked, heat])
 
     def curves(self, piece: Piece, steps: Sequence[tuple[TimeStep, float]]) -> Curves:
-        """Return the columns over all parts of time steps; an event can end the last part early."""
+        """Return the columns over all parts of time steps; an event can shorten the last part."""
         (first, _), (last, end) = steps[0], steps[-1]
         size = len(first.nodes)
         times = np.concatenate([step.times for step, _ in steps]).reshape(-1, size)
@@ -101,7 +101,7 @@ class MotionColumns:
 
 
 def peaks(devices: Sequence[str], times: Floats, torques: Floats) -> Mapping[str, Peak]:
-    """Return the largest torque of each component, with the time of first occurrence."""
+    """Return the largest torque of each component, and when it first occurs."""
     top = first_largest(np.abs(torques))
     return {
         name: Peak(float(torques[place, device]), float(times[place]))
@@ -139,7 +139,7 @@ def device_torques(equations: Equations, ports: Floats, held: Floats) -> Floats:
 
 
 def device_names(system: MotionSystem) -> tuple[str, ...]:
-    """Return the names of all torques: of components, converters, turbines, and given speeds."""
+    """Return the names of the torques: of components, converters, turbines, and given speeds."""
     given = (contact.name for contact in system.contacts if contact.is_given)
     converters = [converter.name for converter in system.converters]
     return (*system.case.devices, *converters, *map(turbine, converters), *given)

@@ -1,4 +1,4 @@
-"""Tables of a simulation: events, energies, largest torques, and the times of target speeds.
+"""Tables of a simulation: events, energies, largest torques, and times of target speeds.
 
 Components without heat, loss or torque are left out; the JSON document contains all components.
 """
@@ -15,7 +15,7 @@ from vstatics.simulation.tolerances import CLOSED_BALANCE, PRINTED
 
 
 def motion_grids(motion: Motion) -> Iterator[Grid]:
-    """Yield the table of events, and all further tables that are not empty."""
+    """Yield the table of events, then all other tables that are not empty."""
     if motion.stopped is not None:
         why = [[motion.stopped.told]]
         yield grid_of("Stopped before its end", ["why"], why, key="stopped")
@@ -52,7 +52,7 @@ def motion_grids(motion: Motion) -> Iterator[Grid]:
 
 
 def _of_kind(numbers: Iterable[float]) -> Callable[[float | None], Cell]:
-    """Return a writer that prints 0 for numbers that are negligible relative to the largest."""
+    """Return a cell writer that prints 0 for numbers negligible relative to the largest."""
     least = PRINTED * max((abs(number) for number in numbers if math.isfinite(number)), default=0.0)
 
     def shown(value: float | None) -> Cell:
@@ -86,7 +86,7 @@ def _events(motion: Motion) -> Grid:
 
 
 def _energy(motion: Motion) -> Grid:
-    """Return the table of the energy balance; parts of heat and losses follow the sums."""
+    """Return the table of the energy balance; the items of heat and losses follow their sums."""
     energy = motion.energy
     per_area = energy.heat_per_area
     rows: list[Row] = []
@@ -109,7 +109,7 @@ def _energy(motion: Motion) -> Grid:
     for name in ("kinetic", "elastic", "impact"):
         add(name, getattr(energy, name))
     add("balance", energy.balance)
-    if abs(energy.balance) < CLOSED_BALANCE:  # rounding noise
+    if abs(energy.balance) < CLOSED_BALANCE:  # the balance is rounding noise
         rows[-1][1] = exact(0.0)._replace(value=energy.balance)
     columns = [text(""), Column("energy [J]")] + [Column("per area [J/m^2]")] * bool(per_area)
     return Grid("Energy", columns, rows, levels, key="energy")

@@ -1,4 +1,4 @@
-"""Usual words for events, such as `overruns` for a freewheel that begins to slip."""
+"""Words for events, such as `overruns` for a freewheel that begins to slip."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ Device = Contact | Elastic | RigidMechanism
 
 
 def event_of(time: float, device: Device, kind: EventKind, energy: float = 0.0) -> Event:
-    """Return an event of a component, with the usual word.
+    """Return an event of a component, with the word for its kind.
 
     Parameters
     ----------
@@ -22,16 +22,15 @@ def event_of(time: float, device: Device, kind: EventKind, energy: float = 0.0) 
 
 
 def slid_back(event: Event) -> Event:
-    """Return the event with the word `slips` instead of `overruns`.
+    """Return the event of a freewheel with the word `slips` instead of `overruns`.
 
-    The word applies to a freewheel that slips in the locking direction because the capacity is
-    exceeded.
+    The freewheel slips in the locking direction because its capacity is exceeded.
     """
     return event._replace(word="slips") if event.word == "overruns" else event
 
 
 def released(event: Event) -> Event:
-    """Return the event with the word for a shift element opened by control."""
+    """Return an event of a shift element with the word for opening by control."""
     return event._replace(word="opens") if event.word == "slips" else event
 
 
@@ -41,7 +40,7 @@ def _word(device: Device, kind: EventKind) -> str:
     if isinstance(device, Contact) and kind == "slips":
         if device.one_way:
             return "overruns"
-        if device.element is None:  # dry friction of a load
+        if device.element is None:  # the device is the dry friction of a load
             return "starts"
     if device.programme.is_dog and kind != "reverses":
         return "opens" if kind == "slips" else "closes"

@@ -21,7 +21,7 @@ from vstatics.simulation.record.motion import Motion
 TIME, FIGURES = 4, 5
 """Decimals of times in s, and significant digits of the largest number in other columns."""
 KILO = 1e4
-"""Largest energy in a column from which the column is in kJ. [J]"""
+"""Largest energy of a column from which the column is in kJ. [J]"""
 NOTHING = Markup()
 
 
@@ -38,7 +38,7 @@ class RunSection(NamedTuple):
     in_full: bool = False
     """True if the speed plan is shown on paper, too."""
     has_marks: bool = False
-    """True if times of events are marked for the script of the page."""
+    """True if the times of events are marked for the script of the page."""
     without: str = ""
 
     @property
@@ -47,7 +47,7 @@ class RunSection(NamedTuple):
         return ("plan",) if self.plan and self.plan.sheets else ()
 
     def shown(self, digits: int | None) -> Iterator[Markup]:
-        """Yield the HTML of the section, beginning with the reason of an early stop, if any."""
+        """Yield the HTML of the section; the reason for an early stop comes first."""
         from vstatics.simulation.record.tables import motion_grids
 
         motion = self.motion
@@ -70,7 +70,7 @@ class RunSection(NamedTuple):
 
 
 def has_part(case: Transmission, *, runs: bool) -> bool:  # noqa: ARG001
-    """Return whether a report contains a section about a run."""
+    """Return whether the report contains a section about a run."""
     return runs
 
 
@@ -92,7 +92,7 @@ def part(request: PartRequest) -> RunSection | None:
 
 
 def marked_events(grid: Grid) -> Grid:
-    """Mark the times in a table of events for the script; return other tables unchanged."""
+    """Return the table of events with its times marked for the script, other tables unchanged."""
     if grid.key != "events":
         return grid
     rows: list[Row] = []
@@ -103,7 +103,7 @@ def marked_events(grid: Grid) -> Grid:
 
 
 def in_figures(grid: Grid) -> Grid:
-    """Round the numbers in a table of a run for readers; large energies are in kJ.
+    """Return the table of a run with rounded numbers; large energies are in kJ.
 
     Examples
     --------
@@ -126,7 +126,7 @@ def in_figures(grid: Grid) -> Grid:
 
 
 def _column(column: Column, cells: Sequence[Cell]) -> tuple[Column, Sequence[Cell]]:
-    """Round the cells of a column; a number printed as 0 remains 0."""
+    """Round the numbers of a column; a number printed as 0 remains 0."""
     numbers = [cell.value for cell in cells if cell.kind is float and cell.value is not None]
     largest = max((abs(number) for number in numbers if math.isfinite(number)), default=0.0)
     if not numbers:

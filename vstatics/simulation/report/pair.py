@@ -18,13 +18,13 @@ from vstatics.simulation.record.tables import motion_grids
 from vstatics.simulation.report.motion import in_figures, marked_events
 
 LabelledRun = tuple[str, Results, Motion | None]
-"""Letter, results and run (if any) of a case."""
+"""Letter of a case, its results, and its run if any."""
 
 
 def paired_runs(
     both: Sequence[LabelledRun],
 ) -> tuple[list[Markup], Iterator[list[Grid | None]]]:
-    """Return the pictures of two runs side by side, and the tables."""
+    """Return the pictures of two runs side by side, and their tables."""
     return [*_shown(both)], run_grids([motion for _, _, motion in both])
 
 
@@ -46,7 +46,7 @@ def _shown(both: Sequence[LabelledRun]) -> Iterator[Markup]:
 
 
 def _course(labelled: LabelledRun, both: Sequence[LabelledRun]) -> Markup:
-    """Return the picture of a run over time, with the scales that both runs need."""
+    """Return the picture of a run over time, on scales that fit both runs."""
     label, results, motion = labelled
     name = f"{label}: {tr('Run over time')}"
     others = [(case, run) for _, case, run in both if run and run is not motion]
@@ -59,10 +59,10 @@ def _course(labelled: LabelledRun, both: Sequence[LabelledRun]) -> Markup:
 
 
 def run_grids(motions: Sequence[Motion | None]) -> Iterator[list[Grid | None]]:
-    """Yield the tables of all runs by kind of table: a list with None for runs without it.
+    """Yield each kind of table as a list with an item per run, None for a run without it.
 
-    All runs use the same units in a table. The name of an event comes before its time, so that
-    events are paired by name. Energies that are rounding noise become 0.
+    All runs use the same units in a table. The name of an event precedes its time, so that events
+    are paired by name. Energies that are rounding noise become 0.
     """
     tables = [
         {grid.key: grid for grid in motion_grids(motion) if grid.key != "stopped"} if motion else {}
@@ -77,7 +77,7 @@ def run_grids(motions: Sequence[Motion | None]) -> Iterator[list[Grid | None]]:
 
 
 def _certain(grid: Grid) -> Grid:
-    """Set the energies in a table to 0 where 0 is printed."""
+    """Set the energies that are printed as 0 to 0."""
     if grid.key != "energy":
         return grid
     rows = [
@@ -91,7 +91,7 @@ def _certain(grid: Grid) -> Grid:
 
 
 def _by_event(grid: Grid) -> Grid:
-    """Add names of parts to the column of events, and move the column before the times.
+    """Add the component to the word of each event, and move this column before the times.
 
     >>> from vstatics.core.tables.grid import Column, exact
     >>> columns = [Column("time [s]"), text("element"), text("event")]

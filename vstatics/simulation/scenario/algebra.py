@@ -15,7 +15,7 @@ _STEPS = frozenset(("<", "<=", ">", ">=", "==", "!=", "and", "or", "not", "sign"
 
 
 def parts(tree: Tree) -> Iterator[Tree]:
-    """Yield all parts of a tree, outer parts first."""
+    """Yield all subtrees of a formula, outermost first."""
     waiting = [tree]
     while waiting:
         part = waiting.pop()
@@ -25,18 +25,18 @@ def parts(tree: Tree) -> Iterator[Tree]:
 
 
 def variables(tree: Tree) -> frozenset[str]:
-    """Return the names of variables in a tree, with subscripts; pi is a constant."""
+    """Return the names of variables in a tree, with their subscripts, but without pi."""
     names = (name for name in parts(tree) if isinstance(name, TableName) and name.name != PI)
     return frozenset(name.name + "".join(row.written for row in name.subscripts) for name in names)
 
 
 def number(tree: Tree) -> float | None:
-    """Return the value of a tree if the tree contains no variables."""
+    """Return the value of a tree without variables, otherwise None."""
     return None if variables(tree) else compiled(tree)(0.0, 0.0, 0.0)
 
 
 def applied(name: str, *operands: Tree) -> Tree:
-    """Build an operation without a position in a text, so that equal operations compare equal."""
+    """Build an operation without its position in a text, so that equal operations compare equal."""
     return Applied(name, operands, 0, 0)
 
 
@@ -83,12 +83,14 @@ _OUTER: Mapping[str, Callable[[Tree, Tree], Tree]] = {
     "tanh": lambda _, whole: plus(Constant(1.0), minus(times(whole, whole))),
     "sin": lambda inner, _: applied("cos", inner),
     "cos": lambda inner, _: minus(applied("sin", inner)),
+    "log": lambda inner, _: applied("/", Constant(1.0), inner),
+    "atan": lambda inner, _: applied("/", Constant(1.0), plus(Constant(1.0), times(inner, inner))),
 }
-"""Derivatives of functions: from the trees of argument and value to the tree of the derivative."""
+"""Derivative of each function, calculated from the trees of its argument and its value."""
 
 
 def slope(tree: Tree) -> Tree | None:
-    """Return the derivative of a tree with respect to t, if known (not for ``2^t``).
+    """Return the derivative of a tree with respect to t, or None if unknown, as for ``2^t``.
 
     Examples
     --------
@@ -108,7 +110,6 @@ def slope(tree: Tree) -> Tree | None:
 
 
 def _combined(tree: Applied, operands: Sequence[Tree], slopes: Sequence[Tree]) -> Tree | None:  # noqa: PLR0911 - a table
-    """Return the derivative of an operation from the derivatives of the operands."""
     first, second, change, last_change = operands[0], operands[-1], slopes[0], slopes[-1]
     match tree.name:
         case "-x":
@@ -134,7 +135,7 @@ def _combined(tree: Applied, operands: Sequence[Tree], slopes: Sequence[Tree]) -
 
 
 def _picked(name: str, left: tuple[Tree, Tree], right: tuple[Tree, Tree]) -> tuple[Tree, Tree]:
-    """Return `min` or `max` of two operands, each a pair of value and derivative, as a pair."""
+    """Return the value and the derivative of `min` or `max`; each operand is such a pair, too."""
     is_first = applied("<" if name == "min" else ">", left[0], right[0])
     change = plus(left[1], minus(right[1]))
     return applied(name, left[0], right[0]), plus(right[1], times(is_first, change))
@@ -148,19 +149,19 @@ class StraightForm(NamedTuple):
     offset: Tree
 
     def plus(self, other: StraightForm, factor: float = 1.0) -> StraightForm:
-        """Return the sum of the form and `other` times `factor`."""
+        """Return the sum of this form and `other` times `factor`."""
         addend = other.times(factor)
         offset = plus(self.offset, addend.offset)
         return StraightForm(self.speed + addend.speed, self.angle + addend.angle, offset)
 
     def times(self, factor: float) -> StraightForm:
-        """Return the product with a number."""
+        """Return this form times a factor."""
         offset = times(Constant(factor), self.offset)
         return StraightForm(self.speed * factor, self.angle * factor, offset)
 
 
 def straight(tree: Tree) -> StraightForm | None:  # noqa: PLR0911 - a table
-    """Return a tree as a linear form, if linear in speed and angle.
+    """Return a tree as a linear form in speed and angle, None if not linear.
 
     Examples
     --------

@@ -1,8 +1,8 @@
 """Checks of a scenario, its laws, points and formulas before the calculation.
 
 The path of a problem contains names, and numbers from 1: ``("controls", "FH")``, ``("torques",
-"out", 2)`` for the second of several laws, ``("shifts", 1, "to")``. Contradictory start speeds and
-other problems that only a calculation finds are reported by the calculation.
+"out", 2)`` for the second of several laws, ``("shifts", 1, "to")``. The calculation itself reports
+further problems, such as contradictory start speeds.
 """
 
 from __future__ import annotations
@@ -94,7 +94,7 @@ def scenario_problems(scenario: Scenario) -> Iterator[Problem]:
 
 
 def scenario_doubts(scenario: Scenario) -> Iterator[Problem]:
-    """Yield warnings and notes about a scenario, such as for a shift after the end."""
+    """Yield warnings and notes about a scenario, for example on a shift after the end."""
     case = scenario.case
     yield from bare_capacities(case)
     yield from cut_controls(scenario)
@@ -121,7 +121,7 @@ def scenario_doubts(scenario: Scenario) -> Iterator[Problem]:
 
 
 def _elastic_losses(case: Transmission) -> Iterator[Problem]:
-    """Yield a note on elastic mechanisms whose losses a run omits."""
+    """Yield a note on elastic mechanisms, whose losses a run leaves out."""
     lossy = [
         number
         for number, part in enumerate(case.mechanisms, 1)
@@ -207,7 +207,7 @@ def _of_controls(
 
 
 def _never_a_number(law: object, duration: float, path: Path) -> Iterator[Problem]:
-    """Yield a problem if a formula is infinite or NaN at all sampled times, speeds and angles."""
+    """Yield a problem if a formula is infinite or NaN at every sampled time, speed and angle."""
     if not isinstance(law, Formula) or law.seen or not 0 < duration < math.inf:
         return
     times = np.linspace(0.0, duration, _TRIED_TIMES)
@@ -222,7 +222,6 @@ def _never_a_number(law: object, duration: float, path: Path) -> Iterator[Proble
 
 
 def _of_capacity(control: Capacity, duration: float, path: Path) -> Iterator[Problem]:
-    """Yield the problems of a torque capacity over time, of a control or limit."""
     law, scale = control
     yield from of_range(scale, "a scale", (*path, "scale"))
     if isinstance(law, Points):
@@ -261,7 +260,7 @@ def _of_torques(scenario: Scenario) -> Iterator[Problem]:
 
 
 def _of_limits(scenario: Scenario) -> Iterator[Problem]:
-    """Yield the problems of torque limits: unknown or unsuitable springs, and negative torques."""
+    """Yield the problems of torque limits: unknown or unsuitable springs, negative torques."""
     springs = scenario.case.springs
     for number, limit in scenario.limits.items():
         if not 0 < number <= len(springs):
@@ -362,7 +361,7 @@ def _name(case: Transmission, link: int) -> Any:
 
 
 def _of_road(law: Road, path: Path) -> Iterator[Problem]:
-    """Yield the problems of a road: invalid numbers, or an ambiguous vehicle speed."""
+    """Yield the problems of a road: invalid numbers, or several vehicle speeds at a wheel speed."""
     problems = [
         *of_range(law.mass, "a mass", (*path, "mass"), above_0=True),
         *of_range(law.radius, "a radius", (*path, "radius"), above_0=True),
@@ -424,7 +423,7 @@ _Placed: TypeAlias = tuple[object, Sequence[str], Path, Sequence[str]]
 
 
 def _placed_formulas(scenario: Scenario) -> Iterator[_Placed]:
-    """Yield all values that can be formulas, with allowed variables, path, allowed functions."""
+    """Yield each value that can be a formula, with its allowed variables, path and functions."""
     case, elements = scenario.case, scenario.case.shift_elements
     seen = (*OF_MOTION, *OF_TORQUES)
     for number, control in (scenario.controls or {}).items():
@@ -444,7 +443,7 @@ def _placed_formulas(scenario: Scenario) -> Iterator[_Placed]:
 
 
 def _placed_curves(scenario: Scenario) -> Iterator[_Placed]:
-    """Yield limits, given speeds and given ratios, as `_placed_formulas` does."""
+    """Yield limits, given speeds and given speed ratios, with the items of `_placed_formulas`."""
     case = scenario.case
     for number, limit in scenario.limits.items():
         if 0 < number <= len(case.springs):
@@ -482,8 +481,8 @@ def of_formula(
 def of_points(points: Points, path: Path) -> Iterator[Problem]:
     """Yield the problems of a law by points.
 
-    Problems are missing points, unequal numbers of abscissas and ordinates, numbers that are not
-    finite, and abscissas out of order.
+    Problems are missing points, unequal numbers of abscissas and ordinates, infinite numbers or
+    NaN, and abscissas that decrease.
     """
     if not points.x or len(points.x) != len(points.y):
         yield Problem("E651", "expected at least one point, each of two numbers", path)
@@ -492,7 +491,7 @@ def of_points(points: Points, path: Path) -> Iterator[Problem]:
 
 
 def of_times(times: Sequence[float], path: Path) -> Iterator[Problem]:
-    """Yield the problems of times: no times, times that are not finite, or times out of order."""
+    """Yield the problems of times, such as missing, infinite or decreasing times."""
     if not times:
         yield Problem("E652", "read no times, expected at least one", path)
     yield from of_finite(times, "a time", path)

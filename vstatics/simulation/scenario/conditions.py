@@ -17,7 +17,7 @@ from vstatics.simulation.scenario.formula import OF_EVENTS, Formula, Vocabulary,
 from vstatics.simulation.scenario.formula_code import Seen, seen_in
 
 _SIDES = {"<": "-", "<=": "-0", ">": "+", ">=": "+0", "==": "0="}
-"""Signs of left minus right side for which a comparison is true; `!=` is the negation of `==`."""
+"""Signs of the left minus the right side with which a comparison is true. `!=` negates `==`."""
 
 
 class StepCondition(NamedTuple):
@@ -42,7 +42,7 @@ class StepCondition(NamedTuple):
         return tuple(self.formula._replace(tree=difference) for difference in compared)
 
     def holds(self, sides: Sequence[str], happened: Callable[[Seen], bool]) -> bool:
-        """Return whether the condition is true, given the signs of all comparisons.
+        """Return whether the condition is true for the signs of all its comparisons.
 
         Parameters
         ----------
@@ -50,7 +50,7 @@ class StepCondition(NamedTuple):
             Sign of the difference of each comparison from now on: `-`, `+`, or `0` if it stays 0.
             An additional `=` means that the difference is 0 at this instant, so that `==` is true.
         happened : callable
-            Function that returns whether an event has happened, such as ``locks('C')``.
+            Function that returns whether an event such as ``locks('C')`` has happened.
         """
         remaining = iter(sides)
 
@@ -65,7 +65,7 @@ class StepCondition(NamedTuple):
             if _compares(part):
                 signs = next(remaining) if passing else next(remaining).removesuffix("=")
                 return not {*signs}.isdisjoint(_SIDES[part.name])
-            # No operand is skipped, because each takes its sides from the iterator.
+            # Every operand is evaluated, because each takes its signs from the iterator.
             parts = [true(operand, passing) for operand in part.operands]
             return all(parts) if part.name == "and" else any(parts)
 
@@ -106,7 +106,6 @@ def _speed(written: str, at: int) -> Constant | None:
 
 
 def _with_wheel_speeds(tree: Any, turning: Mapping[str, Callable[[float], float]]) -> Any:
-    """Return a condition with wheel speeds instead of vehicle speeds."""
     if not isinstance(tree, Applied):
         return tree
     if not _compares(tree):
@@ -135,7 +134,7 @@ def _signed(side: Tree) -> Tree:
 
 
 def _of_wheel(side: Any, turning: Callable[[float], float]) -> Any:
-    """Return a side of a comparison; a vehicle speed becomes a wheel speed of equal sign."""
+    """Return a side of a comparison, with a wheel speed instead of a vehicle speed."""
     if isinstance(side, Velocity):
         return Constant(turning(side.value))
     if isinstance(side, Applied) and isinstance(_signed(side), Velocity):
@@ -182,7 +181,7 @@ def _compares(part: Tree) -> bool:
 
 
 def _parts(tree: Tree) -> Iterator[Tree]:
-    """Yield a condition and all operands, through `and`, `or` and `not`, from left to right."""
+    """Yield a condition and all its operands, through `and`, `or` and `not`, from left to right."""
     yield tree
     if isinstance(tree, Applied) and tree.name in _JOINS:
         for operand in tree.operands:

@@ -62,7 +62,7 @@ def of_range(value: float, what: str, path: Path, *, above_0: bool = False) -> I
 def ascending(
     values: Sequence[float], expected: str, path: Path, *, strictly: bool = False
 ) -> Iterator[Problem]:
-    """Yield a problem for the first number below, or if `strictly` not above, the number before."""
+    """Yield a problem for the first number below its predecessor, or equal to it if `strictly`."""
     for number, (before, after) in enumerate(pairwise(values), 2):
         if after < before or (strictly and after == before):
             yield Problem(

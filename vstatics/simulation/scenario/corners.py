@@ -1,4 +1,4 @@
-"""Corners (bends and jumps) of a formula along one of its variables, and the pieces between.
+"""Corners (bends and jumps) of a formula along a variable, and the pieces between them.
 
 A comparison, ``abs``, ``sign``, ``min`` or ``max`` of polynomials bends or jumps where the
 polynomials are equal. A piecewise polynomial, such as ``abs(speed)``, is a polynomial between two
@@ -25,20 +25,19 @@ from vstatics.simulation.scenario.formula_code import PI
 from vstatics.simulation.scenario.table_call import TableCall
 
 MOST_BREAKS = 1000
-"""Largest number of corners of a formula; if there are more, all corners are ignored."""
 
 COMPARES = frozenset(("<", "<=", ">", ">=", "==", "!="))
 JUMPS = COMPARES | {"sign"}
 BENDS = frozenset(("abs", "min", "max"))
 ENDS = BENDS | {"sqrt"}
-"""Functions that bend, and `sqrt`, which is undefined for arguments below 0."""
+"""Functions whose corners `crossings` searches: functions that bend, and the start of `sqrt`."""
 
 
 _MOST_DEGREE = 8
-"""Highest degree of polynomials whose corners are found."""
+"""Highest degree of the polynomials whose corners are searched."""
 
 Polynomial: TypeAlias = tuple[float, ...]
-"""Coefficients of 1, x, x^2, ...; the last of several coefficients is not 0."""
+"""Coefficients of 1, x, x^2, ...; the last is not 0 unless it is the only coefficient."""
 
 
 def value_at(polynomial: Polynomial, x: float) -> float:
@@ -47,9 +46,9 @@ def value_at(polynomial: Polynomial, x: float) -> float:
 
 
 def corners(tree: Tree, name: str) -> dict[float, bool]:
-    """Find the corners along a variable, in order; the value is True if a jump is possible.
+    """Find the corners along a variable: position, in order -> True if a jump is possible.
 
-    Corners of functions other than polynomials are not found.
+    Only corners of piecewise polynomials are found.
 
     Examples
     --------
@@ -64,7 +63,7 @@ def corners(tree: Tree, name: str) -> dict[float, bool]:
     while waiting:
         low, high = waiting.pop()
         meetings: list[tuple[float, bool]] = []
-        _polynomial(tree, name, _inside(low, high), meetings)
+        _polynomial(tree, name, _number_between(low, high), meetings)
         within = [
             (place, jumps)
             for place, jumps in meetings
@@ -73,7 +72,7 @@ def corners(tree: Tree, name: str) -> dict[float, bool]:
         bends = {place for place, jumps in within if not jumps}.difference(known)
         fresh = sorted(bends or {place for place, _ in within}.difference(known))
         for place, jumps in within:
-            if place in known or place in fresh:  # other corners can vanish beyond a bend
+            if place in known or place in fresh:  # beyond a new bend, other corners can vanish
                 known[place] = known.get(place, False) or jumps
         if len(known) > MOST_BREAKS:
             return {}
@@ -82,15 +81,14 @@ def corners(tree: Tree, name: str) -> dict[float, bool]:
     return dict(sorted(known.items()))
 
 
-def _inside(low: float, high: float) -> float:
-    """Return a number between two numbers, which can be infinite."""
+def _number_between(low: float, high: float) -> float:
     if math.isinf(low):
         return 0.0 if math.isinf(high) else high - max(1.0, abs(high))
     return low + max(1.0, abs(low)) if math.isinf(high) else low / 2 + high / 2
 
 
 def between(tree: Tree, name: str, low: float, high: float) -> Tree:
-    """Restrict a formula to the range between two neighbouring jumps; comparisons become numbers.
+    """Restrict a formula to the range between neighbouring jumps; comparisons become numbers.
 
     Examples
     --------
@@ -100,14 +98,14 @@ def between(tree: Tree, name: str, low: float, high: float) -> Tree:
     >>> [between(tree, "t", *ends).operands[1] for ends in ((-math.inf, 2.0), (2.0, math.inf))]
     [Constant(value=1.0), Constant(value=0.0)]
     """
-    decided: Tree = _decided(tree, name, _inside(low, high))
+    decided: Tree = _decided(tree, name, _number_between(low, high))
     return decided
 
 
 def _decided(tree: Any, name: str, at: float, *, inside: bool = False) -> Any:
-    """Simplify a tree near a value of the variable: comparisons and `sign` become numbers.
+    """Simplify a tree near a value of its variable: comparisons and `sign` become numbers.
 
-    Within other comparisons, `abs`, `min` and `max` are replaced by the operand that they equal.
+    Inside comparisons that stay, `abs`, `min` and `max` become the operand that they equal.
     """
     if not isinstance(tree, Applied):
         return tree
@@ -132,7 +130,7 @@ def is_polynomial(tree: Tree) -> bool:
 def _polynomial(
     tree: Any, name: str, at: float, met: list[tuple[float, bool]]
 ) -> Polynomial | None:
-    """Return a tree as a polynomial near a value of the variable; append corners to `met`."""
+    """Return a tree as a polynomial near a value of its variable, and append corners to `met`."""
     if not isinstance(tree, Applied):
         return _of_operand(tree, name)
     inner: list[tuple[float, bool]] = []
@@ -175,7 +173,7 @@ def _of_table(
     at: float,
     met: list[tuple[float, bool]],
 ) -> Polynomial | None:
-    """Return a table of a single argument as a straight line between two breakpoints."""
+    """Return a table with a single argument as the straight line between two breakpoints."""
     [inner, *others] = operands
     if others or inner is None:
         return None
@@ -191,14 +189,13 @@ def _picked(
     values: Sequence[float],
     minus: Callable[[Any], Any] = lambda operand: Applied("-x", (operand,), 0, 0),
 ) -> Any:
-    """Return the possibly negated operand that `abs`, `min` or `max` equals at given values."""
+    """Return the operand, negated if necessary, that `abs`, `min` or `max` equals."""
     if tree.name == "abs":
         return minus(operands[0]) if values[0] < 0 else operands[0]
     return operands[values.index((min if tree.name == "min" else max)(values))]
 
 
 def _roots(polynomial: Polynomial) -> Iterator[float]:
-    """Yield the real roots of a polynomial."""
     if len(polynomial) == 2:
         yield -polynomial[0] / polynomial[1]
     elif len(polynomial) > 2 and all(map(math.isfinite, polynomial)):
@@ -208,7 +205,6 @@ def _roots(polynomial: Polynomial) -> Iterator[float]:
 
 
 def _sum(polynomial: Polynomial, other: Polynomial, factor: float = 1.0) -> Polynomial:
-    """Return the sum of a polynomial and a second polynomial times a factor."""
     coefficients = [a + factor * b for a, b in zip_longest(polynomial, other, fillvalue=0.0)]
     while len(coefficients) > 1 and not coefficients[-1]:
         coefficients.pop()
@@ -226,7 +222,7 @@ def _product(left: Polynomial, right: Polynomial) -> Polynomial | None:
 
 
 def _applied(name: str, operands: Sequence[Polynomial]) -> Polynomial | None:  # noqa: PLR0911 - a table
-    """Return the result of an operation on polynomials, provided the result is a polynomial."""
+    """Return an operation on polynomials as a polynomial, or None if it is not a polynomial."""
     first, second = operands[0], operands[-1]
     match name:
         case "-x":

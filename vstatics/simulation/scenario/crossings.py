@@ -1,6 +1,6 @@
 """Comparisons in formulas, and the times at which compared functions of time become equal.
 
-Module `corners` finds these times for polynomials, this module for other functions.
+Module `corners` finds these times for polynomials, this module for other functions of time.
 """
 
 from __future__ import annotations
@@ -34,11 +34,11 @@ class MeetingParts(NamedTuple):
 
 
 Pairs: TypeAlias = list[MeetingParts]
-"""Pairs with a common first term; the second terms ascend."""
+"""Pairs with a common first term, and second terms in ascending order."""
 
 
 def met(tree: Tree) -> Iterator[Pairs]:
-    """Yield the pairs of terms that a formula compares, explicitly or as functions and tables."""
+    """Yield the pairs of terms that the comparisons, functions and tables of a formula compare."""
     for part in parts(tree):
         if isinstance(part, Applied) and part.name in ENDS | JUMPS:
             operands = (*part.operands, Constant(0.0)) if len(part.operands) == 1 else part.operands
@@ -48,7 +48,7 @@ def met(tree: Tree) -> Iterator[Pairs]:
 
 
 def asked(tree: Tree) -> Iterator[Pairs]:
-    """Yield the pairs of each argument of a lookup table with all breakpoints, ascending."""
+    """Yield, for each argument of a lookup table, its pairs with all breakpoints in order."""
     for part in parts(tree):
         if isinstance(part, Applied) and isinstance(part.name, TableCall):
             table = part.name.table
@@ -58,10 +58,11 @@ def asked(tree: Tree) -> Iterator[Pairs]:
 
 @lru_cache(maxsize=256)
 def crossings(tree: Tree, until: float) -> tuple[float, ...]:
-    """Find the times at which functions of time other than polynomials make a formula bend or jump.
+    """Find the times at which functions of time, except polynomials, make a formula bend or jump.
 
-    If a function of time is compared with a quantity of the motion, the result contains its
-    extremes: between two extremes it is monotonic, so integration steps cannot miss a crossing.
+    If a function of time is compared with a quantity of the motion, the result contains the
+    extremes of the function. Between two extremes it is monotonic, so integration steps cannot miss
+    a crossing.
 
     Parameters
     ----------
@@ -97,7 +98,7 @@ def crossings(tree: Tree, until: float) -> tuple[float, ...]:
 
 
 def _timed(tree: Any) -> Iterator[Tree]:
-    """Yield the largest parts of a tree that depend on the time alone."""
+    """Yield the largest subtrees that depend on time alone."""
     names = variables(tree)
     if names == {"t"}:
         yield tree

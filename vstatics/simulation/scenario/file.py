@@ -52,30 +52,30 @@ _OTHERS = {
 
 
 class ScenarioFile(NamedTuple):
-    """Scenario that was read, with the positions of all parts in the document."""
+    """Scenario read from a document, with the position of every value in the document."""
 
     scenario: Scenario
     name: str
     """Value of the key `name`; empty without the key."""
     description: str
     samples: AnyMapping[str, Distribution]
-    """Distributions of random numbers, by the paths of the numbers."""
+    """Distributions of random numbers, by the path of each number in the scenario."""
     reading: Reading
-    """Case as read, with warnings."""
+    """Case as read, with its warnings."""
     spots: Spots
 
     def allowing(self, ids: Sequence[str]) -> ScenarioFile:
-        """Return the scenario with additional suppressed messages."""
+        """Return the scenario with more messages suppressed."""
         reading = self.reading.allowing(ids)
         return self._replace(reading=reading, scenario=self.scenario._replace(case=reading.case))
 
     def locate(self, problem: Problem) -> Problem:
-        """Return a problem of the scenario or case with the position in the document."""
+        """Return a problem of the scenario or the case with its position in the document."""
         return located(problem, self.spots, self.reading)
 
     @property
     def input_speeds(self) -> tuple[float, ...]:
-        """Magnitudes of input speeds: at the start, and in torque laws over speed [rpm]."""
+        """Magnitudes of the input speeds at the start and in torque laws over speed [rpm]."""
         entry, start = self.scenario.case.input, self.scenario.start
         speeds = [start.speed, start.speeds.get(entry, 0.0)]
         for link, law in self.scenario.torques:
@@ -92,7 +92,7 @@ class ScenarioDocument(NamedTuple):
 
     @property
     def case_file(self) -> str:
-        """Path of the case file, relative to the folder of the scenario; empty if not named."""
+        """Path of the case file, including the folder of the scenario; empty if not named."""
         node = self._case_node
         if not isinstance(node, Scalar) or is_null(node) or not node.text:
             return ""
@@ -104,13 +104,13 @@ class ScenarioDocument(NamedTuple):
         return next((value for key, value in self.root.entries if key.text == "case"), None)
 
     def no_case(self, reason: str) -> ReadError:
-        """Return an error about the case, at the position of the key `case`."""
+        """Return an error about the case, located at the key `case`."""
         node = self._case_node or self.root
         place = self.decoded.source.place(node.line, node.column)
         return ReadError([Problem("E660", reason, ("case",), place)])
 
     def refuse_foreign(self, data: bytes, name: str) -> None:
-        """Reject a file that is not a case, so that messages do not show the content.
+        """Reject a file that is not a case, so that messages do not show its content.
 
         Raises
         ------
@@ -121,7 +121,7 @@ class ScenarioDocument(NamedTuple):
             raise self.no_case(f"{name} is not a case: it has no key of a case")
 
     def with_case(self, reading: Reading) -> ScenarioFile:
-        """Return the scenario on a case.
+        """Return the scenario for a case.
 
         Raises
         ------
@@ -169,7 +169,7 @@ class ScenarioDocument(NamedTuple):
         )
 
     def _words(self, case: Transmission) -> Vocabulary:
-        """Return the names that formulas can use; faults are reported later."""
+        """Return the names that formulas can use; `with_case` reports faults later."""
         walk = Walk(Spots(DocumentText(self.decoded.source)))
         nodes = {key.text: value for key, value in self.root.entries}
 
@@ -192,7 +192,7 @@ class ScenarioDocument(NamedTuple):
 
 
 def read_scenario(data: bytes, file: str) -> ScenarioDocument:
-    """Read a scenario as far as is possible without the case.
+    """Read a scenario document, as far as possible without the case.
 
     Parameters
     ----------
@@ -211,7 +211,7 @@ def read_scenario(data: bytes, file: str) -> ScenarioDocument:
     >>> read_scenario(b"{case: box.yaml, duration: 6}", "shifts/up.yaml").case_file
     'shifts/box.yaml'
     """
-    from vstatics.core.readers.named.yaml_nodes import yaml_tree  # slow import
+    from vstatics.core.readers.named.yaml_nodes import yaml_tree  # import is slow
 
     decoded = decode(data, file, "a scenario")
     root = yaml_tree(decoded)
@@ -274,12 +274,12 @@ def case_bytes(document: ScenarioDocument, case: str | None = None) -> tuple[byt
 
 
 def load_document(file: str) -> Scenario:
-    """Return a shipped scenario, including the case."""
+    """Return a shipped scenario with its case."""
     return load_scenario_file(file).scenario
 
 
 def document_problems(data: bytes, file: str) -> list[Problem]:
-    """Return warnings and notes about a scenario and case.
+    """Return warnings and notes about a scenario and its case.
 
     Raises
     ------
@@ -294,7 +294,7 @@ def document_problems(data: bytes, file: str) -> list[Problem]:
 
 @refusing()
 def load_scenario(source: FileOrStream, case: FileOrStream | None = None) -> Scenario:
-    """Read a scenario in YAML or JSON, and the case.
+    """Read a scenario in YAML or JSON, and its case.
 
     Parameters
     ----------
@@ -332,7 +332,7 @@ def load_scenario(source: FileOrStream, case: FileOrStream | None = None) -> Sce
 
 
 def located(problem: Problem, spots: Spots, reading: Reading) -> Problem:
-    """Return a problem with a position, in the case for a path that begins with `case`."""
+    """Return a problem with its position, in the case if its path begins with `case`."""
     if problem.place is not None:
         return problem
     whole = spots.place(())._replace(line=0, column=0, text="")
@@ -349,7 +349,7 @@ def located(problem: Problem, spots: Spots, reading: Reading) -> Problem:
 
 
 def _own_path(path: Path, case: Transmission, spots: Spots) -> Path:
-    """Convert names of links and components in a path to numbers."""
+    """Return a path with numbers instead of the names of links and components."""
     named = 2 if path[0] == "start" and path[1:2] != ("engaged",) else 1
     if len(path) <= named:
         return path
@@ -371,7 +371,7 @@ def _own_path(path: Path, case: Transmission, spots: Spots) -> Path:
 
 
 def _own_step(path: Path, spots: Spots) -> Path:
-    """Convert a path into a sequence step; the list of steps can be under the key `steps`."""
+    """Return the path of a sequence step; the list of steps can be under the key `steps`."""
     step, remainder = path[:2], path[2:]
     step = (*step, "steps") if spots.has((*step, "steps")) else step
     step, remainder = (*step, remainder[0]), remainder[1:]
@@ -386,7 +386,7 @@ def _own_step(path: Path, spots: Spots) -> Path:
 
 
 def _names(key: Any, case: Transmission, spots: Spots) -> dict[str, int]:
-    """Return the numbers of links or components, by name, to which a key of a scenario refers."""
+    """Return the numbers, by name, of the links or components under a key of a scenario."""
     names = {
         "controls": [element.name for element in case.shift_elements],
         "speed_ratios": [mechanism.name for mechanism in case.mechanisms],

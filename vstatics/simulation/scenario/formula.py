@@ -36,7 +36,7 @@ from vstatics.simulation.scenario.surfaces import JumpSurface, on_side, surfaces
 from vstatics.simulation.scenario.table_call import TableCall
 
 Quantity = Callable[[str, int], Constant | None]
-"""Function that reads a number with a known unit, if any, at a position in a text."""
+"""Function from position and text to a number with a known unit, or None."""
 SHORT_SPEED = "w"
 """Short name, in formulas, of the signed speed of the link on which the formula acts."""
 OF_MOTION = ("speed", "angle", "slip", "twist", "temperature")
@@ -49,7 +49,7 @@ _OF_NAMES = (*OF_MOTION, *OF_TORQUES, *OF_EVENTS)
 
 
 class Vocabulary(NamedTuple):
-    """Names that the formulas of a scenario can use in addition to t, speed and angle."""
+    """Names that formulas of a scenario can use in addition to t, speed and angle."""
 
     rows: Mapping[str, Collection[str]] = MappingProxyType({})
     """Function of the motion -> possible arguments: `slip` -> names of shift elements."""
@@ -59,7 +59,7 @@ class Vocabulary(NamedTuple):
     tables: Mapping[str, LookupTable] = MappingProxyType({})
 
     def only(self, *words: str) -> Vocabulary:
-        """Return the vocabulary with only some functions of the motion."""
+        """Return the vocabulary restricted to some functions of the motion."""
         return self._replace(rows={word: self.rows[word] for word in words if word in self.rows})
 
 
@@ -67,9 +67,9 @@ NO_WORDS = Vocabulary()
 
 
 class Formula(NamedTuple):
-    """Formula of t [s], and of speed (or w) [rad/s] and angle [rad] of a link.
+    """Formula of time t [s], and of speed (or w) [rad/s] and angle [rad] of a link.
 
-    A formula can also read other quantities of the transmission, such as slips (`seen`).
+    A formula can also read other quantities of the transmission, such as slips; see `seen`.
 
     Examples
     --------
@@ -82,11 +82,11 @@ class Formula(NamedTuple):
 
     text: str
     tree: Tree | None = None
-    """Tree that replaces the text, for a derived formula such as a derivative."""
+    """Tree that replaces the text of a derived formula, such as a derivative."""
 
     @property
     def seen(self) -> tuple[Seen, ...]:
-        """Other quantities in the formula, in the order of the arguments of `function`.
+        """Other quantities that the formula reads, in the order of arguments of `function`.
 
         >>> Formula("100*(slip('C') > 2) + p").seen
         (Seen(word='slip', of='C'), Seen(word='value', of='p'))
@@ -95,11 +95,11 @@ class Formula(NamedTuple):
 
     @property
     def whole(self) -> Tree:
-        """Tree of operations: `tree` if given, otherwise the tree of the text."""
+        """Tree of operations: `tree`, or else the tree of the text."""
         return _read(*self).tree
 
     def knowing(self, numbers: Mapping[str, float]) -> Formula:
-        """Return the formula with numbers instead of names.
+        """Return the formula with named numbers replaced by their values.
 
         >>> Formula("p*t").knowing({"p": 3.0}).function(2.0, 0.0, 0.0)
         6.0
@@ -110,7 +110,7 @@ class Formula(NamedTuple):
 
     @property
     def variables(self) -> frozenset[str]:
-        """Variables of the formula: a subset of t, speed and angle.
+        """Variables in the formula: a subset of t, speed and angle.
 
         Raises
         ------
@@ -147,7 +147,7 @@ class Formula(NamedTuple):
 
     @property
     def breaks(self) -> tuple[float, ...]:
-        """Times of bends and jumps where polynomials of the time are compared [s].
+        """Times at which polynomials of time make the formula bend or jump [s].
 
         Raises
         ------
@@ -157,11 +157,11 @@ class Formula(NamedTuple):
         return _read(*self).breaks
 
     def crossings(self, until: float) -> tuple[float, ...]:
-        """Return the times of bends and jumps that `breaks` does not contain, up to a time [s]."""
+        """Return the other times, up to `until` [s], at which the formula bends or jumps."""
         return crossings(self.whole, until)
 
     def jumps(self, name: str) -> tuple[float, ...]:
-        """Return the values of `speed` or `angle` at which compared polynomials make a jump.
+        """Return the values of `speed` or `angle` at which the formula jumps, between polynomials.
 
         >>> Formula("100*(abs(speed) < 300)").jumps("speed")
         (-300.0, 300.0)
@@ -174,7 +174,7 @@ class Formula(NamedTuple):
 
     @property
     def surfaces(self) -> dict[JumpSurface, str]:
-        """Moving jumps, each with the side (`+`, `-`) to which the value at the jump belongs."""
+        """Moving jumps -> side (`+` or `-`) to which the value at the jump belongs."""
         return surfaces(self.whole)
 
     def on_side(self, surface: JumpSurface, side: float) -> Formula:
@@ -193,12 +193,12 @@ class Formula(NamedTuple):
 
     @property
     def switches(self) -> bool:
-        """True if the formula compares, or takes the sign of, anything but the time."""
+        """True if the formula compares, or takes the sign of, something other than time."""
         return _read(*self).switches
 
     @property
     def along(self) -> Callable[..., Floats]:
-        """Function for an array of times; further arguments of `function` can be arrays, too."""
+        """Function for an array of times; all arguments of `function` can be arrays."""
         return _read(*self).along
 
 
@@ -269,7 +269,6 @@ def _with_speed(tree: Any) -> Any:
 
 
 def _with_tables(tree: Any, tables: Mapping[str, LookupTable]) -> Any:
-    """Return the tree with lookup tables in the calls of tables."""
     if not isinstance(tree, Applied):
         return tree
     name = tree.name if tree.name not in tables else TableCall(tree.name, tables[tree.name])
@@ -279,7 +278,6 @@ def _with_tables(tree: Any, tables: Mapping[str, LookupTable]) -> Any:
 
 
 def _check_operands(part: Applied, words: Vocabulary, source: Excerpt) -> None:
-    """Reject a function or table with a wrong number of arguments."""
     count, name = len(part.operands), part.name
     if name in words.tables:
         wanted = words.tables[name].variables
@@ -323,7 +321,7 @@ def _check_name(
 
 
 def _check_row(part: TableName, rows: Collection[str], source: Excerpt) -> None:
-    """Reject a link or component that does not exist, as in `slip('X')`."""
+    """Reject the name of an unknown link or component, as in `slip('X')`."""
     [row] = part.subscripts
     seen = seen_in(part)
     assert seen is not None  # noqa: S101 - it has a row
@@ -337,7 +335,7 @@ def _check_row(part: TableName, rows: Collection[str], source: Excerpt) -> None:
 
 
 class _Read(NamedTuple):
-    """Properties derived from the text or tree of a formula."""
+    """Properties of a formula, derived from its text or tree."""
 
     variables: frozenset[str]
     seen: tuple[Seen, ...]
@@ -372,7 +370,6 @@ def _read(text: str, tree: Tree | None) -> _Read:
 
 
 def _with_numbers(tree: Any, numbers: Mapping[str, float]) -> Any:
-    """Return the tree with numbers instead of names."""
     if isinstance(tree, Applied):
         operands = tuple(_with_numbers(operand, numbers) for operand in tree.operands)
         return tree._replace(operands=operands)

@@ -1,8 +1,8 @@
 """Compilation of the tree of a formula to a fast Python function.
 
-A Python syntax tree is built part by part from the checked tree of the formula, so the text itself
-is never executed. Where Python raises an error (``1/0``, ``exp(1000)``), the formula is evaluated
-again by the rules of NumPy, as in a sweep, and the result is infinite or NaN.
+A Python syntax tree is built from the checked tree of the formula, so the text itself is never
+executed. Where Python raises an error (``1/0``, ``exp(1000)``), the formula is evaluated again by
+the rules of NumPy. The result is then infinite or NaN, as in a sweep.
 """
 
 from __future__ import annotations
@@ -26,11 +26,11 @@ from vstatics.simulation.scenario.table_call import TableCall
 VARIABLES = ("t", "speed", "angle")
 PI = "pi"
 Function: TypeAlias = Callable[..., float]
-"""Function of t, speed and angle, and then of further quantities in the formula (`Seen`)."""
+"""Function of t, speed and angle, and then of the other quantities that a formula reads."""
 
 
 class Seen(NamedTuple):
-    """Quantity in a formula other than time, and speed and angle of the link with the formula."""
+    """Quantity that a formula reads, other than time and the speed and angle of its link."""
 
     word: str
     """Function of the motion, such as `speed` or `slip`; `value` for a state or setting."""
@@ -39,7 +39,7 @@ class Seen(NamedTuple):
 
 
 def seen_in(part: TableName) -> Seen | None:
-    """Return the quantity that a name in a formula means, except for `VARIABLES` and pi."""
+    """Return the quantity that a name in a formula means; None for `VARIABLES` and pi."""
     if part.subscripts:
         return Seen(part.name, part.subscripts[0].written[1:-1])
     return None if part.name in (*VARIABLES, PI) else Seen("value", part.name)
@@ -50,7 +50,7 @@ def _sign(value: float) -> float:
 
 
 def _truth(value: float) -> bool:
-    """Return whether a number counts as true, as in a sweep: finite and not 0."""
+    """Return whether a number is true, which means finite and not 0."""
     return value != 0 and math.isfinite(value)
 
 
@@ -64,6 +64,8 @@ _PLAIN: Mapping[str, Callable[..., Any]] = {
     "sin": math.sin,
     "cos": math.cos,
     "sign": _sign,
+    "log": math.log,
+    "atan": math.atan,
 }
 _BROAD: Mapping[str, Callable[..., Any]] = {
     "abs": np.abs,
@@ -75,6 +77,8 @@ _BROAD: Mapping[str, Callable[..., Any]] = {
     "sin": np.sin,
     "cos": np.cos,
     "sign": np.sign,
+    "log": np.log,
+    "atan": np.arctan,
     "pow": np.power,
     "number": lambda condition: np.asarray(condition, float),
     "truth": lambda values: np.isfinite(values) & (np.asarray(values) != 0),
@@ -113,7 +117,7 @@ def compiled(tree: Tree, seen: Sequence[Seen] = ()) -> Function:
     >>> function(0.0, 0.0, 0.0), function(1e6, 0.0, 0.0)
     (0.5, 0.0)
     """
-    functions = {**_PLAIN, **{name: table.at for name, table in _tables(tree).items()}}
+    functions = {**_PLAIN, **{name: table.at for name, table in _called_tables(tree).items()}}
     plain: Function = _evaluated(tree, functions, seen, is_broad=False)
 
     def function(*known: float) -> float:
@@ -139,14 +143,14 @@ def compiled_along(tree: Tree, seen: Sequence[Seen] = ()) -> Callable[..., Float
     >>> compiled_along(tree)(np.array([1.0, 2.0, 3.0]), np.array([2.0, 2.0, 0.0]), 0.0)
     array([2., 3., 0.])
     """
-    functions = {**_BROAD, **{name: table.along for name, table in _tables(tree).items()}}
+    functions = {**_BROAD, **{name: table.along for name, table in _called_tables(tree).items()}}
     broad = _evaluated(tree, functions, seen, is_broad=True)
 
     def function(times: Floats, *known: Floats | float) -> Floats:
         with np.errstate(all="ignore"):
             try:
                 values = broad(times, *known)
-            except (ArithmeticError, ValueError):  # only constants, such as 1/0, raise
+            except (ArithmeticError, ValueError):  # only constants raise, such as 1/0
                 shaped = [np.reshape(value, (-1, 1, 1)) for value in (times, *known)]
                 values = _as_arrays(tree, shaped, seen).reshape(-1)
         result: Floats = np.empty(times.shape)
@@ -156,12 +160,11 @@ def compiled_along(tree: Tree, seen: Sequence[Seen] = ()) -> Callable[..., Float
     return function
 
 
-def _tables(tree: Any) -> dict[str, LookupTable]:
-    """Return the lookup tables that a tree calls, by name."""
+def _called_tables(tree: Any) -> dict[str, LookupTable]:
     if not isinstance(tree, Applied):
         return {}
     called = {str(tree.name): tree.name.table} if isinstance(tree.name, TableCall) else {}
-    return reduce(operator.or_, map(_tables, tree.operands), called)
+    return reduce(operator.or_, map(_called_tables, tree.operands), called)
 
 
 def _as_arrays(tree: Tree, known: Sequence[Floats], seen: Sequence[Seen]) -> Floats:
@@ -182,7 +185,7 @@ def _as_arrays(tree: Tree, known: Sequence[Floats], seen: Sequence[Seen]) -> Flo
 
 
 class _CodeWriter:
-    """Writer of the Python syntax tree of a formula; `is_broad` means arrays instead of floats."""
+    """Writer of the Python syntax tree of a formula, for arrays if `is_broad`, otherwise floats."""
 
     def __init__(self, seen: Sequence[Seen], *, is_broad: bool) -> None:
         self.is_broad = is_broad
@@ -190,7 +193,7 @@ class _CodeWriter:
         self.names |= {argument: f"seen_{number}" for number, argument in enumerate(seen)}
 
     def number(self, tree: Any) -> ast.expr:
-        """Return the Python expression for the numerical value of a part of the formula."""
+        """Return the Python expression for the numerical value of a subtree."""
         if isinstance(tree, Applied):
             if _is_truth(tree):
                 return _call("number", self.condition(tree))
@@ -202,7 +205,7 @@ class _CodeWriter:
         return ast.Name(self.names[seen_in(tree) or tree.name], ast.Load())
 
     def operation(self, tree: Applied, operands: list[ast.expr]) -> ast.expr:
-        """Return the Python expression for an operator or function applied to operands."""
+        """Return the Python expression for an operator or function and its operands."""
         if tree.name == "-x":
             return ast.UnaryOp(ast.USub(), operands[0])
         if tree.name == "**":
@@ -217,7 +220,7 @@ class _CodeWriter:
         return _call(str(tree.name), *operands)
 
     def condition(self, tree: Any) -> ast.expr:
-        """Return the Python expression for the truth value of a part of the formula."""
+        """Return the Python expression for the truth value of a subtree."""
         if not _is_truth(tree):
             return _call("truth", self.number(tree))
         if tree.name in _COMPARISONS:
@@ -238,7 +241,7 @@ def _evaluated(
     *,
     is_broad: bool,
 ) -> Any:
-    """Compile a tree to a function of the variables and of `seen`."""
+    """Compile a tree to a function of `VARIABLES` and of the quantities `seen`."""
     writer = _CodeWriter(seen, is_broad=is_broad)
     arguments = [ast.arg(name) for name in writer.names.values()]
     signature = ast.arguments([], arguments, None, [], [], None, [])

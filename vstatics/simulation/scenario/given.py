@@ -1,8 +1,8 @@
 """Values in the document of a scenario, before the case determines their units.
 
-Numbers carry their unit, since the expected quantity can depend on the case: a pressure if a shift
-element has friction, a velocity if a link has a road. `values` builds the parts of a scenario from
-these values.
+Numbers carry their unit, because the case can determine the expected quantity: a pressure if a
+shift element has friction, a velocity if a link has a road. `values` builds a scenario from these
+values.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from vstatics.simulation.scenario.laws import Road
 
 
 class GivenControl(NamedTuple):
-    """Control of a shift element, given as a mapping."""
+    """Control of a shift element, as a mapping in the document."""
 
     points: Sequence[tuple[float, float]] | None = None
     formula: float | Formula | None = None
@@ -32,7 +32,7 @@ class GivenControl(NamedTuple):
 
 
 class GivenLaw(NamedTuple):
-    """Law of an outside torque, given as a mapping."""
+    """Law of an outside torque, as a mapping in the document."""
 
     over: str = "time"
     points: Sequence[tuple[float, float]] | None = None
@@ -42,7 +42,7 @@ class GivenLaw(NamedTuple):
 
 
 def exactly_one(*names: str, with_points: Sequence[str] = ()) -> Callable[..., str]:
-    """Return a check that a single key is given and some keys accompany `points` only."""
+    """Return a check that exactly one key is present, and some keys only together with `points`."""
 
     def fault(**values: Any) -> str:
         given = [name for name in names if values.get(name) is not None]
@@ -58,7 +58,7 @@ def exactly_one(*names: str, with_points: Sequence[str] = ()) -> Callable[..., s
 
 
 class GivenTable(NamedTuple):
-    """Lookup table for formulas, given as a mapping."""
+    """Lookup table for formulas, as a mapping in the document."""
 
     file: str = ""
     columns: Sequence[float] = ()
@@ -66,7 +66,7 @@ class GivenTable(NamedTuple):
 
 
 class GivenSteps(NamedTuple):
-    """Steps of a sequence, given as a mapping."""
+    """Steps of a sequence, as a mapping in the document."""
 
     steps: Sequence[Mapping[str, Any]] = ()
     repeat: bool = False
@@ -94,7 +94,7 @@ def curve(
     names: Sequence[str] = ("t",),
     unit: str = "",
 ) -> Parsed:
-    """Return the shape of a value that is a number, bare or with a unit, or a formula.
+    """Return the shape of a value that is a formula, or a number with or without a unit.
 
     Parameters
     ----------

@@ -1,7 +1,7 @@
 """Pieces of a torque law between its jumps over the speed or the angle of its link.
 
-Points jump where an abscissa repeats. Formulas jump at comparisons and `sign`: at a fixed speed or
-angle (`corners`), or at one that moves with time or angle (`surfaces`).
+Points jump where an abscissa repeats. Formulas jump at comparisons and at `sign`, where the speed
+or angle is fixed (`corners`) or moves with time or angle (`surfaces`).
 """
 
 from __future__ import annotations
@@ -15,11 +15,11 @@ from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Curve, Over, Points, constant
 
 _MOST_JUMPS = 100
-"""Largest number of fixed jumps of a formula; a formula with more jumps is not split."""
+"""Number of fixed jumps of a formula above which the formula is not split."""
 _ANYTHING = 0.7390851332151607
-"""Arbitrary value of other quantities in a formula, to compare two versions of the formula."""
+"""Arbitrary value for other quantities in a formula, to compare two versions of the formula."""
 _MOST_SURFACES = 4
-"""Largest number of moving jumps by which a formula is split, since there are 2^n combinations."""
+"""Number of moving jumps up to which a formula is split, as n jumps give 2^n combinations."""
 
 
 class LawJump(NamedTuple):
@@ -29,13 +29,13 @@ class LawJump(NamedTuple):
     at: Curve
     """Speed or angle of the jump. [rad/s or rad]"""
     side: str = "+"
-    """Side (`+` or `-`) to which the value right at the jump belongs."""
+    """Side of the jump (`+` or `-`) to which the value right at the jump belongs."""
     by_angle: float = 0.0
-    """Derivative of the speed of the jump with respect to the angle. [1/s]"""
+    """Derivative of the jump's speed with respect to the angle of the link. [1/s]"""
 
     @property
     def speed(self) -> Curve:
-        """Speed of a motion that slides along the jump, without the term in the angle [rad/s]."""
+        """Speed of a motion that slides along the jump, without its term in the angle [rad/s]."""
         return self.at if self.over == "speed" else curve_slope(self.at)
 
     @property
@@ -50,15 +50,15 @@ class LawJump(NamedTuple):
 
 
 class LawPiece(NamedTuple):
-    """Part of a torque law between neighbouring jumps."""
+    """Piece of a torque law between neighbouring jumps."""
 
     law: Points | Formula
     when: tuple[tuple[int, str], ...] = ()
-    """Indices of the adjacent jumps, each with the side (`+` or `-`) on which the piece holds."""
+    """Indices of the adjacent jumps, each with its side (`+` or `-`) on which the piece holds."""
 
 
 def split_at_jumps(law: Points | Formula) -> tuple[list[LawJump], list[LawPiece]]:
-    """Find the jumps of a law over speed or angle, and the pieces between jumps.
+    """Return the jumps of a law over speed or angle, and its pieces between them.
 
     Examples
     --------
@@ -113,7 +113,7 @@ def _between_surfaces(
         surfaces = {}
     numbers = []
     for (over, at, by_angle), side in surfaces.items():
-        jump = LawJump(over, _plain(law._replace(tree=at)), side, by_angle)
+        jump = LawJump(over, _constant_or_formula(law._replace(tree=at)), side, by_angle)
         if jump not in jumps:
             jumps.append(jump)
         numbers.append(jumps.index(jump))
@@ -121,7 +121,9 @@ def _between_surfaces(
         piece = law
         for surface, side in zip(surfaces, sides, strict=True):
             piece = piece.on_side(surface, 1.0 if side == "+" else -1.0)
-        yield LawPiece(_plain(piece), (*sides_at_jumps, *zip(numbers, sides, strict=True)))
+        yield LawPiece(
+            _constant_or_formula(piece), (*sides_at_jumps, *zip(numbers, sides, strict=True))
+        )
 
 
 def _jumps(law: Formula, over: Over, places: tuple[float, ...]) -> Iterator[LawJump]:
@@ -133,12 +135,11 @@ def _jumps(law: Formula, over: Over, places: tuple[float, ...]) -> Iterator[LawJ
 
 
 def _at(law: Formula, motion: tuple[float, float, float]) -> float:
-    """Return the value of a law, with an arbitrary value for quantities other than `motion`."""
+    """Return the value of a law; quantities other than `motion` have an arbitrary value."""
     return law.function(*motion, *[_ANYTHING] * len(law.seen))
 
 
-def _plain(formula: Formula) -> Points | Formula:
-    """Return a formula; a constant formula becomes a constant law."""
+def _constant_or_formula(formula: Formula) -> Points | Formula:
     if formula.variables or formula.seen:
         return formula
     return constant(formula.function(0.0, 0.0, 0.0))
@@ -147,7 +148,7 @@ def _plain(formula: Formula) -> Points | Formula:
 def curve_slope(curve: Curve) -> Curve:
     """Return the derivative of a curve with respect to time."""
     if isinstance(curve, Formula):
-        return _plain(curve.slope)
+        return _constant_or_formula(curve.slope)
     slopes = [curve.piece(number)[1] for number in range(len(curve.x) + 1)]
     if not any(slopes):
         return constant(0.0)
@@ -161,7 +162,7 @@ def _intervals(places: tuple[float, ...]) -> list[tuple[float, float]]:
 
 
 def _beside(first: int, count: int) -> list[tuple[tuple[int, str], ...]]:
-    """Return indices and sides of the jumps at both ends of each interval."""
+    """Return the adjacent jumps of each interval: index, and side on which the interval is."""
     return [
         tuple(
             (first + number, side)

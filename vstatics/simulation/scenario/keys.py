@@ -52,7 +52,7 @@ _ABOVE_0 = {"exclusiveMinimum": 0}
 
 
 def _points(x: Shape, y: Shape, names: str, what: str = "points") -> ListOf:
-    """Return the shape of a list of pairs such as points; equal pairs are allowed."""
+    """Return the shape of a list of pairs, such as points; a pair can be repeated."""
     return ListOf(RowOf((x, y), names), what, unique=False)
 
 
@@ -309,7 +309,7 @@ TABLE = ByForm(
 
 
 def named_numbers() -> tuple[KeyShape, ...]:
-    """Return the keys of named numbers and tables, which are read before all formulas."""
+    """Return the keys of named numbers and tables, which are read before any formula."""
     return (
         KeyShape(
             "numbers",
@@ -443,7 +443,7 @@ _EVALUATION_KEYS = (
 
 
 def scenario_shape(words: Vocabulary) -> ByKey:
-    """Return the keys of a scenario; formulas can use the names of a vocabulary."""
+    """Return the keys of a scenario whose formulas use the names of a vocabulary."""
     return ByKey(
         "Scenario",
         "Events and controls of a case over time; numbers without a unit are in SI units.",
@@ -458,7 +458,6 @@ def scenario_shape(words: Vocabulary) -> ByKey:
 
 
 def _keys_over_time(words: Vocabulary) -> tuple[KeyShape, ...]:
-    """Return the keys of capacities, torques, speeds, speed ratios and limits over time."""
     moving = words.only(*OF_MOTION)
     capacity = curve(
         "a capacity, or a formula of t", ["si_torque", "pressure"], moving, unit=TORQUE_UNIT
@@ -500,7 +499,6 @@ def _keys_over_time(words: Vocabulary) -> tuple[KeyShape, ...]:
 
 
 def _motion_keys(words: Vocabulary) -> tuple[KeyShape, ...]:
-    """Return the keys of speeds and speed ratios that are given over time."""
     timed = words.only()._replace(values=())
     speed = curve("a speed, or a formula of t", ["si_speed", "velocity"], timed, unit=SPEED_UNIT)
     ratio = curve("a speed ratio, or a formula of t", ["angle"], timed)
@@ -536,7 +534,6 @@ def _motion_keys(words: Vocabulary) -> tuple[KeyShape, ...]:
 
 
 def _control_keys(words: Vocabulary) -> tuple[KeyShape, ...]:
-    """Return the keys of named numbers and tables, and of states and sequences."""
     value = curve("a number, or a formula", ANY_MEASURE, words.only(*OF_MOTION, *OF_TORQUES))
     state = ByKey(
         "State",
@@ -574,7 +571,7 @@ SCENARIO = scenario_shape(Vocabulary())
 MEASURES: tuple[Measure, ...] = (
     *("time", "si_torque", "si_speed", "mass", "length", "area", "velocity", "pump_factor"),
 )
-"""Measures of the numbers of a scenario."""
+"""Measures that numbers of a scenario can have."""
 
 
 def json_schema() -> dict[str, Any]:

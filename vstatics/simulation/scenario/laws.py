@@ -52,14 +52,14 @@ class Points(NamedTuple):
         [20.0, 0.0, 10.0]
         """
         pieces, values = np.searchsorted(self.x, x, "right"), np.empty(len(x))
-        for number in set(pieces.tolist()):  # few, as steps of a run end at corners
+        for number in set(pieces.tolist()):  # few pieces, because the steps of a run end at corners
             value, slope = self.piece(number)
             inside = pieces == number
             values[inside] = value + slope * x[inside]
         return values
 
     def piece_at(self, x: float) -> int:
-        """Return the number of the piece that contains an abscissa; piece 0 ends at `x[0]`."""
+        """Return the number of the piece at an abscissa; piece 0 ends at `x[0]`."""
         return bisect_right(self.x, x)
 
     def piece(self, number: int) -> tuple[float, float]:
@@ -85,7 +85,7 @@ def constant(value: float) -> Points:
     Returns
     -------
     Points
-        Law with this value at all times.
+        Law with this value at every time.
 
     Raises
     ------
@@ -101,7 +101,7 @@ def constant(value: float) -> Points:
 
 
 def bends(curve: Curve, until: float) -> tuple[float, ...]:
-    """Return the times up to a limit at which a curve can bend or jump [s].
+    """Return the times up to `until` at which a curve bends or jumps [s].
 
     >>> bends(Points((0.0, 2.0), (10.0, 30.0)), 3.0), bends(Formula("min(t, 1)"), 3.0)
     ((0.0, 2.0), (1.0,))
@@ -131,11 +131,11 @@ class Resistance(NamedTuple):
 
 
 SpeedPoints: TypeAlias = tuple[tuple[float, float], ...]
-"""Points (speed, number) with ascending speeds of 0 or more; constant outside."""
+"""Points (vehicle speed [m/s], value), with ascending speeds from 0; constant outside."""
 
 
 class WheelRadius(NamedTuple):
-    """Rolling radius of a wheel, which falls with the torque of the road."""
+    """Rolling radius of a wheel, which decreases with the torque of the road."""
 
     free: float
     """Radius without torque. [m]"""
@@ -163,11 +163,11 @@ class Road(NamedTuple):
     slope: float = 0.0
     """Sine of the angle of ascent. [-]"""
     by_torque: float = 0.0
-    """Decrease of the radius per unit of torque; see `LoadedWheel`. [m/(N*m)]"""
+    """Decrease of the radius per unit of torque. [m/(N*m)]"""
 
     @property
     def wheel(self) -> LoadedWheel | None:
-        """Wheel, if the radius is variable."""
+        """Wheel with a variable radius, None if the radius is constant."""
         if not self.by_torque or not self.radius:
             return None
         weight = self.mass * GRAVITY
@@ -193,15 +193,15 @@ class Road(NamedTuple):
 
     @property
     def rolling_torque(self) -> float:
-        """Torque of rolling resistance near speed 0, which holds the vehicle at rest [N*m]."""
+        """Torque of rolling resistance at speed 0, which holds the vehicle at rest [N*m]."""
         at_rest = self.rolling[0][1] if isinstance(self.rolling, tuple) else self.rolling
         return self.weight_torque * at_rest / (float(self.wheel.load(0.0)) if self.wheel else 1.0)
 
     @property
     def rolling_growth(self) -> Points | None:
-        """Outside torque by rolling resistance beyond the value at rest, over the wheel speed.
+        """Outside torque over the wheel speed, by rolling resistance beyond its value at rest.
 
-        None if the rolling resistance is constant, or with a variable radius.
+        None if the rolling resistance is constant or the radius variable.
 
         Examples
         --------
@@ -224,7 +224,7 @@ class Road(NamedTuple):
     def torque(self, speed: Any) -> Any:
         """Return the outside torque at wheel speeds [rad/s], without dry friction [N*m].
 
-        It is the torque of ascent and air drag. With a variable radius it includes the rolling
+        This is the torque of ascent and air drag. With a variable radius it includes the rolling
         resistance beyond its value at rest.
 
         Examples

@@ -28,9 +28,9 @@ class Start(NamedTuple):
     speeds : mapping of int to float
         Number of a link -> its speed, instead of a gear. [rad/s]
     engaged : sequence of int
-        Numbers of the shift elements that do not slip at t = 0, in addition to `speeds`.
+        Numbers of the shift elements that stick at t = 0, in addition to `speeds`.
     settled : bool
-        True if the springs are twisted as at rest under the torques of t = 0.
+        True if the twists of springs balance the torques of t = 0 at rest.
     twists : mapping of str to float
         Name of a spring -> its twist [rad], or its extension if it is straight [m].
     angles : mapping of int to float
@@ -105,7 +105,7 @@ class Shift(NamedTuple):
 
 
 class ControlState(NamedTuple):
-    """State variable x of the control: ``dx/dt = rate``."""
+    """State x of the control, with ``dx/dt = rate``."""
 
     name: str
     rate: Curve
@@ -113,10 +113,10 @@ class ControlState(NamedTuple):
     start: float = 0.0
     least: float = -math.inf
     most: float = math.inf
-    """Upper limit; the state stays there while the rate is positive."""
+    """Upper limit, at which the state stays while its rate is positive."""
 
     def beyond(self, value: float) -> str:
-        """Return the message about a value beyond the limits, or an empty text for other values."""
+        """Return a message about a value beyond the limits, empty for other values."""
         if value > self.most:
             return f"read {value:g}, expected at most {self.most:g}, its max"
         if value < self.least:
@@ -130,15 +130,15 @@ class SequenceStep(NamedTuple):
     when: StepCondition | None = None
     """Condition of the step, if any."""
     within: float = math.inf
-    """Longest permitted time from the previous step until the condition is true. [s]"""
+    """Longest permitted time from the preceding step until the condition is true. [s]"""
     wait: float = 0.0
     """Time from the condition to the action. [s]"""
     settings: Mapping[str, Curve] = MappingProxyType({})
     """Name of a setting or state -> new value."""
     shift: Shift | None = None
-    """Shift that begins with the action; the time `at` is ignored."""
+    """Shift that begins with the action; its time `at` is ignored."""
     dogs: Mapping[int, bool] = MappingProxyType({})
-    """Number of a dog clutch -> True for closing, False for opening."""
+    """Number of a dog clutch -> True if the step closes the clutch, False if it opens it."""
 
 
 class StepSequence(NamedTuple):
@@ -151,7 +151,7 @@ class StepSequence(NamedTuple):
 
 
 class StaticTorque(NamedTuple):
-    """Gear and input torque that determine the static torques in dynamic factors."""
+    """Gear and input torque of the static torques in dynamic factors."""
 
     gear: str
     torque: float
@@ -227,12 +227,12 @@ class Scenario(NamedTuple):
 
     @property
     def span(self) -> float:
-        """Time scale [s] for comparison of near instants: the duration, within two limits."""
+        """Time scale for comparing near instants: the duration, within two limits [s]."""
         return min(max(self.duration, LEAST_DURATION), LONGEST_DURATION)
 
 
 def placed_steps(scenario: Scenario) -> Iterator[tuple[Path, SequenceStep]]:
-    """Yield the paths and steps of all sequences in the scenario."""
+    """Yield the steps of all sequences, each with its path in the scenario."""
     for sequence in scenario.sequences:
         for number, step in enumerate(sequence.steps, 1):
             yield ("sequences", sequence.name, number), step

@@ -1,4 +1,4 @@
-"""Capacity of each shift element over time: by its control, by shifts, or by its gear."""
+"""Capacity of each shift element over time: from its control, from shifts, or from its gear."""
 
 from __future__ import annotations
 
@@ -24,39 +24,39 @@ from vstatics.simulation.tolerances import MADE_CAPACITY
 
 
 class Look(NamedTuple):
-    """Formula as a function of the time and of all quantities that formulas can read."""
+    """Formula as a function of time and of all quantities that formulas can read."""
 
     at: Callable[[float, Sequence[float]], float]
     along: Callable[[Floats, Floats], Floats]
-    """Values at many times; the quantities are the rows of the second argument."""
+    """Values at many times; the second argument has a row for each quantity."""
     places: tuple[int, ...] = ()
-    """Indices of the quantities in the formula among all quantities."""
+    """Indices of the quantities that the formula reads, among all quantities."""
 
 
 class Programme(NamedTuple):
     """Torque capacity of a contact or spring over time."""
 
     curve: Curve
-    """Capacity [N*m], or pressure [Pa]; infinite for a closed dog clutch."""
+    """Capacity [N*m] or pressure [Pa]; infinite for a closed dog clutch."""
     factor: float = 1.0
-    """Factor of the curve, for example torque per pressure and coefficient of friction."""
+    """Factor of the curve, such as torque per pressure and coefficient of friction."""
     is_dog: bool = False
-    """True if the capacity is either unlimited or 0, as in a dog clutch."""
+    """True if the capacity is always unlimited or 0, as in a dog clutch."""
     largest: float | None = None
-    """Capacity in the case, at which feedback control is clipped. [N*m or Pa]"""
+    """Largest control according to the case, to which feedback control is clipped. [N*m or Pa]"""
     given: Curve | None = None
-    """Control over time before clipping at the capacity in the case."""
+    """Control over time before it was clipped at the capacity in the case."""
     look: Look | None = None
-    """Value that depends on the motion, for a feedback control."""
+    """Control as a function of the motion, for feedback control."""
     table: LookupTable | None = None
-    """Coefficients of friction over slip and temperature, if given as a table."""
+    """Table of coefficients of friction over slip and temperature."""
     rub: Look | None = None
-    """Coefficient of friction from `table`, as a function of quantities of the motion."""
+    """Coefficient of friction from `table`, as a function of the motion."""
     follows: SpringLimit | None = None
-    """Torque limit that grows with the torque of a second spring; the curve is the base."""
+    """Torque limit that grows with the torque of another spring; `curve` is its base."""
 
     def seen_at(self, time: float, seen: Sequence[float], *, clipped: bool = True) -> float:
-        """Return the capacity under feedback control, which is clipped to 0 to `largest`."""
+        """Return the capacity under feedback control, clipped from 0 to `largest` by default."""
         assert self.look is not None  # noqa: S101 - only for feedback control
         value = self.look.at(time, seen)
         if clipped:
@@ -65,7 +65,7 @@ class Programme(NamedTuple):
         return capacity * self.rub.at(time, seen) if self.rub else capacity
 
     def seen_along(self, times: Floats, seen: Floats) -> Floats:
-        """Return the clipped capacity under feedback control at many times."""
+        """Return the capacity at many times under feedback control, clipped from 0 to `largest`."""
         assert self.look is not None  # noqa: S101 - only for feedback control
         capacity = self.factor * np.clip(self.look.along(times, seen), 0.0, self.largest)
         return capacity * self.rub.along(times, seen) if self.rub else capacity
@@ -79,7 +79,7 @@ def programmes(scenario: Scenario, engaged: tuple[int, ...]) -> list[Programme]:
     """Return the capacity over time of each shift element.
 
     A freewheel has the capacity in the case, or an unlimited capacity. A shift element without a
-    control remains as at the start, or follows the shifts.
+    control follows the shifts, or remains as at the start.
 
     Parameters
     ----------
@@ -90,7 +90,7 @@ def programmes(scenario: Scenario, engaged: tuple[int, ...]) -> list[Programme]:
     Raises
     ------
     CaseError
-        If a shift gradually moves a shift element without a capacity, or if its gear is unknown.
+        If the overlap of a shift needs a capacity that the case lacks, or its gear is unknown.
     """
     controls = scenario.controls or {}
     result = []
@@ -121,7 +121,7 @@ def programmes(scenario: Scenario, engaged: tuple[int, ...]) -> list[Programme]:
 def newton_metres(number: float | None, case: Transmission) -> float | None:
     """Return a capacity or a drag torque of a case [N*m].
 
-    A number without a unit is multiplied by the torque of `load`, or is in N*m without a `load`.
+    A number without a unit is relative to the torque of `load`. Without a `load` it is in N*m.
     """
     if number is None:
         return None
@@ -131,12 +131,12 @@ def newton_metres(number: float | None, case: Transmission) -> float | None:
 
 
 def load_torque(case: Transmission) -> float | None:
-    """Return the torque of `load` [N*m], to which torques without a unit are relative, if any."""
+    """Return the torque of `load`, if any, to which torques without a unit are relative [N*m]."""
     return case.load.torque if case.load else None
 
 
 def bare_capacities(case: Transmission) -> Iterator[Problem]:
-    """Yield a note that capacities without a unit count as N*m if there is no load."""
+    """Yield a note that capacities without a unit are in N*m if the case has no load."""
     bare = [
         number
         for number, element in enumerate(case.shift_elements, 1)
@@ -168,7 +168,7 @@ def friction_points(friction: Friction | Law) -> Points:
 
 
 def largest_control(element: ShiftElement, case: Transmission) -> float | None:
-    """Return the control that gives the capacity in the case [N*m], or [Pa] with `friction`."""
+    """Return the control that reaches the capacity in the case [N*m, or Pa with `friction`]."""
     largest, pack = newton_metres(element.capacity, case), element.pack
     if largest is None or pack is None:
         return largest
@@ -176,7 +176,7 @@ def largest_control(element: ShiftElement, case: Transmission) -> float | None:
 
 
 def cut_controls(scenario: Scenario) -> Iterator[Problem]:
-    """Yield a note about each control over time that is clipped at the capacity in the case."""
+    """Yield a note on each control over time that is clipped at the capacity in the case."""
     for number, control in (scenario.controls or {}).items():
         element = scenario.case.shift_elements[number - 1]
         most = largest_control(element, scenario.case)
@@ -225,14 +225,13 @@ def within(law: Curve, largest: float) -> Curve:
 
 
 def bounded(law: Curve, factor: float = 1.0, largest: float | None = None) -> Programme:
-    """Return the capacity over time by a control or limit, clipped from 0 to `largest`."""
+    """Return the programme of a control or limit over time, clipped from 0 to `largest`."""
     if isinstance(law, Formula) and law.seen:
         return Programme(law, factor, largest=largest)
     return Programme(within(law, math.inf if largest is None else largest), factor, given=law)
 
 
 def _scaled(control: Capacity) -> Curve:
-    """Return the scaled law of a control."""
     law, scale = control
     if isinstance(law, Points):
         return Points(law.x, tuple(scale * value for value in law.y))
@@ -256,7 +255,7 @@ def _controlled(control: object, element: ShiftElement, case: Transmission) -> P
 
 
 def _shifted(number: int, element: ShiftElement, scenario: Scenario, *, engaged: bool) -> Programme:
-    """Return the capacity over time of a shift element that shifts engage and release."""
+    """Return the capacity over time of a shift element that the shifts engage and release."""
     held = newton_metres(element.capacity, scenario.case)
     anything = held is None or element.kind == "dog_clutch"
     capacity = math.inf if held is None or anything else held
@@ -267,7 +266,7 @@ def _shifted(number: int, element: ShiftElement, scenario: Scenario, *, engaged:
         except ValueError as error:
             raise CaseError("E662", str(error), ("shifts", index, "to")) from None
         target = capacity if number in gear.engaged else 0.0
-        now = _at(points, at)
+        now = _value_before(points, at)
         earlier = [point for point in points if point[0] < at]
         moment = at + overlap
         if now == target and all(value == target for time, value in points if time >= at):
@@ -284,14 +283,13 @@ def _shifted(number: int, element: ShiftElement, scenario: Scenario, *, engaged:
         else:
             moment = moment if target else at
             points = [*earlier, (at, now), (moment, now), (moment, target)]
-    # the capacity in the case includes the coefficient of friction at zero slip
+    # the capacity in the case already contains the coefficient of friction at zero slip
     factor = 1.0 if anything else 1 / friction_at(element.pack)
     times, capacities = zip(*points, strict=True)
     return Programme(Points(times, capacities), factor, is_dog=anything)
 
 
-def _at(points: list[tuple[float, float]], time: float) -> float:
-    """Return the value of points just before a time; the values can be infinite."""
+def _value_before(points: list[tuple[float, float]], time: float) -> float:
     before = [point for point in points if point[0] < time]
     after = [point for point in points if point[0] >= time]
     if not before:

@@ -1,4 +1,4 @@
-"""Wheel whose rolling radius falls with its torque: Tarasik, table 1.1, r = r_0 - lambda M.
+"""Wheel whose rolling radius decreases with its torque: Tarasik, table 1.1, r = r_0 - lambda M.
 
 M is the torque that rolling, ascent and air drag need at a constant vehicle speed v. With their
 force X(v), M = X r, so r = r_0/(1 + lambda X), and the wheel turns with w = v/r = v (1 + lambda
@@ -15,11 +15,11 @@ from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.tolerances import LAST_BIT
 
 MOST_NEWTON_ITERATIONS = 60
-"""Largest number of Newton steps; usually fewer than ten are needed."""
+"""Largest number of Newton steps; usually fewer than ten suffice."""
 
 
 class LoadedWheel(NamedTuple):
-    """Wheel on a road, with a rolling radius that falls with the torque.
+    """Wheel on a road, with a rolling radius that decreases with the torque.
 
     Parameters
     ----------
@@ -58,20 +58,20 @@ class LoadedWheel(NamedTuple):
         speeds, _ = zip(*self.rolling, strict=True)
         corners = np.array([0.0, *speeds, np.inf])
         above = np.nextafter(corners[:-1], np.inf)
-        least = above  # the place of the smallest slope in each piece
+        least = above  # speed of the smallest slope in each piece
         if self.air:
             least = np.clip(-self._rise(above) / (3 * self.air), above, corners[1:])
         inside = np.concatenate([above, least, np.nextafter(corners[1:-1], 0.0)])
         return bool(np.all(self.turning_slopes(inside)[0] > 0))
 
     def rolls(self, velocity: Any) -> Floats:
-        """Return the force of rolling resistance at vehicle speeds of any sign [N]."""
+        """Return the force of rolling resistance [N] at vehicle speeds of any sign."""
         speeds, forces = zip(*self.rolling, strict=True)
         force: Floats = np.interp(np.abs(velocity), speeds, forces)
         return force
 
     def load(self, velocity: Any) -> Floats:
-        """Return 1 + lambda X, the ratio of the free radius to the rolling radius [-]."""
+        """Return the ratio of the free radius to the rolling radius, 1 + lambda X [-]."""
         speed = np.abs(velocity)
         force = self.rolls(speed) + self.steady + self.air * speed**2
         ratio: Floats = 1.0 + self.by_torque * force
@@ -83,7 +83,7 @@ class LoadedWheel(NamedTuple):
         return speed
 
     def turning_slopes(self, velocity: Any) -> tuple[Floats, Floats]:
-        """Return the first and second derivative of `turning` [1/m, s/m^2]."""
+        """Return the first [1/m] and second [s/m^2] derivatives of `turning`."""
         speed = np.abs(velocity)
         rise = self._rise(speed)
         first = self.load(speed) + self.by_torque * speed * (rise + 2 * self.air * speed)
@@ -109,7 +109,7 @@ class LoadedWheel(NamedTuple):
         return velocity
 
     def torque(self, turning: Any) -> Floats:
-        """Return the outside torque of all road resistances at wheel speeds [rad/s -> N*m]."""
+        """Return the outside torque [N*m] of all road resistances at wheel speeds [rad/s]."""
         velocity = self.velocity(turning)
         forces = self.steady + np.sign(velocity) * (self.rolls(velocity) + self.air * velocity**2)
         torque: Floats = -self.free / self.load(velocity) * forces

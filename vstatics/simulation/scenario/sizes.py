@@ -1,4 +1,4 @@
-"""Rejection of numbers of an impossible size, for which results would be rounding errors.
+"""Rejection of numbers so large or small that results would be rounding errors.
 
 A mistyped exponent is rejected at its position in the document, before speeds reach 1e90 rad/s.
 """
@@ -61,7 +61,7 @@ def size_problems(scenario: Scenario) -> Iterator[Problem]:
 
 
 def _of_numbers(part: Any, path: Path, least: float = LEAST_NUMBER) -> Iterator[Problem]:
-    """Yield a problem with a path for each number of impossible size in a part."""
+    """Yield a problem for each number of impossible size in a value, with its path."""
     if isinstance(part, float):
         read = part.given if isinstance(part, OfLoad) else part
         size = abs(read)
@@ -89,7 +89,7 @@ def _of_numbers(part: Any, path: Path, least: float = LEAST_NUMBER) -> Iterator[
 
 
 def _of_unlike(case: Transmission) -> Iterator[Problem]:
-    """Yield a problem for each inertia within the rounding error of the largest inertia."""
+    """Yield a problem for each inertia that rounding would lose next to the largest inertia."""
     largest = max(case.heavy.values(), default=0.0)
     for link, inertia in case.heavy.items():
         if 0 < inertia < largest * UNLIKE_INERTIAS:

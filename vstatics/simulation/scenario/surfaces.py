@@ -24,7 +24,7 @@ from vstatics.simulation.scenario.corners import JUMPS
 
 
 class JumpSurface(NamedTuple):
-    """Speed or angle, moving with time or angle, at which a comparison in a formula switches."""
+    """Speed or angle at which a comparison in a formula switches, and which changes over time."""
 
     over: Literal["speed", "angle"]
     at: Tree
@@ -34,7 +34,7 @@ class JumpSurface(NamedTuple):
 
 
 def surfaces(tree: Tree) -> dict[JumpSurface, str]:
-    """Find the moving jumps, each with the side (`+`, `-`) to which the value at the jump belongs.
+    """Return the moving jumps -> side (`+` or `-`) to which the value at the jump belongs.
 
     Examples
     --------
@@ -58,7 +58,7 @@ def surfaces(tree: Tree) -> dict[JumpSurface, str]:
 
 
 def on_side(tree: Any, surface: JumpSurface, side: float) -> Any:
-    """Restrict a formula to a side of a surface: above for +1, below for -1."""
+    """Restrict a formula to the region above (`side` = 1) or below (-1) a surface."""
     if not isinstance(tree, Applied):
         return tree
     switch, lead = _surface(tree)
@@ -69,7 +69,7 @@ def on_side(tree: Any, surface: JumpSurface, side: float) -> Any:
 
 
 def _surface(tree: Tree) -> tuple[JumpSurface | None, float]:
-    """Return the surface of a comparison or `sign`, and the factor of the speed or angle."""
+    """Return the surface of a comparison or `sign`, and the factor of its speed or angle."""
     if not isinstance(tree, Applied) or tree.name not in JUMPS:
         return None, 0.0
     first = bare(tree.operands[0])

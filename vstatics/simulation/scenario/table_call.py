@@ -1,4 +1,4 @@
-"""Name of a lookup table in a formula, together with the table."""
+"""Name of a lookup table in a formula, which carries the table itself."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class TableCall(str):
         return call
 
     def __eq__(self, other: object) -> bool:
-        """Compare names and tables, because results of formulas are cached by equality of trees."""
+        """Compare names and tables, because cached formulas are compared by their trees."""
         same = not isinstance(other, TableCall) or self.table == other.table
         return same and str(self) == other
 

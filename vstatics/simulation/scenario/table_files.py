@@ -16,7 +16,7 @@ MOST_TABLE_BYTES = 5_000_000
 
 
 def table_of(scenario: str, name: str) -> LookupTable:
-    """Read a table from a file, whose name is relative to the folder of a scenario.
+    """Read a table from a CSV file, whose name is relative to the folder of a scenario.
 
     Raises
     ------
@@ -34,7 +34,8 @@ def table_of(scenario: str, name: str) -> LookupTable:
 def _table(rows: list[tuple[int, list[str]]]) -> LookupTable:
     """Build a table from numbered lines: a heading, then rows of numbers.
 
-    The heading contains the quantity of the first column with its unit, then the columns.
+    The heading has the quantity of the first column with its unit, then a number per column. A
+    single further column has any heading.
 
     Raises
     ------
@@ -70,7 +71,7 @@ def _table(rows: list[tuple[int, list[str]]]) -> LookupTable:
 
 
 def _number(text: str, line: int) -> float:
-    """Read a number, bare or with any unit, and convert to SI units."""
+    """Return a number in SI units, read without or with any unit."""
     for measure in get_args(Measure):
         try:
             return measured(text.strip(), measure)

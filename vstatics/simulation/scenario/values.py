@@ -1,4 +1,4 @@
-"""Conversion of the values in a document to parts of a scenario, with plain floats in SI units.
+"""Conversion of the values in a document to a scenario, with plain floats in SI units.
 
 The key of a value, and the case, determine which units are allowed.
 """
@@ -50,7 +50,7 @@ _STRAIGHT = ", since the link moves straight"
 
 
 class ScenarioValues:
-    """Builder of the parts of a scenario, which reports units that do not fit.
+    """Builder of a scenario, which reports units that do not fit.
 
     Parameters
     ----------
@@ -99,7 +99,7 @@ class ScenarioValues:
         )
 
     def tables(self, given: Mapping[str, Any]) -> Iterator[tuple[str, LookupTable]]:
-        """Yield the lookup tables of a document by name; unreadable tables become zeros."""
+        """Yield each lookup table with its name; unreadable tables contain zeros."""
         for number, (name, table) in enumerate(given.items(), 1):
             if isinstance(table, GivenTable) and table.file:
                 yield name, self._table_file(table.file, ("tables", number, "file"))
@@ -114,7 +114,7 @@ class ScenarioValues:
     def _table(
         self, columns: tuple[float, ...], rows: Sequence[Sequence[float]], path: Path
     ) -> LookupTable:
-        """Return a table from rows of x and a value for each column; if unreadable, zeros."""
+        """Return a table from rows of x and values; missing rows become a row of zeros."""
         unreadable = {*self.spots.unreadable}
         if not rows and path[:2] not in unreadable:
             self.spots.tell(path, "read no rows, expected at least one")
@@ -166,7 +166,7 @@ class ScenarioValues:
         )
 
     def samples(self, values: Mapping[str, Any]) -> dict[str, Distribution]:
-        """Return the distributions of random numbers by path."""
+        """Return the distributions of random numbers, by path."""
         given = values.get("samples", {})
         return {
             path: Distribution(*map(_plain, distribution)) for path, distribution in given.items()
@@ -246,7 +246,7 @@ class ScenarioValues:
                 yield number, Capacity(law, float(control.scale))
 
     def _capacity(self, given: Any, element: ShiftElement, path: Path) -> Points | Formula:
-        """Return a torque capacity over time, or a pressure if the shift element has friction."""
+        """Return a torque capacity over time, a pressure if the shift element has friction."""
         measure: Measure = "pressure" if element.pack else "si_torque"
         return self._curve(
             given,
@@ -258,11 +258,10 @@ class ScenarioValues:
     def _curve(
         self, given: Any, measure: Measure, path: Path, why: str = "", along: Over = "time"
     ) -> Points | Formula:
-        """Return points, a formula or a number as a curve."""
         if isinstance(given, Formula):
             return given
         if not isinstance(given, Sequence):
-            return constant(self._number(given, measure, path, why) or 0.0)  # avoids -0.0
+            return constant(self._number(given, measure, path, why) or 0.0)  # 0.0 instead of -0.0
         over = STRAIGHT.get(_OVER[along], "time") if measure == "force" else _OVER[along]
         points = [
             (
@@ -279,7 +278,7 @@ class ScenarioValues:
         return "force" if any(map(self.case.is_straight, springs)) else "si_torque"
 
     def _number(self, value: Any, measure: Measure, path: Path, why: str = "") -> float:
-        """Return a number, and report a unit that does not fit."""
+        """Return a number; report a unit that does not fit."""
         if isinstance(value, InUnit) and value.measure not in (None, measure):
             read, unit = UNIT_OF[value.measure], UNIT_OF[measure]
             self.spots.tell(path, f"read a number in {read}, expected a number in {unit}{why}")
@@ -311,7 +310,6 @@ class ScenarioValues:
 
 
 def _road(given: Road) -> Road:
-    """Return a road with plain floats."""
     radius = given.radius
     wheel = WheelRadius(*map(float, radius if isinstance(radius, WheelRadius) else (radius,)))
     rolling = given.rolling
@@ -350,7 +348,6 @@ def _as_curve(given: Any) -> Curve:
 
 
 def _ratios(given: Any) -> Curve:
-    """Return speed ratios over time."""
     if isinstance(given, Formula) or not isinstance(given, Sequence):
         return _as_curve(given)
     times, ratios = zip(*given, strict=True) if given else ((), ())
@@ -362,7 +359,7 @@ def _floats(values: Iterable[float]) -> tuple[Any, ...]:
 
 
 def _plain(value: Any) -> Any:
-    """Return a number, or a tuple of numbers, as plain floats; None remains None."""
+    """Return a number or a tuple of numbers as plain floats; None remains None."""
     if isinstance(value, tuple):
         return _floats(value)
     return None if value is None else float(value)

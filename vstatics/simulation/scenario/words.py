@@ -1,4 +1,4 @@
-"""Names that formulas of a scenario can use: of links and components, numbers, states, tables."""
+"""Names that formulas of a scenario can use: links, components, numbers, states and tables."""
 
 from __future__ import annotations
 
@@ -69,12 +69,12 @@ def elastic_names(case: Transmission) -> tuple[str, ...]:
 
 
 def name_problems(key: str, names: Collection[str], before: Collection[str]) -> Iterator[Problem]:
-    """Yield a problem for each name that formulas could not use.
+    """Yield a problem for each name that formulas cannot use.
 
     Parameters
     ----------
     key : str
-        Key of the scenario under which the names are given.
+        Key of the scenario that declares the names.
     before : collection of str
         Names that are already in use.
 

@@ -22,7 +22,7 @@ TorqueAlong = Callable[[Floats, Floats, Floats], Floats]
 
 
 def one_by_one(torque: Torque) -> TorqueAlong:
-    """Return a torque as a function of arrays, which calls `torque` for each instant."""
+    """Return a torque as a function of arrays, evaluated instant by instant."""
 
     def along(times: Floats, rates: Floats, angles: Floats) -> Floats:
         known = (values.tolist() for values in (times, rates, angles))
@@ -74,7 +74,7 @@ def curve_along(curve: Curve, times: Floats) -> Floats:
 def slope_of(
     function: Torque, time: float, within: float, rate: float = 0.0, angle: float = 0.0
 ) -> float:
-    """Return the derivative of a torque with respect to time, from values ahead."""
+    """Return the derivative of a torque with respect to time, from values at later times."""
     now, middle, later = (function(time + part * within, rate, angle) for part in (0.0, 0.5, 1.0))
     return slope_ahead(now, middle, later, within)
 

@@ -1,6 +1,6 @@
 """Mechanical model of a scenario: bodies, constraints, contacts, springs and outside torques.
 
-A speed row contains the coefficients of the speeds of links in a speed such as a slip.
+A speed row contains the coefficients that give a speed, such as a slip, from the speeds of links.
 """
 
 from __future__ import annotations
@@ -130,7 +130,7 @@ def _meshes(case: Transmission, rows: Floats, moving: Container[int]) -> list[Ri
     for number, mechanism in enumerate(case.mechanisms, 1):
         if mechanism.stiffness is not None or number in moving:
             continue
-        laws = mechanism.efficiency, _back(mechanism, number)
+        laws = mechanism.efficiency, _back_efficiency(mechanism, number)
         efficiency, back = map(float, laws)
         u, index = mechanism.ratio, len(case.shift_elements) + number - 1
         meshes.append(
@@ -149,10 +149,10 @@ def _meshes(case: Transmission, rows: Floats, moving: Container[int]) -> list[Ri
     return meshes
 
 
-def _back(mechanism: Mechanism, number: int) -> float:
-    """Return the efficiency of a back-driven mechanism; an error if it is self-locking."""
+def _back_efficiency(mechanism: Mechanism, number: int) -> float:
+    """Return the efficiency of a back-driven mechanism; raise an error if self-locking."""
     back = mechanism.back_efficiency
-    if back == 0:  # never a law
+    if back == 0:  # a law over speed or torque never equals 0
         raise CaseError(
             "E666",
             f"{mechanism.name} is self-locking, which a simulation cannot calculate yet: give "
@@ -163,11 +163,11 @@ def _back(mechanism: Mechanism, number: int) -> float:
 
 
 def _taken_by_planets(case: Transmission) -> Floats:
-    """Return the torques that accelerate planets, per acceleration of links.
+    """Return the inertias that relate planet torques to the accelerations of links [kg*m^2].
 
-    The teeth transmit ``J (dw_p/dw_1) dw_p/dt`` from the first link of a mechanism, with speed w_1,
-    to planets with speed w_p that are not links of the case. The result has the shape (mechanisms,
-    links) [kg*m^2].
+    The result has the shape (mechanisms, links). The teeth transmit ``J (dw_p/dw_1) dw_p/dt`` from
+    the first link of a mechanism, with speed w_1, to planets with speed w_p that are not links of
+    the case.
     """
     inertias = np.zeros((len(case.mechanisms), case.links))
     drawing = drawing_of(case)
@@ -209,7 +209,7 @@ def _elements(
 
 
 def _drag_contacts(case: Transmission, dragging: list[DragTorque], rows: Floats) -> list[Contact]:
-    """Return contacts for drags, except for overrunning freewheels."""
+    """Return a contact for each drag torque, except for overrunning freewheels."""
     contacts = []
     for is_element, number, torque in dragging:
         name, row, while_open = case.link_name(number), unit(number - 1, case.links), None
@@ -278,9 +278,9 @@ def _slipping_torque(element: ShiftElement, capacity: Programme) -> Programme:
 
 
 def _loads(scenario: Scenario, first: int) -> tuple[list[Contact], list[OutsideTorque]]:
-    """Return contacts for dry friction and jumps of outside torques, and all other outside torques.
+    """Return outside torques: contacts for their dry friction and jumps, then all other terms.
 
-    The indices of the contacts begin with `first`.
+    `first` is the index of the first contact.
     """
     contacts: list[Contact] = []
     outside = []
@@ -310,7 +310,6 @@ def _loads(scenario: Scenario, first: int) -> tuple[list[Contact], list[OutsideT
 
 
 def _given_speed_contacts(scenario: Scenario) -> Iterator[Contact]:
-    """Yield a contact for each link whose speed is given over time."""
     case = scenario.case
     for link, speed in scenario.speeds.items():
         switch = Switch(link - 1, LawJump("speed", speed))
@@ -319,7 +318,7 @@ def _given_speed_contacts(scenario: Scenario) -> Iterator[Contact]:
 
 
 def _moving_variators(scenario: Scenario, first: int) -> Iterator[tuple[Contact, MovingVariator]]:
-    """Yield the contact and the data of each moving variator; `first` is the first index."""
+    """Yield contact and data of each moving variator; `first` is the first contact index."""
     case = scenario.case
     for place, (number, ratio) in enumerate(scenario.speed_ratios.items()):
         mechanism = case.mechanisms[number - 1]
@@ -336,7 +335,7 @@ def _moving_variators(scenario: Scenario, first: int) -> Iterator[tuple[Contact,
                 reference,
                 first + place,
                 mechanism.efficiency,
-                _back(mechanism, number),
+                _back_efficiency(mechanism, number),
             ),
         )
 
@@ -429,7 +428,7 @@ def _place_of_drag(case: Transmission, gear: Gear | None, number: int, is_elemen
 
 
 def _of_all_gears(by_gear: Sequence[Mapping[int, float]]) -> dict[int, float]:
-    """Return the drags that are equal in all gears, such as drags of the case."""
+    """Return the drag torques that are equal in all gears, such as drags given for the case."""
     first, *others = by_gear
     return {
         part: drag
@@ -442,5 +441,5 @@ def _of_all_gears(by_gear: Sequence[Mapping[int, float]]) -> dict[int, float]:
 
 
 def _given(torque: float) -> float:
-    """Return a drag torque as written in the case, before multiplication by the load."""
+    """Return a drag torque as written: in N*m, or without a unit relative to the load."""
     return torque.given if isinstance(torque, OfLoad) else torque

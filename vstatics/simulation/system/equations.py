@@ -1,7 +1,7 @@
 """Equations of motion between two events, as a system of first-order differential equations.
 
-A port is a place at which a torque acts, such as a spring; its rate is the speed there [rad/s]. The
-state is ``[q, e, phi, v, W]``:
+A torque acts at a port, such as a spring; the rate of the port is the speed along this torque
+[rad/s]. The state is ``[q, e, phi, v, W]``:
 
 - q: speeds of the motions with inertia; ``dq/dt`` is linear in the torques of the ports;
 - e: twists of springs; ``de/dt`` is the rate of the port, unless the spring slips;
@@ -43,12 +43,12 @@ from vstatics.simulation.tolerances import (
 )
 
 _NONE = np.zeros(0)
-_MOST_CONVERTER_STEPS = 100
+_FEWEST_STEPS = 100
 """Smallest number of time steps of a run if a torque is a formula of time."""
 _NEWTON = 30
 """Largest number of Newton iterations for the speeds of motions without inertia."""
 _LIMIT_ROUNDS = 8
-"""Largest number of iterations for slopes of spring limits that depend on the motion."""
+"""Largest number of iterations for derivatives of spring limits that depend on the motion."""
 
 
 class Equations:
@@ -99,16 +99,16 @@ class Equations:
         self.viscous = np.array([spring.viscous for spring in system.springs])
         slips = ~self.ports.bends
         self.acting_dampers = np.where(slips, self.viscous, self.ports.by_rate[layout.spring_ports])
-        """Damping of springs, including slipping springs. [N*m*s/rad]"""
+        """Damping coefficients of springs, including slipping springs. [N*m*s/rad]"""
         self.creeps = slips & (self.viscous > 0)
         self.limited = slips & (self.viscous == 0)
         self.seen_limits = [limit for limit in self.ports.limits if self.limited[limit[0]]]
         """Springs that slip at a limit under feedback control: index, sign of the torque, limit."""
         limits = {layout.springs + index for index, *_ in self.seen_limits}
         self.seeing = [port for port, _ in self.ports.looks if port not in limits]
-        """Ports with torques under feedback control, except springs in `seen_limits`."""
+        """Ports with feedback torques, except springs in `seen_limits`."""
         self.coupled = [*self.seeing, *range(layout.losses, layout.ports)]
-        """Ports with torques that depend on quantities other than the rate of the port."""
+        """Ports with torques that depend on more than the rate of the port."""
         self.driving = [
             (layout.contacts + index, row)
             for index, row in structure.contact_rows.items()
@@ -117,7 +117,7 @@ class Equations:
         """Drivers (contacts that stick at a speed other than 0): port, row of constraint torque."""
         self.angle_rows = np.array([structure.free[link] for link in layout.angles])
         self.light = structure.light.shape[1]
-        self.longest = system.scenario.duration / _MOST_CONVERTER_STEPS
+        self.longest = system.scenario.duration / _FEWEST_STEPS
         """Longest time step if a torque is a formula of time, since it can contain a pulse. [s]"""
         self.within = AHEAD * system.scenario.span
         if self.light:
@@ -129,14 +129,14 @@ class Equations:
         """Rates of change of control states and temperatures."""
 
     def _split_light(self) -> None:
-        """Separate balances of torques that depend on speeds from balances that do not.
+        """Separate torque balances that depend on speeds from balances that do not.
 
         The balances along motions without inertia determine the speeds of these motions. If a
-        balance does not depend on speeds, its derivative with respect to time does.
+        balance does not depend on speeds, its time derivative determines them.
         """
         structure, ports = self.structure, self.ports
         self.unsensed: list[tuple[int, Look]] = []
-        """Ports with feedback torques independent of motions without inertia, and their torques."""
+        """Feedback torques independent of motions without inertia: port and torque."""
         for port, look in ports.looks:
             rates = [place for place in look.places if place < self.layout.ports]
             ports.senses_rate[port] = structure.light_rates[rates].any()
@@ -188,7 +188,7 @@ class Equations:
         return self.losses.latest
 
     def lacking(self, time: float, state: Floats) -> Problem | None:
-        """Return a problem if no efficiencies agree with the torques in a state."""
+        """Return a problem if the efficiencies do not agree with the torques in a state."""
         if not (self.losses or self.variators):
             return None
         self.acting(time, state)
@@ -208,7 +208,7 @@ class Equations:
         return self.system.names[int(np.abs(self.structure.light @ motions).max(axis=1).argmax())]
 
     def light_motions(self, time: float, rates: Floats, state: Floats) -> Floats:
-        """Solve for speeds of motions without inertia; `rates` are due to motions with inertia."""
+        """Return speeds of motions without inertia; `rates` are due to motions with inertia."""
         structure, ports = self.structure, self.ports
         angles = state[self.angles]
 
@@ -240,7 +240,7 @@ class Equations:
             least = NEWTON_STEP * max(1.0, largest(speeds))
             bends = largest(change) > finest
             while bends and not largest(after) <= (1 - share / 2) * largest(left):
-                share /= 2  # a steep law near rest makes the step too long
+                share /= 2  # a steep law near rest lets the step overshoot
                 if share * largest(change) <= least:
                     break
                 after = unbalanced(speeds - share * change)
@@ -253,7 +253,7 @@ class Equations:
     def _see_ahead(
         self, time: float, state: Floats, known: tuple[Floats, Floats], slopes: Floats
     ) -> None:
-        """Fill in the derivatives of feedback torques with respect to time."""
+        """Fill in the time derivatives of feedback torques and varying losses in `slopes`."""
         (rates, _), moving = known, slice(self.works.start)
         change = self._change(time, state, known, slopes[self.layout.spring_ports])[moving]
         torques = self.torques(time, state, rates)
@@ -328,7 +328,7 @@ class Equations:
         )
 
     def powers_at(self, times: Floats, states: Floats) -> Floats:
-        """Return the powers of works and losses at several times [W], for closed-form solutions."""
+        """Return the integrands of works and losses at several times [W]."""
         structure = self.structure
         rates, torques = self.acting_at(times, states)
         powers = np.zeros((self.size - self.works.start, len(times)))
@@ -356,7 +356,7 @@ class Equations:
         return powers
 
     def _with_driving(self, torques: Floats) -> Floats:
-        """Return the torques of ports, including drivers, shape (ports[, times])."""
+        """Return the torques of ports, including drivers, shape (ports,) or (ports, times)."""
         if not self.driving:
             return torques
         with_drivers = torques.copy()
@@ -392,7 +392,7 @@ class Equations:
 
     @property
     def _bends_otherwise(self) -> bool:
-        """True if torques are nonlinear in more than the rates of the respective ports."""
+        """True if torques are nonlinear in quantities other than the rates of their ports."""
         by_slope = self.system.varying and self.by_slope.shape[1]
         return bool(self.ports.looks or self.ports.struts or by_slope)
 
@@ -423,7 +423,7 @@ class Equations:
         return np.where(np.isfinite(slopes), slopes, 0.0)
 
     def slopes_by_state(self, time: float, state: Floats) -> Floats:
-        """Return derivatives with respect to the state: of feedback torques and rates of values.
+        """Return derivatives of feedback torques and of rates of values with respect to the state.
 
         Returns
         -------
@@ -468,14 +468,14 @@ class Equations:
 
     @cached_property
     def by_planets(self) -> Floats:
-        """Matrix from torques of ports to torques that accelerate planets, by mechanism."""
+        """Matrix from port torques to torques that accelerate planets, (mechanisms, ports)."""
         planets = self.system.rows(mesh.planets for mesh in self.system.meshes)
         by_planets: Floats = planets @ self.structure.free @ self.structure.accelerations
         return by_planets
 
     @cached_property
     def affine(self) -> Affine:
-        """Matrices of the equations, valid if all torques are linear."""
+        """Matrices of the equations, with all torques linear."""
         return Affine(self)
 
     def torques(self, time: float, state: Floats, rates: Floats) -> Floats:
@@ -561,7 +561,7 @@ class Equations:
         return self._seen_slopes(time, state, slopes) if self.seen_limits else slopes
 
     def _seen_slopes(self, time: float, state: Floats, slopes: Floats) -> Floats:
-        """Return the derivatives including limits under feedback control, by iteration."""
+        """Return the derivatives of spring limits, including feedback limits [N*m/s]."""
         slopes, moving = slopes.copy(), slice(self.works.start)
         step, at = self._sight(time), self.changes.seen_at(time, state[moving])
         for _ in range(_LIMIT_ROUNDS):
@@ -584,7 +584,7 @@ class Equations:
         return slopes
 
     def _sight(self, time: float) -> float:
-        """Return the time step for finite differences of quantities that formulas read [s].
+        """Return the time step [s] for finite differences of quantities that formulas read.
 
         It is negative if possible, because a step backward cannot cross a corner that is ahead.
         """
@@ -592,7 +592,7 @@ class Equations:
         return -step if time - step > self.time else step
 
     def _damped(self, growing: Floats, twists: Floats) -> Floats:
-        """Return the power loss of spring dampers for given rates of twists [W].
+        """Return the power loss of spring dampers [W] at rates `growing` of twists.
 
         The last axis of all arrays is the axis of springs.
         """
@@ -601,7 +601,7 @@ class Equations:
         return powers
 
     def _growing(self, twisting: Floats, sprung: Floats, twists: Floats, slopes: Floats) -> Floats:
-        """Return the rates of twists; a slipping spring twists by the damper or with the limit.
+        """Return the rates of twists; slipping springs follow their damper or their torque limit.
 
         The last axis of all arrays is the axis of springs.
         """
@@ -614,7 +614,7 @@ class Equations:
 
 
 class Map(NamedTuple):
-    """Linear function of the vectors x, c and dc/dt of `Affine`, as three matrices."""
+    """Linear function of the vectors x, c and dc/dt of `Affine`: three matrices."""
 
     by_state: Floats
     by_given: Floats
@@ -691,7 +691,7 @@ class Affine:
         """Interval for derivatives of c; None if they have no effect. [s]"""
 
     def _light(self, rates: Map, given: Map) -> Map:
-        """Return the speeds of motions without inertia, from the balance of torques."""
+        """Return the speeds of motions without inertia as a map, from the balance of torques."""
         equations = self.equations
         structure, ports = equations.structure, equations.ports
         balance = equations.by_torque.T @ structure.balances
@@ -739,7 +739,7 @@ class Affine:
 
 
 def _slope_beside_jumps(function: Callable[[float], Floats], now: Floats, step: float) -> Floats:
-    """Return the derivatives of functions at 0; next to a jump, from the side without the jump.
+    """Return the derivatives of functions at 0; at a jump, from the side without the jump.
 
     A difference quotient across a jump grows as its step shrinks.
 

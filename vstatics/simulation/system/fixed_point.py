@@ -14,7 +14,7 @@ Vector = Sequence[float]
 class FixedPoints:
     """Fixed points of functions of a few unknowns, by the secant method of Broyden (1965).
 
-    The slopes found for a function are used again for the next, which then needs few evaluations.
+    The slopes of a function are reused for the next function, which then needs few evaluations.
 
     Parameters
     ----------
@@ -43,9 +43,9 @@ class FixedPoints:
     def near(
         self, begin: Vector, function: Callable[[Vector], Vector], least: Vector
     ) -> Vector | None:
-        """Return a fixed point whose residual is at most `least`, if found.
+        """Return a fixed point whose residual is at most `least`, None if the search fails.
 
-        Of several fixed points, it is usually the nearest to `begin`.
+        Among several fixed points, it is usually the nearest to `begin`.
         """
         same = self._by_secants(begin, function, least)
         if same is None:
@@ -80,7 +80,7 @@ class FixedPoints:
         return None
 
     def _update(self, change: Vector, moved: Vector) -> None:
-        """Update the slopes to map the change of the residual to the last step."""
+        """Update the slopes to map the last change of the residual to the last step."""
         along = _dot(change, moved)
         if not along:
             return

@@ -1,4 +1,4 @@
-"""Interface through which modules that calculate parts of the equations of motion use them."""
+"""Interface of the equations of motion for modules that calculate some of their terms."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from vstatics.simulation.system.ports import Ports, States
 from vstatics.simulation.system.structure import MotionStructure
 
 DISTANCES = (1.0, 16.0, 256.0)
-"""Times ahead at which a number that is 0 now is evaluated, as multiples of `within`."""
+"""Times ahead, as multiples of `within`, at which a number that is 0 now is evaluated."""
 
 
 class KnownMotion(Protocol):
-    """Equations of motion between two events, as far as used by parts; see `Equations`."""
+    """Equations of motion between two events; `Equations` has further attributes."""
 
     system: MotionSystem
     layout: PortLayout

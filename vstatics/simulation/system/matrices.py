@@ -3,8 +3,8 @@
 ``M dw/dt = T - A m`` for speeds w, inertia matrix M, outside torques T and torques m of components;
 A is the structural-distribution matrix of statics. The columns of mechanisms are constraints, the
 columns of shift elements carry friction, and the columns of springs carry elastic torques. A port
-is a place where a torque acts that follows from the motion. Its speed row times the speeds of the
-links is the port speed; its torque acts on the links along the same row.
+is a torque that follows from the motion. Its speed row times the speeds of the links is the rate of
+the port; the torque acts on the links along the same row.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ class Switch(NamedTuple):
 
 
 class Contact(NamedTuple):
-    """Contact with dry friction: slips with a kinetic torque, sticks up to a static torque."""
+    """Contact with dry friction: sticks up to a static torque, slips with a kinetic torque."""
 
     name: str
     row: Floats
@@ -56,17 +56,17 @@ class Contact(NamedTuple):
     element: int | None = None
     """Index of the shift element to which the contact belongs, if any."""
     is_drag: bool = False
-    """True for a drag, which has no events; the energy is a loss unless `beside` is given."""
+    """True for a drag. It has no events, and its energy is a loss unless `beside` is given."""
     while_open: int | None = None
-    """Index of a shift element, for a drag that acts only while the capacity is 0."""
+    """Index of a shift element; the drag acts only while its capacity is 0."""
     beside: int | None = None
     """Index, among components, of a spring to which the contact is parallel."""
     switch: Switch | None = None
     """Jump of an outside torque, for a contact that represents the jump and not friction.
 
-    Its slip is the distance of the motion from the jump. While the contact sticks, the motion
-    slides along the jump, with a torque between both sides (Filippov). A link with a given speed is
-    treated as always sliding.
+    The slip is the distance of the motion from the jump. While the contact sticks, the motion
+    slides along the jump, with a torque between the torques of both sides (Filippov). A link with a
+    given speed always slides.
     """
     is_given: bool = False
     """True if the speed of the link is given."""
@@ -102,15 +102,15 @@ class RigidMechanism(NamedTuple):
     slip: Floats
     """Speed row of the first link relative to the third: 1, 0, -1."""
     friction: Floats
-    """Row along which the friction torque acts: 0, -u and u."""
+    """Row along which the friction torque acts: 0, -u and u for the three links."""
     efficiency: float
-    """Efficiency with power entering at the first link; of a law, the value at 0. [-]"""
+    """Efficiency with power entering at the first link; its value at 0 if it is a law. [-]"""
     back: float
-    """Efficiency with power entering at the second link; of a law, the value at 0. [-]"""
+    """Efficiency with power entering at the second link; its value at 0 if it is a law. [-]"""
     planets: Floats
     """Torque on the first link that accelerates planets, per acceleration of links. [kg*m^2]"""
     laws: tuple[float, float] | None = None
-    """Both efficiencies, if either is a law over speed or torque."""
+    """Both efficiencies, if at least one is a law over speed or torque."""
 
     @property
     def lossless(self) -> bool:
@@ -148,7 +148,7 @@ class Elastic(NamedTuple):
     """Viscous damping. [N*m*s/rad]"""
     loss_factor: float
     programme: Programme
-    """Limit of the torque over time, at which the spring slips. [N*m]"""
+    """Torque at which the spring slips, over time. [N*m]"""
     element: int | None = None
 
     @property
@@ -158,7 +158,7 @@ class Elastic(NamedTuple):
 
     @property
     def can_part(self) -> bool:
-        """True if the spring has play and a damper; the damper acts in contact and never pulls."""
+        """True if the spring has play and a damper; the damper can push but not pull."""
         return self.viscous > 0 and isinstance(self.curve, TwistCurve) and self.curve.has_gap
 
     def side(self, piece: int) -> float:
@@ -195,7 +195,7 @@ class Elastic(NamedTuple):
 
 
 class MovingVariator(NamedTuple):
-    """Variator with a moving speed ratio; see `variators`."""
+    """Variator whose speed ratio changes over time; see `variators`."""
 
     name: str
     device: int
@@ -222,7 +222,7 @@ class OutsideTorque(NamedTuple):
     """Index of the link on which the torque acts."""
     law: Points | Formula | Road
     when: tuple[tuple[int, str], ...] = ()
-    """Indices of contacts that represent jumps, each with the side on which the law acts."""
+    """Jump contacts, each with its index and the side of the jump on which the torque acts."""
 
     def acts(self, contacts: Sequence[str]) -> bool:
         """Return whether the torque acts; while a jump contact sticks, both sides act."""
@@ -318,7 +318,7 @@ class MotionSystem:
 
     @property
     def may_slip(self) -> tuple[Contact | Elastic, ...]:
-        """All contacts, then all springs: each has a programme of the torque limit."""
+        """All contacts, then all springs, which can slip at a torque limit."""
         return (*self.contacts, *self.springs)
 
     @cached_property
@@ -355,7 +355,7 @@ class MotionSystem:
         return float(self.straight @ twists**2) / 2 + stored
 
     def rows(self, rows: Iterable[Floats]) -> Floats:
-        """Return rows as a matrix, which can be empty, shape (rows, links)."""
+        """Return speed rows as a matrix, which can be empty, shape (rows, links)."""
         return np.array([*rows]).reshape(-1, len(self.names))
 
     @cached_property
@@ -384,12 +384,12 @@ def efficiency_at(number: float, speed: float, torque: float) -> float:
 
 
 def unit(index: int, links: int) -> Floats:
-    """Return the speed row of a link with an index."""
+    """Return the speed row of a link."""
     return combination([(index + 1, 1.0)], links)
 
 
 def combination(parts: Iterable[tuple[int, float]], links: int) -> Floats:
-    """Return a speed row from pairs of link number and coefficient, without the housing.
+    """Return a speed row from pairs of link number and coefficient; the housing is left out.
 
     Examples
     --------

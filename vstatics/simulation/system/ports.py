@@ -33,7 +33,7 @@ from vstatics.simulation.system.sight import following, looking
 from vstatics.simulation.tolerances import STANDING
 
 _FINE = 0.1
-"""Relative change of a slip within which a dependent torque is nearly linear."""
+"""Relative change of a slip, up to which a torque that depends on the slip is nearly linear."""
 _FAR = 1e6
 """Smallest slip that counts as far from 0, as a multiple of the rounding error of slips."""
 SIGNS_OF_MESHES = ("++", "+-", "-+", "--")
@@ -101,17 +101,17 @@ class Ports:
         self.ending: list[int] = []
         """Ports of slipping contacts with feedback torques, whose slip can end at 0."""
         self.limits: list[tuple[int, float, Programme]] = []
-        """Springs that slip at a limit under feedback control: index, sign, programme."""
+        """Springs that slip at a feedback limit: index, sign of the torque, programme."""
         self.after, self.until = math.nextafter(time, math.inf), math.inf
-        """Interval of time in which formulas are evaluated; jumps at its ends are outside. [s]"""
+        """Open interval in which formulas are evaluated, without the jumps at its ends. [s]"""
         self.converters = tuple(
             (converter, states.pieces[layout.outside + index])
             for index, converter in enumerate(system.converters)
         )
         self.switching: list[int] = []
-        """Indices of outside torques whose formulas can jump at unknown speeds or angles."""
+        """Outside torques, by index, whose formulas can jump at unknown speeds or angles."""
         self.senses_rate = np.zeros(layout.ports, dtype=bool)
-        """Flags of ports with a torque that depends on the rate."""
+        """Flags of ports whose torque depends on the rate."""
         self._springs(system, states)
         self._laws(system, states, time)
         self.senses_rate[layout.pumps : layout.sensors] = True
@@ -140,7 +140,7 @@ class Ports:
         lines = np.array([spring.curve.piece(piece) for spring, piece in pieces]).reshape(-1, 2).T
         self.c0[layout.spring_ports], self.elastic = np.where(self.bends & ~parted, lines, 0.0)
         self.taken = np.where(parted, lines, 0.0)
-        """Elastic torque of parted springs, taken by dampers: value at twist 0, and slope."""
+        """Elastic torques that dampers of parted springs cancel: value at twist 0, and slope."""
         self.all_elastic = np.zeros(layout.ports)
         """Stiffness of each port, 0 if the port is not a spring. [N*m/rad]"""
         self.all_elastic[layout.spring_ports] = self.elastic
@@ -154,7 +154,7 @@ class Ports:
             self.all_elastic[layout.springs + index] = curve.steepest
 
     def _laws(self, system: MotionSystem, states: States, time: float) -> None:
-        """Set up the torques of all ports except springs and converters."""
+        """Set up the torques of outside loads, contacts and springs with dampers or limits."""
         layout = self.layout
         for index, load in enumerate(system.outside):
             if not load.acts(states.contacts):
@@ -181,7 +181,7 @@ class Ports:
                 self._limited(index, SIGNS[state], states, time)
 
     def finest(self, rates: Floats) -> float:
-        """Return a change of rates for which torques near the end of a slip are linear [rad/s]."""
+        """Return a change of rates that keeps torques linear near the end of a slip [rad/s]."""
         nearest = min((abs(float(rates[port])) for port in self.ending), default=math.inf)
         return _FINE * math.hypot(nearest, self.rounding)
 
@@ -257,9 +257,9 @@ class Ports:
         return times
 
     def given_at(self, times: Floats, within: float | None) -> tuple[Floats, Floats]:
-        """Return the terms that depend on time alone, and the derivatives, shape (ports, times).
+        """Return the torque terms that depend on time alone, and their rates, shape (ports, times).
 
-        Derivatives of formulas are differences over `within` [s]; without it, they are 0.
+        Rates of formulas are differences over `within` [s], or 0 without it.
         """
         times = self.inside(times)
         given = self.c0[:, None] + self.c1[:, None] * times
@@ -274,7 +274,7 @@ class Ports:
     def slopes(
         self, time: float, rates: Floats, twists: Floats, angles: Floats, within: float
     ) -> Floats:
-        """Return the derivatives of torques with respect to time at constant rates [N*m/s]."""
+        """Return the derivatives of torques with respect to time, at constant rates [N*m/s]."""
         slopes = self.c1.copy()
         springs = self.layout.spring_ports
         slopes[springs] += self.elastic * rates[springs]
@@ -317,7 +317,7 @@ class Ports:
 
     def _contact(self, port: int, contact: Contact, state: str, piece: int, time: float) -> None:
         if contact.switch:
-            # instead of a torque: derivative of the speed at which the contact sticks
+            # the entry is not a torque but the derivative of the speed at which the contact sticks
             if state in ("stick", "rigid"):
                 jump = contact.switch.jump
                 self._programme(port, Programme(jump.change), 1.0, time)
@@ -355,7 +355,7 @@ class Ports:
         self.special.append((port, -1, torque, one_by_one(torque)))
 
     def _limited(self, index: int, sign: float, states: States, time: float) -> None:
-        """Set up a spring at the torque limit, which can follow a second spring."""
+        """Set up a spring at its torque limit, which can depend on another spring."""
         programme = self.system.springs[index].programme
         if programme.follows:
             pieces = states.pieces[self.layout.curves :]
@@ -382,11 +382,11 @@ class Ports:
     def _controlled(
         self, port: int, programme: Programme, side: float, friction: tuple[float, float]
     ) -> None:
-        """Set up a slipping contact under feedback control, with friction that depends on slip.
+        """Set up a slipping contact under feedback control; friction has a value and a slope.
 
         At slips near rounding errors, the torque approaches its value at 0 linearly, like the
-        torque of a damper. The line continues beyond zero slip, where Newton iterations can be, so
-        that they return; their result is a slip of 0 even for very steep laws.
+        torque of a damper. The line continues beyond zero slip, so Newton iterations that overshoot
+        return. They converge to a slip of 0 even for very steep laws.
         """
         value, slope = friction
         looks = [look for look in (programme.look, programme.rub) if look]
@@ -419,7 +419,7 @@ class Ports:
     def _programme(self, port: int, programme: Programme, sign: float, time: float) -> None:
         curve, factor = programme.curve, sign * programme.factor
         if programme.look is not None:
-            is_contact = port < self.layout.springs  # springs do not stick at zero slip
+            is_contact = port < self.layout.springs  # a spring does not stick at zero slip
             self._controlled(port, programme, sign * is_contact, (sign, 0.0))
             return
         if isinstance(curve, Points):
@@ -433,7 +433,7 @@ class Ports:
 def converter_torques(
     converter: Converter, piece: int, pump: float, turbine: float
 ) -> tuple[float, float]:
-    """Return the torques of a converter at pump and turbine for given speeds [N*m].
+    """Return the torques on pump and turbine of a converter [N*m] at their speeds [rad/s].
 
     ``M_P = lambda w_P |w_P|`` and ``-K M_P`` (Tsitovich, Algin, (1.38)), with K and lambda linear
     in the speed ratio on a piece; both torques are 0 while the pump is at rest.

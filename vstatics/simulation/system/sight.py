@@ -1,7 +1,7 @@
 """Quantities of the motion that formulas read, in a fixed order (the *seen* quantities).
 
-The order is: rates of ports, twists, angles, values (control states and temperatures), and
-quantities derived from torques (`PortLayout.derived`).
+The order is: rates of ports, twists of springs, angles of links, values (control states and
+temperatures), and quantities derived from torques (`PortLayout.derived`).
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ def place_of(system: MotionSystem, seen: Seen) -> int:
 
 
 def _slip(system: MotionSystem, name: str) -> int:
-    """Return the port of a shift element, which is a contact or a spring."""
+    """Return the port of the contact or spring that represents a shift element."""
     [place] = (
         place
         for place, device in enumerate(system.may_slip, system.layout.contacts)
@@ -58,7 +58,7 @@ def _slip(system: MotionSystem, name: str) -> int:
 
 
 def looking(system: MotionSystem, formula: Formula, rate: int = 0, angle: int = -1) -> Look:
-    """Return a formula as a function of time and seen quantities, with the current settings.
+    """Return a formula as a function of time and seen quantities; settings are replaced by values.
 
     Parameters
     ----------
@@ -89,7 +89,7 @@ def looking(system: MotionSystem, formula: Formula, rate: int = 0, angle: int = 
 
 
 class Compared(NamedTuple):
-    """Two numbers that a formula, or the check of a limit, compares."""
+    """Two numbers that a formula compares, or a number and its limit."""
 
     first: Look
     second: Look
@@ -100,7 +100,7 @@ class Compared(NamedTuple):
 
 
 class Corner(NamedTuple):
-    """Corner: a number at which a formula or limit bends or jumps."""
+    """Numbers at which a formula or limit bends or jumps."""
 
     path: Path
     """Path of the formula in the scenario."""
@@ -168,19 +168,19 @@ def corners(system: MotionSystem) -> list[Corner]:
 
 
 def control_path(device: Contact | Elastic) -> tuple[str, str]:
-    """Return the path, in the scenario, of the capacity of a contact or spring."""
+    """Return the scenario path of the control of a shift element or the limit of a spring."""
     return "limits" if device.element is None else "controls", device.name
 
 
 def conditions(system: MotionSystem) -> Iterator[tuple[Path, StepCondition]]:
-    """Yield the conditions of sequence steps, with paths in the scenario."""
+    """Yield the conditions of sequence steps, with their paths in the scenario."""
     for path, step in placed_steps(system.scenario):
         if step.when is not None:
             yield (*path, "when"), step.when
 
 
 def _rubbing_corners(system: MotionSystem) -> Iterator[Corner]:
-    """Yield the corners of coefficients of friction that are tables over slip and temperature."""
+    """Yield the corners of friction coefficients that are tables over slip and temperature."""
     for device in system.may_slip:
         if device.programme.table is not None:
             slip, temperature = _rubbing_places(system, device)
@@ -213,7 +213,7 @@ def fixed(value: float) -> Look:
 
 
 def with_settings(system: MotionSystem, settings: Mapping[str, float]) -> MotionSystem:
-    """Return the system with new settings for the controls."""
+    """Return the system with new values of the numbers that sequences set."""
     system = replace(system, settings=settings)
     contacts = tuple(
         contact._replace(programme=_seeing(system, contact)) for contact in system.contacts
@@ -243,7 +243,7 @@ def _seeing(system: MotionSystem, device: Contact | Elastic) -> Programme:
 
 
 def following(system: MotionSystem, limit: SpringLimit, pieces: Sequence[int] = ()) -> Look:
-    """Return a torque limit that grows with the torque of a spring and damper.
+    """Return a spring's torque limit that grows with the torque of another spring.
 
     Parameters
     ----------

@@ -1,6 +1,6 @@
 """Constant matrices of the equations of motion while a set of contacts sticks.
 
-``M dw/dt = F - B m`` and ``C' w = 0``, with inertia matrix M, torques F of ports and constraint
+``M dw/dt = F - B m`` and ``C' w = 0``, with inertia matrix M, torques F at ports and constraint
 torques m. The columns of C belong to rigid mechanisms and sticking contacts; B is C with losses:
 ``u eta^x`` instead of u. With bases N and L of the motions that C and B leave free, ``(L' M N)
 dq/dt = L' F`` and ``w = N q``. Motions without inertia are separate: the torques along them
@@ -34,20 +34,17 @@ MeshStates = tuple[str, ...]
 first link relative to the third, and of the torque on the first link.
 """
 
+_FIRST_PREFERENCE = 1e-2
+"""Weight of mechanisms, which carry redundant torques first; other constraints have weight 1."""
 _LAST_PREFERENCE = 1e2
-_FIRST = 1e-2
-"""Small and large weight in the norm of redundant torques.
-
-Redundant torques go to the constraints of mechanisms first, and to drags and the friction of
-mechanisms at rest last.
-"""
+"""Weight of drags and of friction at rest, which carry redundant torques last."""
 
 
 class Multiplier(NamedTuple):
     """Identity of a constraint torque: kind, and index of mechanism or contact."""
 
     kind: str
-    """`mesh` (on the first link of a mechanism), `friction` (in one at rest), or `contact`."""
+    """`mesh` (first link of a mechanism), `friction` (mechanism at rest), or `contact`."""
     of: int
 
 
@@ -145,7 +142,7 @@ class MotionStructure:
 def _driven(
     system: MotionSystem, contact_rows: Mapping[int, int], rows: Floats
 ) -> tuple[tuple[int, ...], Floats]:
-    """Return the drivers, and the speeds of links per unit speed of each driver.
+    """Return the drivers, and the speeds of all links per unit speed of each driver.
 
     Several drivers at the same jump count once.
     """
@@ -166,14 +163,14 @@ def _driven(
 
 def _weight(system: MotionSystem, multiplier: Multiplier) -> float:
     if multiplier.kind == "mesh":
-        return _FIRST
+        return _FIRST_PREFERENCE
     if multiplier.kind == "friction" or system.contacts[multiplier.of].is_drag:
         return _LAST_PREFERENCE
     return 1.0
 
 
 def mesh_factor(efficiency: float, back: float, state: str) -> float:
-    """Return ``eta^x`` of a mechanism; x is 1 if power enters at the first link, otherwise -1.
+    """Return ``eta^x`` of a mechanism: x = 1 if power enters at the first link, otherwise -1.
 
     >>> mesh_factor(0.98, 0.98, "+-"), mesh_factor(0.98, 0.98, "--"), mesh_factor(1, 1, "")
     (1.0204081632653061, 0.98, 1.0)
@@ -186,7 +183,7 @@ def mesh_factor(efficiency: float, back: float, state: str) -> float:
 def _constraints(
     system: MotionSystem, held: Held, meshes: MeshStates
 ) -> tuple[Floats, Floats, list[Multiplier]]:
-    """Return the matrices C and B, and the identity of the constraint torque of each column.
+    """Return the matrices C and B, and the constraint torque that belongs to each column.
 
     C and B are equal if no mechanism has losses.
     """
@@ -254,8 +251,8 @@ def split_motions(heavy: Floats, free: Floats) -> tuple[Floats, Floats]:
 def _circulating(rows: Floats, columns: Floats, friction: Booleans) -> tuple[Floats, Floats]:
     """Return combinations of constraint torques that circulate power in parallel paths.
 
-    The equations do not determine their size. As in statics, the friction of mechanisms at rest is
-    minimised (usually to zero), and then the norm of the constraint torques.
+    The equations do not determine the size of these torques. As in statics, the friction of
+    mechanisms at rest is minimised (usually to zero), and then the norm of the constraint torques.
 
     Returns
     -------
@@ -272,7 +269,7 @@ def _circulating(rows: Floats, columns: Floats, friction: Booleans) -> tuple[Flo
     circulating, redundant = spare @ right[:count].T, spare @ right[count:].T
     if not friction.any():
         return circulating, circulating
-    irreducible = null(redundant[friction].T)  # friction that cannot be redundant
+    irreducible = null(redundant[friction].T)  # friction that must carry torque
     _, sizes, right = np.linalg.svd(irreducible.T @ circulating[friction])
     count = _counting(sizes, 1.0)
     directions = circulating @ right.T
@@ -284,7 +281,7 @@ def _circulating(rows: Floats, columns: Floats, friction: Booleans) -> tuple[Flo
 
 
 def _multipliers(columns: Floats, weights: Floats, residual: Floats) -> tuple[Floats, Floats]:
-    """Return the matrix from torques of ports to constraint torques, and the redundant directions.
+    """Return the matrix from port torques to constraint torques, and the redundant directions.
 
     Redundant torques have least weighted norm. Drags and the friction of mechanisms at rest carry a
     torque only if no other constraint can.
@@ -312,7 +309,7 @@ def _multipliers(columns: Floats, weights: Floats, residual: Floats) -> tuple[Fl
     if rank == count:
         return multipliers, np.zeros((count, 0))
     spare = null(columns) * weights[:, None]
-    basis, _ = np.linalg.qr(spare)  # basis in the weighted norm
+    basis, _ = np.linalg.qr(spare)  # orthonormal in the weighted norm
     return multipliers, basis / weights[:, None]
 
 

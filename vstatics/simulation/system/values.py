@@ -41,7 +41,7 @@ class ValueChanges:
     def at(
         self, time: float, state: Floats, rates: Floats, torques: Floats, change: Floats
     ) -> Floats:
-        """Return the rates of control states and temperatures; `change` contains the powers."""
+        """Return rates of control states and temperatures; `change` contains friction powers."""
         value_rates = self.unheld(time, state, rates, torques)
         value_rates[: len(self.held)][self.held != 0] = 0.0
         equations = self.equations
@@ -55,7 +55,7 @@ class ValueChanges:
         return value_rates
 
     def unheld(self, time: float, state: Floats, rates: Floats, torques: Floats) -> Floats:
-        """Return the rates of control states without limits, then 0 for temperatures."""
+        """Return the rates of control states regardless of limits, then 0 for temperatures."""
         value_rates = np.zeros(len(self.equations.layout.values))
         if self.rates:
             seen, ports = self.seen(time, state, rates, torques), self.equations.ports
@@ -77,11 +77,11 @@ class ValueChanges:
         return seen + [derived(time, state, rates, torques) for derived in self.derived]
 
     def seen_at(self, time: float, state: Floats) -> list[float]:
-        """Return all quantities that formulas read, and calculate the rates and torques first."""
+        """Return all quantities that formulas read, from time and state alone."""
         return self.seen(time, state, *self.equations.acting(time, state))
 
     def hold_limits(self, time: float, state: Floats) -> None:
-        """Hold control states at limits where the rates point outward now or soon."""
+        """Hold control states at limits where their rates point outward now or soon."""
         states = self.equations.system.scenario.states
         if not states:
             return
@@ -107,12 +107,13 @@ class ValueChanges:
             inward = self.held * self._next_changes(time, state)[: len(sides)] < 0
             if not inward.any():
                 return
-            self.held[inward] = 0  # this can change other rates
+            self.held[inward] = 0  # releasing a state can change the rates of others
 
     def _next_changes(self, time: float, state: Floats) -> Floats:
-        """Return the rates of control states without limits.
+        """Return the rates of control states regardless of limits, soon after an instant.
 
-        A rate that is 0, or soon changes its sign, is replaced by the rate a little later.
+        A rate that is 0, or soon changes by its own magnitude or more, is replaced by the rate a
+        little later.
         """
         equations = self.equations
         changes = self.unheld(time, state, *equations.acting(time, state))
@@ -130,7 +131,6 @@ class ValueChanges:
 
 
 def _side(state: ControlState, value: float, near: float) -> int:
-    """Return 1 at the upper limit of a control state, -1 at the lower limit, otherwise 0."""
     for side, limit in ((1, state.most), (-1, state.least)):
         if math.isfinite(limit) and side * (value - limit) >= -max(near, EQUAL_SIDES * abs(limit)):
             return side
@@ -219,7 +219,7 @@ def _ports_of(equations: KnownMotion, name: str) -> list[int]:
 
 
 def _torque(equations: KnownMotion, name: str) -> Derived:
-    """Return the torque that a component receives from the first link."""
+    """Return the torque on a component from its first link, as a function."""
     system, structure, layout = equations.system, equations.structure, equations.layout
     ports = _ports_of(equations, name)
     by_ports = np.zeros(layout.ports)

@@ -1,8 +1,8 @@
 """Variators with a moving speed ratio: ``w_second = x(t) w_first``, torques (x m eta^-s, -m).
 
-Here m is the torque of the second link, and s the direction of power. The constraint row has the
-constant ratio `reference`: ``x0 w_first - w_second``. Two ports describe the motion of the ratio.
-The speed of the row is ``(x0 - x) w_first``, as of a driver with the derivative
+Here m is the torque of the second link, and the sign s is the direction of power. The constraint
+row has the constant ratio `reference`: ``x0 w_first - w_second``. Two ports describe the motion of
+the ratio. The speed of the row is ``(x0 - x) w_first``. Like a driver, it has the derivative
 
     u = -x' w_first - (x - x0) a_first,
 
@@ -54,7 +54,7 @@ class VariatorTorques:
         first = [variator.first for variator in self.variators]
         self.references = np.array([variator.reference for variator in self.variators])
         self.lacks = False
-        """True if no torques agreed with the efficiencies in the last evaluation."""
+        """True if the efficiencies agreed with no torques in the last evaluation."""
         self.is_lawful = any(
             isinstance(number, Law)
             for variator in self.variators
@@ -95,7 +95,7 @@ class VariatorTorques:
         by_port, changes = by_torques[:, self.places], self.accelerations[:, self.places]
         driven = -moved * speeds - apart * (self.accelerations @ torques)
         carried, factors = held, np.ones(count)
-        # Another variator can reverse the power flow, which changes the efficiency.
+        # a second variator can reverse the power flow, which changes the efficiency
         for _ in range(_MOST_ROUNDS if self.is_lawful else 2 + count):
             factors = self._factors(carried * ratios * factors, speeds)
             taken = ratios * factors - self.references

@@ -1,9 +1,9 @@
 """Torques of mechanisms whose efficiency depends on speed, torque or both.
 
 The constraint of such a mechanism contains the factor ``f0 = eta^x`` of a constant efficiency. With
-the factor f of the present efficiency, a port adds the torque ``(f - f0) m`` along the row of the
-friction. The torque m on the first link depends on the torques of the ports, and f depends on m.
-The search for this fixed point begins at the last solution.
+the factor f of the present efficiency, a port adds the torque ``(f - f0) m`` along the friction
+row. The torque m on the first link depends on the torques of the ports, and f depends on m. The
+search for this fixed point begins at the last solution.
 """
 
 from __future__ import annotations
@@ -48,17 +48,17 @@ class LosingMesh:
         """Factor f0 in the constraint of the mechanism."""
 
     def torque(self, speed: float, on_first: float) -> float:
-        """Return the torque of the port [N*m]; an impossible efficiency is replaced."""
+        """Return the port torque [N*m]; an impossible efficiency is clipped."""
         if not self.moves:
             return 0.0
         value = self.efficiency(speed, on_first)
         if not 0 < value <= 1 and self.sign * on_first < 0:
             return 0.0
-        value = max(LEAST_EFFICIENCY, min(value, 1.0))  # replaces NaN, too
+        value = max(LEAST_EFFICIENCY, min(value, 1.0))  # also replaces NaN
         return ((value if self.drives else 1 / value) - self.given) * on_first
 
     def torques(self, speeds: Floats, on_first: Floats) -> Floats:
-        """Return the torques of the port at several instants; NaN for an impossible efficiency."""
+        """Return the port torques at several instants, NaN for impossible efficiencies."""
         if not (self.moves and isinstance(self.law, Law)):
             return np.array([self.torque(0.0, torque) for torque in on_first.tolist()])
         sizes = self.law.sizes_of(np.abs(speeds), np.maximum(self.sign * on_first, 0.0))
@@ -67,7 +67,7 @@ class LosingMesh:
         return ((values if self.drives else 1 / values) - self.given) * on_first
 
     def efficiency(self, speed: float, on_first: float) -> float:
-        """Return the efficiency; torques of the wrong sign, which occur in trials, count as 0."""
+        """Return the efficiency; a torque of the wrong sign, as in trials, counts as 0."""
         return efficiency_at(self.law, speed, max(self.sign * on_first, 0.0))
 
 
@@ -97,7 +97,7 @@ class VaryingLosses:
         """Mechanism without a solution in the last evaluation, and the reason."""
 
     def fill(self, rates: Floats, torques: Floats, others: Callable[[], None] | None) -> None:
-        """Fill in the torques of the ports; NaN without consistent efficiencies.
+        """Fill in the torques of the ports, NaN if the efficiencies do not agree with them.
 
         Parameters
         ----------
@@ -131,7 +131,7 @@ class VaryingLosses:
 
         agreed = self.fixed_points.near(self.latest, on_first, least)
         self.failed = self._failure(speeds, agreed, least)
-        if self.failed:  # far from a solution, impossible efficiencies can agree, too
+        if self.failed:  # far from a solution, impossible efficiencies can agree with the torques
             self.fixed_points = FixedPoints(len(self.meshes))
             agreed = self.fixed_points.near(held, on_first, least)
             self.failed = self._failure(speeds, agreed, least)
@@ -172,9 +172,9 @@ class VaryingLosses:
     def _failure(
         self, speeds: Vector, agreed: Vector | None, least: Vector
     ) -> tuple[LosingMesh, str] | None:
-        """Return a mechanism whose torque and efficiency do not agree, with the reason.
+        """Return a mechanism whose efficiency does not agree with its torque, and the reason.
 
-        Torques of the wrong sign, only in trials, reverse the flow of power instead.
+        Torques of the wrong sign, which occur only in trials, are no failure.
         """
         if agreed is not None:
             pairs = zip(self.meshes, agreed, least, strict=True)

@@ -1,4 +1,4 @@
-"""Additional columns of a single run, read from the text of --out.
+"""Additional columns of a single run, read from the text of the option --out.
 
 >>> from vstatics.core.model.transmission import Transmission
 >>> from vstatics.simulation.scenario.parts import Scenario
@@ -59,7 +59,7 @@ def read_asked(text: str, scenario: Scenario) -> list[tuple[str, str]]:
 
 
 def asked_rows(part: Selection, rows: Sequence[str]) -> list[tuple[str, str]]:
-    """Return pairs of table and row: the selected row, otherwise all rows.
+    """Return pairs of table and row for a selected row, or for all rows if none is selected.
 
     The row name is empty for a table of a single number.
     """

@@ -34,19 +34,19 @@ class RunNames:
     ----------
     source : Excerpt
     rows_of : callable
-        Function from a kind of rows to their names.
+        Function from a kind of rows to the names of the rows.
     """
 
     language = LANGUAGE
     gears: Sequence[str] = ()
-    """Names of gears; empty, because tables of a run have no axis of gears."""
+    """No names of gears, because tables of a run have no axis of gears."""
 
     def __init__(self, source: Excerpt, rows_of: Callable[[Kind], Sequence[str]]) -> None:
         self.source = source
         self.rows_of = rows_of
 
     def selection(self, read: TableName) -> Selection:
-        """Return the table or part of a table that a name selects.
+        """Return the table, or the rows of a table, that a name selects.
 
         Raises
         ------
@@ -54,7 +54,7 @@ class RunNames:
         """
         known = TABLES.get(read.name)
         if known is None:
-            raise self.source.error(self._no_table(read.name), read.at)
+            raise self.source.error(self._message_of_unknown_table(read.name), read.at)
         gear = None if along_time(read.name) else 0
         subscripts = list(read.subscripts)
         if known.kind == "number":
@@ -66,9 +66,9 @@ class RunNames:
         rows = self.rows(read.name)
         if not rows:
             raise self.source.error(f"there is no {known.kind}, so `{read.name}` is empty", read.at)
-        if known.kind == "step" and len(subscripts) == 2:  # both are the name of a row
+        if known.kind == "step" and len(subscripts) == 2:  # sequence and number name a row
             (sequence, at), (step, _) = subscripts
-            subscripts = [Subscript(f"{_bare(sequence)},{step}", at)]
+            subscripts = [Subscript(f"{_unquoted(sequence)},{step}", at)]
         row = self._row(subscripts.pop(0), rows, known.kind) if subscripts else None
         if subscripts:
             raise self.source.error(
@@ -81,26 +81,26 @@ class RunNames:
         return self.rows_of(TABLES[table].kind)
 
     def written_rows(self, table: str) -> Sequence[str]:
-        """Return the names of the rows of a table, equal in all variants."""
+        """Return the names of the rows of a table, which are equal in all variants."""
         return self.rows(table)
 
     def row(self, table: str) -> str:
-        """Return the noun for the rows of a table, such as `link`."""
+        """Return the kind of the rows of a table, such as `link`."""
         return TABLES[table].kind
 
     def key(self, index: int, rows: Sequence[str]) -> str:
-        """Return a row as written in brackets; a step is written as sequence and number."""
+        """Return the text in brackets for a row; the text of a step is its sequence and number."""
         if tuple(rows) != self.rows_of("step"):
             return written(index, rows)
         sequence, _, number = rows[index].rpartition(",")
         return f"{written(0, [sequence])},{number}"
 
     def _row(self, subscript: Subscript, rows: Sequence[str], kind: str) -> int | None:
-        """Return the index of the row in a subscript, by name or by number, unless for all rows."""
+        """Return the row index in a subscript, by name or number; None means all rows (`:`)."""
         written = subscript.written
         if written == ":":
             return None
-        name = _bare(written)
+        name = _unquoted(written)
         rows_of_name = [] if written[0] == "#" else [n for n, row in enumerate(rows) if row == name]
         if not rows_of_name and kind == "target":  # a link with a single target speed
             rows_of_name = [n for n, row in enumerate(rows) if row.rpartition(" ")[0] == name]
@@ -116,8 +116,7 @@ class RunNames:
             subscript.at,
         )
 
-    def _no_table(self, name: str) -> str:
-        """Return the error message for a name that is not a table."""
+    def _message_of_unknown_table(self, name: str) -> str:
         hint = ""
         for table in ("speeds", "heat", "torques"):
             if not hint and name in self.rows(table):
@@ -128,7 +127,7 @@ class RunNames:
 
 
 class MotionNames(RunNames):
-    """Resolver of all names in an expression: of numbers in the documents, and of tables."""
+    """Resolver of all names in an expression: tables, and numbers in the documents."""
 
     def __init__(
         self, source: Excerpt, subject: ScenarioNumbers, targets: Sequence[Varied]
@@ -138,7 +137,7 @@ class MotionNames(RunNames):
         self.targets = targets
 
     def number(self, name: DottedName) -> VariedNumber | Constant | Selection:
-        """Return the number with a name: varied, as written, or a result of teeth."""
+        """Return a named number: a varied number, a number as written, or a result of teeth."""
         return self._number(name.written, self.source.place(name.at))
 
     def _number(self, written: str, place: Place) -> VariedNumber | Constant | Selection:
@@ -158,12 +157,11 @@ class MotionNames(RunNames):
         return [] if table in PART_NUMBERS.values() else super().rows(table)
 
     def table(self, read: TableName) -> Selection | VariedNumber | Constant:
-        """Return the table, the part of a table, or the duration that a name means."""
+        """Return the table, rows of a table, or duration that a name means."""
         if read.name == "duration" and not read.subscripts:
             return self._number(read.name, self.source.place(read.at))
         return self.selection(read)
 
 
-def _bare(written: str) -> str:
-    """Return a subscript without quotes."""
+def _unquoted(written: str) -> str:
     return written[1:-1] if written[0] in "\"'" else written

@@ -1,4 +1,4 @@
-"""Tables of a run, under their names in expressions of a sweep.
+"""Tables of a run, by their names in expressions of a sweep.
 
 >>> [name for name in TABLES if along_time(name)][:5]
 ['time', 'speeds', 'slips', 'torques', 'accelerations']
@@ -20,11 +20,11 @@ from vstatics.simulation.record.row_names import Kind
 from vstatics.sweep.results.meanings import PART_NUMBERS
 
 OfRow: TypeAlias = Callable[[Motion, str, int], float]
-"""Function that returns the number in a row from a motion and the name and index of the row."""
+"""Function from a motion, and the name and index of a row, to the number in the row."""
 
 
 class MotionTable(NamedTuple):
-    """Table of a run: columns over time, or a number for each row."""
+    """Table of a run: columns over time, or a number in each row."""
 
     kind: Kind
     unit: str
@@ -41,7 +41,7 @@ def _energy(field: str, otherwise: float, motion: Motion, row: str, _: int) -> f
 
 
 def _event_time(kind: EventKind, place: Literal[0, -1], motion: Motion, row: str, _: int) -> float:
-    """Return the time of the first (`place` = 0) or last (-1) event of a kind [s]."""
+    """Return the time [s] of the first (`place` = 0) or last (-1) event of a kind."""
     times = [event.time for event in motion.events if (event.element, event.event) == (row, kind)]
     return times[place] if times else math.nan
 
@@ -59,8 +59,7 @@ def _dynamic_factor(motion: Motion, row: str, _: int) -> float:
     return math.nan if factor is None else factor
 
 
-def _step(motion: Motion, row: str, _: int) -> float:
-    """Return the time at which a sequence step was first done [s]."""
+def _step_time(motion: Motion, row: str, _: int) -> float:
     done = (event.time for event in motion.events if f"{event.element},{event.step}" == row)
     return next(done, math.nan)
 
@@ -91,7 +90,7 @@ TABLES = {
     "reverses": MotionTable("friction", "s", partial(_event_time, "reverses", 0)),
     "impacts": MotionTable("friction", "s", partial(_event_time, "impact", 0)),
     "events": MotionTable("friction", "", _events),
-    "steps": MotionTable("step", "s", _step),
+    "steps": MotionTable("step", "s", _step_time),
     "time_to": MotionTable("target", "s", partial(_target, "time")),
     "distance_to": MotionTable("target", "m", partial(_target, "distance")),
     "damage": MotionTable("device with fatigue", "", _damage),
@@ -101,24 +100,23 @@ TABLES = {
     "impact": MotionTable("number", "J"),
     "balance": MotionTable("number", ""),
 }
-"""Tables of a run by name."""
 
 
 def along_time(name: str) -> bool:
-    """Return whether a table has a value for each instant."""
+    """Return whether a table has values at each instant."""
     table = TABLES[name]
     return name == TIME or (table.of_row is None and (table.kind != "number" or name in ASKED))
 
 
 class MotionTables:
-    """Tables of a run with the shape (1, instants or 1[, rows]).
+    """Tables of a run: shape (1, instants), or (1, 1), with a further axis for rows if any.
 
     Parameters
     ----------
     motion : Motion, optional
         Run; without a run all values are NaN.
     rows : callable
-        Function that returns the names of the rows of a kind.
+        Function from a kind of rows to the names of the rows.
     mechanisms : int
         Number of mechanisms of the case.
     """

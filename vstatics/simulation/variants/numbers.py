@@ -1,7 +1,7 @@
 """Numbers of a scenario and its case that variants replace.
 
-A variant is read from the documents with replaced numbers. So every number in the documents can
-vary, and their reader reports impossible numbers.
+The reader of the documents reads each variant with replaced numbers. So every number in the
+documents can vary, and the reader reports impossible numbers.
 """
 
 from __future__ import annotations
@@ -36,11 +36,11 @@ if TYPE_CHECKING:
 
 
 _PLAIN = (1.0, 0.5, 0.0, 100.0)
-"""Trial numbers, of which at least one is valid wherever a number is allowed."""
+"""Trial values; wherever a number is allowed, at least one of them is valid."""
 
 
 def number_paths(varied: Sequence[Varied]) -> list[NumberPath]:
-    """Return the varied numbers as paths in documents, as a sweep of a scenario requires."""
+    """Return only the varied numbers that are paths in documents."""
     return [path for path in varied if isinstance(path, NumberPath)]
 
 
@@ -55,7 +55,7 @@ class ScenarioNumbers:
     case : Document
         Case in any format; the numbers of a deck cannot vary.
     rtol : float
-        Tolerance of the runs, as of `simulate`. [-]
+        Tolerance of the runs, like `rtol` of `simulate`. [-]
     limit : float, optional
         Wall-clock time after which a run ends and its variant is `stopped`. [s]
     case_format : {"deck", "yaml", "json"}, optional
@@ -123,7 +123,7 @@ class ScenarioNumbers:
         return self._read(trees.scenario, reading)
 
     def rows(self, kind: Kind) -> tuple[str, ...]:
-        """Return the row names of tables with a kind of rows."""
+        """Return the names of the rows of a kind."""
         from vstatics.simulation.record.row_names import rows_of_kind
 
         return rows_of_kind(kind, self.own.scenario)
@@ -143,7 +143,7 @@ class ScenarioNumbers:
         return self.own.scenario.case
 
     def in_unit(self, varied: Varied, unit: str, place: Place | None) -> NumberPath:
-        """Return a varied number with the unit of the given values.
+        """Return a varied number with the unit in which its values are given.
 
         Raises
         ------
@@ -164,7 +164,7 @@ class ScenarioNumbers:
         return path
 
     def sampled(self, text: str) -> NumberPath:
-        """Return the number to which a distribution under `samples` belongs, with the SI unit.
+        """Return the number that a distribution under `samples` varies, with its SI unit.
 
         The unit is empty if neither the number nor the distribution has a unit.
 
@@ -178,7 +178,7 @@ class ScenarioNumbers:
         return path._replace(unit=in_si(unit)) if unit else path
 
     def written_number(self, path: NumberPath, place: Place | None) -> float:
-        """Return a number as written in the document, in the unit there.
+        """Return a number as written in the document, in its unit there.
 
         Raises
         ------
@@ -197,7 +197,7 @@ class ScenarioNumbers:
         return is_such and written_number(path, self.trees) is None
 
     def check_new(self, paths: Sequence[NumberPath], values: Sequence[float]) -> None:
-        """Check that numbers that the documents do not contain are allowed at the given paths.
+        """Check that numbers missing from the documents are allowed at their paths.
 
         Parameters
         ----------
@@ -208,13 +208,13 @@ class ScenarioNumbers:
         Raises
         ------
         ReadError
-            If no number is allowed at a path; the error is that of the reader for the given value.
+            If no number is allowed at a path; the reader's error for the value of the variant.
         """
         for path, value in zip(paths, values, strict=True):
             if written_number(path, self.trees) is not None:
                 continue
             first: ReadError | None = None
-            for tried in (value, *_PLAIN):  # another value can be valid there
+            for tried in (value, *_PLAIN):  # another value can be valid at this path
                 try:
                     self.variant([path], [tried])
                 except ReadError as error:
@@ -233,7 +233,7 @@ class ScenarioNumbers:
 
 
 def sampled_numbers(subject: ScenarioNumbers) -> list[Variation]:
-    """Return the numbers under `samples` in a scenario, with distributions.
+    """Return the numbers under `samples` in a scenario, each with its distribution.
 
     Raises
     ------

@@ -15,7 +15,7 @@ from vstatics.sweep.plan import SweepPlan
 from vstatics.sweep.variants.samples import Method, Sample
 
 OF_SAMPLES = ("peaks", "heat", "losses", "locks", "damage", "work", "kinetic", "elastic", "impact")
-"""Tables of results of samples by default, if not empty."""
+"""Default tables of results for samples; empty tables are left out."""
 
 
 def sample_plan(subject: VariedScenario, options: SweepOptions) -> SweepPlan:
@@ -49,7 +49,7 @@ def sample_plan(subject: VariedScenario, options: SweepOptions) -> SweepPlan:
     drawn = Sample(variations, options.sample or 1, method, options.seed or 0)
     kinds = {name: TABLES[name].kind for name in OF_SAMPLES}
     names = [name for name, kind in kinds.items() if kind == "number" or subject.rows(kind)]
-    # Peaks are averaged as magnitudes.
+    # the magnitudes of peaks are averaged
     columns = ["abs(peaks)" if name == "peaks" else name for name in names]
     out = options.out or Text(",".join(columns))
     return with_expressions(subject, replace(options, out=out), drawn)

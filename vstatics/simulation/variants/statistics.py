@@ -1,4 +1,4 @@
-"""Statistics of samples: of the random numbers, and of the results of all runs."""
+"""Statistics of samples: of the random numbers and of the results."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class SamplesAnswer(NamedTuple):
 
 
 def columns_statistics(columns: Mapping[str, Floats]) -> dict[str, Statistics]:
-    """Return the statistics of columns, except columns that are 0 or missing in all runs."""
+    """Return the statistics of columns, except for columns that are 0 or missing in all runs."""
     return {
         name: statistics(numbers)
         for name, numbers in columns.items()
@@ -42,7 +42,7 @@ def samples_answer(varied: Sequence[str], columns: Mapping[str, Statistics]) -> 
 def statistics_grids(samples: SamplesAnswer) -> Iterator[Grid]:
     """Yield a table of random numbers and a table of results, with a row for each quantity.
 
-    The number of runs is in the title, or in a column if it differs between rows.
+    The title contains the number of runs, unless it differs between rows and needs a column.
     """
     heads = ("mean", "deviation", *(f"{part:.0%}" for part in PARTS))
     for title, columns in zip(("Drawn", "Results"), samples, strict=True):

@@ -46,7 +46,7 @@ class VariedScenario(ScenarioNumbers, SweptDocument):
     case : Document
         Case in any format; the numbers of a deck cannot vary.
     rtol : float
-        Tolerance of the runs, as of `simulate`. [-]
+        Tolerance of the runs, like `rtol` of `simulate`. [-]
     limit : float, optional
         Wall-clock time after which a run ends and its variant is `stopped`. [s]
     case_format : {"deck", "yaml", "json"}, optional
@@ -66,7 +66,7 @@ class VariedScenario(ScenarioNumbers, SweptDocument):
         return self.case.file
 
     def limited(self, seconds: float) -> VariedScenario:
-        """Return the subject with a limit of the wall-clock time of each run [s]."""
+        """Return the subject with a limit on the wall-clock time of each run [s]."""
         return replace(self, limit=seconds)
 
     def run(
@@ -75,7 +75,7 @@ class VariedScenario(ScenarioNumbers, SweptDocument):
         values: Sequence[float],
         columns: Sequence[tuple[str, str]] = (),
     ) -> Motion:
-        """Run a variant with given numbers; see `simulate` for `columns`.
+        """Run a variant with replaced numbers; see `simulate` for `columns`.
 
         Raises
         ------
@@ -113,7 +113,7 @@ class VariedScenario(ScenarioNumbers, SweptDocument):
         self.check_new(number_paths(targets), values)
 
     def names(self, source: Excerpt, targets: Sequence[Varied]) -> MotionNames:
-        """Return the resolver of names in an expression."""
+        """Return the resolver of the names in an expression."""
         return MotionNames(source, self, targets)
 
     def unit_of(self, table: str) -> str:
@@ -121,7 +121,7 @@ class VariedScenario(ScenarioNumbers, SweptDocument):
         return "" if self.base_case.masses else TABLES[table].unit
 
     def asked(self, selections: Iterable[Selection]) -> list[tuple[str, str]]:
-        """Return the additional columns that expressions need, as (table, row)."""
+        """Return the additional columns that expressions need, as pairs (table, row)."""
         asked = {
             row
             for part in selections
@@ -133,7 +133,7 @@ class VariedScenario(ScenarioNumbers, SweptDocument):
     def outcome(
         self, targets: Sequence[Varied], values: Floats, asked: Sequence[tuple[str, str]]
     ) -> RunOutcome:
-        """Run a variant, and return status, tables and messages."""
+        """Run a variant, and return its status, tables and messages."""
         paths, motion, status = number_paths(targets), None, INVALID
         if np.isfinite(values).all():
             with suppress(ReadError, CaseError):
@@ -149,7 +149,7 @@ class VariedScenario(ScenarioNumbers, SweptDocument):
         return RunOutcome(status, tables, unknown, motion.messages if motion else ())
 
     def reason(self, targets: Sequence[Varied], values: Sequence[float]) -> list[Problem]:
-        """Return the problems for which a variant has no results; empty for a complete run."""
+        """Return the problems that deprive a variant of results; empty for a complete run."""
         try:
             motion = self.run(number_paths(targets), values)
         except (ReadError, CaseError) as error:
@@ -157,9 +157,9 @@ class VariedScenario(ScenarioNumbers, SweptDocument):
         return [motion.stopped] if motion.stopped else []
 
     def seconds(self, tried: float) -> float:
-        """Return the estimated processor time of a run [s]; 0 for an end within `tried` seconds."""
+        """Return the estimated processor time of a run [s]; 0 if it ends within `tried` seconds."""
         pace = Pace(self.own.scenario.duration, tried)
-        with suppress(CaseError):  # variants can start even if this run cannot
+        with suppress(CaseError):  # other variants can start even if this run cannot
             simulate(self.own.scenario, rtol=self.rtol, watch=pace)
         return min(pace.needed, self.limit or math.inf)
 

@@ -12,6 +12,7 @@ from vstatics.core import readers
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files, formats
 from vstatics.core.cli.shared.exit_status import DONE, FAILED
+from vstatics.core.cli.shared.formats import FormatChoice
 from vstatics.core.cli.shared.options import (
     INPUT,
     PROCESSING,
@@ -49,7 +50,7 @@ def _click_option(name: str, option: Option) -> Callable[[Command], Command]:
         "path": {"type": FILE},
         "count": {"type": click.IntRange(option.least)},
         "flag": {"is_flag": True, "default": None},
-        "choice": {"type": click.Choice(option.choices)},
+        "choice": {"type": FormatChoice(option.choices)},
         "text": {"multiple": True, "callback": _once},
         "list": {"multiple": True, "callback": _once},
         "texts": {"multiple": True},

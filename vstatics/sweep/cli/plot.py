@@ -67,7 +67,7 @@ def plot_written_sweep(
     with wrong_value("--levels"):
         levels = checked_levels(asked.levels)
     duty = operating_points(*files.read_input(asked.duty, TABLE_BYTES)) if asked.duty else ()
-    options = MapOptions(levels, best, duty, _limits(asked.limits))
+    options = MapOptions(levels, best, duty, _full_load_curves(asked.limits))
     columns = columns._replace(of_map=options)
     with files.problems_of_file(name):
         drawn = render_sweep(sweep, kind, cast("Format", to.form), style, columns)
@@ -75,8 +75,7 @@ def plot_written_sweep(
     return DONE
 
 
-def _limits(file: str) -> list[FullLoad]:
-    """Read the full-load curves of a vehicle."""
+def _full_load_curves(file: str) -> list[FullLoad]:
     if not file:
         return []
     from vstatics.core import readers

@@ -168,7 +168,7 @@ def _summary(run: SweepRun, report: SweepReport, seconds: float, finished_before
         tell_reason(run.plan)
         return Ended(FAILED, messages)
     if run.plan.where is not None and not report.rows:
-        _tell_removed(run.plan.where, report)
+        _print_removed(run.plan.where, report)
     return Ended(EMPTY if run.fail_empty and not report.rows else DONE, messages)
 
 
@@ -196,8 +196,7 @@ def _counted(plan: SweepPlan) -> str:
     return "gears" if plan.by_gear else "variants"
 
 
-def _tell_removed(where: WhereCondition, report: SweepReport) -> None:
-    """Print the number of variants that each part of the condition removed."""
+def _print_removed(where: WhereCondition, report: SweepReport) -> None:
     remaining = report.variants
     for part, removed in zip(where.parts, report.removed, strict=True):
         files.say(f"`{part.text}` removed {removed} of {remaining}")

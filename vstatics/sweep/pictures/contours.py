@@ -17,13 +17,13 @@ MOST_LEVELS = 16
 """Number of levels at equal steps, used if `MAP_LEVELS` levels leave a band with too many values.
 """
 CROWDED_BAND = 0.35
-"""Share of all values in a band above which levels follow quantiles instead of equal steps. [-]"""
+"""Fraction of all values in a band above which levels follow quantiles, not equal steps. [-]"""
 LEAST_BAND = 0.02
 """Smallest width of a band, relative to the range of values. [-]"""
 FEW_LEVELS = 5
 """Number of levels near quantiles below which levels have equal steps without the longer tail."""
 LEAST_FILLED = 0.5
-"""Smallest share of filled grid points at which points count as a rectangular grid. [-]"""
+"""Smallest fraction of filled grid points at which points count as a rectangular grid. [-]"""
 GRID_OF_POINTS = 121
 """Number of interpolated points in each direction, for points that do not form a grid."""
 

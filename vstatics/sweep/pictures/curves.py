@@ -151,7 +151,6 @@ def _scale(values: Floats) -> AxisScale:
 
 
 def _line_ends(curves: Sequence[Curve]) -> list[LineEnd]:
-    """Return the names to be written at the right ends of curves."""
     scale = _scale(np.concatenate([curve.y for curve in curves]))
     labels = []
     for curve in curves:

@@ -57,6 +57,9 @@ def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Canv
     surfaces = sheet.surfaces
     if not any(np.isfinite(surface.z).any() for surface in surfaces):
         raise CaseError("E433", f"no row of the sweep has {names[2]}, so there is nothing to draw")
+    if not any(_has_area(surface.z) for surface in surfaces):
+        message = f"the rows with {names[2]} span no area, so there are no contours to draw"
+        raise CaseError("E433", message)
     x, y = sheet.scales
     overlays = [
         overlay.within(
@@ -68,8 +71,20 @@ def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Canv
     hidden = len({tuple(point) for point in overlay.points.tolist()}) - shown
     words = "not drawn: {count} operating point|not drawn: {count} operating points"
     why = style.text("outside the map or in another gear")
-    note = f"{style.text(words, count=hidden)} {why}" * bool(hidden)
-    return map_pages(sheet, names[:2], overlays, note, style)
+    notes = [f"{style.text(words, count=hidden)} {why}"] * bool(hidden)
+    values = np.concatenate([surface.z[np.isfinite(surface.z)] for surface in surfaces])
+    low, high = values.min(), values.max()
+    if sheet.levels and not any(low <= level <= high for level in sheet.levels):
+        words = "no level is within the values from {low} to {high}"
+        notes.append(style.text(words, low=number(low), high=number(high)))
+    return map_pages(sheet, names[:2], overlays, "; ".join(notes), style)
+
+
+def _has_area(values: Floats) -> bool:
+    """Return whether three corners of any cell of a grid have values, shape (y, x)."""
+    exists = np.isfinite(values).astype(int)
+    corners = exists[1:, 1:] + exists[1:, :-1] + exists[:-1, 1:] + exists[:-1, :-1]
+    return bool((corners >= 3).any())
 
 
 def _columns(sweep: WrittenSweep, selected: DrawnColumns) -> Names:
@@ -109,7 +124,6 @@ def _contours(sweep: WrittenSweep, style: Style, selected: DrawnColumns, names: 
 
 
 def _levels(values: Floats, wanted: int | Sequence[float] | None) -> Sequence[float]:
-    """Return the wanted contour levels, or levels chosen for the values."""
     if not values.size or isinstance(wanted, Sequence):
         return wanted if isinstance(wanted, Sequence) else ()
     if wanted is None:

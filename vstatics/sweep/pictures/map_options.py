@@ -69,4 +69,6 @@ def checked_levels(levels: int | Sequence[float] | None) -> int | Sequence[float
         is_valid = is_finite and list(levels) == sorted({*levels})
     if is_valid:
         return levels
-    raise ValueError(f"read {levels}, expected 1 to {most}, or at most {most} levels in order")
+    raise ValueError(
+        f"read {levels}, expected 1 to {most}, or at most {most} levels in ascending order"
+    )

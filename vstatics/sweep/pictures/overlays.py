@@ -36,10 +36,10 @@ class Overlay(NamedTuple):
     def within(self, low: tuple[float, float], high: tuple[float, float], gear: str) -> Overlay:
         """Return the overlay with the operating points of a gear within a rectangle.
 
-        An empty name selects the points of all gears.
+        An empty name selects the points of all gears; points without a gear belong to each gear.
         """
         inside = ((self.points >= low) & (self.points <= high)).all(axis=1)
-        shown = inside & np.array([gear in ("", other) for other in self.gears], bool)
+        shown = inside & np.array([other in ("", gear) or not gear for other in self.gears], bool)
         gears = [self.gears[place] for place in np.flatnonzero(shown).tolist()]
         return self._replace(gears=gears, points=self.points[shown])
 

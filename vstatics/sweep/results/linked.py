@@ -49,7 +49,7 @@ class LinkedVariants:
         first = len(self.base.targets)
         block[:, :first] = self.base.block(start, stop)
         for column, formula in enumerate(self.formulas, first):
-            values = _value(formula, block)
+            values = _values(formula, block)
             block[:, column] = np.where(np.isfinite(values), values, np.nan)
         return block
 
@@ -60,9 +60,7 @@ def table_of(variants: Variants) -> VariantTable | None:
     return base if isinstance(base, VariantTable) else None
 
 
-def _value(formula: Expression, block: Floats) -> Floats:
-    """Return the value of a formula for each row of a block."""
-
+def _values(formula: Expression, block: Floats) -> Floats:
     def value_of(name: VariedNumber) -> Floats:
         return block[:, name.column, None, None]
 

@@ -27,7 +27,7 @@ OK = "ok"
 
 
 PART_NUMBERS: dict[str, str] = {quantity: f"{quantity} of parts" for quantity in OF_MECHANISM}
-"""Names of the tables with a number of all mechanisms in each variant, by the quantity."""
+"""Names of the tables with the ratio or efficiency of each mechanism, by the quantity."""
 OF_A_VARIANT = (SPREAD, *PART_NUMBERS.values())
 """Tables whose values do not depend on the gear."""
 

@@ -46,7 +46,7 @@ class CasePath(NamedTuple):
     unit: str = ""
     """Unit of the values; empty for bare numbers, which are relative or in SI units."""
     relative: tuple[CaseNumber, ...] = ()
-    """Numbers relative to the load, for bare values; empty if the case gives a unit."""
+    """Numbers that vary relative to the load, for values without a unit; empty if not possible."""
 
     @property
     def name(self) -> str:

@@ -7,7 +7,7 @@ import io
 import math
 import re
 from collections.abc import Iterator, Sequence
-from itertools import chain
+from itertools import chain, islice
 from typing import IO, NamedTuple
 
 import numpy as np
@@ -21,6 +21,13 @@ from vstatics.core.readers.named.csv_rows import (
     has_cells,
     headings_of,
     separator_of,
+)
+from vstatics.core.readers.named.headings import (
+    COMMENT_SIGNS,
+    MOST_TITLE_LINES,
+    is_row_of_numbers,
+    with_unit,
+    without_sign,
 )
 from vstatics.core.readers.named.nodes import MOST_PROBLEMS
 from vstatics.core.readers.signs import with_plain_blanks
@@ -100,8 +107,7 @@ def read_table(opened: IO[bytes], file: str, subject: VariedSubject) -> VariantT
     (['D1.efficiency', 'D1.ratio'], array([ 0.96, -2.5 ]))
     """
     pieces = _pieces(opened, file)
-    head, number, first = _first_line(next(pieces, b"").removeprefix(_BOM), file)
-    columns = _header(head, file, number, subject)
+    columns, first = _headings(next(pieces, b"").removeprefix(_BOM), file, subject)
     digest = hashlib.sha256()
     parts: list[Floats] = []
     spool: Spool | None = None
@@ -143,21 +149,43 @@ def _pieces(opened: IO[bytes], file: str) -> Iterator[bytes]:
         yield unfinished
 
 
-def _first_line(piece: bytes, file: str) -> tuple[bytes, int, bytes]:
-    """Return the first line that is not empty, the number of the line, and the following bytes."""
-    start, number = 0, 1
-    while True:
-        end = piece.find(b"\n", start)
-        head = piece[start : end if end >= 0 else None]
-        if end < 0 or end + 1 == len(piece) or has_cells(_text(head, file, number)):
-            return head, number, piece[end + 1 :] if end >= 0 else b""
-        start, number = end + 1, number + 1
+def _headings(piece: bytes, file: str, subject: VariedSubject) -> tuple[_Columns, bytes]:
+    """Return the columns that the line of headings declares, and the bytes below this line.
+
+    Titles and comments above the headings are skipped.
+
+    Raises
+    ------
+    ReadError
+        If no line consists of headings; about the line above the numbers with most headings.
+    """
+    refused: dict[int, ReadError] = {}
+    for line, number, below in islice(_filled_lines(piece, file), MOST_TITLE_LINES):
+        if refused and is_row_of_numbers(line):
+            break
+        for head in dict.fromkeys([line, without_sign(line)]):
+            try:
+                return _header(head, Place(file, number, 1, line), subject), below
+            except ReadError as error:
+                known = len(_cells(head, separator_of(head))) - len(error.problems)
+                refused.setdefault(known, error)
+    raise refused[max(refused)]
 
 
-def _header(head: bytes, file: str, number: int, subject: VariedSubject) -> _Columns:
+def _filled_lines(piece: bytes, file: str) -> Iterator[tuple[str, int, bytes]]:
+    """Yield each line that is not empty (else the last), its number, and the bytes below."""
+    start = number = 0
+    is_empty = True
+    while start < len(piece) or is_empty:
+        end = piece.find(b"\n", start) % (len(piece) + 1)
+        start, number, line = end + 1, number + 1, _text(piece[start:end], file, number + 1)
+        if has_cells(line) or (is_empty and start >= len(piece)):
+            is_empty = False
+            yield line, number, piece[start:]
+
+
+def _header(line: str, start: Place, subject: VariedSubject) -> _Columns:
     """Return the columns that the line of headings declares."""
-    line = _text(head, file, number)
-    start = Place(file, number, 1, line)
     if not line.strip():
         raise refusal("read an empty line, expected names such as D1.ratio", start)
     separator = separator_of(line)
@@ -166,7 +194,7 @@ def _header(head: bytes, file: str, number: int, subject: VariedSubject) -> _Col
     placed = [(unguarded(name), start._replace(column=column)) for name, column in cells]
     names = [name for name, _ in placed]
     chosen_targets = targets_of(placed, subject)
-    return _Columns(file, number, separator, Decimals(separator), names, *chosen_targets)
+    return _Columns(start.file, start.line, separator, Decimals(separator), names, *chosen_targets)
 
 
 def targets_of(
@@ -223,7 +251,13 @@ def _varied(name: str, subject: VariedSubject, place: Place) -> Varied:
     if len(name) > LONGEST_HEADING:
         message = f"a heading has {len(name)} characters, expected the name of a number"
         raise ReadError("E715", message, place=place)
-    varied = target_of(name, subject, place)
+    try:
+        varied = target_of(name, subject, place)
+    except ReadError:
+        bare, unit = with_unit(name)
+        if unit is None or name.endswith("]"):
+            raise
+        varied = target_of(f"{bare} [{unit}]", subject, place)
     try:
         return varied.in_unit("") if isinstance(varied, CasePath) else varied
     except ValueError as error:
@@ -281,7 +315,7 @@ def _careful(piece: bytes, line: int, columns: _Columns) -> Floats:
     for number, data in enumerate(piece.split(b"\n"), line):
         try:
             text = _text(data, columns.file, number)
-            if has_cells(text):
+            if has_cells(text) and not text.lstrip().startswith(COMMENT_SIGNS):
                 rows.append(_row(text, Place(columns.file, number, 1, text), columns))
         except ReadError as error:
             problems += error.problems

@@ -126,7 +126,7 @@ def target(text: str, case: Transmission, place: Place | None = None) -> Target:
 
 
 def _usable(owner: Owner, case: Transmission) -> Sequence[str]:
-    """Return the names of components or links whose numbers can vary; springs etc. if elastic."""
+    """Return the names of components or links with numbers that can vary in the case."""
     names = _names(owner, case)
     pairs = zip(case.devices, devices_of(case), strict=True)
     elastic = [name for name, device in pairs if stiffness_of(device) is not None]

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from vstatics.synthesis.structures.scheme import SetScheme
 
 HELD = -1
-"""Number in place of the second link of a brake, which is the housing."""
+"""Number that represents the housing, as the second link of a brake."""
 EFFICIENCY = 0.98
 """Default basic efficiency of each gear set (carrier held). [-]"""
 
@@ -191,7 +191,7 @@ class FoundBox(NamedTuple):
 LARGEST_BOX_RATIO = 1000.0
 """Largest gear ratio, largest inverse of a gear ratio, and largest ring teeth/sun teeth. [-]"""
 ANY_QUOTIENT = (1.0, LARGEST_BOX_RATIO**2)
-"""Range of the ratio of a gear divided by the ratio of a later gear that is no restriction. [-]"""
+"""Bounds of a quotient of two gear ratios that restrict nothing. [-]"""
 MOST_BOX_SETS = 5
 """Largest number of gear sets; more sets have too many schemes to examine."""
 SHAFT_ELEMENTS = 3
@@ -199,13 +199,14 @@ SHAFT_ELEMENTS = 3
 clutch.
 """
 MOST_LINKS = 10
-"""Largest number of moving links, because all possible shift elements are bits of an integer."""
+"""Largest number of moving links: each possible shift element needs a bit of an integer."""
 MOST_ELEMENTS = 12
 """Largest number of shift elements."""
 MOST_SEQUENCE = 24
 """Largest number of forward gears that are not given by ratios."""
 MOST_TARGETS = 62
-"""Largest number of targets, which are bits of an integer; a further bit is for a sequence."""
+"""Largest number of targets (wanted ratios): each needs a bit of an integer, a sequence one more.
+"""
 COARSEST = 0.5
 """Largest permitted tolerance. [-]"""
 
@@ -263,7 +264,7 @@ def elements_there(search: BoxSearch) -> tuple[int, int]:
 
 
 def fewest_elements(shafts: int) -> int:
-    """Return the smallest number of shift elements with which each of some shafts has three.
+    """Return the smallest number of shift elements with which each shaft has three.
 
     >>> [fewest_elements(shafts) for shafts in range(5)]
     [0, 3, 5, 6, 6]

@@ -16,8 +16,8 @@ def case_mechanisms(lowered: OwnLinks) -> list[Mechanism]:
     """Return the mechanisms of a case, with planet groups split into pairs of central gears.
 
     In a group with three central gears, two pairs determine the speeds, and any of the gears can be
-    in both pairs. The gear whose ratios are farthest from 1 is chosen: two ring gears and a sun
-    gear give two pairs with the sun.
+    in both pairs. The gear whose ratios to the others are farthest from 1 is chosen: two ring gears
+    and a sun gear give two pairs with the sun.
 
     Examples
     --------
@@ -40,7 +40,7 @@ def case_mechanisms(lowered: OwnLinks) -> list[Mechanism]:
 
 
 def _by_best_wheel(pairs: Sequence[Mechanism]) -> Sequence[Mechanism]:
-    """Pair all central gears of a group with the best gear; leave pairs on several carriers."""
+    """Pair the best central gear of a group with each other gear, if on a single carrier."""
     speeds = {pairs[0].first: 1.0}  # relative to the carrier
     for _ in pairs:
         for pair in pairs:

@@ -47,7 +47,7 @@ def ranked(
 ) -> tuple[RankedBox, ...]:
     """Return the wanted gearboxes in order, without repetitions.
 
-    Gearboxes are ordered by the requested figures, then by error (equal within the tolerance), mean
+    Gearboxes are ordered by the requested figures, then by error (0 within the tolerance), mean
     loss, largest torque, number of clutches, planet speed and code. Families and cores are numbered
     in this order.
 
@@ -120,13 +120,13 @@ def family_count(boxes: Iterable[RankedBox]) -> int:
 
 
 def _worth(box: MeasuredBox) -> tuple[Any, ...]:
-    """Return a sort key of the fits of a gearbox, independent of the order of the fits."""
+    """Return a sort key for equal gearboxes whose fitted ratios differ; the smallest is kept."""
     error, loss = (round(figure, FIGURE_DECIMALS) for figure in box.figures[:2])
     return error, loss, box.box.ratios
 
 
 class BoxFilter(NamedTuple):
-    """Conditions on a gearbox, which a filter checks.
+    """Conditions that a found gearbox must satisfy to be listed.
 
     Examples
     --------
@@ -159,7 +159,7 @@ class BoxFilter(NamedTuple):
         return search._replace(brake_counts=brake_counts, singly=self.single)
 
     def before(self, box: FoundBox) -> bool:
-        """Return False if a gearbox is unwanted, as far as known before the figures are calculated.
+        """Return whether the numbers of brakes and clutches are wanted; figures are not yet known.
 
         >>> from vstatics.synthesis.boxes.box import HELD
         >>> from vstatics.synthesis.structures.scheme import SetScheme

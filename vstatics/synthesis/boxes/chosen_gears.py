@@ -1,4 +1,4 @@
-"""Choice of the engaged shift elements where several sets of elements give the ratio of a gear."""
+"""Choice among sets of engaged shift elements that give the same gear ratio."""
 
 from __future__ import annotations
 
@@ -97,7 +97,7 @@ def all_of(numbers: Engaged) -> int:
 
 
 Way = tuple[tuple[float, ...], tuple[Engaged, ...]]
-"""Cost of a number of gears, and the engaged shift elements of each."""
+"""Cost of the gears up to some gear, and the engaged shift elements of each of these gears."""
 
 
 def chosen_sets(
@@ -127,7 +127,7 @@ def chosen_sets(
     Returns
     -------
     tuple
-        Chosen sets of the gears of all ranges, in turn.
+        Chosen set of each gear, for the gears of all ranges.
 
     Examples
     --------
@@ -145,7 +145,7 @@ def chosen_sets(
                 added = (float(released > 1), float(released), *cost(engaged))
                 total = tuple(a + b for a, b in zip(before, added, strict=True))
                 _keep(after, (engaged, used | used_in(engaged)), (total, (*way, engaged)))
-            if not sets:  # a new range begins, so that nothing is released
+            if not sets:  # the first gear of a range follows no gear: nothing is released
                 _keep(after, ((), used), (before, way))
         ways = after
     everything = all_of(tuple(range(elements)))

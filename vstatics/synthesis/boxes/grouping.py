@@ -14,7 +14,7 @@ from vstatics.synthesis.tolerances import EQUAL_FIGURES, SAME_FITTED_RATIO
 
 
 def core_of(box: FoundBox) -> tuple[Any, ...]:
-    """Return the common parts of the gearboxes of a core as in `least_box`: all but the clutches.
+    """Return the key of a gearbox's core: the data of the form in `least_box`, without clutches.
 
     Gearboxes of a core that also have equal ratios differ only in how gear sets are locked up.
 

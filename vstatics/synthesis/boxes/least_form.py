@@ -91,7 +91,7 @@ def _least_codes(sets: Sequence[tuple[int, int, int]]) -> Iterator[_Renaming]:
 
 
 def _shafts(box: FoundBox) -> Iterator[dict[int, int]]:
-    """Yield the possible new numbers of shafts without gear-set members; ports are fixed."""
+    """Yield possible new numbers of shafts without gear-set members, except input and output."""
     shafts = range(box.scheme.links, box.links)
     ports = {link: link for link in shafts if link in (box.input, box.output)}
     others = [link for link in shafts if link not in ports]

@@ -21,7 +21,7 @@ def kept_search(case: Transmission, free: int, targets: Sequence[float]) -> BoxS
     case : Transmission
         Gearbox of planetary gear sets, clutches and brakes. Freewheels are ignored.
     free : int
-        Largest number of its shift elements that may be missing in a found gearbox.
+        Largest number of the case's shift elements that may be missing in a found gearbox.
     targets : sequence of float
         Wanted ratios of the gears. [-]
 

@@ -30,7 +30,9 @@ def box_grids(searched: int, boxes: Sequence[RankedBox], given_up: int) -> Itera
     if boxes:
         listed = [(place, box) for place, box in enumerate(boxes, 1) if box.pareto]
         figures = ((place, *_figures(box)) for place, box in listed)
-        yield grid_of("Pareto list", ["box", *FIGURES, *_sets(boxes)], figures, key="pareto")
+        yield grid_of(
+            "Pareto list", ["box", *FIGURES, *_set_headings(boxes)], figures, key="pareto"
+        )
         schemes: list[Values] = [
             (place, *_scheme(box), box.found.known or "", " ".join(box.found.ravigneaux))
             for place, box in listed
@@ -38,12 +40,12 @@ def box_grids(searched: int, boxes: Sequence[RankedBox], given_up: int) -> Itera
         names = ("known", "Ravigneaux")
         yield grid_of(
             "Schemes of the Pareto list",
-            ["box", *_of_scheme(boxes), *names],
+            ["box", *_scheme_headings(boxes), *names],
             schemes,
             key="schemes",
             optional=names,
         )
-        yield _of_families(boxes)
+        yield _families_table(boxes)
 
 
 FIGURES = (
@@ -67,7 +69,7 @@ def all_boxes(boxes: Sequence[RankedBox]) -> Grid:
     by_gear = [f"{figure} {name}" for name in names for figure in columns]
     return grid_of(
         "Found boxes",
-        ["box", *FIGURES, *_sets(boxes), *MORE_FIGURES, *_of_scheme(boxes), *by_gear],
+        ["box", *FIGURES, *_set_headings(boxes), *MORE_FIGURES, *_scheme_headings(boxes), *by_gear],
         rows,
         key="boxes",
     )
@@ -105,13 +107,11 @@ def _by_name(values: Mapping[str, float]) -> str:
     return " ".join(f"{name}={value:.6g}" for name, value in values.items())
 
 
-def _sets(boxes: Sequence[RankedBox]) -> Iterable[str]:
-    """Return the headings of the ratios of gear sets."""
+def _set_headings(boxes: Sequence[RankedBox]) -> Iterable[str]:
     return boxes[0].found.ratios if boxes else ()
 
 
-def _of_scheme(boxes: Sequence[RankedBox]) -> list[str]:
-    """Return the headings of the code, ports and shift elements, and of a held link if present."""
+def _scheme_headings(boxes: Sequence[RankedBox]) -> list[str]:
     has_held = bool(boxes) and boxes[0].found.box.held is not None
     return ["code", "input", "output", *["held"] * has_held, "shift elements"]
 
@@ -138,8 +138,7 @@ def _scheme(box: RankedBox) -> list[str]:
     return [gearbox.scheme.code, *ports, " ".join(box.found.elements)]
 
 
-def _of_families(boxes: Sequence[RankedBox]) -> Grid:
-    """Return the table of families with the number of gearboxes in each."""
+def _families_table(boxes: Sequence[RankedBox]) -> Grid:
     members: dict[int, list[RankedBox]] = {}
     for box in boxes:
         members.setdefault(box.family, []).append(box)

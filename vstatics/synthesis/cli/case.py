@@ -96,7 +96,7 @@ def case_command(
         with wrong_value("CODE"):
             case_of_code = scheme_case(scheme, first, last, given)
     except CaseError as error:
-        raise click.BadParameter(_of_sets(error.problems), param_hint="--ratios") from None
+        raise click.BadParameter(_messages_by_set(error.problems), param_hint="--ratios") from None
     if locked := scheme.locked_sets:
         links = {link for number in locked for link in scheme.sets[number - 1]}
         sets = f"sets {spoken(map(str, locked))} have {len(links)} links only"
@@ -163,8 +163,7 @@ def _expected(names: Sequence[str]) -> str:
     return f"{len(names)}, one for each set" if len(names) > 1 else "one"
 
 
-def _of_sets(problems: Sequence[Problem]) -> str:
-    """Return the messages about ratios, each with the name of the gear set."""
+def _messages_by_set(problems: Sequence[Problem]) -> str:
     parts = []
     for problem in problems:
         numbers = [part for part in problem.path if isinstance(part, int)]

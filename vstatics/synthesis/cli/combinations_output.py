@@ -33,7 +33,8 @@ MOST_PRINTED_ROWS = 200_000
 """Largest number of rows of a printed table."""
 FRAME = '{"combinations": [\n ', ",\n ", "\n]}\n"
 FRAME_OF_PORTS = '{"ports": [\n ', ",\n ", "\n]}\n"
-"""Text before, between and after the entries of JSON: of combinations, or of pairs of ports."""
+"""Text before, between and after the entries of JSON: combinations, or pairs of input and output.
+"""
 
 
 def check_room(search: CombinationSearch, to: Destination, *, by_torque: bool) -> None:

@@ -140,7 +140,6 @@ def _write(case: Transmission, result: Fit, target: str, form: str, telling: Tel
 
 
 def _notes(result: Fit, file: str) -> list[Problem]:
-    """List the ratios that are not met, and notes about the solution."""
     notes = []
     if result.unmet:
         off = (

@@ -42,8 +42,7 @@ def _modules(texts: Sequence[str]) -> tuple[float, ...]:
     return tuple(map(told(number), _several(texts)))
 
 
-def _counts(texts: Sequence[str]) -> tuple[int, ...]:
-    """Return numbers of planets from texts with single numbers and ranges."""
+def _planet_counts(texts: Sequence[str]) -> tuple[int, ...]:
     counts: list[int] = []
     for text in _several(texts):
         low, colon, high = text.partition(":")
@@ -89,7 +88,7 @@ def _whole_pair(text: str) -> tuple[int, int]:
         "--planets",
         multiple=True,
         metavar="N,...",
-        callback=value(_counts, "--planets"),
+        callback=value(_planet_counts, "--planets"),
         help="Allowed numbers of planets.  [default: as in the case, else 3 to 5]",
     ),
     click.option(
@@ -216,7 +215,6 @@ _OPTIONS = (
 
 
 def _notes(result: FoundTeeth, file: str) -> Iterator[Problem]:
-    """Yield notes about the found tooth numbers."""
     yield from warnings_of("W802", result.doubts, file)
     if result.problem.unused:
         message = (

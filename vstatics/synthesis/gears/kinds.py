@@ -147,7 +147,7 @@ class _SizedRows:
         factors = np.where(there, self.values[others][:, *place] / divisor, 0.0)
         of_factors = self.sizes[others][:, *place] + abs(factors) * its_size[place]
         of_factors = np.where(there, of_factors / abs(divisor), 0.0)
-        # The rule for rounding noise is `less` of the entries in `numerics`, here for arrays.
+        # As in `numerics.elimination`, a difference that is only rounding noise becomes 0.
         values, sizes = self.values[others], self.sizes[others]
         products = factors[:, None] * mine
         sizes += of_factors[:, None] * abs(mine) + abs(factors[:, None]) * its_size

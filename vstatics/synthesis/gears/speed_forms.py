@@ -23,7 +23,7 @@ from vstatics.synthesis.tolerances import KEPT_PART
 Pair = tuple[int, int]
 """Two links whose speed difference is wanted; 0 is the housing."""
 NOTHING: Entry = (0.0, 0.0)
-"""Zero with its magnitude, as an entry of a row."""
+"""Exact zero as an entry of a row: the value, and the magnitude that bounds its error."""
 
 
 class SpeedForms(NamedTuple):

@@ -24,7 +24,7 @@ STRANGE_NUMBER_COST = 18.0
 HIDDEN_NUMBER_COST = 1000.0
 """Cost of a number that covers another number or a point. [pt of distance]"""
 NUMBER_DIRECTIONS = 16
-"""Number of directions that are tried for a number."""
+"""Number of directions from a point in which its text is tried."""
 
 
 class BoxPoint(NamedTuple):

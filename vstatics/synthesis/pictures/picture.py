@@ -58,7 +58,7 @@ class BoxCell(NamedTuple):
         return wide, high + CAPTION_LINE_HEIGHT * (1 + len(self.caption)) + DIAGRAM_GAP
 
     def draw(self, page: Pen, x: float, top: float, room: float) -> None:
-        """Draw the cell with the upper left corner at (x, top), the diagram centred in `room`."""
+        """Draw the cell below (x, top) in points, with the diagram centred in the width `room`."""
         page.text(x, top, self.heading, bold=True, va="top")
         y = top
         for line in self.caption:

@@ -87,7 +87,7 @@ class RatioArrays(NamedTuple):
         return results
 
     def _part(self, products: Floats, factors: Floats) -> Floats:
-        """Return ``(u/p) dp/du`` of each polynomial p: the share of products that contain u."""
+        """Return ``(u/p) dp/du``: the fraction of each polynomial p in products with ratio u."""
         count, mechanisms = self.powers.shape
         with_ratio = factors[:, :, np.newaxis] * self.powers[:, np.newaxis, :]
         parts = products @ with_ratio.reshape(count, -1)

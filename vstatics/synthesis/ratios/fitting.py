@@ -89,7 +89,7 @@ def fit(  # noqa: PLR0913 - all but the first two by name
     Parameters
     ----------
     case : Transmission
-        Gearbox; its present ratios only determine signs, and ratios that the targets leave open.
+        Gearbox; its present ratios only determine the signs, and ratios that the targets do not.
     ratios : mapping of str to float
         Wanted ratio by the name of a gear, never by its number. [-]
     bounds : mapping of str to (float, float)

@@ -17,7 +17,7 @@ from vstatics.core.errors import CaseError
 Polynomial = Mapping[int, Fraction]
 """Coefficient of each product of ratios; bits of the key are the indices of the ratios."""
 Term = tuple[Fraction, Fraction]
-"""Two coefficients of an unknown in a row: without, and with, the row's ratio."""
+"""Coefficient ``a + b u`` of an unknown in an equation, as the pair (a, b); u is a ratio."""
 
 MOST_FORMULA_TERMS = 30_000
 """Largest number of products to add; the formula of a gearbox has a few dozen."""
@@ -30,12 +30,12 @@ The polynomial is evaluated for pseudo-random ratios.
 
 
 class LinearRow(NamedTuple):
-    """Equation ``sum of terms = right`` of a mechanism or other component without a ratio."""
+    """Equation ``sum of terms = right`` of a mechanism, or of a component without a ratio."""
 
     ratio: int
     """Index of the mechanism whose ratio is in the equation; -1 without a ratio."""
     terms: Mapping[int, Term]
-    """Pair of coefficients of each unknown."""
+    """Coefficient of each unknown, by the index of the unknown."""
     right: Term
 
 
@@ -44,7 +44,7 @@ class SingularError(Exception):
 
 
 def determinant(rows: Sequence[LinearRow], unknowns: Sequence[int]) -> Polynomial:
-    """Return the determinant of rows in the columns of some unknowns; -1 is the right side.
+    """Return the determinant of the columns of some unknowns; -1 selects the right sides.
 
     The determinant is expanded row by row, with a sum for each set of used unknowns.
 
@@ -124,7 +124,7 @@ def independent(rows: Sequence[LinearRow]) -> Independent:
     >>> len(found.rows), found.unknowns, found.needed
     (1, [0], {})
     """
-    # Each row is stored under the unknown for which it is solved.
+    # Each reduced row is stored under the unknown that it determines.
     reduced: dict[int, dict[int, int]] = {}
     selected: list[LinearRow] = []
     for row in rows:
@@ -161,7 +161,7 @@ _RIGHT = -1
 
 
 def _name(number: int) -> int:
-    """Return the key that represents a row, by which combinations of rows are traced."""
+    """Return the key under which a reduced row stores the factor of an original row."""
     return _RIGHT - 1 - number
 
 

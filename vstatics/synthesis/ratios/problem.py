@@ -41,7 +41,7 @@ class Bounds(NamedTuple):
 
 
 def bounds_of(links: OwnLinks, given: Mapping[str, tuple[float, float]]) -> Bounds:
-    """Return the bounds of all mechanisms, given or by default.
+    """Return the bounds of all mechanisms: the user's or, otherwise, the default bounds.
 
     Parameters
     ----------
@@ -382,7 +382,7 @@ def sign_fault(name: str, wanted: float, limits: tuple[float, float]) -> str:
 
 
 def doubts(problem: FitProblem) -> Iterator[str]:
-    """Yield warnings about bounds with the opposite sign, and ratios that cannot be met."""
+    """Yield warnings about bounds that reverse the sign of a ratio, and unreachable ratios."""
     yield from _other_signs(problem)
     names = [gear.name for gear in problem.links.case.gears]
     alike: dict[tuple[frozenset[tuple[int, Fraction]], ...], int] = {}
@@ -423,7 +423,7 @@ def reach_text(low: float, high: float) -> str:
 
 
 def _is_constant(problem: FitProblem, index: int) -> bool:
-    """Return whether a gear has a constant ratio although all ratios except 1 may vary."""
+    """Return whether a gear ratio is constant even if all mechanism ratios other than 1 vary."""
     links = problem.links
     fixed = {n: 1.0 for n, mechanism in enumerate(links.case.mechanisms) if mechanism.ratio == 1}
     return gear_formula(links, links.case.gears[index], fixed).kind == "constant"

@@ -15,8 +15,8 @@ from vstatics.synthesis.ratios.space import FitPoints, FitSpace, fit_space
 from vstatics.synthesis.tolerances import AT_BOUND, DEPENDENT_RATIOS, MET_RATIOS, SAME_SOLUTION
 
 ANCHORED = (0.1, 0.01)
-"""Weights, in turn, that pull ratios towards the ratios of the case, to settle undetermined ratios.
-[-]
+"""Weights of the pull towards the ratios of the case in successive minimisations, which determines
+ratios that the wanted ratios do not. [-]
 
 A last minimisation without this pull follows.
 """

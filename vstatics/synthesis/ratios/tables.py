@@ -35,7 +35,7 @@ def fit_grids(result: Fit) -> Iterator[Grid]:
     ([['1', '4.0000', '4.0000', '0.000', 'met']], [['D1', '-3.0000', '-14.0000', '-1.0000', '']])
     """
     yield _gears(result)
-    yield _mechanisms(result)
+    yield _mechanism_table(result)
     if len(result.solutions) > 1:
         yield _solutions(result)
 
@@ -64,8 +64,7 @@ def _gears(result: Fit) -> Grid:
     return grid_of("Gears", ["gear", "wanted", "ratio", "off [%]", "note"], rows)
 
 
-def _mechanisms(result: Fit) -> Grid:
-    """Return the table of mechanism ratios with the bounds."""
+def _mechanism_table(result: Fit) -> Grid:
     problem = result.problem
     rows: list[Values] = []
     for index, (name, ratio) in enumerate(result.ratios.items()):

@@ -21,7 +21,8 @@ def box_link(box: ListedBox) -> Markup:
 def all_grid(listing: BoxListing, most: int, drawn: Collection[int]) -> Grid:
     """Return the table of gearboxes with figures, at most `most` gearboxes.
 
-    Gearboxes of a core, which differ only in clutches, share the first one's row, which unfolds.
+    Gearboxes of a core differ only in clutches. They share the row of the first gearbox, which
+    unfolds to the others.
 
     Parameters
     ----------
@@ -107,7 +108,7 @@ def middle(ends: Range) -> float:
 
 
 def asked_ratio(ends: Range, tolerance: float) -> str:
-    """Return a wanted ratio as text: a range, or a number if the range is the given tolerance."""
+    """Return a wanted ratio as text: a number if `tolerance` gives the range, or else the range."""
     return f"{middle(ends):g}" if _is_number(ends, tolerance) else asked_range(ends)
 
 
@@ -178,7 +179,7 @@ def shown_box(
     yield from tables(grid.with_digits(digits) for grid in (gear_grid(box, wanted), ratios))
     more = (grid.with_digits(digits) for grid in (element_grid(box), set_grid(box)))
     summary = tr("Torques, slips, speeds, losses and drag by gear")
-    yield tag("details", tag("summary", summary), line_of(_facts(box)), *map(table, more))
+    yield tag("details", tag("summary", summary), line_of(_further_facts(box)), *map(table, more))
 
 
 def element_grid(box: ListedBox) -> Grid:
@@ -189,7 +190,7 @@ def element_grid(box: ListedBox) -> Grid:
         (
             name,
             *(
-                _of(getattr(gear, field), element)
+                _cell_of(getattr(gear, field), element)
                 for field in kinds.values()
                 for element in box.elements
             ),
@@ -209,7 +210,7 @@ def set_grid(box: ListedBox) -> Grid:
     rows: list[Values] = []
     for name, gear in box.gears.items():
         speeds = [
-            _of(set_speeds, set_name)
+            _cell_of(set_speeds, set_name)
             for set_speeds in (gear.carriers, gear.planets)
             for set_name in box.ratios
         ]
@@ -219,13 +220,11 @@ def set_grid(box: ListedBox) -> Grid:
     return grid_of(title, ["gear", *columns, "recirculating", "drag"], rows)
 
 
-def _of(values: Mapping[str, float], name: str) -> Cell:
-    """Return a cell with the value of a name; an empty cell if missing."""
+def _cell_of(values: Mapping[str, float], name: str) -> Cell:
     return exact(values[name]) if name in values else BLANK
 
 
-def _facts(box: ListedBox) -> Iterator[tuple[str, str]]:
-    """Yield further facts about a gearbox as a whole."""
+def _further_facts(box: ListedBox) -> Iterator[tuple[str, str]]:
     none = tr("none")
     yield tr("skip shifts"), str(box.skip_shifts)
     yield tr("torque of both signs"), ", ".join(box.reversing) or none

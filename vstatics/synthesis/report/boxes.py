@@ -1,4 +1,4 @@
-"""HTML page of found gearboxes, and the files next to gearboxes written as cases."""
+"""HTML page and picture of found gearboxes."""
 
 from __future__ import annotations
 

@@ -138,7 +138,6 @@ def _mixed(sets: int) -> Counter[int]:
     for outside in range(1, sets - 1):
         for sizes, number in _link_sizes(outside).items():
             for links, ways in _with_bodies(sizes, sets - outside):
-                # without bodies, the outer sets alone would not use all sets
                 numbers[links] += comb(sets, outside) * number * ways
     return numbers
 

@@ -75,7 +75,7 @@ def estimate(search: StructureSearch, *, listed: bool) -> Estimate:
     ({5: 190, 6: 155, 7: 37}, True)
     """
     check_search(search)
-    grown = _sample(search) if listed or search.classes != "none" else None
+    grown = _grown_sample(search) if listed or search.classes != "none" else None
     if search.classes == "none":
         counts = _labelled(search)
     else:
@@ -102,10 +102,10 @@ def _labelled(search: StructureSearch) -> Estimate:
     """Estimate the number of schemes with numbered gear sets, and the time to count the schemes."""
     if _are_soon_counted(search):
         return Estimate(count(search), exact=True, bytes=0.0, seconds=0.0)
-    sample = _sample(counted_by(search))
+    sample = _grown_sample(counted_by(search))
     by_links = _by_links(search, sample, weights(search, sample.batch))
     # The count needs a list of the schemes with two gear sets less.
-    seconds = _sample(StructureSearch(search.sets - 2, "sets")).seconds
+    seconds = _grown_sample(StructureSearch(search.sets - 2, "sets")).seconds
     return Estimate(by_links, sample.exact, 0.0, seconds)
 
 
@@ -135,8 +135,7 @@ class _DrawnSchemes(NamedTuple):
     """Expected time to find all schemes, not only the sample. [s]"""
 
 
-def _sample(search: StructureSearch) -> _DrawnSchemes:
-    """Return a sample of schemes, grown gear set by gear set."""
+def _grown_sample(search: StructureSearch) -> _DrawnSchemes:
     [batch] = batches(search._replace(sets=1, links=()))
     sizes, exact, seconds = np.ones(1), True, 0.0
     for _ in range(search.sets - 1):

@@ -22,8 +22,8 @@ from vstatics.synthesis.structures.arrays import MEMBERS, Codes
 from vstatics.synthesis.structures.least_codes import Symmetries, symmetries
 
 Classes = Literal["none", "sets", "members", "order"]
-"""Which schemes count as equal: none; schemes equal after renaming of gear sets; also after
-exchange of sun and ring; also with any order of members.
+"""Schemes that count as equal: none; schemes that differ in the order of gear sets; also in
+exchange of sun and ring; also in any order of members.
 """
 MOST_SETS = 10
 """Largest number of gear sets."""
@@ -77,7 +77,7 @@ class SchemeBatch(NamedTuple):
     symmetries: Symmetries | None
     """Renamings that leave each scheme unchanged.
 
-    None means that no classes are formed.
+    None if schemes are not grouped into classes.
     """
     parents: NDArray[np.intp]
     """Row of the earlier batch from which each scheme grew, shape (schemes,)."""

@@ -32,12 +32,12 @@ class Symmetries(NamedTuple):
 
 
 class _Renamings(NamedTuple):
-    """Partial orders of the gear sets of schemes whose codes agree."""
+    """Partial orders of gear sets whose codes agree with the given codes so far."""
 
     which: NDArray[np.intp]
     """Row of the scheme of each renaming, shape (renamings,)."""
     used: NDArray[np.uint16]
-    """Gear sets that already have a place in the order, as bits, shape (renamings,)."""
+    """Gear sets that are already placed in the order, as bits, shape (renamings,)."""
     links: Codes
     """New number of each link in a renaming, shape (renamings, links)."""
     next: NDArray[np.uint8]
@@ -86,7 +86,7 @@ class _RenamingSearch:
         self.ends: list[_Renamings] = []
 
     def follow(self, renamings: _Renamings, place: int) -> None:
-        """Try every gear set at a place of the order, and follow renamings with equal codes."""
+        """Try every gear set at a position of the order, and follow renamings with equal codes."""
         if place == self.sets:
             self.ends.append(renamings)
             return
@@ -102,7 +102,7 @@ class _RenamingSearch:
     def _agreeing(
         self, before: _Renamings, place: int, number: int, order: tuple[int, ...]
     ) -> _Renamings:
-        """Extend renamings by a gear set at a place; return renamings that agree with the codes.
+        """Extend renamings by a gear set at a position; return renamings that agree with the codes.
 
         If a code becomes less than the given code, the given code is not the least.
         """

@@ -110,7 +110,7 @@ def _sets(numbers: Sequence[int]) -> tuple[tuple[int, int, int], ...]:
         raise ValueError(f"read {len(numbers)} links in the code, {expected}")
     if len(numbers) > MEMBERS * MOST_SETS:
         raise ValueError(f"read {len(numbers) // MEMBERS} sets, expected at most {MOST_SETS}")
-    # The number of gaps is at most that of links, however large the greatest number is.
+    # A link number in the text can be huge, so gaps are only sought among the lowest numbers.
     missing = sorted(set(range(min(max(numbers), 2 * len(numbers)))) - set(numbers))
     if missing:
         some = listed([str(link) for link in missing], 3)

@@ -114,7 +114,7 @@ def doubts_before(problem: TeethProblem) -> Iterator[str]:
 
 
 MOST_WINDOWS = 4096
-"""Largest number of parts into which the ranges of ratios are halved."""
+"""Largest number of ranges into which the ranges of ratios are divided by halving."""
 LARGEST_ERROR_LIMIT = 20.0
 """Largest finite limit of errors; the next limit is infinite. [-]"""
 HALVINGS = 30
@@ -205,7 +205,7 @@ class NoTeethError(CaseError):
 
 
 class FoundTeeth(NamedTuple):
-    """Best tooth numbers, and whether proven to be the best."""
+    """Best tooth numbers, and whether they are proven to be the best."""
 
     solutions: Sequence[TeethSolution]
     """Different tooth numbers by ascending error; with equal errors, small tooth numbers first."""

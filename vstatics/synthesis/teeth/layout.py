@@ -96,7 +96,7 @@ class TeethLayout:
         return [wheel for wheel, other in self.around if other == rim]
 
     def axis(self, rim: int) -> tuple[int, int] | None:
-        """Return a central gear and the meshing planet gear, which determine the axis."""
+        """Return a central gear and a meshing planet gear, which determine the axis of a planet."""
         planet = next(rims for rims in self.planets if rim in rims)
         for gear in (rim, *planet):
             for wheel in self.around_rim(gear):
@@ -221,15 +221,14 @@ def _of_planets(element: Element, part: DrawnPart, mechanisms: Sequence[int]) ->
         tuple(
             (numbers[first_gear], numbers[second_gear]) for first_gear, second_gear in group.meshes
         ),
-        tuple(_ratios(group, numbers, part, mechanisms)),
+        tuple(_tooth_ratios(group, numbers, part, mechanisms)),
         part.element is not None,
     )
 
 
-def _ratios(
+def _tooth_ratios(
     group: PlanetGroup, numbers: Mapping[str, int], part: DrawnPart, mechanisms: Sequence[int]
 ) -> Iterator[TeethRatio]:
-    """Yield the ratios of the mechanisms of a gear set as products of tooth numbers."""
     wheels = {wheel.member: wheel for wheel in group.wheels}
     for number, (mechanism, members) in zip(mechanisms, part.lowered, strict=True):
         first, second, _ = members

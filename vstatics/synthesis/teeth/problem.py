@@ -36,7 +36,7 @@ class TeethProblem(NamedTuple):
     layouts: Sequence[TeethLayout]
     """Gear sets that affect a wanted ratio."""
     targets: Sequence[TeethTarget]
-    """Wanted ratios; the columns in the formulas are the ratios of the gear sets in turn."""
+    """Wanted ratios; the columns in their formulas are the ratios of all gear sets in order."""
     limits: TeethLimits
     unused: Sequence[str]
     """Names of gear sets with teeth that do not affect any wanted ratio."""

@@ -35,7 +35,7 @@ LARGEST_TEETH_LOGARITHM = 50.0
 MOST_TEETH_CANDIDATES = 100_000_000
 """Default largest number of candidates to examine, which takes half a minute."""
 LOOKED = "left"
-"""Key of the number of remaining candidates in the counts of excluded candidates."""
+"""Key, in the counts of excluded candidates, of the number that may still be examined."""
 
 Windows = Mapping[int, tuple[float, float]]
 """Smallest and largest useful magnitude of each ratio of the gear set, by index. [-]"""
@@ -197,7 +197,7 @@ class TeethRows:
     def _bounds(
         self, column: int, known: set[int], rows: Integers, windows: Windows
     ) -> Iterator[tuple[str, tuple[Floats, Floats]]]:
-        """Yield the ranges that axis equations and ratios leave for a gear, with the names."""
+        """Yield the range that each axis equation and ratio leaves for a gear, with its name."""
         candidates = TeethCandidates(self.layout, self.modules, rows)
         for equation in self._equations:
             if column in equation.terms and equation.terms.keys() <= known | {column}:

@@ -38,8 +38,7 @@ class BestTeeth(NamedTuple):
     errors: Floats
     """Errors in ascending order, shape (found,)."""
     places: Integers
-    """Place (group of rows with equal ratios) in each gear set's table, shape (found, gear sets).
-    """
+    """Group (of rows with equal ratios) in each gear set's table, shape (found, gear sets)."""
     bound: float
     """Lower bound of the errors of all other choices; infinite if no other choice exists. [-]"""
 
@@ -51,14 +50,15 @@ def best_teeth(
     most: float = math.inf,
     advance: Advance = untold,
 ) -> BestTeeth:
-    """Return the choices of tooth numbers with the smallest errors, as places in the tables.
+    """Return the choices of tooth numbers with the smallest errors, as groups in the tables.
 
     The result has enough choices for `MOST_TEETH_SOLUTIONS` solutions with different tooth numbers.
 
     Parameters
     ----------
     tables : sequence of TeethTable
-        Table of each gear set; the columns in the formulas of targets are their ratios in turn.
+        Table of each gear set; the columns in the formulas of targets are the ratios of all tables
+        in order.
     targets : sequence of TeethTarget
         Wanted ratios.
     most : float
@@ -90,7 +90,7 @@ def best_teeth(
 
 
 def different_teeth(tables: Sequence[TeethTable], places: Integers) -> Floats:
-    """Return the number of solutions with different tooth numbers at places, (places,)."""
+    """Return, for each choice of groups, the number of solutions with different tooth numbers."""
     pairs = zip(tables, places.T, strict=True)
     return np.asarray(
         np.prod([table.different[rows].astype(float) for table, rows in pairs], axis=0)
@@ -171,7 +171,7 @@ class _Halving:
         return np.concatenate(children)
 
     def _solve(self, number: int, regions: Integers, starts: Integers, sizes: Integers) -> None:
-        """Try the places of the only gear set not yet chosen whose errors are below the limit."""
+        """Try the tooth numbers of the only undecided gear set that have errors below the limit."""
         if not len(regions):
             return
         table, column = self.tables[number], self.columns[number]
@@ -194,7 +194,7 @@ class _Halving:
         self._try(starts, sizes)
 
     def _try(self, starts: Integers, sizes: Integers) -> None:
-        """Try all choices in regions, given by first place and number of places per table."""
+        """Try all choices in regions; `starts` and `sizes` give the range of groups per table."""
         counts = sizes.prod(axis=1)
         for piece in portions(counts, CHOICES_AT_ONCE):
             of_region, number = counted(counts[piece])
@@ -202,10 +202,9 @@ class _Halving:
             for element in range(len(self.tables)):
                 number, place = np.divmod(number, sizes[piece][of_region, element])
                 places[:, element] = starts[piece][of_region, element] + place
-            self._keep(places)
+            self._merge_into_best(places)
 
-    def _keep(self, places: Integers) -> None:
-        """Merge choices into the best solutions."""
+    def _merge_into_best(self, places: Integers) -> None:
         pairs = zip(self.tables, places.T, strict=True)
         points = np.concatenate([table.ratios[rows] for table, rows in pairs], axis=1)
         errors = largest_errors(self.targets, points)

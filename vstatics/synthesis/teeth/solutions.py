@@ -53,7 +53,7 @@ class TeethAnswer(NamedTuple):
 def teeth_solutions(
     problem: TeethProblem, tables: Sequence[TeethTable], best: BestTeeth
 ) -> Iterator[TeethSolution]:
-    """Yield the best solutions, with all tooth numbers of equal ratios, small numbers first."""
+    """Yield the best solutions; of tooth numbers with equal ratios, small numbers come first."""
     chosen: list[tuple[float, int, tuple[Integers, ...]]] = []
     for error, places in zip(best.errors.tolist(), best.places.tolist(), strict=True):
         alike = [_smallest(table, place) for table, place in zip(tables, places, strict=True)]
@@ -82,7 +82,7 @@ def _by_size(alike: Sequence[Sequence[Integers]]) -> Iterator[tuple[Integers, ..
 
 
 def _steps(depth: int, lengths: Sequence[int]) -> Iterator[tuple[int, ...]]:
-    """Yield all positions in lists of given lengths that have a given sum."""
+    """Yield all combinations of positions in lists of the `lengths`, with the sum `depth`."""
     if not lengths:
         if not depth:
             yield ()
@@ -209,9 +209,8 @@ def _with_teeth(element: Element, layout: TeethLayout, solution: TeethSolution) 
     if not element.rims:
         numbers = {name: teeth.get(name, count) for name, count in element.teeth.items()}
         changed = replace(element, teeth={**numbers, **teeth}, planets=planets, ratios={})
-        return (
-            replace(changed, efficiency=None) if element.ratios else changed
-        )  # the efficiency belonged to the former ratios
+        # The efficiency belonged to the former ratios.
+        return replace(changed, efficiency=None) if element.ratios else changed
     rims = {planet: {rim: teeth[rim] for rim in gears} for planet, gears in element.rims.items()}
     wheels = [wheel._replace(teeth=teeth[wheel.member]) for wheel in element.wheels]
     return replace(element, rims=rims, wheels=tuple(wheels), planets=planets)

@@ -18,8 +18,8 @@ MOST_TEETH_ROWS = 1_000_000
 class TeethTable(NamedTuple):
     """Rows of tooth numbers of a gear set, grouped by ratios.
 
-    A place of the table contains all rows with equal ratios. The places are ordered so that each
-    node of the tree, and both its halves, are contiguous.
+    Rows with equal ratios form a group (`place`). The groups are ordered so that each node of the
+    tree, and both its halves, are contiguous.
     """
 
     layout: TeethLayout
@@ -30,11 +30,11 @@ class TeethTable(NamedTuple):
     rows: Integers
     """Different rows of tooth numbers, grouped by ratios, shape (rows, wheels + 1 + components)."""
     starts: Integers
-    """Index of the first row of each place, then the number of rows, shape (places + 1,)."""
+    """Index of the first row of each group, then the number of rows, shape (groups + 1,)."""
     ratios: Floats
-    """Different ratios of the gear set, shape (places, ratios). [-]"""
+    """Different ratios of the gear set, shape (groups, ratios). [-]"""
     nodes: Integers
-    """First place, end, and both halves (-1 for a single place) of each node, shape (nodes, 4)."""
+    """First group, end, and both halves (-1 for a single group) of each node, shape (nodes, 4)."""
     low: Floats
     """Smallest ratios in each node, shape (nodes, ratios). [-]"""
     high: Floats
@@ -42,7 +42,7 @@ class TeethTable(NamedTuple):
 
     @property
     def different(self) -> Integers:
-        """Number of rows at each place, shape (places,)."""
+        """Number of rows in each group, shape (groups,)."""
         return np.diff(self.starts)
 
 
@@ -116,7 +116,7 @@ def of_rows(layout: TeethLayout, rows: Integers) -> Floats:
 
 
 def _halves(ratios: Floats) -> tuple[Integers, Integers, Floats, Floats]:
-    """Return an order of places, and nodes with the bounds, halved along the widest ratio.
+    """Return an order of groups, and nodes with their bounds, halved along the widest ratio.
 
     >>> order, nodes, low, high = _halves(np.array([[3.0], [1.0], [2.0]]))
     >>> order.tolist(), nodes.tolist()

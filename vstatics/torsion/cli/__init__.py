@@ -2,5 +2,5 @@
 
 `group` lists the commands. The modules `modes`, `reduce`, `simplify`, `response`, `random` and
 `dump` contain a command each; `measured` contains ``identify`` and ``damping``, with options from
-`observed`. `case` contains common options, and messages about gears.
+`observed`. `case` contains options and messages about gears that several commands share.
 """

@@ -40,7 +40,7 @@ static_torque = click.option(
 
 
 def _ratios(texts: Sequence[str]) -> dict[str, float]:
-    """Read texts such as ``TC=.6``, and return speed ratios by the names of converters."""
+    """Read texts such as ``TC=.6``; return the speed ratio of each converter by name."""
     ratios = {}
     for text in texts:
         name, _, ratio = text.rpartition("=")
@@ -87,13 +87,13 @@ def gear_names(case: Transmission, chosen: Sequence[str]) -> list[str]:
 
 
 class WorkingGears(NamedTuple):
-    """Gears, and speed ratios of converters, chosen by options."""
+    """Gears and speed ratios of converters that the options of a command choose."""
 
     gears: tuple[str, ...]
     ratios: Mapping[str, float]
 
     def of(self, case: Transmission) -> list[WorkingGear]:
-        """Return the chosen gears of a case, with converters linearised at operating points."""
+        """Return the chosen gears of a case, with converters linearised."""
         from vstatics.torsion.system.working_points import working_gear
 
         gears = [case.gears[index] for index in arguments.gear_indices(case, self.gears)]
@@ -114,7 +114,7 @@ chosen_gear = click.option(
 
 
 def gear_of(case: Transmission, chosen: str | None) -> Gear:
-    """Return the chosen gear, or the only gear of a case.
+    """Return the chosen gear, or the gear of a case with a single gear.
 
     Raises
     ------
@@ -130,7 +130,7 @@ def gear_of(case: Transmission, chosen: str | None) -> Gear:
 
 
 def link_name(case: Transmission, link: str, option: str) -> str:
-    """Return the name of a link, which an option gives by number or name.
+    """Return the name of a link that an option gives by number or name.
 
     Raises
     ------
@@ -144,7 +144,7 @@ def link_name(case: Transmission, link: str, option: str) -> str:
 def located(
     reading: Reading, texts_by_gear: Iterable[tuple[str, str]], identity: str
 ) -> list[Problem]:
-    """Return messages about gears as problems at the positions of the gears.
+    """Return the messages about gears as problems at the positions of the gears in a file.
 
     Parameters
     ----------
@@ -189,7 +189,7 @@ def slope_notes(reading: Reading, gears: Iterable[str]) -> list[Problem]:
 def working_notes(
     reading: Reading, gears: Iterable[WorkingGear], *, linearised: bool = False
 ) -> list[Problem]:
-    """Return notes about slopes of springs, and about friction that is omitted or linearised."""
+    """Return notes on slopes of springs, and on dry friction that is omitted or linearised."""
     notes = _friction_notes(reading, linearised=linearised)
     return [*_slope_notes(reading, list(gears)), *notes]
 

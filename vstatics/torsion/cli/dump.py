@@ -97,7 +97,7 @@ def dump_command(request: OneCase, rate: float | None, gears: tuple[str, ...]) -
 
 
 def _of_case(gears: Sequence[str], rate: float | None, reading: Reading) -> CaseAnswer:
-    """Return the answer about the gears of a case, with more details for a single chosen gear."""
+    """Return the answer for gears of a case, with more details if a single gear is chosen."""
     from vstatics.torsion.clutch.gear_dump import GearDumpAnswer, GearsDumpAnswer, gear_dumps
     from vstatics.torsion.clutch.tables import gear_grids, gears_grids
 
@@ -114,7 +114,7 @@ def _of_case(gears: Sequence[str], rate: float | None, reading: Reading) -> Case
 
 
 def json_schema() -> Schema:
-    """Return the JSON schema of ``vstatics torsion dump`` for numbers, a gear or several gears."""
+    """Return the JSON schema of ``vstatics torsion dump``: for numbers, a gear or gears."""
     from vstatics.torsion.clutch.gear_dump import GearDump
 
     of_gear, torques = schema(GearDump), schema(DumpTorque)["required"]
@@ -136,6 +136,6 @@ def json_schema() -> Schema:
 
 
 def _exactly(form: Sequence[str], properties: Schema, free: Sequence[str]) -> Schema:
-    """Return a schema that requires the keys in `form`, and forbids further keys except `free`."""
+    """Return a schema that requires the keys in `form` and allows no others except `free`."""
     others = [name for name in properties if name not in {*form, *free}]
     return {"required": [*form], "properties": dict.fromkeys(others, False)}

@@ -18,7 +18,7 @@ from vstatics.torsion.cli.observed import Observed, observed
 
 
 def _of_one_mode(command: Command) -> Command:
-    """Add to a command the options that choose a case, a gear and a mode."""
+    """Add options to a command that choose a case, a gear and a mode."""
     for option in (
         elastic_case,
         click.option(
@@ -148,7 +148,7 @@ def _answer(
     of_gear: Callable[[Transmission, str], CaseAnswer],
     to: Destination | None = None,
 ) -> int:
-    """Answer about a gear; report an unknown mode or component as wrong use."""
+    """Print an answer about a gear; an unknown mode or component is a usage error."""
 
     def calculate(reading: Reading) -> CaseAnswer:
         case = reading.case

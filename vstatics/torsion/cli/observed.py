@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from vstatics.torsion.vibration.decays import Decay
 
 TIME = "time"
-"""Name of the column of times in a record."""
+"""Heading of the column of times in a record."""
 
 
 class Observed(NamedTuple):
@@ -36,7 +36,7 @@ class Observed(NamedTuple):
     column: str | None = None
 
     def measured(self) -> tuple[float, float | None, Decay | None]:
-        """Return the frequency [rad/s], the decrement [-] and the decay, as far as known.
+        """Return frequency [rad/s], decrement [-] and decay, each None if unknown.
 
         Raises
         ------

@@ -105,7 +105,7 @@ def random_command(
 
 
 def _lifeless(reading: Reading, gears: Sequence[GearRandom]) -> Iterator[Problem]:
-    """Yield warnings about components with a fatigue strength that are not elastic in any gear."""
+    """Yield warnings about components with a fatigue strength that no gear treats as elastic."""
     from vstatics.torsion.random.random_vibration import of_stress
 
     excited = [gear for gear in gears if not gear.error]

@@ -36,7 +36,7 @@ MOST_SPEEDS = 100_000
 
 
 def speeds_of(text: str) -> Floats:
-    """Read numbers as a range A:B:N (N numbers from A to B) or as a list."""
+    """Read a list of numbers, or a range A:B:N of N numbers from A to B."""
     import numpy as np
 
     from vstatics.core.numerics.steps import Steps
@@ -52,7 +52,7 @@ def speeds_of(text: str) -> Floats:
 
 
 def _rpm(text: str) -> Floats:
-    """Read speeds in rpm from a range or list, with or without units."""
+    """Read speeds in rpm from a list or range, with or without units."""
     from vstatics.core.readers.named.units import common_unit, quantity
 
     bare, unit = common_unit(text)
@@ -64,14 +64,14 @@ def _rpm(text: str) -> Floats:
 
 
 class Exciting(NamedTuple):
-    """Exciting torques: orders of 1 N*m, a table, or chosen orders of a table."""
+    """Exciting torque: orders of 1 N*m, a table, or some orders of a table."""
 
     orders: Sequence[float] | None = None
     torque: str | None = None
-    """Name of a file with a table of torques."""
+    """Name of a file with a table of harmonics."""
 
     def harmonics(self) -> list[Harmonic]:
-        """Return the harmonics of the table, or the given orders with 1 N*m.
+        """Return the chosen harmonics of the table, or the given orders with 1 N*m each.
 
         Raises
         ------
@@ -96,7 +96,7 @@ class Exciting(NamedTuple):
 
 
 def drawn_torques(asked: PictureFiles) -> list[Harmonic]:
-    """Read the harmonics of the torque for a picture; empty without a file.
+    """Return the harmonics of the torque in a file for a picture; empty without a file.
 
     Raises
     ------
@@ -121,7 +121,7 @@ def _input_of(gears: Sequence[WorkingGear]) -> str:
 
 
 def _unbounded(case: Transmission, gear: GearResponse) -> str:
-    """Return a note about undamped resonances, or an empty text."""
+    """Return a note on undamped resonances, or an empty text."""
     speeds = [f"{r.speed:.6g}" for r in gear.resonances if not r.damped]
     if not speeds:
         return ""
@@ -133,9 +133,9 @@ def _unbounded(case: Transmission, gear: GearResponse) -> str:
 
 
 def _stuck_springs(case: Transmission, gear: GearResponse) -> str:
-    """Return a note about springs that dry friction keeps from twisting, or an empty text.
+    """Return a note on springs that dry friction keeps from twisting, or an empty text.
 
-    The torque of a sliding spring is at least ``4 M/pi`` for friction M.
+    A spring slides only if its torque is at least ``4 M/pi``, with its friction M.
     """
     import numpy as np
 

@@ -33,7 +33,7 @@ FORMS = [form for form in TABLES if form != "xlsx"]
 """Output formats of the steps of a simplification."""
 
 
-def _of_steps(
+def _request_for_steps(
     case: str,
     form: str,
     input_format: readers.Format | None,
@@ -41,7 +41,6 @@ def _of_steps(
     telling: Telling,
     static_torque: float | None,
 ) -> OneCase:
-    """Return the request for a case; the answer, a table of the steps, is printed."""
     return OneCase(
         case,
         OutputOptions(FORMS, form, None, TextStyle()),
@@ -57,14 +56,14 @@ def _names(text: str) -> list[str]:
 
 
 class Reducing(NamedTuple):
-    """Rule of a simplification, and the masses that are removed or merged first."""
+    """Rule of a simplification, and the masses to remove or merge first."""
 
     rule: SimplificationRule | None
     remove: Sequence[str] | None
     merge: Sequence[str] | None
 
     def simplified(self, scheme: TorsionScheme, frequencies: int) -> Simplification:
-        """Simplify a scheme to a number of natural frequencies."""
+        """Simplify a scheme down to a number of natural frequencies."""
         from vstatics.torsion.reduction.merging import simplify_merging
         from vstatics.torsion.reduction.simplification import simplify
 
@@ -110,7 +109,7 @@ class Reducing(NamedTuple):
 )
 @gathered(
     "request",
-    _of_steps,
+    _request_for_steps,
     click.argument("case", type=FILE),
     click.option(
         "-f",
@@ -197,7 +196,6 @@ def simplify_command(
 
 
 def _format_of(output: str | None, case: str) -> str:
-    """Return the format of the output file with the scheme, according to the suffix."""
     if output is None:
         return ""
     files.spare([case], output)
@@ -208,7 +206,7 @@ def _format_of(output: str | None, case: str) -> str:
 
 
 def _lost_dampings(case: Transmission) -> list[str]:
-    """Return a warning about loss factors, which a scheme cannot contain."""
+    """Return a warning about loss factors, which a scheme loses."""
     devices: list[Spring | Mechanism | ShiftElement]
     devices = [*case.springs, *case.mechanisms, *case.shift_elements]
     names = [device.name for device in devices if damping(device.damping).loss_factor]

@@ -1,4 +1,4 @@
-"""Clutch dump of a case: the links that form each mass, and given numbers."""
+"""Clutch dump of a case: the links that form each mass, and further numbers."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ if TYPE_CHECKING:
 
 MASSES = ("J1", "J2", "J3", "J4", "J5")
 NEEDED = ("J1", "J2", "J5")
-"""Masses that need at least one link."""
+"""Masses that at least one link must form."""
 NUMBERS = ("M_C0", "omega1", "M_phi", "E")
 """Keys of `dump` whose values must be numbers above 0."""
 
 
 class ClutchDump(NamedTuple):
-    """Clutch dump of a case: the links that form each mass, and numbers that refer to links.
+    """Clutch dump of a case: the links that form each mass, and numbers at some of the links.
 
     Parameters
     ----------
@@ -80,7 +80,7 @@ class ClutchDump(NamedTuple):
 
 
 def dump_record(case: TransmissionFields) -> dict[str, Any] | None:
-    """Return the clutch dump of a case as a mapping of keys, without infinite values."""
+    """Return the clutch dump of a case, if any, by keys; infinite values are left out."""
     dump = ClutchDump.of(case)
     if dump is None:
         return None

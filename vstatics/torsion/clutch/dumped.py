@@ -1,7 +1,7 @@
 """Largest torque of a transmission after its clutch is dumped, in closed form.
 
 All inertias are reduced to a single shaft with a spring of compliance E. The clutch and the tyres
-stick or slip; the torque of a slipping clutch is 0.8 of its breakaway torque:
+stick or slip. The torque of a slipping clutch is 0.8 of its breakaway torque:
 
     J1 engine --clutch-- J2 disc, J3 transmission --E-- J4 wheels --grip-- J5 vehicle
 
@@ -34,9 +34,9 @@ away later. A1, B1: the wheels are clamped. A2, B2: the wheels roll. A3, B3: the
 V1: the tyres grip. V2: the tyres break away after the clutch. V3: the tyres break away first.
 """
 Contact = Literal["grip", "clutch"]
-"""Contact that sticks or slips: the tyres on the road, or the clutch."""
+"""The tyres on the road (`grip`) or the clutch, which stick or slip."""
 Slips = tuple[Contact, ...]
-"""Slipping contacts, sorted by the beginning of slip."""
+"""Slipping contacts, in the order in which they began to slip."""
 
 _CASES: Mapping[tuple[bool, Slips], tuple[DumpCase, DumpCase]] = {
     (False, ("clutch",)): ("A2", "A1"),
@@ -47,12 +47,12 @@ _CASES: Mapping[tuple[bool, Slips], tuple[DumpCase, DumpCase]] = {
     (True, ("clutch", "grip")): ("V2", "V2"),
     (True, ("grip", "clutch")): ("V3", "V3"),
 }
-"""(True if the clutch grabs, slipping contacts) -> case for rolling wheels, for clamped wheels."""
+"""(Does the clutch grab?, slipping contacts) -> case for rolling wheels, and for clamped wheels."""
 
 DUMP_FORM = "vstatics-dump"
 """Name of the JSON format of answers about clutch dumps."""
 FIRST_APPROXIMATION = 1.5
-"""Initial speed divided by the rate of twist at an event, as in table 3.6 of the source. [-]"""
+"""Initial speed divided by the rate of twist at an event, in table 3.6 of the source. [-]"""
 
 MARGINS: Mapping[DumpCase, str] = {"B3": "2 to 4", "V2": "17 to 23", "V3": "2 to 4"}
 """Excess of the closed form over a numerical integration, for the vehicles of table 3.8. [%]
@@ -60,7 +60,7 @@ MARGINS: Mapping[DumpCase, str] = {"B3": "2 to 4", "V2": "17 to 23", "V3": "2 to
 
 
 class DumpTorque(NamedTuple):
-    """Largest torques of a clutch dump, reduced to the shaft of the spring."""
+    """Largest torques after a clutch dump, reduced to the shaft of the spring."""
 
     case: DumpCase
     max_torque: float
@@ -84,13 +84,13 @@ class DumpTorque(NamedTuple):
     grabs_below: float
     """Engine speed below which the clutch grabs and sticks at once. [rad/s]"""
     engagement: Sometimes[Engagement] = None
-    """Dynamic factor of a gradual engagement, if a rate is given."""
+    """Dynamic factor of a gradual engagement, if a rate is specified."""
     messages: tuple[Message, ...] = ()
 
 
 @document(DUMP_FORM)
 class DumpAnswer(NamedTuple):
-    """JSON document of the largest torques, for a file of numbers."""
+    """JSON document of the largest torques, for a file with numbers."""
 
     made: Flat[DumpTorque]
 
@@ -111,7 +111,7 @@ class Swing(NamedTuple):
         return self.level + self._amplitude(torque, speed)
 
     def speed_at(self, limit: float, torque: float, speed: float) -> float | None:
-        """Return the rate of twist [rad/s] when the torque reaches a limit, if ever."""
+        """Return the rate of twist [rad/s] when the torque reaches a limit, None if it cannot."""
         rise, amplitude = limit - self.level, self._amplitude(torque, speed)
         radicand = (amplitude - rise) * (amplitude + rise)
         if radicand < 0 or not self.torque_by_speed:
@@ -177,19 +177,19 @@ def dump(given: Dump, rate: float | None = None) -> DumpTorque:
 
 
 class _Course(NamedTuple):
-    """Course of events in a clutch dump."""
+    """Sequence of events in a clutch dump."""
 
     case: DumpCase
     torque: float
     """Largest torque. [N*m]"""
     missed: DumpCase | None = None
-    """Case that would follow, but whose torque in closed form does not reach `limit`."""
+    """Case that would follow if the torque in closed form reached `limit`."""
     limit: float = math.inf
     """Torque at which the missed case would begin. [N*m]"""
 
 
 def _followed(given: Dump) -> _Course:
-    """Follow the events until an oscillation in which neither clutch nor tyres break away."""
+    """Follow the events up to an oscillation in which neither clutch nor tyres break away."""
     grabs = given.boundary_speed > given.omega1
     slips: Slips = () if grabs else ("clutch",)
     torque, speed = 0.0, given.omega1 if grabs else 0.0
@@ -201,7 +201,7 @@ def _followed(given: Dump) -> _Course:
         breaks = min(sticking, key=limits.__getitem__, default=None)
         if breaks is None or not largest > limits[breaks]:
             return _Course(case, largest)
-        # By (3.52) and (3.61), a later oscillation is assumed to begin at its mean torque.
+        # By (3.52) and (3.61), a later oscillation begins at its mean torque.
         at_limit = swing.speed_at(limits[breaks], swing.level if torque else 0.0, speed)
         if at_limit is None:
             return _Course(case, largest, _CASES[grabs, (*slips, breaks)][0], limits[breaks])
@@ -209,7 +209,7 @@ def _followed(given: Dump) -> _Course:
 
 
 def _swing(given: Dump, slips: Slips, clutch_torque: float) -> Swing:
-    """Return the oscillation of the torque while given contacts slip."""
+    """Return the oscillation of the torque while the contacts `slips` slip."""
     near, far = given.J2 + given.J3, given.J4
     near += given.J1 * ("clutch" not in slips)
     far += given.J5 if "grip" not in slips else 0.0
@@ -219,7 +219,7 @@ def _swing(given: Dump, slips: Slips, clutch_torque: float) -> Swing:
 
 
 def _part(inertia: float, other: float) -> float:
-    """Return the share of an inertia, which can be infinite, in the sum of two inertias [-]."""
+    """Return the share of an inertia, which can be infinite, in the sum of both [-]."""
     return 1.0 if math.isinf(inertia) else inertia / (inertia + other)
 
 
@@ -244,7 +244,7 @@ def _simplified(given: Dump, case: DumpCase) -> float:
 
 
 def _input_shaft_torque(given: Dump, case: DumpCase, torque: float) -> float:
-    if case.startswith("B"):  # table 3.6, instead of (3.16) for a slipping clutch
+    if case.startswith("B"):  # by table 3.6; (3.16) is for a slipping clutch
         return torque * (given.J1 + given.J2) / (given.J1 + given.J2 + given.J3)
     clutch_torque = given.slipping_torque if case.startswith("A") else given.M_C0
     return (clutch_torque * given.J3 + torque * given.J2) / (given.J2 + given.J3)

@@ -19,7 +19,7 @@ from vstatics.core.errors import CaseError, Problem
 from vstatics.torsion.tolerances import LEAST_RATE, SAME_ANGLE
 
 GROWN = 3.0
-"""Value of K t at which the clutch counts as engaged with the final torque. [-]"""
+"""Value of K t from which the clutch counts as engaged with the final torque. [-]"""
 
 
 class Engagement(NamedTuple):
@@ -28,7 +28,7 @@ class Engagement(NamedTuple):
     rate: float
     """Rate K in ``1 - exp(-K t)``. [1/s]"""
     factor: float
-    """First maximum of the spring torque after t = 3/K, relative to the final clutch torque. [-]"""
+    """First maximum of the spring torque after t = 3/K, divided by the final clutch torque. [-]"""
 
 
 def engagement(rate: float, inertia: float, compliance: float) -> Engagement:
@@ -74,11 +74,11 @@ def _factor(k: float) -> float:
     k^2)`` with a = atan(1/k), and (3.70) is then ``1 - cos x``. For x > 3/k the right-hand side is
     smaller than 0.05 in magnitude, so each turn has one maximum, slightly after ``x - a = pi``.
     """
-    k = min(max(k, LEAST_RATE), 1e99)  # the factor is constant outside these limits
+    k = min(max(k, LEAST_RATE), 1e99)  # beyond these limits the factor is constant
     a, size = math.atan2(1, k), math.hypot(1, k)
     first = GROWN / k - math.asin(math.exp(-GROWN) / size)
     turns = math.ceil((first - a - math.pi) / math.tau)
     middle, offset, previous = a + math.pi + turns * math.tau, 0.0, -1.0
-    while abs(offset - previous) > SAME_ANGLE:  # each step divides the error by 10 or more
+    while abs(offset - previous) > SAME_ANGLE:  # each step reduces the error at least tenfold
         previous, offset = offset, math.asin(math.exp(-k * (middle + offset)) / size)
     return 1 + math.cos(a + offset)

@@ -47,7 +47,7 @@ class DumpFile(NamedTuple):
     """Positions of the numbers in the file."""
 
     def torque(self, rate: float | None = None) -> DumpTorque:
-        """Calculate the largest torques; see `dump` for the rate.
+        """Calculate the largest torques; `rate` is that of `dump`.
 
         Raises
         ------
@@ -61,7 +61,7 @@ class DumpFile(NamedTuple):
 
 
 def is_of_case(data: bytes, file: str) -> bool:
-    """Return whether a document is a case and not a file of numbers.
+    """Return whether a document is a case, not a file of numbers.
 
     Examples
     --------
@@ -69,7 +69,7 @@ def is_of_case(data: bytes, file: str) -> bool:
     (True, False)
     """
     from vstatics.core.readers import format_of
-    from vstatics.core.readers.named.yaml_nodes import yaml_tree  # slow import
+    from vstatics.core.readers.named.yaml_nodes import yaml_tree  # import is slow
 
     file_format = format_of(file, data)
     if file_format in ("deck", "xlsx"):

@@ -1,11 +1,11 @@
-"""Largest torques after a clutch dump in the gears of a case, reduced to a single link.
+"""Largest torques after a clutch dump in the gears of a case, reduced to a reference link.
 
 The best reference link is the shaft whose torque is of interest, such as the propshaft or the
 half-shafts (I. S. Tsitovich, V. B. Algin, Vehicle dynamics, 1981, 3.3).
 
 The compliance E is the angle by which the disc turns under a torque of 1 N*m while the vehicle is
-held. All elastic components in the path of the power contribute: shafts, parallel shafts, and the
-mounting of a casing that takes a reaction.
+held. All elastic components in the power path contribute: shafts, parallel shafts, and the mounting
+of a casing that takes a reaction.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from vstatics.torsion.system.state import asked_gears, vibrating
 
 @json_keys("name", "to", "error", reduced="given", made="made")
 class GearDump(NamedTuple):
-    """Clutch dump in a gear."""
+    """Clutch dump in a gear, with its result."""
 
     name: str
     """Name of the gear."""
@@ -153,7 +153,7 @@ def _reduced(
     inertias: Mapping[str, float],
     speeds: Sequence[float | None],
 ) -> Dump | str:
-    """Reduce the numbers of a dump to the reference link, or return a reason for failure."""
+    """Return the numbers of a dump reduced to the reference link, or the reason for a failure."""
     by_link: dict[int, float] = {}
     for name, links in clutch.masses.items():
         for link in links:
@@ -185,9 +185,9 @@ def _reduced(
 def _masses(
     case: Transmission, system: TorsionalSystem, clutch: ClutchDump, speeds: Sequence[float | None]
 ) -> tuple[dict[str, float], list[str]]:
-    """Return the reduced inertias of J1 to J5, and the names of other rotating bodies.
+    """Return the reduced inertias of J1 to J5, and the names of rotating bodies outside them.
 
-    Planets belong to the same mass as a link of their gear set, preferably the carrier.
+    A planet belongs to the mass of a link of its gear set, preferably the carrier.
     """
     owners = {link: name for name, links in clutch.masses.items() for link in links}
     totals = dict.fromkeys(clutch.masses, 0.0)
@@ -214,11 +214,11 @@ def _links_of_set(case: Transmission, planet: str) -> list[int]:
 def path_compliance(
     system: TorsionalSystem, near: Sequence[int], speeds: Sequence[float], far: Sequence[int]
 ) -> float | None:
-    """Calculate the compliance between near links and held links, reduced to the reference link.
+    """Calculate the compliance from near links to held links, reduced to the reference link.
 
-    Among all elastic torques M that balance a torque of 1 N*m on the reference link, the actual
-    torques have the smallest ``sum E M^2``, which is the compliance (Castigliano). For a chain the
-    result is the sum of the reduced compliances.
+    Many elastic torques M can balance a torque of 1 N*m on the reference link. The actual torques
+    have the smallest ``sum E M^2``, which is the compliance (Castigliano). For a chain the result
+    is the sum of the reduced compliances.
 
     Parameters
     ----------

@@ -1,6 +1,6 @@
-"""Numbers of a clutch dump, and the limits of torque and speed that follow from them.
+"""Numbers of a clutch dump, and limits of torque and speed that follow from them.
 
-Numbers of equations refer to I. S. Tsitovich, V. B. Algin, Vehicle dynamics (1981), 3.3.
+Equation numbers are those of I. S. Tsitovich, V. B. Algin, Vehicle dynamics (1981), 3.3.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ UNBOUNDED = ("J4", "J5", "M_phi")
 FROM_0 = ("J3", "J4")
 """Names of numbers that can be 0."""
 SLIPPING = 0.8
-"""Torque of a slipping clutch, relative to the breakaway torque, (3.9). [-]"""
+"""Torque of a slipping clutch divided by its breakaway torque, (3.9). [-]"""
 
 
 class Dump(NamedTuple):
@@ -55,9 +55,9 @@ class Dump(NamedTuple):
 
     @property
     def boundary_speed(self) -> float:
-        """Engine speed below which the clutch grabs, (3.14) [rad/s].
+        """Engine speed below which the clutch grabs at once, (3.14) [rad/s].
 
-        Because of backlash, the clutch at first accelerates only the disc J2.
+        At first the clutch accelerates only the disc J2, because of backlash.
         """
         return self.slipping_torque * math.sqrt(self.E / self.J2)
 
@@ -68,12 +68,12 @@ class Dump(NamedTuple):
 
     @property
     def grip_limit(self) -> float:
-        """Torque of the spring at which the wheels break away, M_cp2 in (3.24) [N*m]."""
+        """Torque of the spring at which the tyres break away, M_cp2 in (3.24) [N*m]."""
         return math.inf if math.isinf(self.J4) else self.M_phi * (1 + self.J4 / self.J5)
 
     @property
     def clamped(self) -> bool:
-        """True if the wheels are at rest as long as the tyres grip."""
+        """True if the wheels are at rest until the tyres slip."""
         return math.isinf(self.J4 + self.J5)
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from vstatics.core.tables.grid import Grid, Values, grid_of
 from vstatics.torsion.clutch.dumped import DumpCase, DumpTorque
 
-if TYPE_CHECKING:  # a file of numbers needs no scipy, unlike gear_dump
+if TYPE_CHECKING:  # a file of numbers needs no scipy, but gear_dump does
     from vstatics.torsion.clutch.gear_dump import GearDump
 
 HAPPENS: Mapping[DumpCase, str] = {
@@ -26,7 +26,7 @@ HAPPENS: Mapping[DumpCase, str] = {
 
 
 def grids(result: DumpTorque) -> Iterator[Grid]:
-    """Yield a table of the largest torques, and a table of messages.
+    """Yield a table of the largest torques, and a table of messages if any.
 
     Torques and speeds are in the units of `M_C0` and `omega1`, which can be relative units.
     """
@@ -78,7 +78,7 @@ _LABELS = {
 
 
 def gear_grids(gear: GearDump) -> Iterator[Grid]:
-    """Yield the tables of `grids` and of reduced values, or the reason for missing tables."""
+    """Yield the tables of `grids` and of reduced values, or the reason why they are missing."""
     if gear.made is not None:
         yield from grids(gear.made)
     yield from _reduced([gear])

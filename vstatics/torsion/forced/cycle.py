@@ -1,4 +1,4 @@
-"""Sum of several orders: its largest value over a cycle, and its root mean square."""
+"""Sum of several orders: largest value over a cycle, and root mean square."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from vstatics.core.numerics.arrays import Complex, Floats
 from vstatics.torsion.tolerances import SAME_ORDER
 
 MOST_REVOLUTIONS = 720
-"""Longest common cycle of orders, in revolutions; for a longer cycle, amplitudes are added."""
+"""Longest cycle after which all orders repeat, in revolutions; beyond it, amplitudes are added."""
 POINTS_PER_PERIOD = 32
-"""Number of evaluated points per period of the highest order, before Newton's method."""
+"""Number of points per period of the highest order, evaluated before Newton's method."""
 MOST_POINTS = 1_000_000
-"""Largest number of evaluated points; if more are needed, amplitudes are added."""
+"""Largest number of points to evaluate; beyond it, amplitudes are added."""
 
 
 class Sum(NamedTuple):
@@ -63,7 +63,7 @@ def summed(orders: Sequence[float], amplitudes: Sequence[Complex]) -> Sum:
 
 
 def _cycle(orders: Sequence[float]) -> float | None:
-    """Return the number of revolutions after which all orders repeat, unless too large."""
+    """Return the number of revolutions after which all orders repeat, None if it is too large."""
     parts = [Fraction(order).limit_denominator(MOST_REVOLUTIONS) for order in orders]
     if any(
         abs(float(part) - order) > SAME_ORDER * order
@@ -85,7 +85,7 @@ def _largest(turning: Complex, amplitudes: Complex, angles: Floats) -> Floats:
         values = np.abs((column[:, None] * waves).sum(axis=0).real)
         highest[number], angle[number] = values.max(), angles[np.argsort(values)[-4:]]
     amplitudes, turning = amplitudes[:, :, None], turning[:, None, None]
-    for _ in range(8):  # Newton's method, from the four largest values in each column
+    for _ in range(8):  # Newton's method starts at the four largest values of each column
         terms = amplitudes * np.exp(turning * angle)
         slope = (turning * terms).sum(axis=0).real
         bend = (turning**2 * terms).sum(axis=0).real

@@ -1,7 +1,7 @@
 """Dry friction of springs under a harmonic torque, as an equivalent damper.
 
-The friction M of a spring whose twist has the amplitude A at the frequency w dissipates as much as
-the damper ``4 M/(pi A w)``. The torque of this damper has the amplitude ``4 M/pi`` for any A, in
+The friction M of a spring, whose twist has the amplitude A at the frequency w, dissipates as much
+as the damper ``4 M/(pi A w)``. The torque of this damper has the amplitude ``4 M/pi`` for any A, in
 phase with the rate of twist. Under a smaller torque the spring is stuck: it does not twist.
 """
 
@@ -26,13 +26,13 @@ from vstatics.torsion.tolerances import (
 )
 
 _MOST_FRICTION_SWEEPS = 40
-"""Largest number of passes in which the torques of all springs are updated in turn."""
+"""Largest number of passes that update the torque of each spring in turn."""
 _MOST_FRICTION_STEPS = 60
 """Largest number of Newton steps for frequencies at which the passes do not converge."""
 _MOST_NEWTON_HALVINGS = 12
 """Largest number of times that a Newton step is halved."""
 _RATE_SCALES = (1.0, 0.1, 10.0, 0.01, 100.0)
-"""Scales of the rates of twist in Newton's method, tried in turn. [-]"""
+"""Scales of the rate of twist in Newton's method, tried in turn. [-]"""
 
 
 def sliding_torque(spring: Spring) -> float:
@@ -138,7 +138,7 @@ def friction_torques(free: Complex, receptance: Complex, limits: Floats) -> Comp
 
 
 def _torque_alone(left: Complex, alone: Complex, limit: float) -> Complex:
-    """Return the torque of a spring from the twist without torque (`left`) and the receptance."""
+    """Return the torque of a spring from its twist without torque (`left`) and receptance."""
     stuck = np.abs(left) <= limit * np.abs(alone)
     resisted, size = limit * alone.imag, np.abs(left) ** 2 - (limit * np.abs(alone)) ** 2
     with np.errstate(all="ignore"):
@@ -153,10 +153,10 @@ def _torque_alone(left: Complex, alone: Complex, limit: float) -> Complex:
 def _newton(
     free: Complex, receptance: Complex, limits: Floats, torques: Complex, factor: float
 ) -> Complex:
-    """Return torques by a semismooth Newton method; NaN where the method does not converge.
+    """Return the torques by a semismooth Newton method, NaN where it does not converge.
 
-    A complex torque T lies in a disc whose radius is its limit. Sliding or stuck, T is the point of
-    the disc nearest to T plus the scaled rate of twist.
+    A complex torque T is inside or on a circle whose radius is its limit. Sliding or stuck, T is
+    the point of this disc nearest to T plus the scaled rate of twist.
     """
     count = len(limits)
     sizes = np.abs(np.diagonal(receptance, axis1=1, axis2=2))

@@ -79,7 +79,7 @@ class Resonance(NamedTuple):
 
     order: float
     mode: int
-    """Number of the mode in `modes`, from 1."""
+    """Number of the mode among `modes`, from 1."""
     speed: float
     """Speed of the excited link. [rpm]"""
     participation: float
@@ -97,11 +97,11 @@ class SummedResponse(NamedTuple):
 
 @json_keys("name", "speeds", "orders", "sum", "resonances", "converters", "error")
 class GearResponse(NamedTuple):
-    """Response of a gear."""
+    """Response of a gear to all orders."""
 
     name: str
     speeds: Floats
-    """Given speeds, and intermediate resonances of damped modes. [rpm]"""
+    """Requested speeds, and resonances of damped modes between them. [rpm]"""
     orders: Sequence[OrderResponse] = ()
     resonances: Sequence[Resonance] = ()
     error: Failure = ""
@@ -111,7 +111,7 @@ class GearResponse(NamedTuple):
     """Converters by name, linearised at operating points."""
 
     def with_sum(self) -> GearResponse:
-        """Return the response, including the sum of all orders."""
+        """Return the response with the sum of all orders added."""
         orders = [response.order for response in self.orders]
 
         def total(by_order: Sequence[Mapping[str, Complex]]) -> dict[str, Sum]:
@@ -218,7 +218,7 @@ def _gear_response(
     orders = []
     friction = DryFriction.of(case, system)
     for harmonic in harmonics:
-        with np.errstate(over="ignore", invalid="ignore"):  # extreme speeds give NaN
+        with np.errstate(over="ignore", invalid="ignore"):  # speeds out of range give NaN
             omegas = harmonic.order * RAD_PER_RPM * speeds
             moved = partial(_amplitudes, system, split, omegas, natural.omegas[undamped])
             torque = harmonic.amplitude * np.exp(1j * harmonic.phase)
@@ -237,7 +237,7 @@ def _gear_response(
 
 
 def not_excitable(system: TorsionalSystem, split: Coordinates, at: int) -> str:
-    """Return the reason why the link with the index `at` cannot be excited, or an empty text."""
+    """Return the reason why link number `at` (from 0) cannot be excited, or an empty text."""
     excitable = ~split.undetermined & split.free.any(axis=1)
     if excitable[at]:
         return ""
@@ -248,7 +248,7 @@ def not_excitable(system: TorsionalSystem, split: Coordinates, at: int) -> str:
 
 
 def _are_undamped(system: TorsionalSystem, natural: NaturalModes) -> Booleans:
-    """Return a flag for each mode, True without dissipation of energy."""
+    """Return a flag for each mode: True if it dissipates no energy."""
     resisted = np.zeros(natural.omegas.shape)
     stored = np.zeros(natural.omegas.shape)
     for device in system.elastic:
@@ -263,7 +263,7 @@ def _are_undamped(system: TorsionalSystem, natural: NaturalModes) -> Booleans:
 
 
 def _with_peaks(speeds: Floats, peaks: Sequence[float]) -> Floats:
-    """Insert each peak between enclosing successive speeds, rising or falling [rpm]."""
+    """Insert each peak between the neighbouring speeds that enclose it, rising or falling [rpm]."""
     places: list[int] = []
     inserted: list[float] = []
     for speed in set(peaks):
@@ -279,10 +279,10 @@ def _with_peaks(speeds: Floats, peaks: Sequence[float]) -> Floats:
 def _amplitudes(
     system: TorsionalSystem, split: Coordinates, omegas: Floats, undamped: Floats, forces: Floats
 ) -> Complex:
-    """Calculate the amplitudes of links under generalised forces, shape (links, speeds) [rad].
+    """Return the amplitudes of links under generalised forces, shape (links, speeds) [rad].
 
-    Amplitudes are NaN at the frequency of an undamped mode, and at frequency 0 if a motion without
-    twist is possible.
+    Amplitudes are NaN at the frequency of an undamped mode. They are NaN at frequency 0, too, if a
+    motion without twist is possible.
     """
     unbounded = np.any(np.abs(omegas[:, None] - undamped) <= NO_POWER * undamped, axis=1)
     unbounded |= (omegas == 0) & (split.rigid.shape[1] > 0)
@@ -299,7 +299,7 @@ def _amplitudes(
 def _solved(
     matrices: tuple[Floats, Floats, Floats, Floats], forces: Floats, omegas: Floats
 ) -> Complex:
-    """Solve for the amplitudes of the free coordinates, shape (speeds, coordinates)."""
+    """Return the amplitudes of the free coordinates, shape (speeds, coordinates)."""
     mass, stiffness, resistance, hysteresis = matrices
     omega = omegas[:, None, None]
     dynamic = stiffness + 1j * (omega * resistance + np.sign(omega) * hysteresis) - omega**2 * mass
@@ -309,7 +309,7 @@ def _solved(
     forced = (forces * scale)[:, :, None].astype(complex)
     try:
         solved: Complex = np.linalg.solve(scaled, forced)
-    except np.linalg.LinAlgError:  # a matrix of the batch is singular
+    except np.linalg.LinAlgError:  # a matrix in the batch is singular
         if len(omegas) == 1:
             return np.full(scale.shape, np.nan, complex)
         each = [_solved(matrices, forces, omegas[[n]]) for n in range(len(omegas))]
@@ -324,7 +324,7 @@ def _torques(
     amplitudes: Complex,
     friction: Mapping[str, Complex],
 ) -> dict[str, Complex]:
-    """Calculate the torques on the first links of components, shape (speeds,) [N*m].
+    """Return the torques on first links of components by name, each of shape (speeds,) [N*m].
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Tables of forced vibration: largest values for people, or values at all speeds for programs."""
+"""Tables of forced vibration: largest values for readers, or values at all speeds for programs."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ _ROW_HEADINGS = ("gear", "order", "mode", "speed", "row", "value")
 
 
 def row_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
-    """Yield a single CSV table with a row for each value, where `speed` is in rpm.
+    """Yield a single table for CSV, with a row for each value, where `speed` is in rpm.
 
     Examples
     --------
@@ -109,7 +109,7 @@ def _resonances(gears: Sequence[GearResponse]) -> Grid:
     rows: list[Row] = [
         [
             gear.name,
-            Cell(f"{resonance.order:g}", resonance.order, kind=float),  # short: 2, 4.5
+            Cell(f"{resonance.order:g}", resonance.order, kind=float),  # short, as in 2 or 4.5
             whole(resonance.mode),
             exact(resonance.speed, 1),
             exact(resonance.participation),
@@ -123,7 +123,7 @@ def _resonances(gears: Sequence[GearResponse]) -> Grid:
 
 
 def sum_grids(gears: Sequence[GearResponse]) -> Iterator[Grid]:
-    """Yield tables of the sums of all orders, with the largest values over the speeds."""
+    """Yield tables with the largest values over the speeds of the sums of all orders."""
     for gear in gears:
         headings = "name", "largest over a cycle", "at [rpm]", "RMS", "at [rpm]"
         for title, by_name in zip(_TITLES, gear.sum or (), strict=False):

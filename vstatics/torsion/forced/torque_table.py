@@ -1,4 +1,4 @@
-"""Table of an exciting torque in CSV: orders with amplitudes and phases."""
+"""CSV table of an exciting torque: orders with amplitudes and phases."""
 
 from __future__ import annotations
 

@@ -31,21 +31,21 @@ _WORDS: Mapping[DumpCase, str] = {
     "V2": "the clutch breaks away, then the tyres",
     "V3": "the tyres break away, then the clutch",
 }
-"""Course of events in each case of a dump, as printed in the row of a gear."""
+"""Events in each case of a dump, as printed in the row of a gear."""
 DUMP_ROW, BAR_HEIGHT, THIN_BAR_HEIGHT = 35.0, 9.0, 4.0
-"""Height of the row of a gear, and of the two bars in the row. [pt]"""
+"""Height of the row of a gear, and of its two bars. [pt]"""
 TORQUE_SCALE_HEIGHT = 42.0
 """Height of the scale of torques. [pt]"""
 WORDS_WIDTH = 140.0
-"""Width of the text about the course of a dump. [pt]"""
+"""Width of the text about the events of a dump. [pt]"""
 FARTHEST_LIMIT = 1.6
-"""Largest breakaway limit that is drawn, relative to the largest torque of all bars."""
+"""Largest breakaway limit that is drawn, divided by the largest torque of all bars."""
 LIMIT_OVER = 3.0
 """Length by which the mark of a limit extends beyond the bar, above and below. [pt]"""
 
 
 class _Limits(NamedTuple):
-    """Line styles of the marks of breakaway limits, and of the torque by the simplified formula."""
+    """Line styles of marks: of breakaway limits, and of the torque by the simplified formula."""
 
     slips: Look
     clutch: Look
@@ -142,12 +142,11 @@ def _signs(dumps: Sequence[GearDump], scale: AxisScale, style: Style) -> list[Me
 
 
 def _bars(style: Style) -> tuple[Look, Look]:
-    """Return the styles of the bars of the largest torque and of the input-shaft torque."""
     return {"facecolor": style.power}, {"facecolor": style.faint}
 
 
 def _draw_gear(pen: Pen, middle: float, result: DumpTorque) -> None:
-    """Draw the bars and limits of a gear, centred at the height `middle` [pt]."""
+    """Draw the bars and limits of a gear, centred at height `middle` [pt]."""
     style, looks = pen.style, _Limits.of(pen.style)
     (most, least), unit = _bars(style), style.text("N·m")
     low = middle - BAR_HEIGHT / 2 + 2.0

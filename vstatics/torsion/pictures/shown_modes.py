@@ -46,7 +46,7 @@ def modes_of(results: Results, gears: Sequence[int] = ()) -> list[GearModes]:
 
 
 def why_none(gear: GearModes, style: Style) -> str:
-    """Return the text that replaces the modes of a gear without modes."""
+    """Return the text that replaces the modes of a gear without any."""
     for status in (TIED_UP, CONFLICT):
         if gear.error.startswith(status.english):
             return style.text(status.english)

@@ -25,7 +25,7 @@ from vstatics.torsion.vibration.natural import NaturalModes, natural_modes, weig
 
 @dataclass(frozen=True)
 class FirstOrder:
-    """First-order system of an excited gear, see the module.
+    """First-order system of an excited gear; see the module.
 
     The states are modal coordinates times natural frequencies, coordinates of massless motions, and
     speeds of modes and of rigid motions, in this order.
@@ -54,7 +54,7 @@ class FirstOrder:
 
 @dataclass(frozen=True)
 class ExcitedGear:
-    """Gear that is excited by a torque on a link, or by a given motion of the link."""
+    """Gear with a torque on a link, or a given motion of a link, as its input."""
 
     free: TorsionalSystem
     at: int
@@ -76,24 +76,24 @@ class ExcitedGear:
 
     @cached_property
     def lossy(self) -> bool:
-        """True if a component has a loss factor."""
+        """True if any component has a loss factor."""
         return any(device.damping.loss_factor for device in self.system.elastic)
 
     @cached_property
     def links(self) -> tuple[Floats, Floats, Floats, Floats]:
-        """Matrices for link angles: inertia, stiffness, damping, stiffness times loss factor."""
+        """Matrices for link angles: inertia, stiffness, damping, loss factor times stiffness."""
         system = self.free
         return system.matrices(system.twists, system.speeds, np.eye(len(system.names)))
 
     @cached_property
     def unit(self) -> Floats:
-        """Angles of links for 1 rad of the excited link, shape (links,); 0 for a torque."""
+        """Angles of links per rad of the excited link, shape (links,); 0 if a torque excites it."""
         free = coordinates(self.free).free
         row = free[self.at]
         return free @ (row / (row @ row)) if self.by_motion else np.zeros(len(free))
 
     def answers(self, forms: Floats, omega: float) -> Complex:
-        """Return the frequency response of linear forms of link angles, shape (forms,).
+        """Return the complex frequency response of linear forms of link angles, shape (forms,).
 
         Parameters
         ----------
@@ -120,7 +120,7 @@ class ExcitedGear:
     def _basis(self) -> Floats:
         """Coordinates of the gear as columns of link angles, shape (links, coordinates).
 
-        They are modes, rigid motions, massless motions, and finally `unit`.
+        They are modes, rigid motions, massless motions, and finally the motion `unit`.
         """
         split = coordinates(self.system)
         parts = [self.natural.shapes, rigid_basis(self.system, split), split.massless]
@@ -128,13 +128,13 @@ class ExcitedGear:
 
     @cached_property
     def _by_basis(self) -> tuple[Floats, Floats, Floats, Floats]:
-        """Matrices as in `links`, for the coordinates of `_basis`."""
+        """Matrices of `links`, for the coordinates of `_basis`."""
         twists = without_rounding(self.free.twists, self._basis)
         return self.free.matrices(twists, self.free.speeds @ self._basis, self._basis)
 
     @cached_property
     def first_order(self) -> FirstOrder:
-        """First-order system, with equivalent viscous damping of modes for loss factors."""
+        """First-order system; loss factors become equivalent viscous damping of modes."""
         split = coordinates(self.system)
         mass, stiffness, _, _ = self.links
         viscous, _ = self.system.dampings
@@ -165,7 +165,7 @@ class ExcitedGear:
     def _rates(
         self, massive: Floats, slow: Floats, force: Floats, at_once: Floats
     ) -> tuple[Floats, Floats, Floats]:
-        """Return A, b and c of ``x' = A x + b u + c u'``; a shift of the states can remove c."""
+        """Return A, b and c of ``x' = A x + b u + c u'``, before a shift of states removes c."""
         _, stiffness, resistance, hysteresis = self.links
         omegas, light, heavy = self.natural.omegas, slow.shape[1], massive.shape[1]
         modes, size = len(omegas), len(omegas) + light + heavy
@@ -191,6 +191,6 @@ class ExcitedGear:
 
 
 def without_rounding(left: Floats, right: Floats) -> Floats:
-    """Multiply matrices, and replace results that are only rounding errors by 0."""
+    """Return a product of matrices, with 0 instead of results that are only rounding errors."""
     product = left @ right
     return np.where(np.abs(product) > UNMOVED * (np.abs(left) @ np.abs(right)), product, 0.0)

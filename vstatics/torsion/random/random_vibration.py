@@ -28,11 +28,11 @@ from vstatics.torsion.system.working_points import Ratios, WorkingGear, working_
 from vstatics.torsion.vibration.damped import damped_modes
 
 Excitation = Literal["torque", "motion"]
-"""Quantity that a spectrum describes: torque on a link, or angle of the link."""
+"""Excitation that a spectrum describes: torque on a link, or angle of the link."""
 
 
 class RandomDevice(NamedTuple):
-    """Random vibration of an elastic component, with NaN for quantities without a variance."""
+    """Random vibration of an elastic component; NaN for quantities without a variance."""
 
     twist_rms: float
     """Standard deviation of the twist. [rad]"""
@@ -43,11 +43,11 @@ class RandomDevice(NamedTuple):
     crossings: float
     """Rate of upward crossings of the mean. [1/s]"""
     life: Sometimes[float] = None
-    """Life of a component with a fatigue strength; infinite for an unlimited life. [s]"""
+    """Life of a component with a fatigue strength; infinite if unlimited. [s]"""
 
 
 class RandomLink(NamedTuple):
-    """Random vibration of a link, with NaN for quantities without a variance."""
+    """Random vibration of a link; NaN for quantities without a variance."""
 
     rms: float
     """Standard deviation of the angle. [rad]"""
@@ -58,14 +58,14 @@ class RandomLink(NamedTuple):
 
 
 class RandomSpectrum(NamedTuple):
-    """Spectra of the input and of twists over the frequency."""
+    """Spectra of the excitation and of twists, over frequency."""
 
     omega: Floats
     """Frequencies. [rad/s]"""
     input: Floats
-    """Spectrum of the input. [(N*m)^2*s/rad or rad^2*s/rad]"""
+    """Spectrum of the torque or angle that excites. [(N*m)^2*s/rad or rad^2*s/rad]"""
     devices: Mapping[str, Floats]
-    """Spectra of the twists of components. [rad^2*s/rad]"""
+    """Spectra of the twists of components, by name. [rad^2*s/rad]"""
 
 
 @json_keys("name", "devices", "links", "half_widths", "spectrum", "converters", "error")
@@ -76,9 +76,9 @@ class GearRandom(NamedTuple):
     devices: Mapping[str, RandomDevice] = MappingProxyType({})
     links: Mapping[str, RandomLink] = MappingProxyType({})
     half_widths: Sequence[float] = ()
-    """Half width of the resonance peak of each mode, at half of the squared amplitude. [rad/s]
+    """Half width, at half of the squared amplitude, of the resonance peak of each mode. [rad/s]
 
-    It is ``-Re s`` of the eigenvalue s of the mode.
+    This is ``-Re s`` of the eigenvalue s of the mode.
     """
     spectrum: Sometimes[RandomSpectrum] = None
     error: Failure = ""
@@ -161,7 +161,7 @@ def _gear_random(
         return GearRandom(gear.name, error=error)
     excited = ExcitedGear(system, at, by == "motion")
     of_links = np.eye(len(system.names))[: system.case_links]
-    with np.errstate(all="ignore"):  # undefined values are reported as NaN
+    with np.errstate(all="ignore"):  # undefined values become NaN
         variances = form_variances(excited, spectrum, np.vstack([system.twists, of_links]))
         devices = _devices(system.elastic, variances, of_stress(case.fatigue))
         undetermined = coordinates(excited.free).undetermined[: excited.free.case_links]
@@ -178,7 +178,7 @@ def _gear_random(
 
 
 def of_stress(strengths: Mapping[str, Carried]) -> dict[str, Carried]:
-    """Return the fatigue strengths of whole components, without strengths of members."""
+    """Return the fatigue strengths of whole components, not of their members."""
     return {name: given for name, given in strengths.items() if hasattr(given, "endurance")}
 
 
@@ -197,7 +197,7 @@ def _devices(
             torque = math.sqrt(torque**2 + 2 * c * lost * float(variances.between[number]))
         crossings = rate / twist / (2 * math.pi) if twist else math.nan
         strength = strengths.get(device.name)
-        # The annex `vehicle` calculates life, under the torque of the spring.
+        # The annex `vehicle` calculates life under the torque of the spring.
         life = higher("torque_life")(strength, k * twist, crossings) if strength else None
         devices[device.name] = RandomDevice(twist, rate, torque, crossings, life)
     return devices
@@ -220,7 +220,7 @@ def _spectrum(excited: ExcitedGear, spectrum: Spectrum, omegas: Floats) -> Rando
 
 
 def _squares(excited: ExcitedGear, omega: float) -> Floats:
-    """Return the squared frequency response of each twist; NaN at an undamped resonance."""
+    """Return the squared frequency response of each twist, NaN at an undamped resonance."""
     twists = excited.free.twists
     try:
         squares = np.abs(excited.answers(twists, omega)) ** 2

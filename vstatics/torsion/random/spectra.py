@@ -2,7 +2,7 @@
 
 The spectrum of the correlation function ``s^2 exp(-a |t|) cos(b t)`` is ``s^2 a/pi (w^2 + a^2 +
 b^2)/((w^2 - a^2 - b^2)^2 + 4 a^2 w^2)`` (Tsitovich, Algin, Vehicle dynamics, 1981, (4.19) to
-(4.22), corrected). `unit` is N*m for a torque and rad for an angle.
+(4.22), corrected). `unit` stands for N*m or rad, the unit of the input.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ class White(NamedTuple):
         return np.full(np.shape(omegas), self.white)
 
     def problems(self) -> Iterator[Problem]:
-        """Yield a problem if the spectrum is out of range."""
+        """Yield a problem if the spectrum is negative or not finite."""
         if not 0 <= self.white < math.inf:
             yield Problem(
                 "E527", f"read {self.white:g}, expected a spectrum of 0 or more", ("white",)
@@ -44,7 +44,7 @@ class White(NamedTuple):
 
 
 class Correlation(NamedTuple):
-    """Random input with correlation ``variance * sum(share * exp(-a |t|) * cos(b t))``.
+    """Random input with the correlation ``variance * sum(share * exp(-a |t|) * cos(b t))``.
 
     Examples
     --------
@@ -57,9 +57,9 @@ class Correlation(NamedTuple):
     variance: float
     """Variance of the input. [unit^2]"""
     correlation: tuple[tuple[float, float, float], ...]
-    """Share [-], a and b [1/s, or 1/m if a speed is given] of each term."""
+    """Share [-], a and b [1/s, or 1/m with a speed] of each term."""
     speed: float | None = None
-    """Speed of the vehicle on a road, for a correlation over distance. [m/s]"""
+    """Vehicle speed over a road, for a correlation over distance. [m/s]"""
 
     @property
     def parts(self) -> list[tuple[float, float, float]]:
@@ -110,7 +110,7 @@ class Correlation(NamedTuple):
 
 
 class SpectrumPoints(NamedTuple):
-    """Spectrum that is interpolated linearly between points, and 0 outside.
+    """Spectrum interpolated linearly between points, and 0 outside.
 
     Examples
     --------
@@ -129,7 +129,7 @@ class SpectrumPoints(NamedTuple):
 
     @property
     def bands(self) -> list[tuple[float, float]]:
-        """Intervals of frequencies in which the spectrum is not 0 [rad/s]."""
+        """Frequency intervals in which the spectrum is not 0 [rad/s]."""
         return [(a, b) for (a, at_a), (b, at_b) in pairwise(self.points) if at_a or at_b]
 
     def problems(self) -> Iterator[Problem]:

@@ -23,7 +23,7 @@ def _spectrum(**values: Any) -> Spectrum:
 
 
 def _fault(**values: Any) -> str:
-    """Return the reason why the given keys do not describe a single spectrum."""
+    """Return the reason why keys do not describe a single spectrum, or an empty text."""
     given = [key for key in KEYS if values.get(key) is not None]
     if len(given) != 1:
         read = " and ".join(f"`{key}`" for key in given) or "none of them"

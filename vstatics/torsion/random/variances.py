@@ -1,6 +1,6 @@
 """Variances of the motion of a gear under a random input, as far as they exist.
 
-For a rational spectrum the variances follow from a Lyapunov equation: for each term of a
+For a rational spectrum the variances follow from a Lyapunov equation. For each term of a
 correlation function, white noise drives a filter with two states, which drives the gear. For
 spectra given by points, and with loss factors, the variances are integrals over omega, split at the
 resonances.
@@ -30,7 +30,7 @@ MOST_PIECES = 2000
 
 
 class Signal(NamedTuple):
-    """Quantity that is a linear combination of the states and the input."""
+    """Signal: linear combination of the states and the input."""
 
     row: Floats
     """Coefficients of the states, shape (states,)."""
@@ -39,7 +39,7 @@ class Signal(NamedTuple):
 
 
 class Driven(NamedTuple):
-    """System ``x' = A x + b w`` under white noise w with spectrum 1, split by damping."""
+    """System ``x' = A x + b w`` under white noise w of spectrum 1, split by damping."""
 
     matrix: Floats
     """Matrix A."""
@@ -55,14 +55,14 @@ class Driven(NamedTuple):
     """Effect of the input on undamped coordinates, shape (u, u): column k after k integrations."""
 
     def variance(self, signal: Signal | None) -> float:
-        """Return the variance of a signal, NaN if undefined."""
+        """Return the variance of a signal, NaN if it does not exist."""
         if signal is None or signal.at_once or self.sees_undamped(signal.row):
             return math.nan
         row = signal.row @ self.damped
         return max(float(row @ self.settled @ row), 0.0)
 
     def sees_undamped(self, row: Floats) -> bool:
-        """Return whether an undamped motion that the input excites contributes to a signal."""
+        """Return whether the input excites an undamped motion that contributes to a signal."""
         if not self.undamped.size:
             return False
         effects = np.abs((row @ self.undamped) @ self.moved)
@@ -70,7 +70,7 @@ class Driven(NamedTuple):
         return bool((effects > UNMOVED * sizes).any())
 
     def derivative(self, signal: Signal | None) -> Signal | None:
-        """Return the time derivative of a signal, unless noise acts on the signal directly."""
+        """Return the time derivative of a signal, None if noise acts on the signal directly."""
         if signal is None or signal.at_once:
             return None
         parts = signal.row * self.input
@@ -126,7 +126,7 @@ class FormVariances(NamedTuple):
     between: Floats | None = None
     """Integrals ``2 int omega S d omega`` of the spectra S of angles, over omega above 0. [rad^2/s]
 
-    They are needed for loss factors only, whose torque is in phase with the rate of twist but
+    Only the torque of a loss factor needs them: it is in phase with the rate of twist, but
     proportional to the twist.
     """
 
@@ -150,7 +150,7 @@ _Filter = tuple[Floats, Floats, Floats]
 
 
 def _filters(spectrum: Correlation) -> list[tuple[float, _Filter | None]]:
-    """Return white noise and a filter for each term of a correlation function."""
+    """Return the white-noise spectrum, and its filter, for each term of a correlation function."""
     filters: list[tuple[float, _Filter | None]] = []
     for variance, a, b in spectrum.parts:
         omega = math.hypot(a, b)
@@ -162,9 +162,9 @@ def _filters(spectrum: Correlation) -> list[tuple[float, _Filter | None]]:
 def _of_part(
     system: FirstOrder, forms: Floats, size: float, noise_filter: _Filter | None
 ) -> Floats:
-    """Calculate the variances of linear forms and of the first two derivatives, shape (3, forms).
+    """Return the variances of linear forms and of their two derivatives, shape (3, forms).
 
-    The input is white noise, or white noise through a filter.
+    The input is white noise, filtered if there is a filter.
     """
     states = len(system.matrix)
     matrix, by_input, output = system.matrix, system.input, np.zeros(states)
@@ -197,7 +197,7 @@ def _of_part(
 
 
 def _is_at_rest(noisy: Driven, drift: Signal) -> bool:
-    """Return whether the input does not excite a rigid motion, so that the angle has a variance."""
+    """Return whether the input leaves rigid motions at rest, so that the angle has a variance."""
     return not noisy.sees_undamped(drift.row) and noisy.variance(drift) == 0
 
 
@@ -212,7 +212,7 @@ def _drifts(system: FirstOrder, form: Floats) -> bool:
 
 
 def _existing_at_points(gear: ExcitedGear, spectrum: SpectrumPoints, forms: Floats) -> Booleans:
-    """Return flags of existing integrals: undamped resonances are outside the spectrum."""
+    """Return True for integrals that exist: no undamped resonance is in the spectrum."""
     system = gear.first_order
     noisy = driven(system.matrix, system.input)
     values = linalg.eigvals(system.matrix)
@@ -239,7 +239,7 @@ def _integrated(
     edges: Sequence[float],
     exists: Booleans,
 ) -> Floats:
-    """Calculate ``2 int S |H|^2 d omega``, weighted for each field of `FormVariances`."""
+    """Return ``2 int S |H|^2 d omega``, weighted for each field of `FormVariances`."""
     orders = np.array([0, 2, 4, 1])[:, None]
     exists = np.vstack([exists, exists[0] & exists[1]])
 
@@ -258,7 +258,7 @@ def _integrated(
 
 
 def _integral(density: Callable[[float], Floats], low: float, high: float) -> Floats:
-    """Integrate all components with equal relative accuracy."""
+    """Integrate all components with the same relative accuracy."""
     rough = _quadrature(density, low, high, ROUGH_ACCURACY)
     least = UNMOVED**2 * rough.max(axis=1, keepdims=True)
     sizes = np.where(rough > least, rough, np.where(least > 0, least, 1.0))

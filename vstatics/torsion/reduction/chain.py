@@ -3,7 +3,7 @@
 A chain is a path of masses with a shaft between neighbours. The housing can hold one or both ends;
 it is a mass of infinite inertia, so that the formulas need no special case. A partial system
 consists of a mass between two shafts with all other masses held, or of two masses and their shaft.
-Numbers of equations refer to Tsitovich, Algin, Vehicle dynamics, 1981, appendix 1.
+Equation numbers are those of Tsitovich, Algin, Vehicle dynamics, 1981, appendix 1.
 """
 
 from __future__ import annotations
@@ -28,17 +28,17 @@ class ChainSpring(NamedTuple):
 
 
 class Chain(NamedTuple):
-    """Masses along a path, and the springs between neighbouring masses."""
+    """Masses along a path, with a spring between neighbouring masses."""
 
     names: tuple[str, ...]
-    """Names of the masses; empty for the housing."""
+    """Names of the masses; the name of the housing is empty."""
     inertias: tuple[float, ...]
     """Inertias of the masses; infinite for the housing. [kg*m^2]"""
     springs: tuple[ChainSpring, ...]
 
 
 class PartialSystem(NamedTuple):
-    """Partial system: mass between springs, other masses held; or spring and two masses."""
+    """Mass between springs with all other masses held, or spring between two free masses."""
 
     masses: tuple[int, ...]
     """Indices of the mass, or of both masses, along the chain."""
@@ -48,9 +48,9 @@ class PartialSystem(NamedTuple):
 
 
 def partial_systems(chain: Chain) -> list[PartialSystem]:
-    """Return the partial systems of a mass, then of two masses, with frequencies by (П1.3).
+    """Return the partial systems of one mass, then of two masses, with frequencies by (П1.3).
 
-    A mass at a free end has a single spring, and is not counted as a partial system.
+    A mass at a free end has a single spring, so it is not a partial system.
 
     Parameters
     ----------
@@ -76,17 +76,17 @@ def partial_systems(chain: Chain) -> list[PartialSystem]:
 
 
 def one_mass_system(chain: Chain, mass: int) -> PartialSystem:
-    """Return the partial system of a mass of a chain, which can be at an end."""
+    """Return the partial system of a mass, which can be at an end of the chain."""
     stiffness = sum(1 / spring.compliance for spring in chain.springs[max(mass - 1, 0) : mass + 1])
     frequency = math.sqrt(stiffness / chain.inertias[mass])
     return PartialSystem((mass,), (chain.names[mass],), frequency)
 
 
 def chain_of(scheme: TorsionScheme) -> Chain | str:
-    """Return a scheme as a chain, or the reason why a chain is impossible.
+    """Return a scheme as a chain, or the reason why it is not a chain.
 
-    The chain begins with the end that is first in the scheme. Parallel shafts count as one shaft,
-    as do two shafts in series without an inertia between them.
+    The chain begins with the end that is first in the scheme. Parallel shafts count as one shaft.
+    So do two shafts in series without an inertia between them.
 
     Examples
     --------
@@ -118,7 +118,7 @@ def chain_of(scheme: TorsionScheme) -> Chain | str:
 
 
 def scheme_of(chain: Chain) -> TorsionScheme:
-    """Return a chain as a scheme, with masses in the order of the chain and no housing."""
+    """Return a chain as a scheme without the housing, with masses in the order of the chain."""
     masses = [mass for mass, inertia in enumerate(chain.inertias) if inertia < math.inf]
     number = {mass: new for new, mass in enumerate(masses)}
     springs = []
@@ -147,7 +147,7 @@ def _is_shaft(spring: SchemeSpring) -> bool:
 
 
 def _path(count: int, springs: tuple[SchemeSpring, ...]) -> _Path | str:
-    """Return the path through all masses, or the reason why the masses do not form a path."""
+    """Return the path through all masses, or the reason why there is no path."""
     between = [spring for spring in springs if len(spring.twist) == 2]
     ends = [mass for mass in range(count) if sum(mass in s.twist for s in between) < 2]
     if not ends:

@@ -1,10 +1,10 @@
 """Condensation of a scheme: removal of masses without inertia.
 
-The torques on a mass without inertia are in balance. The n springs that meet at such a mass are
-replaced, one after another, by n - 1 springs (Tsitovich, Algin, Vehicle dynamics, 1981, figure
-П1.6). The stiffness matrix of the result, the sum of ``a a^T/E`` over all springs with the
-coefficients a of the twist and the compliance E, equals the matrix of static condensation. No
-matrices are subtracted, so that no digits cancel if a spring is far stiffer than another.
+The torques on a mass without inertia are in balance. Therefore n springs that meet at such a mass
+are replaced, one after another, by n - 1 springs (Tsitovich, Algin, Vehicle dynamics, 1981, figure
+П1.6). The stiffness matrix of the result is the sum of ``a a^T/E`` over all springs, with the
+coefficients a of the twist and the compliance E. It equals the matrix of static condensation. No
+matrices are subtracted, so no digits cancel if a spring is far stiffer than another.
 """
 
 from __future__ import annotations
@@ -52,14 +52,14 @@ def tidied(scheme: TorsionScheme, most: int = 2) -> TorsionScheme:
 def without_massless(scheme: TorsionScheme) -> TorsionScheme:
     """Return an equivalent scheme in which all masses have inertia.
 
-    A spring of the result can act on many masses. Coupling between the dampings of such springs is
-    neglected.
+    A spring of the result can act on many masses. The dampings of such springs would be coupled;
+    this coupling is neglected.
     """
     return tidied(scheme, len(scheme.springs))
 
 
 def _without(springs: Iterable[SchemeSpring], mass: int) -> list[SchemeSpring]:
-    """Return equivalent springs that do not act on a mass without inertia."""
+    """Return equivalent springs, none of which acts on a mass without inertia."""
     remaining: list[SchemeSpring] = []
     meeting = None
     for spring in springs:
@@ -74,7 +74,7 @@ def _without(springs: Iterable[SchemeSpring], mass: int) -> list[SchemeSpring]:
 
 
 def _in_series(spring: SchemeSpring, other: SchemeSpring, mass: int) -> SchemeSpring:
-    """Replace two springs in series at a mass by a spring: figure П1.6, damping by (П1.14).
+    """Replace two springs in series at a mass by one: figure П1.6, damping by (П1.14).
 
     With the twists a1 x + b1 and a2 x + b2, where x is the angle of the mass, the twist
     a2 b1 - a1 b2 does not depend on x.
@@ -90,7 +90,7 @@ def _in_series(spring: SchemeSpring, other: SchemeSpring, mass: int) -> SchemeSp
 
 
 def _side_by_side(spring: SchemeSpring, other: SchemeSpring, mass: int) -> SchemeSpring:
-    """Return the spring that, with the series connection, replaces two springs at a mass.
+    """Return the spring that, together with the series connection, replaces two springs at a mass.
 
     With the symbols of `_in_series`, the twist is x plus the mean of b1/a1 and b2/a2, weighted by
     the stiffnesses a1^2/E1 and a2^2/E2. The energy of this spring and of the series connection is
@@ -111,7 +111,7 @@ def _weighted_sum(
     total = {}
     for mass in twist.keys() | other.keys():
         parts = factor * twist.get(mass, 0), other_factor * other.get(mass, 0)
-        if abs(sum(parts)) > TIE * max(map(abs, parts)):  # not only rounding error
+        if abs(sum(parts)) > TIE * max(map(abs, parts)):  # more than a rounding error
             total[mass] = sum(parts)
     return total
 
@@ -137,7 +137,7 @@ def _parallel_combined(springs: Iterable[SchemeSpring]) -> list[SchemeSpring]:
 
 
 def _normal(spring: SchemeSpring) -> SchemeSpring:
-    """Return an equivalent spring with coefficients sorted by mass, beginning with 1."""
+    """Return an equivalent spring with coefficients sorted by mass, the first of which is 1."""
     twist = {mass: a for mass, a in sorted(spring.twist.items()) if a}
     first = next(iter(twist.values()), 1.0)
     twist = {mass: a / first for mass, a in twist.items()}

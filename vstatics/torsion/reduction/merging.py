@@ -1,4 +1,4 @@
-"""Merging of masses that move together, such as masses of equal branches, in a simplification.
+"""Merging of masses that move together in a simplification, such as masses of equal branches.
 
 The inertias of both masses are added, springs between them are dropped, and springs that become
 parallel are combined (Tsitovich, Algin, Vehicle dynamics, 1981, table 2.15).
@@ -39,7 +39,7 @@ def simplify_merging(
     Parameters
     ----------
     scheme, frequencies, rule, remove
-        Parameters of `simplify`. A scheme that becomes a chain by merging is then simplified by
+        Parameters of `simplify`. A scheme that merging turns into a chain is simplified by
         partial systems.
     merge : sequence of str
         Pairs of masses, as two names joined by a plus sign: the name of the merged mass.
@@ -72,7 +72,7 @@ def simplify_merging(
 
 
 def _pair(text: str, names: Sequence[str]) -> tuple[int, int]:
-    """Find the two masses in a text `A+B`; the names A and B can contain plus signs."""
+    """Return the indices of masses A and B in a text `A+B`; the names can contain plus signs."""
     parts = [(text[:n].strip(), text[n + 1 :].strip()) for n, c in enumerate(text) if c == "+"]
     for first, second in parts:
         if first in names and second in names and first != second:
@@ -87,7 +87,7 @@ def _pair(text: str, names: Sequence[str]) -> tuple[int, int]:
 def _merged(
     scheme: TorsionScheme, pair: tuple[int, int]
 ) -> tuple[TorsionScheme, SimplificationStep]:
-    """Merge two masses at the position of the first mass, and describe the step."""
+    """Merge two masses at the position of the first, and describe the step."""
     stay, gone = min(pair), max(pair)
     names, inertias = list(scheme.names), list(scheme.inertias)
     first, second = (scheme.inertias[mass] for mass in pair)

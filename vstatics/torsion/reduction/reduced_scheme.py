@@ -19,17 +19,17 @@ from vstatics.torsion.system.gear_system import TorsionalDevice, TorsionalSystem
 from vstatics.torsion.system.state import vibrating
 
 STIFFNESS_OF_RIGID_SETS = 1e9
-"""Stiffness assumed for rigid gear sets, relative to the stiffest component of the gear."""
+"""Stiffness assumed for rigid gear sets, divided by that of the stiffest component of the gear."""
 
 
 @refusing()
 def gear_scheme(case: Transmission, gear: Gear) -> TorsionScheme | str:
-    """Return the scheme of a gear reduced to the input, or the reason for a missing scheme.
+    """Return the scheme of a gear reduced to the input, or the reason why it has none.
 
     Rigidly joined links form a mass with the name of the first link. A rigid gear set whose links
-    all have inertia and can move is replaced by a spring far stiffer than all others; as its
-    partial frequency is the highest, simplification removes it first. Links that do not rotate with
-    the input are omitted, as is a reaction member if the ratio is 1.
+    all have inertia and can move is replaced by a spring far stiffer than all others. Its partial
+    frequency is the highest, so simplification removes it first. Links that do not rotate with the
+    input are left out. So is a reaction member if the ratio is 1.
 
     Parameters
     ----------
@@ -73,7 +73,7 @@ def gear_scheme(case: Transmission, gear: Gear) -> TorsionScheme | str:
 
 
 def _with_stiff_sets(system: TorsionalSystem) -> TorsionalSystem:
-    """Replace rigid gear sets whose links all have inertia and can move by stiff springs.
+    """Replace rigid gear sets by stiff springs, if all their links have inertia and can move.
 
     The links of such a set then have independent speeds, and share the inertia of its planets.
     """
@@ -102,9 +102,9 @@ def _with_stiff_sets(system: TorsionalSystem) -> TorsionalSystem:
 
 
 def _scheme(system: TorsionalSystem) -> TorsionScheme | str | None:
-    """Return the scheme or a reason for failure.
+    """Return the scheme, or the reason why the gear has none.
 
-    None is returned if a body follows several independent masses.
+    None means that a body follows several independent masses.
     """
     to_input = scales(system, system.ends[0])
     if isinstance(to_input, str):
@@ -136,7 +136,7 @@ def _independent(
 ) -> list[Sequence[int]]:
     """Choose groups of rigidly joined links whose angles determine all motions.
 
-    Groups with inertia are preferred.
+    Groups with inertia come first.
     """
     heavy = [set(body.form) for body in system.bodies if body.inertia > 0]
     by_inertia = sorted(groups, key=lambda group: not any(b.issubset(group) for b in heavy))
@@ -171,7 +171,7 @@ def _spring(
     of_masses: Floats,
     to_input: Scales,
 ) -> SchemeSpring | None:
-    """Reduce an elastic component to the input, if any mass twists the component."""
+    """Return a component reduced to the input, None if no mass twists it."""
     by_mass, *_ = linalg.lstsq(free[firsts].T, form_values(device.twist, free))
     by_mass = by_mass / of_masses
     largest = np.abs(by_mass).max(initial=0.0)
@@ -182,7 +182,7 @@ def _spring(
     lead = to_input.scales[next(iter(device.twist))]
     factor = next(iter(device.twist.values())) / lead if lead else first
     scaled = {n: a / factor for n, a in terms.items()}
-    # A coefficient that differs from an integer by rounding error only is rounded.
+    # round off errors of coefficients that should be integers
     scaled = {n: float(round(a)) if abs(a - round(a)) < TIE else a for n, a in scaled.items()}
     compliance = 1 / (device.rate * factor**2)
     return SchemeSpring(device.name, scaled, compliance, device.damping.viscous * factor**2)

@@ -1,4 +1,4 @@
-"""Inertias and compliances reduced to one link (Tsitovich, Algin, 1981, tables 2.1 and 2.2).
+"""Inertias and compliances reduced to a link (Tsitovich, Algin, 1981, tables 2.1 and 2.2).
 
 The reduction changes the coordinates and conserves the energy: with ``i = w_to/w_link`` in the
 rigid motion of the gear, an inertia J* and a compliance E* become ``J = J*/i^2`` and ``E = E*
@@ -26,9 +26,9 @@ from vstatics.torsion.system.gear_system import TorsionalDevice, TorsionalSystem
 from vstatics.torsion.system.state import asked_gears, vibrating
 
 NO_REACTION = "no reaction"
-"""Note about a link at rest, such as a casing, without reaction because the ratio is 1."""
+"""Note on a link at rest, such as a casing, that takes no reaction because the ratio is 1."""
 Amounts = Mapping[str, float | None]
-"""Name of a link or component -> reduced value, if defined."""
+"""Name of a link or component -> reduced value, None if undefined."""
 
 
 class GearReduction(NamedTuple):
@@ -69,7 +69,7 @@ def reduce(
     to: int | str,
     gears: Sequence[int | str] | None = None,
 ) -> list[GearReduction]:
-    """Reduce the inertias and compliances of a case to a link, in each gear.
+    """Reduce the inertias and compliances of a case to a reference link, in each gear.
 
     Parameters
     ----------
@@ -145,13 +145,13 @@ def _of_planets(system: TorsionalSystem, of_links: Scales) -> dict[str, float | 
 
 
 def reduced_compliance(device: TorsionalDevice, scale: float | None) -> float | None:
-    """Reduce a compliance by the scale of the first link in the twist [rad/(N*m)]."""
+    """Reduce a compliance [rad/(N*m)] by the scale, if any, of the first link in its twist."""
     coefficient = next(iter(device.twist.values()))
     return scale**2 / coefficient**2 / device.rate if scale else None
 
 
 class Scales(NamedTuple):
-    """Speeds, and scales for reduction, of the links of a gear, relative to the reference link.
+    """Speeds of the links of a gear relative to the reference link, and scales for reduction.
 
     Attributes
     ----------
@@ -168,7 +168,7 @@ class Scales(NamedTuple):
 
 
 def scales(system: TorsionalSystem, to: int) -> Scales | str:
-    """Calculate the scales of all links, or return a message if the reference link is at rest.
+    """Return the scales of all links, or a message if the reference link is at rest.
 
     Parameters
     ----------
@@ -187,8 +187,8 @@ def scales(system: TorsionalSystem, to: int) -> Scales | str:
         _reaction(system, link, to, at_rest) if link in at_rest else (1 / speed if speed else None)
         for link, speed in enumerate(speeds)
     ]
-    # A link behind a link that takes the reaction, such as a frame behind a casing, is scaled so
-    # that both coefficients in the twist of the spring between them are equal in magnitude.
+    # A link next to a link that takes the reaction, such as a frame next to a casing, is scaled so
+    # that both coefficients in the twist of the spring between them have the same magnitude.
     between = [
         device.twist
         for device in system.devices
@@ -204,7 +204,7 @@ def scales(system: TorsionalSystem, to: int) -> Scales | str:
 
 
 def _multiple(row: Floats, reference: Floats) -> float | None:
-    """Return the factor between two motions, if proportional."""
+    """Return the factor between two motions, None if they are not proportional."""
     factor = float(row @ reference / (reference @ reference))
     if np.abs(row - factor * reference).max() > TIE * np.abs(row).max(initial=0.0):
         return None
@@ -212,9 +212,9 @@ def _multiple(row: Floats, reference: Floats) -> float | None:
 
 
 def _reaction(system: TorsionalSystem, link: int, to: int, at_rest: set[int]) -> float | None:
-    """Return ``w_to/w_link`` of a link at rest after release, with input or output held.
+    """Return ``w_to/w_link`` of a link at rest that is released while input or output is held.
 
-    Links that are rigidly joined to it, such as a ring gear in a casing, are released, too.
+    Links rigidly joined to it, such as a ring gear in a casing, are released, too.
     """
     group = next((set(links) for links in joined_links(system) if link in links), {link})
     holding = [
@@ -234,9 +234,9 @@ def _reaction(system: TorsionalSystem, link: int, to: int, at_rest: set[int]) ->
 
 
 def joined_links(system: TorsionalSystem) -> list[list[int]]:
-    """Group links of the case whose speeds are proportional because of rigid components.
+    """Return groups of links whose speeds are proportional because of rigid components.
 
-    A link that is held permanently forms its own group.
+    A link that is always held forms its own group.
     """
     free = system.free()
     groups: list[list[int]] = []

@@ -1,9 +1,9 @@
 """Equivalent model of a torsional system: masses and springs, without rigid constraints.
 
-The model (scheme) is reduced to a reference shaft. The twist of a spring is a linear form of
-angles, with the coefficients 1 and -1 for a shaft between two masses, 1 for a support on the
-housing, and 1, -i and i - 1 for an elastic gear set of ratio i between three links (Tsitovich,
-Algin, Vehicle dynamics, 1981, chapter 1).
+The model (scheme) is reduced to a reference shaft. The twist of a spring is a linear form of angles
+(Tsitovich, Algin, Vehicle dynamics, 1981, chapter 1). Its coefficients are 1 and -1 for a shaft
+between two masses, and 1 for a support on the housing. For an elastic gear set of ratio i between
+three links they are 1, -i and i - 1.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ class SchemeSpring(NamedTuple):
 
     name: str
     twist: Mapping[int, float]
-    """Index of a mass (from 0) -> coefficient of the angle in the twist. [-]"""
+    """Index of a mass (from 0) -> coefficient of its angle in the twist. [-]"""
     compliance: float
     """Compliance, reduced to the reference shaft. [rad/(N*m)]"""
     damping: float = 0.0
@@ -36,7 +36,7 @@ class SchemeSpring(NamedTuple):
 
 
 class TorsionScheme(NamedTuple):
-    """Scheme: masses, in the order of the case, and springs."""
+    """Equivalent model of a gear: masses, in the order of the case, and springs."""
 
     names: tuple[str, ...]
     inertias: tuple[float, ...]
@@ -45,12 +45,12 @@ class TorsionScheme(NamedTuple):
 
 
 def twists(scheme: TorsionScheme) -> Floats:
-    """Return the coefficients of all twists as a matrix, shape (springs, masses) [-]."""
+    """Return the coefficients of all twists, shape (springs, masses) [-]."""
     return values_of([spring.twist for spring in scheme.springs], len(scheme.names))
 
 
 def stiffness_matrix(scheme: TorsionScheme) -> Floats:
-    """Calculate the stiffness matrix [N*m/rad]: sum of a a^T/E with twists a and compliances E.
+    """Return the stiffness matrix [N*m/rad]: sum of a a^T/E with twists a and compliances E.
 
     >>> shaft = SchemeSpring("shaft", {0: 1.0, 1: -1.0}, 0.5)
     >>> stiffness_matrix(TorsionScheme(("a", "b"), (1.0, 3.0), (shaft,))).tolist()
@@ -63,7 +63,7 @@ def stiffness_matrix(scheme: TorsionScheme) -> Floats:
 
 
 def natural_frequencies(scheme: TorsionScheme) -> tuple[float, ...]:
-    """Calculate undamped natural frequencies of elastic motions, ascending [rad/s].
+    """Return the undamped natural frequencies of elastic motions, ascending [rad/s].
 
     Masses without inertia follow the other masses.
 
@@ -90,7 +90,7 @@ def natural_frequencies(scheme: TorsionScheme) -> tuple[float, ...]:
 
 
 def scheme_case(scheme: TorsionScheme, name: str, ends: Sequence[str], gear: str) -> Transmission:
-    """Build a case with the masses and springs of a scheme as links and springs.
+    """Return a case whose links and springs are the masses and springs of a scheme.
 
     Parameters
     ----------

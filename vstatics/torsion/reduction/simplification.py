@@ -3,15 +3,15 @@
 Each step removes the partial system with the highest frequency (Tsitovich, Algin, Vehicle dynamics,
 1981, appendix П1.2).
 
-The method of partial frequencies simplifies chains. A partial system of one mass is replaced by
-two masses with the same frequency and the node at the mass, (П1.4), or a system of two masses by
-a mass between two springs, (П1.5). Neighbouring springs and inertias are then added, so that the
-sums of compliances and of inertias do not change. A compliance at a free end and an inertia on the
-housing have no effect and are dropped.
+The method of partial frequencies simplifies chains. A partial system of one mass is replaced by two
+masses with the same frequency and the node at the mass, (П1.4). A partial system of two masses is
+replaced by a mass between two springs, (П1.5). Neighbouring springs and inertias are then added, so
+that the sums of compliances and of inertias do not change. A compliance at a free end and an
+inertia on the housing have no effect and are dropped.
 
 Static condensation simplifies branched schemes. It removes the mass whose partial system has the
-highest frequency. The stiffness matrix becomes K - Kj Kj^T / Kjj, and neighbouring masses get a
-part of the inertia.
+highest frequency. The stiffness matrix becomes K - Kj Kj^T / Kjj, and neighbouring masses receive
+some of the inertia.
 """
 
 from __future__ import annotations
@@ -38,17 +38,17 @@ from vstatics.torsion.reduction.condensation import tidied, without_massless
 from vstatics.torsion.reduction.scheme import TorsionScheme, natural_frequencies, stiffness_matrix
 
 SimplificationRule = Literal["partial", "r", "b", "u"]
-"""Method of partial frequencies for chains, or static condensation with a `BranchRule`."""
+"""`partial`: partial frequencies, for chains; otherwise condensation by a `BranchRule`."""
 SIMPLIFICATION_RULES: tuple[SimplificationRule, ...] = get_args(SimplificationRule)
 ACCURATE = 0.5
-"""Ratio to a removed partial frequency below which errors of frequencies are mostly under 5 %.
+"""Frequencies up to this fraction of a removed partial frequency are mostly accurate to 5 %. [-]
 
 Source: (П1.8).
 """
 
 
 class SimplificationStep(NamedTuple):
-    """Step of a simplification, with the resulting scheme."""
+    """Step of a simplification, and the resulting scheme."""
 
     operation: str
     partial_frequency: float
@@ -58,9 +58,9 @@ class SimplificationStep(NamedTuple):
     inertias: tuple[float, ...]
     """Inertias of the remaining masses. [kg*m^2]"""
     compliances: tuple[float, ...] | None
-    """Compliances along a chain; undefined for a branched scheme. [rad/(N*m)]"""
+    """Compliances along a chain, None for a branched scheme. [rad/(N*m)]"""
     stiffness: tuple[tuple[float, ...], ...] | None
-    """Stiffness matrix, except for the rule `partial`. [N*m/rad]"""
+    """Stiffness matrix, None for the rule `partial`. [N*m/rad]"""
     omegas: tuple[float, ...]
     """Natural frequencies of the resulting scheme, ascending. [rad/s]"""
 
@@ -76,7 +76,7 @@ class Simplification(NamedTuple):
 
 
 SchemeReached = tuple[PartialSystem, TorsionScheme]
-"""Removed partial system, and the resulting scheme."""
+"""Removed partial system, and the scheme after its removal."""
 
 
 @refusing()
@@ -86,9 +86,9 @@ def simplify(
     rule: SimplificationRule | None = None,
     remove: Sequence[str] = (),
 ) -> Simplification:
-    """Remove partial systems step by step until a number of natural frequencies remains.
+    """Remove partial systems step by step, until a number of natural frequencies remains.
 
-    Masses without inertia are removed first. This is exact and does not count as a step.
+    Masses without inertia are removed first. This is exact, and does not count as a step.
 
     Parameters
     ----------
@@ -185,7 +185,7 @@ def _highest(systems: Sequence[PartialSystem]) -> PartialSystem:
 def step_of(
     stage: SchemeReached, rule: SimplificationRule, *, is_chain: bool
 ) -> SimplificationStep:
-    """Describe the removal of a partial system and the resulting scheme."""
+    """Describe a removed partial system and the resulting scheme as a step."""
     system, scheme = stage
     heavy = without_massless(scheme)
     verb = "remove" if len(system.names) == 1 else "merge"
@@ -237,7 +237,7 @@ def doubts_of(
     steps : sequence of SimplificationStep
         Steps whose partial frequencies are compared.
     last : sequence of SimplificationStep
-        Steps, of which the last has the natural frequencies that are compared.
+        Steps; the natural frequencies of the last step are compared.
     """
     if not steps:
         return
@@ -252,7 +252,7 @@ def doubts_of(
 
 
 def without_mass(chain: Chain, mass: int) -> Chain:
-    """Remove a mass from a chain, and share the inertia among the neighbours, (П1.4).
+    """Remove a mass from a chain, and divide its inertia between its neighbours, (П1.4).
 
     The shares are proportional to the stiffnesses between the mass and its neighbours. At a free
     end the neighbour gets the whole inertia, and the spring is dropped.
@@ -289,8 +289,8 @@ def without_mass(chain: Chain, mass: int) -> Chain:
 def with_masses_merged(chain: Chain, left: int) -> Chain:
     """Merge two neighbouring masses of a chain, (П1.5).
 
-    The compliance of the spring between the masses is shared among the springs on both sides, in
-    proportion to the inertia of the mass farther from each spring. At a free end the share is
+    The compliance of the spring between the masses is divided between the springs on both sides, in
+    proportion to the inertia of the mass farther from each spring. The share of a free end is
     dropped.
 
     Parameters
@@ -323,11 +323,11 @@ def with_masses_merged(chain: Chain, left: int) -> Chain:
 def _longer(
     spring: ChainSpring, other: ChainSpring, part: float = 1.0, damped: float = 1.0
 ) -> ChainSpring:
-    """Add a part of a second spring in series to a spring, with damping by (П1.14).
+    """Add a fraction of another spring in series to a spring, with damping by (П1.14).
 
-    Both parts of a divided spring dissipate equally at equal torque, (П1.15). With (П1.15) in
-    (П1.16), each part adds K/2 times the square of the ratio of the undivided compliance to the
-    total compliance, however small the part is.
+    Both fractions of a divided spring dissipate equally at equal torque, (П1.15). With (П1.15) in
+    (П1.16), each fraction adds K/2 times the square of the ratio of the undivided compliance to the
+    total compliance, however small the fraction is.
     """
     compliance = spring.compliance + part * other.compliance
     damping = spring.damping * (spring.compliance / compliance) ** 2
@@ -336,14 +336,14 @@ def _longer(
 
 
 BranchRule = Literal["r", "b", "u"]
-"""Rule by which static condensation shares the inertia of a removed mass."""
+"""Rule by which static condensation distributes the inertia of a removed mass."""
 
 _SHARES: dict[BranchRule, Callable[[float], float]] = {
     "r": lambda part: part,  # (П1.7), which the book recommends
     "b": lambda part: part**2,  # rule of Banakh, equation (П1.6)
     "u": lambda _: 0.0,
 }
-"""Share of the inertia of a removed mass j that mass i gets, as a function of |Kij|/Kjj."""
+"""Share of the inertia of a removed mass j that mass i receives, as a function of |Kij|/Kjj."""
 
 
 def one_mass_systems(scheme: TorsionScheme) -> list[PartialSystem]:
@@ -362,15 +362,15 @@ def one_mass_systems(scheme: TorsionScheme) -> list[PartialSystem]:
 
 
 def acted_on_by_several(scheme: TorsionScheme, mass: int) -> bool:
-    """Return whether several springs act on a mass, which is thus not an end."""
+    """Return whether several springs act on a mass, so that it is not an end."""
     return sum(mass in spring.twist for spring in scheme.springs) > 1
 
 
 def without_branch_mass(scheme: TorsionScheme, mass: int, rule: BranchRule) -> TorsionScheme:
-    """Remove the inertia of a mass, and distribute the inertia to other masses.
+    """Remove the inertia of a mass, and distribute it to other masses.
 
-    If three or more springs meet at the mass, it remains without inertia. The scheme thus still
-    shows on which masses each spring acts.
+    If three or more springs meet at the mass, it stays without inertia. The scheme then still shows
+    which masses each spring acts on.
 
     Parameters
     ----------

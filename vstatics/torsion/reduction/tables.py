@@ -80,7 +80,7 @@ def simplification_grids(simplification: Simplification) -> Iterator[Grid]:
 
 
 def _form(twist: Mapping[int, float], names: Sequence[str]) -> str:
-    """Format the twist of a spring as a linear form of the angles of masses.
+    """Return the twist of a spring as the text of a linear form of the angles of masses.
 
     >>> _form({0: 1.0, 2: -2.5}, ["a", "b", "c"])
     '1*a -2.5*c'

@@ -24,18 +24,18 @@ class Vibration(NamedTuple):
 
     gears: Sequence[GearModes] = ()
     shapes: Sequence[Drawn] = ()
-    """Picture of the mode shapes of each gear; empty without pictures."""
+    """Pictures of the mode shapes, one for each gear; empty without pictures."""
     campbell: Drawn | None = None
-    """Campbell diagram of all gears shown."""
+    """Campbell diagram of all gears in the report."""
     in_full: bool = True
-    """True if the parts about single gears are shown on paper, too."""
+    """True if the details of single gears are shown on paper, too."""
     without: str = ""
-    """Reason why the section is left out, or an empty text."""
+    """Reason why the section has no content, or an empty text."""
     drawn: tuple[str, ...] = ()
-    """Kinds of pictures that need not appear elsewhere in the report."""
+    """Kinds of pictures that the section already contains."""
 
     def shown(self, digits: int | None) -> Iterator[Markup]:
-        """Yield the HTML of the section, or the reason for the omission."""
+        """Yield the HTML of the section, or the reason why it has no content."""
         if self.without:
             yield tag("p", tr("Left out: {why}", why=self.without))
             return
@@ -57,7 +57,7 @@ class Vibration(NamedTuple):
 
 
 def has_part(case: Transmission, *, runs: bool = False) -> bool:  # noqa: ARG001
-    """Return whether a case has inertias and elastic components.
+    """Return whether a case has both inertias and elastic components.
 
     >>> from vstatics import Spring
     >>> spring = Spring({1: 1, 2: -1}, stiffness=100.0)
@@ -73,7 +73,7 @@ def has_part(case: Transmission, *, runs: bool = False) -> bool:  # noqa: ARG001
 
 
 def part(request: PartRequest) -> Vibration | None:
-    """Return the section for a request, if the case vibrates."""
+    """Return the section for a request, None if the case cannot vibrate."""
     case = request.results.case
     if not has_part(case):
         return None
@@ -97,7 +97,7 @@ OF_GEAR = ("frequencies", "energy")
 
 
 def frequencies(gears: Sequence[GearModes]) -> Grid:
-    """Return the table of undamped natural frequencies, with notes on gears without modes.
+    """Return the table of undamped natural frequencies, with notes about gears without modes.
 
     Examples
     --------

@@ -7,8 +7,8 @@ torque ratio K are functions of the speed ratio ``i = w_T/w_P``. With ``f = K la
     dM_P/dw_P = A1 = w (2 lambda - i lambda'),  dM_P/dw_T = A2 = w lambda',
     dM_T/dw_P = A3 = w (2 f - i f'),            dM_T/dw_T = A4 = w f'
 
-(Tsitovich, Algin, Vehicle dynamics, 1981, (1.44), (1.46)). At a point of the characteristic, the
-derivative above the point is used.
+(Tsitovich, Algin, Vehicle dynamics, 1981, (1.44), (1.46)). The derivatives at a point of the
+characteristic are those above the point.
 """
 
 from __future__ import annotations
@@ -25,20 +25,20 @@ from vstatics.core.tables.answer import json_keys
     *("A1", "A2", "A3", "A4"),
 )
 class WorkingConverter(NamedTuple):
-    """Torque converter, linearised at an operating point."""
+    """Torque converter linearised at an operating point."""
 
     name: str
     pump: int
     turbine: int
-    """Indices of the links of pump and turbine."""
+    """Index of the link of the turbine; `pump` is the index of the link of the pump."""
     speed_ratio: float
-    """Speed ratio, turbine to pump. [-]"""
+    """Turbine speed divided by pump speed. [-]"""
     pump_speed: float
     """Speed of the pump. [rad/s]"""
     pump_torque: float
-    """Torque taken by the pump. [N*m]"""
+    """Torque that the pump takes. [N*m]"""
     turbine_torque: float
-    """Torque given by the turbine. [N*m]"""
+    """Torque that the turbine gives. [N*m]"""
     A1: float
     """Derivative of the pump torque with respect to the pump speed. [N*m*s/rad]"""
     A2: float
@@ -50,7 +50,7 @@ class WorkingConverter(NamedTuple):
 
 
 class Characteristic(NamedTuple):
-    """Torque ratio and lambda at a speed ratio, with derivatives (`by_ratio`)."""
+    """Torque ratio and lambda at a speed ratio, with their derivatives (`by_ratio`)."""
 
     torque_ratio: float
     factor: float
@@ -59,7 +59,7 @@ class Characteristic(NamedTuple):
 
 
 def characteristic(points: Sequence[tuple[float, ...]], ratio: float) -> Characteristic:
-    """Interpolate points ``(i, K, lambda)`` linearly, with constant values outside.
+    """Interpolate points ``(i, K, lambda)`` linearly, constant outside.
 
     Examples
     --------

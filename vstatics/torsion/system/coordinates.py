@@ -1,7 +1,7 @@
 """Free motions of a torsional system, split into rigid, massless and other motions.
 
-The split follows from the coefficients of constraints, twists and bodies alone, not from the size
-of stiffnesses or inertias. A soft support is thus not mistaken for a rigid motion.
+The split depends on the coefficients of constraints, twists and bodies alone, not on the size of
+stiffnesses or inertias. A soft support is thus not mistaken for a rigid motion.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from vstatics.core.numerics.motions import Form
 from vstatics.torsion.system.gear_system import TorsionalSystem
 
 MANY = 300
-"""Number of links above which calculating only the lowest modes is faster."""
+"""Number of links above which it is faster to calculate only the lowest modes."""
 
 
 class Coordinates(NamedTuple):
@@ -28,15 +28,15 @@ class Coordinates(NamedTuple):
     rigid: Floats
     """Motions with inertia but without elastic twist, shape (links, r)."""
     undetermined: Booleans
-    """Flags of the links that take part in a motion with neither inertia nor resistance."""
+    """Flags of links that take part in a motion with neither inertia nor resistance."""
 
     @property
     def modes(self) -> int:
-        """Number of modes that are not rigid."""
+        """Number of modes, without rigid modes."""
         return len(self.free.T) - len(self.massless.T) - len(self.rigid.T)
 
     def has_many_more(self, count: int) -> bool:
-        """Return whether the `count` lowest modes are faster to calculate than all modes."""
+        """Return whether the `count` lowest modes are calculated faster than all modes."""
         return len(self.free) > MANY and count < self.modes // 2
 
     @property
@@ -72,7 +72,7 @@ def coordinates(system: TorsionalSystem) -> Coordinates:
     elastic = system.elastic_twists
     bodies = [body.form for body in system.bodies if body.inertia > 0]
     loose = system.free(*elastic, *bodies, *(damper.twist for damper in system.dampers))
-    held: list[Form] = []  # constraints that hold undetermined motions
+    held: list[Form] = []  # added constraints, which hold undetermined motions
     if loose.shape[1]:
         from scipy import linalg
 
@@ -91,7 +91,7 @@ Values = TypeVar("Values", bound=np.ndarray[Any, np.dtype[Any]])
 
 
 def form_values(form: Form, shapes: Values) -> Values:
-    """Evaluate a linear form of link angles, shape (modes,), for mode shapes (links, modes)."""
+    """Return values of a linear form of link angles, shape (modes,), for shapes (links, modes)."""
     total = np.zeros(shapes.shape[1:], shapes.dtype)
     for link, part in form.items():
         total += part * shapes[link]

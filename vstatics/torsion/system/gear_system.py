@@ -1,7 +1,7 @@
 """Torsional system of a gear, with bodies, elastic components and rigid components.
 
-The equation is ``M q'' + D q' + K q = 0`` for the angles q of the links, with ``M`` of the bodies,
-``K`` and ``D`` of the elastic components, and constraints by the rigid components. The twist of a
+The equation is ``M q'' + D q' + K q = 0`` for the angles q of the links. The bodies give ``M``, the
+elastic components ``K`` and ``D``, and the rigid components are constraints. The twist of a
 component is a linear form of angles: its row of the structural-distribution matrix (Tsitovich,
 Algin, Vehicle dynamics, 1981, 1.2 and (1.11)).
 """
@@ -25,18 +25,18 @@ from vstatics.torsion.system.converters import WorkingConverter
 
 
 class TorsionalDevice(NamedTuple):
-    """Component between links, rigid or elastic."""
+    """Rigid or elastic component between links."""
 
     name: str
     twist: Form
-    """Index of a link (from 0) -> coefficient of the angle in the twist. [-]"""
+    """Index of a link (from 0) -> coefficient of its angle in the twist. [-]"""
     stiffness: float | None = None
-    """Stiffness, unless the component is rigid (twist 0). [N*m/rad]"""
+    """Stiffness, None for a rigid component, whose twist is 0. [N*m/rad]"""
     damping: Damping = NO_DAMPING
 
     @property
     def rate(self) -> float:
-        """Stiffness, 0 for a rigid component [N*m/rad]."""
+        """Stiffness, or 0 for a rigid component [N*m/rad]."""
         return self.stiffness or 0.0
 
 
@@ -77,7 +77,7 @@ class TorsionalSystem(NamedTuple):
 
     @property
     def resists(self) -> bool:
-        """True if converters or separate dampers resist motions, including rigid motions."""
+        """True if converters or separate dampers resist motions, even rigid motions."""
         return bool(self.converters or self.dampers)
 
     @property
@@ -92,7 +92,7 @@ class TorsionalSystem(NamedTuple):
 
     @property
     def rigid_twists(self) -> list[Form]:
-        """Twists of the rigid components: linear forms that are 0."""
+        """Twists of the rigid components, which are linear forms with the value 0."""
         return [device.twist for device in self.rigid]
 
     @property
@@ -123,7 +123,7 @@ class TorsionalSystem(NamedTuple):
 
     @property
     def damper_rows(self) -> Floats:
-        """Rows of twists of separate dampers, times roots of dampings, shape (dampers, links)."""
+        """Twists of separate dampers times roots of their dampings, shape (dampers, links)."""
         sizes = np.sqrt([damper.damping.viscous for damper in self.dampers])
         return sizes[:, None] * self.rows([damper.twist for damper in self.dampers])
 
@@ -131,7 +131,7 @@ class TorsionalSystem(NamedTuple):
     def slip_resistance(self) -> Floats:
         """Contribution of dampers and converters to ``D``, shape (links, links) [N*m*s/rad].
 
-        It is not symmetric if there are converters.
+        It is not symmetric with converters.
         """
         return self.damper_rows.T @ self.damper_rows + self.converter_resistance
 
@@ -158,7 +158,7 @@ class TorsionalSystem(NamedTuple):
     def matrices(
         self, twists: Floats, speeds: Floats, motions: Floats
     ) -> tuple[Floats, Floats, Floats, Floats]:
-        """Return M, K, D and K times loss factors for coordinates of n motions, shape (n, n) each.
+        """Return M, K, D, and K times loss factors, for the coordinates of n motions, each (n, n).
 
         Parameters
         ----------
@@ -175,7 +175,7 @@ class TorsionalSystem(NamedTuple):
         return speeds.T @ (self.inertias[:, None] * speeds), stiffness, resistance, hysteresis
 
     def free(self, *others: Form) -> Floats:
-        """Return the motions (columns) in which rigid twists and `others` are 0."""
+        """Return the motions, as columns, in which rigid twists and `others` are 0."""
         return free_motions([*self.rigid_twists, *others], len(self.names))
 
 
@@ -184,7 +184,7 @@ def torsional_system(
 ) -> TorsionalSystem:
     """Build the torsional system of a gear.
 
-    `gear.engaged` must already include the freewheels that hold.
+    `gear.engaged` must already include locked freewheels.
 
     `slopes` are the stiffnesses of nonlinear springs, by name [N*m/rad]. Springs with a slope of 0,
     and converters, transmit no torque.

@@ -1,4 +1,4 @@
-"""Stiffnesses of nonlinear springs (given by points) in a gear, at their torques under the load."""
+"""Stiffnesses of nonlinear springs (given by points) in a gear, at their torques under load."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ from vstatics.torsion.system.working_points import mean_gear
 
 
 class SpringSlope(NamedTuple):
-    """Nonlinear spring (given by points), linearised in a gear."""
+    """Nonlinear spring (given by points), linearised at its torque in a gear."""
 
     number: int
     """Number of the spring, from 1."""
     name: str
     torque: float
-    """Mean torque of the spring under the load, with losses. [N*m]"""
+    """Mean torque of the spring under load, with losses. [N*m]"""
     slope: float
-    """Stiffness at the torque; 0 within the free play, where the spring is open. [N*m/rad]"""
+    """Stiffness at `torque`; 0 within the free play, where the spring is disengaged. [N*m/rad]"""
 
     def __str__(self) -> str:
         """Return the slope and the torque as printed in messages."""
@@ -30,9 +30,9 @@ class SpringSlope(NamedTuple):
 
 
 def spring_slopes(case: Transmission, gear: Gear) -> Iterator[SpringSlope]:
-    """Yield the stiffnesses of nonlinear springs under the load, or at 0 N*m without a load.
+    """Yield the stiffnesses of nonlinear springs under load, or at 0 N*m without a load.
 
-    If a gear gives the speed ratio of a converter, the torque of its pump replaces the load.
+    If the gear gives the speed ratio of a converter, the torque of its pump replaces the load.
 
     Raises
     ------
@@ -71,6 +71,6 @@ def _torques_of_springs(case: Transmission, gear: Gear) -> list[float]:
     if not case.gear_load(gear).torque:
         return [0.0] * len(case.springs)
     results = solve(case.replace(gears=[gear]))
-    # Without a torque at the output, no torque passes through the springs.
+    # without a torque at the output, springs carry no torque
     *torques, output = results.lossy_torques_Nm[0, -len(case.springs) - 1 :].tolist()
     return [0.0] * len(torques) if math.isnan(output) else torques

@@ -17,8 +17,9 @@ from vstatics.torsion.system.slopes import spring_slopes
 def vibrating(case: Transmission, gear: Gear) -> TorsionalSystem | str:
     """Return the torsional system of a gear, or the reason why the gear cannot vibrate.
 
-    Freewheels hold if they hold at mean speeds. Free vibration needs no input, so the input can be
-    held if any other link can move. Nonlinear springs have the stiffnesses of `spring_slopes`.
+    Freewheels are locked if they are locked at mean speeds. Free vibration needs no input, so the
+    input can be at rest if another link can move. Nonlinear springs have the stiffnesses of
+    `spring_slopes`.
 
     Raises
     ------
@@ -54,7 +55,7 @@ def vibrating(case: Transmission, gear: Gear) -> TorsionalSystem | str:
 
 
 def asked_gears(case: Transmission, gears: Sequence[int | str] | None) -> list[Gear]:
-    """Return gears with given numbers (from 1) or names, by default all gears.
+    """Return the gears with given numbers (from 1) or names, by default all gears.
 
     Raises
     ------

@@ -1,9 +1,9 @@
 """Operating points of the converters of a gear: speeds and torques about which the gear vibrates.
 
 The speed of the pump follows from the load and the speeds of the gear. If a speed ratio is given,
-the torque that the pump then takes determines the torque of the input. Otherwise the speed ratio is
-calculated so that the pump takes the torque of the load. If other components connect pump and
-turbine, such as a lock-up clutch, they determine the speed ratio.
+the torque that the pump then takes determines the input torque. Otherwise the speed ratio is the
+ratio at which the pump takes the torque of the load. If other components connect pump and turbine,
+such as a lock-up clutch, they determine the speed ratio.
 """
 
 from __future__ import annotations
@@ -40,24 +40,24 @@ Ratios = Mapping[str, float]
 
 
 class WorkingGear(NamedTuple):
-    """Gear at an operating point, in a case with mechanisms instead of converters."""
+    """Gear at an operating point; its case has mechanisms instead of converters."""
 
     case: Transmission
     gear: Gear
     converters: tuple[WorkingConverter, ...] = ()
     doubts: tuple[str, ...] = ()
-    """Warnings about converters whose pump does not take the torque of the load."""
+    """Warnings about converters whose pumps do not take the torque of the load."""
 
 
 FAR = (1.0, 8.0, 64.0, 512.0, 4096.0)
-"""Trial torques of the input, relative to the torque of the pump. [-]
+"""Trial input torques, divided by the torque of the pump. [-]
 
 Large values are needed because drag can absorb a small torque.
 """
 
 
 def mean_gear(case: Transmission, gear: Gear) -> WorkingGear:
-    """Return a gear at the operating point, or unchanged if the point is unknown."""
+    """Return a gear at its operating point, or unchanged if the point is unknown."""
     try:
         return working_gear(case, gear, {})
     except CaseError:
@@ -94,15 +94,15 @@ class _OnPump(NamedTuple):
     """Torques at the pump of a converter for an assumed speed ratio."""
 
     brought: float
-    """Torque that the load applies to the pump. [N*m]"""
+    """Torque of the load on the pump. [N*m]"""
     able: float
-    """Torque that the pump takes at the pump speed and speed ratio. [N*m]"""
+    """Torque that the pump takes at its speed and speed ratio. [N*m]"""
     at: tuple[float, float]
     """Speed ratio [-] and speed of the pump [rad/s]."""
 
     @property
     def excess(self) -> float:
-        """Torque taken by the pump minus torque of the load [N*m]."""
+        """Torque that the pump takes minus torque of the load [N*m]."""
         return self.able - self.brought
 
 
@@ -122,7 +122,7 @@ class _WorkingPoints:
         self.filled = [c for c in opened.converters if c.name not in empty]
         self.closed = [c for c in self.filled if c.name not in self.joined]
         self.driving: list[Converter] = []
-        """Converters with given speed ratios; the first determines the torque of the input."""
+        """Converters with a given speed ratio; the first determines the input torque."""
 
     def working_gear(self, given: Ratios) -> WorkingGear:
         ratios = self._given() | dict(given)
@@ -148,7 +148,7 @@ class _WorkingPoints:
         return WorkingGear(case, case.gears[0], tuple(working), doubts)
 
     def _joined(self) -> Iterator[tuple[str, float]]:
-        """Yield speed ratios of converters whose links other components connect.
+        """Yield the names and speed ratios of converters bridged by other components.
 
         The speed ratio is 0 if the pump is at rest.
         """
@@ -166,7 +166,7 @@ class _WorkingPoints:
                 yield converter.name, ratio
 
     def _given(self) -> dict[str, float]:
-        """Return the speed ratios that the mechanisms of the case or the gear give."""
+        """Return the speed ratios of converters that the case or the gear specifies."""
         converters = [mesh for mesh in self.case.mechanisms if mesh.kind == "converter"]
         ratios = {c.name: c.ratio for c in converters if not math.isnan(c.ratio)}
         first = len(self.opened.mechanisms[self.opened.own_mechanisms])
@@ -202,7 +202,7 @@ class _WorkingPoints:
         return speed
 
     def _ratio(self, converter: Converter, ratios: Ratios) -> float:
-        """Return the largest speed ratio at which a pump takes the torque of the load."""
+        """Return the largest speed ratio at which the pump takes the torque of the load."""
         if (self.load.torque is None and not self.driving) or self.load.speed is None:
             raise self._unknown([converter], "a `load` with speed and torque would determine it")
         corners = {point[0] for point in converter.points}
@@ -212,7 +212,7 @@ class _WorkingPoints:
             if excess[above] == 0:
                 return above
             if excess[above] * excess[below] <= 0:
-                from scipy.optimize import brentq  # not imported for most gears
+                from scipy.optimize import brentq  # slow import, seldom needed
 
                 excess_at = partial(self._excess, converter, ratios)
                 return float(brentq(excess_at, below, above, xtol=SPEED_RATIO_STEP))
@@ -233,7 +233,7 @@ class _WorkingPoints:
         return _OnPump(brought, torque_of_pump(converter.points, ratio, speed), (ratio, speed))
 
     def _loaded(self, case: Transmission) -> tuple[Transmission, tuple[str, ...]]:
-        """Return the case with the input torque that pumps take, and warnings about the load."""
+        """Return the case with the input torque of its pumps, and warnings about the load."""
         if not self.driving:
             return case, ()
         doubts = []
@@ -249,7 +249,7 @@ class _WorkingPoints:
         return case.with_torque(torque), tuple(doubt + addition for doubt in doubts)
 
     def _input_torque(self, converter: Converter, case: Transmission) -> float | None:
-        """Return the input torque that gives a pump exactly the required torque, if possible."""
+        """Return the input torque that gives a pump exactly the torque it takes, or None."""
 
         def excess(torque: float) -> float:
             return self._on_pump(converter, case.with_torque(torque)).excess
@@ -268,7 +268,7 @@ class _WorkingPoints:
             if start / first > 0:
                 if abs(excess(start)) <= SAME_INPUT_TORQUE * abs(idle.able) / 1000:
                     return start
-                from scipy.optimize import root_scalar  # not imported for most gears
+                from scipy.optimize import root_scalar  # slow import, seldom needed
 
                 solution = root_scalar(
                     excess, method="secant", x0=start, x1=start * (1 + SECANT_STEP)

@@ -1,9 +1,9 @@
 """Groups of modes that no variant couples, whose frequencies can therefore cross in a sweep.
 
 In coordinates of the natural modes of the first variant, another variant has the matrices ``K + sum
-dc t t^T`` and ``M + sum dJ b b^T``, where t contains the twists of a varied component and b the
-speeds of a varied body. Modes without a common t or b remain uncoupled in all variants. Within a
-group of coupled modes the frequencies keep their order (von Neumann, Wigner, 1929), so group and
+dc t t^T`` and ``M + sum dJ b b^T``. The vector t contains the twists of a varied component, and b
+the speeds of a varied body. Modes without a common t or b remain uncoupled in all variants. Within
+a group of coupled modes the frequencies keep their order (von Neumann, Wigner, 1929), so group and
 order identify a mode in any variant.
 """
 
@@ -29,13 +29,13 @@ class SeparateMotions(NamedTuple):
     split: Coordinates
     devices: frozenset[int]
     bodies: frozenset[int]
-    """Indices of the varied bodies that take part; `devices` are the varied components."""
+    """Indices of the varied bodies that take part; `devices` are those of varied components."""
 
 
 def separate_motions(
     system: TorsionalSystem, split: Coordinates, devices: Collection[int], bodies: Collection[int]
 ) -> list[SeparateMotions]:
-    """Find the uncoupled groups of motions of a system whose stiffnesses and inertias vary.
+    """Return the uncoupled groups of motions of a system with varied stiffnesses and inertias.
 
     Parameters
     ----------
@@ -66,7 +66,7 @@ def separate_motions(
     for coupling in _couplings(system, basis, natural.omegas, devices, bodies):
         common = [group for group in joined if group.motions & coupling.motions]
         joined = [*(group for group in joined if group not in common), _united([coupling, *common])]
-    if split.massless.shape[1] and len(joined) > 1:  # massless motions can couple all groups
+    if split.massless.shape[1] and len(joined) > 1:  # a massless motion can couple all groups
         joined = [_united(joined)]
     coupled = [motion for group in joined for motion in group.motions]
     unvaried = _Coupling(
@@ -85,7 +85,7 @@ def separate_motions(
 
 
 class _Coupling(NamedTuple):
-    """Coupling of motions by varied components and bodies; rigid motions have the first numbers."""
+    """Motions coupled by varied components and bodies, by number; rigid motions come first."""
 
     devices: frozenset[int]
     bodies: frozenset[int]

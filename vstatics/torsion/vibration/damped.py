@@ -15,7 +15,7 @@ from vstatics.torsion.vibration.natural import NaturalModes
 
 
 class DampedModes(NamedTuple):
-    """Eigenvalues of a damped system, assigned to natural modes.
+    """Eigenvalues of a damped system, and their assignment to natural modes.
 
     Attributes
     ----------
@@ -46,9 +46,9 @@ class DampedModes(NamedTuple):
 def damped_modes(system: TorsionalSystem, split: Coordinates, modes: NaturalModes) -> DampedModes:
     """Calculate the eigenvalues of a damped system.
 
-    A loss factor is replaced at each natural frequency by the equivalent viscous damping,
-    ``c * loss_factor / omega``. The eigenvalues then belong to the natural modes, and to rigid
-    modes that converters or separate dampers resist.
+    At each natural frequency a loss factor is replaced by equivalent viscous damping, ``c *
+    loss_factor / omega``. The eigenvalues then belong to the natural modes, and to rigid modes that
+    converters or separate dampers resist.
 
     Examples
     --------

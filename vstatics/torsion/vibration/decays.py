@@ -15,7 +15,7 @@ from vstatics.core.numerics.arrays import Floats
 from vstatics.torsion.tolerances import UNDAMPED
 
 LEAST_EXTREMES = 5
-"""Smallest number of extremes: only inner extremes have amplitudes, and three span a period."""
+"""Smallest number of extremes: only inner extremes have amplitudes, and three make a period."""
 
 
 class Decay(NamedTuple):
@@ -26,16 +26,17 @@ class Decay(NamedTuple):
     decrement: float
     """Logarithmic decrement. [-]"""
     mean_line: tuple[float, ...]
-    """Values of the mean line at the inner extremes, in the unit of the record."""
+    """Mean line at the inner extremes. [unit of the record]"""
     amplitudes: tuple[float, ...]
-    """Amplitudes at the inner extremes, measured from the mean line."""
+    """Amplitudes of the inner extremes, measured from the mean line. [unit of the record]"""
 
 
 def decay(peaks: Sequence[float], period: float) -> Decay:
-    """Calculate frequency and decrement from successive extremes M_k, (П2.1).
+    """Return frequency and decrement from successive extremes M_k, (П2.1).
 
-    The mean line is (M_k-1 + 2 M_k + M_k+1)/4. It still contains a part of the vibration, but the
-    same fraction of all amplitudes, so the decrement is exact, even if the mean drifts linearly.
+    The mean line is (M_k-1 + 2 M_k + M_k+1)/4. It still contains some of the vibration, but the
+    same fraction of all amplitudes. The decrement is therefore exact, even if the mean drifts
+    linearly.
 
     Parameters
     ----------
@@ -72,7 +73,7 @@ def decay(peaks: Sequence[float], period: float) -> Decay:
 
 
 def recorded_decay(times: Floats, values: Floats) -> Decay:
-    """Calculate frequency and decrement from samples of a record.
+    """Return frequency and decrement from samples of a record.
 
     Each extreme is the vertex of a parabola through three samples.
 

@@ -4,8 +4,8 @@ The decrement of a mode is the sum of the decrements of components, each weighte
 the component in the elastic energy of the mode. In a chain of springs of compliance E_i, without
 inertia between them, the share is ``E_i/sum E``.
 
-Source: I. S. Tsitovich, V. B. Algin, Vehicle dynamics (1981), appendices 1.3 and 2; numbers of
-equations refer to the book.
+Source: I. S. Tsitovich, V. B. Algin, Vehicle dynamics (1981), appendices 1.3 and 2; equation
+numbers are those of the book.
 """
 
 from __future__ import annotations
@@ -14,11 +14,11 @@ import math
 from collections.abc import Mapping
 
 ByDevice = Mapping[str, float]
-"""Name of an elastic component -> number."""
+"""Name of an elastic component -> value."""
 
 
 def corrected(compliances: ByDevice, calculated: float, measured: float) -> dict[str, float]:
-    """Scale all compliances so that a calculated frequency equals the measured frequency, (П2.2).
+    """Scale all compliances so that a calculated frequency becomes the measured frequency, (П2.2).
 
     Parameters
     ----------
@@ -38,7 +38,7 @@ def corrected(compliances: ByDevice, calculated: float, measured: float) -> dict
 
 
 def dampings(decrements: ByDevice, compliances: ByDevice, omega: float) -> dict[str, float]:
-    """Return the dampings of components with given decrements at an angular frequency, (П1.19).
+    """Return the dampings of components from their decrements at a frequency, (П1.19).
 
     Measured decrements change little with frequency, so ``damping * omega`` is a property of a
     component, and a damping is valid only near this frequency.
@@ -71,7 +71,7 @@ def dampings(decrements: ByDevice, compliances: ByDevice, omega: float) -> dict[
 
 
 def decrements(dampings: ByDevice, compliances: ByDevice, omega: float) -> dict[str, float]:
-    """Return the decrements of components with given dampings, the inverse of `dampings`.
+    """Return the decrements of components from their dampings: the inverse of `dampings`.
 
     >>> decrements(dampings({"shaft": 0.03}, {"shaft": 1e-3}, 80.0), {"shaft": 1e-3}, 80.0)
     {'shaft': 0.03}
@@ -100,7 +100,7 @@ def decrement(decrements: ByDevice, shares: ByDevice) -> float:
 
 
 def divided(total: float, shares: ByDevice, ratios: ByDevice) -> dict[str, float]:
-    """Divide the decrement of a mode between components whose decrements have given ratios.
+    """Divide the decrement of a mode among components, in given ratios of their decrements.
 
     The method is from (П1.20) and lines 2 to 4 of table П1.4.
 
@@ -123,18 +123,18 @@ def divided(total: float, shares: ByDevice, ratios: ByDevice) -> dict[str, float
 
 
 def moved(damping: float, compliance: float, to: float) -> float:
-    """Convert a damping parallel to a compliance to a second compliance in series, (П1.27).
+    """Convert a damping parallel to a compliance to another compliance, (П1.27).
 
-    The energy dissipated in a cycle of the torque remains unchanged. The damping of a whole shaft
-    can thus be assigned to a part of it, and dampings of the parts of a chain, converted to the
-    compliance of the chain, add up to its damping.
+    The energy dissipated in a cycle of the torque does not change. So the damping of a whole shaft
+    can be assigned to a piece of it. Dampings of the pieces of a chain, converted to the compliance
+    of the chain, add up to its damping.
 
     Parameters
     ----------
     damping : float
         Damping in parallel with `compliance`. [N*m*s/rad]
     compliance, to : float
-        Compliance parallel to the damping before the conversion, and after it. [rad/(N*m)]
+        Compliances parallel to the damping before and after the conversion. [rad/(N*m)]
 
     Examples
     --------

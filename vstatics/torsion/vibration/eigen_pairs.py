@@ -21,8 +21,8 @@ from vstatics.torsion.vibration.refined import Pencils
 class Pencil(NamedTuple):
     """Matrices of ``M q'' + D q' + K q = 0``, with M = 1, in modal coordinates.
 
-    The coordinates are the natural modes, then rigid modes if converters or separate dampers resist
-    motions, then massless motions that are damped.
+    The coordinates are natural modes, then rigid modes if converters or separate dampers resist
+    motions, then damped massless motions.
 
     Attributes
     ----------
@@ -45,16 +45,16 @@ class Pencil(NamedTuple):
 
     @property
     def massive(self) -> int:
-        """Number of coordinates that have a mass."""
+        """Number of coordinates with mass."""
         return self.modes + self.rigid
 
     def at(self, omegas: Floats) -> Pencils:
-        """Return the matrices at several frequencies, with ``D`` at each frequency [rad/s]."""
+        """Return the matrices at several frequencies [rad/s], each with its ``D``."""
         masses = (np.arange(len(self.stiffness)) < self.massive).astype(float)
         return Pencils(masses, self.stiffness, self.viscous + self.lost / omegas[:, None, None])
 
     def resistance_of_all(self, omegas: Floats) -> Floats:
-        """Return a common ``D`` for all modes; an entry uses the mean frequency of the two modes.
+        """Return a common ``D`` for all modes; each entry uses the mean frequency of its two modes.
 
         Massless motions count with the geometric mean of all natural frequencies.
         """
@@ -64,7 +64,7 @@ class Pencil(NamedTuple):
         return np.asarray(self.viscous + self.lost / np.outer(roots, roots))
 
     def lengths(self, shapes: Complex, values: Complex) -> Floats:
-        """Return the lengths of complex shapes (columns); a natural mode has the length 1.
+        """Return the lengths of complex shapes (columns), in which a natural mode has length 1.
 
         The elastic energy of massless motions counts like kinetic energy.
         """
@@ -95,9 +95,10 @@ def pencil_of(system: TorsionalSystem, split: Coordinates, modes: NaturalModes) 
 
 
 def resisting_rows(system: TorsionalSystem, resistances: Floats) -> Floats:
-    """Return the motions of links that are resisted, as rows weighted by roots of resistances.
+    """Return the resisted motions of links, as rows times roots of resistances.
 
-    Rows are twists times roots of `resistances` of elastic components, then dampers and converters.
+    The first rows are twists times roots of `resistances` of elastic components; then come dampers
+    and converters.
     """
     slipping = np.abs(system.converter_resistance)
     links = np.maximum(slipping.max(axis=0), slipping.max(axis=1))
@@ -114,10 +115,10 @@ def rigid_basis(system: TorsionalSystem, split: Coordinates) -> Floats:
 
 
 def massless_parts(split: Coordinates, damped: Floats, stiff: Floats) -> tuple[Floats, Floats]:
-    """Split the massless motions into damped motions, uncoupled in D, and undamped motions.
+    """Split massless motions into damped motions, uncoupled in D, and undamped motions.
 
-    In natural modes all massless motions are in elastic equilibrium. With damping, damped massless
-    motions depart from it; undamped massless motions follow them in equilibrium.
+    In natural modes all massless motions are in elastic equilibrium. With damping, the damped
+    massless motions depart from it, and the undamped ones follow in equilibrium.
     """
     if not split.massless.shape[1]:
         return split.massless, split.massless
@@ -140,9 +141,9 @@ class EigenPairs(NamedTuple):
     """Complex shapes, shape (coordinates, eigenvalues); natural modes have the length 1."""
 
     def of_mode(self, mode: int) -> tuple[int, int]:
-        """Return the two indices of the eigenvalues with the largest shares of a natural mode.
+        """Return the indices of both eigenvalues with the largest shares of a natural mode.
 
-        For a complex eigenvalue both indices are equal; an overdamped mode has two real
+        Both indices are equal for a complex eigenvalue. An overdamped mode has two real
         eigenvalues.
         """
         parts, swings = np.abs(self.shapes[mode]), self.eigenvalues.imag > 0
@@ -151,7 +152,7 @@ class EigenPairs(NamedTuple):
             return first, first
         parts[first] = -np.inf
         second = _largest(np.where(swings, -np.inf, parts), swings)
-        if parts[second] < 0 or swings[second]:  # no second real eigenvalue
+        if parts[second] < 0 or swings[second]:  # the mode has no second real eigenvalue
             swinging = _largest(parts, swings)
             return swinging, swinging
         return min(first, second), max(first, second)
@@ -162,14 +163,14 @@ class EigenPairs(NamedTuple):
         return self.eigenvalues[[n for n in range(len(self.eigenvalues)) if n not in taken]]
 
     def values(self, modes: Iterable[int]) -> Complex:
-        """Return the two eigenvalues of each given natural mode, shape (modes, 2)."""
+        """Return the two eigenvalues of each natural mode in `modes`, shape (modes, 2)."""
         places = np.array([self.of_mode(mode) for mode in modes], int).reshape(-1, 2)
         values = self.eigenvalues[places]
         return np.column_stack([values[:, 0], values[:, 1].conjugate()])
 
 
 def _largest(parts: Floats, swings: Booleans) -> int:
-    """Return the index of the largest share; in a tie a complex eigenvalue is preferred."""
+    """Return the index of the largest share; a complex eigenvalue wins a tie."""
     ties = np.flatnonzero(parts >= parts.max() * (1 - SAME_MODULUS))
     return int(ties[np.argmax(swings[ties])])
 
@@ -177,8 +178,8 @@ def _largest(parts: Floats, swings: Booleans) -> int:
 def eigen_pairs(pencil: Pencil, resistance: Floats) -> EigenPairs:
     """Calculate the eigenvalues and shapes of a system in first-order form.
 
-    The state contains modal coordinates, massless motions and speeds. Rigid motions appear with
-    their speeds only, and are left out if nothing resists them.
+    The state contains modal coordinates, massless motions and speeds. Rigid motions are represented
+    by their speeds only, and are left out if nothing resists them.
 
     A damped massless motion y has an equation of the first order,
     ``D_yy y' = -K_yy y - (K_yq q + D_yq q')``, where q are the modal coordinates.
@@ -236,7 +237,7 @@ def _state(pencil: Pencil, stiffness: Floats, resistance: Floats) -> Floats:
 
 
 def _rates(resistance: Floats, right: Floats, *, symmetric: bool) -> Floats:
-    """Solve ``resistance x = right``, with dampings that can differ by many orders of magnitude."""
+    """Solve ``resistance x = right``, where dampings can differ by orders of magnitude."""
     sizes = np.diag(resistance) if symmetric else np.abs(resistance).max(axis=1)
     scale = 1 / np.sqrt(sizes)[:, None]
     scaled = resistance * scale * scale.T
@@ -254,7 +255,7 @@ def _rates(resistance: Floats, right: Floats, *, symmetric: bool) -> Floats:
 
 
 def settled(values: Complex) -> Complex:
-    """Remove rounding errors: positive real parts, and tiny imaginary parts of real eigenvalues."""
+    """Remove rounding errors: positive real parts, tiny imaginary parts of real eigenvalues."""
     return _real_if_close(np.minimum(values.real, 0.0) + 1j * values.imag)
 
 

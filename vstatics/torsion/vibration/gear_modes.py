@@ -1,4 +1,4 @@
-"""Natural modes of a gear by names of links and components, with energy shares and nodes."""
+"""Natural modes of a gear by names of links and components, with shares of energy and nodes."""
 
 from __future__ import annotations
 
@@ -31,9 +31,9 @@ from vstatics.torsion.vibration.nodes import count_nodes
 from vstatics.torsion.vibration.torques import Balance, balance, own_torques, torques
 
 Named = Mapping[str, float]
-"""Name of a link or component -> value; NaN if undetermined."""
+"""Name of a link or component -> value, NaN if undetermined."""
 SOME_LINKS, SOME_MODES = 50, 20
-"""Largest number of links for which all modes are default, and default number of modes above it."""
+"""Number of links up to which all modes are calculated by default; number of modes beyond."""
 
 
 class Sensitivity(NamedTuple):
@@ -65,7 +65,7 @@ class Mode(NamedTuple):
     kinetic, elastic : mapping
         Shares of bodies in the kinetic energy, and of components in the elastic energy. [-]
     nodes : int
-        Number of places at rest, within elastic components or at links between them.
+        Number of points at rest, within elastic components or at links between them.
     """
 
     omega: float
@@ -143,7 +143,7 @@ class GearModes(NamedTuple):
 
 
 class CaseModes(list[GearModes]):
-    """Modes of several gears; a notebook shows the frequencies."""
+    """Modes of several gears; a notebook displays their frequencies."""
 
     def _repr_html_(self) -> str:
         return shown(higher("overview_grids")(self))
@@ -283,7 +283,7 @@ def _named(  # noqa: PLR0913, PLR0917
     natural: NaturalModes,
     damped: DampedModes | None,
 ) -> Iterator[Mode]:
-    """Yield the modes by names of links and components, each with the largest amplitude 1."""
+    """Yield the modes by names of links and components, scaled to a largest amplitude of 1."""
     shapes = natural.shapes / _largest(natural.shapes[: system.case_links])
     link_torques = torques(system, held, shapes, natural.omegas)
     by_device = own_torques(case, system, link_torques, shapes * natural.omegas**2)
@@ -309,7 +309,7 @@ def _named(  # noqa: PLR0913, PLR0917
 
 
 def _largest(amplitudes: Floats) -> Floats:
-    """Return the amplitude of largest magnitude of each mode, with sign; the first in a tie."""
+    """Return the signed amplitude of largest magnitude of each mode; the first in a tie."""
     sizes = np.abs(amplitudes)
     first = np.argmax(sizes >= sizes.max(axis=0) * (1 - TIE), axis=0)
     largest = amplitudes[first, np.arange(amplitudes.shape[1])]

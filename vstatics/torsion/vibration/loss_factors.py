@@ -1,8 +1,8 @@
-"""Eigenvalues of systems with loss factors, with equivalent viscous damping for each mode.
+"""Eigenvalues of systems with loss factors, with separate equivalent damping for each mode.
 
-Each mode has a matrix D of its own. All modes are first solved with a common D close to all these
-matrices; then candidate eigenvalues of each mode are corrected for its D (`refined`). If it remains
-uncertain which eigenvalue has the largest share of a mode, the mode is solved separately.
+Each mode has its own matrix D. First all modes are solved with a common D that is close to all
+these matrices. Then candidate eigenvalues of each mode are corrected for its D (`refined`). If it
+remains uncertain which eigenvalue has the largest share of a mode, the mode is solved separately.
 """
 
 from __future__ import annotations
@@ -18,21 +18,21 @@ from vstatics.torsion.vibration.eigen_pairs import EigenPairs, Pencil, eigen_pai
 from vstatics.torsion.vibration.refined import STACKED_NUMBERS, Pencils, Refined, refined
 
 LIGHTLY_DAMPED = 0.3
-"""Damping ratio up to which the squared shares of a mode in all shapes have a sum near 1. [-]"""
+"""Damping ratio up to which the squared shares of a mode in all shapes add up to nearly 1. [-]"""
 REST = 0.5
-"""Deviation of squared shares from a sum of 1 for a missing shape, relative to the largest. [-]"""
+"""Missing sum of squared shares that means a missing shape, relative to the largest. [-]"""
 SAME_SHAPE = 0.9999
-"""Smallest share of a heavily damped mode in a shape that identifies both. [-]"""
+"""Share of a heavily damped mode in a shape above which the shape is that of the mode. [-]"""
 MOST_CANDIDATES = 5
 """Largest number of candidate eigenvalues for a mode."""
 
 
 def pairs_of_modes(pencil: Pencil, omegas: Floats) -> Complex:
-    """Calculate the two eigenvalues of each natural mode, shape (modes, 2) [1/s]."""
+    """Return the two eigenvalues of each natural mode, shape (modes, 2) [1/s]."""
     if not len(omegas):
         return np.zeros((0, 2), np.complex128)
     pairs = np.full((len(omegas), 2), np.nan, np.complex128)
-    if pencil.symmetric:  # `refined` presupposes symmetric matrices
+    if pencil.symmetric:  # `refined` requires symmetric matrices
         common = eigen_pairs(pencil, pencil.resistance_of_all(omegas))
         pieces = math.ceil(len(omegas) * len(pencil.stiffness) ** 2 / STACKED_NUMBERS)
         parts = np.array_split(np.arange(len(omegas)), pieces)
@@ -44,7 +44,7 @@ def pairs_of_modes(pencil: Pencil, omegas: Floats) -> Complex:
 
 
 def _corrected(pencil: Pencil, omegas: Floats, modes: Integers, common: EigenPairs) -> Complex:
-    """Correct the eigenvalues of given modes for individual matrices D; NaN where uncertain."""
+    """Return eigenvalues corrected for the matrix D of each mode, NaN where uncertain."""
     pencils, pairs = pencil.at(omegas), np.full((len(modes), 2), np.nan, np.complex128)
     light = pencils.resistances[np.arange(len(modes)), modes, modes] <= 2 * LIGHTLY_DAMPED * omegas
     candidates_of_modes = [
@@ -88,7 +88,7 @@ def _roots(pencils: Pencils, shapes: Complex) -> Complex:
 
 
 def _values_and_parts(pencil: Pencil, near: Refined, modes: Integers) -> tuple[Complex, Floats]:
-    """Return eigenvalues (NaN if not converged), and the share of a mode in each shape."""
+    """Return eigenvalues, NaN if not converged, and the share of a mode in each shape."""
     values = settled(near.eigenvalues.real + 1j * np.abs(near.eigenvalues.imag))
     parts = np.abs(near.shapes[np.arange(len(modes)), modes])
     parts /= pencil.lengths(near.shapes.T, near.eigenvalues)
@@ -96,7 +96,7 @@ def _values_and_parts(pencil: Pencil, near: Refined, modes: Integers) -> tuple[C
 
 
 def _are_all(values: Complex, parts: Floats) -> bool:
-    """Return whether all candidates of a mode are present, complex and different."""
+    """Return whether all candidates of a mode are present, complex and distinct."""
     if not (values.imag > 0).all():
         return False
     apart = np.abs(values[:, None] - values) + np.diag(np.full(len(values), np.inf))

@@ -1,7 +1,7 @@
 """Corrections of the elastic components of a gear from a measured frequency and decrement.
 
-Source: I. S. Tsitovich, V. B. Algin, Vehicle dynamics (1981), appendices 1.3 and 2; numbers of
-equations refer to the book.
+Source: I. S. Tsitovich, V. B. Algin, Vehicle dynamics (1981), appendices 1.3 and 2; equation
+numbers are those of the book.
 """
 
 from __future__ import annotations
@@ -30,13 +30,12 @@ class Identified(NamedTuple):
     compliances: ByDevice
     """Corrected compliance of the twist of each component. [rad/(N*m)]"""
     dampings: ByDevice
-    """Damping of the twist of each component; empty without a measured decrement. [N*m*s/rad]
-    """
+    """Damping of the twist of each component; empty if no decrement was measured. [N*m*s/rad]"""
 
 
 @json_keys("omega", "dampings", "decrement", "shares", messages="notes")
 class Damped(NamedTuple):
-    """Dampings of the elastic components of a gear with given decrements."""
+    """Dampings of elastic components of a gear, calculated from their decrements."""
 
     omega: float
     """Angular frequency at which the dampings are valid. [rad/s]"""
@@ -191,7 +190,7 @@ def damping(  # noqa: PLR0913
 
 
 def _check_number(what: str, number: float, *, above_0: bool = False) -> None:
-    """Raise ValueError for a number that cannot be measured, such as a negative frequency."""
+    """Raise ValueError for a number that no measurement gives, such as a negative frequency."""
     if not _is_measured(number, above_0=above_0):
         least = "above 0" if above_0 else "of 0 or more"
         raise ValueError(f"{what}: read {number:g}, expected a number {least}")
@@ -255,7 +254,7 @@ def _message_of_missing_device(
 def _notes_on_other_devices(
     elastic: Sequence[TorsionalDevice], given: Mapping[str, float], mode: Mode
 ) -> Iterator[str]:
-    """Yield a note about the decrement that dampings of other components in the case add."""
+    """Yield a note on the decrement that the dampings of other components add."""
     decrements: dict[str, float] = {}
     for device in elastic:
         if device.damping and device.name not in given:

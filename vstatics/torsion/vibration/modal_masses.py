@@ -1,8 +1,8 @@
 """Natural frequencies of many variants, from twists of components in motions of modal mass 1.
 
-The natural frequencies are the singular values of the matrix of these twists, multiplied by roots
-of stiffnesses, as in `natural`. Stacks of small matrices are solved for many inertias and
-stiffnesses at once.
+The natural frequencies are the singular values of the matrix of these twists times roots of
+stiffnesses, as in `natural`. Stacks of small matrices are solved for many inertias and stiffnesses
+at once.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ class Split(NamedTuple):
 
 
 class NormedTwists(NamedTuple):
-    """Twists of the elastic components in normalised motions of a system.
+    """Twists of elastic components in normalised motions of a system.
 
     Attributes
     ----------
@@ -93,7 +93,7 @@ def normed_twists(system: TorsionalSystem, split: Coordinates, inertias: Floats)
 
 
 def of_split(split: Split, inertias: Floats) -> NormedTwists:
-    """Calculate the twists in motions of modal mass 1 from any basis of motions.
+    """Return the twists in motions of modal mass 1, from any basis of motions.
 
     Leading axes of `split` and of `inertias` are broadcast.
     """
@@ -106,7 +106,7 @@ def of_split(split: Split, inertias: Floats) -> NormedTwists:
 
 
 def natural_frequencies(twists: NormedTwists, stiffnesses: Floats, first: int = 0) -> Floats:
-    """Calculate the natural frequencies for several sets of stiffnesses.
+    """Return the natural frequencies for several sets of stiffnesses.
 
     Parameters
     ----------
@@ -132,11 +132,11 @@ def natural_frequencies(twists: NormedTwists, stiffnesses: Floats, first: int = 
 
 
 def triangular(twists: NormedTwists, stiffnesses: Floats) -> Floats:
-    """Return twists times roots of stiffnesses; massless motions are the first columns.
+    """Return twists times roots of stiffnesses, with massless motions as the first columns.
 
-    With massless motions the matrix is reduced to triangular form. The block to the right of and
-    below their columns applies when they follow the other motions in equilibrium. Rows of stiff
-    components come first, as accuracy of the elimination requires.
+    With massless motions the matrix is reduced to triangular form. The block to the right of their
+    columns, below their rows, is valid for massless motions that follow the other motions in
+    equilibrium. Rows of stiff components come first, because the elimination is then accurate.
 
     Returns
     -------
@@ -156,4 +156,4 @@ def triangular(twists: NormedTwists, stiffnesses: Floats) -> Floats:
 
 
 def _triangle(matrices: Floats) -> Floats:
-    return np.asarray(np.linalg.qr(matrices, mode="r"))  # only R saves memory
+    return np.asarray(np.linalg.qr(matrices, mode="r"))  # mode "r" saves memory

@@ -22,7 +22,7 @@ from vstatics.torsion.tolerances import BELOW_SQUARES
 
 
 class NaturalModes(NamedTuple):
-    """Modes of a system with elastic twist, by ascending frequency.
+    """Modes of a system by ascending frequency, without rigid modes.
 
     Attributes
     ----------
@@ -37,7 +37,7 @@ class NaturalModes(NamedTuple):
 
 
 def natural_modes(system: TorsionalSystem, split: Coordinates) -> NaturalModes:
-    """Calculate all modes of a system except rigid modes; links without inertia add no modes.
+    """Return all modes of a system except rigid modes; links without inertia add none.
 
     Examples
     --------
@@ -64,7 +64,7 @@ def natural_modes(system: TorsionalSystem, split: Coordinates) -> NaturalModes:
 
 
 def lowest_modes(system: TorsionalSystem, split: Coordinates, count: int) -> NaturalModes:
-    """Calculate the lowest modes except rigid modes, by shifted Lanczos iteration.
+    """Return the lowest modes except rigid modes, by shifted Lanczos iteration.
 
     Examples
     --------
@@ -85,8 +85,7 @@ def lowest_modes(system: TorsionalSystem, split: Coordinates, count: int) -> Nat
     twists = sparse.csc_matrix(weighted_twists(system)) @ free
     speeds = sparse.csc_matrix(weighted_bodies(system)) @ free
     stiffness, mass = (twists.T @ twists).tocsc(), (speeds.T @ speeds).tocsc()
-    # The lowest squared frequency is estimated as mean square divided by the number of modes
-    # squared.
+    # The lowest squared frequency is about the mean square divided by the number of modes squared.
     mean = float(stiffness.diagonal().sum() / mass.diagonal().sum())
     below = -BELOW_SQUARES * mean / free.shape[1] ** 2
     rigid = split.rigid.shape[1]
@@ -101,7 +100,7 @@ def lowest_modes(system: TorsionalSystem, split: Coordinates, count: int) -> Nat
 def elastic_basis(system: TorsionalSystem, split: Coordinates) -> Floats:
     """Return motions of modal mass 1, mutually orthogonal in M and orthogonal to rigid motions.
 
-    In these motions, links without inertia are in equilibrium of the elastic torques.
+    In these motions the elastic torques on links without inertia are in equilibrium.
 
     Returns
     -------
@@ -122,7 +121,7 @@ def elastic_basis(system: TorsionalSystem, split: Coordinates) -> Floats:
 
 
 def _followed(system: TorsionalSystem, split: Coordinates) -> Floats:
-    """Return the massless motion that each motion with inertia causes by elastic equilibrium."""
+    """Return the massless motion that follows each motion with inertia in elastic equilibrium."""
     counts = split.massless.shape[1], split.heavy.shape[1]
     if 0 in counts:
         return np.zeros(counts)
@@ -135,10 +134,10 @@ def _followed(system: TorsionalSystem, split: Coordinates) -> Floats:
 
 
 def weighted_twists(system: TorsionalSystem) -> Floats:
-    """Return the matrix from link angles to twists of components, times roots of stiffnesses."""
+    """Return the matrix from link angles to twists times roots of stiffnesses."""
     return np.asarray(np.sqrt(system.rates)[:, None] * system.twists)
 
 
 def weighted_bodies(system: TorsionalSystem) -> Floats:
-    """Return the matrix from link speeds to speeds of bodies, times roots of inertias."""
+    """Return the matrix from link speeds to speeds of bodies times roots of inertias."""
     return np.asarray(np.sqrt(system.inertias)[:, None] * system.speeds)

@@ -1,4 +1,4 @@
-"""Nodes of a mode: the places at rest while the mode vibrates."""
+"""Nodes of a mode: points at rest while the mode vibrates."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ from vstatics.torsion.system.gear_system import TorsionalSystem
 
 
 def count_nodes(system: TorsionalSystem, split: Coordinates, shapes: Floats) -> NDArray[np.intp]:
-    """Count the places at rest in each mode.
+    """Count the points at rest in each mode.
 
-    An elastic component contains a node if all terms of its twist have the same sign, such as a
-    shaft whose ends rotate in opposite directions. For a component with a reaction link, such as a
-    casing, only links count that rotate in rigid motions. Adjacent links at rest form a single node
+    An elastic component contains a node if all terms of its twist have the same sign, as in a shaft
+    whose ends rotate in opposite directions. For a component with a reaction link, such as a
+    casing, only links that rotate in rigid motions count. Adjacent links at rest form a single node
     if links move on at least two sides of them. In a chain the number of nodes is the number of
     lower modes, including rigid modes (Sturm), however small the amplitudes are.
 
@@ -56,7 +56,7 @@ def count_nodes(system: TorsionalSystem, split: Coordinates, shapes: Floats) -> 
 
 
 def _chains(system: TorsionalSystem) -> Iterator[Integers]:
-    """Yield the links of each chain: bodies with independent speeds, joined in a row."""
+    """Yield the links of each chain, in which bodies of independent speeds are joined in a row."""
     free = system.free()
     heavy = [body.form for body in system.bodies if body.inertia > 0]
     moved = [np.flatnonzero(row).tolist() for row in system.rows(heavy) @ free]
@@ -83,7 +83,7 @@ def _chains(system: TorsionalSystem) -> Iterator[Integers]:
 
 
 def _connected(count: int, joined: Iterable[Sequence[int]]) -> list[int]:
-    """Return the number of the connected group of each item; `joined` lists connected items."""
+    """Return the group number of each item; items in an entry of `joined` are connected."""
     pairs = [pair for items in joined for pair in pairwise(items)]
     rows, columns = np.array(pairs, np.intp).reshape(-1, 2).T
     graph = coo_array((np.ones(len(pairs)), (rows, columns)), shape=(count, count))
@@ -92,7 +92,7 @@ def _connected(count: int, joined: Iterable[Sequence[int]]) -> list[int]:
 
 
 def _standing_groups(twists: list[Form], stands: Booleans, moves: Booleans) -> int:
-    """Count the connected groups of links at rest between moving links."""
+    """Return the number of connected groups of links at rest between moving links."""
     standing_in = [[link for link in twist if stands[link]] for twist in twists]
     group = _connected(len(stands), standing_in)
     sides: dict[int, int] = {}

@@ -3,8 +3,8 @@
 The possible motions of each variant are the solutions of homogeneous equations
 (`followed_motions`). The rank of these equations is known for the first variant
 (`numerics.motions`). Other variants are solved with the same equations for the same unknowns. If
-this block of equations is well conditioned, and the solution satisfies the remaining equations,
-too, the rank is the same; otherwise the variant must be analysed separately.
+this block of equations is well conditioned, and the solution satisfies all other equations, the
+rank is the same. Otherwise the variant must be analysed separately.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from vstatics.torsion.vibration.variants import NUMBERS, Varied, first_variant, 
 
 
 class VariedSystem(NamedTuple):
-    """System of the first variant, and the numbers that differ in other variants.
+    """System of the first variant, and the numbers of other variants.
 
     Attributes
     ----------
@@ -86,7 +86,7 @@ def frequencies_of_ratios(
 
 
 def _block(varied: VariedSystem, split: Coordinates, variants: Integers) -> tuple[Floats, Booleans]:
-    """Calculate all frequencies of the first variant and of given other variants."""
+    """Return all frequencies of the first variant and of `variants`, with flags of equal rank."""
     system = varied.system
     every = system.rows([device.twist for device in system.devices])
     forms = varied_numbers(every, varied.twists, variants)
@@ -104,7 +104,7 @@ def _block(varied: VariedSystem, split: Coordinates, variants: Integers) -> tupl
     moving, others = still.others, together.motions[:, still.free]
     by_heavy = together.motions[:, moving] - still.motions[:, moving] @ others
     safe = free.safe & still.safe & together.safe & (heavy == heavy[0]).all(axis=1)
-    if massless.shape[2]:  # components must resist all massless motions
+    if massless.shape[2]:  # the components must resist all massless motions
         sizes = np.linalg.svd(massless, compute_uv=False)
         shares = sizes[:, -1] / sizes[:, 0]
         safe &= shares > LOST_PIVOT * shares[0]
@@ -137,7 +137,7 @@ class FollowedMotions(NamedTuple):
 
 
 def followed_motions(equations: Floats, free: int) -> FollowedMotions:
-    """Solve homogeneous equations for many variants of equal rank.
+    """Solve homogeneous equations for many variants of the same rank.
 
     Parameters
     ----------
@@ -165,7 +165,7 @@ def followed_motions(equations: Floats, free: int) -> FollowedMotions:
         block = equations[:, rows[:, None], others]
         with np.errstate(all="ignore"):
             sizes = np.abs(block).max(axis=2)
-            sizes = np.maximum(sizes, sizes[0])  # rows of much smaller numbers count as 0
+            sizes = np.maximum(sizes, sizes[0])  # rows with much smaller numbers count as 0
             shares = np.abs(np.linalg.det(block)) / sizes.prod(axis=1)
             safe = shares > LOST_PIVOT * shares[0]
         block[~safe] = block[0]
@@ -177,7 +177,7 @@ def followed_motions(equations: Floats, free: int) -> FollowedMotions:
 
 
 def _pivots(matrix: Floats, rank: int) -> tuple[Integers, Integers]:
-    """Return the indices of equations and unknowns of a regular block, by full pivoting."""
+    """Return indices of equations and unknowns that form a regular block, by full pivoting."""
     left = matrix / np.maximum(np.abs(matrix).max(axis=1, keepdims=True, initial=0.0), NO_ROW)
     rows, columns = [], []
     for _ in range(rank):

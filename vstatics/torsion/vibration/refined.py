@@ -20,13 +20,13 @@ from vstatics.core.numerics.arrays import Booleans, Complex, Floats, Integers
 from vstatics.torsion.tolerances import LAST_EIGENVALUE_STEP
 
 MOST_NEWTON_STEPS = 8
-"""Largest number of Newton steps; from an approximate shape, three or four are enough."""
+"""Largest number of Newton steps; from an approximate shape, three or four suffice."""
 STACKED_NUMBERS = 2**20
-"""Largest number of matrix entries that are solved at once."""
+"""Largest number of matrix entries in a batch."""
 
 
 class Pencils(NamedTuple):
-    """Matrices of several systems that differ in damping.
+    """Matrices of several systems that differ in their damping.
 
     Attributes
     ----------
@@ -43,7 +43,7 @@ class Pencils(NamedTuple):
     resistances: Floats
 
     def of(self, systems: Integers) -> Pencils:
-        """Return the matrices of given systems."""
+        """Return the matrices of a selection of systems."""
         return self._replace(resistances=self.resistances[systems])
 
     def roots(self, shapes: Complex) -> tuple[Complex, Complex]:
@@ -98,7 +98,7 @@ def refined(pencils: Pencils, eigenvalues: Complex, shapes: Complex) -> Refined:
             if not len(places):
                 break
             unfinished = pencils.of(places)
-            guess, shapes[places] = _step(unfinished, values[places], shapes[places])
+            guess, shapes[places] = _newton_step(unfinished, values[places], shapes[places])
             smaller, larger = unfinished.roots(shapes[places])
             nearest = np.where(np.abs(smaller - guess) < np.abs(larger - guess), smaller, larger)
             steps = np.abs(nearest - values[places])
@@ -109,13 +109,12 @@ def refined(pencils: Pencils, eigenvalues: Complex, shapes: Complex) -> Refined:
 
 
 def _products(matrices: Floats, shapes: Complex) -> Complex:
-    """Multiply complex shapes by a real matrix, or by a matrix for each system."""
+    """Return products of complex shapes with a real matrix, or with a matrix for each system."""
     products = matrices @ np.stack([shapes.real, shapes.imag], axis=-1)
     return np.asarray(products[:, :, 0] + 1j * products[:, :, 1])
 
 
-def _step(pencils: Pencils, values: Complex, shapes: Complex) -> tuple[Complex, Complex]:
-    """Return eigenvalues, and shapes of length 1, after a Newton step."""
+def _newton_step(pencils: Pencils, values: Complex, shapes: Complex) -> tuple[Complex, Complex]:
     s, size, every = values[:, None], shapes.shape[1], np.arange(shapes.shape[1])
     massive, resisted = pencils.masses * shapes, _products(pencils.resistances, shapes)
     bordered = np.zeros((len(values), size + 1, size + 1), np.complex128)
@@ -129,7 +128,7 @@ def _step(pencils: Pencils, values: Complex, shapes: Complex) -> tuple[Complex, 
     right[:, :size, 0] = -(s**2 * massive + s * resisted + _products(pencils.stiffness, shapes))
     try:
         steps = np.linalg.solve(bordered, right)[:, :, 0]
-    except np.linalg.LinAlgError:  # a matrix of the stack is singular
+    except np.linalg.LinAlgError:  # a matrix in the stack is singular
         return np.full_like(values, np.nan), shapes
     moved = shapes + steps[:, :size]
     return values + steps[:, size], moved / np.linalg.norm(moved, axis=1, keepdims=True)

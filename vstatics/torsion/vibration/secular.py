@@ -22,11 +22,11 @@ from vstatics.core.numerics.arrays import Floats
 from vstatics.torsion.tolerances import AT_NEXT_POLE, AT_POLE, LAST_STEP, LOST_WEIGHT, SAME_SQUARE
 
 MOST_ITERATIONS = 60
-"""Largest number of iterations; convergence is quadratic, or halves the interval at least."""
+"""Largest number of iterations; each at least halves the interval, or converges quadratically."""
 
 
 class Poles(NamedTuple):
-    """Modes of a system without the component.
+    """Modes of a system without a component.
 
     Attributes
     ----------
@@ -42,7 +42,7 @@ class Poles(NamedTuple):
 
 
 def squares_with_device(poles: Poles, compliances: Floats, mode: int) -> Floats:
-    """Calculate the square of a natural frequency of the system with the component.
+    """Return the square of a natural frequency of the system with the component.
 
     Parameters
     ----------
@@ -84,16 +84,14 @@ def squares_with_device(poles: Poles, compliances: Floats, mode: int) -> Floats:
 
 
 _Terms = tuple[Floats, Floats]
-"""Distances of poles from the pole below the root, and the weights of the poles."""
+"""Distances of poles from the pole below the root, and the weights of these poles."""
 
 
 def _beyond(below: _Terms, compliances: Floats, pole: float) -> Floats:
     """Return the distances of the last root from the last pole, by Newton's method.
 
-    The unknown is the inverse distance.
-
-    The sum is concave in it, and the first guess is beyond the root, so every step approaches the
-    root from the same side.
+    The unknown is the inverse distance. The sum is concave in it, and the first guess is beyond the
+    root, so every step approaches the root from the same side.
     """
     x: Floats = below[1].sum() / compliances
     for _ in range(MOST_ITERATIONS):
@@ -109,8 +107,8 @@ def _beyond(below: _Terms, compliances: Floats, pole: float) -> Floats:
 def _between(below: _Terms, above: _Terms, compliances: Floats, pole: float) -> Floats:
     """Return the distances of roots from the pole below, for roots between two poles.
 
-    Each step replaces the poles on each side by a single pole at the end of the interval, with the
-    same value and derivative (Bunch, Nielsen, Sorensen, Rank-one modification of the symmetric
+    Each step replaces the poles on either side by a single pole at the end of the interval, with
+    the same value and derivative (Bunch, Nielsen, Sorensen, Rank-one modification of the symmetric
     eigenproblem, 1978). Bounds always enclose the root.
     """
     gap = float(above[0][0])

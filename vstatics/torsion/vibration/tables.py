@@ -14,7 +14,7 @@ from vstatics.torsion.vibration.measured import Damped, Identified
 
 
 def modes_grids(gears: Sequence[GearModes]) -> Iterator[Grid]:
-    """Yield tables of frequencies of all gears, then of shapes, torques, energy of each gear.
+    """Yield tables of frequencies of all gears, then of shapes, torques and energy of each gear.
 
     Examples
     --------
@@ -94,7 +94,7 @@ def _by_mode(
     values: Callable[[Mode], Mapping[str, float]],
     cell: Callable[[float], Cell] = exact,
 ) -> Grid:
-    """Build a table with a row for each link or component and a column for each mode."""
+    """Return a table with a row for each link or component and a column for each mode."""
     by_mode = [values(mode) for mode in gear.modes]
     headings = [f"{number}: {mode.omega:.4g}" for number, mode in enumerate(gear.modes, 1)]
     rows: list[Values] = [
@@ -105,7 +105,7 @@ def _by_mode(
 
 
 def _part(value: float) -> Cell:
-    """Return a cell for a share, with 0.000 for negligible shares."""
+    """Return the cell of a share or relative amplitude, 0.000 if negligible."""
     cell = exact(value)
     return cell._replace(text=fixed(value)) if abs(value) < LEAST_SHOWN_PART else cell
 
@@ -114,7 +114,7 @@ _DAMPING = "damping [N*m*s/rad]"
 
 
 def identified_grids(omega: float, identified: Identified) -> Iterator[Grid]:
-    """Yield a table of compliances, and of dampings if any, for a measured frequency [rad/s].
+    """Yield a table of compliances, and dampings if any, for a measured frequency [rad/s].
 
     Examples
     --------
@@ -133,7 +133,7 @@ def identified_grids(omega: float, identified: Identified) -> Iterator[Grid]:
 
 
 def decay_grid(vibration: Decay) -> Grid:
-    """Build a table of the inner extremes of a record, as in (П2.1)."""
+    """Return a table of the inner extremes of a record, as in (П2.1)."""
     headings = "extreme", "mean line", "amplitude"
     rows = zip(
         range(2, len(vibration.amplitudes) + 2),

@@ -56,7 +56,7 @@ def balance(system: TorsionalSystem) -> Balance:
 def torques(
     system: TorsionalSystem, balance: Balance, shapes: Floats, omegas: Floats
 ) -> dict[str, Floats]:
-    """Calculate torques on the first links of all components, by name; NaN if undetermined.
+    """Return torques on the first links of all components, by name; NaN if indeterminate.
 
     Parameters
     ----------
@@ -86,7 +86,7 @@ def torques(
 def with_rigid(
     system: TorsionalSystem, balance: Balance, acting: Values, elastic: Mapping[str, Values]
 ) -> dict[str, Values]:
-    """Add the torques of rigid components, by equilibrium, to the torques of elastic components.
+    """Add the torques of rigid components, by equilibrium, to those of elastic components.
 
     Parameters
     ----------
@@ -113,11 +113,11 @@ def own_torques(
     by_device: Mapping[str, Values],
     accelerations: Values,
 ) -> dict[str, Values]:
-    """Arrange torques like the `torques` in results; disengaged components have 0.
+    """Arrange torques as in the `torques` of results; disengaged components carry 0.
 
     The torque of a converter is the torque on its pump. The torque of a member of a gear set is the
     torque that it gives to the planets, without the inertia torque of the planets, ``J_share w^2
-    q``, so the torques of a gear set do not add up to 0.
+    q``. The torques of a gear set therefore do not add up to 0.
 
     Parameters
     ----------

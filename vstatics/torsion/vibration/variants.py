@@ -27,16 +27,16 @@ from vstatics.torsion.vibration.modal_masses import (
 from vstatics.torsion.vibration.secular import Poles, squares_with_device
 
 NUMBERS = 2**17
-"""Largest number of matrix entries solved at once, to fit into the cache."""
+"""Largest number of matrix entries that are solved at once, which fit into the cache."""
 SOME = 20
-"""Factor in the choice of a method for systems of many links.
+"""Ratio of links to variants above which a single varied stiffness needs no secular equation.
 
 The secular equation requires all modes, which take as long as the lowest modes of ``links/SOME``
 variants.
 """
 
 Varied = Mapping[int, Floats]
-"""Index of a component or body -> numbers, shape (variants,)."""
+"""Index of a component or body -> its numbers, shape (variants,)."""
 
 
 def variant_frequencies(  # noqa: PLR0913
@@ -48,7 +48,7 @@ def variant_frequencies(  # noqa: PLR0913
     variants: int,
     first: FirstVariant | None = None,
 ) -> Floats:
-    """Calculate natural frequencies of a system with other stiffnesses and inertias.
+    """Return natural frequencies of a system for other stiffnesses and inertias.
 
     A mode has the same number as in the first variant, even if frequencies cross.
 
@@ -137,7 +137,7 @@ def _with_numbers(system: TorsionalSystem, rates: Floats, inertias: Floats) -> T
 
 
 def _alike(inertias: Varied, variants: int) -> Iterator[Integers]:
-    """Yield groups of variants that agree in the bodies with inertia."""
+    """Yield groups of variants in which the same bodies have inertia."""
     every = np.arange(variants)
     if all(numbers.all() for numbers in inertias.values()):
         yield every
@@ -149,7 +149,7 @@ def _alike(inertias: Varied, variants: int) -> Iterator[Integers]:
 
 
 def varied_numbers(constants: Floats, varied: Varied, variants: Integers) -> Floats:
-    """Return the numbers of given variants, shape (variants, numbers)."""
+    """Return the numbers of some variants, shape (variants, numbers)."""
     numbers_of_variants = np.repeat(constants[None], len(variants), axis=0)
     for place, numbers in varied.items():
         numbers_of_variants[:, place] = numbers[variants]
@@ -157,27 +157,27 @@ def varied_numbers(constants: Floats, varied: Varied, variants: Integers) -> Flo
 
 
 class _VariedNumbers:
-    """Stiffnesses of all components, or inertias of all bodies: constant and varied numbers."""
+    """Stiffnesses of all components, or inertias of all bodies, some of which vary."""
 
     def __init__(self, constants: Floats, varied: Varied) -> None:
         self.first: Floats = varied_numbers(constants, varied, np.arange(1))[0]
         self.varied = {p: numbers for p, numbers in varied.items() if (numbers != numbers[0]).any()}
 
     def only(self, places: Collection[int]) -> _VariedNumbers:
-        """Restrict the variation to given indices; other numbers are from the first variant."""
+        """Restrict the variation to some indices; other numbers are those of the first variant."""
         restricted = copy(self)
         restricted.varied = {place: n for place, n in self.varied.items() if place in places}
         return restricted
 
     def rows(self, start: int, stop: int) -> Floats:
-        """Return all numbers of variants `start` to `stop`; a single row if nothing varies."""
+        """Return the numbers of variants `start` to `stop`, or a single row if none varies."""
         if not self.varied:
             return self.first[None]
         return varied_numbers(self.first, self.varied, np.arange(start, stop))
 
 
 class _Alike:
-    """Variants of a system with a common basis of motions."""
+    """Variants of a system that have the same basis of motions."""
 
     def __init__(
         self, system: TorsionalSystem, stiff: _VariedNumbers, heavy: _VariedNumbers
@@ -188,9 +188,9 @@ class _Alike:
     def parts(
         self, first: FirstVariant, modes: Sequence[int]
     ) -> Iterator[tuple[_Alike, Sequence[int]]]:
-        """Yield groups of motions that are uncoupled in all variants, with modes.
+        """Yield groups of motions that are uncoupled in all variants, with the modes of each.
 
-        A system of many links is not divided, as only its lowest modes are calculated.
+        A system of many links is not divided, because only its lowest modes are calculated.
         """
         system = first.of(self.system)
         alike = ((system.inertias > 0) == (self.system.inertias > 0)).all()
@@ -212,7 +212,7 @@ class _Alike:
             yield variants_of_part, part.modes
 
     def frequencies(self, modes: Sequence[int], variants: int) -> Floats:
-        """Calculate frequencies, shape (variants, modes); (1, modes) if nothing varies [rad/s]."""
+        """Return frequencies [rad/s], shape (variants, modes); (1, modes) if nothing varies."""
         variants = variants if self.heavy.varied or self.stiff.varied else 1
         alone = not self.heavy.varied and len(self.stiff.varied) == 1
         if self.split.has_many_more(max(modes) + 1) and not (
@@ -222,7 +222,7 @@ class _Alike:
         if alone:
             [(device, numbers)] = self.stiff.varied.items()
             base = without(self.system, self.split, self.stiff.first, device)
-            if base is None:  # its stiffness has no effect
+            if base is None:  # the stiffness of `device` has no effect
                 return self._of_matrices(modes, 1)
             squares = [
                 squares_with_device(base.poles, 1 / numbers + base.slack, mode) for mode in modes
@@ -231,8 +231,8 @@ class _Alike:
         return self._of_matrices(modes, variants)
 
     def _lowest(self, variant: int, modes: Sequence[int]) -> Floats:
-        """Calculate the lowest modes of a variant of many links, by sparse matrices."""
-        from vstatics.torsion.vibration.natural import lowest_modes  # slow import of scipy
+        """Return the lowest modes of a variant with many links, by sparse matrices."""
+        from vstatics.torsion.vibration.natural import lowest_modes  # imports scipy
 
         numbers = (varied.rows(variant, variant + 1)[0] for varied in (self.stiff, self.heavy))
         system = _with_numbers(self.system, *numbers)
@@ -252,7 +252,7 @@ class _Alike:
 
 
 class WithoutDevice(NamedTuple):
-    """System without a component, which determines the frequencies with the component.
+    """System without a component, from which the frequencies with the component follow.
 
     Attributes
     ----------
@@ -270,7 +270,7 @@ class WithoutDevice(NamedTuple):
 def without(
     system: TorsionalSystem, split: Coordinates, stiffnesses: Floats, device: int
 ) -> WithoutDevice | None:
-    """Remove a component from a system, if the component carries torque in any mode.
+    """Remove a component from a system, unless it carries no torque in any mode.
 
     Parameters
     ----------
@@ -319,7 +319,7 @@ def without(
 
 
 def _held_alone(system: TorsionalSystem, device: int) -> Literal["", "heavy", "massless"]:
-    """Return the kind of motion that only a given component resists; empty for no motion."""
+    """Return the kind of motion that only a component resists, or an empty text."""
     elastic = system.elastic_twists
     others = [*elastic[:device], *elastic[device + 1 :]]
     bodies = [body.form for body in system.bodies if body.inertia > 0]

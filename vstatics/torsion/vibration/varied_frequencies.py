@@ -1,7 +1,7 @@
 """Natural frequencies of variants of a sweep, for `omega[mode, gear]` in expressions.
 
 Variants with equal ratios have the same motions of links, so they are calculated together. A sweep
-calls `frequencies` through the declaration of this annex, if an expression contains `omega`.
+calls `frequencies` through the declaration of this annex if an expression contains `omega`.
 """
 
 from __future__ import annotations
@@ -26,15 +26,14 @@ from vstatics.torsion.vibration.variants import first_variant, variant_frequenci
 OF_MECHANISM = ("ratio", "efficiency")
 """Quantities of mechanisms that can vary."""
 FEW_EQUAL_RATIOS = 64
-"""Mean number of variants with equal ratios below which different ratios are solved together.
-"""
+"""Average number of variants per set of ratios, below which all sets are solved together."""
 
 Asked = Mapping[int, Sequence[int]]
-"""Index of a gear -> indices of modes, without rigid modes."""
+"""Index of a gear -> indices of modes; rigid modes do not count."""
 
 
 class VariedQuantity(Protocol):
-    """Number of the case that a sweep varies."""
+    """Number of a case that a sweep varies."""
 
     @property
     def owner(self) -> int:
@@ -46,7 +45,7 @@ class VariedQuantity(Protocol):
 
 
 class VariedFrequencies(NamedTuple):
-    """Natural frequencies of variants, and flags of variants without frequencies.
+    """Natural frequencies of variants, with flags of variants without frequencies.
 
     Attributes
     ----------
@@ -71,8 +70,8 @@ def frequencies(
 ) -> VariedFrequencies:
     """Calculate the requested natural frequencies of variants.
 
-    If only stiffnesses and inertias vary, modes are numbered as in the first variant of the
-    sweep; otherwise by ascending frequency.
+    If only stiffnesses and inertias vary, modes have the numbers of the first variant of the sweep.
+    Otherwise they are numbered by ascending frequency.
 
     Parameters
     ----------
@@ -136,9 +135,9 @@ def frequencies(
 
 
 def mode_names(case: Transmission, targets: Sequence[VariedQuantity]) -> list[str]:
-    """Return the numbers, as texts, of all modes that gears of the case can have in a sweep.
+    """Return the numbers, as texts, of all modes that a gear of the case can have in a sweep.
 
-    A gear that is tied up counts with a mode, as it can rotate in another variant.
+    A tied-up gear counts as one mode, because it can rotate in another variant.
 
     Raises
     ------
@@ -158,9 +157,9 @@ def mode_names(case: Transmission, targets: Sequence[VariedQuantity]) -> list[st
 
 
 def _structures(case: Transmission, targets: Sequence[VariedQuantity], values: Floats) -> Integers:
-    """Number the variants so that variants with equal ratios have equal numbers.
+    """Return a number for each variant; variants with equal ratios have the same number.
 
-    Freewheels and nonlinear springs depend on torques; with these, efficiencies must be equal, too.
+    Freewheels and nonlinear springs depend on torques. With these, efficiencies must be equal, too.
     """
     by_torque = case.freewheels or any(spring.points for spring in case.springs)
     deciding = ("ratio", "efficiency") if by_torque else ("ratio",)
@@ -179,7 +178,7 @@ def _by_ratios(
     gear: int,
     modes: Sequence[int],
 ) -> tuple[Floats, Booleans]:
-    """Calculate the frequencies of a gear if nearly all ratios differ; flag known results."""
+    """Return the frequencies of a gear if nearly all ratios differ, and flags of known results."""
     variant = _with_ratios(case, targets, values[0])
     system = vibrating(variant, variant.gears[gear])
     if isinstance(system, str):
@@ -199,7 +198,7 @@ def _by_ratios(
 
 
 def _alike(kinds: Integers, rows: Integers) -> Iterator[Integers]:
-    """Yield the variants in `rows` in groups of equal kind."""
+    """Yield the variants `rows` in groups of the same kind."""
     if not len(rows):
         return
     order = rows[np.argsort(kinds[rows], kind="stable")]

@@ -14,13 +14,13 @@ ROLLER_EXPONENT = 10 / 3
 
 
 class Bearing(NamedTuple):
-    """Rolling bearing, loaded in proportion to a torque.
+    """Rolling bearing, whose load is proportional to a torque.
 
     Parameters
     ----------
     on : str or pair of str
-        Link, member or planet with whose speed the bearing turns; or two links, at whose relative
-        speed it turns.
+        Link, member or planet whose speed the bearing has; or two links, whose relative
+        speed it has.
     load_per_torque : float
         Load divided by the torque. [1/m]
     dynamic : float
@@ -50,7 +50,7 @@ class Bearing(NamedTuple):
 
     @property
     def torque_owner(self) -> str | None:
-        """Name of the link or member whose torque loads the bearing, if given."""
+        """Name of the link or member whose torque loads the bearing, None if not given."""
         return self.torque_of or (self.on if isinstance(self.on, str) else None)
 
     def completed(self) -> Bearing:

@@ -1,6 +1,6 @@
 """Fatigue strength of a component under stress cycles, and of a member under tooth contacts.
 
-Both kinds use an S-N curve (Woehler) and Miner's rule.
+Both strengths are given by an S-N curve (Woehler), and damages are added by Miner's rule.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ class Fatigue(NamedTuple):
     Parameters
     ----------
     endurance : float
-        Stress amplitude that is endured for `cycles`. [Pa]
+        Stress amplitude endured for `cycles`. [Pa]
     exponent : float
         Exponent m of the S-N curve: stress^m * cycles is constant. [-]
     cycles : float
@@ -75,26 +75,26 @@ class Fatigue(NamedTuple):
 
 
 Flanks = Literal["apart", "together"]
-"""Damage by torques of both signs: apart for each flank (pitting), or together (root bending)."""
+"""Damage by torques of both signs: `apart` for each flank (pitting), `together` (root bending)."""
 
 
 class TorqueStrength(NamedTuple):
-    """Fatigue strength of a member under torque, such as of the flanks or roots of teeth.
+    """Fatigue strength of a member under torque, for example of the flanks or roots of teeth.
 
     Parameters
     ----------
     torque : float
-        Torque that is endured for `cycles`. [N*m]
+        Torque endured for `cycles`. [N*m]
     exponent : float
         Exponent m of the S-N curve: torque^m * contacts is constant. [-]
     cycles : float
         Number of contacts to failure at `torque`. [-]
     contacts : float, optional
-        Contacts of a tooth in each turn; by default the number of planets, if the gear set gives
+        Contacts of a tooth in each turn. By default the number of planets, if the gear set gives
         it, for suns and rings, otherwise 1. [-]
     flanks : {"together", "apart"}
         With "together", torques of both signs damage the same point of a tooth. With "apart", only
-        the sign with the larger damage counts.
+        the sign that causes more damage counts.
     threshold : float
         Torque, relative to `torque`, below which a contact does no damage. [-]
     sum : float
@@ -122,7 +122,7 @@ class TorqueStrength(NamedTuple):
 
     @classmethod
     def of(cls, case: TransmissionFields) -> dict[str, TorqueStrength]:
-        """Return the strengths of a case under torque, by name of the member or by a free name."""
+        """Return the torque strengths of a case, by name of the member or by another name."""
         return {name: given for name, given in case.fatigue.items() if isinstance(given, cls)}
 
     def completed(self) -> TorqueStrength:

@@ -16,7 +16,7 @@ from vstatics.vehicle.case.fatigue import Fatigue, Flanks, TorqueStrength
 from vstatics.vehicle.case.members import Members
 
 THICKEST_SHAFT = 1.0
-"""Shaft diameter above which a value was probably written in mm without the unit. [m]"""
+"""Shaft diameter above which the value was probably given in mm without a unit. [m]"""
 _STRENGTHS = {
     "endurance": "an endurance",
     "exponent": "an exponent",
@@ -53,7 +53,6 @@ def of_fatigue(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _of_members(case: TransmissionFields) -> Iterator[Problem]:
-    """Yield errors in the torque strengths of members."""
     members, places = Members.of(case), {name: n for n, name in enumerate(case.fatigue, 1)}
     for name, strength in TorqueStrength.of(case).items():
         path: Path = ("fatigue", places[name])
@@ -79,7 +78,7 @@ def _of_members(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def doubts_of_fatigue(case: TransmissionFields) -> Iterator[Problem]:
-    """Yield warnings about shaft diameters that were probably meant in mm."""
+    """Yield warnings about shaft diameters that were probably given in mm without a unit."""
     for name, fatigue in Fatigue.of(case).items():
         if fatigue.diameter and fatigue.diameter > THICKEST_SHAFT:
             yield no_unit(fatigue.diameter, "m", "a shaft", ("fatigue", name, "diameter"))

@@ -18,13 +18,13 @@ _OF_TORQUE = ("torque", "contacts", "flanks", "torque_of", "on")
 
 
 def _strength(**values: Any) -> Fatigue | TorqueStrength:
-    """Return a torque strength if the key `torque` is given, otherwise a stress strength."""
+    """Return a torque strength if `torque` is present, otherwise a stress strength."""
     kind, others = (TorqueStrength, _OF_STRESS) if "torque" in values else (Fatigue, _OF_TORQUE)
     return kind(**{name: value for name, value in values.items() if name not in others})
 
 
 def _strength_fault(**values: Any) -> str:
-    """Return the contradiction, if any, between keys for stress and for torque."""
+    """Return a contradiction between keys for stress and for torque, or an empty text."""
     of_torque = "torque" in values
     wrong = [name for name in (_OF_STRESS if of_torque else _OF_TORQUE) if name in values]
     wrong = [name for name in wrong if name != "flanks" or values[name] != "together"]

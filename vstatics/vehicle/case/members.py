@@ -1,4 +1,4 @@
-"""Names of links, members of gear sets, planets and shift elements loaded by a duty cycle."""
+"""Names of links, members of gear sets, planets and shift elements that a duty cycle loads."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class Members(NamedTuple):
-    """Names under which the loads of a duty cycle are given.
+    """Names under which a duty cycle has loads.
 
     Examples
     --------
@@ -32,15 +32,15 @@ class Members(NamedTuple):
     planets: list[str]
     elements: list[str]
     firsts: dict[str, str]
-    """Name of a gear set -> name of the first member."""
+    """Name of a gear set -> full name of its first member."""
     still: list[str]
-    """Members on the third link of a gear set, which have no speed relative to the link."""
+    """Members on the third link of their gear set, which have no speed relative to this link."""
     contacts: dict[str, int]
-    """Member -> contacts of a tooth in a turn, for gear sets with a known number of planets."""
+    """Member -> contacts of a tooth in a turn, if the number of planets is known."""
 
     @classmethod
     def of(cls, case: TransmissionFields) -> Members:
-        """Return the names of a case."""
+        """Return the names in a case."""
         devices = case.own_devices
         planets = {}
         drawn: Any = case.drawing
@@ -75,35 +75,34 @@ class Members(NamedTuple):
         return [*self.links, *self.of_sets, *self.elements]
 
     def resolved(self, name: str, *, turning: bool = False) -> str:
-        """Return the full name of a member; the name of a gear set stands for the first member.
+        """Return the full name of a member; the name of a gear set means its first member.
 
-        If only the speed is needed (`turning`), a planet with the name of its gear set has
-        priority.
+        If only the speed matters (`turning`), the name can also mean a planet of the same name.
         """
         known = [*self.with_torque, *(self.planets if turning else ())]
         return name if name in known else self.firsts.get(name, name)
 
     def unknown(self, name: str, path: Path) -> Iterator[Problem]:
-        """Yield an error if no link, member, planet or shift element has a name."""
+        """Yield an error if no link, member, planet, gear set or shift element has the name."""
         known = [*self.with_torque, *self.planets, *self.firsts]
         if name not in known:
             yield self.fault(name, known, "link or member", path)
 
     def at_rest(self, name: str, path: Path) -> Iterator[Problem]:
-        """Yield an error for a member without speed relative to the third link of the gear set."""
+        """Yield an error for a member at rest relative to the third link of its gear set."""
         if name in self.still:
             message = f"{quoted(name)} does not turn against itself, expected its link"
             yield Problem("E880", f"{message}, or two links", path)
 
     def without_torque(self, name: str, path: Path) -> Iterator[Problem]:
-        """Yield an error if no link, member or shift element has a name."""
+        """Yield an error if no link, member, gear set or shift element has the name."""
         known = [*self.with_torque, *self.firsts]
         if name not in known:
             yield self.fault(name, known, "link or member with a torque", path)
 
     @staticmethod
     def fault(name: str, known: Iterable[str], what: str, path: Path) -> Problem:
-        """Return the error for an unknown name, with the most similar known name."""
-        names = [*dict.fromkeys(known)]  # a gear set can have the name of its planet
+        """Return the error for an unknown name, with a hint to the most similar known name."""
+        names = [*dict.fromkeys(known)]  # a gear set and its planet can have the same name
         hint = nearest(name, names) or f"; there are {listed(names, 12) or 'none'}"
         return Problem("E880", f"there is no {what} {quoted(name)}{hint}", path)

@@ -1,4 +1,4 @@
-"""Vehicle with a transmission: road resistance, engine with fuel map, or electric machine."""
+"""Vehicle with a transmission: road resistance, and engine with fuel map or electric machine."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class Machine(NamedTuple):
     torque : sequence of pairs
         Full-load curve: speed [rad/s], torque [N*m], interpolated linearly.
     generating : sequence of pairs
-        Points of the largest braking torque, which is 0 or below; by default `torque` with the
+        Points of the largest braking torque, 0 or below; by default `torque` with the
         opposite sign.
     efficiency : float or Law
         Efficiency as a number, or a map or formula over speed and torque; the torque is below 0
@@ -57,7 +57,7 @@ class Machine(NamedTuple):
         return self.generating or [(speed, -torque) for speed, torque in self.torque]
 
     def electric_power(self, power: Floats, speed: Floats, torque: Floats) -> Floats:
-        """Return electric powers [W] of mechanical powers; NaN where a formula gives no efficiency.
+        """Return the electric powers of mechanical powers [W], NaN without an efficiency.
 
         Parameters
         ----------
@@ -192,12 +192,12 @@ class Vehicle(NamedTuple):
         return np.where(self.may_turn(speed), _between(self.full_load, speed), 0.0)
 
     def may_turn(self, speed: Any) -> Any:
-        """Return True where a speed is within the full-load curve of engine or machine [rad/s]."""
+        """Return True where a speed [rad/s] is not above the last point of full load."""
         last = self.full_load[-1][0] * (1 + SAME_SPEED) if self.full_load else math.inf
         return np.asarray(speed) <= last
 
     def overrun_torque(self, speed: Any) -> Any:
-        """Return the largest braking torque, 0 or below [N*m], at a speed of the engine [rad/s]."""
+        """Return the largest braking torque [N*m], 0 or below, at an engine speed [rad/s]."""
         if not self.braking:
             return np.zeros_like(speed)
         torques = _between(self.braking, speed)
@@ -223,7 +223,7 @@ def _between(points: EnginePoints, speed: Any) -> Any:
 
 
 def full_load_curves(case: TransmissionFields) -> list[EnginePoints]:
-    """Return the full-load curve from speed 0, and the curve of braking torque, if any.
+    """Return the full-load curve from speed 0, and the curve of braking torque if any.
 
     Each curve consists of points [rad/s, N*m] and ends with torque 0 at the largest speed.
 
@@ -258,10 +258,10 @@ def full_load_curves(case: TransmissionFields) -> list[EnginePoints]:
 
 
 def beside_engine(case: TransmissionFields, gear: Gear) -> str:
-    """Return the reason, if any, why the engine does not drive a gear alone at a fixed ratio.
+    """Return the reason why the engine does not alone drive a gear at a fixed ratio, or "".
 
-    A vehicle cannot be driven in a gear with such a reason: a case does not describe how other
-    machines are controlled, and a slip is unknown if a converter determines the engine speed.
+    A vehicle cannot be driven in such a gear. A case does not describe how other machines are
+    controlled, and a slip is unknown if a converter determines the engine speed.
 
     >>> from vstatics import Mechanism, Transmission
     >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.0)], [Gear(speeds={2: 0.4})])
@@ -282,7 +282,7 @@ def beside_engine(case: TransmissionFields, gear: Gear) -> str:
 
 
 def vehicle_record(case: TransmissionFields) -> dict[str, Any] | None:
-    """Return the key `vehicle` of a document, if the case has a vehicle."""
+    """Return the key `vehicle` of a document, None without a vehicle."""
     vehicle = Vehicle.of(case)
     if vehicle is None:
         return None

@@ -1,4 +1,4 @@
-"""Checks of a vehicle, and warnings about its combination with the transmission."""
+"""Checks of a vehicle, and warnings about the vehicle together with the transmission."""
 
 from __future__ import annotations
 
@@ -50,7 +50,6 @@ def of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _of_machine(vehicle: Vehicle) -> Iterator[Problem]:
-    """Yield errors in the efficiencies and the recuperation of an electric machine."""
     machine = vehicle.machine
     if not 0 <= vehicle.recuperation <= 1:
         message = f"read {vehicle.recuperation:g}, expected a part from 0 to 1"
@@ -96,11 +95,11 @@ def doubts_of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
 
 
 MASS_AGAIN = 0.5
-"""Inertia at the outputs that may contain the vehicle mass, relative to the mass inertia."""
+"""Inertia at the outputs that can contain the vehicle mass, relative to the inertia of the mass."""
 
 
 def _mass_twice(case: TransmissionFields, vehicle: Vehicle) -> Iterator[Problem]:
-    """Yield a warning if the inertias at the outputs probably include the vehicle."""
+    """Yield a warning if inertias at the outputs probably include the vehicle mass."""
     mass, inertias = _at_output(case, vehicle)
     total = sum(inertias.values())
     if total >= MASS_AGAIN * mass:
@@ -123,7 +122,7 @@ FASTEST_ENGINE = 3000.0
 
 
 def _units_forgotten(vehicle: Vehicle) -> Iterator[Problem]:
-    """Yield warnings about a radius or speed probably written in mm or rpm without the unit."""
+    """Yield warnings about a radius or speed that was probably given without its unit mm or rpm."""
     if vehicle.radius > LARGEST_TYRE:
         yield no_unit(vehicle.radius, "m", "a wheel", ("vehicle", "radius"))
     fastest = max((speed for speed, _ in vehicle.full_load), default=0.0)
@@ -144,7 +143,7 @@ def _machines_beside(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _losses_at_rest(case: TransmissionFields, vehicle: Vehicle) -> Iterator[Problem]:
-    """Yield warnings about losses of gears that take all power at the first point of full load."""
+    """Yield a warning for each gear whose loss takes all power at the first full-load point."""
     for number, gear in enumerate(case.gears, 1):
         if gear.loss is None or not vehicle.full_load:
             continue
@@ -161,7 +160,7 @@ def _losses_at_rest(case: TransmissionFields, vehicle: Vehicle) -> Iterator[Prob
 
 
 def without_vehicle(case: TransmissionFields) -> Iterator[Problem]:
-    """Yield a note that simulation and vibration ignore a vehicle mass missing in the inertias."""
+    """Yield a note if no inertia contains the vehicle mass for simulation and vibration."""
     vehicle = Vehicle.of(case)
     if vehicle is None:
         return
@@ -175,7 +174,7 @@ def without_vehicle(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _at_output(case: TransmissionFields, vehicle: Vehicle) -> tuple[float, Mapping[int, float]]:
-    """Return the inertia of the vehicle mass and of geared links, both at output speed [kg*m^2]."""
+    """Return the inertias of the vehicle mass and of geared links, at output speed [kg*m^2]."""
     outputs = case.outputs or (case.output,)
     mass = vehicle.mass * (vehicle.radius / vehicle.final_drive) ** 2
     return mass, {
@@ -186,10 +185,10 @@ def _at_output(case: TransmissionFields, vehicle: Vehicle) -> tuple[float, Mappi
 
 
 def _speeds_behind(case: TransmissionFields, outputs: Sequence[int]) -> dict[int, float]:
-    """Return link -> speed relative to the output, for links geared to the outputs [-].
+    """Return link -> speed divided by output speed, for links geared to the outputs [-].
 
-    Links that are geared to an input belong to the engine, not to the outputs, as in a gearbox with
-    a single gear: a flywheel can have half the inertia of the vehicle.
+    Links geared to an input belong to the engine instead. An example is the flywheel of a gearbox
+    with a single gear, which can have half the inertia of the vehicle.
     """
     limits = {*outputs, 0}
     inputs = [link for gear in case.gears if (link := case.gear_input(gear)) not in limits]
@@ -201,7 +200,7 @@ def _speeds_behind(case: TransmissionFields, outputs: Sequence[int]) -> dict[int
 def _geared(
     case: TransmissionFields, starts: Sequence[int], limits: Collection[int]
 ) -> dict[int, float]:
-    """Return links geared to `starts` without passing `limits`: link -> relative speed [-]."""
+    """Return link -> speed divided by the speed of a start, for links geared to it [-]."""
     speeds, new, pairs = dict.fromkeys(starts, 1.0), [*starts], list(_pairs(case))
     while new:
         link = new.pop()
@@ -213,7 +212,7 @@ def _geared(
 
 
 def _pairs(case: TransmissionFields) -> Iterator[tuple[int, int, float]]:
-    """Yield two links joined at a fixed ratio, with the speed of the second relative to the first.
+    """Yield each pair of links with a fixed speed ratio, and the speed of the second per first.
 
     Such links are joined by a gear pair, by a gear set with a link on the housing, or by a spring
     that represents a shaft or a tyre.

@@ -68,7 +68,7 @@ MACHINE = ByKey(
 
 
 def _vehicle_fault(**values: Any) -> str:
-    """Return the contradiction, if any, between engine and electric machine of a vehicle."""
+    """Return a contradiction between engine and electric machine, or an empty text."""
     beside = [quoted(name) for name in ("engine", "overrun", "fuel") if values.get(name)]
     if values.get("machine") and beside:
         return f"read `machine` beside {spoken(beside)}, expected an engine or a machine"

@@ -35,11 +35,10 @@ if TYPE_CHECKING:
 
 
 _PARTS = {"battery_lost": "lost: battery", "machine_lost": "lost: machine"}
-"""Name of an energy in JSON -> name in the printed table, where the two differ."""
+"""Name of an energy in JSON -> name in the printed table, if different."""
 
 
-def _speed(text: str) -> float:
-    """Convert an engine speed with unit to rad/s."""
+def _engine_speed(text: str) -> float:
     from vstatics.core.readers.named.units import quantity
 
     try:
@@ -81,7 +80,7 @@ def _choice(
     _choice,
     click.option(
         "--least-speed",
-        callback=value(_speed),
+        callback=value(_engine_speed),
         metavar="SPEED",
         help="Engage the highest gear in which the engine has at least this speed, such as "
         "'1200 rpm'. If no such gear exists, engage the lowest gear that does not overspeed the "
@@ -233,13 +232,6 @@ def _as_sweep(driven: DriveCycle) -> Iterator[str]:
 def _driven(
     outcome: CalculatedCase, results: Results, trace: Trace, choice: GearChoice
 ) -> DriveCycle:
-    """Drive the vehicle of a case through a driving cycle.
-
-    Raises
-    ------
-    ReadError
-        If the case, the driving cycle or the fuel map has errors; they have positions in the file.
-    """
     from vstatics.vehicle.operation.drive_cycle import drive
     from vstatics.vehicle.operation.fuel_map import read_fuel_map
 
@@ -255,7 +247,7 @@ def _driven(
 
 
 def _placed(problem: Problem, trace: Trace, file: str) -> Problem:
-    """Return a problem with the row in the driving cycle, or, without a path, with a file name."""
+    """Return a problem at its row in the driving cycle, or with a file name if it has no row."""
     row = next(iter(problem.path), None)
     if isinstance(row, int):
         return problem._replace(path=(), place=trace.table.place(row))

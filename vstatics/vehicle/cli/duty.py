@@ -23,7 +23,7 @@ MOST_CLASSES = 1000
 
 
 class DutyOptions(NamedTuple):
-    """Options of a duty cycle: a file with shares or operating points, and an exponent."""
+    """Options of a duty cycle: file with shares or operating points, exponent, torque classes."""
 
     duty: str | None
     exponent: float | None
@@ -31,11 +31,11 @@ class DutyOptions(NamedTuple):
 
     @property
     def files(self) -> list[str]:
-        """Input files of the options: the duty cycle, if given."""
+        """Input files of the options: the duty cycle if requested."""
         return [] if self.duty is None else [self.duty]
 
     def read(self) -> DutyFile | DutyTable | None:
-        """Read the duty cycle, if a file is given.
+        """Read the duty cycle if there is a file.
 
         Raises
         ------
@@ -55,7 +55,7 @@ class DutyOptions(NamedTuple):
 
 
 def _classes(text: str) -> Classes:
-    """Parse the number of torque classes, or upper bounds with a common unit."""
+    """Parse a number of torque classes, or their upper bounds with a common unit."""
     from vstatics.core.readers.named.scalars import number
     from vstatics.core.readers.named.units import common_unit, quantity
 
@@ -110,7 +110,7 @@ duty_options = gathered(
     click.option(
         "--exponent",
         type=click.FloatRange(min=0, min_open=True, max=100),
-        callback=value(above_0),  # FloatRange accepts NaN
+        callback=value(above_0),  # FloatRange would accept NaN
         metavar="P",
         help="Exponent of the equivalent torque, if --duty is a CSV file.  [default: 3]",
     ),

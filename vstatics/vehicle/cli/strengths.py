@@ -1,4 +1,4 @@
-"""Check of commands that report fatigue damage."""
+"""Check for commands that report fatigue damage."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from vstatics.vehicle.case.fatigue import Fatigue
 
 
 def expect_damage(reading: Reading) -> None:
-    """Raise an error for a case in which no component has a fatigue strength.
+    """Raise an error if no component of a case has a fatigue strength.
 
     Raises
     ------

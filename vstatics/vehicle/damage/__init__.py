@@ -12,7 +12,7 @@
 >>> round(damage.largest_stress / 1e6), [cycle.range for cycle in damage.cycles]
 (100, [300.0, 500.0, 800.0])
 
-`rainflow` counts the cycles of a record, `devices` adds up their damage, `recorded` reads a record
-in CSV. `rayleigh` calculates the life under random stresses in closed form, with `scatter` of
-strength and stress. `resize` calculates a shaft for other torques, `tables` returns the tables.
+`rainflow` counts the cycles of a record, `devices` adds up their damage, and `recorded` reads a
+record in CSV. `rayleigh` calculates the life under random stresses in closed form, with `scatter`
+of strength and stress. `resize` calculates a shaft for other torques, `tables` returns the tables.
 """

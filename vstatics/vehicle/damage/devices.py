@@ -1,7 +1,7 @@
 """Fatigue damage of components under a record of torques, by linear accumulation (Miner's rule).
 
-Source: I. S. Tsitovich, V. B. Algin, Vehicle dynamics (1981), chapter 4.6; numbers of equations
-are those of the book.
+Source: I. S. Tsitovich, V. B. Algin, Vehicle dynamics (1981), chapter 4.6; equation numbers are
+those of the book.
 """
 
 from __future__ import annotations
@@ -13,18 +13,20 @@ from typing import TYPE_CHECKING, NamedTuple, Protocol
 import numpy as np
 
 from vstatics.core.arguments import refusing
+from vstatics.core.errors import CaseError
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Floats, as_floats
 from vstatics.core.tables.answer import document
 from vstatics.vehicle.case.fatigue import Fatigue
 from vstatics.vehicle.damage.rainflow import LoadCycle, rainflow
+from vstatics.vehicle.tolerances import SAME_TORQUE_CLASS
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 
 class HasDamage(Protocol):
-    """Protocol of results that contain the fatigue damage of components, such as a run."""
+    """Results with fatigue damage of components, such as a run."""
 
     @property
     def damage(self) -> Mapping[str, object]:
@@ -35,17 +37,17 @@ class DeviceDamage(NamedTuple):
     """Fatigue damage of a component under a record of torques."""
 
     damage: float
-    """Damage; the component fails at a damage of `sum` of the fatigue strength. [-]"""
+    """Damage; the component fails when it reaches `sum` of its fatigue strength. [-]"""
     repeats: float | None
-    """Number of repetitions of the record to failure, if limited. [-]"""
+    """Number of repetitions of the record to failure, None if unlimited. [-]"""
     largest_stress: float
     """Largest equivalent stress amplitude of all cycles. [Pa]"""
     cycles: Sequence[LoadCycle]
-    """Torque cycles of the record; ranges and means are in N*m."""
+    """Torque cycles of the record, with ranges and means in N*m."""
 
     @classmethod
     def of(cls, motion: HasDamage) -> dict[str, DeviceDamage]:
-        """Return the damage in a run: component name -> damage."""
+        """Return the damage in a run, by component name."""
         return {name: damage for name, damage in motion.damage.items() if isinstance(damage, cls)}
 
 
@@ -84,7 +86,9 @@ def device_damage(fatigue: Fatigue, torques: Floats) -> DeviceDamage:
     )
     stresses = amplitudes / fatigue.modulus
     ratios = stresses / fatigue.endurance
-    counts = np.array([cycle.counted for cycle in counted]) * (ratios >= fatigue.threshold)
+    counts = np.array([cycle.counted for cycle in counted]) * (
+        ratios >= fatigue.threshold * (1 - SAME_TORQUE_CLASS)
+    )
     with np.errstate(all="ignore"):
         damage = float(counts @ ratios**fatigue.exponent) / fatigue.cycles
     if not math.isfinite(damage):
@@ -113,9 +117,7 @@ def damages(case: Transmission, torques: Mapping[str, ArrayLike]) -> dict[str, D
     Raises
     ------
     CaseError
-        If a record contains something other than numbers.
-    ValueError
-        If a record is not one-dimensional.
+        If a record is not a list of numbers.
 
     Examples
     --------
@@ -130,7 +132,14 @@ def damages(case: Transmission, torques: Mapping[str, ArrayLike]) -> dict[str, D
     (100, [300.0, 500.0, 800.0])
     """
     return {
-        name: device_damage(fatigue, as_floats(name, torques[name]))
+        name: device_damage(fatigue, _record(name, torques[name]))
         for name, fatigue in Fatigue.of(case).items()
         if name in torques
     }
+
+
+def _record(name: str, given: ArrayLike) -> Floats:
+    torques = as_floats(name, given)
+    if torques.ndim != 1:
+        raise CaseError("E701", f"{name}: read {torques.ndim} axes, expected a list of numbers")
+    return torques

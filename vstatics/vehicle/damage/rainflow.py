@@ -14,13 +14,13 @@ from vstatics.core.tables.answer import json_keys
 
 @json_keys("range", "mean", count="counted")
 class LoadCycle(NamedTuple):
-    """Cycle of a record, with a count."""
+    """Cycle of a record, with the number of its repetitions."""
 
     range: float
     """Largest minus smallest value in the cycle, in the unit of the record."""
     mean: float
     counted: float
-    """Number of equal cycles; a range that is not closed counts as half a cycle."""
+    """Number of equal cycles; a range that is not closed counts 0.5."""
 
     @property
     def amplitude(self) -> float:
@@ -29,7 +29,7 @@ class LoadCycle(NamedTuple):
 
 
 def extremes(values: Floats) -> Floats:
-    """Return the turning points of a record, with both ends.
+    """Return the turning points of a record, including both ends.
 
     A constant record has no turning points.
 
@@ -45,7 +45,7 @@ def extremes(values: Floats) -> Floats:
 
 
 def rainflow(values: Floats) -> list[LoadCycle]:
-    """Return the cycles of a record, sorted by range; equal cycles are counted together.
+    """Return the cycles of a record, sorted by range, with equal cycles combined.
 
     Examples
     --------
@@ -62,7 +62,7 @@ def rainflow(values: Floats) -> list[LoadCycle]:
 
 
 def _counted(turning: Iterable[float]) -> Iterator[tuple[float, float, float]]:
-    """Yield the first and last value of each range, and the count: 1 (closed) or 0.5."""
+    """Yield the first and last value of each range, and its count: 1 if closed, otherwise 0.5."""
     open_: list[float] = []
     for value in turning:
         open_.append(value)
@@ -70,7 +70,7 @@ def _counted(turning: Iterable[float]) -> Iterator[tuple[float, float, float]]:
             start, end, last = open_[-3:]
             if abs(last - end) < abs(end - start):
                 break
-            if len(open_) == 3:  # the range contains the starting point
+            if len(open_) == 3:  # the range contains the first point of the record
                 yield start, end, 0.5
                 del open_[0]
             else:

@@ -1,7 +1,7 @@
 """Life under narrow-band random stresses, whose amplitudes have a Rayleigh distribution.
 
-Source: I. S. Tsitovich, V. B. Algin, Vehicle dynamics (1981), chapter 4.6; numbers of equations
-are those of the book.
+Source: I. S. Tsitovich, V. B. Algin, Vehicle dynamics (1981), chapter 4.6; equation numbers are
+those of the book.
 """
 
 from __future__ import annotations
@@ -30,9 +30,9 @@ class RayleighLife(NamedTuple):
     m is the exponent of the S-N curve, and x0 = threshold*endurance/deviation.
     """
     life: float | None
-    """Life, if limited, in cycles, or in km if cycles per km are given."""
+    """Life in cycles, or in km if cycles per km are known; None if unlimited."""
     samples: Sometimes[LifeSamples] = None
-    """Distribution of lives if strength or stress scatter; other fields ignore the scatter."""
+    """Distribution of lives if strength or stress scatter. The other fields ignore the scatter."""
 
 
 @refusing()
@@ -85,7 +85,7 @@ def rayleigh_life(fatigue: Fatigue, deviation: float, per_unit: float = 1.0) -> 
 def scattered_life(
     fatigue: Fatigue, deviation: float, per_unit: float, count: int, seed: int = 0
 ) -> RayleighLife:
-    """Return the life, with a distribution for random samples of endurance and deviation.
+    """Return the life, with the distribution of random samples of endurance and deviation.
 
     Parameters
     ----------
@@ -136,7 +136,7 @@ def torque_life(fatigue: Fatigue, deviation: float, crossings: float) -> float:
     Returns
     -------
     float
-        Infinite without damage; NaN if an argument is invalid or a result overflows.
+        Life [s]: infinite without damage, NaN if an argument is invalid or a result overflows.
     """
     if not (deviation > 0 and 0 < crossings < math.inf):
         return math.nan

@@ -1,4 +1,4 @@
-"""Damage of the components of a case under a record of torques in CSV."""
+"""Damage of components of a case under a CSV record of their torques."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from vstatics.vehicle.damage.devices import DeviceDamage, damages
 
 
 class RecordedDamage(NamedTuple):
-    """Component name -> damage under a record, with warnings."""
+    """Damage of components under a record, by name, with warnings."""
 
     damage: Mapping[str, DeviceDamage]
     warnings: list[Problem]
@@ -47,7 +47,7 @@ def recorded_damage(case: Transmission, data: bytes, file: str) -> RecordedDamag
     both = [(name, way[name]) for name in strengths for way in (plain, headings)]
     present = {name: head for name, head in both if head in record.columns}
     torques = {name: record.columns[head] for name, head in present.items()}
-    # Missing columns are errors only if no column is present.
+    # a missing column is an error only if all are missing
     id_ = "W880" if present else "E883"
     problems = [record.lacks(id_, headings[name]) for name in headings if name not in present]
     damage = damages(case, torques)

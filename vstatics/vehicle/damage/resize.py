@@ -1,4 +1,4 @@
-"""Shaft of equal fatigue life under other torques and other numbers of cycles.
+"""Shaft with an equal fatigue life under other torques and numbers of cycles.
 
 Source: I. S. Tsitovich, V. B. Algin, Vehicle dynamics (1981), (2.3) to (2.8).
 """
@@ -12,45 +12,45 @@ from vstatics.core.arguments import refusing
 from vstatics.core.tables.answer import Sometimes, document
 
 SHAFT_EXPONENT = 6.0
-"""Exponent of the S-N curve of shafts, from the source. [-]"""
+"""Exponent of the S-N curve of shafts, given in the source. [-]"""
 LARGEST_LOG_OF_DIAMETER_RATIO = 150.0
 """Largest natural logarithm of a diameter ratio without overflow."""
 
 
 @document("vstatics-resize")
 class ResizedShaft(NamedTuple):
-    """Shaft with the fatigue life of a given shaft."""
+    """Shaft with the same fatigue life as a present shaft."""
 
     diameter: float
-    """Diameter, in the unit of the given diameter."""
+    """Diameter, in the unit of the present diameter."""
     compliance: float
-    """Compliance, relative to the given shaft. [-]"""
+    """Compliance, relative to the present shaft. [-]"""
     reduced_compliance: Sometimes[float]
-    """Compliance reduced to the faster shaft of a reduction, relative to the given shaft. [-]"""
+    """Compliance reduced to the faster shaft of a reduction, relative to the present shaft. [-]"""
 
 
 @refusing()
 def resized(
     diameter: float, torque: float, repeats: float, exponent: float = SHAFT_EXPONENT
 ) -> ResizedShaft:
-    """Return a shaft with the life of a given shaft, under other torques and numbers of cycles.
+    """Return a shaft with the life of the present shaft, for other torques and numbers of cycles.
 
-    The diameter is D (R N^(1/m))^(1/3) for the given diameter D, R times the torque, N times the
+    The diameter is D (R N^(1/m))^(1/3), for the present diameter D, R times the torque, N times the
     cycles, and the exponent m.
 
     Parameters
     ----------
     diameter : float
-        Given diameter, in any unit of length.
+        Present diameter, in any unit of length.
     torque, repeats : float
-        Torque and number of cycles, relative to those of the given shaft. [-]
+        Torque and number of cycles, relative to the present shaft. [-]
     exponent : float, optional
         Exponent m of the S-N curve. [-]
 
     Returns
     -------
     ResizedShaft
-        Diameter in the same unit, and compliance relative to the given shaft [-].
+        Diameter in the same unit, and compliance relative to the present shaft [-].
 
     Raises
     ------
@@ -78,12 +78,12 @@ def resized(
 def resized_by_ratio(
     diameter: float, ratio: float, exponent: float = SHAFT_EXPONENT
 ) -> ResizedShaft:
-    """Return a shaft of equal life after a reduction, with more torque and fewer cycles.
+    """Return a shaft of equal life behind a reduction, with more torque and fewer cycles.
 
     Parameters
     ----------
     diameter : float
-        Given diameter, in any unit of length.
+        Present diameter, in any unit of length.
     ratio : float
         Ratio of the reduction, above 0. [-]
     exponent : float, optional
@@ -92,7 +92,7 @@ def resized_by_ratio(
     Returns
     -------
     ResizedShaft
-        Diameter in the same unit, and compliances relative to the given shaft [-].
+        Diameter in the same unit, and compliances relative to the present shaft [-].
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Scatter of strength and stress, and the resulting distribution of lives of random samples."""
+"""Scatter of strength and stress, and the distribution of lives that results."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from vstatics.core.readers.named.si_units import in_any_unit
 from vstatics.core.tables.answer import json_keys
 
 SHARES = np.arange(1, 100) / 100
-"""Shares of failed components for which the distribution states the life. [-]"""
+"""Shares of failed components for which a life is calculated. [-]"""
 LARGEST_LOG_DEVIATION = 10.0
 """Largest standard deviation of the natural logarithm of a stress. [-]"""
 _DISTRIBUTION = re.compile(r"\s*(normal|lognormal)\s*\((.*),(.*)\)\s*")
@@ -50,7 +50,7 @@ class Scattered(float):
         return scattered
 
     def samples(self, count: int, random: np.random.Generator) -> Floats:
-        """Return random stresses, all above 0: other samples are drawn again [Pa]."""
+        """Return random stresses [Pa]; values of 0 or below are drawn again."""
         if self.kind == "lognormal":
             return float(self) * np.exp(self.spread * random.standard_normal(count))
         drawn: Floats = random.normal(float(self), self.spread, count)
@@ -60,7 +60,7 @@ class Scattered(float):
 
 
 def read_scattered(text: str) -> Scattered | None:
-    """Parse a distribution of a stress; return None for another text.
+    """Return the distribution of a stress in a text, None if the text is not a distribution.
 
     Raises
     ------
@@ -95,7 +95,7 @@ def read_scattered(text: str) -> Scattered | None:
 
 
 def drawn(given: float, count: int, random: np.random.Generator) -> Floats:
-    """Return random samples of a `Scattered` number; samples of other numbers are all equal."""
+    """Return random samples of a `Scattered` number, or copies of any other number."""
     if isinstance(given, Scattered):
         return given.samples(count, random)
     return np.full(count, float(given))
@@ -112,11 +112,11 @@ class LifeSamples(NamedTuple):
     """Life that 50 % of samples do not reach."""
     mean: float
     curve: Sequence[tuple[float, float]]
-    """Pairs of a limited life and the share of samples that fail until then, at whole percents."""
+    """Pairs of a limited life and the share of samples that failed before it, at whole percents."""
 
     @classmethod
     def of(cls, lives: Floats) -> LifeSamples:
-        """Return the distribution of given lives, some of which can be infinite.
+        """Return the distribution of lives, some of which can be infinite.
 
         >>> LifeSamples.of(np.arange(1.0, 101.0))[1:4]
         (10.0, 50.0, 50.5)

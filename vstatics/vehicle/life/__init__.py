@@ -1,6 +1,6 @@
-"""Load spectra and life of members and bearings over a duty cycle of operating points.
+"""Load spectra, and life of members and bearings, over a duty cycle of operating points.
 
 `member_rows` contains torque and revolutions of each member at each point. `classes` counts
-revolutions and time in classes of torque; `strength` and `bearing_life` sum up the damage of
-members and of bearings.
+revolutions and time in classes of torque. `strength` adds up the damage of members, and
+`bearing_life` that of bearings.
 """

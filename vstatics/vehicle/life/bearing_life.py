@@ -15,21 +15,21 @@ from vstatics.vehicle.life.member_rows import MemberRows
 from vstatics.vehicle.life.strength import life_of
 
 RATED_REVOLUTIONS = 1e6
-"""Revolutions that 90 % of bearings endure under the dynamic load rating. [-]"""
+"""Revolutions that 90 % of bearings endure at their dynamic load rating. [-]"""
 
 
 class BearingLife(NamedTuple):
     """Damage and life L10 of a bearing over a duty cycle."""
 
     damage: float
-    """Damage by a duty cycle; at a damage of 1, 10 % of bearings have failed. [-]"""
+    """Damage by one duty cycle; at a total of 1, 10 % of bearings have failed. [-]"""
     revolutions: float
     equivalent_load: float
     """``(sum n P^p/sum n)^(1/p)``: loads P, revolutions n, life exponent p; NaN without n. [N]"""
     repeats: float | None
-    """Number of duty cycles to a damage of 1; undefined without damage. [-]"""
+    """Number of duty cycles to a damage of 1, None without damage. [-]"""
     hours: float | None
-    """Life L10; undefined without damage. [h]"""
+    """Life L10, None without damage. [h]"""
 
 
 def bearing_lives(case: Transmission, rows: MemberRows) -> dict[str, BearingLife]:
@@ -75,7 +75,7 @@ def _life(bearing: Bearing, rows: MemberRows) -> BearingLife:
 
 
 def bearing_grid(lives: Mapping[str, BearingLife]) -> Grid:
-    """Return a table of lives with a row for each bearing."""
+    """Return a table of lives, with a row for each bearing."""
     rows = [(name, *life) for name, life in lives.items()]
     headings = ("bearing", "damage", "turns", "equivalent load, N", "repeats", "L10, h")
     return grid_of("Life of bearings", headings, rows, key="duty bearings")

@@ -1,4 +1,4 @@
-"""Load duration distributions: revolutions, contacts and time of members in torque classes."""
+"""Load duration distributions: revolutions, contacts and time of members by torque class."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ from vstatics.vehicle.tolerances import SAME_TORQUE_CLASS
     speed="speed",
 )
 class LoadClass(NamedTuple):
-    """Class of torques of a common sign, with magnitudes above `from_` and up to `to`."""
+    """Class of torques of the same sign, with magnitudes above `from_` and up to `to`."""
 
     from_: float
-    """Bound nearer to 0, which does not belong to the class. [N*m]"""
+    """Bound nearer to 0, outside the class. [N*m]"""
     to: float
-    """Bound farther from 0, which belongs to the class; NaN above the last given bound. [N*m]"""
+    """Bound farther from 0, inside the class; NaN above the last upper bound. [N*m]"""
     revolutions: float
     contacts: float
     """Number of contacts of a tooth: revolutions times contacts in a turn. [-]"""
@@ -40,7 +40,7 @@ class LoadClass(NamedTuple):
 
 
 class IdleTime(NamedTuple):
-    """Revolutions, and duration [s] or share of time [-], without torque."""
+    """Revolutions without torque, and their duration [s] or share of time [-]."""
 
     revolutions: float
     time: float
@@ -50,23 +50,23 @@ class MemberSpectrum(NamedTuple):
     """Load duration distribution of a member."""
 
     classes: Sequence[LoadClass]
-    """Classes of torques above 0, then classes of torques below 0, each in the order from 0."""
+    """Classes of torques above 0, then classes of torques below 0, each beginning near 0."""
     idle: IdleTime
 
 
 Classes = int | Sequence[float]
-"""Number of classes of equal width, or upper bounds of classes. [N*m]"""
+"""Number of classes of equal width, or their upper bounds. [N*m]"""
 
 
 def spectra(rows: MemberRows, classes: Classes) -> dict[str, MemberSpectrum]:
-    """Return the load duration distribution of each member with a torque.
+    """Return the load duration distribution of each member that has a torque.
 
     Parameters
     ----------
     rows : MemberRows
     classes : int or sequence of float
-        Number of classes of equal width up to the largest torque of each member; or upper bounds,
-        with a further class above the last bound. [N*m]
+        Number of classes of equal width up to the largest torque of each member, or upper bounds
+        with another class above the last bound. [N*m]
 
     Examples
     --------
@@ -116,7 +116,7 @@ def _class(
 
 
 def spectrum_grid(spectra: Mapping[str, MemberSpectrum], *, are_shares: bool) -> Grid:
-    """Return a table with a row for each class of each member, and for the time without torque."""
+    """Return a table with a row for each class of each member, and for its time without torque."""
     rows = (row for name, spectrum in spectra.items() for row in _rows(name, spectrum))
     turns, time = ("turns a second", "share") if are_shares else ("turns", "time, s")
     headings = ("member", "above, N*m", "up to, N*m", turns, "contacts", time, "speed, rpm")

@@ -14,16 +14,16 @@ from vstatics.vehicle.case.members import Members
 
 
 class MemberRow(NamedTuple):
-    """Torques and revolutions of a member at the points with motion, shape (points,)."""
+    """Torques and revolutions of a member at all points with motion, shape (points,)."""
 
     torques: Floats
-    """Torques; NaN for a planet. [N*m]"""
+    """Torques, NaN for a planet. [N*m]"""
     turns: Floats
-    """Revolutions during each point, 0 or more; per second if points have shares. [-]"""
+    """Revolutions at each point, 0 or more; revolutions per second if points have shares. [-]"""
 
     @property
     def has_torque(self) -> bool:
-        """True if any torque differs from 0."""
+        """True if any torque is not 0."""
         return bool(np.nan_to_num(self.torques).any())
 
 
@@ -37,7 +37,7 @@ class MemberRows(NamedTuple):
     """Duration [s] or share of time [-] at standstill."""
     members: Members
     speeds: Floats
-    """Speeds of links with the housing first, shape (points, links). [rad/s]"""
+    """Speeds of links, beginning with the housing, shape (points, links). [rad/s]"""
 
     @classmethod
     def of(
@@ -48,7 +48,7 @@ class MemberRows(NamedTuple):
         standing: float,
         speeds: Floats,
     ) -> MemberRows:
-        """Return rows of members from name -> torques [N*m] and speeds [rad/s] at each point."""
+        """Return the rows of members, from their torques [N*m] and speeds [rad/s] by name."""
         rows = {
             name: MemberRow(torques, np.nan_to_num(np.abs(speed)) * weights / (2 * math.pi))
             for name, (torques, speed) in members.items()
@@ -61,17 +61,17 @@ class MemberRows(NamedTuple):
         return float(self.weights.sum()) + self.standing
 
     def row(self, name: str, *, turning: bool = False) -> MemberRow:
-        """Return torques and revolutions by a name as in `Members.resolved`; at rest if unknown."""
+        """Return torques and revolutions of a name in `Members.resolved`; at rest if unknown."""
         resolved = self.members.resolved(name, turning=turning)
         nothing = MemberRow(np.full(len(self.weights), math.nan), np.zeros(len(self.weights)))
         return self.rows.get(resolved, nothing)
 
     def contacts(self, name: str) -> float:
-        """Return the contacts of a tooth of a member in a turn."""
+        """Return the number of contacts of a tooth of a member in a turn."""
         return float(self.members.contacts.get(self.members.resolved(name), 1))
 
     def turns_between(self, first: str, second: str) -> Floats:
-        """Return the revolutions of a link relative to a second link during each point."""
+        """Return the revolutions of a link relative to a second link at each point."""
         places = [["housing", *self.members.links].index(name) for name in (first, second)]
         both = self.speeds[:, places].T
         relative: Floats = rounding_as_zero(np.array([*both, both[0] - both[1]]))[-1]

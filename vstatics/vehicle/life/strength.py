@@ -22,19 +22,19 @@ class MemberLife(NamedTuple):
     """Damage and life of a member over a duty cycle."""
 
     damage: float
-    """Damage by a duty cycle, compared with `sum` of the strength; NaN without a torque. [-]"""
+    """Damage by one duty cycle, to compare with `sum` of the strength; NaN without a torque. [-]"""
     contacts: float
-    """Contacts of a tooth under torque in a duty cycle. [-]"""
+    """Contacts of a tooth under torque in one duty cycle. [-]"""
     repeats: float | None
-    """Number of duty cycles to failure; undefined without damage. [-]"""
+    """Number of duty cycles to failure, None without damage. [-]"""
     hours: float | None
-    """Life of the member; undefined without damage. [h]"""
+    """Life of the member, None without damage. [h]"""
 
 
 def lives(case: Transmission, rows: MemberRows) -> dict[str, MemberLife]:
-    """Return the life of members by each strength under torque.
+    """Return the life of members, by name of their torque strength.
 
-    A point with the torque T causes the damage ``contacts/cycles (|T|/torque)^exponent``; 0 if
+    A point with torque T causes the damage ``contacts/cycles (|T|/torque)^exponent``, or none if
     |T|/torque is below the threshold.
 
     Examples
@@ -71,12 +71,12 @@ def _life(name: str, strength: TorqueStrength, rows: MemberRows) -> MemberLife:
 
 
 def _worse(torques: Floats, harm: Floats) -> float:
-    """Return the larger of the damages by positive and by negative torques."""
+    """Return the larger of the damages by positive torques and by negative torques."""
     return max(float(harm[torques > 0].sum()), float(harm[torques < 0].sum()))
 
 
 def life_of(damage: float, at_failure: float, duration: float) -> tuple[float | None, float | None]:
-    """Return duty cycles and hours until the damage `at_failure`; undefined without damage."""
+    """Return duty cycles and hours up to the damage `at_failure`, None without damage."""
     if not damage > 0:
         return None, None
     repeats = at_failure / damage
@@ -84,7 +84,7 @@ def life_of(damage: float, at_failure: float, duration: float) -> tuple[float | 
 
 
 def life_grid(lives: Mapping[str, MemberLife]) -> Grid:
-    """Return a table of lives with a row for each member."""
+    """Return a table of lives, with a row for each member."""
     rows = [(name, *life) for name, life in lives.items()]
     headings = ("member", "damage", "contacts", "repeats", "life, h")
     return grid_of("Life of members", headings, rows, key="duty life")

@@ -1,10 +1,10 @@
 """Transmission in operation: duty cycles, traction of a vehicle, driving cycles.
 
 `load_spectrum` calculates energies and loads of members over points of speed and torque, which
-`point_loads` solves; `traction` calculates the force, top speeds and acceleration of a vehicle.
+`point_loads` solves. `traction` calculates the force, top speeds and acceleration of a vehicle.
 `converter` determines the speed ratio of a converter in a gear from the torque on its pump, and
 `converter_steps` uses it in a driving cycle. `drive_cycle` drives a `trace` in `cycle_steps`, with
-the `fuel_map` of the engine; `shifting` chooses the gears of a trace without gears. `driving` is
+the `fuel_map` of the engine. `shifting` chooses the gears of a trace without gears. `driving` is
 the Python interface.
 
 >>> from vstatics import Gear, Mechanism, Transmission

@@ -1,8 +1,8 @@
 """Gear of a vehicle with a free converter: its speed ratio i follows from the torque on its pump.
 
 Engine and output turn independently: each link has the speed ``a w + b x`` at the engine speed w
-and the output speed x. Both speeds give i, and at the speed w_P the pump takes the torque
-``lambda(i) w_P |w_P|``. The gearbox supplies the torque M, with all losses, to the pump. The engine
+and the output speed x. Both speeds determine i. At the speed w_P, the pump takes the torque
+``lambda(i) w_P |w_P|``, and the gearbox supplies the torque M to it, with all losses. The engine
 speed is a root of the surplus of torque, ``(M - lambda(i) w_P |w_P|)/w^2``. The surplus is nearly a
 quadratic polynomial of 1/w between the points of engine and converter. Roots are bracketed between
 these points, and approached by the Illinois rule (Dowell, Jarratt 1971).
@@ -28,23 +28,23 @@ from vstatics.vehicle.case.vehicle import beside_engine
 from vstatics.vehicle.tolerances import LEAST_EXCESS, NO_SPEED, SAME_SPEED
 
 INTERVALS = 2
-"""Number of intervals between neighbouring points, in which sign changes are sought."""
+"""Number of intervals between neighbouring points that are searched for sign changes."""
 MOST_STEPS = 100
 """Largest number of steps of the Illinois rule."""
 MOST_DOUBLINGS = 40
-"""Largest number of doublings of the engine torque in a search for enough torque on the pump."""
+"""Largest number of doublings of the engine torque, until the pump gets enough torque."""
 MOST_POINTS_AT_ONCE = 100_000
-"""Largest number of operating points that are solved at once, which limits memory."""
+"""Largest number of operating points that are solved at once, to limit memory."""
 SLOWEST_PART = 4.0 ** -np.arange(1.0, 6.0)
-"""Engine speeds near 0 at which roots are bracketed, relative to the last engine speed. [-]"""
+"""Engine speeds near 0 that bracket roots, relative to the last engine speed. [-]"""
 FASTEST_OF_SEARCH = 1e7
 """Largest engine speed of the search. [rad/s]"""
 
 Brought = Callable[[Integers, Floats], Floats]
-"""Function of row indices and engine speeds or torques that returns torques on the pump [N*m]."""
+"""Torques on the pump [N*m], as a function of row indices and engine speeds or torques."""
 
 Limits = tuple[float, float, float]
-"""Largest speed ratio [-], smallest and largest inverse engine speed [s/rad]."""
+"""Largest speed ratio [-], and smallest and largest inverse engine speed [s/rad]."""
 
 
 def free_ratio(points: Floats) -> float:
@@ -78,9 +78,9 @@ def bare(case: Transmission) -> Transmission:
 
 
 def solved_slips(case: Transmission) -> tuple[Results, Floats]:
-    """Return results of a bare case without slips in rpm, and link speeds added by slips [rad/s].
+    """Return results of a bare case without slips in rpm, and link speeds by slips [rad/s].
 
-    The speed of a link is the product of its relative speed and the engine speed, and its addend.
+    The speed of a link is its relative speed times the engine speed, plus its speed by slips.
     """
     gears = [
         gear._replace(
@@ -94,7 +94,7 @@ def solved_slips(case: Transmission) -> tuple[Results, Floats]:
 
 
 def converters_of(case: Transmission) -> dict[int, ConverterGear]:
-    """Return index -> gear with a free converter, for gears that the engine alone drives.
+    """Return gears with a free converter that the engine alone drives, by index.
 
     Raises
     ------
@@ -110,40 +110,40 @@ def converters_of(case: Transmission) -> dict[int, ConverterGear]:
 
 
 class EngineSearch(NamedTuple):
-    """Result of a search for engine speeds at given output speeds (rows)."""
+    """Result of a search for engine speeds; each row is an output speed."""
 
     engine: Floats
-    """Engine speeds, at the largest speed ratio of all solutions; NaN without solution. [rad/s]"""
+    """Engine speeds at the largest speed ratio of all solutions; NaN without a solution. [rad/s]"""
     surplus: Floats
-    """Sign of the surplus of torque at the largest and smallest speed ratio, shape (rows, 2).
+    """Sign of the torque surplus at the largest and the smallest speed ratio, shape (rows, 2).
 
-    The largest ratio is the largest at which the converter has torques.
+    The largest ratio here is the largest at which the converter has torques.
     """
     ends: Floats
     """Engine speeds at the largest and the smallest speed ratio, shape (rows, 2). [rad/s]"""
 
 
 class ConverterGear(NamedTuple):
-    """Gear with a free converter, whose speed ratio follows from the torque on the pump."""
+    """Gear with a free converter, whose speed ratio follows from the torque on its pump."""
 
     case: Transmission
     """Case with the gear alone."""
     name: str
     """Name of the converter."""
     path: str
-    """Path of the speed ratio in `vary` of `solve`."""
+    """Path of the speed ratio for the argument `vary` of `solve`."""
     row: int
-    """Index of the torque on the pump in the torques of results."""
+    """Index of the torque on the pump among the torques of results."""
     points: Floats
-    """Rows of speed ratio, torque ratio and lambda, one at the free ratio, shape (points, 3)."""
+    """Rows of speed ratio, torque ratio and lambda, including the free ratio, shape (points, 3)."""
     per_engine: Floats
-    """Speeds of pump, turbine and links per engine speed, output at rest. [-]"""
+    """Speeds of pump, turbine and links divided by engine speed, with the output at rest. [-]"""
     per_output: Floats
-    """Speeds of pump, turbine and links per magnitude of output speed, engine at rest. [-]"""
+    """Speeds of pump, turbine and links divided by output speed, with the engine at rest. [-]"""
 
     @classmethod
     def of(cls, case: Transmission, index: int) -> ConverterGear | None:
-        """Return a gear with a free converter, unless the speeds are indeterminate.
+        """Return a gear with a free converter, None if its speeds are indeterminate.
 
         Raises
         ------
@@ -187,9 +187,9 @@ class ConverterGear(NamedTuple):
         return ratio
 
     def ratio(self, engine: Floats, output: Floats) -> Floats:
-        """Return speed ratios, limited to the points, at engine and output speeds [rad/s].
+        """Return speed ratios at engine and output speeds [rad/s], limited to the points.
 
-        Ratios that differ from a point by rounding noise become equal to it: slightly above the
+        Ratios that differ from a point by rounding noise become equal to it. Slightly above the
         ratio 1, a converter would gain power.
         """
         ratio = self._ratio(engine, output)
@@ -198,7 +198,7 @@ class ConverterGear(NamedTuple):
         return np.clip(ratio, self.points[0, 0], self.points[-1, 0])
 
     def _inverse(self, ratios: Floats, output: Floats) -> Floats:
-        """Return inverse engine speeds at given speed ratios, shape (rows, ratios) [s/rad]."""
+        """Return inverse engine speeds at speed ratios, shape (rows, ratios) [s/rad]."""
         (pump, turbine), (by_pump, by_turbine) = self.per_engine[:2], self.per_output[:2]
         with np.errstate(all="ignore"):
             inverse: Floats = (ratios * pump - turbine) / (
@@ -213,10 +213,10 @@ class ConverterGear(NamedTuple):
         return factors * pump * np.abs(pump), np.sign(pump)
 
     def is_driving(self, engine: Floats, output: Floats) -> Booleans:
-        """Return True where a torque in the direction of the pump speed drives the output.
+        """Return True where a torque in the direction of the pump's speed drives the output.
 
         The direction follows from the virtual work of the torques on pump and turbine at constant
-        engine speed; in some power splits such a torque brakes the output.
+        engine speed. In some power splits such a torque brakes the output.
         """
         factors = np.interp(self.ratio(engine, output), self.points[:, 0], self.points[:, 1])
         _, direction = self.taken(engine, output)
@@ -274,7 +274,7 @@ class ConverterGear(NamedTuple):
         return EngineSearch(*(np.concatenate(arrays) for arrays in zip(*parts, strict=True)))
 
     def _places(self, inverse: Floats, limits: Limits, output: Floats) -> Floats:
-        """Return inverse engine speeds by descending speed ratio, padded by NaN [s/rad]."""
+        """Return inverse engine speeds [s/rad] by descending speed ratio, with NaN at the end."""
         top, least, most = limits
         ratios = np.append(self.points[self.points[:, 0] < top, 0], top)
         at_points = self._inverse(ratios, output)
@@ -292,13 +292,13 @@ class ConverterGear(NamedTuple):
         places = order * np.sort(np.where(valid, order * places, np.nan), axis=1)  # NaN comes last
         parts = np.arange(INTERVALS) / INTERVALS
         between = places[:, :-1, None] * (1 - parts) + places[:, 1:, None] * parts
-        between[:, :, 0] = places[:, :-1]  # even if the next is NaN
+        between[:, :, 0] = places[:, :-1]  # even if the next inverse speed is NaN
         return np.concatenate([between.reshape(len(output), -1), places[:, -1:]], axis=1)
 
     def _searched(
         self, rows: Integers, places: Floats, output: Floats, brought: Brought
     ) -> EngineSearch:
-        """Search for engine speeds in given rows; results of rows without `places` are NaN."""
+        """Search for engine speeds in some rows; rows whose `places` are all NaN give NaN."""
         known = np.isfinite(places)
         at, columns = np.nonzero(known)
 
@@ -310,7 +310,7 @@ class ConverterGear(NamedTuple):
         values = np.full(places.shape, np.nan)
         values[at, columns] = surplus(at, places[at, columns])
         signs = np.sign(values)
-        changes = signs[:, :-1] * signs[:, 1:] <= 0  # False if one is NaN
+        changes = signs[:, :-1] * signs[:, 1:] <= 0  # False if either sign is NaN
         first = changes.argmax(axis=1)
         solved = np.flatnonzero(changes.any(axis=1))
         inverse = np.full(len(places), np.nan)
@@ -332,7 +332,7 @@ class ConverterGear(NamedTuple):
         )
 
     def torque_at(self, engine: Floats, output: Floats, brought: Brought) -> Floats:
-        """Return engine torques that supply the pump with the required torque; else NaN [N*m].
+        """Return engine torques [N*m] that supply the pump with the torque it takes, otherwise NaN.
 
         Parameters
         ----------
@@ -346,7 +346,7 @@ class ConverterGear(NamedTuple):
         everywhere = np.arange(len(engine))
 
         def surplus(at: Integers, torque: Floats) -> Floats:
-            # The torque is NaN if the converter would gain power: then its pump gets too little
+            # The torque is NaN if the converter would gain power. Then its pump gets too little
             # torque, or brakes too little.
             left = direction[at] * (brought(at, torque) - taken[at])
             return np.where(np.isnan(left), -gained[at], left)
@@ -378,13 +378,13 @@ class ConverterGear(NamedTuple):
 
 
 def _with_point(points: Floats, ratio: float) -> Floats:
-    """Return points of a converter with a point interpolated at a given speed ratio."""
+    """Return the points of a converter, with a point interpolated at a speed ratio."""
     ratios = np.union1d(points[:, 0], [ratio])
     return np.stack([np.interp(ratios, points[:, 0], column) for column in points.T], axis=1)
 
 
 def _root(function: Brought, ends: tuple[Floats, Floats], values: tuple[Floats, Floats]) -> Floats:
-    """Return the roots of a function between `ends`, where the values have opposite signs."""
+    """Return roots of a function between `ends`, where its values have opposite signs."""
     (low, high), (at_low, at_high) = map(np.copy, ends), map(np.copy, values)
     swap = np.abs(at_low) < np.abs(at_high)
     low[swap], high[swap] = high[swap], low[swap]

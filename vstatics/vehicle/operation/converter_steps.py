@@ -1,9 +1,9 @@
 """Steps of a driving cycle in a gear with a free converter.
 
-The speed ratio is the largest at which the speed and torque at the wheels agree with the torque of
-the pump, with the engine at its first full-load point or above. If the converter drives too much
-even at its largest ratio, the engine turns at this ratio and supplies the torque that the pump
-takes; the brakes absorb the excess.
+The speed ratio is the largest at which speed and torque at the wheels agree with the torque of the
+pump. The engine is at its first full-load point or above. The converter can drive too much even at
+its largest ratio. Then the engine turns at this ratio and supplies the torque that the pump takes,
+and the brakes absorb the excess.
 """
 
 from __future__ import annotations
@@ -33,9 +33,9 @@ class ConverterSteps(NamedTuple):
     cases: tuple[Transmission, Transmission]
     """Case with the gear alone, and the case with output and input exchanged."""
     further: Sequence[Mapping[str, Floats]]
-    """Path of a further number -> values at the steps, for both cases."""
+    """Path of another number -> its values at the steps, for both cases."""
     load: tuple[Floats, Floats]
-    """Speeds [rad/s] and torques [N*m] of the output, as the input of the second case."""
+    """Speeds [rad/s] and torques [N*m] of the output, which is the input of the second case."""
     rows: Integers
     """Indices of the steps in the cycle."""
 
@@ -46,7 +46,7 @@ class ConverterSteps(NamedTuple):
     def _brought(
         self, place: int, rows: Integers, load: tuple[Floats, Floats], engine: Floats
     ) -> Floats:
-        """Return torques on the pump by the case `cases[place]`, at engine speeds [N*m]."""
+        """Return torques on the pump [N*m] in the case `cases[place]`, at engine speeds."""
         ratios = self.converter.ratio(engine, self._output[rows])
         further = {path: numbers[rows] for path, numbers in self.further[place].items()}
         return self.converter.brought(self.cases[place], load, ratios, further)
@@ -55,7 +55,7 @@ class ConverterSteps(NamedTuple):
         return self._brought(0, rows, (engine, torque), engine)
 
     def _search(self, brought: Brought, points: Sequence[float] = ()) -> EngineSearch:
-        """Search for engine speeds; at `points` the slope of the torque changes [rad/s]."""
+        """Search for engine speeds; the slope of the torque changes at `points` [rad/s]."""
         full = self.vehicle.full_load
         first = full[0][0] if full else 0.0
         speeds = [first, *(point for point in points if point > first), FASTEST_OF_SEARCH]
@@ -65,7 +65,7 @@ class ConverterSteps(NamedTuple):
         return self.converter.search(inverse, limits, self._output, brought)
 
     def from_wheels(self) -> tuple[Floats, Floats]:
-        """Return engine speeds [rad/s] and torques [N*m] for given wheel forces.
+        """Return engine speeds [rad/s] and torques [N*m] for the wheel forces of the steps.
 
         Torques are NaN, except in steps whose brakes absorb an excess.
 
@@ -83,7 +83,7 @@ class ConverterSteps(NamedTuple):
         return self._settled(self._search(brought), are_braking)
 
     def at_overrun(self) -> tuple[Floats, Floats]:
-        """Return engine speeds [rad/s] and torques [N*m] at overrun of the engine.
+        """Return engine speeds [rad/s] and torques [N*m] for overrun torque of the engine.
 
         Raises
         ------
@@ -101,10 +101,10 @@ class ConverterSteps(NamedTuple):
         return engine, np.where(np.isnan(torques), overrun(engine), torques)
 
     def _settled(self, search: EngineSearch, are_braking: Booleans) -> tuple[Floats, Floats]:
-        """Return engine speeds [rad/s], and torques [N*m] of steps held at the largest ratio."""
+        """Return engine speeds [rad/s], and torques [N*m] of steps at the largest speed ratio."""
         engine = search.engine.copy()
         torques = np.full(len(engine), np.nan)
-        surplus = search.surplus[:, 0]  # NaN where no speed ratio gives torques
+        surplus = search.surplus[:, 0]  # NaN if no speed ratio gives torques
         sign = np.where(self.converter.is_driving(search.ends[:, 0], self._output), 1, -1)
         is_strong = np.where(np.isnan(surplus), are_braking, sign * surplus <= 0)
         held = np.flatnonzero(np.isnan(engine) & is_strong)

@@ -31,19 +31,22 @@ from vstatics.vehicle.operation.shifting import (
 from vstatics.vehicle.operation.trace import Trace, blocks
 from vstatics.vehicle.tolerances import SAME_ENGINE_TORQUE, SAME_POWER
 
+_AT_STANDSTILL = ("", "0", "0.0", "n", "p")
+"""Names that published cycles give the neutral gear, allowed at standstill."""
+
 
 class GearChoice(NamedTuple):
-    """Rule that chooses the gears of a trace without gears."""
+    """Rule that chooses gears for a trace without gears."""
 
     least_speed: float | None = None
-    """Least engine speed; each step has the highest gear that reaches the speed. [rad/s]"""
+    """Least engine speed; each step has the highest gear that reaches it. [rad/s]"""
     shifts: Sequence[ShiftSpeed] = ()
     least_loss: bool = False
-    """If True, each step has the gear that needs the least energy of engine or battery."""
+    """True if each step has the gear that needs the least energy of engine or battery."""
 
     @property
     def slowest(self) -> float | None:
-        """Least engine speed; 0 with `least_loss`, for steps beyond full load [rad/s]."""
+        """Least engine speed [rad/s]; 0 with `least_loss`, for steps beyond full load."""
         return 0.0 if self.least_loss else self.least_speed
 
 
@@ -53,13 +56,13 @@ class CycleLosses(NamedTuple):
     energies: dict[str, float]
     """Name of a gear set, or ``drag.NAME``, ``slip.NAME``, ``gear.NAME`` -> lost energy. [J]"""
     outside: dict[str, None]
-    """Names of laws that were evaluated outside the given points, as keys."""
+    """Names of laws that were evaluated outside their points, as keys."""
 
     held_torques: Floats
     """Torque magnitudes of engaged shift elements, shape (steps, shift elements). [N*m]"""
 
     def add(self, loads: PointLoads, rows: Integers, duration: Floats) -> None:
-        """Add the losses of the steps `rows`, which have given durations [s]."""
+        """Add the losses of the steps `rows`, each of a duration [s]."""
         self.held_torques[rows] = loads.held_torques
         self.outside.update(dict.fromkeys(loads.outside))
         for name, powers in (loads.losses() | loads.other_losses()).items():
@@ -76,28 +79,28 @@ class CycleSteps(NamedTuple):
     ratios: Floats
     """Link speeds divided by output speed, shape (gears, links). [-]
 
-    Signs are those with a positive engine speed. In a gear with a free converter, ratios are the
-    changes of link speeds per change of output speed at constant engine speed.
+    The engine speed is positive. In a gear with a free converter, ratios are the changes of link
+    speeds per change of output speed at constant engine speed.
     """
     converters: Mapping[int, ConverterGear]
     """Gear index -> gear with a free converter, whose speed ratio follows from torques."""
     engine: EngineSpeeds
-    """Engine speeds in each gear.
+    """Engine speeds in each gear, with free converters at their free ratio.
 
-    Free converters have their largest speed ratio without braking torque.
+    The free ratio is the largest speed ratio without braking torque.
     """
     at_rest: Floats
-    """Link speeds that slips in rpm give with the output at rest, shape (gears, links). [rad/s]"""
+    """Link speeds by slips in rpm while the output is at rest, shape (gears, links). [rad/s]"""
     engine_speeds: Floats
     """Magnitudes of engine speeds, shape (steps,). [rad/s]"""
     guessed: Sequence[str]
-    """Names of gears that count as forward only by being written first."""
+    """Names of gears that count as forward only because they are written first."""
 
     @classmethod
     def of(
         cls, case: Transmission, vehicle: Vehicle, trace: Trace, choice: GearChoice
     ) -> CycleSteps:
-        """Return the steps of a trace, with the gears of the trace or chosen gears.
+        """Return the steps of a trace, with the gears of the trace or with chosen gears.
 
         Raises
         ------
@@ -113,7 +116,7 @@ class CycleSteps(NamedTuple):
         with np.errstate(all="ignore"):
             ratios = results.speeds / results.speeds[indices, outputs][:, None]
             at_rest = added - ratios * added[indices, outputs][:, None]
-            ratios *= np.sign(ratios[indices, inputs])[:, None]  # positive engine speed
+            ratios *= np.sign(ratios[indices, inputs])[:, None]  # makes the engine speed positive
         wheels = trace.speed / vehicle.radius * vehicle.final_drive
         engine_ratios = np.abs(ratios[indices, inputs])
         for index, converter in converters.items():
@@ -152,8 +155,9 @@ class CycleSteps(NamedTuple):
     def _of_least_loss(self, ahead: Sequence[int]) -> Integers:
         """Return the forward gear of each step that needs the least power of engine or battery.
 
-        Gears that exceed full load or the last engine speed are left out; a step without another
-        gear keeps its gear. Of gears with equal powers, the gear with the smallest ratio is chosen.
+        Gears that exceed full load or the last engine speed are left out. A step without any other
+        gear keeps its gear. Among gears with equal powers, the gear with the smallest ratio is
+        chosen.
         """
         best, gears = np.full(len(self.gears), math.inf), self.gears.copy()
         moving = np.flatnonzero(self.trace.speed > 0)
@@ -165,9 +169,9 @@ class CycleSteps(NamedTuple):
         return gears
 
     def powers_of(self, rows: Integers) -> tuple[Integers, Floats]:
-        """Return the steps of `rows` within full load, with powers of engine or battery [W].
+        """Return the steps among `rows` within full load, and the powers of engine or battery [W].
 
-        Steps without torques, or beyond the last engine speed, are left out, too.
+        Steps without torques or beyond the last engine speed are left out, too.
         """
         speeds = self.engine_speeds[rows]
         rows = rows[self.vehicle.may_turn(speeds) & (speeds > 0)]
@@ -195,7 +199,7 @@ class CycleSteps(NamedTuple):
         return rows, powers
 
     def at(self, rows: Integers) -> CycleSteps:
-        """Return the steps `rows`; the trace still contains the whole table."""
+        """Return the steps `rows`; `trace.table` still contains all rows."""
         complete = self.trace
         trace = complete._replace(
             duration=complete.duration[rows],
@@ -208,22 +212,22 @@ class CycleSteps(NamedTuple):
 
     @property
     def forces(self) -> Floats:
-        """Wheel forces for road resistance and acceleration of the vehicle; 0 at standstill [N]."""
+        """Wheel forces for road resistance and vehicle acceleration; 0 at standstill [N]."""
         trace, vehicle = self.trace, self.vehicle
         force = vehicle.resistance(trace.speed, trace.slope) + vehicle.mass * trace.acceleration
         return np.where(trace.speed > 0, force, 0.0)
 
     @property
     def asked_forces(self) -> Floats:
-        """Wheel forces by engine or machine; of braking forces, the share `recuperation` [N]."""
+        """Wheel forces by engine or machine; for braking, only the share `recuperation` [N]."""
         forces = self.forces
         return np.where(forces < 0, self.vehicle.recuperation * forces, forces)
 
     @property
     def output_speeds(self) -> Floats:
-        """Output speeds, with the sign of the direction of travel [rad/s]."""
+        """Output speeds with sign, for travel in the direction of the gear [rad/s]."""
         links = np.array([self.case.gear_output(gear) - 1 for gear in self.case.gears])
-        output = self.trace.speed / self.vehicle.radius * self.vehicle.final_drive  # without sign
+        output = self.trace.speed / self.vehicle.radius * self.vehicle.final_drive  # magnitude
         speeds: Floats = output * self.ratios[self.gears, links[self.gears]]
         return speeds
 
@@ -241,7 +245,7 @@ class CycleSteps(NamedTuple):
         }
 
     def input_course(self, engine: Floats) -> dict[str, Floats]:
-        """Return heading -> column of the input, for the operating points of a duty cycle.
+        """Return heading -> column of the input, as operating points of a duty cycle.
 
         The torque is the engine torque minus the torque that accelerates the input link.
         """
@@ -266,29 +270,29 @@ class CycleSteps(NamedTuple):
         """Return the inertia torques ``-J dw/dt`` of a link in the steps `rows` [N*m]."""
         change = self.trace.acceleration[rows] / self.vehicle.radius * self.vehicle.final_drive
         inertia = self.case.heavy.get(link, 0.0)
-        # A link of unknown speed turns freely and is not accelerated.
+        # a link of unknown speed is free and not accelerated
         ratios = np.nan_to_num(self.ratios[self.gears[rows], link - 1])
         torque: Floats = -inertia * ratios * change
         return torque
 
     def _elsewhere(self, case: Transmission, rows: Integers) -> dict[str, Floats]:
-        """Return path -> inertia torques on links that are neither outputs nor held [N*m].
+        """Return path -> inertia torques [N*m], for links that are neither outputs nor held.
 
-        The input link of a gear with a loss as a whole is left out: this loss depends on the torque
-        that remains for the gear after the inertia of the input link.
+        The input link of a gear with a loss as a whole is left out. This loss depends on the torque
+        that the inertia of the input link leaves for the gear.
         """
         return {
             f"gears.{gear.name}.torques.{case.link_name(link)}": self._inertia_torque(rows, link)
             for gear in case.gears
             for link, inertia in case.heavy.items()
-            if inertia and link != case.gear_output(gear) and link not in gear.speeds  # held
+            if inertia and link != case.gear_output(gear) and link not in gear.speeds
             if gear.loss is None or link != case.gear_input(gear)
         }
 
-    def _given(self, case: Transmission, rows: Integers, loads: PointLoads) -> Floats:
-        """Return the torques of the outputs of a case on the loads in the steps `rows` [N*m]."""
+    def _output_torques(self, case: Transmission, rows: Integers, loads: PointLoads) -> Floats:
+        """Return torques of the outputs of a case on their loads in the steps `rows` [N*m]."""
         torque = loads.taken(loads.results.lossy_output_torque_Nm)
-        # A case cannot have a given torque on an output, so its inertia torque is added here.
+        # An output cannot have a given torque in a case, so its inertia torque is added here.
         for number, gear in enumerate(case.gears):
             added = self._inertia_torque(rows, case.gear_output(gear))
             torque = np.where(self.gears[rows] == number, torque + added, torque)
@@ -296,7 +300,7 @@ class CycleSteps(NamedTuple):
 
     @property
     def inertia_energies(self) -> Floats:
-        """Increases of kinetic energy, for each link all steps, shape (links * steps,) [J]."""
+        """Increases of kinetic energy [J]: all steps of the first link, then of the next."""
         before, after = self.trace.ends
         factor = self.vehicle.final_drive / self.vehicle.radius
         energies = [np.zeros(0)]
@@ -317,20 +321,13 @@ class CycleSteps(NamedTuple):
         return self._solved(turned(self.case, self.ratios), rows, points)
 
     def _load_of_wheels(self, rows: Integers) -> tuple[Floats, Floats]:
-        """Return output speeds [rad/s] and torques [N*m], the input of a backward solution."""
+        """Return speeds [rad/s] and torques [N*m] of the output, the backward input."""
         here = self.at(rows)
         speeds = here.output_speeds
         torques = -here.asked_forces * self.vehicle.radius / self.vehicle.final_drive
         return speeds, torques * np.sign(speeds)
 
     def _solved(self, case: Transmission, rows: Integers, points: DutyPoints) -> PointLoads:
-        """Solve a case at the operating points of the steps `rows`.
-
-        Raises
-        ------
-        CaseError
-            If a point has no torques.
-        """
         try:
             further = self._elsewhere(case, rows) | self._speed_ratios(rows) | self._slips(rows)
             return PointLoads.of(case, points, further)
@@ -338,9 +335,9 @@ class CycleSteps(NamedTuple):
             raise at_rows(error, rows) from None
 
     def _speed_ratios(self, rows: Integers) -> dict[str, Floats]:
-        """Return the speed ratios of each gear's free converter in the steps `rows`, by path [-].
+        """Return the speed ratios of free converters in the steps `rows`, by path [-].
 
-        Steps in other gears get the `free_ratio` of the converter.
+        In steps of other gears, a converter has its `free_ratio`.
         """
         here = self.at(rows)
         output = np.abs(here.output_speeds)
@@ -354,7 +351,7 @@ class CycleSteps(NamedTuple):
         }
 
     def _slips(self, rows: Integers) -> dict[str, Floats]:
-        """Return relative slips of gears that also have a slip in rpm, by path [rad/s]."""
+        """Return relative slips of gears that have another slip in rpm, by path [rad/s]."""
         engine = self.engine_speeds[rows]
         return {
             f"gears.{gear.name}.slip.{self.case.shift_elements[number - 1].name}": slip * engine
@@ -365,7 +362,7 @@ class CycleSteps(NamedTuple):
         }
 
     def _with_converters(self, rows: Integers) -> Iterator[ConverterSteps]:
-        """Yield the steps among `rows` of each gear with a free converter."""
+        """Yield the steps among `rows` in each gear with a free converter."""
         for gear, converter in self.converters.items():
             places = rows[self.gears[rows] == gear]
             if places.size:
@@ -375,7 +372,7 @@ class CycleSteps(NamedTuple):
                 yield ConverterSteps(converter, self.vehicle, cases, further, load, places)
 
     def driven(self, rows: Integers) -> DrivenSteps:
-        """Return the steps with engine speeds and torques in `rows`, limited to the overrun torque.
+        """Return the steps `rows` with engine speeds, and torques limited to the overrun torque.
 
         Raises
         ------
@@ -400,16 +397,18 @@ class CycleSteps(NamedTuple):
         return DrivenSteps(self._replace(engine_speeds=speeds), torques, limited | over)
 
     def engine_torques(self, rows: Integers) -> Floats:
-        """Return engine torques in the steps `rows`, with all losses; positive if driving [N*m].
+        """Return engine torques in the steps `rows`, with all losses; above 0 if driving [N*m].
 
         Raises
         ------
         CaseError
-            If no torque, or more than one, is consistent with the loss of a gear as a whole.
+            If no torque, or several torques, agree with the loss of a gear as a whole.
         """
         here, loads = self.at(rows), self._from_wheels(rows)
         speeds = here.engine_speeds
-        torques = -self._given(turned(self.case, self.ratios), rows, loads) * np.sign(speeds)
+        torques = -self._output_torques(turned(self.case, self.ratios), rows, loads) * np.sign(
+            speeds
+        )
         for number, gear in enumerate(self.case.gears):
             if gear.loss is not None:
                 of_gear = np.flatnonzero(here.gears == number)
@@ -421,7 +420,7 @@ class CycleSteps(NamedTuple):
     def _with_loss(
         self, rows: Integers, of_gear: Integers, speeds: Floats, torques: Floats
     ) -> Floats:
-        """Return the input torques of a gear, increased by the loss of the whole gear [N*m]."""
+        """Return the input torques of a gear, including the loss of the whole gear [N*m]."""
         loss = self.case.gears[self.gears[rows[of_gear[0]]]].loss if of_gear.size else None
         if loss is None:
             return torques[of_gear]
@@ -442,7 +441,7 @@ class CycleSteps(NamedTuple):
         return with_loss
 
     def add_losses(self, rows: Integers, engine: Floats, lost: CycleLosses) -> float:
-        """Add the losses of steps in which the engine or machine is not limited.
+        """Add the losses of steps in which engine or machine are not limited.
 
         Return the energy of the brakes, which supply the braking force beyond `recuperation` [J].
         """
@@ -463,14 +462,14 @@ class CycleSteps(NamedTuple):
         return float(power @ here.trace.duration)
 
     def braked(self, rows: Integers, engine: Floats, lost: CycleLosses) -> float:
-        """Add the losses of steps with excess power, and return the energy taken by brakes [J]."""
+        """Add the losses of steps with excess power; return the energy that brakes take [J]."""
         here = self.at(rows)
         has_loss = np.array([gear.loss is not None for gear in self.case.gears])[here.gears]
         entering = engine[rows] + np.where(has_loss, self._input_inertia(rows), 0.0)
         points = DutyPoints(here.gears, here.engine_speeds, entering, np.ones(len(rows)))
         loads = self._solved(self.case, rows, points)
         lost.add(loads, rows, self.trace.duration[rows])
-        torque = self._given(self.case, rows, loads) * np.sign(here.output_speeds)
+        torque = self._output_torques(self.case, rows, loads) * np.sign(here.output_speeds)
         force = torque * self.vehicle.final_drive / self.vehicle.radius
         power = (force - here.forces) * here.trace.speed
         return float(power @ here.trace.duration)
@@ -483,11 +482,11 @@ class DrivenSteps(NamedTuple):
     torques: Floats
     """Engine torques, shape (steps,). [N*m]"""
     limited: Booleans
-    """True in steps in which brakes correct too much drive or too little braking of wheels."""
+    """True in steps in which brakes absorb excess drive, or replace missing engine braking."""
 
 
 def turned(case: Transmission, ratios: Floats) -> Transmission:
-    """Return a case with output and input exchanged, and without losses of gears as a whole.
+    """Return a case with output and input exchanged, without losses of gears as a whole.
 
     `ratios` are link speeds divided by output speed, shape (gears, links) [-].
     """
@@ -495,7 +494,7 @@ def turned(case: Transmission, ratios: Floats) -> Transmission:
     for gear, by_output in zip(case.gears, ratios, strict=True):
         ends = case.gear_input(gear), case.gear_output(gear)
         ratio = float(by_output[ends[0] - 1] / by_output[ends[1] - 1])
-        driven = not math.isnan(ratio)  # a gear without a ratio drives no vehicle
+        driven = not math.isnan(ratio)  # a gear without a ratio drives nothing
         slip = {
             n: slip if isinstance(slip, OfLoad) else slip * ratio if slip and driven else 0.0
             for n, slip in gear.slip.items()
@@ -507,7 +506,7 @@ def turned(case: Transmission, ratios: Floats) -> Transmission:
 def _gears(
     case: Transmission, trace: Trace, choice: GearChoice, engine: EngineSpeeds, ratios: Floats
 ) -> Integers:
-    """Return the gear index of each step: from the trace, by shift speeds, or the highest possible.
+    """Return the gear index of each step: from the trace, by shift speeds, or highest possible.
 
     Parameters
     ----------
@@ -545,11 +544,12 @@ def _gears(
         raise CaseError("E426", message, place=trace.place)
     standing: Booleans = trace.speed <= 0
     numbers = {name: number for number, name in enumerate(names)}
+    chosen = [numbers.get(name, numbers.get(name.removesuffix(".0"))) for name in trace.gears]
     problems = [
         Problem("E416", f"there is no gear {quoted(name)} in the case", (row,))
         for row, name in enumerate(trace.gears)
-        if name not in numbers and not (standing[row] and not name)
+        if chosen[row] is None and not (standing[row] and name.casefold() in _AT_STANDSTILL)
     ]
     if problems:
         raise CaseError(problems)
-    return np.array([numbers.get(name, 0) for name in trace.gears])
+    return np.array([number or 0 for number in chosen])

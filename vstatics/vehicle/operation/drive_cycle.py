@@ -2,10 +2,10 @@
 
 In a step between two rows of a trace, the acceleration is constant, the speed is the mean speed,
 and the first row gives gear and slope. The wheel force follows from these quantities. The
-transmission is solved backwards, with its output as the input of the calculation, which gives the
-engine torque with all losses; inertias J act as torques ``-J dw/dt`` on their links. If the engine
-would have to brake more than its overrun torque, the brakes supply the rest. At standstill all
-torques are zero.
+transmission is solved backwards, with its output as the input of the calculation. The result is the
+engine torque with all losses. Inertias J act as torques ``-J dw/dt`` on their links. If the engine
+would have to brake more than its overrun torque, the brakes supply the difference. At standstill
+all torques are zero.
 
 An electric machine supplies a share of each braking force at the wheels. With the efficiency e, its
 mechanical power P requires the electric power P/e, or P e if it generates.
@@ -54,7 +54,7 @@ class CycleEnergy(NamedTuple):
     """
 
     engine: Sometimes[float]
-    """Energy supplied by the engine; undefined with an electric machine."""
+    """Energy that the engine supplies; absent with an electric machine."""
     wheels: float
     """Energy of road resistance and acceleration of the vehicle mass."""
     inertias: float
@@ -63,7 +63,7 @@ class CycleEnergy(NamedTuple):
     lost: Mapping[str, float]
     """Name of a gear set, or ``drag.NAME``, ``slip.NAME``, ``gear.NAME`` -> lost energy."""
     machine: Sometimes[float] = None
-    """Mechanical energy supplied by the electric machine."""
+    """Mechanical energy that the electric machine supplies."""
     machine_lost: Sometimes[float] = None
     """Energy lost in the machine."""
     battery_lost: Sometimes[float] = None
@@ -71,14 +71,14 @@ class CycleEnergy(NamedTuple):
 
     @property
     def battery(self) -> Sometimes[float]:
-        """Energy from the battery: of the machine, with the losses in machine and battery."""
+        """Energy from the battery: energy of the machine, plus losses in machine and battery."""
         if self.machine is None or self.machine_lost is None or self.battery_lost is None:
             return None
         return self.machine + self.machine_lost + self.battery_lost
 
 
 class BatteryEnergy(NamedTuple):
-    """Energies that leave (`out`) and re-enter a battery in a driving cycle [J]."""
+    """Energies that leave a battery (`out`) and re-enter it in a driving cycle [J]."""
 
     out: float
     returned: float
@@ -91,14 +91,14 @@ class DriveCycle(NamedTuple):
     duration: float
     """Duration of the cycle. [s]"""
     distance: float
-    """Distance that the vehicle covers. [m]"""
+    """Distance of the vehicle. [m]"""
     fuel: float
-    """Fuel consumed; NaN without a fuel map. [g]"""
+    """Consumed fuel; NaN without a fuel map. [g]"""
     energy: CycleEnergy
     gears: Sequence[str]
-    """Gear of each step."""
+    """Name of the gear in each step."""
     beyond: int
-    """Number of steps with an engine torque above full load."""
+    """Number of steps whose engine torque is above full load."""
     messages: Sequence[Message]
     """Warnings and notes."""
     steps: Mapping[str, Floats]
@@ -106,7 +106,7 @@ class DriveCycle(NamedTuple):
     battery: Sometimes[BatteryEnergy] = None
     """Energies of the battery of an electric machine."""
     consumption: Sometimes[float] = None
-    """Energy from the battery per distance; NaN without a distance. [kWh/100 km]"""
+    """Energy from the battery per distance; NaN at distance 0. [kWh/100 km]"""
 
 
 def drive(
@@ -181,7 +181,7 @@ def drive(
 
 
 def _losses(driven: DrivenSteps) -> tuple[CycleLosses, float]:
-    """Return the losses of a driving cycle, and the energy of the brakes [J]."""
+    """Return the losses in a driving cycle, and the energy of the brakes [J]."""
     steps, engine, limited = driven
     is_moving = steps.trace.speed > 0
     lost = CycleLosses({}, {}, np.zeros((len(engine), len(steps.case.shift_elements))))
@@ -203,13 +203,13 @@ def _per_distance(energy: float, distance: float) -> float:
 
 
 class ElectricSupply(NamedTuple):
-    """Powers of an electric machine and battery in each step, in W."""
+    """Powers of an electric machine and its battery in each step, in W."""
 
     mechanical: Floats
     electric: Floats
     battery: Floats
     is_outside: bool
-    """True if the efficiency was evaluated outside the map."""
+    """True if the efficiency was evaluated outside its map."""
 
     @classmethod
     def of(cls, machine: Machine, speeds: Floats, torques: Floats) -> ElectricSupply:
@@ -240,7 +240,7 @@ class ElectricSupply(NamedTuple):
         return cls(mechanical, electric, machine.battery_power(electric), is_outside)
 
     def energies(self, energy: CycleEnergy, duration: Floats) -> CycleEnergy:
-        """Return the energies of a cycle with machine and battery instead of the engine."""
+        """Return the energies of a cycle, with machine and battery instead of an engine."""
         return energy._replace(
             engine=None,
             machine=energy.engine,
@@ -256,7 +256,7 @@ def _blocks(are_wanted: Booleans) -> Iterator[Integers]:
 
 
 def _doubts(steps: CycleSteps, is_beyond: Booleans) -> Iterator[Message]:
-    """Yield warnings about guessed forward gears, and too high engine speeds and torques."""
+    """Yield warnings about guessed forward gears, and excessive engine speeds and torques."""
     if steps.guessed:
         text = f"forward is taken as {listed(steps.guessed)}, which are written first"
         yield Message(
@@ -279,13 +279,13 @@ def _doubts(steps: CycleSteps, is_beyond: Booleans) -> Iterator[Message]:
 
 
 def _in_steps(steps: CycleSteps, are_wrong: Booleans) -> str:
-    """Return the number of wrong steps and the start of the first, for a message."""
+    """Return the number of wrong steps, and the start of the first, as text for a message."""
     start = steps.trace.table.numbers["time"][int(are_wrong.argmax())]
     return f"in {int(are_wrong.sum())} of {len(are_wrong)} steps, the first at {start:.6g} s,"
 
 
 def _overloads(case: Transmission, steps: CycleSteps, torques: Floats) -> Iterator[Message]:
-    """Yield warnings about overloaded shift elements, by torques (steps, elements) [N*m]."""
+    """Yield warnings about overloaded shift elements; `torques` is (steps, elements) [N*m]."""
 
     def where(row: int) -> str:
         start = steps.trace.table.numbers["time"][row]

@@ -38,8 +38,8 @@ def cycle(  # noqa: PLR0913
         Table with the columns time [s], speed [km/h], and optionally gear, and slope (sine of the
         angle) or grade (rise divided by horizontal distance) [-].
     least_speed : float, optional
-        Least engine speed: choose the highest gear that reaches it; if no gear does, the lowest
-        gear that does not exceed the last engine speed. [rad/s]
+        Least engine speed: choose the highest gear that reaches it. If no gear does, choose the
+        lowest gear that does not exceed the last engine speed. [rad/s]
     shifts : str, optional
         Road speeds of upshifts and downshifts: ``"1-2: 15 km/h/12 km/h, 2-3: ..."``.
     strategy : {"least-loss"}, optional
@@ -71,7 +71,7 @@ def cycle(  # noqa: PLR0913
     >>> round(cycle(case, trace).energy.engine, 6)
     62500.0
     """
-    Vehicle.needed(case)  # fails before any file is read if the case has no vehicle
+    Vehicle.needed(case)  # a case without a vehicle fails before any file is read
     trace_read = trace if isinstance(trace, Trace) else read_trace(*_read(trace))
     fuel_map = fuel if fuel is None or isinstance(fuel, FuelMap) else read_fuel_map(*_read(fuel))
     choice = GearChoice(least_speed, read_shifts(shifts) if shifts else (), strategy is not None)

@@ -9,15 +9,16 @@ import numpy as np
 from vstatics.core.errors import ReadError
 from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.core.numerics.lookup_table import LookupTable
-from vstatics.core.readers.named.headings import TableColumn
+from vstatics.core.readers.named.headings import SHAFT_NAMES, TableColumn
 from vstatics.core.readers.unit_table import read_unit_table
 from vstatics.vehicle.tolerances import SAME_SPEED
 
 COLUMNS = (
-    TableColumn("speed", "si_speed"),
-    TableColumn("torque", "si_torque"),
+    TableColumn("speed", "si_speed", aliases=dict.fromkeys(SHAFT_NAMES["speed"], "")),
+    TableColumn("torque", "si_torque", aliases=dict.fromkeys(SHAFT_NAMES["torque"], "")),
     TableColumn(
         "fuel",
+        aliases=dict.fromkeys(("fuel consumption", "fuel rate", "fuel flow"), ""),
         sizes={"g/h": 1 / 3600, "kg/h": 1 / 3.6, "g/s": 1.0},
         meaning="; g/kWh times speed [rpm] * torque [N*m]/9549.3 is g/h, idle has its own",
     ),
@@ -25,7 +26,7 @@ COLUMNS = (
 
 
 class FuelMap(NamedTuple):
-    """Grid of fuel rates over engine speed and torque; rates are constant outside the grid.
+    """Fuel rates on a grid of engine speed and torque, constant outside the grid.
 
     Examples
     --------
@@ -43,7 +44,7 @@ class FuelMap(NamedTuple):
     """Fuel rates, shape (speeds, torques). [g/s]"""
 
     def at(self, speeds: Floats, torques: Floats) -> Floats:
-        """Return fuel rates at engine speeds and torques [g/s]; negative torques count as 0."""
+        """Return fuel rates [g/s] at engine speeds and torques; torques below 0 count as 0."""
         grid = LookupTable(
             tuple(self.speeds.tolist()),
             tuple(map(tuple, self.fuel.tolist())),
@@ -52,7 +53,7 @@ class FuelMap(NamedTuple):
         return grid.along(speeds, np.maximum(torques, 0.0))
 
     def is_beyond(self, speeds: Floats, torques: Floats) -> Booleans:
-        """Return True where a speed or torque exceeds the largest of the grid.
+        """Return True where a speed or torque is above the grid.
 
         >>> FuelMap(np.array([100.0]), np.array([50.0]), np.zeros((1, 1))).is_beyond(
         ...     np.array([100.0, 101.0]), np.array([50.0, 0.0]))

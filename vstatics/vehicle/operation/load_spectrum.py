@@ -1,4 +1,4 @@
-"""Duty cycle given by operating points: gear, input speed and torque, with time or share.
+"""Duty cycle of operating points: gear, input speed and torque, with time or share.
 
 Results are input and output energies, losses, and the loads of links, members and shift elements.
 """
@@ -29,14 +29,14 @@ from vstatics.vehicle.life.strength import MemberLife, life_grid, lives
 from vstatics.vehicle.operation.point_loads import DutyPoints, PointLoads, at_rows
 
 EXPONENT = 3.0
-"""Exponent of equivalent torques, close to the exponent of roller bearings (10/3). [-]"""
+"""Exponent of equivalent torques, near the exponent of roller bearings (10/3). [-]"""
 
 LARGEST_DUTY = 1e30
-"""Largest speed, torque or time of a point in SI units, which keeps energies and sums finite."""
+"""Largest speed, torque or time of a point in SI units, so that energies stay finite."""
 
 
 class LargestValue(NamedTuple):
-    """Value with the largest magnitude, and number of the operating point from 1; 0 if unknown."""
+    """Value of largest magnitude, and number of its operating point from 1; 0 if unknown."""
 
     largest: float
     row: int
@@ -46,11 +46,11 @@ class MemberLoad(NamedTuple):
     """Load of a link, a member of a mechanism, or a shift element over a duty cycle."""
 
     torque: LargestValue
-    """Largest torque; for a link, the largest sum of positive torques; NaN for a planet. [N*m]"""
+    """Largest torque: sum of positive torques for a link, NaN for a planet. [N*m]"""
     speed: LargestValue
-    """Largest speed, relative to the third link for members and planets; slip of clutches. [rpm]"""
+    """Largest speed: slip of clutches, relative to the third link for members and planets. [rpm]"""
     revolutions: float
-    """Number of revolutions by the speeds of `speed`; per second if points have shares. [-]"""
+    """Number of revolutions at the speeds of `speed`; per second if points have shares. [-]"""
     equivalent_torque: float
     """``(sum |T|^p n t / sum n t)^(1/p)``; NaN if the member never turns under torque. [N*m]
 
@@ -60,7 +60,7 @@ class MemberLoad(NamedTuple):
 
 @json_keys(in_="in_", out="out", lost="lost")
 class DutyEnergy(NamedTuple):
-    """Energies of a duty cycle [J]; mean powers [W] if points have shares."""
+    """Energies of a duty cycle [J], or mean powers [W] if points have shares."""
 
     in_: float
     out: float
@@ -76,22 +76,22 @@ class Spectrum(NamedTuple):
     efficiency: float
     members: Mapping[str, MemberLoad]
     messages: Sequence[Message]
-    """Warnings about laws evaluated outside given points, and about overloaded shift elements."""
+    """Warnings about laws evaluated outside their points, and about overloaded shift elements."""
     are_shares: bool
-    """True if points have shares; energies are then powers, and revolutions are per second."""
+    """True if points have shares; then energies are powers, and revolutions are per second."""
     damage: Mapping[str, DeviceDamage]
-    """Component name -> fatigue damage by torques at the points, taken as a record."""
+    """Component name -> fatigue damage by the torques at the points, in their order."""
     exponent: float
     """Exponent of the equivalent torques. [-]"""
     spectrum: Asked[Mapping[str, MemberSpectrum]] = None
-    """Member with a torque -> load duration distribution, if requested."""
+    """Name of a member with a torque -> its load duration distribution, if requested."""
     life: Sometimes[Mapping[str, MemberLife]] = None
-    """Member -> life, for members with a torque strength."""
+    """Name of a member with a torque strength -> its life."""
     bearings: Sometimes[Mapping[str, BearingLife]] = None
-    """Bearing -> life."""
+    """Name of a bearing -> its life."""
 
     def grids(self) -> Iterator[Grid]:
-        """Yield tables of a summary: energies, loads of links, members and clutches, damage."""
+        """Yield the tables of a summary: energies, loads of links, members and clutches, damage."""
         quantity, energy = ("mean power, W" if self.are_shares else "energy, J"), self.energy
         lost = [(word(f"lost: {name}"), loss) for name, loss in energy.lost.items() if loss]
         rows = [
@@ -136,7 +136,7 @@ class Spectrum(NamedTuple):
 
 
 DutyResults = Cycle | Spectrum
-"""Results of a duty cycle given by shares of gears, or by operating points."""
+"""Results of a duty cycle: of shares by gear, or of operating points."""
 
 
 def spectrum(
@@ -145,18 +145,18 @@ def spectrum(
     exponent: float = EXPONENT,
     classes: Classes | None = None,
 ) -> Spectrum:
-    """Calculate a duty cycle of operating points; points with a speed of 0 only count as time.
+    """Calculate a duty cycle of operating points; points at rest only count as time.
 
     Parameters
     ----------
     case : Transmission
-        Case, whose own operating points are ignored.
+        Case; its operating points are ignored.
     points : DutyPoints
     exponent : float
         Exponent of the equivalent torque. [-]
     classes : int or sequence of float, optional
-        Number of torque classes of the load spectra, or upper bounds of the classes [N*m]; without
-        it, no spectra are calculated.
+        Number of torque classes of the load spectra, or upper bounds of the classes [N*m]. Without
+        it no spectra are calculated.
 
     Raises
     ------
@@ -213,7 +213,7 @@ def spectrum(
 
 
 def _loads_of(case: Transmission, points: DutyPoints, moving: Integers) -> PointLoads:
-    """Solve the points with indices `moving`; problems have the index of a point in `points`."""
+    """Solve the points `moving`; problems have indices of `points`."""
     parts = points._replace(
         gears=points.gears[moving],
         speeds=points.speeds[moving],
@@ -229,10 +229,10 @@ def _loads_of(case: Transmission, points: DutyPoints, moving: Integers) -> Point
 def _without_rounding(
     members: Iterable[tuple[str, tuple[Floats, Floats]]],
 ) -> dict[str, tuple[Floats, Floats]]:
-    """Return name -> torques and speeds, with rounding noise relative to the largest set to 0.
+    """Return name -> torques and speeds, with rounding noise set to 0.
 
-    Otherwise members of a gear set that rotates as a block would have small relative speeds, and
-    unloaded links would have small torques.
+    Noise is relative to the largest torque or speed. Otherwise members of a gear set that rotates
+    as a block would have small relative speeds, and unloaded links small torques.
     """
     names, loads = zip(*members, strict=True)
     torques, speeds = (rounding_as_zero(np.array(kind)) for kind in zip(*loads, strict=True))
@@ -251,7 +251,7 @@ def _doubts(case: Transmission, loads: PointLoads, moving: Integers) -> Iterator
 def _member(
     torques: Floats, speeds: Floats, weights: Floats, exponent: float, places: Integers
 ) -> MemberLoad:
-    """Return the load of a member by torques [N*m] and speeds [rad/s] at points `places`."""
+    """Return the load of a member from torques [N*m] and speeds [rad/s] at points `places`."""
     sizes = np.abs(torques)
     turned = np.nan_to_num(np.abs(speeds)) * weights
     total = float(turned.sum())
@@ -276,7 +276,7 @@ def _largest(values: Floats, places: Integers) -> LargestValue:
 def points_of(
     case: Transmission, gears: Sequence[str], numbers: Mapping[str, Sequence[float]]
 ) -> DutyPoints:
-    """Return operating points from the columns speed, torque, and time or share.
+    """Return operating points from columns of speed, torque, and time or share.
 
     Raises
     ------
@@ -302,7 +302,7 @@ def _weighing(numbers: Mapping[str, Sequence[float]]) -> str:
 
 
 def wrong_numbers(numbers: Mapping[str, Sequence[float]]) -> list[Problem]:
-    """Return the problems of the columns of a duty cycle, by name, with rows."""
+    """Return the problems in columns of a duty cycle, with their rows."""
     kind = _weighing(numbers)
     problems = [
         Problem("E425", f"{kind}: read {value:g}, expected 0 or more", (row,))

@@ -22,16 +22,16 @@ from vstatics.core.statics.solve import solve
 from vstatics.vehicle.tolerances import NO_DRAG
 
 MOST_REASONS = 20
-"""Largest number of points without torques for which a reason is given by solving again."""
+"""Largest number of points without torques for which a reason is sought by solving again."""
 REASONS = (
     *("E451", "E452", "W414", "W415", "W418", "W420", "W421", "W422", "W423", "W426", "W427"),
     *("W433", "W438"),
 )
-"""Ids of messages on gears without speeds or torques, most important first."""
+"""Ids of messages why a gear has no speeds or torques, most important first."""
 
 
 class DutyPoints(NamedTuple):
-    """Operating points of a duty cycle, as arrays of equal length."""
+    """Operating points of a duty cycle, as arrays of the same length."""
 
     gears: Integers
     """Gear index of each point."""
@@ -40,12 +40,12 @@ class DutyPoints(NamedTuple):
     torques: Floats
     """Input torques. [N*m]"""
     weights: Floats
-    """Durations [s], or shares of time with an arbitrary sum."""
+    """Durations [s], or shares of time with any sum."""
     are_shares: bool = False
 
 
 def at_rows(error: CaseError, rows: Integers) -> CaseError:
-    """Return an error whose paths contain rows of a table, instead of indices in `rows`."""
+    """Return an error whose paths contain rows of a table instead of indices in `rows`."""
     problems = []
     for problem in error.problems:
         first = next(iter(problem.path), None)
@@ -55,7 +55,7 @@ def at_rows(error: CaseError, rows: Integers) -> CaseError:
 
 
 class PointLoads(NamedTuple):
-    """Results of operating points in the respective gears; arrays have the shape (points, ...)."""
+    """Results of operating points, each in its gear; arrays have shape (points, ...)."""
 
     case: Transmission
     points: DutyPoints
@@ -65,9 +65,9 @@ class PointLoads(NamedTuple):
     def of(
         cls, case: Transmission, points: DutyPoints, further: Mapping[str, Floats] | None = None
     ) -> PointLoads:
-        """Solve all points in all gears.
+        """Solve every point in its gear.
 
-        `further` contains path -> values at the points of other numbers, as `vary` of `solve`.
+        `further` contains path -> values of other numbers at the points, like `vary` of `solve`.
 
         Raises
         ------
@@ -80,7 +80,7 @@ class PointLoads(NamedTuple):
         vary |= further or {}
         loads = cls(bare, points, solve(bare, vary=vary))
         lacking = ~np.isfinite(loads.taken(loads.results.lossy_output_torque_Nm))
-        most = 0 if further else MOST_REASONS  # a point alone lacks inertia torques
+        most = 0 if further else MOST_REASONS  # a point solved alone would lack its inertia torques
         problems = [
             Problem("E424", loads._lacking(row, has_reason=place < most), (row,))
             for place, row in enumerate(np.flatnonzero(lacking).tolist())
@@ -90,7 +90,7 @@ class PointLoads(NamedTuple):
         return loads
 
     def _lacking(self, row: int, *, has_reason: bool) -> str:
-        """Return the error message for a point without torques, with a reason if requested."""
+        """Return the error message for a point without torques, if requested with a reason."""
         gear = self.case.gears[int(self.points.gears[row])]
         text = f"gear {gear.name} has no torques with losses at this speed and torque"
         if not has_reason:
@@ -102,7 +102,7 @@ class PointLoads(NamedTuple):
         return ": ".join((text, *reasons[:1]))
 
     def taken(self, array: Any) -> Floats:
-        """Return the rows of a results array (points, gears, ...) for the gear of each point."""
+        """Return an entry of a results array (points, gears, ...) for each point, in its gear."""
         values: Floats = array[np.arange(len(self.points.gears)), self.points.gears]
         return values
 
@@ -115,12 +115,12 @@ class PointLoads(NamedTuple):
 
     @property
     def outside(self) -> list[str]:
-        """Names of laws that are evaluated out of range at some point."""
+        """Names of laws that are evaluated out of their range at any point."""
         assert self.results.points is not None  # noqa: S101 - loads vary
         return [law for law, at in self.results.points.outside.items() if self.taken(at).any()]
 
     def losses(self) -> dict[str, Floats]:
-        """Return gear set -> power loss at each point [W]."""
+        """Return the power loss of each gear set at each point, by name [W]."""
         powers = 1e3 * self.taken(self.results.losses_kW)
         names = [device.name for device in self.case.own_devices]
         return {name: np.nan_to_num(column) for name, column in zip(names, powers.T, strict=True)}
@@ -137,7 +137,7 @@ class PointLoads(NamedTuple):
         return np.concatenate([np.zeros((len(speeds), 1)), speeds], axis=1)
 
     def elements(self) -> Iterator[tuple[str, Floats, Floats]]:
-        """Yield shift elements: name, torques on the first link [N*m], and slips [rad/s]."""
+        """Yield each shift element: name, torques on its first link [N*m], and slips [rad/s]."""
         torques = self.taken(self.results.lossy_torques_Nm)
         slips = self.taken(self.results.slip_speeds_rpm) * math.pi / 30
         for place, element in enumerate(self.case.shift_elements):
@@ -145,16 +145,16 @@ class PointLoads(NamedTuple):
 
     @property
     def held_torques(self) -> Floats:
-        """Torque magnitudes of engaged shift elements, else 0; shape (points, elements) [N*m]."""
+        """Torque magnitudes of engaged shift elements, else 0, (points, elements) [N*m]."""
         holds, results = self.taken(self.results.holds), self.results
         sizes = larger_torques(results.torques_Nm, results.lossy_torques_Nm)
         return np.where(holds, self.taken(sizes)[:, : holds.shape[1]], 0.0)
 
     def device_torques(self) -> dict[str, Floats]:
-        """Return shift element, mechanism or spring -> torques on the first link [N*m].
+        """Return torques on the first links of components, by name [N*m].
 
-        A gear set has the torque of its mechanism, or torques of the mechanisms of its meshes, as
-        in simulations.
+        A gear set has the torque of its mechanism, or the torques of mechanisms that represent its
+        meshes, as in simulations.
         """
         rows, results = all_row_names(self.case), self.results
         torques = self.taken(results.lossy_torques_Nm).T
@@ -166,7 +166,7 @@ class PointLoads(NamedTuple):
         return by_name
 
     def member_torques(self) -> dict[tuple[int, str], Floats]:
-        """Return (gear set index, member) -> torque that a link exerts on the member [N*m]."""
+        """Return (gear set index, member) -> torque on the member from its link [N*m]."""
         torques = self.taken(self.results.lossy_torques_Nm)
         first = len(self.case.shift_elements)
         places = [
@@ -191,7 +191,7 @@ class PointLoads(NamedTuple):
         return by_member
 
     def _ratios(self, number: int) -> Floats:
-        """Return the ratios of a mechanism at the points, as given or by speeds [-]."""
+        """Return the ratios of a mechanism at the points, constant or from speeds [-]."""
         mechanism, speeds = self.case.mechanisms[number], self.speeds
         by_gear = [self.case.gear_ratios(gear)[number] for gear in self.case.gears]
         given = np.array(by_gear, dtype=float)[self.points.gears]
@@ -202,7 +202,7 @@ class PointLoads(NamedTuple):
         return np.where(np.isfinite(turned), turned, given)
 
     def _loss_factor(self, number: int, on_first: Floats) -> Floats:
-        """Return ``1 - loss/power`` of a mechanism, with the power at the first link [-]."""
+        """Return ``1 - loss/power`` of a mechanism, for the power at its first link [-]."""
         mechanism, speeds = self.case.mechanisms[number], self.speeds
         power = on_first * (speeds[:, mechanism.first] - speeds[:, mechanism.third])
         lost = list(self.losses().values())[number]
@@ -211,7 +211,7 @@ class PointLoads(NamedTuple):
         return np.where(np.isfinite(factor), factor, 1.0)
 
     def link_torques(self) -> tuple[dict[int, list[Floats]], dict[int, Floats]]:
-        """Return link -> all torques on the link, and link -> drag torque [N*m]."""
+        """Return all torques on each link, and its drag torque, by link number [N*m]."""
         case, results, count = self.case, self.results, len(self.points.gears)
         on_link: dict[int, list[Floats]] = {link: [] for link in range(case.own_links + 1)}
         for place, (_, torque, _) in enumerate(self.elements()):
@@ -247,7 +247,7 @@ class PointLoads(NamedTuple):
         return on_link, drags
 
     def other_losses(self) -> dict[str, Floats]:
-        """Return the powers lost outside gear sets: by drag, by slip, and by a gear as a whole [W].
+        """Return powers lost outside gear sets: in drag, slip, or a gear as a whole [W].
 
         The names are ``drag.NAME``, ``slip.NAME`` and ``gear.NAME``.
         """
@@ -269,7 +269,7 @@ class PointLoads(NamedTuple):
         return losses | self._slip_losses() | wholes
 
     def _slip_losses(self) -> dict[str, Floats]:
-        """Return ``slip.NAME`` -> power lost, for shift elements that slip in some gear [W]."""
+        """Return ``slip.NAME`` -> power loss, for shift elements that slip in any gear [W]."""
         slipping = sorted({number for gear in self.case.gears for number in gear.slip})
         if not slipping:
             return {}
@@ -278,7 +278,7 @@ class PointLoads(NamedTuple):
         return {slip_name(elements[number - 1]): powers[:, number - 1] for number in slipping}
 
     def _gear_losses(self) -> dict[str, Floats]:
-        """Return ``gear.NAME`` -> power lost by a whole gear; 0 at points of other gears [W]."""
+        """Return ``gear.NAME`` -> power loss of a whole gear, 0 at points of other gears [W]."""
         if all(gear.loss is None for gear in self.case.gears):
             return {}
         powers = 1e3 * np.nan_to_num(np.abs(self.taken(self.results.gear_losses_kW)))
@@ -289,7 +289,7 @@ class PointLoads(NamedTuple):
         }
 
     def members(self) -> Iterator[tuple[str, tuple[Floats, Floats]]]:
-        """Yield links, members, planets, shift elements: name, torques [N*m], speeds [rad/s]."""
+        """Yield links, members, planets and shift elements: name, torques [N*m], speeds [rad/s]."""
         case, speeds = self.case, self.speeds
         on_link, _ = self.link_torques()
         for link in range(1, case.own_links + 1):

@@ -1,7 +1,7 @@
 """Choice of gears in a driving cycle: by shift speeds, or the highest possible gear.
 
-The last engine speed is that of the last full-load point. A gear in which the engine would exceed
-this speed is only chosen if no other gear is possible.
+The last engine speed is the speed of the last full-load point. A gear in which the engine would
+exceed it is chosen only if no other gear is possible.
 """
 
 from __future__ import annotations
@@ -27,13 +27,13 @@ class ShiftSpeed(NamedTuple):
     low: str
     high: str
     up: float
-    """Mean road speed of a step, at or above which the higher gear is engaged. [m/s]"""
+    """Mean road speed of a step from which the higher gear is engaged. [m/s]"""
     down: float
-    """Mean road speed of a step, below which the lower gear is engaged. [m/s]"""
+    """Mean road speed of a step below which the lower gear is engaged. [m/s]"""
 
 
 def read_shifts(text: str) -> list[ShiftSpeed]:
-    """Parse shift speeds of neighbouring gears, from the lowest gears upwards.
+    """Parse shift speeds of neighbouring gears, beginning with the lowest gears.
 
     Raises
     ------
@@ -64,7 +64,7 @@ def read_shifts(text: str) -> list[ShiftSpeed]:
 
 
 def _two_speeds(text: str) -> tuple[float | None, float | None]:
-    """Parse two speeds separated by a slash; units can contain slashes, too [m/s]."""
+    """Parse two speeds [m/s] separated by a slash; units can contain slashes, too."""
     for at, letter in enumerate(text):
         if letter == "/":
             try:
@@ -78,7 +78,7 @@ def _two_speeds(text: str) -> tuple[float | None, float | None]:
 
 
 def directions(ratios: Floats, names: Sequence[str]) -> list[list[int]]:
-    """Return gear indices by direction, lowest gear first; the first direction is forward.
+    """Return gear indices by direction of travel, forward first; each begins with the lowest gear.
 
     >>> directions(np.array([-3.3, 1.0, 4.7, np.nan]), ["R", "2", "1", "N"])
     [[2, 1], [0]]
@@ -94,14 +94,14 @@ class EngineSpeeds(NamedTuple):
     ratios: Floats
     """Engine speed divided by output speed, shape (gears,). [-]"""
     at_rest: Floats
-    """Engine speeds that slips in rpm give with the output at rest, shape (gears,). [rad/s]"""
+    """Engine speeds by slips in rpm while the output is at rest, shape (gears,). [rad/s]"""
     may_turn: Callable[[Floats], Booleans]
-    """Function that returns True for speeds [rad/s] that the engine can reach."""
+    """Function that returns True for speeds [rad/s] within the engine's range."""
     slipping: Collection[int] = ()
     """Indices of gears with slipping converters, which count as lower than gears of equal ratio."""
 
     def of(self, gear: int | Integers, rows: slice = slice(None)) -> Floats:
-        """Return the engine speeds in a gear, or in a gear for each step, at some steps [rad/s]."""
+        """Return engine speeds in a gear, or in a gear for each step, at some steps [rad/s]."""
         output = self.output[rows]
         speeds: Floats = output * self.ratios[gear] + np.where(output > 0, self.at_rest[gear], 0.0)
         return speeds
@@ -114,7 +114,7 @@ def by_shift_speeds(
     engine: EngineSpeeds,
     ratios: Floats,
 ) -> Integers:
-    """Return the gear index of each step by shift speeds, starting in the lowest gear of `shifts`.
+    """Return the gear index of each step by shift speeds, from the lowest gear of `shifts`.
 
     An upshift occurs at the last engine speed at the latest.
 
@@ -180,8 +180,8 @@ def by_shift_speeds(
 def by_least_speed(engine: EngineSpeeds, least: float, ahead: Sequence[int]) -> Integers:
     """Return the highest gear, for each step, in which the engine reaches a least speed.
 
-    If no gear reaches it, the lowest gear within the last engine speed is chosen; if all gears
-    exceed the last engine speed, the highest.
+    If no gear reaches it, the lowest gear within the last engine speed is chosen. If all gears
+    exceed the last engine speed, the highest gear is chosen.
 
     Parameters
     ----------

@@ -1,11 +1,12 @@
 """Driving cycle in CSV: time, speed, and optionally gear and slope of the road.
 
-The slope is the sine of the angle of ascent. Published cycles have a grade instead: the rise
-divided by the horizontal distance.
+The slope is the sine of the angle of ascent, or the angle in degrees. Published cycles have a grade
+instead: the rise divided by the horizontal distance.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -17,15 +18,20 @@ from vstatics.core.readers.named.headings import TableColumn
 from vstatics.core.readers.unit_table import UnitTable, read_unit_table
 
 SLOPE = "as it is the sine of the angle"
-_TIMES = ("t", "test time", "cycle time", "elapsed time", "total elapsed time", "total time")
-_SECONDS = ("s", "sec", "secs", "second", "seconds", "cycsecs", "<t>")  # of FASTSim, VECTO
+_DEGREES = ("deg", "°", "degree", "degrees")
+_ANGLES = dict.fromkeys(_DEGREES, math.pi / 180)
+_TIMES = (
+    *("t", "test time", "cycle time", "elapsed time", "total elapsed time", "total time"),
+    *("timestamp", "time stamp"),
+)
+_SECONDS = ("s", "sec", "secs", "second", "seconds", "cycsecs", "<t>")  # for FASTSim, VECTO
 _SPEEDS = (
     *("v", "velocity", "vehicle speed", "vehicle velocity", "target speed", "target velocity"),
     *("road speed", "cycle speed", "reference speed", "set speed", "speed target"),
 )
 _GRADES = (
     *("gradient", "grad", "road grade", "road gradient", "incline"),
-    *("cycgrade",),  # of FASTSim
+    *("cycgrade",),  # for FASTSim
 )
 COLUMNS = (
     TableColumn(
@@ -37,7 +43,7 @@ COLUMNS = (
         "speed",
         "velocity",
         aliases=dict.fromkeys(_SPEEDS, "")
-        | dict.fromkeys(("cycmps", "mps", "m/s"), "m/s")
+        | dict.fromkeys(("cycmps", "mps", "m/s", "speed meters per second"), "m/s")
         | dict.fromkeys(("<v>", "km/h", "kmh", "kph"), "km/h")
         | {"mph": "mph"},
     ),
@@ -50,26 +56,38 @@ COLUMNS = (
     TableColumn(
         "slope",
         optional=True,
+        sizes={"": 1.0, "-": 1.0, **_ANGLES},
         meaning=f", {SLOPE}; a column `grade [%]` is rise over horizontal distance",
     ),
     TableColumn(
         "grade",
         optional=True,
-        sizes={"%": 0.01, "": 1.0, "-": 1.0},
+        sizes={"%": 0.01, "": 1.0, "-": 1.0, "pct": 0.01, "percent": 0.01, **_ANGLES},
         aliases=dict.fromkeys(_GRADES, "") | {"<grad>": "%"},
     ),
+)
+_OF_SUMO = {
+    "time": {"timestep time": "s"},
+    "speed": {"vehicle speed": "m/s"},
+    "slope": {"vehicle slope": "deg"},
+}
+"""Headings of SUMO, whose units hold only together: elsewhere, `vehicle_speed` needs its unit."""
+_SUMO_COLUMNS = tuple(
+    column._replace(aliases={**column.aliases, **_OF_SUMO.get(column.name, {})})
+    for column in COLUMNS
 )
 LATEST, FASTEST, QUICKEST = 1e12, 1e6, 1e9
 """Largest time [s], speed [m/s] and acceleration [m/s^2], which keep the energies finite."""
 
 BLOCK_ROWS = 20_000
-"""Number of steps that are calculated together, which limits the memory for long cycles."""
+"""Number of steps that are calculated together, which limits memory in long cycles."""
+_HEAD_BYTES = 4096
 MOST_SHOWN_FAULTS = 20
-"""Largest number of reported errors."""
+"""Largest number of errors that are reported."""
 
 
 def blocks(count: int) -> Iterator[slice]:
-    """Yield blocks of `count` steps, each of which is calculated together.
+    """Yield slices of `count` steps; the steps of a slice are calculated together.
 
     >>> list(blocks(25_000))
     [slice(0, 20000, None), slice(20000, 40000, None)]
@@ -79,12 +97,12 @@ def blocks(count: int) -> Iterator[slice]:
 
 
 class Trace(NamedTuple):
-    """Driving cycle as time steps between consecutive rows."""
+    """Driving cycle as time steps between successive rows."""
 
     duration: Floats
     """Time between the two rows of a step. [s]"""
     speed: Floats
-    """Mean of the road speeds in the two rows. [m/s]"""
+    """Mean road speed of the two rows. [m/s]"""
     acceleration: Floats
     """Constant acceleration between the two rows. [m/s^2]"""
     slope: Floats
@@ -101,7 +119,7 @@ class Trace(NamedTuple):
 
     @property
     def notes(self) -> list[Problem]:
-        """Notes about skipped columns, with the position of the headings."""
+        """Notes about skipped columns, located at the headings."""
         skipped = [f"`{heading}`" for heading in self.table.head.skipped if heading]
         if not skipped:
             return []
@@ -132,7 +150,9 @@ def read_trace(data: bytes, file: str) -> Trace:
     array([0.6])
     """
     expected = "a driving cycle: time, speed"
-    table = read_unit_table(data, file, expected, COLUMNS, "E122", skips=True)
+    columns = _SUMO_COLUMNS if b"timestep_time" in data[:_HEAD_BYTES] else COLUMNS
+    table = read_unit_table(data, file, expected, columns, "E122", skips=True)
+    table = _with_sines(table)
     times, speeds = (np.array(table.numbers[name]) for name in ("time", "speed"))
     problems = list(_problems(table, times, speeds))
     if problems:
@@ -151,8 +171,19 @@ def read_trace(data: bytes, file: str) -> Trace:
     )
 
 
+def _with_sines(table: UnitTable) -> UnitTable:
+    """Return a table with a slope or grade in degrees replaced by the sine, up to 90 degrees."""
+    numbers = dict(table.numbers)
+    for heading in table.head.headings:
+        name = heading.column.name
+        if name in ("slope", "grade") and heading.unit in _DEGREES:
+            angles = numbers.pop(name)
+            numbers["slope"] = [math.sin(x) if abs(x) <= math.pi / 2 else x for x in angles]
+    return table._replace(numbers=numbers)
+
+
 def _problems(table: UnitTable, times: Floats, speeds: Floats) -> Iterator[Problem]:
-    if {"slope", "grade"} <= table.numbers.keys():
+    if {"slope", "grade"} <= {heading.column.name for heading in table.head.headings}:
         message = "read both `slope` and `grade`, expected one of them"
         yield Problem("E122", message, (), table.head_place)
     if len(times) < 2:
@@ -167,7 +198,11 @@ def _problems(table: UnitTable, times: Floats, speeds: Floats) -> Iterator[Probl
         ("time", times != within[0], f"at most {LATEST:g} s"),
         ("speed", speeds < 0, "0 or more"),
         ("speed", speeds > FASTEST, f"at most {FASTEST:g} m/s"),
-        ("speed", accelerations > QUICKEST, f"a change by at most {QUICKEST:g} m/s^2"),
+        (
+            "speed",
+            (durations > 0) & (accelerations > QUICKEST),
+            f"a change by at most {QUICKEST:g} m/s^2",
+        ),
         ("slope", np.abs(slopes) > 1, f"-1 to 1, {SLOPE}"),
     )
     wrong = [

@@ -1,9 +1,9 @@
 """Traction of a vehicle: wheel force in each gear, top speed, slope, acceleration.
 
-The wheel force is ``F = Mx final_drive/radius``, with the output torque Mx at full load with
+The wheel force is ``F = Mx final_drive/radius``, with the output torque Mx at full load after
 losses. The acceleration is ``(F - R)/(m + sum J k^2)`` in the gear where it is largest, with the
-road resistance R, the vehicle mass m, and for each inertia J the speed w of its link divided by the
-road speed v, ``k = w/v``.
+road resistance R, the vehicle mass m, and inertias J. For each inertia, ``k = w/v`` is the speed of
+its link divided by the road speed.
 
 The speed ratio of a free converter follows from the torque on its pump at each road speed. Where
 the engine would exceed its last full-load point, it remains there and supplies the torque that the
@@ -43,13 +43,13 @@ KMH = 3.6
 HUNDRED = 100 / KMH
 """Speed of 100 km/h. [m/s]"""
 SPEEDS_OF_ENGINE = 256
-"""Number of intervals of the engine speed in each narrowing of a search."""
+"""Number of intervals of engine speed in each narrowing of a search."""
 NARROWINGS = 5
-"""Number of narrowings of the interval, which give a relative accuracy of 1e-12."""
+"""Number of narrowings of the interval, for a relative accuracy of 1e-12."""
 STEPS_TO_100 = 2000
-"""Number of intervals in the integration of the time to 100 km/h, in addition to engine points."""
+"""Number of intervals that integrate the time to 100 km/h, in addition to engine points."""
 CONVERTER_POINTS = 2049
-"""Number of speeds between which forces of a gear with a free converter are interpolated."""
+"""Number of speeds between which forces are interpolated in a gear with a free converter."""
 
 
 class GearPerformance(NamedTuple):
@@ -78,11 +78,11 @@ class Performance(NamedTuple):
     top_speed: float
     """Top speed of all forward gears. [km/h]"""
     time_to_100: float
-    """Time from rest to 100 km/h at full load, with shifts in no time; NaN if unreachable. [s]"""
+    """Time from rest to 100 km/h at full load, shifting in no time; NaN if unreachable. [s]"""
 
     @classmethod
     def of(cls, summary: Summary) -> Performance | None:
-        """Return the performance in a summary, if the case has a vehicle with an engine."""
+        """Return the performance in a summary, None without a vehicle with an engine."""
         return as_type(summary.vehicle, cls)
 
     def grids(self) -> Iterator[Grid]:
@@ -95,7 +95,7 @@ class Performance(NamedTuple):
 
 
 def vehicle_section(case: Transmission) -> Performance | None:
-    """Return the performance of a case, if the vehicle has a full-load curve."""
+    """Return the performance of a case, None if no vehicle has a full-load curve."""
     vehicle = Vehicle.of(case)
     return performance(case) if vehicle and vehicle.full_load else None
 
@@ -141,7 +141,7 @@ class Traction:
     """
 
     def __init__(self, case: Transmission, vehicle: Vehicle) -> None:
-        """Calculate the speeds of the gears of a case, for a vehicle with an engine."""
+        """Calculate the speeds in the gears of a case, for a vehicle with an engine."""
         self.converters = converters_of(case)
         """Gear index -> gear with a free converter, whose speed ratio follows from torques."""
         is_alone = [not beside_engine(case, gear) for gear in case.gears]
@@ -160,14 +160,14 @@ class Traction:
         with np.errstate(all="ignore"):
             self.per_engine = np.abs(output) * vehicle.radius / vehicle.final_drive
             self.at_rest = -added[np.arange(len(outputs)), outputs] / output
-            """Engine speed at rest that a slip in rpm gives, by gear. [rad/s]"""
+            """Engine speed by a slip in rpm while the vehicle is at rest, by gear. [rad/s]"""
             links = np.array([case.heavy.get(n + 1, 0.0) for n in range(speeds.shape[1])])
             turns = speeds / self.per_engine[:, None]
             for gear, converter in self.converters.items():
                 turns[gear] = converter.per_output[2:] * vehicle.final_drive / vehicle.radius
             turned = np.where(links > 0, links * turns**2, 0.0)
-            self.mass = vehicle.mass + np.nan_to_num(turned).sum(axis=1)  # NaN: a free link
-        """Vehicle mass in each gear, including the inertias of rotating parts. [kg]"""
+            self.mass = vehicle.mass + np.nan_to_num(turned).sum(axis=1)  # NaN means a free link
+        """Vehicle mass plus inertias of rotating parts reduced to the road, by gear. [kg]"""
         with np.errstate(divide="ignore"):
             ranges = directions(1 / output, [gear.name for gear in case.gears])
         self.ahead = next(iter(ranges), [])
@@ -178,27 +178,26 @@ class Traction:
         return 0.0 if gear in self.converters else max(self.first, self._least(gear))
 
     def _least(self, gear: int) -> float:
-        """Return the engine speed at which a gear with a slip in rpm begins to move [rad/s]."""
+        """Return the engine speed from which a gear with a slip in rpm moves [rad/s]."""
         at_rest = float(self.at_rest[gear])
         return at_rest + AT_REST * self.last if at_rest > 0 else 0.0
 
     def road_speeds(self, gear: int, speeds: Floats) -> Floats:
-        """Return road speeds [m/s] at engine speeds as in `forces` [rad/s]."""
+        """Return road speeds [m/s] at engine speeds of `forces` [rad/s]."""
         road: Floats = self.per_engine[gear] * (speeds - self.at_rest[gear])
         return road
 
     def speeds_at(self, gear: int, road: Floats) -> Floats:
-        """Return engine speeds as in `forces` [rad/s] at road speeds [m/s]."""
+        """Return engine speeds for `forces` [rad/s] at road speeds [m/s]."""
         speeds: Floats = road / self.per_engine[gear] + self.at_rest[gear]
         return speeds
 
     def forces(self, gear: int, speeds: Floats) -> Floats:
-        """Return wheel forces in the direction of the output, at given engine speeds [N].
+        """Return wheel forces [N] in the direction of the output, at engine speeds [rad/s].
 
         Below the first full-load point, the force is that at the first point. With a free
-        converter, a given speed only represents the road speed: it is the speed that the engine
-        would have with the converter at its `free_ratio`, the largest speed ratio without braking
-        torque.
+        converter, `speeds` only represent the road speed. They are the speeds that the engine would
+        have at the converter's `free_ratio`, the largest speed ratio without braking torque.
         """
         factor = self.vehicle.final_drive / self.vehicle.radius
         if gear in self.converters:
@@ -215,19 +214,19 @@ class Traction:
         return torque * factor
 
     def engine_speeds(self, gear: int, speeds: Floats) -> Floats:
-        """Return engine speeds at full load, for `speeds` as in `forces` [rad/s]."""
+        """Return engine speeds at full load [rad/s], for `speeds` of `forces`."""
         if gear not in self.converters:
             return speeds
         return self._matched(self.converters[gear], self._output(gear, speeds))[0]
 
     def _output(self, gear: int, speeds: Floats) -> Floats:
-        """Return magnitudes of output speeds for `speeds` as in `forces`, all above 0 [rad/s]."""
+        """Return magnitudes of output speeds [rad/s] for `speeds` of `forces`, all above 0."""
         per_output = self.per_engine[gear] * self.vehicle.final_drive / self.vehicle.radius
         output: Floats = np.maximum(speeds, AT_REST * self.last) * per_output
         return output
 
     def _matched(self, converter: ConverterGear, output: Floats) -> tuple[Floats, Floats]:
-        """Return engine speeds [rad/s] and torques [N*m] at full load; NaN without a solution."""
+        """Return engine speeds [rad/s] and torques [N*m] at full load, NaN without a solution."""
         vehicle, case, last = self.vehicle, converter.case, self.last
 
         def brought(rows: Integers, engine: Floats, torque: Floats) -> Floats:
@@ -243,7 +242,7 @@ class Traction:
         )
         engine = search.engine
         torque = np.where(np.isfinite(engine), vehicle.full_torque(engine), np.nan)
-        # These engines have too much torque even at their last point and the smallest speed ratio.
+        # The engine has too much torque even at its last point and the smallest speed ratio.
         ends_last = search.ends[:, 1] >= last * (1 - SAME_SPEED)  # else it ends at i = 0
         fast = np.flatnonzero(np.isnan(engine) & ends_last & (search.surplus[:, 1] > 0))
         engine[fast] = last
@@ -255,7 +254,7 @@ class Traction:
         return engine, torque
 
     def _converter_torques(self, converter: ConverterGear, output: Floats) -> Floats:
-        """Return output torques, positive if driving, at magnitudes of output speeds [N*m]."""
+        """Return output torques [N*m], above 0 if driving, at output speeds [rad/s]."""
         engine, torque = self._matched(converter, output)
         torques = np.full(len(output), math.nan)
         rows = np.flatnonzero(np.isfinite(torque))
@@ -268,7 +267,7 @@ class Traction:
         return torques
 
     def top_speed(self, gear: int) -> float:
-        """Return the top speed on a level road, up to the last engine speed; else NaN [m/s]."""
+        """Return the top speed on a level road [m/s]; NaN if the resistance is never overcome."""
         if not (math.isfinite(fastest := self.largest_speed(gear)) and fastest > 0):
             return math.nan
 
@@ -292,7 +291,7 @@ class Traction:
         return float(self.road_speeds(gear, np.array((low + high) / 2)))
 
     def largest_force(self, gear: int) -> float:
-        """Return the largest wheel force in a gear; NaN if undefined [N]."""
+        """Return the largest wheel force in a gear, NaN if undefined [N]."""
         return _largest(lambda speeds: self.forces(gear, speeds), self.slowest(gear), self.last)
 
     @property
@@ -307,10 +306,10 @@ class Traction:
         return float(self.road_speeds(gear, np.array(self.last)))
 
     def slope(self, gear: int) -> float:
-        """Return the sine of the steepest ascent, at most 1; NaN in a gear without drive [-].
+        """Return the sine of the steepest ascent, at most 1; NaN if a gear does not drive [-].
 
-        It is ``(F - R)/(m g)`` with the largest wheel force F, and the resistance R on a level road
-        at speed 0. In a gear with a free converter, F is the wheel force at rest.
+        The sine is ``(F - R)/(m g)`` with the largest wheel force F, and the resistance R on a
+        level road at speed 0. In a gear with a free converter, F is the wheel force at rest.
         """
         weight = self.vehicle.mass * GRAVITY
         if not (math.isfinite(self.per_engine[gear]) and self.at_rest[gear] < self.last):
@@ -321,7 +320,7 @@ class Traction:
         return part if math.isnan(part) else min(1.0, part)
 
     def accelerations(self, speeds: Floats) -> Floats:
-        """Return the largest acceleration of all forward gears, at road speeds [m/s^2]."""
+        """Return the largest acceleration in any forward gear, at road speeds [m/s^2]."""
         largest = np.full(speeds.shape, -math.inf)
         for gear in self.ahead:
             engine = self.speeds_at(gear, speeds)
@@ -333,14 +332,14 @@ class Traction:
         return largest
 
     def _forces_between(self, gear: int, speeds: Floats) -> Floats:
-        """Return wheel forces as `forces`, interpolated for a free converter at many speeds [N]."""
+        """Return wheel forces like `forces` [N], interpolated in a gear with a free converter."""
         if gear not in self.converters or len(speeds) <= CONVERTER_POINTS:
             return self.forces(gear, speeds)
         places = np.linspace(0.0, speeds.max(), CONVERTER_POINTS)
         return np.interp(speeds, places, self.forces(gear, places))
 
     def time_to_100(self) -> float:
-        """Return the time from rest to 100 km/h, by Gaussian quadrature; NaN if unreachable [s]."""
+        """Return the time from rest to 100 km/h by Gaussian quadrature, NaN if unreachable [s]."""
         ends = {0.0, HUNDRED, *np.linspace(0.0, HUNDRED, STEPS_TO_100 + 1).tolist()}
         for gear in self.ahead:
             points = np.array([point for point, _ in self.vehicle.full_load])
@@ -357,7 +356,7 @@ class Traction:
 
 
 def _largest(function: Callable[[Floats], Floats], low: float, high: float) -> float:
-    """Return the largest value of a function in an interval; NaN if undefined."""
+    """Return the largest value of a function in an interval, NaN if undefined."""
     best = math.nan
     for _ in range(NARROWINGS):
         places = np.linspace(low, high, SPEEDS_OF_ENGINE + 1)

@@ -1,4 +1,4 @@
-"""Gears that drive a vehicle, and a panel with an axis of road speed."""
+"""Gears that drive a vehicle, and panels over road speed."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ DRIVE_PANEL_HEIGHT = 250.0
 BELOW_SPEEDS = 24.0
 """Distance from the panel to the title of the axis of road speed. [pt]"""
 ROOM_OVER_LINES = 0.04
-"""Margin beyond the largest value of an axis, relative to the value. [-]"""
+"""Margin beyond the largest value on an axis, relative to this value. [-]"""
 NAME_CLEARANCE = 3.0
 """Additional width for the name of a gear on a line. [pt]"""
 
 
 class DrivenGear(NamedTuple):
-    """Drawn gear that drives the vehicle."""
+    """Gear in a picture, which drives the vehicle."""
 
     place: int
     """Index of the gear in the case."""
@@ -39,7 +39,7 @@ class DrivenGear(NamedTuple):
 
 
 class DrivenVehicle(NamedTuple):
-    """Vehicle with the gears that are drawn."""
+    """Vehicle, with the gears in a picture."""
 
     vehicle: Vehicle
     pull: Traction
@@ -47,12 +47,12 @@ class DrivenVehicle(NamedTuple):
 
     @property
     def fastest(self) -> float:
-        """Largest road speed of all drawn gears [m/s]."""
+        """Largest road speed of all gears in the picture [m/s]."""
         return max(gear.largest_speed for gear in self.gears)
 
 
 def driven(results: Results, shown: Sequence[int], style: Style) -> DrivenVehicle:
-    """Return the vehicle of a case, with all driving gears, or the gears numbered in `shown`.
+    """Return the vehicle of a case, with all driving gears or those numbered in `shown`.
 
     Raises
     ------
@@ -114,7 +114,7 @@ def speed_panel(  # noqa: PLR0913 PLR0917 - a panel has these
 
 
 def name_on_line(pen: Pen, places: Iterable[Point], name: str, taken: Taken) -> None:
-    """Write a name at the first of `places` that is free of other names, if any."""
+    """Write a name at the first of `places` that is free of other names, if any is free."""
     long, tall = width(name) + NAME_CLEARANCE, LINE_HEIGHT * SIZE
     place = first_free(places, long, tall, pen.size, taken)
     if place:

@@ -1,4 +1,4 @@
-"""Laws of gear steps, which are quotients of successive ratios of a gearbox."""
+"""Laws of gear steps; a step is the quotient of successive ratios of a gearbox."""
 
 from __future__ import annotations
 
@@ -9,20 +9,20 @@ from typing import NamedTuple
 
 
 class StepLaw(NamedTuple):
-    """Ratios of gears by a law of steps."""
+    """Ratios of gears whose steps follow a law."""
 
     ratios: Sequence[float]
     growth: float
-    """Quotient of each step and the next step; 1 for equal steps. [-]"""
+    """Quotient of each step and the next; 1 for equal steps. [-]"""
 
     @property
     def steps(self) -> list[float]:
-        """Each ratio divided by the next ratio [-]."""
+        """Ratios, each divided by the next [-]."""
         return [ratio / following for ratio, following in pairwise(self.ratios)]
 
 
 def geometric(ratios: Sequence[float]) -> StepLaw:
-    """Return ratios with equal steps, between the first and the last of given ratios.
+    """Return ratios with equal steps, between the first and the last ratio.
 
     >>> [round(ratio, 9) for ratio in geometric([4.0, 3.0, 1.0]).ratios]
     [4.0, 2.0, 1.0]
@@ -31,10 +31,10 @@ def geometric(ratios: Sequence[float]) -> StepLaw:
 
 
 def progressive(ratios: Sequence[float]) -> StepLaw:
-    """Return ratios whose steps have a constant quotient, fitted to the given ratios.
+    """Return ratios whose steps have a constant quotient, fitted to `ratios`.
 
     The logarithms of the steps change linearly, with a slope fitted by least squares. The first and
-    the last ratio are the given ratios.
+    last of `ratios` remain.
 
     >>> law = progressive([6.0, 2.0, 1.0])
     >>> [round(ratio, 9) for ratio in law.ratios], round(law.growth, 9)
@@ -48,7 +48,7 @@ def progressive(ratios: Sequence[float]) -> StepLaw:
 
 
 def _law(ratios: Sequence[float], slope: float) -> StepLaw:
-    """Return ratios in which the logarithm of a step increases by `slope` from step to step."""
+    """Return ratios whose logarithm of the step increases by `slope` from step to step."""
     count = len(ratios) - 1
     mean = math.log(ratios[0] / ratios[-1]) / count
     logs = [mean + slope * (place - (count - 1) / 2) for place in range(count)]

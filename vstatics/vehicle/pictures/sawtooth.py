@@ -23,7 +23,7 @@ from vstatics.vehicle.operation.traction import KMH
 from vstatics.vehicle.pictures.driven import DrivenGear, DrivenVehicle, driven, speed_panel
 
 POINTS_OF_CONVERTER = 120
-"""Number of points of the line of a gear with a free converter."""
+"""Number of points on the line of a gear with a free converter."""
 
 
 def draw(
@@ -34,7 +34,7 @@ def draw(
     Parameters
     ----------
     alike : sequence of Results
-        Further cases that should have the same scales.
+        Other cases, for which the scales must be the same.
 
     Raises
     ------
@@ -90,7 +90,7 @@ def _draw_gear(pen: Pen, vehicle: DrivenVehicle, gear: DrivenGear) -> None:
 
 
 def _course(pen: Pen, vehicle: DrivenVehicle, gear: DrivenGear, slowest: float) -> list[Point]:
-    """Return points of the line of engine speed, up to the largest road speed of a gear.
+    """Return points on the line of engine speed, up to the largest road speed of a gear.
 
     Parameters
     ----------
@@ -117,7 +117,7 @@ def _forward(results: Results, vehicle: DrivenVehicle) -> list[DrivenGear]:
 
 
 def _teeth(pen: Pen, vehicle: DrivenVehicle, gears: Sequence[DrivenGear]) -> Iterator[list[Point]]:
-    """Yield the points of each tooth: from the upshift into a gear to the last engine speed."""
+    """Yield the points of each tooth, from the upshift into a gear to the last engine speed."""
     speed = 0.0
     for gear in gears:
         yield _course(pen, vehicle, gear, speed)
@@ -125,7 +125,7 @@ def _teeth(pen: Pen, vehicle: DrivenVehicle, gears: Sequence[DrivenGear]) -> Ite
 
 
 def _name_drops(pen: Pen, drops: Sequence[Point]) -> None:
-    """Write the engine speed after each upshift, where there is space."""
+    """Write the engine speed after each upshift, where there is room."""
     taken: Taken = []
     high = pen.y.high / pen.size[1]
     for x, y in drops:

@@ -24,13 +24,13 @@ SPECTRUM_SIZE = (128.0, 80.0)
 SPECTRUM_SCALE_WIDTH, SPECTRUM_SCALE_HEIGHT = 44.0, 32.0
 """Width and height of the scales of a panel. [pt]"""
 NAME_ROOM = 2 * LINE_HEIGHT * SIZE + 4.0
-"""Height of two lines above a panel: the name of the member, and the time without torque. [pt]"""
+"""Height of two lines above a panel: name of the member, and its time without torque. [pt]"""
 MOST_SPECTRA = 60
 """Largest number of drawn members."""
 
 
 class _Sheet(NamedTuple):
-    """Drawn members, with a common scale of revolutions."""
+    """Members in a picture, with a common scale of revolutions."""
 
     spectra: Mapping[str, MemberSpectrum]
     revolutions: AxisScale
@@ -39,7 +39,7 @@ class _Sheet(NamedTuple):
 
     @property
     def names(self) -> tuple[str, str]:
-        """Names of the axes."""
+        """Titles of the axes."""
         turns = "turns a second" if self.are_shares else "turns"
         return self.style.text("torque, N·m"), self.style.text(turns)
 
@@ -54,7 +54,7 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Canv
     ReadError
         If the duty cycle does not fit the case.
     """
-    del gears  # a duty cycle has its own gears
+    del gears  # the duty cycle determines the gears
     duty = cast("DutyTable", style.data).of(results)
     turning = {
         name: spectrum
@@ -100,7 +100,7 @@ def _bar(style: Style, *, is_open: bool) -> Look:
 
 
 def _ends(each: LoadClass, classes: Sequence[LoadClass]) -> tuple[float, float]:
-    """Return the bounds of a bar, as wide as the bar before if without upper bound [N*m]."""
+    """Return both bounds of a bar [N*m]; without upper bound it is as wide as the bar before."""
     if not math.isnan(each.to):
         return each.from_, each.to
     wide = next(

@@ -23,18 +23,18 @@ from vstatics.vehicle.pictures.laws import StepLaw, geometric, progressive
 STEP_ROW_HEIGHT = 24.0
 """Height of a row of cells. [pt]"""
 BETWEEN_LAWS = 8.0
-"""Distance between the rows of two laws. [pt]"""
+"""Distance between the rows of successive laws. [pt]"""
 UPRIGHT_IN_CELL: Look = {"rotation": 90, "ha": "center", "va": "center"}
 
 
 class ForwardGears(NamedTuple):
-    """Forward gears of a case, from the largest ratio downwards."""
+    """Forward gears of a case, in descending order of ratio."""
 
     names: Sequence[str]
     ratios: Sequence[float]
     """Magnitudes of ratios. [-]"""
     sign: float
-    """Sign of all ratios; -1 if a final drive reverses the direction."""
+    """Sign of all ratios: -1 if a final drive reverses the direction."""
 
 
 def draw(
@@ -45,7 +45,7 @@ def draw(
     Parameters
     ----------
     alike : sequence of Results
-        Further cases that should have the same scale of ratios.
+        Other cases, for which the scale of ratios must be the same.
 
     Raises
     ------
@@ -61,7 +61,7 @@ def draw(
     names = [style.text("gears"), *(name for name, _ in laws)]
     left = MARGIN + widest(names) + SIZE + MARGIN
     wide = style.width - left - 2 * MARGIN
-    is_stacked = _narrowest(every) * wide < SIZE  # too narrow for upright text
+    is_stacked = _narrowest(every) * wide < SIZE  # too narrow even for upright text
     if is_stacked:
         left, wide = 2 * MARGIN, style.width - 4 * MARGIN
     between = BETWEEN_LAWS + is_stacked * LINE_HEIGHT * SIZE
@@ -76,7 +76,7 @@ def draw(
     pen = headed(title(results.case, name_of_picture), note, [], (style.width, high), style)
     row = pen.panel((left, low), (wide, STEP_ROW_HEIGHT), line)
     _draw_gears(row, forward, numbers, upright=upright)
-    if not is_stacked:  # else gear names are above it
+    if not is_stacked:  # otherwise gear names are above the scale
         _name_row(row, names[0])
     for place, (name, law) in enumerate(laws, 1):
         below = low - ends - place * STEP_ROW_HEIGHT - (place - 1 + is_stacked) * between
@@ -87,7 +87,7 @@ def draw(
 
 
 def _narrowest(every: Sequence[ForwardGears]) -> float:
-    """Return the width of the narrowest cell (a gear step), relative to the whole scale of ratios.
+    """Return the width of the narrowest cell (a gear step), relative to the scale of all ratios.
 
     >>> round(_narrowest([ForwardGears("123", [4.0, 2.0, 1.0], 1.0)]), 3)
     0.5
@@ -113,7 +113,7 @@ def _forward(results: Results, shown: Sequence[int]) -> ForwardGears:
 
 
 def _laws(forward: ForwardGears, style: Style) -> list[tuple[str, StepLaw]]:
-    """Return names and laws of steps; progressive steps require at least three gears."""
+    """Return names and laws of steps; progressive steps need at least three gears."""
     equal, growing = geometric(forward.ratios), progressive(forward.ratios)
     geometric_name = style.text("geometric")
     laws = [(f"{geometric_name} {number(equal.steps[0])}", equal)]
@@ -171,13 +171,12 @@ def _draw_law(pen: Pen, law: StepLaw) -> None:
 
 
 def _draw_edges(pen: Pen, left: float, right: float, colour: str) -> None:
-    """Draw the lower and upper edge of a row between two positions on the scale of ratios."""
     edges = [((left, y), (right, y)) for y in (0.0, pen.size[1])]
     pen.lines(edges, color=colour, width=FRAME_WIDTH)
 
 
 def _name_cell(pen: Pen, left: float, wide: float, step: float) -> None:
-    """Write the number of a step in the middle of the cell; upright if the cell is narrow."""
+    """Write a step in the middle of its cell, upright if the cell is narrow."""
     text = number(step)
     look: Look = {"ha": "center", "va": "center_baseline"}
     if width(text) > wide - 2:

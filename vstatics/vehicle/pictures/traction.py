@@ -1,4 +1,4 @@
-"""Wheel force over road speed in each gear, with all losses; and road resistance."""
+"""Wheel force over road speed in each gear, with all losses, and road resistance."""
 
 from __future__ import annotations
 
@@ -27,13 +27,13 @@ from vstatics.vehicle.pictures.driven import (
 )
 
 SLOPES = (0, 5, 10, 15, 20, 30)
-"""Drawn slopes of the road: rise divided by horizontal distance. [%]"""
+"""Slopes of the road in a picture: rise divided by horizontal distance. [%]"""
 POINTS_OF_LINE = 240
-"""Number of points of a line, in addition to full-load points of the engine."""
+"""Number of points on a line, in addition to full-load points of the engine."""
 KILO = 1000.0
 """Factor from N to kN, and from W to kW."""
 NAME_PLACES = (0.5, 0.6, 0.4, 0.7, 0.3, 0.8, 0.2, 0.9, 0.1)
-"""Possible positions of the name of a gear along the line, relative to the line length. [-]"""
+"""Possible positions of a gear's name along its line, relative to the length of the line. [-]"""
 
 
 def draw(
@@ -44,7 +44,7 @@ def draw(
     Parameters
     ----------
     alike : sequence of Results
-        Further cases that should have the same scales.
+        Other cases, for which the scales must be the same.
 
     Raises
     ------
@@ -90,7 +90,6 @@ def draw(
 
 
 def _highest(vehicle: DrivenVehicle) -> float:
-    """Return the largest finite wheel force of all gears [N]."""
     forces = [vehicle.pull.largest_force(gear.place) for gear in vehicle.gears]
     steepest = float(vehicle.vehicle.resistance(0.0, sine(SLOPES[-1])))
     return max(steepest, *(force for force in forces if math.isfinite(force)))
@@ -121,7 +120,7 @@ def _fastest(style: Style) -> Look:
 def _ends(
     vehicle: DrivenVehicle, fastest: float, largest: float, style: Style
 ) -> tuple[list[LineEnd], list[Label]]:
-    """Return labels of the lines of slopes: at the right edge and at the upper edge of the panel.
+    """Return labels of slopes: line ends at the right edge, and labels at the upper edge.
 
     Parameters
     ----------
@@ -157,7 +156,7 @@ def _draw_road(pen: Pen, vehicle: DrivenVehicle, unit: float) -> None:
 
 
 def _draw_hyperbola(pen: Pen, vehicle: DrivenVehicle, unit: float) -> None:
-    """Draw the hyperbola of wheel force at the largest engine power, without losses."""
+    """Draw the hyperbola of wheel force at the engine's largest power, without losses."""
     power = vehicle.pull.largest_power
     slowest = KMH * power / unit / pen.y.high
     speeds = np.geomspace(slowest, max(pen.x.high, 2 * slowest), POINTS_OF_LINE)

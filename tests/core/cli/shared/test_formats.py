@@ -39,6 +39,7 @@ def test_the_suffix_tells_the_format(command: str) -> None:
         expected = vstatics(command, ZF, "-f", form).out
         assert Path(f"new.{suffix}").read_text("utf-8") == expected
         assert expected.startswith(begin)
+        assert vstatics(command, ZF, "-f", suffix.lower()).out == expected
     text = vstatics(command, ZF).out
     for name in ("new", "new.txt", "new.lst", "new.out", "NEW.TXT"):
         assert vstatics(command, ZF, "-o", name).all == ""

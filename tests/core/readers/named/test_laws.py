@@ -34,13 +34,32 @@ def test_a_file_of_points_stands_beside_the_case(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
+    "text",
+    [
+        "# speed [rpm],torque [N*m]\n0,1\n300,4\n",  # as numpy.savetxt writes it
+        "Rig 5\nSpeed,Oil,Torque\nrpm,C,N*m\n0,90,1\n300,90,4\n",
+        "torque [N*m],speed [rpm],note\n1,0,\n# by hand\n4,300,warm\n",
+        "speed [rpm];torque [N*m]\n0;1,0\n300;4,0\n",
+    ],
+)
+def test_a_file_of_points_is_that_of_a_test_bench(tmp_path: Path, text: str) -> None:
+    """Sources: github.com/astropy/astropy/issues/8674 (savetxt), readers of cycles and records."""
+    (tmp_path / "drag.csv").write_text(text, "utf-8")
+    law = load(case_of(tmp_path, "{file: drag.csv}")).drag[2]
+    assert isinstance(law, PointLaw)
+    np.testing.assert_allclose(law.points, [[0, 1], [10 * math.pi, 4]])
+
+
+@pytest.mark.parametrize(
     ("text", "said"),
     [
+        ("speed [rpm],moment [N*m]\n0,1\n", "not `speed [rpm],moment [N*m]`"),
         ("speed,torque\n0,1\n", "read `drag.csv`, expected a CSV file with the head"),
         ("speed [rpm],torque [kW]\n0,1\n", "read `drag.csv`, line 1: the unit of torque: expected"),
         ("speed [rpm],torque [N*m]\n", "expected a point at least"),
         ("speed [rpm],torque [N*m]\n0\n", "line 2: expected 2 numbers"),
-        ("speed [rpm],torque [N*m]\n0,nan\n", "line 2: expected a torque"),
+        ("speed [rpm],torque [N*m]\n0,nan\n", "line 2: torque: read 'nan', expected a torque"),
+        ("Nm,rpm\n0,1\n", "the head `speed [rad/s],torque [N*m]`, not `Nm,rpm`"),
         ("x" * 1_000_001, "cannot be read: larger than 1 MB"),
     ],
 )

@@ -183,6 +183,24 @@ def test_printed_sizes() -> None:
     assert unit("kgf*m") == ("torque", 9.80665)
 
 
+def test_units_as_pint_prints_them() -> None:
+    """Names of default_en.txt of pint (see github.com/hgrecco/pint/issues/817 and 1540)."""
+    for quantity, size, texts in (
+        ("torque", 1.0, "newton * meter|newton_meter|meter * newton|Newton Meter|Newton-metres"),
+        ("torque", 1.3558179483314004, "foot * force_pound|force_pound * foot|foot_pound|lbf_ft"),
+        ("speed", 1.0, "revolutions_per_minute|revolution / minute|rotations per minute"),
+        ("power", 0.73549875, "metric_horsepower"),
+        ("power", 1.0, "kilowatt"),
+        (None, 1.0, "MWatt|N_2m|_Nm|N*m_"),
+    ):
+        for text in texts.split("|"):
+            assert unit(text) == (quantity, size), text
+    for text in ("kilogram * meter ** 2", "meter**2 * kilogram", "kilogram_meter**2"):
+        assert measured(f"0.2 {text}", "inertia") == 0.2
+    assert measured("1 slug", "mass") == pytest.approx(14.593903, abs=5e-7)  # NIST SP 811
+    assert measured("1 slug*ft^2", "inertia") == pytest.approx(LBF_FT)
+
+
 def test_an_angle_may_be_in_radians() -> None:
     for text in ("rad/s", "RAD/S", "radian/second", "rad*s^-1", "рад/с", "rad s-1"):
         assert unit(text) == ("speed", 30 / math.pi), text
@@ -225,6 +243,9 @@ def test_a_unit_has_its_size_in_si() -> None:
         ("(1 + 2)/4 rad/kNm", "compliance", 0.00075),
         ("3.2*N*m*s/rad", "damping", 3.2),
         ("3/4", "area", 0.75),
+        ("2 N*m/(rad/s)^2", "pump_factor", 2.0),
+        ("(3) (N*m)/((rad)(s)^-1)**2", "pump_factor", 3.0),
+        ("4 (m)^2/(s/s)^4", "area", 4.0),
     ],
 )
 def test_decimal_units_are_exact(text: str, measure: Measure, number: float) -> None:
@@ -262,6 +283,8 @@ IN = {
         ("3 Nm/rad^", "stiffness", ""),
         ("3 kg*m^2^2", "inertia", ""),
         ("3 (kg*m^2", "inertia", ""),
+        ("3 kg)*m^2", "inertia", ""),
+        ("3 ((((m)^4)^4)^4)^4", "length", ""),
         ("3 kg//m^2", "inertia", ""),
         ("3 " + "kg*m^2/kg*" * 10 + "kg", "inertia", ""),
     ],

@@ -208,9 +208,9 @@ LOSS = "{over: [speed, torque], columns: [0, 200 N*m], rows: [[0, 20, 60], [6000
 
 
 def test_a_map_is_read_from_a_file_in_any_order_and_written_as_it_is(tmp_path: Path) -> None:
-    efficiency = "torque [N*m];speed [rpm];efficiency [%]\n0;0;90\n50;0;95\n50;3000;97\n0;3000;92\n"
+    efficiency = "motor torque [N*m];n [rpm];eta [%]\n0;0;90\n50;0;95\n50;3000;97\n0;3000;92\n"
     (tmp_path / "map.csv").write_text(efficiency, "utf-8")
-    loss = "speed [rad/s],torque [N*m],loss [kW]\n0,0,0.1\n0,9,0.2\n100,9,0.4\n100,0,0.3\n"
+    loss = "speed [rad/s],torque [N*m],power loss [kW]\n0,0,0.1\n0,9,0.2\n100,9,0.4\n100,0,0.3\n"
     (tmp_path / "loss.csv").write_text(loss, "utf-8")
     file = tmp_path / "case.yaml"
     both = ["{over: [speed, torque], file: map.csv}", "{over: [speed, torque], file: loss.csv}"]
@@ -232,6 +232,7 @@ def test_a_map_is_read_from_a_file_in_any_order_and_written_as_it_is(tmp_path: P
             "0,0,1.2\n0,5,0.9\n9,0,0.9\n9,5,1\n",
             "`map.csv`, line 2: read 1.2, expected an efficiency above 0",
         ),
+        ("0,0,0\n0,5,0\n9,0,0\n9,5,1\n", "read 0, .*; omit the rows at rest and without torque"),
         ("0,0,0.9\n0,5,0.9\n", r"rows: read 1, expected two speeds or more"),
         ("0,0\n", "line 2: expected 3 numbers"),
     ],

@@ -1,4 +1,4 @@
-"""Assignment of a result file to each case of a run, with checks for conflicts."""
+"""Result file of each case of a run, with checks for conflicts."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from vstatics.core.tables.file_suffixes import known
 
 STDIN_STEM = "stdin"
 MOST_TOLD = 5
-"""Largest number of conflicts that a message lists."""
+"""Largest number of conflicts in a message."""
 TABULAR = known(("listing", "text", "json", "csv"))
 
 
 class CaseTask(NamedTuple):
-    """Case, with a result file unless results are written to a stream."""
+    """Case with its result file; None if results are written to a stream."""
 
     file: str
     target: str | None = None
@@ -28,7 +28,7 @@ class CaseTask(NamedTuple):
 def tasks(
     cases: Sequence[str], folder: str, suffix: str, others: Sequence[str] = ()
 ) -> list[CaseTask]:
-    """Return each case with a result file: name of the case with the suffix, in the folder.
+    """Return each case with its result file in `folder`, which has the name of the case.
 
     Parameters
     ----------
@@ -38,8 +38,8 @@ def tasks(
     Raises
     ------
     UsageError
-        If a case is named twice, two results have the same name, or a result would overwrite
-        a case; the message lists every pair.
+        If a case is named twice, two results have the same name, or a result would overwrite a
+        case. The message lists all such pairs.
 
     Examples
     --------
@@ -89,7 +89,7 @@ def _stem(file: str) -> str:
 
 
 def _real_path(real_folder: Callable[[str], str], file: str) -> str:
-    """Return the path of a file with all links resolved; `-` for standard input."""
+    """Return the path of a file after resolving links; `-` for standard input."""
     if file == files.STDIN:
         return file
     folder, name = os.path.split(file)

@@ -1,4 +1,4 @@
-"""Work on one of several cases: reading, calculation and writing, in any process."""
+"""Work on a single case of several: reading, calculation and writing, in any process."""
 
 from __future__ import annotations
 
@@ -18,25 +18,25 @@ from vstatics.core.jobs.page_files import set_pages_aside
 
 
 class Done(NamedTuple):
-    """Outcome of a case, reported to the process that counts cases and prints messages."""
+    """Outcome of a case, for the process that counts cases and prints messages."""
 
     file: str
     problems: list[Problem]
     failed: bool = True
     has_result: bool = False
-    """True if there is output to write, possibly for some gears only."""
+    """True if the case has output, possibly for some gears only."""
     part: texts.Part = b""
-    """Output of the case, a part of the stream of all cases."""
+    """Output of the case, for a stream with the output of all cases."""
     stop: bool = False
-    """True if the outputs of remaining cases cannot be written either."""
+    """True if the output of further cases cannot be written either."""
     left: str = ""
-    """New name of the file with an earlier result, which is renamed if the case failed."""
+    """New name of an earlier result, which is renamed if the case failed."""
     mark: CaseMark | None = None
-    """Hashes that identify the case, if the part is stored for resuming."""
+    """Hashes that identify the case, if its output is stored for a resumed run."""
 
 
 def calculate_and_write(job: Job, task: CaseTask) -> Done:
-    """Read, calculate and write a case, with all errors as problems."""
+    """Read, calculate and write a case; return all errors as problems."""
     case, shown = _shown_of_case(job, calculate_one(task.file, job.options))
     file, problems = case.file, case.problems
     try:
@@ -50,7 +50,7 @@ def calculate_and_write(job: Job, task: CaseTask) -> Done:
         result = texts.alone(file, shown, job.to)
         named_files = _named_files(case)
         job.finished.put(task.target, result, case.data, named_files, failed=case.failed)
-    except ReadError as error:  # a page would overwrite another file
+    except ReadError as error:  # a page would overwrite a file that is not a page
         return Done(file, [*problems, *error.problems])
     except OSError as error:
         return Done(
@@ -58,7 +58,7 @@ def calculate_and_write(job: Job, task: CaseTask) -> Done:
             [*problems, unwritable(task.target, error)],
             stop=error.errno not in OWN_FAULTS,
         )
-    except Exception as error:  # noqa: BLE001 - the other cases are to go on
+    except Exception as error:  # noqa: BLE001 - further cases must be calculated
         return Done(file, [*problems, unexpected(file, error)])
     return Done(file, problems, case.failed, has_result=True)
 
@@ -70,7 +70,7 @@ def _named_files(case: CalculatedCase) -> set[str]:
 def _shown_of_case(
     job: Job, case: CalculatedCase
 ) -> tuple[CalculatedCase, texts.CaseOutput | None]:
-    """Return the outcome and the output of a case; a case without output is a failure."""
+    """Return the outcome and the output of a case. Without output, the case has failed."""
     if case.results is None:
         return case, None
     try:
@@ -80,7 +80,7 @@ def _shown_of_case(
         causes = error.problems
     except click.BadParameter as error:
         causes = [of_file("E090", case.file, error.message)]
-    except Exception as error:  # noqa: BLE001 - the other cases are to go on
+    except Exception as error:  # noqa: BLE001 - further cases must be calculated
         causes = [unexpected(case.file, error)]
     return case._replace(results=None, problems=[*case.problems, *causes]), None
 

@@ -50,7 +50,7 @@ argument, optional_argument = (
     )
     for required in (True, False)
 )
-"""Arguments of commands: at least one case, or any number of cases; patterns are expanded."""
+"""Arguments of commands: at least one case, or any number of cases. Patterns are expanded."""
 files_from = under(
     INPUT,
     click.option(
@@ -139,14 +139,14 @@ some_gears = under(
 
 
 class RequiredUnless(RenamedOption):
-    """Option that is required unless an alternative option is given."""
+    """Option that is required unless another option is given."""
 
     def __init__(self, *names: Any, unless: str = "", **named: Any) -> None:
         super().__init__(*names, **named)
         self.unless = unless
 
     def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
-        """Return the help text of the option, which also names the alternative option."""
+        """Return the help text of the option, including the name of the other option."""
         record = super().get_help_record(ctx)
         other = self._other(ctx)
         if record is None or other is None:
@@ -154,7 +154,7 @@ class RequiredUnless(RenamedOption):
         return record[0], record[1].replace("[required]", f"[required without {other.opts[-1]}]")
 
     def process_value(self, ctx: click.Context, value: Any) -> Any:
-        """Return the value; the error for a missing option also names the alternative option."""
+        """Return the value. If it is missing, the error also names the other option."""
         try:
             return super().process_value(ctx, value)
         except click.MissingParameter:
@@ -171,7 +171,7 @@ class RequiredUnless(RenamedOption):
         return next((option for option in options if option.name == self.unless), None)
 
     def value_is_missing(self, value: Any) -> bool:
-        """Return whether both the option and the alternative option are missing."""
+        """Return whether the option and the other option are both missing."""
         context = click.get_current_context()
         is_given = context.get_parameter_source(self.unless) not in (None, ParameterSource.DEFAULT)
         other = is_given and context.params.get(self.unless)
@@ -179,7 +179,7 @@ class RequiredUnless(RenamedOption):
 
 
 def required_output(says: str, unless: str = "") -> Callable[[Command], Command]:
-    """Return the option of an output file, required unless `unless` is given."""
+    """Return the option for an output file, which is required without the option `unless`."""
     return under(
         OUTPUT,
         click.option(
@@ -200,7 +200,7 @@ WORDS = "headings and words; names and messages stay as they are"
 
 
 def language(of: str, *more: str) -> Callable[[Command], Command]:
-    """Return the option --lang for the language of `of`; `more` are further choices."""
+    """Return the option --lang for the language of `of`, with further choices `more`."""
     return under(
         OUTPUT,
         click.option(
@@ -223,22 +223,22 @@ class CalculatedCase(NamedTuple):
     """Content of the file of the case."""
     telling: Telling = Telling()
     scenario: DocumentOfCase | None = None
-    """Scenario that names the case, if the command takes scenarios."""
+    """Scenario that names the case; None for other commands and files."""
     is_run: bool = False
-    """True if the output is about the run of the scenario."""
+    """True if the output concerns a run of the scenario."""
     locate: Callable[[Problem], Problem] | None = None
     """Function that adds the place in the file to a problem of the model."""
 
     def located(self, error: CaseError) -> ReadError:
-        """Return an error whose problems are located in the file of the case."""
+        """Return an error whose problems have a place in the file of the case."""
         problems = error.problems if self.locate is None else map(self.locate, error.problems)
         return ReadError(each if each.place else each.in_file(self.file) for each in problems)
 
     @property
     def failed(self) -> bool:
-        """True if the case has an error, or a warning counts as an error.
+        """True if the case has an error, or a warning that counts as an error.
 
-        A gear that is tied up or has a freewheel conflict is an error, too, unless `is_run`.
+        Unless `is_run`, a gear that is tied up or has a freewheel conflict is also an error.
         """
         if self.results is None or (self.results.failed and not self.is_run):
             return True
@@ -250,23 +250,23 @@ class CalculatedCase(NamedTuple):
 
 
 class CaseOptions(NamedTuple):
-    """Options for reading and calculating cases; omitted options keep the values of the case."""
+    """Options for reading and calculating cases. An omitted option has the value of the case."""
 
     input_format: readers.Format | None = None
     coast: bool | None = None
     idle: IdleConvention | None = None
     telling: Telling = Telling()
     scenarios: bool = False
-    """True if a scenario can be given instead of a case."""
+    """True if the command accepts a scenario instead of a case."""
     of_runs: bool = False
-    """True if the output is about the run of a scenario; faulty gears are then not failures."""
+    """True if the output concerns a run of a scenario. Faulty gears are then not failures."""
     of_vibration: bool = False
-    """True if the output is about vibration; converters without a speed ratio then slip freely."""
+    """True if the output concerns vibration. Converters without a speed ratio then slip freely."""
 
     load: Load | None = None
-    """Default operating point, for a case without an operating point."""
+    """Operating point for a case that has none."""
     is_nominal: bool = False
-    """True if no shown result depends on `load`; messages about gears are then omitted."""
+    """True if the output does not depend on `load`. Messages about gears are then omitted."""
 
     @property
     def at_nominal_load(self) -> CaseOptions:
@@ -275,7 +275,7 @@ class CaseOptions(NamedTuple):
 
     @property
     def on_page(self) -> CaseOptions:
-        """Options for a page, which shows the notes instead of stderr."""
+        """Options for an HTML page, which contains notes instead of stderr."""
         return self._replace(telling=self.telling._replace(notes=True, on_page=True))
 
 
@@ -286,19 +286,19 @@ settings = gathered("settings", CaseOptions, input_format, coast, idle, telling)
 
 
 def gear_number(case: Transmission, asked: str, option: str = "--gear") -> int:
-    """Return the number (from 1) of a gear, given by name or by a number such as ``#3``.
+    """Return the number (from 1) of a gear from its name or from text such as ``#3``.
 
     Raises
     ------
     BadParameter
-        If the gear does not exist; the message names the option and the nearest name.
+        If the gear does not exist. The message contains the option and the most similar name.
     """
     with wrong_value(option):
         return case.gear_number(asked)
 
 
 def gear_indices(case: Transmission, asked: Sequence[str], option: str = "--gear") -> Sequence[int]:
-    """Return the indices of the requested gears without repetitions; all gears by default.
+    """Return the indices of gears by name, each once; all gears if `asked` is empty.
 
     Raises
     ------
@@ -319,7 +319,7 @@ def calculate(cases: Sequence[str], settings: CaseOptions) -> Iterator[Calculate
 
 
 def outside_notes(names: Sequence[str], case: Transmission, file: str) -> list[Problem]:
-    """Return the note about laws evaluated outside the points, unless suppressed by the case."""
+    """Return the note about laws evaluated outside their points, unless the case suppresses it."""
     from vstatics.core.statics.diagnosis import outside_message
 
     messages = not_allowed([outside_message(names)] if names else [], case.untold)
@@ -327,13 +327,16 @@ def outside_notes(names: Sequence[str], case: Transmission, file: str) -> list[P
 
 
 def show_problems(problems: Sequence[Problem], telling: Telling, name: str) -> None:
-    """Print problems of a file on stderr, including a failure caused by suppressed warnings."""
+    """Print problems of a file on stderr.
+
+    A failure because of unprinted warnings is also a problem.
+    """
     files.show(telling.printed(problems))
     files.show(telling.quiet_failure(problems, name))
 
 
 def named(cases: tuple[str, ...], files_from: str | None) -> list[str]:
-    """Return all cases: the arguments, and the files in the list of --files-from.
+    """Return the files of all cases: arguments, and names in the list of --files-from.
 
     Raises
     ------
@@ -375,8 +378,8 @@ def calculate_one(
 ) -> CalculatedCase:
     """Read and calculate a case, with all errors as problems.
 
-    `texts` contains texts that replace the files of these names. If `regular` is True, pipes and
-    devices are not accepted.
+    `texts` contains texts that are read instead of the files with these names. If `regular` is
+    True, pipes and devices are not accepted.
     """
     name, data = files.file_name(file), b""
     scenario, locate, is_run = None, None, False
@@ -411,7 +414,7 @@ def calculate_one(
         taken = "read_with_case" if settings.scenarios else ""
         no_case = documents.no_case(data, name, taken)
         results, problems = None, no_case or error.problems
-    except Exception as error:  # noqa: BLE001 - the other cases are to go on
+    except Exception as error:  # noqa: BLE001 - further cases must be calculated
         results, problems = None, [unexpected(name, error)]
     reported = settings.telling.told(problems)
     return CalculatedCase(name, results, reported, data, settings.telling, scenario, is_run, locate)
@@ -423,7 +426,7 @@ def _solved(reading: Reading, settings: CaseOptions, *, opens: bool) -> Results:
     Raises
     ------
     ReadError
-        If a law of the case gives an impossible torque; the error states its place.
+        If a law of the case has an impossible torque. The error contains its place.
     """
     from vstatics.core.statics.solution import solution  # not needed for the help text
 
@@ -445,12 +448,12 @@ def _solved(reading: Reading, settings: CaseOptions, *, opens: bool) -> Results:
 def read_data(
     data: bytes, name: str, input_format: readers.Format | None, telling: Telling
 ) -> Reading:
-    """Read a case and print the warnings, for a command that calculates no results.
+    """Read a case and print the warnings, for a command that does not calculate results.
 
     Raises
     ------
     ReadError
-        If the case cannot be read; the error contains the problems to print.
+        If the case cannot be read. The error contains the problems to print.
     """
     try:
         reading = readers.read(data, name, input_format).allowing(telling.allow)
@@ -461,9 +464,9 @@ def read_data(
 
 
 def unexpected(name: str, error: Exception) -> Problem:
-    """Return the problem that reports a fault in the program, with the line of the code.
+    """Return the problem for a fault in the program, with the line of the code.
 
-    A package that cannot be imported is reported as a missing package.
+    An import error becomes the problem of a missing package.
     """
     if why := broken(error):
         return of_file("E014", name, why)

@@ -1,6 +1,6 @@
-"""Terminal output through rich; texts of users are escaped, colours of rich are not.
+"""Terminal output with `rich`. Texts of users are escaped, but not the colours of `rich`.
 
-Import this module where it is used, because rich costs start-up time.
+Import this module only where it is used, because `rich` costs start-up time.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from rich.segment import Segment
 from vstatics.core.errors import printable
 
 _BLANKS = re.compile(r"[ ]+((?:\x1b\[[0-9;]*m)*)$", re.MULTILINE)
-"""Pattern of blanks at the end of a line, before codes that end colours."""
+"""Pattern of blanks at the end of a line, also if codes for colours follow."""
 
 
 class SafeConsole(Console):

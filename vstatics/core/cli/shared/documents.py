@@ -14,33 +14,33 @@ NO_TEXTS: Mapping[str, bytes] = {}
 
 
 class DocumentOfCase(Protocol):
-    """Interface of a document that refers to a case, such as a scenario."""
+    """Interface of a document that names a case, such as a scenario."""
 
     @property
     def name(self) -> str:
-        """Name given in the document, or an empty string."""
+        """Name in the document; empty if missing."""
 
     @property
     def description(self) -> str:
-        """Description given in the document."""
+        """Description in the document."""
 
     @property
     def reading(self) -> Reading:
-        """Case of the document, as read."""
+        """Case that the document names."""
 
     @property
     def input_speeds(self) -> tuple[float, ...]:
-        """Input speeds that the document gives [rpm]."""
+        """Input speeds in the document [rpm]."""
 
     def allowing(self, ids: Sequence[str]) -> Self:
-        """Return the document with further ids of messages suppressed."""
+        """Return the document with further ids of suppressed messages."""
 
     def locate(self, problem: Problem) -> Problem:
-        """Return a problem of the document or the case, located in the file."""
+        """Return a problem of the document or the case with its place in the file."""
 
 
 def is_a(kind: str, data: bytes, name: str) -> bool:
-    """Return whether a text is a document of a kind that an annex declares.
+    """Return whether a text is a document of a kind, such as `scenario`.
 
     >>> is_a("scenario", b"{case: box.yaml, duration: 6}", "up.yaml")
     True
@@ -56,7 +56,7 @@ def is_a(kind: str, data: bytes, name: str) -> bool:
 def no_case(data: bytes, name: str, taken: str = "") -> list[Problem]:
     """Return problems, if a command cannot use a document as a case.
 
-    Documents of a kind can be used if their annex declares a function named `taken` for the kind.
+    Documents can be used if their annex declares a function `taken` for their kind.
     """
     problems = []
     for kind, (annex, _) in DOCUMENTS.items():

@@ -1,4 +1,4 @@
-"""Estimates before a command runs, as --dry-run prints them, and a check of free disk space."""
+"""Estimates of time and size, which --dry-run prints, and a check of free disk space."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class CommandEstimate(NamedTuple):
-    """Estimated time, size and other numbers, known before a command runs.
+    """Estimates of time, size and other numbers before a command runs.
 
     Examples
     --------
@@ -28,13 +28,13 @@ class CommandEstimate(NamedTuple):
     """
 
     said: Mapping[str, str]
-    """Estimated quantities as text, by label."""
+    """Estimates other than the time as text, by label."""
     answer: Answer
-    """Record written as JSON, which contains the seconds."""
+    """Record for JSON, which includes the time in seconds."""
     seconds: float
     jobs: int = 1
     at_least: bool = False
-    """True if the estimated time is a lower limit; the command can take much longer."""
+    """True if the estimated time is a lower limit, and the command can take much longer."""
 
     @property
     def rows(self) -> dict[str, str]:
@@ -44,7 +44,7 @@ class CommandEstimate(NamedTuple):
         return {**self.said, "time": f"about {duration_text(self.seconds)}{more}{processes}"}
 
     def text(self, form: str | None, least: int = 0) -> str:
-        """Return JSON, or lines with labels padded to at least `least` letters."""
+        """Return JSON, or lines whose labels have at least `least` characters."""
         if form in ("json", "jsonl"):
             from vstatics.core.tables.answer import as_json
 
@@ -102,7 +102,7 @@ def check_room(size: float, output: str | None, expected: str) -> None:
         Estimated size. [bytes]
     output : str, optional
     expected : str
-        Alternative named in the message.
+        Words in the message for what the user can do instead.
 
     Raises
     ------
@@ -116,10 +116,10 @@ def check_room(size: float, output: str | None, expected: str) -> None:
 
 
 def free_room(output: str | None) -> int | None:
-    """Return the free disk space for an output file [bytes], unless the output is a stream."""
+    """Return the free disk space for an output file [bytes]; None for a stream."""
     from shutil import disk_usage
 
-    # A failure is ignored here, because it is reported when the output is written.
+    # Failures are ignored here, because writing the output reports them.
     with contextlib.suppress(OSError, ValueError, AttributeError, TypeError):
         if output is None or output == STDOUT:
             stdout = sys.stdout.fileno()

@@ -6,7 +6,7 @@ DONE = 0
 FAILED = 1
 """Status if a case has an error, a gear is impossible, or an output is incomplete."""
 WRONG_USE = 2
-"""Status of wrong use of the command line, as in click."""
+"""Status of wrong use of the command line, equal to the status of click."""
 EMPTY = 3
 """Status of a sweep without rows, with --fail-empty."""
 

@@ -42,9 +42,9 @@ STDIN = "-"
 MOST_SHOWN_PROBLEMS = 100
 """Largest number of problems of a case that are printed."""
 MOST_SEARCHED = 1000
-"""Largest number of files in a folder among which a similar name is searched for."""
+"""Largest number of files in a folder that are searched for a similar name."""
 ALIKE, SHORT = 0.75, 0.66
-"""Smallest similarity (0 to 1) of a suggested name, and the lower value for short names."""
+"""Smallest similarity (0 to 1) of a name to be suggested, and its value for short names."""
 CLOSED = "it is closed"
 
 
@@ -56,15 +56,15 @@ def file_name(file: str) -> str:
 def read_input(
     file: str, most: int = DOCUMENT_BYTES, *, regular: bool = False
 ) -> tuple[bytes, str]:
-    """Return the bytes of a file or of standard input, and the name of the source for messages.
+    """Return the bytes of a file or of standard input, and the name of the file for messages.
 
     Parameters
     ----------
     file : str
     most : int
-        Largest size accepted. [bytes]
+        Largest permitted size. [bytes]
     regular : bool
-        True if the input must be a regular file, because another file names it.
+        True to refuse pipes and devices, because another file names the input.
 
     Raises
     ------
@@ -91,7 +91,7 @@ def read_input(
 
 @contextlib.contextmanager
 def problems_of_file(file: str, hint: str = "") -> Iterator[None]:
-    """Run the block; raise problems with only the file as place, and with a hint.
+    """Run the block; raise its problems again with a hint, and with the whole file as place.
 
     Raises
     ------
@@ -106,7 +106,7 @@ def problems_of_file(file: str, hint: str = "") -> Iterator[None]:
 
 
 def _pattern(folder: str) -> str:
-    """Return the pattern of the cases in a folder, with the most frequent suffix."""
+    """Return the pattern of the cases in a folder that have the most frequent suffix."""
     with contextlib.suppress(OSError), os.scandir(folder) as entries:
         names = [entry.name for entry in itertools.islice(entries, MOST_SEARCHED)]
         suffixes = Counter(os.path.splitext(name)[1] for name in names if format_of_name(name))  # noqa: PTH122
@@ -116,7 +116,7 @@ def _pattern(folder: str) -> str:
 
 
 def _nearest_file(file: str) -> str:
-    """Return a hint that names the most similar file in the folder.
+    """Return a hint with the most similar file in the folder.
 
     Names are compared without suffix, because equal suffixes make different names similar.
     """
@@ -142,7 +142,7 @@ def _stem(name: str) -> str:
 
 
 def _shipped(file: str) -> str:
-    """Return a hint with the command that writes the shipped case of a given name.
+    """Return a hint with the command that writes a shipped case, if the file has its name.
 
     >>> _shipped("../tarasik-box.yaml"), _shipped("mine.yaml")
     ('; `vstatics new ../tarasik-box.yaml -t tarasik-box` writes the shipped case', '')
@@ -179,18 +179,18 @@ def show(problems: Iterable[Problem]) -> None:
 
 
 def say(line: str) -> None:
-    """Print a line to stderr with control characters escaped; a closed stderr is ignored."""
+    """Print a line to stderr, with control characters escaped. A closed stderr is ignored."""
     with contextlib.suppress(OSError):
         _speakers[-1](printable(line))
 
 
 _speakers: list[Callable[[str], None]] = [partial(click.echo, err=True)]
-"""Stack of functions that print a line; the last function is used."""
+"""Stack of functions that print a line. The last function is used."""
 
 
 @contextlib.contextmanager
 def speaking(speaker: Callable[[str], None]) -> Iterator[None]:
-    """Run the block with `speaker` as the function that prints the lines of `say`."""
+    """Run the block, in which `say` calls `speaker` to print a line."""
     _speakers.append(speaker)
     try:
         yield
@@ -208,7 +208,7 @@ def spare(inputs: Iterable[str], output: str | None) -> None:
     if output is None or is_stream(output):
         return
     for file in inputs:
-        with contextlib.suppress(OSError, ValueError, AttributeError):  # not all inputs are files
+        with contextlib.suppress(OSError, ValueError, AttributeError):  # some inputs are not files
             read = sys.stdin.fileno() if file == STDIN else file
             if os.path.samestat(os.stat(read), os.stat(output)):  # noqa: PTH116
                 message = f"{output} is what is read, and would be overwritten"
@@ -247,7 +247,7 @@ def write_data(data: bytes, output: str | None) -> None:
 def write_pages(pages: Sequence[bytes], output: str | None, *, quiet: bool = False) -> None:
     """Write each page of a picture to a file, or a single page to a stream.
 
-    The names of further files are printed, unless `quiet` is True.
+    The names of the files after the first are printed unless `quiet` is True.
 
     Raises
     ------
@@ -270,7 +270,7 @@ def write_pages(pages: Sequence[bytes], output: str | None, *, quiet: bool = Fal
 
 
 def write_coloured(text: str) -> None:
-    """Write a text of `SafeConsole`, which is escaped already, to stdout.
+    """Write a text from `SafeConsole`, which is already escaped, to stdout.
 
     Raises
     ------
@@ -287,7 +287,7 @@ def stream(
 ) -> Iterator[Write]:
     """Yield a function that writes data in pieces to stdout, a device or a file.
 
-    A file gets its name at the end of the block; until then its content is in a temporary file in
+    A file gets its name at the end of the block. Until then its content is in a temporary file, in
     `folder` or in the folder of the output.
 
     Raises
@@ -306,13 +306,13 @@ def stream(
             with way as write:
                 yield write
     except BrokenPipeError:
-        raise  # the pipe is closed; click ends quietly
+        raise  # the pipe is closed, after which click ends quietly
     except OSError as error:
         raise ReadError([unwritable(output, error)]) from None
 
 
 def encoded(text: str, *, as_is: bool = False) -> bytes:
-    r"""Return a text in UTF-8; control characters are escaped unless `as_is` is True.
+    r"""Return a text in UTF-8, with control characters escaped unless `as_is` is True.
 
     >>> encoded("\x1b[2J"), encoded("\x1b[2J", as_is=True)
     (b'\\u001b[2J', b'\x1b[2J')
@@ -321,9 +321,9 @@ def encoded(text: str, *, as_is: bool = False) -> bytes:
 
 
 def read_names(file: str) -> list[str]:
-    r"""Return the names in a list of files, each on a line or ended by NUL (`find -print0`).
+    r"""Return the names in a list of files, which are on separate lines or end with NUL.
 
-    Blanks around a line are removed; empty lines and lines that begin with # are ignored.
+    Blanks around a line are removed. Empty lines and lines that begin with # are ignored.
 
     Raises
     ------
@@ -343,7 +343,7 @@ def read_names(file: str) -> list[str]:
 
 
 def _print(data: bytes | memoryview, *, coloured: bool) -> None:
-    """Write to stdout without buffering; data for a terminal are escaped unless coloured."""
+    """Write to stdout without a buffer. Data for a terminal are escaped unless `coloured`."""
     if sys.stdout is None:
         raise OSError(CLOSED)
     if sys.stdout.isatty() and not coloured:

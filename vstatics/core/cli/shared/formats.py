@@ -1,4 +1,4 @@
-"""Output file and format of a command, determined by -f and the suffix of -o."""
+"""Output file and format of a command, from -f and the suffix of -o."""
 
 from __future__ import annotations
 
@@ -21,28 +21,28 @@ from vstatics.core.texts import Language
 TABLES = ("text", "json", "jsonl", "csv", "markdown", "latex", "xlsx")
 """Formats of a command with tables."""
 READ_BY_PEOPLE = ("text", "listing", "markdown", "latex", "html")
-"""Formats for people, with words in the chosen language."""
+"""Formats for people, with words in the language of the output."""
 FULL = ("json", "jsonl", "csv", "parquet")
 """Formats with all digits of a number."""
 STREAMS = ("jsonl", "parquet")
-"""Formats with all cases in a single file, for which --resume is possible."""
+"""Formats with all cases in a single file, which --resume can continue."""
 
 
 class TextStyle(NamedTuple):
     """Style of texts."""
 
     lang: Language | Literal["source"] = "en"
-    """Language of the words; "source", an alias of a format, is resolved by `run`."""
+    """Language of the words. The command `run` converts the alias "source" to a format."""
     digits: int | None = None
-    """Number of decimals; by default, each number has suitable digits."""
+    """Number of decimals; None for a suitable number for each value."""
     raw: bool = False
-    """True to omit the apostrophe that keeps spreadsheets from taking a text for a formula."""
+    """True to omit the apostrophes that keep spreadsheets from evaluating texts as formulas."""
     own_tables: bool = False
-    """True if a published listing is followed by the additional tables of vstatics."""
+    """True to append the additional tables of vstatics to a published listing."""
 
 
 class Destination(NamedTuple):
-    """Output and format of a command."""
+    """Output file and format of a command."""
 
     form: str
     output: str | None
@@ -56,7 +56,7 @@ class Destination(NamedTuple):
 
     @property
     def language(self) -> Language:
-        """Language of the words; formats for programs are in English."""
+        """Language of the words, which is English in formats for programs."""
         lang = self.style.lang
         return lang if lang != "source" and self.form in READ_BY_PEOPLE else "en"
 
@@ -70,7 +70,7 @@ class OutputOptions(NamedTuple):
     """Values of -f, -o, --digits and --raw."""
 
     formats: Sequence[str]
-    """Formats of the command, the default first."""
+    """Formats of the command, default first."""
     form: str | None
     output: str | None
     style: TextStyle
@@ -78,21 +78,21 @@ class OutputOptions(NamedTuple):
     def destination(
         self, inputs: Sequence[str], *, several: bool = False, together: bool = False
     ) -> Destination:
-        """Return the output and the format of the output, checked before any calculation.
+        """Return the output and its format, which are checked before any calculation.
 
         Parameters
         ----------
         inputs : sequence of str
             Input files, which no output may overwrite.
         several : bool
-            True if there are several cases; a name without suffix is then a directory.
+            True if there are several cases. An output without suffix is then a directory.
         together : bool
-            True if several cases share one text (unless the output is a directory).
+            True if the output of several cases is a common text (unless it is a directory).
 
         Raises
         ------
         UsageError
-            If the format is unknown or contradictory, or an input would be overwritten.
+            If the format is unknown or contradicts the suffix, or an input would be overwritten.
         ReadError
             If a package of the format, or the directory of the file, is missing.
         """
@@ -147,7 +147,7 @@ class OutputOptions(NamedTuple):
 def each_by_itself(
     output: str, cases: Sequence[str], formats: Sequence[str], what: str
 ) -> Destination:
-    """Return the destination of a page or picture; more than two cases need a directory.
+    """Return the destination of a page or picture. More than two cases need a directory.
 
     Raises
     ------
@@ -181,17 +181,29 @@ digits = under(
     ),
 )
 WHOLE_OUTPUT = "Output file, written completely or not at all."
-"""Help text of an option for an output file."""
+"""Help text of the option for an output file."""
 OF_SEVERAL_CASES = (
     f"{WHOLE_OUTPUT} With several cases: a directory, or one file if the name has a suffix."
 )
 """Help text of the option -o of commands for several cases."""
 
 
+class FormatChoice(click.Choice[str]):
+    """Choice of a format by its name or one of its suffixes, such as markdown or md."""
+
+    def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> str:
+        """Return the name of the format.
+
+        >>> FormatChoice(TABLES).convert("md", None, None)
+        'markdown'
+        """
+        return super().convert(format_of(f"a.{value}", self.choices) or value, param, ctx)
+
+
 def options(
     *formats: str, says: str = "Format of the output", output_help: str = WHOLE_OUTPUT
 ) -> Callable[[Command], Command]:
-    """Return a decorator that adds -f, -o, --digits and --raw to a command, as `wanted`."""
+    """Return a decorator that adds -f, -o, --digits and --raw to a command (as `wanted`)."""
     return gathered(
         "wanted",
         partial(OutputOptions, formats),
@@ -201,7 +213,7 @@ def options(
                 "-f",
                 "--format",
                 "form",
-                type=click.Choice(formats),
+                type=FormatChoice(formats),
                 help=f"{says}.  [default: by the suffix of -o, else {formats[0]}]",
             ),
             click.option("-o", "--output", type=FILE, help=output_help),

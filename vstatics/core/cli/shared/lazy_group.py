@@ -13,16 +13,16 @@ from vstatics.core.errors import quoted
 from vstatics.core.suggestions import nearest
 
 Modules = Mapping[str, tuple[str, str]]
-"""Module and summary of each command; the module defines the command as `NAME_command`."""
+"""Module and summary of each command. The module defines the command as `NAME_command`."""
 
 
 class LazyGroup(click.Group):
-    """Group that imports commands on demand."""
+    """Group that imports the module of a command when the command is called."""
 
     modules: ClassVar[Modules] = {}
 
     def listed(self) -> Modules:
-        """Return the modules and summaries of all commands, in the order of use."""
+        """Return modules and summaries of all commands, in the order of the help text."""
         return self.modules
 
     def module(self, name: str) -> str:
@@ -30,11 +30,11 @@ class LazyGroup(click.Group):
         return self.listed().get(name, ("", ""))[0]
 
     def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002
-        """Return the names of all commands, in the order of use."""
+        """Return the names of all commands, in the order of the help text."""
         return list(self.listed())
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:  # noqa: ARG002
-        """Return the command with a name, after importing the module of the command."""
+        """Import the module of a command, and return the command."""
         module = self.module(cmd_name)
         if not module:
             return None
@@ -44,7 +44,7 @@ class LazyGroup(click.Group):
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """Resolve a command; the error for an unknown name suggests the most similar command."""
+        """Find the command of the arguments; for an unknown name suggest a similar command."""
         name = args[0]
         if name.startswith("-") or self.module(name):
             return super().resolve_command(ctx, args)
@@ -57,6 +57,6 @@ class LazyGroup(click.Group):
         return nearest(name, self.listed()) or f"; commands are {', '.join(self.listed())}"
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:  # noqa: ARG002
-        """Write the list of commands without importing the modules of the commands."""
+        """Write the list of commands without importing their modules."""
         with formatter.section("Commands"):
             formatter.write_dl([(name, summary) for name, (_, summary) in self.listed().items()])

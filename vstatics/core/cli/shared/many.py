@@ -1,4 +1,4 @@
-"""Runs of several cases, whose outputs are written to files in a directory or to a stream."""
+"""Runs of several cases, with output to files in a directory or to a stream."""
 
 from __future__ import annotations
 
@@ -26,17 +26,17 @@ from vstatics.core.jobs.workers import workers
 
 
 class _HaltedError(Exception):
-    """Signal that the outputs of further cases cannot be written."""
+    """Exception raised if the output of further cases cannot be written."""
 
 
 class _Count:
-    """Counts of finished, calculated and failed cases of a run."""
+    """Numbers of finished, calculated and failed cases of a run."""
 
     def __init__(self, total: int, finished_before: int) -> None:
         self.total = total
         self.finished_before = self.done = self.calculated = finished_before
         self.doubtful = 0
-        """Number of cases that have results and nevertheless fail."""
+        """Number of failed cases that have results."""
         self.failures: list[str] = []
         """A line for each failed case."""
 
@@ -53,7 +53,7 @@ class _Count:
         return FAILED if self.failures else DONE
 
     def summary(self, telling: Telling) -> None:
-        """Print the numbers of calculated and failed cases; with -q, only after failures."""
+        """Print the numbers of calculated and failed cases, with -q only after failures."""
         if telling.quiet and not self.failures:
             return
         line = f"{self.calculated} of {self.total} cases calculated"
@@ -69,7 +69,7 @@ class _Count:
 
 
 def _failure(done: Done) -> str:
-    """Return a phrase for a failed case: first error or warning, and number of further problems."""
+    """Return words for a failed case: first error or warning, and number of further problems."""
     causes = [problem for problem in done.problems if problem.severity == "error"]
     causes = causes or [problem for problem in done.problems if problem.severity == "warning"]
     first = str(causes[0]) if causes else "failed"
@@ -99,7 +99,7 @@ def to_directory(
     Raises
     ------
     UsageError
-        If results would overwrite one another or a case, or the earlier run had other options.
+        If a result would overwrite another result or a case, or the earlier run had other options.
     ReadError
         If the directory cannot be written to.
     """
@@ -117,12 +117,12 @@ def to_directory(
     if count.total > 1:
         count.summary(telling)
         if job.command == "run" and not telling.quiet:
-            _tell_others(folder, suffix, planned)
+            _report_others(folder, suffix, planned)
     return count.status
 
 
-def _tell_others(folder: str, suffix: str, planned: Sequence[CaseTask]) -> None:
-    """Report results in the directory that do not belong to any case of the run."""
+def _report_others(folder: str, suffix: str, planned: Sequence[CaseTask]) -> None:
+    """Report results in the directory that are not results of the run's cases."""
     expected = {os.path.basename(str(task.target)) for task in planned}  # noqa: PTH119
     present = {name for name in os.listdir(folder) if name.endswith(suffix) and name[0] != "."}  # noqa: PTH208
     if others := sorted(present - expected):
@@ -161,7 +161,7 @@ def _begun(
 
 @contextmanager
 def _other_options_as_wrong_use() -> Iterator[None]:
-    """Run the block; report an earlier run with other options as wrong use of --resume."""
+    """Run the block; treat other options in the earlier run as wrong use of --resume."""
     try:
         yield
     except ReadError as error:
@@ -234,12 +234,12 @@ def _in_order(
 ) -> Iterator[texts.Part]:
     for file in cases:
         yield parts.part(file) if file in done else next(coming)
-    yield from coming  # runs the generator to its end; yields nothing
+    yield from coming  # this only runs the generator to its end
 
 
 @contextmanager
 def _results(job: Job, todo: Sequence[CaseTask], jobs: int) -> Iterator[Iterator[Done]]:
-    """Yield an iterator of the outcomes of cases, in order, calculated by `jobs` processes."""
+    """Yield an iterator of the outcomes of cases in their order, calculated by `jobs` processes."""
     with workers(job, str, jobs=min(jobs, len(todo)), rules=RULES_OF_CASES) as called:
         yield (done for _, done in called.each(calculate_and_write, todo, ordered=True))
 
@@ -253,7 +253,7 @@ def _follow(
     beside_stdout: bool = False,
     parts: FinishedParts | None = None,
 ) -> Iterator[texts.Part]:
-    """Report and count the outcome of each case; store and yield the part of the output."""
+    """Report and count the outcome of each case; store and yield the output of the case."""
     quiet, telling = telling.quiet, telling._replace(notes=True)
     with progress(count.total, "cases", beside_stdout=beside_stdout, quiet=quiet) as advance:
         advance(count.finished_before)
@@ -275,7 +275,7 @@ def _follow(
 
 @contextmanager
 def _until_written(output: str | None, remains: Callable[[], str]) -> Iterator[None]:
-    """Run the block; if the output cannot be written, report the stored work and exit.
+    """Run the block. If the output cannot be written, report what is stored, and exit.
 
     Raises
     ------
@@ -292,12 +292,12 @@ def _until_written(output: str | None, remains: Callable[[], str]) -> Iterator[N
 
 @contextmanager
 def _until_stopped(count: _Count, remains: str, *, resumable: bool = False) -> Iterator[Stop]:
-    """Run the block; after Ctrl-C, SIGTERM or a full disk, report the finished work and exit.
+    """Run the block. After Ctrl-C, SIGTERM or a full disk, report the finished work, and exit.
 
     Parameters
     ----------
     resumable : bool
-        True if the run can be resumed after the output could not be written.
+        True if the run can be resumed after a failure to write the output.
     """
     try:
         with stoppable() as stop:
@@ -318,17 +318,18 @@ def _until_stopped(count: _Count, remains: str, *, resumable: bool = False) -> I
 
 
 def _depends(job: Job) -> dict[str, object]:
-    """Return the options on which results depend, so that a resumed run must have equal values."""
+    """Return the options that affect results, and must be equal in a resumed run."""
     style = job.to.style
     return {
         "command": job.command,
         "--from": job.options.input_format,
         "--coast": job.options.coast,
         "--unloaded": job.options.idle,
-        "--strict": job.options.telling.strict,  # decides whether a result with warnings is done
+        # a result with warnings counts as done without --strict
+        "--strict": job.options.telling.strict,
         "--allow": sorted(set(job.options.telling.allow)) or None,
         "--lang": style.lang if job.to.is_text else None,
-        "-f source": job.to.form == "source" or None,  # same suffix as listings
+        "-f source": job.to.form == "source" or None,  # this format has the suffix of listings
         "--digits": style.digits,
         "--raw": style.raw or None,
         "--own-tables": style.own_tables or None,

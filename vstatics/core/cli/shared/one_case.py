@@ -1,4 +1,4 @@
-"""Common parts of commands for a single case: reading, places of problems, output."""
+"""Common code of commands for a single case: reading, places of problems, output."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from vstatics.core.tables.grid import Grid
 
 @contextmanager
 def problems_of(reading: Reading) -> Iterator[None]:
-    """Run the block; add the places in the file to problems of a case that the block raises.
+    """Run the block; add places in the file to problems of a case in the block.
 
     Raises
     ------
@@ -42,7 +42,7 @@ def problems_of(reading: Reading) -> Iterator[None]:
 
 
 def _placed(problem: Problem, reading: Reading) -> Problem:
-    """Return a problem with a place in the file: the whole file for a problem without a path."""
+    """Return a problem with its place: the whole file if the problem has no path."""
     located = reading.locate(problem)
     if problem.path or located.place is None:
         return located
@@ -50,16 +50,16 @@ def _placed(problem: Problem, reading: Reading) -> Problem:
 
 
 class CaseAnswer(NamedTuple):
-    """Answer of a command about a case; the function `grids` creates the tables when needed."""
+    """Answer of a command about a case. The function `grids` creates its tables when needed."""
 
     grids: Callable[[], Iterable[Grid]]
     answer: Answer
-    """Record written as JSON."""
+    """Record for JSON."""
     problems: Sequence[Problem] = ()
     failed: bool = False
-    """True if the command fails although no problem is an error."""
+    """True if the command fails without an error among the problems."""
     write: Callable[[], bool] | None = None
-    """Function that writes a further file, and returns whether the writing was complete."""
+    """Function that writes a further file, and returns whether it could write everything."""
 
 
 class OneCase(NamedTuple):
@@ -70,12 +70,12 @@ class OneCase(NamedTuple):
     input_format: readers.Format | None
     telling: Telling
     coast: bool | None = None
-    """True if power enters at the output; by default, the case gives the direction."""
+    """True if power enters at the output; None for the setting of the case."""
     static_torque: float | None = None
-    """Torque at the input, by default the torque given by the case. [N*m]"""
+    """Input torque; None for the input torque of the case. [N*m]"""
 
     def destination(self, *others: str) -> Destination:
-        """Return the destination of the output, which must not be the case or any other input.
+        """Return the destination of the output, which must not be the case or another input.
 
         Raises
         ------
@@ -86,7 +86,7 @@ class OneCase(NamedTuple):
         return one_text(self.wanted, inputs)
 
     def read(self, *given: tuple[bytes, str]) -> Reading:
-        """Read the case from the file or the given text, and print the warnings.
+        """Read the case from its file or from a text, and print the warnings.
 
         Raises
         ------
@@ -107,14 +107,13 @@ class OneCase(NamedTuple):
         Parameters
         ----------
         calculate : callable
-            Function that returns the answer; problems that it raises are located in the file.
+            Function that returns the answer. Its problems get their places in the file.
         to : Destination, optional
-            Output, if the command has determined it already.
+            Output; None to determine it from the options.
         extra : str
-            Name of the optional package that the command needs, which is also the name of the
-            command.
+            Name of the command, and of the optional package that it needs.
         *given : tuple of (bytes, str)
-            Text of the case and name of its file, if it has been read already.
+            Text of the case and name of its file, if the command has already read it.
 
         Raises
         ------
@@ -140,19 +139,19 @@ class OneCase(NamedTuple):
 
 
 def _in_both_units(case: Transmission, grids: Callable[[], Iterable[Grid]]) -> Iterator[Grid]:
-    from vstatics.core.tables.straight import in_both_units  # few cases need this
+    from vstatics.core.tables.straight import in_both_units  # few cases need it
 
     return in_both_units(case, grids())
 
 
 of_case = (formats.options(*formats.TABLES), cases.input_format, cases.telling)
-"""Options of every command for a single case: output, input format and messages."""
+"""Options of each command for a single case: output, input format and messages."""
 one_case = gathered("request", OneCase, click.argument("case", type=FILE), *of_case)
-"""Decorator that passes the case and these options to a command, as argument `request`."""
+"""Decorator that adds the case and these options to a command, as argument `request`."""
 
 
 def show(file: str, to: Destination, title: str, answer: CaseAnswer) -> None:
-    """Write an answer about a case in the chosen format."""
+    """Write an answer about a case in the requested format."""
     name = file_name(file)
     shown = texts.CaseOutput([title or name], {}, answer.grids, lambda: answer.answer)
     files.write_pages(texts.alone(name, shown, to), to.output)
@@ -164,12 +163,12 @@ def tell(problems: Sequence[Problem], telling: Telling, file: str) -> None:
 
 
 def warnings_of(identity: str, messages: Iterable[str], file: str) -> list[Problem]:
-    """Return warnings that concern a file as a whole."""
+    """Return warnings about a whole file."""
     return [of_file(identity, file, message) for message in messages]
 
 
 def one_text(wanted: OutputOptions, inputs: Sequence[str]) -> Destination:
-    """Return the destination of a command for a single case, which must not be a directory."""
+    """Return the destination for a single case, which must not be a directory."""
     to = wanted.destination(inputs)
     if to.is_folder:
         raise click.UsageError(f"one case gives one text: expected -o FILE, not {to.output}")

@@ -1,4 +1,4 @@
-"""Run of a command for a single case, or for several cases through the module `many`."""
+"""Run of a command for a single case or, with the module `many`, for several cases."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def carry_out(
     others : sequence of str
         Further input files, which no output may overwrite.
     a_list : bool
-        True if the cases are a list, even if it contains only one.
+        True to treat a single case like several cases.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Options of commands: headings in the help text, former names, combination into arguments."""
+"""Options of commands: headings in the help text, former names, combination in arguments."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 Option = Callable[[Any], Any]
-"""Decorator that adds an option to a command, as returned by click."""
+"""Decorator of click that adds an option to a command."""
 
 INPUT = "Input"
 CALCULATION = "Calculation"
@@ -27,15 +27,15 @@ PROCESSING = "Processing"
 MESSAGES = "Messages"
 HELP = "Help"
 _LAST = (CALCULATION, OUTPUT, PROCESSING, MESSAGES, HELP)
-"""Headings after the input options and the headings of a command, in displayed order."""
+"""Headings at the end of the help text, after headings of input options and of the command."""
 _FEW = 7
-"""Largest number of options that are listed together under the heading "Options"."""
+"""Number of options up to which all are under the heading "Options"."""
 _HEADING = "heading"
 """Attribute that contains the heading of an option in the help text."""
 _PARAMETERS = "__click_params__"
-"""Attribute of a function in which decorators of click collect options."""
+"""Attribute of a function in which click collects its options."""
 _WIDTH = 28
-"""Largest width of the column of options, in characters; longer options are on separate lines."""
+"""Largest width of the column of options, in characters. Longer options have separate lines."""
 
 
 def needs(extra: str, purpose: str) -> None:
@@ -45,21 +45,21 @@ def needs(extra: str, purpose: str) -> None:
 
 
 def provided(name: str) -> Callable[[Command], Command]:
-    """Return a decorator that adds options of an annex, or nothing without the annex."""
+    """Return a decorator that adds options of an annex, if the annex is installed."""
     return higher(name) if module_of_method(name) else lambda command: command
 
 
 def gathered(
     name: str, build: Callable[..., object], *options: Option
 ) -> Callable[[Command], Command]:
-    r"""Return a decorator that combines options into a single argument.
+    r"""Return a decorator that combines options in a single argument of a command.
 
     Parameters
     ----------
     name : str
         Name of the argument of the command.
     build : callable
-        Function that returns the argument; its parameters have the names of the options.
+        Function that returns the argument. Its parameters have the names of options.
     *options : callable
         Options in the order of the help text. Options that `build` does not accept are passed to
         the command.
@@ -98,7 +98,7 @@ def gathered(
 def completing(
     names: Callable[[], Iterable[str]],
 ) -> Callable[[Any, Any, str], list[CompletionItem]]:
-    """Return a function that completes option values; names are listed only when a shell asks.
+    """Return a function for a shell that completes option values; it calls `names` when needed.
 
     Of several comma-separated names, the last is completed.
 
@@ -123,7 +123,7 @@ def completing(
 
 
 def refuse(*rules: tuple[object, str]) -> None:
-    """Raise an error for the first rule that the options violate.
+    """Raise an error if options violate a rule; only the first such rule is reported.
 
     Parameters
     ----------
@@ -140,19 +140,19 @@ def refuse(*rules: tuple[object, str]) -> None:
 
 
 def _place(heading: str) -> int:
-    """Return the sort key of a heading; headings of a command follow the input options."""
+    """Return the sort key of a heading. Headings of a command are after the input options."""
     return -1 if heading == INPUT else heading in _LAST and _LAST.index(heading) + 1
 
 
 class RenamedOption(click.Option):
-    """Option with former names that are still accepted, but neither listed nor completed."""
+    """Option with former names, which are accepted but neither listed nor completed."""
 
     def __init__(self, *names: Any, former: Sequence[str] = (), **named: Any) -> None:
         super().__init__(*names, **named)
         self.former = tuple(former)
 
     def add_to_parser(self, parser: Any, ctx: click.Context) -> None:
-        """Add the option to the parser under every name of the option."""
+        """Add the option to the parser under all its names."""
         names = self.opts
         self.opts = [*names, *self.former]
         super().add_to_parser(parser, ctx)
@@ -160,10 +160,10 @@ class RenamedOption(click.Option):
 
 
 class HeadedCommand(click.Command):
-    """Command whose help text groups more than a few options under headings."""
+    """Command whose help text groups options under headings, if there are many."""
 
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """Write the options by heading, in the order of declaration."""
+        """Write the options by heading, in the order in which they are declared."""
         listed: dict[str, list[tuple[str, str]]] = {}
         for option in self.get_params(ctx):
             if isinstance(option, click.Option) and (record := option.get_help_record(ctx)):
@@ -173,7 +173,7 @@ class HeadedCommand(click.Command):
         if sum(map(len, listed.values())) <= _FEW:
             listed = {"Options": [record for records in listed.values() for record in records]}
         names = [len(name) for records in listed.values() for name, _ in records]
-        width = min(max(names), _WIDTH)  # common to all headings
+        width = min(max(names), _WIDTH)  # equal for all headings
         for heading in sorted(listed, key=_place):
             with formatter.section(heading):
                 rows = [(name.ljust(width), text) for name, text in listed[heading]]
@@ -183,8 +183,8 @@ class HeadedCommand(click.Command):
 def command(function: Callable[..., Any]) -> click.Command:
     """Return the command for a function `NAME_command`, with the docstring as the help text.
 
-    The suffix `_command` distinguishes the function from a function of the Python interface, such
-    as `sweep`.
+    The suffix `_command` distinguishes the function from functions of the Python interface, such as
+    `sweep`.
     """
     return click.command(cls=HeadedCommand)(function)
 

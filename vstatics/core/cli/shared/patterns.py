@@ -10,14 +10,14 @@ import click
 from vstatics.core.errors import quoted
 
 WILDCARDS, SIGNS = "*?", "*?["
-"""Characters that turn a name into a pattern, and all special characters of patterns.
+"""Characters that make a name a pattern, and all special characters of patterns.
 
-A bracket does not turn a name into a pattern, because it can belong to a file name.
+A bracket does not make a name a pattern, because file names can contain brackets.
 """
 
 
 def expanded(names: Iterable[str]) -> list[str]:
-    """Return the files given by names and patterns; `**` matches any folders except links.
+    """Return the files that match names and patterns; `**` matches any folders except links.
 
     A file is listed once, even if several patterns and names match it.
 
@@ -51,7 +51,7 @@ def expanded(names: Iterable[str]) -> list[str]:
 def _matching(pattern: str) -> Iterator[str]:
     """Yield the paths that match a pattern with any number of `**`.
 
-    `glob` itself would follow links, and would not terminate in a loop of links.
+    The function `glob` would follow links, and would not end in a loop of links.
     """
     from glob import escape  # costs start-up time
 

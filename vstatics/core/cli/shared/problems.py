@@ -1,4 +1,4 @@
-"""Selection of problems by -q and --strict: which are printed, and which make a command fail."""
+"""Selection of the problems that are printed, and that make a command fail, by -q and --strict."""
 
 from __future__ import annotations
 
@@ -9,23 +9,23 @@ from vstatics.core.errors import Problem, count_of, listed, of_file
 
 
 class Telling(NamedTuple):
-    """Treatment of warnings and notes; errors are always printed and make the command fail."""
+    """Treatment of warnings and notes. Errors are always printed, and make the command fail."""
 
     allow: Sequence[str] = ()
     """Ids of messages to suppress, in addition to the key `allow` of the case."""
     quiet: bool = False
-    """True if only errors are printed, and no progress."""
+    """True to print only errors, and no progress."""
     strict: bool = False
     """True if warnings make the command fail."""
     notes: bool = False
-    """True if notes are reported, as `vstatics check` does."""
+    """True to report notes, as in `vstatics check`."""
     on_page: bool = False
-    """True if notes are shown only on a page, not printed."""
+    """True if notes are only on a page, and not printed."""
     each_gear: bool = False
-    """True if a message about several gears is repeated for each gear."""
+    """True to repeat a message about several gears for each gear."""
 
     def told(self, problems: Iterable[Problem]) -> list[Problem]:
-        """Return the problems to report; notes are last."""
+        """Return the problems to report, notes last."""
         notes: list[Problem] = []
         warnings_and_errors: list[Problem] = []
         for problem in dict.fromkeys(problems):
@@ -33,7 +33,7 @@ class Telling(NamedTuple):
         return warnings_and_errors + notes * self.notes
 
     def printed(self, problems: Iterable[Problem]) -> list[Problem]:
-        """Return the problems to print, without messages suppressed by -q or shown on a page."""
+        """Return the problems to print, without messages that -q suppresses or a page contains."""
         reported = self.told(problems)
         if self.quiet:
             return [problem for problem in reported if problem.severity == "error"]

@@ -1,4 +1,4 @@
-"""Progress on stderr: a bar for a person at a terminal, otherwise a line from time to time."""
+"""Progress on stderr: a bar at a terminal, otherwise a line from time to time."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ if TYPE_CHECKING:
     from rich.progress import Progress
 
 Advance = Callable[[int], None]
-"""Function that advances the progress bar by a number of units."""
+"""Function that advances progress by a number of units."""
 
 PERIOD = 0.1
 """Shortest time between two updates of the bar. [s]"""
 BAR_COLUMNS = 24
-"""Width of the bar, in characters; a line with numbers of eight digits then fits 80 characters."""
+"""Width of the bar, for which a line with numbers of eight digits fits 80 characters."""
 FIRST_WORD, LONGEST_SILENCE = 5.0, 600.0
-"""Time until the first line, and longest time between lines; the time doubles each time. [s]"""
+"""Time until the first line, and longest time between lines. The time doubles for each line. [s]"""
 
 
 @contextmanager
@@ -35,7 +35,7 @@ def telling(said: Callable[[], str]) -> Iterator[None]:
     Parameters
     ----------
     said : callable
-        Function that returns a line about the progress, or an empty string.
+        Function that returns a line about the progress, or an empty text.
     """
     ended = threading.Event()
 
@@ -54,7 +54,7 @@ def telling(said: Callable[[], str]) -> Iterator[None]:
 
 
 def done_text(part: float, seconds: float) -> str:
-    """Return a phrase with the finished share, the elapsed time and the extrapolated time left.
+    """Return words for finished fraction (0 to 1), elapsed time [s] and extrapolated time left.
 
     >>> done_text(0.25, 30)
     '25 % after 30 s, about 1.5 minutes left'
@@ -71,17 +71,18 @@ def progress(
 ) -> Iterator[Advance]:
     """Show the number of finished units by a bar, or by lines if stderr is not a terminal.
 
-    Messages (`files.say`) appear above the bar. The bar is drawn only when it advances. It needs no
-    thread, so that processes can be started while it is shown.
+    Messages (`files.say`) appear above the bar. The bar is drawn only when it advances, without a
+    thread, so that processes can be started at the same time.
 
     Parameters
     ----------
     total : int, optional
-        Number of all units, if known.
+        Number of all units; None if unknown.
     unit : str
         Name of the units in the plural, such as "variants".
     beside_stdout : bool
-        True if results are written to stdout at the same time; the same terminal then shows no bar.
+        True if results are written to stdout at the same time. If stdout is the same terminal,
+        there is no bar.
     quiet : bool
         True to show nothing.
 
@@ -119,7 +120,7 @@ def progress(
 
 @contextmanager
 def _lines(total: int | None, unit: str) -> Iterator[Advance]:
-    """Print lines about the progress instead of a bar, if the total is known."""
+    """Print lines about the progress, if the total is known."""
     began, done = time.monotonic(), 0
 
     def advance(count: int) -> None:
@@ -145,7 +146,7 @@ def _bar(unit: str) -> Progress:
     from vstatics.core.cli.shared.console import SafeConsole
 
     class Rate(parts.ProgressColumn):
-        """Column of the progress bar with units per second; the previous column names the unit."""
+        """Column of the progress bar with units per second. The column before it names the unit."""
 
         def render(self, task: parts.Task) -> Text:
             speed = task.finished_speed or task.speed

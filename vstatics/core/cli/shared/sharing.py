@@ -1,4 +1,4 @@
-"""Distribution of a command's work over processes, and its resumption after a stop."""
+"""Distribution of a command's work over processes, and resumption after a stop."""
 
 from __future__ import annotations
 
@@ -33,13 +33,13 @@ class Sharing(NamedTuple):
     """Values of -j, --scheduler and --resume."""
 
     jobs: int | None = None
-    """Number of processes; by default the number of cores."""
+    """Number of processes; None for the number of processor cores."""
     scheduler: str | None = None
     resume: bool = False
 
     @property
     def processes(self) -> int:
-        """Number of processes on the local computer."""
+        """Number of processes on this computer."""
         from vstatics.core.jobs.workers import cores
 
         return 1 if self.scheduler else self.jobs or cores()
@@ -66,7 +66,7 @@ class Sharing(NamedTuple):
         *,
         quiet: bool,
     ) -> None:
-        """Open the store of finished pieces, for a new run or to resume an earlier run if possible.
+        """Open the finished pieces of a command, to begin or resume its work.
 
         Parameters
         ----------
@@ -90,7 +90,7 @@ class Sharing(NamedTuple):
 def going_on_later(
     output: str, store: FinishedPieces, remains: Callable[[], str]
 ) -> Iterator[None]:
-    """Run the block; if stopped or unable to write, report the stored work and exit.
+    """Run the block. If it is stopped or cannot write, report the stored work, and exit.
 
     Raises
     ------
@@ -107,7 +107,7 @@ def going_on_later(
         status = FAILED
     except CaseError as error:
         files.show(error.problems)
-        if store.is_open and store.finished():  # the store is not open if it was refused
+        if store.is_open and store.finished():  # refused pieces are not open
             files.say(remains())
         status = FAILED
     else:
@@ -116,7 +116,7 @@ def going_on_later(
 
 
 def kept_pieces(finished: int, whole: str, store: FinishedPieces, output: str) -> str:
-    """Return a sentence about the finished pieces with which a stopped command can be resumed.
+    """Return a sentence about the finished pieces from which a command can be resumed.
 
     Parameters
     ----------
@@ -140,9 +140,9 @@ def shared(resumed: str, *between: Option, jobs: Option = JOBS) -> Callable[[Com
     Parameters
     ----------
     resumed : str
-        Name, for the help text, of the work that --resume continues.
+        Words in the help text for the work that --resume continues.
     *between : callable
-        Options that the help text lists before --resume.
+        Options that come before --resume in the help text.
     jobs : callable
     """
     return gathered(

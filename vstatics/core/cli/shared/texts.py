@@ -1,4 +1,4 @@
-"""Output of a command for each case in any format, for a single case or several cases.
+"""Output of a command in any format, for a single case or several cases.
 
 A command supplies a `CaseOutput`, from which this module creates the text in any format. Writers
 are imported only when needed.
@@ -24,23 +24,23 @@ if TYPE_CHECKING:
 
 
 class CaseOutput(NamedTuple):
-    """Output of a command for a case, with parts that are calculated only when needed."""
+    """Output of a command for a case. Functions calculate what the format needs."""
 
     titles: Sequence[str]
     """Titles above the tables."""
     by_format: Mapping[str, Callable[[str | None], str | bytes | Sequence[bytes]]]
     """Functions that return output other than `grids`, such as a text, by format.
 
-    The function receives the name of the case's file if several cases share a stream, else None. A
-    picture consists of pages, each written to a separate file.
+    The argument is the name of the case's file in a stream of several cases, else None. A picture
+    consists of pages for separate files.
     """
     grids: Callable[[], Iterable[Grid]] | None = None
     answer: Callable[[], Answer] | None = None
-    """Function that returns the record written as JSON."""
+    """Function that returns the record for JSON."""
     lay_out: Callable[[Any], str] | None = None
-    """Function that returns the record as JSON with special line breaks."""
+    """Function that converts the record to JSON with special line breaks."""
     problems: Sequence[Problem] = ()
-    """Problems of creating the output, in addition to the problems of the case."""
+    """Problems of the output, in addition to the problems of the case."""
 
 
 class CaseTables(NamedTuple):
@@ -52,17 +52,17 @@ class CaseTables(NamedTuple):
 
 
 Part = bytes | CaseTables
-"""Part of a stream: the text or the tables of a case, to be combined with other cases."""
+"""Output of a case in a stream of several cases: text or tables."""
 
 
 class Frame(NamedTuple):
-    """Texts before, between and after the parts of cases in a stream."""
+    """Texts before, between and after the outputs of cases in a stream."""
 
     first: str
     between: str
     last: str
     empty: str = ""
-    """Complete text of a stream without parts."""
+    """Complete text of a stream without output of any case."""
 
 
 FRAMES = {
@@ -91,12 +91,12 @@ def _pages(shown: CaseOutput, to: Destination, file: str | None = None) -> Seque
 def among_several(
     outcome: CalculatedCase, shown: CaseOutput | None, to: Destination, *, folders: bool = False
 ) -> Part:
-    """Return the part of a case in the output of several cases; only JSON includes failed cases.
+    """Return the output of a case in a stream of several; only JSON includes failed cases.
 
     Parameters
     ----------
     folders : bool
-        True if JSON contains the name of the case file with its folders.
+        True if file names in JSON have folders.
     """
     file = outcome.file
     if to.form in ("json", "jsonl"):
@@ -121,7 +121,7 @@ def among_several(
 def joined(
     parts: Iterable[Part], to: Destination, frame_of_command: Frame | None = None
 ) -> Iterator[bytes]:
-    """Yield the text of a stream, made of the non-empty parts of all cases."""
+    """Yield the text of a stream from the outputs of all cases, except empty outputs."""
     if to.form == "parquet":
         from vstatics.core.writers import result_parquet
 
@@ -171,7 +171,7 @@ def _of_grids(cases: Iterable[CaseTables], to: Destination, *, several: bool) ->
 
 
 def _json(file: str, shown: CaseOutput, to: Destination, *, folders: bool = False) -> str:
-    """Return the output of a case as JSON, on a single line or several, with a final line break."""
+    """Return the output of a case as JSON, on one or several lines, with a final line break."""
     from vstatics.core.tables.answer import as_json, with_file
 
     assert shown.answer is not None  # noqa: S101 - the command has this format
@@ -182,12 +182,12 @@ def _json(file: str, shown: CaseOutput, to: Destination, *, folders: bool = Fals
 
 
 def _bytes(text: str | bytes, to: Destination) -> bytes:
-    """Return an encoded text with unsafe characters escaped, except in CSV."""
+    """Return a text in UTF-8, with unsafe characters escaped except in CSV."""
     return text if isinstance(text, bytes) else files.encoded(text, as_is=to.form == "csv")
 
 
 class Job(NamedTuple):
-    """Command with options, to be applied to each case."""
+    """Command with its options, which is applied to each case."""
 
     command: str
     """Name of the command."""
@@ -196,10 +196,10 @@ class Job(NamedTuple):
     show: Callable[[CalculatedCase, Results], CaseOutput]
     """Function that returns the output of the command for a case with results."""
     own_frame: Frame | None = None
-    """Texts around the parts of several cases, for a format specific to the command."""
+    """Texts around the outputs of several cases, for a special format of the command."""
     finished: FinishedCases | None = None
     """Record of finished results, if results are written to a directory."""
     marked: bool = False
-    """True if the output of each case is stored for `--resume`, with hashes of the case's files."""
+    """True to store the output of each case for `--resume`, with hashes of the case's files."""
     folders: bool = False
-    """True if JSON contains file names with folders, because some names are equal."""
+    """True if file names in JSON have folders, because some names are equal."""

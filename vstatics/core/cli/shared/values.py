@@ -1,7 +1,7 @@
 """Values of options: numbers, pairs, comma-separated lists, values by name.
 
-Each kind of value is parsed by a function that raises ValueError. `value` converts the function to
-a callback of click, which reports a wrong value as wrong use of the option.
+A function parses each kind of value, or raises ValueError. `value` converts the function to a
+callback of click, which reports a wrong value as wrong use of the option.
 """
 
 from __future__ import annotations
@@ -22,23 +22,23 @@ Value = TypeVar("Value")
 Given = TypeVar("Given")
 
 FILE = click.Path(readable=False)
-"""Name of a file; the reader reports an unreadable file like a missing file."""
+"""Name of a file. The reader reports an unreadable file like a missing file."""
 
 
 @contextmanager
 def wrong_value(option: str | None = None) -> Iterator[None]:
-    """Run the block; report a ValueError, or a problem without a path, as wrong use of an option.
+    """Run the block; report a ValueError or a problem without a path as wrong use of an option.
 
     Parameters
     ----------
     option : str, optional
-        Name of the option in the message; not needed in a callback of click.
+        Name of the option in the message. A callback of click does not need it.
 
     Raises
     ------
     BadParameter
     CaseError
-        If a problem has a path, because it then concerns a part of the case.
+        If a problem has a path, and so concerns a part of the case.
     """
     try:
         yield
@@ -53,7 +53,7 @@ def wrong_value(option: str | None = None) -> Iterator[None]:
 def value(
     read: Callable[[Given], Value], option: str | None = None
 ) -> Callable[[click.Context, click.Parameter, Given], Value | Given]:
-    """Return a callback that parses an option's value by a function, if the option has a value."""
+    """Return a callback of click that parses the value of an option, if there is a value."""
 
     def callback(_context: click.Context, _option: click.Parameter, given: Given) -> Value | Given:
         with wrong_value(option):
@@ -63,7 +63,7 @@ def value(
 
 
 def allowable(ids: Iterable[str]) -> tuple[str, ...]:
-    """Return ids of warnings and notes, given separately or with commas, in any letter case.
+    """Return ids of warnings and notes in upper case; a text can contain several with commas.
 
     Raises
     ------
@@ -82,7 +82,7 @@ def allowable(ids: Iterable[str]) -> tuple[str, ...]:
 
 
 def above_0(given: float) -> float:
-    """Return a number above 0.
+    """Return a number unchanged if it is above 0.
 
     Raises
     ------
@@ -94,7 +94,7 @@ def above_0(given: float) -> float:
 
 
 def from_0(given: float) -> float:
-    """Return a number of 0 or more.
+    """Return a number unchanged if it is 0 or more.
 
     Raises
     ------
@@ -127,7 +127,7 @@ def numbers(expected: str, least: float = 0.0) -> Callable[[str], list[float]]:
 
 
 def told(read: Callable[[str], Value]) -> Callable[[str], Value]:
-    """Return a parser whose error messages also quote the wrong text.
+    """Return a parser whose error messages also contain the wrong text.
 
     >>> told(float)("x")
     Traceback (most recent call last):
@@ -144,7 +144,7 @@ def told(read: Callable[[str], Value]) -> Callable[[str], Value]:
 
 
 def each(read: Callable[[str], Value]) -> Callable[[Iterable[str]], tuple[Value, ...]]:
-    """Return a parser of all values of an option that can be repeated or contain commas.
+    """Return a parser of all values of an option, which can be repeated or contain commas.
 
     >>> each(int)(["5, 7", "6"])
     (5, 7, 6)
@@ -153,7 +153,7 @@ def each(read: Callable[[str], Value]) -> Callable[[Iterable[str]], tuple[Value,
 
 
 def pair(text: str, example: str = "-4:-1.5") -> tuple[float, float]:
-    """Parse LOW:HIGH, or a single number as both bounds.
+    """Parse LOW:HIGH, or a single number for both limits.
 
     Raises
     ------
@@ -176,7 +176,7 @@ def pair(text: str, example: str = "-4:-1.5") -> tuple[float, float]:
 
 
 def shown_speeds(text: str) -> tuple[float, float]:
-    """Parse a range of speeds, in rpm or with units, and return rpm.
+    """Parse a range of speeds, in rpm or with units, and return the limits in rpm.
 
     Raises
     ------
@@ -201,7 +201,7 @@ def shown_speeds(text: str) -> tuple[float, float]:
 
 
 def torque(text: str) -> float:
-    """Read a torque [N*m], with or without a unit.
+    """Parse a torque with or without a unit [N*m].
 
     Raises
     ------
@@ -223,7 +223,7 @@ def torque(text: str) -> float:
 def named(
     shape: str, read: Callable[[str], Value], shown: Callable[[str], str] = quoted
 ) -> Callable[[Sequence[str]], dict[str, Value]]:
-    """Return a parser of NAME=VALUE pairs of an option that can be repeated.
+    """Return a parser of NAME=VALUE pairs, for an option that can be repeated.
 
     >>> named("GEAR=RATIO", float)(['1=2.5, "a, b"=-3', "3=1"])
     {'1': 2.5, 'a, b': -3.0, '3': 1.0}
@@ -248,9 +248,9 @@ def named(
 def wrong_use(
     options: Sequence[str], spelled: Mapping[str, str] = MappingProxyType({})
 ) -> Iterator[None]:
-    """Run the block; report problems whose path begins with an option as wrong use of the option.
+    """Run the block; report problems whose path begins with an option as wrong use of it.
 
-    `spelled` contains the names of options on the command line that differ from the names in paths.
+    `spelled` maps names of options in paths to names on the command line, if they differ.
 
     Raises
     ------
@@ -275,15 +275,15 @@ def wrong_use(
 
 
 _ITEM = r'\s*(?:"(?P<quoted>(?:[^"]|"")+)"\s*|(?P<name>[^",=][^,=]*))=(?P<value>[^,=]*)'
-"""Pattern of NAME=VALUE; a name in double quotes can contain commas."""
+"""Pattern of NAME=VALUE. A name in double quotes can contain commas."""
 
 
 _ALONE = r'\s*(?:"(?P<quoted>(?:[^"]|"")+)"\s*(?=,|\Z)|(?P<name>[^,]*))'
-"""Pattern of a single value; a value in double quotes can contain commas."""
+"""Pattern of a single value. A value in double quotes can contain commas."""
 
 
 def separated(texts: Iterable[str]) -> list[str]:
-    """Return all values of an option that can be repeated or contain commas.
+    """Return all values of an option, which can be repeated or contain commas.
 
     >>> separated(["5, 7", "6"]), separated(['F1, "a, b" ,"c"d,'])
     (['5', '7', '6'], ['F1', 'a, b', '"c"d', ''])
@@ -300,12 +300,15 @@ def separated(texts: Iterable[str]) -> list[str]:
 
 
 def _unquoted(quoted: str | None) -> str:
-    """Return a name without enclosing double quotes; doubled quotes become single quotes."""
+    """Return a name without double quotes around it.
+
+    A repeated quote within it becomes one quote.
+    """
     return (quoted or "").replace('""', '"')
 
 
 def named_values(text: str, expected: str = "NAME=NUMBER") -> list[tuple[str, str]]:
-    """Return the names and values of comma-separated pairs NAME=VALUE.
+    """Return the pairs of name and value in a text NAME=VALUE,NAME=VALUE.
 
     Raises
     ------

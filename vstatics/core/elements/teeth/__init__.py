@@ -1,4 +1,4 @@
-"""Doubts about teeth: gears that cannot be made or assembled, or that would wear early.
+"""Doubts about teeth: gears that cannot be cut or assembled, or that would wear early.
 
 A case with such teeth can still be calculated, because ratios and torques depend only on the
 numbers of teeth. So doubts are warnings and notes, not errors. The checks assume the usual profile
@@ -6,7 +6,7 @@ with a pressure angle of 20 degrees and an addendum of one module. The first dou
 suggests nearby numbers of teeth.
 
 `doubtful_teeth` collects all doubts: `assembly` and `spacing` concern planets, `meshing` any gears
-in mesh. `subjects` and `layout` describe the teeth of a gear set, `nearby` searches for other
+in mesh. `subjects` and `layout` represent the teeth of a gear set, `nearby` searches for better
 teeth, and `conditions` contains the formulas.
 """
 

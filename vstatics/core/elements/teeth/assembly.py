@@ -1,4 +1,4 @@
-"""Assembly of planets: all planets must find a tooth space at the same time."""
+"""Assembly of planets: the teeth of all planets must fit into tooth spaces at the same time."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from vstatics.core.numerics.arrays import Integers
 
 
 def placements(group: PlanetGroup, train: Mapping[str, Fraction]) -> int:
-    """Return the number of equidistant places where a train of planets fits; 0 for any place.
+    """Return the number of equidistant angles at which a train of planets fits; 0 for any angle.
 
     `common_step` explains the condition.
 
@@ -39,7 +39,7 @@ def placements(group: PlanetGroup, train: Mapping[str, Fraction]) -> int:
 def _rows(
     group: PlanetGroup, train: Mapping[str, Fraction], teeth: Callable[[Key], Any]
 ) -> Iterator[list[Any]]:
-    """Yield the meshes of a train as rows for `common_step`."""
+    """Yield the argument `rows` of `common_step`: a list for each mesh of a train."""
     column = {planet: number for number, planet in enumerate(train)}
     for place, wheel in enumerate(group.wheels):
         planet = group.planet_of[wheel.rim]
@@ -58,7 +58,7 @@ def _rows(
 
 
 def assemblable(subject: Subject, choices: Iterable[Teeth]) -> Iterator[Teeth]:
-    """Yield the choices of teeth with which the planets can be assembled (checked as arrays)."""
+    """Yield those of `choices` with which the planets can be assembled."""
     count = subject.element.planets or 1
     if count == 1 or not isinstance(subject, OfPlanets):
         yield from choices
@@ -116,9 +116,9 @@ def bevel_assembled(element: Element, teeth: Teeth) -> Iterator[Doubt]:
 def _sum(
     layout: AxisLayout, first: CentralWheel, second: CentralWheel
 ) -> tuple[str, int, int] | None:
-    """Return the quotient that must be a whole number for two gears: text, dividend, divisor.
+    """Return the quotient for two gears that must be a whole number: text, dividend, divisor.
 
-    The divisor does not include the number of planets.
+    The number of planets is not yet included in the divisor.
     """
     group = layout.group
     planets = [group.planet_of[wheel.rim] for wheel in (first, second)]

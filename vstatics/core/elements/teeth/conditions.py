@@ -1,7 +1,7 @@
-"""Conditions on teeth as formulas, for one gear set or for arrays of candidates.
+"""Conditions on teeth as formulas, for a gear set or for arrays of candidates.
 
-All checks of teeth and searches for teeth use these formulas. Lengths are in modules; a clearance
-below 0 is too small. The conditions assume the usual profile with a pressure angle of 20 degrees
+All checks of teeth and searches for teeth use these formulas. Lengths are in modules. A negative
+clearance means contact. The conditions assume the usual profile with a pressure angle of 20 degrees
 and an addendum of one module.
 """
 
@@ -16,9 +16,9 @@ from vstatics.core.numerics.arrays import Floats
 UNCUT, UNCUT_SHIFTED = 17, 14
 """Smallest number of teeth without undercut: standard profile, and shifted profile."""
 INSIDE = 8
-"""Smallest difference of teeth between a ring and the gear inside."""
+"""Smallest permitted difference of tooth numbers between a ring and the gear inside."""
 TEETH_BETWEEN_TIPS = 4
-"""Gap between two pitch circles, in half modules, at which tips just touch: two addenda."""
+"""Gap between two pitch circles at which tips just touch: two addenda, in half modules."""
 TIPS = 2
 """Sum of two addenda, in modules."""
 SHIFT = 2
@@ -31,13 +31,14 @@ Amount = TypeVar("Amount", float, Floats)
 def neighbours_room(span: Amount, teeth: Amount, sine: Amount) -> Amount:
     """Return the clearance between the tips of neighbouring planets [modules].
 
-    The clearance is ``2 a sin(pi/n) - (z + 2)``: distance between the planet axes minus the tip
-    diameter, for a radius a of the axes and z teeth.
+    The clearance is ``2 a sin(pi/n) - (z + 2)``: distance of neighbouring planet axes minus tip
+    diameter. Here a is the distance of the planets from the central axis, and z the number of
+    teeth.
 
     Parameters
     ----------
     span : float or ndarray
-        Twice the distance of the planet from the axis. [modules]
+        Twice the distance of the planet from the central axis, 2 a. [modules]
     teeth : float or ndarray
         Teeth of the planet.
     sine : float or ndarray
@@ -53,7 +54,7 @@ def neighbours_room(span: Amount, teeth: Amount, sine: Amount) -> Amount:
 
 
 def closes(first: Amount, second: Amount, apart: Amount) -> Any:
-    """Return whether planet axes at two radii from the central axis can have a given distance.
+    """Return whether planet axes at radii `first` and `second` can have the distance `apart`.
 
     >>> bool(closes(20.0, 25.0, 20.0)), bool(closes(20.0, 45.0, 20.0))
     (True, False)
@@ -62,7 +63,7 @@ def closes(first: Amount, second: Amount, apart: Amount) -> Any:
 
 
 def lean(first: Amount, second: Amount, apart: Amount) -> Amount:
-    """Return the angle at the central axis between two meshing planets [rad]; NaN if impossible.
+    """Return the angle between two meshing planets, seen from the central axis [rad], or NaN.
 
     >>> round(float(lean(20.0, 20.0, 20.0)), 6)
     1.047198
@@ -73,7 +74,7 @@ def lean(first: Amount, second: Amount, apart: Amount) -> Amount:
 
 
 def crossing_distance(first: Amount, second: Amount, apart: Amount, turn: Amount) -> Amount:
-    """Return the distance of a planet axis from an axis of the next pair of planets [modules].
+    """Return the distance between planet axes of neighbouring pairs of planets [modules].
 
     Parameters
     ----------
@@ -96,7 +97,7 @@ def crossing_distance(first: Amount, second: Amount, apart: Amount, turn: Amount
 
 
 def passing_room(span: Amount, teeth: Amount, passed: Amount, *, internal: bool) -> Amount:
-    """Return twice the clearance between a planet and a gear passed without mesh [modules].
+    """Return twice the clearance between a planet and a gear that it must not touch [modules].
 
     >>> passing_room(40, 20, 66, internal=True), passing_room(40, 20, 16, internal=False)
     (2, 0)
@@ -105,18 +106,20 @@ def passing_room(span: Amount, teeth: Amount, passed: Amount, *, internal: bool)
 
 
 def common_step(rows: Any, planets: int) -> Any:
-    """Return the number of equidistant places around the axis where planets fit; 0 for any place.
+    """Return the number of equidistant angles at which planets fit; 0 for any angle.
 
-    At ``k/n`` turn from the first planet, a central gear of z teeth appears shifted by ``z k/n``
-    teeth (a ring backwards). A planet can be turned to fit all its meshes if each integer
-    combination of the meshes that eliminates the rotation of the planets gives a whole number of
-    teeth. So n must divide the greatest common divisor of these combinations.
+    Seen from a planet at an angle of ``k/n`` turn, a central gear of z teeth is shifted by ``z
+    k/n`` teeth (a ring in the opposite direction). Each mesh is an equation in the rotations of
+    planets. The planets fit if each integer combination of the equations that eliminates the
+    rotations gives a whole number of teeth. So n must divide the greatest common divisor of these
+    combinations.
 
     Parameters
     ----------
     rows : ndarray of int or object, shape (meshes, planets + 1, ...)
-        For each mesh: teeth of the rim of each planet, then teeth of the central gear (negative for
-        a ring, 0 if two planets mesh). Further axes are candidates. The array is overwritten.
+        For each mesh: teeth of the meshing rim of each planet, then teeth of the central gear
+        (negative for a ring, 0 if two planets mesh). Further axes are for candidates. The array is
+        overwritten.
     planets : int
         Number of planets of a train.
 
@@ -146,5 +149,5 @@ def common_step(rows: Any, planets: int) -> Any:
 
 
 def seated(step: Any, count: Any) -> Any:
-    """Return whether `count` planets fit at equal angles, given the result of `common_step`."""
+    """Return whether `count` planets fit at equal angles; `step` is the result of `common_step`."""
     return step % count == 0

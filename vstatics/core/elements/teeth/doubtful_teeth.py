@@ -21,27 +21,27 @@ from vstatics.core.elements.teeth.subjects import OfPlanets, OfWheels, Subject, 
 from vstatics.core.errors import Path, Problem
 
 HALF_A_TOOTH = "N311"
-"""Identifier of the note about a planet that would need half a tooth."""
+"""Note about a planet that would need half a tooth."""
 TOUCHING = "N315"
-"""Identifier of the note about gears whose tips would touch in a common plane."""
+"""Note about gears whose tips would touch in a common plane."""
 USUAL_PLANETS = range(3, 7)
-"""Usual numbers of planets; at least one must fit if the gear set states no number."""
+"""Usual numbers of planets. At least one of them must fit if a gear set omits the number."""
 _PAIRS = ("gear_pair", "internal_pair", "idler")
 _UNCHECKED: Mapping[str, Sequence[tuple[float, float]]] = {
     "chain": [(UNCUT, math.inf)] * 2,
     "bevel_pair": [(UNCUT, math.inf)] * 2,
     "worm": [(1, 4), (28, math.inf)],
 }
-"""Usual smallest and largest number of teeth of each gear, for kinds of gear set not checked."""
+"""Usual range of the teeth of each gear, for kinds of gear set whose teeth are not checked."""
 
 
 def doubts(drawing: Drawing) -> Iterator[Problem]:
-    """Yield the doubts about the teeth of a drawing's gear sets, in order.
+    """Yield the doubts about the teeth of gear sets, in the order of the drawing.
 
     Parameters
     ----------
     drawing : Drawing
-        Gear sets without errors (`vstatics.core.elements.checks`).
+        Gear sets that have passed `vstatics.core.elements.checks`.
 
     Yields
     ------
@@ -100,7 +100,7 @@ def _doubts(element: Element) -> Iterator[Doubt]:
 
 
 def _subject(element: Element) -> Subject | None:
-    """Return the teeth of a gear set for the checks, if the kind and the teeth are checked."""
+    """Return the teeth of a gear set for the checks; None for kinds or teeth not checked."""
     if not _whole(element) or element.ratios:
         return None
     if isinstance(element.shape, Planetary):
@@ -128,11 +128,11 @@ def _place(element: Element, about: Key | None) -> Path:
 
 
 def fitting(element: Element, random: Random) -> Iterator[Teeth]:
-    """Yield teeth near the given teeth with which a gear set can be assembled, in random order.
+    """Yield teeth similar to a gear set's teeth with which it can be assembled, in random order.
 
-    The number of planets is given by the gear set or, if missing, 3 to 6. For chains, worms and
-    bevel pairs the teeth stay within the usual range, or at least do not leave it further than the
-    given teeth. Gear sets without teeth yield nothing.
+    A gear set without a number of planets can have 3 to 6. The teeth of chains, worms and bevel
+    pairs stay in the usual range, extended to include the present teeth. Gear sets without teeth
+    yield nothing.
 
     >>> members, teeth = {"sun": 1, "ring": 2, "carrier": 3}, {"sun": 24, "ring": 72}
     >>> found = list(fitting(Element("P", "planetary", members, teeth, planets=5), Random(1)))
@@ -169,10 +169,9 @@ def _usual_teeth(element: Element, random: Random) -> Iterator[Teeth]:
 
 
 def _rule(subject: Subject) -> Callable[[Teeth], bool]:
-    """Return a function that accepts teeth without curable doubts and without new notes.
+    """Return a function that accepts teeth without doubts that other teeth could cure.
 
-    A note is new if the given teeth do not have it: a gear that needs a profile shift, or tips that
-    touch.
+    The teeth must also not add a need of profile shift, or tips that touch.
     """
     least = min((wheel.teeth for wheel in subject.wheels().values()), default=0)
     touching = any(doubt.id == TOUCHING for doubt in _wrong(subject))
@@ -191,7 +190,10 @@ def _rule(subject: Subject) -> Callable[[Teeth], bool]:
 
 
 def _with_cures(subject: Subject) -> Iterator[Doubt]:
-    """Yield the doubts about a gear set; the first curable doubt suggests teeth that fit."""
+    """Yield the doubts about a gear set.
+
+    The first doubt that other teeth can cure suggests teeth.
+    """
     doubts_found = [*_wrong(subject)]
     is_right = _rule(subject)
     cures, has_cure = "", True
@@ -216,7 +218,7 @@ def _with_cures(subject: Subject) -> Iterator[Doubt]:
 
 
 def _wrong(subject: Subject, teeth: Teeth | None = None) -> Iterator[Doubt]:
-    """Yield all doubts except about wear, for the given or other teeth of a gear set."""
+    """Yield all doubts except about wear, optionally for other teeth than the present teeth."""
     if isinstance(subject, OfPlanets):
         yield from of_planets(subject.layout(teeth))
     if subject.element.kind == "bevel":

@@ -1,7 +1,4 @@
-"""Layout of planets around an axis with their teeth, and doubts about it.
-
-In this package a key identifies a toothed gear, and each doubt refers to a key.
-"""
+"""Layout of planets around an axis with their teeth, and the class of doubts about it."""
 
 from __future__ import annotations
 
@@ -14,7 +11,7 @@ from vstatics.core.elements.element import CentralWheel, Element
 from vstatics.core.elements.group import PlanetGroup
 
 Key = str | int
-"""Key of a toothed gear: the name, or the index of a central gear in the group."""
+"""Key of a toothed gear: its name, or the index of a central gear in the planet group."""
 
 Teeth = Mapping[Key, int]
 """Number of teeth by key."""
@@ -32,13 +29,13 @@ class Doubt(NamedTuple):
 
 @dataclass(frozen=True)
 class AxisLayout:
-    """Planets around an axis: gear set, and the group of planets with given or other teeth."""
+    """Planets around an axis: the gear set, and its planet group, possibly with other teeth."""
 
     element: Element
     group: PlanetGroup
 
     def teeth(self, rim: str) -> Fraction | None:
-        """Return the number of teeth of a rim, if known."""
+        """Return the number of teeth of a rim, or None if unknown."""
         return self.group.planets[self.group.planet_of[rim]][rim]
 
     def around(self, rim: str) -> list[CentralWheel]:
@@ -58,16 +55,16 @@ class AxisLayout:
         return list(self.group.wheels).index(wheel)
 
     def span(self, wheel: CentralWheel) -> Fraction | None:
-        """Return twice the distance between the axes of a central gear and a planet, in modules."""
+        """Return twice the centre distance of a central gear and its planet [modules]."""
         teeth = self.teeth(wheel.rim)
         if teeth is None:
             return None
         return wheel.teeth - teeth if wheel.internal else wheel.teeth + teeth
 
     def axis(self, rim: str) -> tuple[Fraction, CentralWheel] | None:
-        """Return twice the distance of a rim from the axis, in modules, and the decisive gear.
+        """Return twice the distance of a rim from the axis [modules], and the gear that fixes it.
 
-        A rim that meshes only with planets takes the distance from the other rims of its planet.
+        If the rim meshes only with planets, another rim of the planet determines the distance.
         """
         alike = [rim, *self.group.planets[self.group.planet_of[rim]]]
         for wheel in (wheel for coaxial in alike for wheel in self.around(coaxial)):
@@ -78,7 +75,7 @@ class AxisLayout:
 
 
 def with_teeth(group: PlanetGroup, teeth: Teeth) -> PlanetGroup:
-    """Return the group with other teeth."""
+    """Return the group with other teeth of central gears and rims."""
     wheels = [wheel._replace(teeth=teeth[place]) for place, wheel in enumerate(group.wheels)]
     planets = {
         planet: {rim: Fraction(teeth[rim]) if rim in teeth else None for rim in rims}
@@ -88,7 +85,7 @@ def with_teeth(group: PlanetGroup, teeth: Teeth) -> PlanetGroup:
 
 
 def ratio_pairs(group: PlanetGroup) -> Iterator[tuple[CentralWheel, CentralWheel]]:
-    """Yield each central gear of a train with the last central gear, as pairs for ratios."""
+    """Yield pairs of central gears for ratios: each gear of a train with its last gear."""
     for train in group.trains:
         *others, last = group.wheels_of(train)
         yield from ((other, last) for other in others)

@@ -1,4 +1,4 @@
-"""Gears in mesh: undercut, interference in a ring, wear of the same teeth.
+"""Gears in mesh: undercut, interference in a ring, and wear of teeth that always meet.
 
 The conditions assume the usual profile with a pressure angle of 20 degrees and an addendum of one
 module.
@@ -61,7 +61,7 @@ def undercut(wheels: Iterable[Toothed]) -> Iterator[Doubt]:
 
 
 def interfering(meshes: Sequence[Mesh]) -> Iterator[Doubt]:
-    """Report interference of tips in a ring that is hardly larger than the gear inside."""
+    """Report tip interference of a ring that is hardly larger than the gear inside."""
     for ring, wheel in meshes:
         more = ring.teeth - wheel.teeth
         if ring.internal and more <= 0:
@@ -84,7 +84,7 @@ def hunting(meshes: Sequence[Mesh], against: str) -> Iterator[Doubt]:
     ----------
     meshes : sequence of Mesh
     against : str
-        Part relative to which the text counts turns; empty for the housing.
+        Part relative to which messages count revolutions; empty for the housing.
     """
     common = sorted(
         (mesh for mesh in meshes if mesh.divisor > 1), key=lambda mesh: mesh.divisor, reverse=True

@@ -1,9 +1,9 @@
-"""Search for numbers of teeth near the given teeth of a gear set.
+"""Search for tooth numbers near the present tooth numbers of a gear set.
 
-The teeth of a single central gear cannot change alone, because it would no longer be coaxial with
-the others. So a move of the search either changes a planet rim together with the gears in mesh with
-it (one tooth more on the planet: one less on the sun, one more on the ring), or shifts the axis of
-a planet (all gears around it change). All central gears remain coaxial, with unchanged modules.
+The teeth of a central gear cannot change alone, because the gear would no longer be coaxial with
+the others. The search therefore combines moves of two kinds. A planet rim changes together with the
+gears in mesh: with one tooth more on the planet, the sun loses one and the ring gains one. Or the
+axis of a planet is shifted, so that all gears around the planet change. Modules do not change.
 """
 
 from __future__ import annotations
@@ -19,13 +19,13 @@ from vstatics.core.elements.teeth.conditions import SHIFT
 from vstatics.core.elements.teeth.layout import Key, Teeth, ratio_pairs
 
 TEETH_PER_RATIO = 100
-"""Weight of a relative change of ratio: a change of 1 % counts as much as a single tooth."""
+"""Weight of a relative change of ratio. A change of 1 % counts as much as one tooth."""
 
 FARTHEST_RATIO = 0.3
 """Largest change of a ratio in the search, as the natural logarithm of the quotient of ratios."""
 
 REACH = {1: 14, 2: 14, 3: 6, 4: 4, 5: 3, 6: 3}
-"""Largest sum of steps, by the number of independent moves.
+"""Largest sum of the magnitudes of steps, by the number of independent moves.
 
 The limits result in at most about 400 candidates, which take a few milliseconds.
 """
@@ -52,13 +52,13 @@ class Space(NamedTuple):
     Attributes
     ----------
     given : mapping of key to teeth
-        Given teeth, the reference for the number of changed teeth.
+        Present teeth, from which changes are counted.
     start : mapping of key to teeth
-        Teeth near the given teeth for which all gears are coaxial.
+        Similar teeth for which all gears are coaxial.
     moves : sequence of mappings of key to a change of teeth
         Changes that keep all gears coaxial.
     ratios : sequence of mappings of key to exponent
-        Each ratio as a product of powers of teeth, without its sign.
+        Each ratio as a product of powers of tooth numbers, without the sign.
     """
 
     given: Teeth
@@ -68,9 +68,9 @@ class Space(NamedTuple):
 
 
 def nearest(space: Space, *, wide: bool = False) -> Iterator[Teeth]:
-    """Return an iterator over sets of teeth near the given teeth, smallest changes first.
+    """Return an iterator over tooth numbers near `space.given`, smallest changes first.
 
-    The distance is the number of teeth changed, plus the percentage by which each ratio changes.
+    The size of a change is the number of teeth changed, plus the change of each ratio in %.
 
     Parameters
     ----------
@@ -100,7 +100,7 @@ def nearest(space: Space, *, wide: bool = False) -> Iterator[Teeth]:
 
 
 def _distance(space: Space, logs: Mapping[Key, float], teeth: Teeth) -> float:
-    """Return the distance of teeth from the given teeth; infinite if a ratio changes too much."""
+    """Return the size of the change to `teeth`; infinite if a ratio changes too much."""
     changed = [key for key, count in space.given.items() if teeth[key] != count]
     total = float(sum(abs(teeth[key] - space.given[key]) for key in changed))
     apart = {key: math.log(teeth[key]) - logs[key] for key in changed}
@@ -112,7 +112,7 @@ def _distance(space: Space, logs: Mapping[Key, float], teeth: Teeth) -> float:
 
 @lru_cache
 def _steps(moves: int, times: int) -> list[tuple[int, ...]]:
-    """Return all combinations of a step per move whose magnitudes sum to at most the reach."""
+    """Return all combinations of steps, one per move, whose magnitudes sum to `REACH` at most."""
     reach = times * REACH.get(moves, 2 if moves <= FAR_MOVES else 1)
     partial: list[tuple[tuple[int, ...], int]] = [((), reach)]
     for _ in range(moves):
@@ -169,10 +169,9 @@ def space_of(group: PlanetGroup, given_rims: Sequence[str]) -> Space:
 
 
 def _axis_steps(spans: Mapping[str, int]) -> dict[str, int]:
-    """Return by how many units each rim of a planet moves when the planet axis moves outwards.
+    """Return the shift of each rim when the planet axis moves outwards by one step, in teeth.
 
-    Rims of equal modules (within profile shift) move by 1 each. Rims of different modules keep the
-    ratio of their modules, if it is a ratio of small whole numbers.
+    The shifts of rims of different modules have the ratio of the modules.
     """
     if not spans or max(spans.values()) - min(spans.values()) <= SHIFT:
         return dict.fromkeys(spans, 1)
@@ -187,21 +186,21 @@ def _around(group: PlanetGroup, rim: str) -> list[tuple[int, CentralWheel]]:
 
 
 def ratio_powers(group: PlanetGroup, first: CentralWheel, last: CentralWheel) -> dict[Key, int]:
-    """Return the exponents of the teeth in the ratio of two gears of a train, without the sign."""
+    """Return the exponents of tooth numbers in the ratio of two central gears, without the sign."""
     wheels = list(group.wheels)
     powers: dict[Key, int] = {wheels.index(first): -1, wheels.index(last): 1}
-    way = _way(group, first.rim, last.rim)
-    for driver, driven in zip(way[::2], way[1::2], strict=True):
+    rims = _rims_between(group, first.rim, last.rim)
+    for driver, driven in zip(rims[::2], rims[1::2], strict=True):
         powers[driver] = powers.get(driver, 0) + 1
         powers[driven] = powers.get(driven, 0) - 1
     return {key: power for key, power in powers.items() if power}
 
 
-def _way(group: PlanetGroup, first: str, last: str) -> list[str]:
-    """Return the rims along the path of meshes between two rims: entry and exit of each planet."""
-    here, way = group.planet_of[first], [first]
+def _rims_between(group: PlanetGroup, first: str, last: str) -> list[str]:
+    """Return the rims between two rims along meshes: each planet's first and last rim."""
+    here, rims = group.planet_of[first], [first]
     for pair in group.path(here, group.planet_of[last]):
         near, far = pair if group.planet_of[pair[0]] == here else pair[::-1]
-        way += [near, far]
+        rims += [near, far]
         here = group.planet_of[far]
-    return [*way, last]
+    return [*rims, last]

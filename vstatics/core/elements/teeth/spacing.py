@@ -24,11 +24,11 @@ PASSING = {
     "double_planet": (("inner", "ring"), ("outer", "sun")),
     "ravigneaux": (("long", "small_sun"),),
 }
-"""Pairs of a planet rim and a central gear that pass closely without mesh, by kind of gear set."""
+"""Planet rim and central gear that pass closely without meshing, by kind of gear set."""
 
 
 def of_planets(layout: AxisLayout) -> Iterator[Doubt]:
-    """Yield the doubts about the positions of planets, condition by condition."""
+    """Yield the doubts about the positions of planets."""
     hopeless = [
         Doubt(
             "W311",
@@ -52,7 +52,7 @@ def of_planets(layout: AxisLayout) -> Iterator[Doubt]:
 
 
 def _coaxial(layout: AxisLayout) -> Iterator[Doubt]:
-    """Report central gears in mesh with a common planet gear at different centre distances."""
+    """Report central gears that would put the same planet at different centre distances."""
     for rim in layout.group.planet_of:
         wheels, teeth = layout.around(rim), layout.teeth(rim)
         if not wheels or teeth is None:
@@ -104,7 +104,7 @@ def _modules(layout: AxisLayout) -> Iterator[Doubt]:
 
 
 def _triangles(layout: AxisLayout) -> Iterator[Doubt]:
-    """Report planets that cannot mesh at the given radii of the axes.
+    """Report planets whose axes are too near to or too far from each other to mesh.
 
     The axes of meshing planets and the central axis form a triangle.
     """
@@ -129,7 +129,7 @@ def _triangles(layout: AxisLayout) -> Iterator[Doubt]:
 
 
 def _sides(layout: AxisLayout, rim: str, partner: str) -> tuple[float, float, float] | None:
-    """Return the radii of two planet axes, and the distance of the axes in mesh, in modules."""
+    """Return the radii of two planet axes and the distance between these axes, all in modules."""
     first, second = layout.axis(rim), layout.axis(partner)
     teeth = (layout.teeth(rim), layout.teeth(partner))
     if first is None or second is None or teeth[0] is None or teeth[1] is None:
@@ -140,8 +140,8 @@ def _sides(layout: AxisLayout, rim: str, partner: str) -> tuple[float, float, fl
 def _clear_wheels(layout: AxisLayout) -> Iterator[Doubt]:
     """Report planets that touch a central gear without meshing.
 
-    In a Ravigneaux set the ring is next to the short planets, above the large sun, and long planets
-    can end before the small sun. Contact with the small sun is therefore only a note.
+    In a Ravigneaux set the long planets can be too short to reach the small sun. Contact with the
+    small sun is therefore only a note.
     """
     for rim, member in PASSING.get(layout.element.kind, ()):
         axis = layout.axis(rim) if rim in layout.group.planet_of else None
@@ -187,7 +187,7 @@ def _touching_neighbours(layout: AxisLayout, count: int) -> Iterator[Doubt]:
 
 
 def _crossing(layout: AxisLayout, rim: str, partner: str, count: int) -> Iterator[Doubt]:
-    """Report a planet that touches a planet of the neighbouring pair of meshing planets."""
+    """Report a planet that touches a planet of the neighbouring pair."""
     sides = _sides(layout, rim, partner)
     if sides is None or not closes(*sides):
         return
@@ -204,7 +204,7 @@ def _crossing(layout: AxisLayout, rim: str, partner: str, count: int) -> Iterato
 
 
 def counts(subject: Subject) -> str:
-    """Return a phrase with the possible numbers of planets closest to the given number."""
+    """Return words such as ``; 3 or 5 planets fit``, with the nearest possible numbers."""
     count = subject.element.planets or 1
     if not isinstance(subject, OfPlanets):
         return ""

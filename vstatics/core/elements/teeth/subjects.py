@@ -24,22 +24,22 @@ from vstatics.core.elements.teeth.nearby import FEW_WHEELS, Space, space_of
 
 @dataclass(frozen=True)
 class Subject(ABC):
-    """Teeth of a gear set for checks; methods accept other teeth instead of the given teeth."""
+    """Teeth of a gear set for checks. An argument `teeth` replaces the present teeth."""
 
     element: Element
 
     against: ClassVar = ""
-    """Name of the part relative to which messages count turns; empty for the housing."""
+    """Part relative to which messages count revolutions; empty for the housing."""
 
     @property
     @abstractmethod
     def space(self) -> Space:
-        """Search space for nearby teeth."""
+        """Search space for similar teeth."""
 
     @property
     @abstractmethod
     def pairs(self) -> Sequence[tuple[Key, Key]]:
-        """Pairs of keys of gears in mesh; a ring comes before the mating gear."""
+        """Pairs of keys of gears in mesh. In an internal mesh the ring comes first."""
 
     @abstractmethod
     def known(self) -> Teeth:
@@ -47,30 +47,30 @@ class Subject(ABC):
 
     @abstractmethod
     def ratios(self, teeth: Teeth) -> list[Fraction]:
-        """Return the ratios of the gear set with the given teeth."""
+        """Return the ratios of the gear set with the teeth `teeth` [-]."""
 
     @abstractmethod
     def is_internal(self, key: Key) -> bool:
-        """Return whether a gear is internal."""
+        """Return whether a gear is a ring gear."""
 
     def label(self, key: Key) -> str:
         """Return the name of a gear or rim for messages."""
         return str(key)
 
     def wheels(self, teeth: Teeth | None = None) -> dict[Key, Toothed]:
-        """Return all gears whose numbers of teeth are known."""
+        """Return the gears with known teeth, by key."""
         return {
             key: Toothed(self.label(key), count, key, self.is_internal(key))
             for key, count in (teeth or self.known()).items()
         }
 
     def meshes(self, teeth: Teeth | None = None) -> list[Mesh]:
-        """Return all meshes whose numbers of teeth are known."""
+        """Return the meshes of gears with known teeth."""
         wheels = self.wheels(teeth)
         return [Mesh(wheels[a], wheels[b]) for a, b in self.pairs if a in wheels and b in wheels]
 
     def is_hunting(self, teeth: Teeth) -> bool:
-        """Return whether every tooth meets every tooth of the mating gears, in all meshes."""
+        """Return whether in each mesh every tooth meets every tooth of the mating gear."""
         return all(
             math.gcd(teeth[a], teeth[b]) == 1 for a, b in self.pairs if a in teeth and b in teeth
         )
@@ -83,7 +83,7 @@ class OfPlanets(Subject):
 
     @cached_property
     def given(self) -> AxisLayout:
-        """Layout of the planets with the given teeth."""
+        """Layout of the planets with the present teeth."""
         return AxisLayout(self.element, group_of(self.element))
 
     @cached_property
@@ -94,18 +94,18 @@ class OfPlanets(Subject):
 
     @cached_property
     def pairs(self) -> Sequence[tuple[Key, Key]]:
-        """Meshes of central gears with rims, then of rims of two planets."""
+        """Pairs of keys in mesh: central gears with rims, then rims of two planets."""
         group = self.given.group
         return [*((place, wheel.rim) for place, wheel in enumerate(group.wheels)), *group.meshes]
 
     def layout(self, teeth: Teeth | None = None) -> AxisLayout:
-        """Return the layout of the planets with the given or other teeth."""
+        """Return the layout of the planets, by default with the present teeth."""
         if teeth is None:
             return self.given
         return AxisLayout(self.element, with_teeth(self.given.group, teeth))
 
     def known(self) -> Teeth:
-        """Return the teeth of central gears, and of rims, if known."""
+        """Return the teeth of central gears, and the known teeth of rims."""
         group = self.given.group
         known: dict[Key, int] = {place: wheel.teeth for place, wheel in enumerate(group.wheels)}
         for rim in group.planet_of:
@@ -141,21 +141,21 @@ class OfWheels(Subject):
 
     @cached_property
     def names(self) -> list[str]:
-        """Names of gears with given teeth, in the order of the meshes."""
+        """Names of gears with known teeth, in the order of the meshes."""
         return [name for name in self.shape.toothed if name in self.element.teeth]
 
     @cached_property
     def space(self) -> Space:
-        """Search space in which each number of teeth changes independently."""
+        """Search space in which each tooth number changes independently."""
         given: Teeth = {name: int(self.element.teeth[name]) for name in self.names}
         ratio: Teeth = {self.names[0]: -1, self.names[-1]: 1}
         return Space(given, given, [{name: 1} for name in given], [ratio])
 
     @cached_property
     def pairs(self) -> Sequence[tuple[Key, Key]]:
-        """Pairs of consecutive gears; empty if an idler's teeth are missing.
+        """Pairs of consecutive gears; empty if the teeth of an idler are missing.
 
-        Pairs of a bevel differential are omitted, because they hardly turn relative to each other.
+        Bevel differentials are omitted, because their gears hardly turn relative to each other.
         """
         if self.element.kind == "bevel":
             return []
@@ -163,7 +163,7 @@ class OfWheels(Subject):
         return [*pairwise(names)] if len(names) == len(self.shape.toothed) else []
 
     def known(self) -> Teeth:
-        """Return all given teeth."""
+        """Return the present teeth."""
         return self.space.given
 
     def is_internal(self, key: Key) -> bool:
@@ -177,7 +177,7 @@ class OfWheels(Subject):
 
 
 def suggested(subject: Subject, suggestions: Iterator[Teeth], what: str) -> str:
-    """Return the first two suggestions as a clause ``; nearest that fit: ...``; else ""."""
+    """Return a clause with the first two suggestions, ``; nearest that fit: ...``, or ""."""
     texts = []
     for teeth in islice(suggestions, 2):
         given = subject.space.given

@@ -1,6 +1,6 @@
 """Detection of the encoding of a Russian text.
 
-Each encoding gets a score from the letters, pairs of letters, capitals and signs of the decoded
+The score of an encoding depends on letters, pairs of letters, capitals and signs of the decoded
 text.
 """
 
@@ -11,14 +11,14 @@ from functools import lru_cache
 from itertools import pairwise
 
 ENCODINGS = ("cp1251", "cp866", "koi8-r")
-"""Encodings of Windows, DOS and Unix; if scores are equal, the first is chosen."""
+"""Encodings of Windows, DOS and Unix. The first is chosen if scores are equal."""
 
 _FOLLOWERS = (
     "абвгежзйклмнпстчя беоы ваеиклносхы гио даеилноу егджзйклмнпрстхч жеим завм ибезйлмнрстя йл "
     "каеилосту лаеиоьюя маеио надеинотуы обвгдежзйклмнпрстчщ пеор раеиосуь секлоптя таеиорсыь "
     "удрю фа хо це чаеинт шаеи ще ыех эт"
 )
-"""Frequent pairs of Russian letters: each first letter with the letters that often follow."""
+"""Frequent pairs of Russian letters: a first letter, then the letters that often follow it."""
 _PAIRS = frozenset(word[0] + letter for word in _FOLLOWERS.split() for letter in word[1:])
 _RUSSIAN = frozenset("абвгдежзийклмнопрстуфхцчшщъыьэюя" + "ё")
 _OTHERS = frozenset("іїєґў")
@@ -32,7 +32,7 @@ _WORD = re.compile(r"[^\x00-\x7f]+")
 
 
 def in_each_encoding(data: bytes) -> list[str]:
-    """Return a text that is not UTF-8, decoded by each possible encoding, most likely first.
+    """Return the decoded text for each possible encoding other than UTF-8, most likely first.
 
     >>> in_each_encoding("Коробка МЗКТ".encode("cp866"))[0]
     'Коробка МЗКТ'

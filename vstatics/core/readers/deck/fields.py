@@ -28,18 +28,18 @@ class Fields:
         """Start with the fields of a scanned deck; `capacity` is the length of the text."""
         self.scan = scan
         self.capacity = capacity
-        """Number of characters of the text, an upper bound on every size and count."""
+        """Number of characters of the text, which limits every size and count."""
         self.places = Places(scan.source)
         self.hidden: list[Path] = []
-        """Paths in the model at which stand-ins replace unreadable values.
+        """Paths of stand-ins in the model.
 
         Problems of the model at these paths are not reported.
         """
         self.unreadable: set[str] = set()
-        """Labels of unreadable values, which stand-ins replace."""
+        """Labels of unreadable values, such as ``NZF(1,2)``."""
 
     def error(self, label: str, message: str) -> None:
-        """Add an error, located at a value that was read."""
+        """Add an error at the place of a value."""
         self.scan.error(f"{label}: {message}", *self.places.spots[label])
 
     def size(self, key: str, what: str, lowest: int) -> int | None:
@@ -54,7 +54,7 @@ class Fields:
         return size if size is not None and self._fits(key, size) else None
 
     def or_guess(self, size: int | None, key: str, part: str) -> int:
-        """Return a size; if unknown, the number of values in a list to which the size applies."""
+        """Return a size; if unknown, an estimate from the length of a list of this size."""
         if size is not None:
             return size
         guess = min(loose_count(self.scan, key), self.capacity)
@@ -73,11 +73,11 @@ class Fields:
         return value
 
     def numbers(self, key: str, need: int, why: str, parse: Parse[Number]) -> list[Number]:
-        """Read a list of numbers."""
+        """Read the list `key`, which must contain `need` numbers."""
         return self._list(key, need, why, parse).numbers
 
     def counts(self, key: str, gears: int, *, required: bool) -> list[int]:
-        """Return the number of values that each gear has in a field; -1 if unreadable."""
+        """Read a list with a count for each gear; -1 if unreadable."""
         if key not in self.scan.fields and not required:
             message = f"{key} is missing and read as 0; a file that was cut off looks the same"
             place = self.scan.source.place(*self._end())
@@ -100,7 +100,7 @@ class Fields:
     def rows(
         self, key: str, counts: Sequence[int], counted: str, parse: Parse[Number]
     ) -> tuple[list[list[Number]], set[int]]:
-        """Return the values of each gear, and the indices of gears with unreadable values."""
+        """Return the values of each gear, and numbers of gears with unreadable values."""
         gears = len(counts)
         if min(counts, default=0) < 0:
             return [[] for _ in counts], set(range(1, gears + 1))
@@ -149,7 +149,7 @@ class Fields:
         return None if values.unreadable else values.numbers[0]
 
     def _fits(self, label: str, size: int) -> bool:
-        """Return whether the file is long enough to contain `size` values."""
+        """Return whether the text can contain `size` values; report an error if it is too short."""
         if size > self.capacity:
             cannot = f"the file has {self.capacity} characters and cannot hold as many values"
             self.error(label, f"read {size}, expected a smaller number: {cannot}")
@@ -158,7 +158,7 @@ class Fields:
     def _missing(self, key: str, expected: str) -> None:
         name, hint = key.partition("(")[0], ""
         if name in self.scan.broken:
-            return  # an error in the existing field has been reported
+            return  # an error in the field has already been reported
         for word, line in self.scan.unknown.items():
             if nearest(word, [name]):
                 hint = f"; line {line} starts with `{word}`, which is not a field"

@@ -20,7 +20,7 @@ Spot = tuple[int, int]
 _WRITTEN = r"[-+]?\.?[0-9][-+.0-9EDQЕ*]*(?=[\s,:%]|\Z)"
 TOKEN = re.compile(
     # Blanks around the sign are permitted only if no word follows, because the sign could begin a
-    # comment.
+    # remark.
     rf"{_WRITTEN}\s*(?::\s*{_WRITTEN}|%)(?=\s*(?:,\s*)?(?:\Z|{_WRITTEN}))|[^\s,]+|,",
     re.IGNORECASE,
 )
@@ -31,7 +31,7 @@ REAL = re.compile(r"([+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+))(?:[EDQ]([+-]?[0-9]+)
 _RELATED = re.compile(r"(?P<first>[^:%]*[^:%\s])\s*(?P<sign>[:%])\s*(?P<second>.*)")
 DECIMAL_COMMA = r"(?<![.0-9])[0-9]*,[0-9]+(?![.0-9])"
 LONGEST_DECK_NUMBER = 1000
-"""Maximum number of characters of a number; more characters add no information."""
+"""Maximum number of characters of a number. More characters add no information."""
 
 
 class Token(NamedTuple):
@@ -48,12 +48,12 @@ class Token(NamedTuple):
 
     @property
     def after(self) -> int:
-        """Column after the token."""
+        """Column after the last character of the token."""
         return self.column + len(self.text)
 
 
 class NotANumberError(ValueError):
-    """Error about a token that is not a number, with the expected number in the message."""
+    """Error about a token that is not a number; the message states the expected number."""
 
 
 def integer(text: str) -> int:
@@ -95,7 +95,7 @@ def real(text: str) -> float:
 
 
 def worked_out(calculation: str) -> float:
-    """Return the value of a calculation as permitted in YAML and JSON.
+    """Return the value of a calculation in the notation of YAML cases, such as ``96/39``.
 
     Raises
     ------
@@ -121,7 +121,7 @@ def _fortran_number(text: str) -> float:
 
 
 def value_lines(scan: Scan, field: Field) -> Iterator[tuple[int, str, int, int]]:
-    """Yield number, text, start and end of each line of a field's values, up to the next field."""
+    """Yield line number, text, start and end of each line of a field, up to the next field."""
     following = bisect_right(scan.stops, field.line)
     last = scan.stops[following] - 1 if following < len(scan.stops) else scan.last
     lines = scan.source.lines
@@ -134,7 +134,7 @@ def value_lines(scan: Scan, field: Field) -> Iterator[tuple[int, str, int, int]]
 
 
 def token_lines(scan: Scan, field: Field) -> Iterator[list[Token]]:
-    """Yield the tokens of each line of a field's values, without blank lines."""
+    """Yield the tokens of each line of a field, without blank lines."""
     for number, text, start, end in value_lines(scan, field):
         matches = TOKEN.finditer(text, start, end)
         tokens = [Token(match[0], number, match.start() + 1) for match in matches]
@@ -143,7 +143,7 @@ def token_lines(scan: Scan, field: Field) -> Iterator[list[Token]]:
 
 
 def plain_numbers(text: str, parse: Parse[Number]) -> tuple[Number, ...] | None:
-    """Return the blank-separated numbers of a text, unless the text contains anything else."""
+    """Return the blank-separated numbers of a text; None if the text contains anything else."""
     try:
         return tuple(map(parse, text.split()))
     except NotANumberError:
@@ -151,7 +151,7 @@ def plain_numbers(text: str, parse: Parse[Number]) -> tuple[Number, ...] | None:
 
 
 def repeated(token: Token, parse: Parse[Number]) -> tuple[int, Number]:
-    """Return the repeat count and the number of a token, without expanding the repetition.
+    """Return the repeat count and the number of a token, such as 3 and 0.5 for ``3*0.5``.
 
     Raises
     ------
@@ -189,13 +189,13 @@ def is_number(token: Token) -> bool:
 
 
 def is_attempt(token: Token) -> bool:
-    """Return whether a token is a number or a mistyped number, not a word of prose."""
+    """Return whether a token is a number or a mistyped number, in contrast to a word."""
     word = token.text.lstrip("+-").upper()
     return word in ("NAN", "INF", "INFINITY") or any(sign in "0123456789" for sign in word)
 
 
 def starts_values(tokens: Sequence[Token]) -> bool:
-    """Return whether a line starts with a number or a mistyped number, so is not prose."""
+    """Return whether a line begins with a number or a mistyped number, in contrast to prose."""
     words = (token for token in tokens if token.text != ",")
     return any(is_attempt(token) for token in islice(words, 1))
 

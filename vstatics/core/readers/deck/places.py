@@ -1,4 +1,4 @@
-"""Places of problems: relation between parts of the model and fields of a deck."""
+"""Places of problems: which field of a deck contains a value of the model."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from vstatics.core.readers.deck.table import FIELDS
 from vstatics.core.readers.reading import Source
 
 LISTS = {(field.part, field.member): key for key, field in FIELDS.items()}
-"""Name of each list by part and attribute of the model."""
+"""Name of the deck's list for each kind of part and attribute of the model."""
 WHOLE = {
     "links": "KJG",
     "link_names": "KJG",
@@ -24,7 +24,7 @@ WHOLE = {
     "name": "NAME T",
 }
 IN_DECK = {"`planet_ratio`": "`UAQ`", "`kind: neutral`": "`--allow W414`"}
-"""Keys of YAML in remedies, and the replacements for users of decks."""
+"""Keys of YAML in remedies, and what users of decks write instead."""
 KINDS = {"link_names": "J", "shift_elements": "F", "mechanisms": "D", "gears": "P"}
 
 
@@ -34,11 +34,11 @@ class Places:
     def __init__(self, source: Source) -> None:
         self.source = source
         self.named: list[tuple[Iterable[str], Callable[[], Iterable[Spot]]]] = []
-        """Labels of values with the function that returns their places, called when needed."""
+        """Labels of values, with a function that returns their places."""
         self.planet: dict[int, int] = {}
-        """Position of each non-standard mechanism in the deck's list NNM."""
+        """Position in the deck's list NNM of each non-standard mechanism, by mechanism number."""
         self.given: dict[tuple[str, int, int], int] = {}
-        """Position of each given speed in the deck's list NWZ, and of each given torque in NMZ.
+        """Positions of prescribed speeds in the deck's list NWZ, and of torques in NMZ.
 
         The keys are ``("speeds", gear, link)`` and ``("torques", gear, link)``.
         """
@@ -53,7 +53,7 @@ class Places:
         return self._spots
 
     def locate(self, problem: Problem) -> Problem:
-        """Return a problem of the model with the place and the name of the field."""
+        """Return a problem of the model with the place and label of the value in the deck."""
         if problem.place is not None or not problem.path:
             return problem
         spots = self.spots
@@ -67,7 +67,7 @@ class Places:
         return problem
 
     def _labels(self, problem: Problem) -> list[str]:
-        """Return the labels of the fields that can cause a problem, the most likely first."""
+        """Return the labels of the values that can cause a problem, most likely first."""
         part, *below = problem.path
         number = below[0] if below and isinstance(below[0], int) else 0
         inner = tuple(below[1:])

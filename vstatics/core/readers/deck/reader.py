@@ -1,8 +1,5 @@
 """Reader of the deck, the input format of the published Visual-Statics example.
 
-`text` finds the fields, `values` reads their values and `fields` checks their number. This module
-builds the transmission.
-
 The last deck without errors and warnings is stored. If the next deck differs from it only in
 numbers of mechanisms, only the changed lines are read, and only these numbers are checked. In all
 other cases a deck is read in full.
@@ -35,7 +32,7 @@ LONGEST_REMEMBERED_DECK = 20_000
 
 
 def read(data: bytes, file: str) -> Reading:
-    r"""Read a deck, or a printed report that starts with a deck.
+    r"""Read a deck, or a printed listing that begins with a deck.
 
     Parameters
     ----------
@@ -52,7 +49,7 @@ def read(data: bytes, file: str) -> Reading:
     Raises
     ------
     ReadError
-        With every problem and its place.
+        The error contains every problem and its place.
 
     Examples
     --------
@@ -69,7 +66,7 @@ def read(data: bytes, file: str) -> Reading:
             result = error
         problems = result.warnings if isinstance(result, Reading) else result.problems
         score = sum(problem.severity == "error" for problem in problems), len(problems)
-        damaged = bool(damage) and score[0] <= fewest[0]  # the damage explains as many errors
+        damaged = bool(damage) and score[0] <= fewest[0]  # damaged UTF-8 explains as many errors
         if best is None or score < fewest or damaged:
             best, fewest = result, score
         if fewest == (0, 0):
@@ -89,7 +86,7 @@ def _read_text(text: str, file: str, damage: Iterable[Problem]) -> Reading:
 
 
 def _read_lines(source: Source, damage: Iterable[Problem]) -> Reading:
-    """Read a deck in full, and store the deck for the next call."""
+    """Read a deck in full, and store it for variants."""
     global _known  # noqa: PLW0603 - the last deck, whose variants are read faster
     text, deck = source.text, scan(source)
     if not text.strip() or not deck.fields:
@@ -116,7 +113,8 @@ def _parts(fields: Fields) -> dict[str, Any]:
         "P": fields.size("NP", "gears", 1),
     }
     if fields.optional(SPRINGS, 0, range(1), NO_SPRINGS) is None:
-        fields.hidden.append(("links",))  # links that only springs connect would be reported
+        # links that only springs connect would otherwise be reported
+        fields.hidden.append(("links",))
     names = _names(fields, sizes)
     elements = fields.or_guess(sizes["F"], "NZF(I,1)", "shift_elements")
     mechanisms = fields.or_guess(sizes["D"], "NZD(I,1)", "mechanisms")
@@ -151,7 +149,7 @@ def _parts(fields: Fields) -> dict[str, Any]:
 
 
 def _members(fields: Fields, part: str, count: int, names: dict[str, str]) -> list[dict[str, Any]]:
-    """Return the attributes of all parts of a kind, from the lists and the lines of names."""
+    """Return the attributes of all parts of a kind, from lists and name lines."""
     members: list[dict[str, Any]] = [
         {"name": names.get(f"{KINDS[part]}{number}", "")} for number in range(1, count + 1)
     ]
@@ -166,7 +164,7 @@ def _members(fields: Fields, part: str, count: int, names: dict[str, str]) -> li
 
 
 def _planets(fields: Fields, mechanisms: int) -> dict[int, float]:
-    """Return the planet ratios listed in the deck for non-standard mechanisms, by number."""
+    """Return the planet ratios of non-standard mechanisms, by mechanism number."""
     count = fields.optional("KNM", 0, range(mechanisms + 1), f"0 to {mechanisms} (KG)")
     every: list[Path] = [("mechanisms", number) for number in range(1, mechanisms + 1)]
     if count is None:
@@ -209,7 +207,7 @@ def _gears(fields: Fields, count: int, names: dict[str, str]) -> list[Gear]:
 def _given(
     fields: Fields, gears: int, part: str, keys: tuple[str, str, str]
 ) -> list[dict[int, float]]:
-    """Return the given further speeds or torques of each gear, by link."""
+    """Return the prescribed speeds or torques of each gear, by link."""
     counted, name, amount = keys
     counts = fields.counts(counted, gears, required=False)
     links, unreadable = fields.rows(name, counts, counted, integer)
@@ -229,7 +227,6 @@ def _given(
 
 
 def _port(fields: Fields, key: str, default: int) -> int:
-    """Return the input or output link of the case."""
     link = fields.optional(key, default, range(1, 10**18), "a link number from 1")
     if link is None:
         fields.hidden += [("input",), ("output",)]
@@ -265,7 +262,7 @@ def _names(fields: Fields, sizes: dict[str, int | None]) -> dict[str, str]:
 
 
 def _links_above_all(parts: dict[str, Any]) -> int:
-    """Return a number of links that exceeds all link numbers, for a deck with an unreadable KJG."""
+    """Return a number of links above all link numbers, if the deck's KJG is unreadable."""
     links: list[int] = [2, parts["input"], parts["output"]]
     for element in parts["shift_elements"]:
         links += [element.first, element.second]
@@ -287,7 +284,7 @@ class KnownDeck:
 
     @cached_property
     def numbers(self) -> Mapping[int, tuple[str, Sequence[int]]]:
-        """Attribute and indices of mechanisms for each line with mechanism numbers only."""
+        """For each line with numbers of mechanisms only: attribute and mechanism indices."""
         every = range(len(self.case.mechanisms))
         known = {}
         for key, part, owners in (
@@ -306,9 +303,9 @@ class KnownDeck:
         return known
 
     def variant(self, lines: Sequence[str]) -> Transmission | None:
-        """Return the case of a deck with the given lines, unless the deck must be read in full.
+        """Return the case of a variant of the deck; None if it must be read in full.
 
-        The deck must be read in full if other lines differ or if there are warnings.
+        This is so if lines other than numbers of mechanisms differ, or if there are warnings.
         """
         before = self.scan.source.lines
         if len(lines) != len(before):

@@ -13,15 +13,17 @@ class DeckList(NamedTuple):
     """
 
     part: str
-    """Attribute of the model with the parts: ``mechanisms``, ``shift_elements`` or ``gears``."""
+    """Attribute of the model that contains the parts: ``mechanisms``, ``shift_elements`` or
+    ``gears``.
+    """
     member: str
-    """Attribute of a part whose values are in the list, such as ``ratio``."""
+    """Attribute of a part that contains the value, such as ``ratio``."""
     size: str
     """Name of the field that prescribes the number of values."""
     heading: str
     """Line above the list in a written deck."""
     kind: type[float] = int
-    """Type of the values; a list of floats is written on several lines."""
+    """Type of the values. A list of floats is written on several lines."""
 
 
 FIELDS = {
@@ -39,4 +41,4 @@ FIELDS = {
     "INP(I)": DeckList("gears", "input", "NP", "Input link in each gear (0: that of the case):"),
     "IOUT(I)": DeckList("gears", "output", "NP", "Output link in each gear (0: that of the case):"),
 }
-"""Lists by name in messages, in the order of a template; lists for gears are optional."""
+"""Lists by name in messages, in the order of a template. Lists for gears are optional."""

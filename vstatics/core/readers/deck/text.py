@@ -17,21 +17,21 @@ from vstatics.core.readers.signs import with_plain_blanks
 from vstatics.core.tables.quantities import PRINTED
 
 SPRINGS = "KSPR"
-"""Field with the number of springs, which occurs only in listings; a deck cannot have springs."""
+"""Field with the number of springs. It occurs only in listings, because decks have no springs."""
 SPRING = "SPRING "
 """Beginning of the line of each spring, below the field `SPRINGS`."""
 SCALARS = {"KJG", "KL", "KG", "KNM", "NP", "INP", "IOUT", "IDLE", "COAST", SPRINGS}
-"""Fields with a single value and without an index list; a line can contain several."""
+"""Fields with a single value and without an index list. A line can contain several such fields."""
 
 LISTS = {
     *("NZF", "NZD", "IAB", "ETAI", "NNM", "UAQ", "KFRI", "NFRI"),
     *("KWZ", "NWZ", "WZ", "KMZ", "NMZ", "AMZ"),
 }
 GEAR_LISTS = {"INP": "INP(I)", "IOUT": "IOUT(I)"}
-"""Lists with the name of a scalar field, recognised only with an index list."""
+"""Lists that have the name of a scalar field, and are recognised by an index list."""
 
 PARTS = {"NZF": ("1", "2"), "NZD": ("1", "2", "3")}
-"""Fields that consist of several lists, distinguished by the second index."""
+"""Fields that consist of several lists with different second indices."""
 
 LATIN = str.maketrans("АВЕКМНОРСТУХІЈЅԚԜ", "ABEKMHOPCTYXIJSQW")
 
@@ -65,11 +65,11 @@ class Scan:
         self.last = last
         self.fields: dict[str, Field] = {}
         self.stops: list[int] = []
-        """Numbers of lines with a field or a name, which end the values of the field before."""
+        """Numbers of lines with a field or a name, where the values of the previous field end."""
         self.names: list[tuple[str, str, str, int, int]] = []
         """Kind, number and name of each line such as ``NAME F3: C1``, with line and column."""
         self.unknown: dict[str, int] = {}
-        """Line of each unknown word at the place of a field, for hints."""
+        """Line of each unknown word in the position of a field name, for hints."""
         self.broken: set[str] = set()
         """Names of fields with a wrong second index."""
         self.problems: list[Problem] = []
@@ -94,7 +94,8 @@ def texts(data: bytes, file: str) -> Iterator[tuple[str, list[Problem]]]:
     """
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
         raise _unreadable(file, "the file is UTF-16 text, expected UTF-8: save it as UTF-8")
-    data, _, _ = data.partition(b"\x1a")  # end of a DOS file; anything may fill its last block
+    # end of a DOS file; the rest of its last block is undefined
+    data, _, _ = data.partition(b"\x1a")
     if b"\0" in data:
         raise _unreadable(
             file, "the file is binary, expected a deck as text: save it as text in UTF-8"
@@ -114,7 +115,7 @@ def _unreadable(file: str, message: str) -> ReadError:
 
 
 def _damaged(data: bytes, start: int, file: str) -> tuple[str, list[Problem]]:
-    """Return the text decoded as damaged UTF-8, so that a truncated file stays readable."""
+    """Return the text of damaged UTF-8, such as a truncated file, with an error."""
     before = Source(file, data[:start].decode("utf-8-sig")).lines
     text = data.decode("utf-8-sig", errors="replace")
     message = f"byte 0x{data[start]:02X} is not UTF-8 here: the file is damaged or cut off"
@@ -187,9 +188,10 @@ def scan(source: Source) -> Scan:
 def _read_line(line: str) -> tuple[str, Any]:
     """Return the kind and the content of a line; neither depends on other lines.
 
-    The kinds and their contents are: ``result``; ``fields`` (key, column, and offsets of the values
-    of each); a ``broken`` field (name, column, message); a ``name`` (kind, number, text, column);
-    an unknown ``word`` in the position of a field; and an empty text for other lines.
+    The kinds (with contents) are: ``result``, ``fields`` (for each its key, column, and offsets of
+    values), ``broken`` for a wrong field (name, column, message), ``name`` (kind, number, text,
+    column), ``word`` for an unknown word in the position of a field, and an empty text for other
+    lines.
     """
     kind, word, start = _opening(line)
     if kind == "result":
@@ -205,7 +207,9 @@ def _read_line(line: str) -> tuple[str, Any]:
 
 
 KEPT_CHARACTERS = 200
-"""Largest number of characters of a line whose meaning is cached; many decks share short lines."""
+"""Largest number of characters of a line whose meaning is cached. Many decks have equal short
+lines.
+"""
 _meaning = lru_cache(maxsize=2000)(_read_line)
 
 
@@ -249,7 +253,7 @@ def _squeezed(match: re.Match[str]) -> str:
 
 
 def _add(result: Scan, new: Field) -> None:
-    """Add a field, or an error if the field was given before."""
+    """Add a field, or an error if the deck already contains the field."""
     if not result.stops or result.stops[-1] != new.line:
         result.stops.append(new.line)
     first = result.fields.setdefault(new.key, new)
@@ -261,7 +265,7 @@ def _add(result: Scan, new: Field) -> None:
 
 
 def _scalars(line: str) -> tuple[tuple[str, int, int, int | None], ...]:
-    """Return all fields of a line such as ``KJG= 6 KL= 5 KG= 3 KNM = 2``."""
+    """Return all scalar fields of a line such as ``KJG= 6 KL= 5 KG= 3 KNM = 2``."""
     heads = []
     before = 0
     for equals in re.finditer("=", line):
@@ -286,7 +290,7 @@ def _list(line: str, start: int, name: str) -> tuple[str, Any]:
         match = INDEX_LIST.match(line, start)
         if match is not None:
             value, index = match.end(), _squeezed(match)
-        if match is None or not match[2]:  # there is no colon, or the index list is broken
+        if match is None or not match[2]:  # the colon is missing, or the index list is wrong
             colon = line.find(":", value)
             starts_value = line[value:].lstrip(" \t,").startswith(tuple("-+.0123456789"))
             value = value if colon < 0 or starts_value else colon + 1
@@ -302,7 +306,7 @@ def _list(line: str, start: int, name: str) -> tuple[str, Any]:
 
 
 def _name_line(line: str) -> tuple[str, str, str] | None:
-    """Return kind, number and name of a line such as ``NAME F3: C1``, if possible."""
+    """Return kind, number and name of a line such as ``NAME F3: C1``; None for other lines."""
     before, colon, name = line.partition(":")
     short = colon and len(before) < 40 and before.lstrip()[:1] in ("N", "n")
     match = re.fullmatch(NAME_LINE, latin(before)) if short else None

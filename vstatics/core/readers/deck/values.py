@@ -1,4 +1,4 @@
-"""Readers of the values in a field of a deck; they check the number of values and their places."""
+"""Readers of the values in a field of a deck, which check the number of values."""
 
 from __future__ import annotations
 
@@ -31,11 +31,11 @@ from vstatics.core.readers.deck.numbers import (
 from vstatics.core.readers.deck.text import KEPT_CHARACTERS, Field, Scan
 
 _CALCULATES = {sign: sign for sign in "%:/*+-"} | {"x": "*", "×": "*", "÷": "/"}
-"""Signs that continue a number as a calculation, with the corresponding operators of YAML."""
+"""Signs after a number that continue a calculation, with the operators used in YAML."""
 _DIGITS = tuple("0123456789")
 
 STAND_IN = "-1"
-"""Text that replaces an unreadable value; no link or other part has the number -1."""
+"""Text that replaces an unreadable value. No link or other part has the number -1."""
 
 
 class Values(NamedTuple, Generic[Number]):
@@ -43,9 +43,11 @@ class Values(NamedTuple, Generic[Number]):
 
     numbers: list[Number]
     spots: Callable[[], list[Spot]]
-    """Function that returns the place of each value, called only if a place is needed."""
+    """Function that returns the place of each value, called only when places are needed."""
     unreadable: set[int]
-    """Positions (from 0) of values that are missing, unreadable or in a field with too many."""
+    """Positions (from 0) of missing or unreadable values; all positions if there are too many
+    values.
+    """
 
 
 class Wanted(NamedTuple):
@@ -53,14 +55,14 @@ class Wanted(NamedTuple):
 
     name: str
     label: Callable[[int], str]
-    """Function that returns the label of a value, such as ``IAB(1)``, given the position from 0."""
+    """Function from a position (from 0) to the label of a value, such as ``IAB(1)``."""
     need: int
     why: str
     """Name of the field that prescribes the number of values, such as ``KG``."""
 
 
 def take(scan: Scan, field: Field, wanted: Wanted, parse: Parse[Number]) -> Values[Number]:
-    """Read the values of a field, and add errors to the scan."""
+    """Read the values of a field, and add errors to `scan`."""
     plain = _plain(scan, field, wanted.need, parse)
     return _take_with_care(scan, field, wanted, parse) if plain is None else plain[0]
 
@@ -68,7 +70,7 @@ def take(scan: Scan, field: Field, wanted: Wanted, parse: Parse[Number]) -> Valu
 def _take_with_care(
     scan: Scan, field: Field, wanted: Wanted, parse: Parse[Number]
 ) -> Values[Number]:
-    """Read a field token by token, because of faults or repeat counts."""
+    """Read a field token by token, because it contains errors or repeat counts."""
     ending = partial(_ending, scan, field)
     taker = _ValueReader(scan, (field.line, field.value + 1), wanted, parse, ending)
     return taker.take(token_lines(scan, field))
@@ -81,7 +83,7 @@ def take_rows(
     counted: str,
     parse: Parse[Number],
 ) -> Values[Number]:
-    """Read the values of all gears, on a single line or on a line for each gear with values."""
+    """Read the values of all gears: all on a line, or a line for each gear that has values."""
     plain = _plain(scan, field, sum(counts), parse)
     if plain is not None and (len(plain[1]) < 2 or plain[1] == [n for n in counts if n]):
         return plain[0]
@@ -132,10 +134,10 @@ _cached_plain_numbers = lru_cache(maxsize=2000)(plain_numbers)
 def _plain(
     scan: Scan, field: Field, need: int, parse: Parse[Number]
 ) -> tuple[Values[Number], list[int]] | None:
-    """Read a field of plain numbers quickly; return the values and the number of values per line.
+    """Read a field of plain numbers fast; return the values and the number of values per line.
 
     The result is None unless the field contains exactly `need` plain numbers, followed only by
-    prose on later lines. Otherwise each token must be checked.
+    prose on later lines. Other fields must be read token by token.
     """
     numbers: list[Number] = []
     counts = []
@@ -176,7 +178,7 @@ def _rows(scan: Scan, field: Field, expected: int) -> list[list[Token]]:
 
 
 def _row(key: str, gear: int, need: int, counted: str) -> Wanted:
-    """Return the description of a gear's values, which are on a separate line."""
+    """Return the description of the values of a gear, which has a separate line."""
 
     def label(position: int) -> str:
         return f"{key}({position + 1},{gear})"
@@ -185,7 +187,7 @@ def _row(key: str, gear: int, need: int, counted: str) -> Wanted:
 
 
 def _ending(scan: Scan, field: Field, line: int) -> str:
-    """Return a phrase for the text after the values: prose, a field, or the end."""
+    """Return words for the text after the values: prose, a field, or the end."""
     lines = scan.source.lines
     if field.end is not None:
         return f"'{lines[field.line - 1][field.end - 1 :].strip()[:30]}'"
@@ -219,7 +221,7 @@ class _ValueReader(Generic[Number]):
         self.after_comma = True
         self.failed = False
         self.complete_at = 0
-        """Line on which the field is complete, if mistyped values are counted."""
+        """Number of the line on which the field is complete, counting mistyped values."""
 
     def take(self, lines: Iterable[list[Token]]) -> Values[Number]:
         """Read all values, and check the number of values."""
@@ -238,7 +240,7 @@ class _ValueReader(Generic[Number]):
         return Values(self.numbers, lambda: self.spots, self.unreadable)
 
     def _line(self, tokens: list[Token]) -> bool:
-        """Read the values of a line; return whether further values can follow on the next line."""
+        """Read the values of a line; return whether the next line can contain further values."""
         for position, token in enumerate(tokens):
             if token.text == ",":
                 if not self._comma(token):

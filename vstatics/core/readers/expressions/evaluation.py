@@ -1,7 +1,7 @@
 """Evaluation of formulas: operators and functions on arrays, for all variants at once.
 
-Every value has the axes (..., gears, rows), as in `Results`. An axis on which the value does not
-depend has the length 1, so that NumPy broadcasts it.
+Every value has the axes (..., gears, rows), as in `Results`. An axis has the length 1 if the value
+does not depend on it.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ Function: TypeAlias = Callable[[Sequence[Values]], Values]
 
 FUNCTIONS = ("min", "max", "abs", "sum", "sqrt")
 REDUCTIONS = ("min", "max", "sum")
-"""Functions that reduce all gears and rows of a single operand to a number."""
+"""Functions that reduce a single operand to a number over all gears and rows."""
 LAST = "last"
 """Function that returns the final value of a quantity over time, only for scenario runs."""
 
@@ -36,12 +36,12 @@ def evaluate(formula: Any, value_of: Callable[[Any], Floats]) -> Floats:
         Tree of the formula.
     value_of : callable
         Function that returns the values of a resolved name, or of a function that is not in
-        `OPERATIONS`, in an array of shape (..., gears or 1, rows or 1).
+        `OPERATIONS`. The array has the shape (..., gears or 1, rows or 1).
 
     Returns
     -------
     ndarray, shape (..., gears or 1, rows or 1)
-        Values; true and false are 1 and 0. The array can be a view of a result of `value_of`.
+        Values, with 1 for true and 0 for false. The array can be a view of a result of `value_of`.
         Leading axes are missing if the values are equal for all variants.
 
     Examples
@@ -58,14 +58,14 @@ def evaluate(formula: Any, value_of: Callable[[Any], Floats]) -> Floats:
 
 
 def _values(part: Any, value_of: Callable[[Any], Floats]) -> Values:
-    # This is not a nested function, which would keep a reference to the results.
+    # A nested function would keep a reference to the results.
     if isinstance(part, Applied) and part.name in OPERATIONS:
         return OPERATIONS[part.name]([_values(operand, value_of) for operand in part.operands])
     return np.array([[part.value]]) if isinstance(part, Constant) else value_of(part)
 
 
 def truth(values: Values) -> Booleans:
-    """Return the truth of values as conditions: false for 0, infinity and NaN.
+    """Return values as booleans: false for 0, infinity and NaN.
 
     >>> truth(np.array([2.0, 0.0, np.nan, np.inf]))
     array([ True, False, False, False])
@@ -79,7 +79,7 @@ def _numbers(values: Values) -> Floats:
 
 
 def _unequal(first: Floats, second: Floats) -> Booleans:
-    """Return marks where two numbers differ; unlike NumPy, False if either is NaN."""
+    """Return whether numbers differ; unlike NumPy, False if either is NaN."""
     unequal: Booleans = (first < second) | (first > second)
     return unequal
 
@@ -110,7 +110,7 @@ def _extreme(propagating: np.ufunc, ignoring: np.ufunc) -> Function:
 
 
 def _over_all(values: Floats, propagating: Any, ignoring: Any) -> Floats:
-    """Reduce gears and rows to a number; variants with NaN are repeated by the slower function."""
+    """Reduce gears and rows to a number. Only variants with NaN need the slower function."""
     reduced: Floats = propagating(values, axis=(-2, -1), keepdims=True)
     has_nan = np.isnan(reduced[..., 0, 0])
     if has_nan.any():
@@ -150,6 +150,8 @@ OPERATIONS: Mapping[str, Function] = {
     "sin": _of_number(np.sin),
     "cos": _of_number(np.cos),
     "sign": _of_number(np.sign),
+    "log": _of_number(np.log),
+    "atan": _of_number(np.arctan),
     "min": _extreme(np.minimum, np.fmin),
     "max": _extreme(np.maximum, np.fmax),
     LAST: _of_number(lambda numbers: numbers[..., -1:, :]),

@@ -9,7 +9,7 @@ from vstatics.core.errors import Place, ReadError
 
 
 class Excerpt(NamedTuple):
-    """Part of a text, such as the text given to an option."""
+    """Part of a text, such as the argument of an option."""
 
     text: str
     option: str
@@ -28,7 +28,7 @@ class Excerpt(NamedTuple):
         return self.text[self.start : self.end]
 
     def end_of(self, pattern: re.Pattern[str], at: int) -> int:
-        """Return the offset after a match of a pattern at `at`; `at` without a match."""
+        """Return the offset after a match of a pattern at offset `at`, else `at` itself."""
         match = pattern.match(self.text, at, self.end)
         return match.end() if match else at
 

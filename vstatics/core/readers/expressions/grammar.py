@@ -5,8 +5,8 @@ Operators, from the lowest to the highest precedence::
     or | and | not x | < <= > >= == != | + - | * / | -x +x | ** (^)
 
 An operand is a number, a name (see `operands`), `(x)` or `function(x, ...)`. The parser uses
-precedence climbing: it reads an operand, then all following operators of at least the required
-precedence, each with its right operand, which includes all operations of higher precedence.
+precedence climbing. It reads an operand, then all following operators of at least the required
+precedence. The right operand of each operator includes all operations of higher precedence.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ MOST_FORMULA_BRACKETS = 50
 MOST_DEPTH = 100
 """Maximum number of nested operations, because trees are evaluated by recursion."""
 MOST_TREE_PARTS = 10_000
-"""Maximum number of parts of a tree; in a chain `a < b < c` the middle operand counts twice."""
+"""Maximum number of parts of a tree. In a chain `a < b < c` the middle operand counts twice."""
 
 _LOGIC = ("or", "and")
 _COMPARISONS = ("<", "<=", ">", ">=", "==", "!=")
@@ -44,7 +44,7 @@ _POWERS = ("**", "^")
 _LEVELS = (("or",), ("and",), ("not",), _COMPARISONS, ("+", "-"), ("*", "/"), ("-x",), _POWERS)
 _BINDS = {sign: level for level, signs in enumerate(_LEVELS) for sign in signs}
 _PREFIXES = {"not": "not", "-": "-x", "+": "-x"}
-"""Signs that can precede an operand, each with the operator that gives the precedence."""
+"""Signs before an operand, with the operator that determines their precedence."""
 _BINARY = _BINDS.keys() - set(_PREFIXES.values())
 _WORD_SIGNS = (*_LOGIC, "not")
 _SIGN = re.compile(r"\*\*|<>|[<>=!]=|//|&&|\|\||[-+*/<>(),=!&|^≤≥≠−–×·÷]")
@@ -57,9 +57,9 @@ class Applied(NamedTuple):
     """Node of a formula's tree: an operator or function applied to operands."""
 
     name: str
-    """Symbol of an operator, `and`, `or`, `not`, `-x`, or name of a function."""
+    """Symbol of an operator (such as `and`, or `-x` for a sign), or name of a function."""
     operands: tuple[Any, ...]
-    """Trees of the operands; leaves are names, or meanings after resolution."""
+    """Trees of the operands. Leaves are names, or after resolution the meanings of names."""
     at: int
     depth: int
     """Number of nested levels."""
@@ -71,7 +71,7 @@ Tree: TypeAlias = Constant | TableName | DottedName | Applied
 
 
 class Language(NamedTuple):
-    """Functions and operands that formulas for a purpose can contain, described for messages.
+    """Functions and operands that formulas for a purpose can contain, with texts for messages.
 
     Parameters
     ----------
@@ -82,7 +82,7 @@ class Language(NamedTuple):
     example : str
         Example of an operand, such as ``t``.
     instead : str
-        Hint for an unknown function that does not resemble any known function.
+        Hint for an unknown function without similarity to a known function.
     caret : bool
         True if ``x^2`` means ``x**2``; otherwise a message suggests ``x**2``.
     of_names : collection of str
@@ -96,7 +96,7 @@ class Language(NamedTuple):
     caret: bool = False
     of_names: Collection[str] = ()
     quantity: Callable[[str, int], Constant | None] = lambda _text, _at: None
-    """Function that returns a number with a unit, such as ``20 km/h``, if possible."""
+    """Function from text and offset to a number with a unit, such as ``20 km/h``, if any."""
 
 
 def parse(source: Excerpt, language: Language) -> Tree:
@@ -110,8 +110,8 @@ def parse(source: Excerpt, language: Language) -> Tree:
     Returns
     -------
     Tree
-        Tree of the formula. A chain ``a < b < c`` is returned as ``a < b and b < c`` (with a single
-        tree for both `b`), ``x^2`` as ``x**2``.
+        Tree of the formula. A chain ``a < b < c`` becomes ``a < b and b < c`` (with a single tree
+        for both `b`), and ``x^2`` becomes ``x**2``.
 
     Raises
     ------
@@ -149,7 +149,7 @@ class _Parser:
         self.at = self.source.end_of(_BLANK, end)
 
     def matched(self, pattern: re.Pattern[str]) -> str:
-        """Return the text that matches a pattern at the current offset; empty without a match."""
+        """Return the match of a pattern at the current offset; empty without a match."""
         return self.source.text[self.at : self.source.end_of(pattern, self.at)]
 
     def expression(self, least: int = 0, depth: int = 1) -> Tree:
@@ -167,7 +167,7 @@ class _Parser:
         return left
 
     def joined(self, operands: Sequence[Tree], signs: Sequence[tuple[str, int]]) -> Tree:
-        """Return the tree of operands and operators of equal precedence."""
+        """Return the tree of an operation chain of equal precedence."""
         first, at = signs[0]
         if first in _LOGIC:
             return self.operation(first, operands, at)
@@ -231,7 +231,7 @@ class _Parser:
         return tree
 
     def quantity(self) -> tuple[Constant, int] | None:
-        """Return a number with a unit and the end offset, if the unit is known."""
+        """Return a number with a known unit, and its end offset; None for other texts."""
         end = quantity_end(self.source, self.at)
         known = self.language.quantity(self.source.text[self.at : end], self.at)
         return None if known is None else (known, end)
@@ -280,7 +280,7 @@ class _Parser:
             )
         if call:
             words = (*language.functions, *language.of_names)
-            hint = nearest(name, words) or language.instead
+            hint = _CASES if name in _OF_CASES else nearest(name, words) or language.instead
             known = ", ".join(language.functions)
             raise self.source.error(
                 f"there is no function {quoted(name)}, expected {known}{hint}", at
@@ -329,13 +329,15 @@ ELSEWHERE = {
     "·": "*",
     "÷": "/",
 }
-"""Operators of other languages, each with the operator that formulas use."""
+"""Operators of other languages, with the operators of formulas."""
+_OF_CASES = ("if", "where", "step", "heaviside")
+_CASES = "; a comparison is 1 or 0, so write a factor such as `2*(x > 1)`"
 PYTHON = ("lambda", "for", "in", "if", "else", "is", "await", "async", "yield", "from", "import")
 """Keywords of Python that formulas do not support."""
 
 
 def no_operator(source: Excerpt, at: int, read: str, before: str) -> str:
-    """Return the message about a text that stands where an operator was expected.
+    """Return the message about a text in the position of an operator.
 
     >>> no_operator(Excerpt("1 & 2", "--where"), 2, "&", "1")
     'read `&`, expected `and`'
@@ -349,14 +351,16 @@ def no_operator(source: Excerpt, at: int, read: str, before: str) -> str:
     if read in ELSEWHERE and read != "!":
         return f"read `{read}`, expected `{ELSEWHERE[read]}`"
     if read in PYTHON:
-        return f"read `{read}`, which this language does not have"
+        hint = _CASES if read in _OF_CASES else ""
+        return f"read `{read}`, which this language does not have{hint}"
     shown = quoted(read or source.text[at])
     expected = "expected an operator such as `+`, `<` or `and`, or an end"
+    expected += _CASES if source.has("?", at) else ""
     return f"read {shown} after {quoted(before)}, {expected}"
 
 
 def no_operand(source: Excerpt, at: int, read: str, before: str, operands: str) -> str:
-    """Return the message about a text that stands where an operand was expected.
+    """Return the message about a text in the position of an operand.
 
     >>> no_operand(Excerpt("1 + * 2", "--where"), 4, "*", "+", "a number")
     'read `*` after `+`, expected a number'

@@ -33,7 +33,7 @@ class Constant(NamedTuple):
 
 
 class Velocity(Constant):
-    """Speed of a vehicle [m/s], to be converted once the link is known."""
+    """Speed of a vehicle [m/s]. Its link, and so its angular speed, is not known yet."""
 
     at: int = 0
     written: str = ""
@@ -74,7 +74,7 @@ class DottedName(NamedTuple):
 
 
 def read_number(source: Excerpt, at: int) -> tuple[Constant, int] | None:
-    """Return an unsigned number with the end offset, if any.
+    """Return an unsigned number and its end offset; None without a number.
 
     Raises
     ------
@@ -115,7 +115,7 @@ def quantity_end(source: Excerpt, at: int) -> int:
 
 
 def read_dotted(source: Excerpt, at: int) -> tuple[DottedName, int] | None:
-    """Return a name that contains a point, with the end offset, if any.
+    """Return a name with a point, and its end offset; None without such a name.
 
     Raises
     ------

@@ -1,7 +1,7 @@
-"""Arguments of `Transmission` from the values of a document, with relative numbers.
+"""Arguments of `Transmission` from the values of a document.
 
 Speeds with a unit are divided by the input speed of the operating point, torques and drag with a
-unit by its torque.
+unit by the input torque.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _ATTRIBUTES = (*(key.name for key in CASE.keys), *KEYS)
 
 def arguments(values: dict[str, Any], walk: Walk) -> dict[str, Any]:
     """Return the arguments of `Transmission`."""
-    if values.get("output") == HOUSING:  # for the model 0 means a missing output
+    if values.get("output") == HOUSING:  # in the model, output 0 means that the output is missing
         walk.spots.tell(("output",), "read the housing, expected the link that drives the load")
     parts = {
         part: [item._replace(name=name) for name, item in values.get(part, {}).items()]
@@ -56,15 +56,15 @@ def arguments(values: dict[str, Any], walk: Walk) -> dict[str, Any]:
 
 
 def _or_none(load: Load | None) -> Load | None:
-    """Return a load, if any value is given."""
+    """Return a load; None if it has no values."""
     return None if load == Load() else load
 
 
 def read_with_stand_ins(unreadable: list[Path]) -> list[Path]:
     """Return the paths at which stand-ins would cause problems of the model.
 
-    If components are unreadable, the number of links is included, because it is compared with the
-    number of components.
+    If components are unreadable, the number of links is also included, because it is compared with
+    the number of components.
     """
     devices = {("shift_elements",), ("mechanisms",), ("springs",)}
     return [*unreadable, ("links",)] if devices.intersection(unreadable) else unreadable
@@ -75,11 +75,11 @@ _ByPart = dict[int, tuple[float, Path]]
 
 
 class Common(NamedTuple):
-    """Operating point of the case, the reference of numbers with a unit."""
+    """Operating point of the case, to which numbers with a unit are relative."""
 
     load: Load
     whole: float
-    """Reference torque; without a load, infinity if not needed, else 0 (an error)."""
+    """Input torque [N*m]. Without a load: infinity if no load is needed, else 0 (an error)."""
 
 
 def in_gears(
@@ -91,8 +91,8 @@ def in_gears(
 ) -> tuple[list[ShiftElement], list[Gear], dict[int, float]]:
     """Return shift elements, gears and drag of the case with numbers relative to the input.
 
-    Capacity and drag of shift elements, and the drag of the case, refer to the operating point of
-    the case. The numbers of a gear refer to its own operating point.
+    Capacity and drag of shift elements, and drag of the case, are relative to the operating point
+    of the case. The numbers of a gear are relative to the operating point of the gear.
 
     Parameters
     ----------
@@ -126,7 +126,7 @@ def _located(numbers: Mapping[int, float], path: Path) -> _ByPart:
 
 
 def _by_load(torque: float, load: Load) -> float:
-    """Return a torque with a unit, divided by the torque of a load (infinite without a load)."""
+    """Return a torque with a unit relative to the torque of a load; 0 without a load."""
     whole = load.torque_size or math.inf
     return OfLoad(float(torque), whole) if isinstance(torque, WithUnit) else torque
 
@@ -165,7 +165,7 @@ def _gear(gear: Gear, number: int, common: Common, spots: Spots) -> Gear:
 
 
 def _related(numbers: _ByPart, whole: float, spots: Spots) -> dict[int, float]:
-    """Return numbers relative to the input quantity `whole`, which is 0 if unknown.
+    """Return numbers divided by the input speed or torque `whole`, which is 0 if unknown.
 
     If `whole` is unknown, numbers with a unit are reported and omitted.
     """

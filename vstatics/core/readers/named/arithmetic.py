@@ -19,19 +19,24 @@ MOST_ARITHMETIC_BRACKETS = 20
 
 _FIGURE = r"([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?"
 ARITHMETIC = rf"[-+ (]*{_FIGURE}[ )]*([-+*/][-+ (]*{_FIGURE}[ )]*)*"
-"""Calculation, as a regular expression for JSON Schema; brackets are not counted."""
+"""Regular expression of a calculation for JSON Schema, which does not check brackets."""
 
 DIMENSIONLESS = rf"{ARITHMETIC}(%|: *{ARITHMETIC})?"
-"""Calculation, percentage or ratio of two numbers, as a regular expression for JSON Schema."""
+"""Regular expression of a calculation, a percentage or a ratio, for JSON Schema."""
 
-_GROUPED = re.compile(r"(?<![0-9.])[1-9][0-9]{0,2}( [0-9]{3})+(?![0-9])")
+_GROUPED = re.compile(
+    r"(?<![0-9.,])[1-9][0-9]{0,2}"
+    r"(?:([ _'\u2019])[0-9]{3}(?:\1[0-9]{3})*(?![0-9])"
+    r"|([.,])[0-9]{3}(?:\2[0-9]{3})*(?!\2)[.,][0-9]+)"
+)
+"""Number with grouped digits, such as 1 000, or 1.000,5 with a decimal sign of the other kind."""
 _PERCENT = re.compile(r"per ?cent|pct|prozent|процент", re.IGNORECASE)
 _PLAIN = re.compile(rf"[-+]?{_FIGURE}\Z")
 _NUMBER = re.compile(rf" *{_FIGURE} *")
 _SIGN = re.compile(r" *([-+])")
 _OPEN, _CLOSED = re.compile(r" *\("), re.compile(r" *\) *")
 _BINDING = tuple(
-    # An operator must be followed by a number, not by a unit or name as in 2000/min or 1.05*FL.
+    # An operator must be followed by a number, unlike in 2000/min or 1.05*FL.
     re.compile(rf" *([{signs}])(?= *[-+]? *[.0-9(])")
     for signs in ("-+", "*/")
 )
@@ -42,7 +47,7 @@ class UnitError(ValueError):
 
 
 class LeadingNumber(NamedTuple):
-    """Number, and the following text without surrounding blanks: `Nm`, `/min`, `*FL`."""
+    """Number, and the text after it without surrounding blanks: `Nm`, `/min`, `*FL`."""
 
     value: float
     behind: str
@@ -54,7 +59,7 @@ def calculated(text: str) -> LeadingNumber:
     Raises
     ------
     ValueError
-        With what was expected.
+        The message states the expectation.
 
     Examples
     --------
@@ -77,7 +82,7 @@ def dimensionless(text: str) -> float:
     Raises
     ------
     ValueError
-        With what was expected.
+        The message states the expectation.
 
     Examples
     --------
@@ -108,7 +113,7 @@ def expected(text: str) -> str:
 
 
 def slip_or_percent(text: str) -> str:
-    """Return the hint of `slip`, or a hint for a percentage written as a word."""
+    """Return the hint of `slip`, or a hint for a percentage in words."""
     return slip(text) or " (write `%`, or 0.97 for 97 %)" * bool(_PERCENT.search(text))
 
 
@@ -117,12 +122,14 @@ def slip(text: str) -> str:
 
     >>> slip("1,5"), slip("\u22122.6"), slip("x")
     (' (with a decimal point)', ' (with `-` instead of `\u2212`)', '')
+    >>> slip("1 500 rpm"), slip("1.234,56")
+    (' (digits without blanks: 1500)', ' (digits without `.`: 1234.56)')
     """
-    if "," in text:
-        return " (with a decimal point)"
     if grouped := _GROUPED.search(with_plain_blanks(text)):
-        return f" (digits without blanks: {grouped[0].replace(' ', '')})"
-    return dash_hint(text)
+        sign = grouped[1] or grouped[2]
+        signs = "blanks" if sign == " " else f"`{sign}`"
+        return f" (digits without {signs}: {grouped[0].replace(sign, '').replace(',', '.')})"
+    return " (with a decimal point)" if "," in text else dash_hint(text)
 
 
 class _Calculation:

@@ -1,4 +1,4 @@
-"""Readers of compound values: entries of mappings, rows, points, values with several forms."""
+"""Readers of compound values: mappings, rows, points, and values that have several forms."""
 
 from __future__ import annotations
 
@@ -32,12 +32,13 @@ from vstatics.core.readers.named.references import UnknownNameError
 NO_MERGE = "the merge key `<<` is not accepted, write its keys out"
 NO_COMMA = "write a decimal point, not a decimal comma"
 _AFTER_COMMA = re.compile(r"\d+(%|[ \t].*)?", re.ASCII)
-"""Pattern of a key that YAML reads after a decimal comma in braces: `5 rpm` of `2000,5 rpm`."""
+"""Pattern of a key that results from a decimal comma in braces: `5 rpm` of `{speed: 2000,5 rpm}`.
+"""
 _SYNONYMS = {
     **dict.fromkeys(("clutches", "brakes", "clutch", "brake"), "shift_elements"),
     **dict.fromkeys(("gear_sets", "gearsets", "sets", "planetary"), "elements"),
 }
-"""Keys that users might expect, and the corresponding keys of a case."""
+"""Keys that users may expect, with the keys of a case."""
 _MEMBERS = {"sun", "ring", "carrier", "teeth", "planets"}
 
 
@@ -60,9 +61,9 @@ def entries(spots: Spots, spot: Spot) -> Iterator[tuple[Scalar, Node]]:
 
 
 def known_entries(spots: Spots, spot: Spot, keys: Sequence[KeyShape]) -> dict[str, Node]:
-    """Return the nodes of declared keys; an optional key without a value counts as missing.
+    """Return the nodes of declared keys. An optional key without a value counts as missing.
 
-    A mistyped key is read as the key it probably means, so that it causes only one message.
+    A mistyped key is read as the most similar key, so that it causes only a single message.
     """
     known = {key.name: key for key in keys}
     given = {}
@@ -80,14 +81,14 @@ def known_entries(spots: Spots, spot: Spot, keys: Sequence[KeyShape]) -> dict[st
 
 
 def meant_key(document: DocumentText, key: str, known: Iterable[str]) -> str:
-    """Return a hint with the known key that an unknown key probably means; empty if unknown."""
+    """Return a hint with the key that an unknown key probably means; empty if not recognised."""
     names = [*known]
     synonym = _SYNONYMS.get(key.casefold())
     return f"; did you mean `{synonym}`?" if synonym in names else document.hint(key, names)
 
 
 def _advice(key: str, known: Collection[str]) -> str:
-    """Return advice if an unknown key reveals a typical mistake, else an empty text.
+    """Return advice about the typical mistake that causes an unknown key; empty if unknown.
 
     >>> _advice("5 rpm", ["speed"])
     '; write a decimal point, not a decimal comma'
@@ -155,7 +156,7 @@ def read_row(walk: ReadsShapes, spot: Spot, shape: RowOf) -> Any:
 
 
 def read_points(walk: ReadsShapes, spot: Spot, shape: ByPoints) -> Any:
-    """Read a curve: rows of points, a number (a point at 0), or a mapping."""
+    """Read a curve: rows of points, a number (the value at 0), or a mapping."""
     node, leaf = spot.node, shape.row.items[-1]
     if isinstance(node, Listing):
         if not node.items:
@@ -187,7 +188,7 @@ def read_parsed(walk: ReadsShapes, spot: Spot, shape: Parsed) -> Any:
 
 
 def _moved_by(walk: ReadsShapes, node: Scalar, offset: int) -> Scalar:
-    """Return a scalar whose place is moved by an offset, if the text is on a single line."""
+    """Return a scalar whose place is moved by an offset; unchanged if it has several lines."""
     line = walk.spots.document.source.place(node.line).text
     begin = node.column - 1 + (line[node.column - 1 : node.column] in ("'", '"'))
     as_written = line.startswith(node.text, begin)
@@ -206,7 +207,7 @@ def read_form(walk: ReadsShapes, spot: Spot, shape: ByForm) -> Any:
 
 
 def read_one_or_many(walk: ReadsShapes, spot: Spot, shape: OneOrMany) -> Any:
-    """Read a list of items; a single item is read as a list, too."""
+    """Read a list of items, or a single item as a list."""
     node = spot.node
     if not isinstance(node, Listing) or all(
         isinstance(row, Listing) and all(isinstance(item, Scalar) for item in row.items)

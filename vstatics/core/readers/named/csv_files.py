@@ -1,4 +1,4 @@
-"""Files of numbers that a document names; the caller controls which files may be read."""
+"""Files of numbers that a document names. The caller controls which files may be read."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _ALLOWED: ContextVar[bool] = ContextVar("files are read", default=True)
 
 @contextmanager
 def noted_files() -> Iterator[set[str]]:
-    """Record the files that are read, or should be read, within the block.
+    """Collect the names of the files that the block reads or tries to read.
 
     >>> with noted_files() as noted:
     ...     try:
@@ -39,7 +39,7 @@ def noted_files() -> Iterator[set[str]]:
 
 @contextmanager
 def no_files() -> Iterator[None]:
-    """Refuse to read files named in possibly untrusted documents within the block.
+    """Refuse to read files that documents name within the block, because they may be untrusted.
 
     >>> with no_files():
     ...     csv_rows(Path("/etc/passwd"), 100, bool)
@@ -61,7 +61,7 @@ def are_read() -> bool:
 def csv_rows(
     file: Path, most: int, is_heading: Callable[[str], bool]
 ) -> list[tuple[int, list[str]]]:
-    """Return the rows of a file from the headings onwards, each with a line number.
+    """Return the headings and the rows below them of a file, each with a line number.
 
     Parameters
     ----------

@@ -17,9 +17,11 @@ from vstatics.core.readers.named.arithmetic import slip
 _CALCULATION = re.compile(r"[-+*/() .,0-9eE]+")
 _THOUSANDS = re.compile(r"(?<![.,\d])[1-9]\d{0,2}\.\d{3}(?![.,\deE])")
 _COMMA_THOUSANDS = re.compile(r"(?<![.,\d])[1-9]\d{0,2},\d{3}(?![.,\deE])")
+_OF_TWO_SIGNS = re.compile(r"\.\d{3},\d|,\d{3}\.\d")
+"""Grouped digits with a decimal sign, as in 1.234,5: no number of a table."""
 _FRACTION = re.compile(r"(?<![.,\d])\d*\.\d+(?![.,\d])")
 _SEPARATOR_LINE = re.compile(r'\s*"?sep=[^"\n]"?[\s,;]*', re.IGNORECASE)
-"""Line `sep=;`, which prescribes the separator to spreadsheets; here the headings decide."""
+"""Line such as `sep=;` for spreadsheets. Here the headings determine the separator."""
 
 
 def separator_of(head: str) -> str:
@@ -38,11 +40,11 @@ def separator_of(head: str) -> str:
 
 
 class Decimals:
-    """Converter of the numbers in a table with semicolons or tabs to decimal points.
+    """Converter to decimal points for the numbers in a table with semicolons or tabs.
 
-    In such tables a point can be a decimal point or separate thousands, as in `1.200`. The other
-    numbers decide: it is a decimal point if some number, such as `0.5`, allows no other meaning,
-    and no number contains a comma. The same rule applies to a comma between tabs, as in `1,200`.
+    In such tables a point can be a decimal point or separate thousands, as in `1.200`. It is a
+    decimal point if another number, such as `0.5`, has no other meaning, and no number contains a
+    comma. The same rule applies to a comma between tabs, as in `1,200`.
 
     >>> german = Decimals(";")
     >>> [german.with_points(cell, 2) for cell in ("-36,5", "-78,5/30", "1.200", "a,b")]
@@ -61,10 +63,10 @@ class Decimals:
         self._separator = separator
         self._are_points = False
         self._doubts: dict[str, tuple[int, str]] = {}
-        """First line and number in doubt, by the sign that may separate thousands."""
+        """First line and number that are ambiguous, by the sign that may separate thousands."""
 
     def with_points(self, cell: str, line: int) -> str:
-        """Return a cell, with a point instead of the decimal comma of a number."""
+        """Return a cell with a decimal point if it is a number with a decimal comma."""
         if self._separator == "," or not _CALCULATION.fullmatch(cell):
             return cell
         if self._separator == "\t" and (thousands := _COMMA_THOUSANDS.search(cell)):
@@ -75,7 +77,7 @@ class Decimals:
             self._doubts.setdefault(".", (line, thousands[0]))
         else:
             self._are_points |= bool(_FRACTION.search(cell))
-        return cell.replace(",", ".")
+        return cell if _OF_TWO_SIGNS.search(cell) else cell.replace(",", ".")
 
     @property
     def doubt(self) -> tuple[int, str] | None:
@@ -123,7 +125,7 @@ def decimal(cell: str) -> float:
     Raises
     ------
     ValueError
-        With what was expected.
+        The message states the expectation.
 
     Examples
     --------
@@ -151,12 +153,12 @@ def headings_of(cells: Sequence[str]) -> list[str]:
 
 
 def expect_cells(cells: Sequence[str], expected: int, separator: str) -> None:
-    """Check that a row has a cell for each heading, followed only by empty cells.
+    """Check that a row has a cell for each heading, and only empty cells after these.
 
     Raises
     ------
     ValueError
-        With what was expected.
+        The message states the expectation.
 
     Examples
     --------
@@ -177,7 +179,8 @@ def expect_cells(cells: Sequence[str], expected: int, separator: str) -> None:
 def numbered_rows(lines: Iterable[str]) -> Iterator[tuple[int, list[str]]]:
     """Yield the non-empty rows of a table, each with the number of the last line.
 
-    The first row contains the headings, and no other row is longer. Numbers have decimal points.
+    The first row contains the headings, and no other row is longer. Numbers are converted to
+    decimal points.
 
     Raises
     ------

@@ -69,7 +69,7 @@ def read_drawing(root: nodes.Mapping, walk: Walk, case: ByKey) -> Reading:
 
 
 def _dependent(given: Collection[str]) -> list[Path]:
-    """Return the paths at which problems are consequences of errors in gear sets."""
+    """Return the paths where problems only follow from errors in gear sets."""
     keys = installed_keys(name for name in KEYS if name in given)
     naming = [key.shape.name for key in keys if key.names_members]
     return [(name,) for name in ("links", "mechanisms", *naming)]
@@ -84,7 +84,7 @@ def _planets_called_like_links(drawing: Drawing, names: Sequence[str]) -> Iterat
 
 
 def _locator(spots: Spots, drawing: Drawing) -> Callable[[Problem], Problem]:
-    """Return a function that locates a problem of a mechanism at the gear set."""
+    """Return a function that gives a problem of a mechanism the place of its gear set."""
     paths = []
     for number, part in enumerate(drawing.parts, 1):
         count = number - len(drawing.elements)

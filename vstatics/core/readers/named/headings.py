@@ -1,6 +1,6 @@
-"""Headings of tables of numbers: names with units, as in published files.
+"""Headings of tables of numbers, which contain names with units.
 
-A unit can be in brackets, in parentheses, after `_`, or after a comma that does not separate cells.
+A unit can be in brackets, in parentheses, after `_` or `/`, or after a comma within a cell.
 Units can also be on a separate line below the names. Lines above the headings are titles, even if
 they contain numbers. Upper case and comment signs in headings are ignored.
 """
@@ -26,11 +26,17 @@ MOST_TITLE_LINES = 100
 MOST_QUOTED = 76
 """Maximum number of characters of a line quoted in a message."""
 LEAST_LIKENESS = 0.75
-"""Smallest similarity (0 to 1) at which a heading counts as a mistyped name."""
+"""Smallest similarity (0 to 1) at which a heading is a mistyped name."""
 COMMENT_SIGNS = ("#", "%")
 """Characters that begin a comment."""
+_ENGINES = ("engine", "motor", "machine", "input")
+SHAFT_NAMES: Mapping[str, Sequence[str]] = {
+    "speed": ("n", "rotational speed", *(f"{engine} speed" for engine in _ENGINES)),
+    "torque": ("m", *(f"{engine} torque" for engine in _ENGINES)),
+}
+"""Further names, in lower case, of columns with the speed and torque of a shaft."""
 _IN_ANY_LETTERS: tuple[Measure, ...] = ("time", "velocity")
-"""Measures whose units can be written in upper or lower case."""
+"""Measures whose units can have any mixture of upper and lower case."""
 _UNIT_BEHIND = re.compile(
     r"(?P<name>.*?)\s*"
     r"(?:\[(?P<bracket>[^\[\]]*)\]?|\((?P<round>[^()]*(?:\([^()]*\)[^()]*)*)\)|,(?P<comma>[^,]*))"
@@ -50,13 +56,13 @@ class TableColumn(NamedTuple):
     is_text: bool = False
     optional: bool = False
     may_be_bare: bool = False
-    """True if a heading without a unit implies the SI unit."""
+    """True if a heading without a unit is in the SI unit."""
     meaning: str = ""
     """Hint that ends the message about a wrong unit."""
     sizes: Mapping[str, float] | None = None
     """Permitted units and factors to SI, for a column without a measure."""
     aliases: Mapping[str, str] = MappingProxyType({})
-    """Alternative names in lower case, each with the implied unit (or an empty text)."""
+    """Alternative names in lower case, with the unit that each name implies (or an empty text)."""
 
     @property
     def heading(self) -> str:
@@ -76,12 +82,14 @@ class TableColumn(NamedTuple):
         Raises
         ------
         ValueError
-            With what was expected.
+            The message states the expectation.
         """
         if self.sizes is not None or self.measure is None:
             sizes = {"": 1.0, "-": 1.0} if self.sizes is None else self.sizes
             if (unit or "") not in sizes or (unit == "" and self.sizes is None):
-                units = spoken(map(quoted, filter(None, sizes)), "or") if self.sizes else "none"
+                spelled = [(size, unit) for unit, size in (self.sizes or {}).items() if unit]
+                spellings = dict(reversed(spelled))
+                units = spoken([*map(quoted, spellings.values())][::-1], "or") or "none"
                 message = f"{self.name}: read the unit {(unit or '')[:40]!r}, expected {units}"
                 raise ValueError(message + self.meaning)
             return sizes[unit or ""]
@@ -96,12 +104,12 @@ class TableColumn(NamedTuple):
 
 
 def _size_of(unit: str, measure: Measure) -> float:
-    """Return the factor from a unit to SI; units of time and vehicle speed can be in any case.
+    """Return the factor from a unit to SI; upper and lower case count as in `_IN_ANY_LETTERS`.
 
     Raises
     ------
     ValueError
-        With what was expected.
+        The message states the expectation.
 
     Examples
     --------
@@ -119,7 +127,7 @@ def _size_of(unit: str, measure: Measure) -> float:
 
 
 class Heading(NamedTuple):
-    """Heading of a column that is read."""
+    """Heading of a column that the reader uses."""
 
     column: TableColumn
     place: int
@@ -142,14 +150,13 @@ class HeadingLine(NamedTuple):
     width: int
     """Number of cells in the line of headings, including skipped columns."""
     skipped: Sequence[str]
-    """Headings of columns that are not read."""
+    """Headings of columns that the reader does not use."""
 
 
 class HeadingError(ValueError):
     """Error in the headings, with the line number."""
 
     def __init__(self, message: str, line: int) -> None:
-        """Create the error with a message and a line number."""
         super().__init__(message)
         self.line = line
 
@@ -159,14 +166,14 @@ def with_unit(cell: str) -> tuple[str, str | None]:
 
     Examples
     --------
-    >>> [with_unit(cell) for cell in ("time [s]", "Speed (km/h)", "Test Time, secs", "gear")]
+    >>> [with_unit(cell) for cell in ("time [s]", "Speed / (km/h)", "Test Time, secs", "gear")]
     [('time', 's'), ('Speed', 'km/h'), ('Test Time', 'secs'), ('gear', None)]
     """
     parts = _UNIT_BEHIND.fullmatch(cell.strip()) if len(cell) <= _LONGEST_WITH_UNIT else None
     if not parts:
         return cell.strip(), None
     unit = next(part for part in parts.group("bracket", "round", "comma") if part is not None)
-    return parts["name"], unit.strip()
+    return parts["name"].rstrip(" /"), unit.strip()
 
 
 def read_headings(
@@ -192,7 +199,7 @@ def read_headings(
     Raises
     ------
     HeadingError
-        With what was read and expected.
+        The message states what was read and expected.
 
     Examples
     --------
@@ -206,7 +213,7 @@ def read_headings(
 
 
 def without_titles(lines: Sequence[str], is_heading: Callable[[str], bool]) -> Iterator[str]:
-    """Yield the lines of a table, with titles replaced by empty lines.
+    """Yield the lines of a table, with empty lines for titles.
 
     Examples
     --------
@@ -226,7 +233,7 @@ class _ExpectedTable(NamedTuple):
     skips: bool
 
     def headings(self, lines: Sequence[NumberedLine]) -> HeadingLine:
-        """Return the first line with all required columns; else report the best line."""
+        """Return the first line with all required columns, or report errors of the best line."""
         if not lines:
             raise HeadingError(f"read nothing, expected {self.what}", 1)
         candidates = []
@@ -248,19 +255,20 @@ class _ExpectedTable(NamedTuple):
         return [heading for heading in headings if heading]
 
     def heading(self, cell: str, place: int) -> Heading | None:
-        """Return the heading in a cell, if the name is known."""
+        """Return the heading in a cell; None if its name is unknown."""
         name, unit = with_unit(cell)
         known = self.named(name)
-        if known is None and unit is None and "_" in name:
-            name, _, unit = name.rpartition("_")
-            known = self.named(name)
+        if known is None and unit is None:
+            for front, _, behind in (name.partition("/"), name.rpartition("_")):
+                if known is None and (known := self.named(front)):
+                    unit = behind.strip()
         if known is None:
             return None
         column, implied = known
         return Heading(column, place, implied or None if unit is None else unit)
 
     def named(self, name: str) -> tuple[TableColumn, str] | None:
-        """Return the column with a name or alias, and the unit implied by the alias."""
+        """Return the column with a name or alias, and the unit that the alias implies."""
         name = _folded(name)
         for column in self.columns:
             if name == column.name:
@@ -272,12 +280,12 @@ class _ExpectedTable(NamedTuple):
     def checked(
         self, lines: Sequence[NumberedLine], at: int, separator: str, cells: Sequence[str]
     ) -> HeadingLine:
-        """Return the headings of a line after checking names and units.
+        """Return the headings of a line, whose names and units are checked.
 
         Raises
         ------
         HeadingError
-            With the text that was read, and the expected headings.
+            The message states the text that was read, and the expected headings.
         """
         number = lines[at][0]
         headings = self.understood(cells)
@@ -302,7 +310,7 @@ class _ExpectedTable(NamedTuple):
         Raises
         ------
         ValueError
-            With the heading that was read, and the expected headings.
+            The message states the heading that was read, and the expected headings.
         """
         from difflib import get_close_matches  # costs start-up time
 
@@ -317,6 +325,8 @@ class _ExpectedTable(NamedTuple):
             is_mistyped = get_close_matches(name, wanted, cutoff=LEAST_LIKENESS)
             if is_mistyped or missing or not self.skips:
                 expected = spoken([quoted(column.heading) for column in self.columns], "or")
+                if len(self.understood(cell.split())) > 1:
+                    hint = "; commas, semicolons or tabs have to separate the cells"
                 raise ValueError(f"read the heading {cell[:40]!r}, expected {expected}{hint}")
         if twice := next((name for name in names if names.count(name) > 1), None):
             raise ValueError(f"two columns are called {quoted(twice)}")
@@ -331,7 +341,7 @@ def _check_units(headings: Sequence[Heading]) -> None:
     Raises
     ------
     ValueError
-        With the unit that was read, and the expected unit.
+        The message states the unit that was read, and the expected unit.
     """
     for heading in headings:
         _ = heading.size
@@ -340,7 +350,7 @@ def _check_units(headings: Sequence[Heading]) -> None:
 def _with_units_below(
     headings: Sequence[Heading], separator: str, below: Sequence[NumberedLine]
 ) -> list[Heading]:
-    """Return headings with the units from the line below; empty if that line has no units."""
+    """Return headings with the units of the next line; empty if that line has no units."""
     for _, line in below:
         cells = [cell.strip("[]() ") for cell in cells_of(line, separator)]
         if len(cells) > max(heading.place for heading in headings):
@@ -355,7 +365,7 @@ def _with_units_below(
 
 
 def _heading_lines(lines: Sequence[str]) -> Iterator[tuple[int, str, list[str]]]:
-    """Yield the index, separator and cells of each line, for each likely separator."""
+    """Yield index, separator and cells of each line, for each possible separator."""
     for at, line in enumerate(lines):
         for separator, cells in _split(line):
             yield at, separator, cells
@@ -363,22 +373,36 @@ def _heading_lines(lines: Sequence[str]) -> Iterator[tuple[int, str, list[str]]]
 
 def _split(line: str) -> Iterator[tuple[str, list[str]]]:
     """Yield the cells of a line of headings for each possible separator."""
-    bare = line.strip()
-    bare = bare.lstrip("".join(COMMENT_SIGNS)).strip() if bare.startswith(COMMENT_SIGNS) else line
+    bare = without_sign(line)
     for separator in dict.fromkeys((separator_of(bare), ";" if ";" in bare else ",")):
         yield separator, headings_of(cells_of(bare, separator))
 
 
-def _is_row_of_numbers(line: str) -> bool:
+def without_sign(line: str) -> str:
+    """Return a line without the comment signs with which it begins.
+
+    >>> without_sign("# speed [rpm]"), without_sign("speed [rpm]")
+    ('speed [rpm]', 'speed [rpm]')
+    """
+    bare = line.strip()
+    return bare.lstrip("".join(COMMENT_SIGNS)).strip() if bare.startswith(COMMENT_SIGNS) else line
+
+
+def is_row_of_numbers(line: str) -> bool:
+    """Return whether a line has numbers and no words.
+
+    >>> is_row_of_numbers("-2.5; 1e3"), is_row_of_numbers("speed 2")
+    (True, False)
+    """
     return bool(_OF_NUMBERS.fullmatch(line)) and any(sign.isdigit() for sign in line)
 
 
 def _above_numbers(lines: Sequence[str]) -> int:
-    """Return the index of the line above the first of the longest rows of numbers, or 0."""
+    """Return the index of the line above the (first) longest row of numbers; 0 without numbers."""
     above = [
         at
         for at, (line, below) in enumerate(pairwise(lines))
-        if _is_row_of_numbers(below) and not _is_row_of_numbers(line)
+        if is_row_of_numbers(below) and not is_row_of_numbers(line)
     ]
     return max(above, key=lambda at: len(next(_split(lines[at + 1]))[1]), default=0)
 
@@ -388,7 +412,7 @@ def _folded(name: str) -> str:
 
 
 def _quoted_lines(lines: Sequence[NumberedLine], at: int) -> str:
-    below = [line for _, line in lines[at + 1 :] if _is_row_of_numbers(line)]
+    below = [line for _, line in lines[at + 1 :] if is_row_of_numbers(line)]
     head, *row = (" ".join(line.split())[:MOST_QUOTED] for line in (lines[at][1], *below[:1]))
     first = "".join(f", the first row `{cells}`" for cells in row)
     return f"; the line of the headings is `{head}`{first}"

@@ -40,7 +40,7 @@ _HEAVY = CASE._replace(keys=tuple(key for key in CASE.keys if key.name in BODIES
 
 
 _HOUSINGS = {"ground", "frame", "case", "casing", "gehäuse", "fixed", "earth", "chassis", "корпус"}
-"""Names, in lower case, by which a user probably means the housing."""
+"""Names, in lower case, that users write for the housing."""
 
 
 def _is_housing(name: str) -> bool:
@@ -49,15 +49,15 @@ def _is_housing(name: str) -> bool:
 
 
 def is_listed(root: nodes.Mapping) -> bool:
-    """Return whether a document contains the key `links`, a list or number of links."""
+    """Return whether a document has the key `links`."""
     first = next((value for key, value in root.entries if key.text == "links"), None)
     return first is not None and not is_null(first)
 
 
 def gathered_links(root: nodes.Mapping, walk: Walk) -> list[str]:
-    """Return the names of links in the order of the components, registered for references.
+    """Return the names of links in the order of the components, and register them as references.
 
-    If there are no components, the links are collected from the inertias.
+    If there are no components, the links of the inertias are returned.
     """
     root = _as_meant(root, walk.spots.document)
     places = joined_links(root) or _named(_links(root, _HEAVY))
@@ -68,7 +68,7 @@ def gathered_links(root: nodes.Mapping, walk: Walk) -> list[str]:
 
 
 def _as_meant(root: nodes.Mapping, document: DocumentText) -> nodes.Mapping:
-    """Return a document in which mistyped keys are replaced by the probably intended keys."""
+    """Return a document in which similar known keys replace mistyped keys."""
     known = [key.name for key in with_elements(CASE).keys]
     entries = []
     for key, value in root.entries:
@@ -79,17 +79,14 @@ def _as_meant(root: nodes.Mapping, document: DocumentText) -> nodes.Mapping:
 
 
 def joined_links(root: nodes.Mapping) -> list[Scalar]:
-    """Return every place where a component of the document names a link, except the housing.
-
-    The places are in the order of the document.
-    """
+    """Return all nodes where a component names a link other than the housing, in document order."""
     keys = [key for key in with_elements(CASE).keys if isinstance(key.shape, ByName)]
     devices = CASE._replace(keys=tuple(key for key in keys if key.name != "gears"))
     return _named(_links(root, devices))
 
 
 def _named(links: Iterable[Node]) -> list[Scalar]:
-    """Return the nodes of link names, without the housing."""
+    """Return the nodes with names of links other than the housing."""
     named = (node for node in links if isinstance(node, Scalar))
     return [node for node in named if not is_null(node) and node.text not in ("0", "housing")]
 
@@ -103,10 +100,8 @@ def loose_links(
 ) -> Iterator[Problem]:
     """Yield a warning for each link that is connected to a single component.
 
-    A link that several brakes share instead of the housing is reported, too.
-
-    A carrier with one connection is usually intended, so it is reported only if its name looks
-    mistyped.
+    A link with a name like the housing is also reported if only shift elements use it. A carrier
+    with a single connection is usual, so it is reported only if its name looks mistyped.
     """
     root = _as_meant(root, spots.document)
     places = joined_links(root)
@@ -158,7 +153,7 @@ def _links(node: Node, shape: Shape) -> Iterator[Node]:  # noqa: C901, PLR0912 -
             known = [records[kind] for kind in kinds[:1] if kind in records]
             for record in (
                 known or records.values()
-            ):  # for an unknown kind, the members of all kinds are accepted
+            ):  # if the kind is unknown, the members of all kinds are accepted
                 yield from _links(node, record)
         case nodes.Mapping(entries), ByName(_, item):
             for _, value in entries:

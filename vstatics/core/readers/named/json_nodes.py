@@ -1,4 +1,4 @@
-"""JSON text -> tree of nodes with their places, which the standard library omits."""
+"""JSON text to tree of nodes with places, which Python's `json` does not provide."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class _Scanner:
 
     @property
     def sign(self) -> str:
-        """Next character; empty at the end."""
+        """Next character; empty at the end of the text."""
         return self.text[self.at : self.at + 1]
 
     @property
@@ -95,7 +95,7 @@ class _Scanner:
         return key, self.value(depth + 1)
 
     def inside(self, closing: str) -> Iterator[None]:
-        """Yield before each item between brackets, then advance beyond the closing bracket."""
+        """Yield before each item in brackets, then move past the closing bracket."""
         self.skip(1)
         more = self.sign != closing
         while more:

@@ -20,11 +20,11 @@ from vstatics.core.readers.expressions.operands import DottedName, TableName
 from vstatics.core.suggestions import nearest
 
 SPEED, TORQUE = "w", "T"
-"""Names of speed [rad/s] and torque [N*m] in a formula; usually the magnitudes."""
+"""Names in a formula for the speed [rad/s] and torque [N*m], usually without sign."""
 OF_SPEED: Mapping[str, str] = MappingProxyType({SPEED: "speed", "speed": "speed"})
-"""Names in formulas of drag, with quantities; in a scenario the speed has a sign."""
+"""Names in formulas of drag, and their quantity. In a scenario the speed has a sign."""
 OF_BOTH: Mapping[str, str] = MappingProxyType({**OF_SPEED, TORQUE: "torque", "torque": "torque"})
-"""Names in formulas of efficiency, with quantities."""
+"""Names in formulas of efficiency, and their quantities."""
 FUNCTIONS = ("abs", "min", "max", "sqrt", "exp", "tanh")
 
 
@@ -32,10 +32,9 @@ class _LawFormula(Law):
     """Law given by a formula of speed, or of speed and torque."""
 
     quantities: ClassVar[Mapping[str, str]]
-    """Names permitted in the formula, with quantities."""
+    """Names permitted in the formula, and their quantities."""
 
     def __new__(cls, text: str) -> Self:
-        """Parse and store the text."""
         tree = _tree(text, tuple(cls.quantities))
         of = {cls.quantities[name] for name in map(_name, _names(tree)) if name in cls.quantities}
         law = super().__new__(cls, cls._at_0(_value(text, cls, dict.fromkeys(of, np.zeros(1)))))
@@ -60,7 +59,7 @@ class _LawFormula(Law):
         return values if is_array else float(values[0])  # type: ignore[return-value] # as given
 
     def is_outside(self, *sizes: Floats) -> Booleans:
-        """Return False everywhere, because a formula has no points."""
+        """Return False, because a formula applies everywhere."""
         return np.zeros(np.shape(sizes[0]), np.bool_)
 
 
@@ -102,7 +101,7 @@ def read_formula(text: str, law: type[_LawFormula]) -> _LawFormula:
     Raises
     ------
     ValueError
-        With what was expected.
+        The message states the expectation.
 
     Examples
     --------

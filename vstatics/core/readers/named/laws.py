@@ -1,4 +1,4 @@
-"""Readers of laws in a case: points, efficiencies over speed or torque, points in a file."""
+"""Readers of laws in a case: points, maps, and files with points or a map."""
 
 from __future__ import annotations
 

@@ -29,19 +29,19 @@ from vstatics.core.model.shape import (
 from vstatics.core.readers.named import scalars, units
 from vstatics.core.readers.named.references import NO_ELEMENT, NO_LINK
 
-_MANY_LINKS = 10**9  # permits any link number; errors of the model about it are hidden
+_MANY_LINKS = 10**9  # permits any link number, because problems of the model about it are hidden
 _NO_LINKS = (NO_LINK, NO_LINK)
 _MAY_BE_0 = frozenset(("damping", "pressure", "time", "angle", "velocity", "cooling"))
-"""Measures whose stand-in is 0, because 0 is a valid value."""
+"""Measures with the stand-in 0, which is a valid value."""
 
 
 class LeafReading(NamedTuple):
-    """Description, stand-in and parser of a kind of value."""
+    """Description, stand-in and parser for a kind of value."""
 
     expected: str
     stand_in: Any
     parse: Callable[[str], Any] = str
-    """Function from text to value, for values that need no context."""
+    """Parser of the text, for values that do not depend on other values."""
 
 
 def _in_si(text: str, measure: Measure) -> float:
@@ -51,7 +51,7 @@ def _in_si(text: str, measure: Measure) -> float:
 
 
 def either_way(text: str, measure: Any) -> float:
-    """Read a quantity of rotation or of straight motion; the result states the measure."""
+    """Read a quantity of rotation or of motion along a line, according to the unit."""
     from vstatics.core.readers.named.si_units import of_either  # costs start-up time
 
     return of_either(text, measure)
@@ -60,11 +60,11 @@ def either_way(text: str, measure: Any) -> float:
 _FORMULA = re.compile(
     r"\b(w|speed)\b|^(?![-+]?[\d./]+(e[-+]?\d+)?\s*[^\W\d_]).*\d.*[*/+(^-]|\(", re.IGNORECASE
 )
-"""Pattern of a formula: the name of the speed, or operators without a unit after a number."""
+"""Pattern of a formula: the name of the speed, or operators not followed by a unit."""
 
 
 def _drag(text: str) -> float:
-    """Read a drag torque, or a formula of drag torque versus speed."""
+    """Read a drag torque, or a formula of drag over speed."""
     try:
         return units.relative(text, "torque")
     except ValueError as error:
@@ -81,11 +81,11 @@ def _drag(text: str) -> float:
 
 
 _OF_BOTH = re.compile(r"\b(w|speed|T|torque)\b|\d.*[*+(^-].*[^\W\d_]")
-"""Pattern of a formula: the name of speed or torque, or operators between number and name."""
+"""Pattern of a formula: the name of speed or torque, or operators before a name."""
 
 
 def _efficiency(text: str) -> float:
-    """Read an efficiency, or a formula of the speed and the torque."""
+    """Read an efficiency, or a formula of efficiency over speed and torque."""
     try:
         return scalars.number(text)
     except ValueError:
@@ -160,6 +160,6 @@ def stand_in(shape: Shape) -> Any:  # noqa: PLR0911, C901 - a table
 
 
 def values_before(shape: ByKey) -> dict[str, Any]:
-    """Return the defaults of a record's optional keys, and stand-ins for required keys."""
+    """Return defaults for the optional keys of a mapping, and stand-ins for required keys."""
     defaults = {key.name: key.default for key in shape.keys if key.default is not None}
     return {key.name: stand_in(key.shape) for key in shape.keys if key.required} | defaults

@@ -1,4 +1,4 @@
-"""Numbers in the nodes of a document, which are found, read and replaced by paths."""
+"""Functions that find, read and replace numbers in the nodes of a document, by path."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ MOST_KNOWN = 12
 _CALL = re.compile(r"[^\W\d]\w*\s*\(")
 _VARIABLES = ("t", "speed", "angle")
 _SIGNS = ("*", "+", "-", "^")
-"""Signs after a number that continue a formula and cannot begin a unit."""
+"""Signs after a number that belong to a formula, not to a unit."""
 
 
 def keys_of(node: Node) -> list[str]:
-    """Return the keys, or numbers of items, with which a path can continue below a node."""
+    """Return the keys, or numbers of items, of a node."""
     match node:
         case Mapping():
             return list(dict.fromkeys(key.text for key, _ in node.entries))
@@ -32,7 +32,7 @@ def keys_of(node: Node) -> list[str]:
 
 
 def child(node: Node, key: str) -> Node | None:
-    """Return the node under a key or item number, if any."""
+    """Return the node under a key or item number; None if it is missing."""
     match node:
         case Mapping():
             return next((value for name, value in node.entries if name.text == key), None)
@@ -43,12 +43,12 @@ def child(node: Node, key: str) -> Node | None:
 
 
 def find_node(root: Node, parts: Sequence[PathPart]) -> Node | None:
-    """Return the node at a path, unless only the last key of the path is missing.
+    """Return the node at a path; None if a mapping lacks only the last key.
 
     Raises
     ------
     NoValueError
-        If the path does not exist; the message names the nearest key.
+        If another key is missing. The message names the most similar key.
     """
     node = root
     for number, part in enumerate(parts):
@@ -64,7 +64,7 @@ def find_node(root: Node, parts: Sequence[PathPart]) -> Node | None:
 
 
 def _missing(node: Node, name: str, before: str) -> str:
-    """Return the message about a path that cannot be followed."""
+    """Return the message that a node has no key `name`."""
     known = keys_of(node)
     of = f" in {quoted(before)}" if before else ""
     match node:
@@ -114,7 +114,7 @@ def number_of(node: Node) -> WrittenNumber:
 
 
 def number_text(value: float, unit: str = "") -> str:
-    """Return a number as written in a document; whole numbers have no point.
+    """Return a number as text for a document; whole numbers have no point.
 
     >>> number_text(42.0), number_text(0.1, "rpm")
     ('42', '0.1 rpm')
@@ -125,7 +125,7 @@ def number_text(value: float, unit: str = "") -> str:
 
 
 def replaced(node: Node, keys: Sequence[str], text: str) -> Node:
-    """Return a copy of a tree with a new text at a path; a missing last key is appended.
+    """Return a copy of a tree with a new text at a path. A missing last key is appended.
 
     Parameters
     ----------

@@ -1,8 +1,8 @@
 """Tree of nodes with places, shared by YAML, JSON and workbooks.
 
-A single value (scalar) remains a text as written; its meaning follows from its position in the
-document, so that a gear can be called `on`, `1` or `1e3`. `Spots` maps the parts of the model to
-their places in the document.
+A single value (scalar) is a text as written. Its meaning depends on its position in the document,
+so that a gear can have the name `on`, `1` or `1e3`. `Spots` maps the parts of the model to their
+places in the document.
 """
 
 from __future__ import annotations
@@ -21,14 +21,13 @@ from vstatics.core.suggestions import nearest
 
 MOST_DEEP = 16
 MOST_PROBLEMS = 100
-MOST_HINTS = 20  # because each hint compares a word with all known names
+MOST_HINTS = 20  # each hint compares a word with all known names
 UNIT, NUMBER, NAME, SHAPE, CONTRADICTION = "E124", "E125", "E126", "E127", "E107"
-"""Ids of errors in values: a wrong unit, number, name or form (list, mapping), or contradictory
-keys."""
+"""Ids of errors in values: wrong unit, number or name, wrong type of node, contradictory keys."""
 TWICE, MISSING, UNKNOWN_KEY = "E192", "E191", "E190"
 """Ids of errors in keys: repeated, missing and unknown keys."""
 _NULLS = frozenset({"", "~", "null", "Null", "NULL"})
-BYTE_ORDER_MARKS = (  # UTF-32 first: its little-endian mark begins with that of UTF-16
+BYTE_ORDER_MARKS = (  # UTF-32 first, because its little-endian mark begins like the mark of UTF-16
     (codecs.BOM_UTF32_LE, "utf-32", "utf-32-le"),
     (codecs.BOM_UTF32_BE, "utf-32", "utf-32-be"),
     (codecs.BOM_UTF8, "utf-8-sig", "utf-8"),
@@ -39,7 +38,7 @@ BYTE_ORDER_MARKS = (  # UTF-32 first: its little-endian mark begins with that of
 
 
 class Scalar(NamedTuple):
-    """Single value as written; `plain` is True without quotes."""
+    """Single value as written; `plain` is True if it has no quotes."""
 
     text: str
     line: int
@@ -56,7 +55,7 @@ class Listing(NamedTuple):
 
 
 class Mapping(NamedTuple):
-    """Keys and values in order, duplicate keys included."""
+    """Pairs of key and value in order, including duplicate keys."""
 
     entries: list[tuple[Scalar, Node]]
     line: int
@@ -67,7 +66,7 @@ Node: TypeAlias = Scalar | Listing | Mapping
 
 
 class DocumentText:
-    """Text of a document, and up to `MOST_PROBLEMS` problems in the text."""
+    """Text of a document, with up to `MOST_PROBLEMS` problems found in the text."""
 
     def __init__(self, source: Source) -> None:
         self.source = source
@@ -75,7 +74,7 @@ class DocumentText:
 
     @cached_property
     def text(self) -> str:
-        """Text with uniform line feeds, created on demand to save work for long tables."""
+        """Text with uniform line endings, created only when needed because tables can be long."""
         return "\n".join(self.source.lines)
 
     @cached_property
@@ -90,7 +89,7 @@ class DocumentText:
     def add(
         self, message: str, line: int, column: int, path: Path = (), identity: str = SHAPE
     ) -> None:
-        """Add an error; stop if there are too many."""
+        """Add an error, and stop reading if there are too many errors."""
         self.problems.append(Problem(identity, message, path, self.source.place(line, column)))
         if len(self.problems) >= MOST_PROBLEMS:
             self.stop("too many errors, the rest is not read", 0, 1)
@@ -102,7 +101,7 @@ class DocumentText:
         )
 
     def hint(self, word: str, known: Iterable[str]) -> str:
-        """Return a hint with the most similar known word; the number of hints is limited."""
+        """Return a hint with the most similar known word. The number of hints is limited."""
         if len(self.problems) >= MOST_HINTS or len(word) > 60:
             return ""
         return nearest(word, islice(known, 1000))
@@ -136,7 +135,7 @@ def shown(text: str) -> str:
 
 
 def what(node: Node) -> str:
-    """Return a phrase that describes a node in a message."""
+    """Return words for a node in a message, such as `a list`."""
     match node:
         case Mapping():
             return "a mapping"
@@ -148,7 +147,7 @@ def what(node: Node) -> str:
 
 
 def length(node: Node) -> str:
-    """Return a phrase with the length of a list for a message; empty for other nodes."""
+    """Return words for the length of a list in a message; empty for other nodes."""
     return f"a list of {len(node.items)}" if isinstance(node, Listing) else ""
 
 
@@ -195,18 +194,18 @@ def decode(data: bytes, file: str, expected: str = "a case") -> DocumentText:
 
 
 class Spot(NamedTuple):
-    """Spot: path in the model, node in the document, and a label that begins messages."""
+    """Value of a document: its path in the model, its node, and a label that begins messages."""
 
     path: Path
     label: str
     node: Node
 
     def key(self, part: str | int, key: str, node: Node) -> Spot:
-        """Return the spot of the value under a key, whose name in the model is `part`."""
+        """Return the spot of the value under a key; `part` is the name of the key in the model."""
         return Spot((*self.path, part), _joined(self.label, shown(key)), node)
 
     def item(self, part: str | int, number: int, node: Node) -> Spot:
-        """Return the spot of a list item, numbered from 1; its number in the model is `part`."""
+        """Return the spot of the list item `number` (from 1); `part` is its number in the model."""
         return Spot((*self.path, part), f"{self.label}[{number}]", node)
 
 
@@ -225,22 +224,22 @@ class Spots:
         self._spots: dict[Path, Spot] = {}
 
     def keep(self, spot: Spot, node: Node | None = None) -> None:
-        """Store a spot unless the path is known; `node` replaces the spot's node as the place."""
+        """Store a spot unless its path is known; if given, `node` determines the place."""
         self._spots.setdefault(spot.path, spot._replace(node=node or spot.node))
 
     def has(self, path: Path) -> bool:
-        """Return whether a part of the model was read."""
+        """Return whether the document contains a part of the model."""
         return path in self._spots
 
     def keys(self, path: Path) -> list[str]:
-        """Return the keys of a mapping that was read; empty without a mapping."""
+        """Return the keys of the mapping at a path; empty without a mapping."""
         node = self._spots[path].node if path in self._spots else None
         return [key.text for key, _ in node.entries] if isinstance(node, Mapping) else []
 
     def complain(
         self, spot: Spot, message: str, node: Node | None = None, identity: str = SHAPE
     ) -> None:
-        """Add an error at a spot, or at a `node` of the spot."""
+        """Add an error at a spot, or at another `node`."""
         at = node or spot.node
         text = f"{spot.label}: {message}" if spot.label else message
         self.document.add(text, at.line, at.column, spot.path, identity)
@@ -251,7 +250,7 @@ class Spots:
         self.unreadable.append(spot.path)
 
     def tell(self, path: Path, message: str) -> None:
-        """Add an error at a part of the model; checks of the model then ignore the part."""
+        """Add an error at a part of the model, which checks of the model then ignore."""
         self.document.problems.append(self.locate(Problem("E109", message, path)))
         self.unreadable.append(path)
 
@@ -261,7 +260,7 @@ class Spots:
         self.unreadable.append((*spot.path, key))
 
     def place(self, path: Path) -> Place:
-        """Return the place in the document of a part that was read."""
+        """Return the place in the document of a part of the model."""
         node = self._spots[path].node
         return self.document.source.place(node.line, node.column)
 
@@ -271,7 +270,7 @@ class Spots:
             return problem
         known = problem.path
         while known not in self._spots:
-            known = known[:-1]  # terminates, because the root always exists
+            known = known[:-1]  # ends at the root at the latest
         label = _joined(self._spots[known].label, path_text(problem.path[len(known) :]))
         return problem._replace(
             message=f"{label}: {problem.message}" if label else problem.message,

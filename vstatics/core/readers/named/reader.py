@@ -49,7 +49,7 @@ def read_yaml(data: bytes, file: str) -> Reading:
     Raises
     ------
     ReadError
-        With every problem that does not follow from another.
+        The error contains every problem that does not follow from another.
 
     Examples
     --------
@@ -102,12 +102,12 @@ def read_case_tree(root: Node, document: DocumentText) -> Reading:
     ----------
     root : Node
     document : DocumentText
-        Text of the tree, with the problems already found.
+        Text of the tree, with problems found so far.
 
     Raises
     ------
     ReadError
-        With every problem that does not follow from another.
+        The error contains every problem that does not follow from another.
     """
     expected = "a case: a mapping with `elements`, `mechanisms`, `springs`, `inertias` or `masses`"
     root = _case(_mapping(root, document, expected))
@@ -127,7 +127,7 @@ def read_case_tree(root: Node, document: DocumentText) -> Reading:
         for key, value in root.entries
         if key.text in mistyped and isinstance(value, Mapping)
     ):
-        from vstatics.core.readers.named.drawing import read_drawing  # not needed by every case
+        from vstatics.core.readers.named.drawing import read_drawing  # few cases need it
 
         return read_drawing(root, walk, shape)
     gathered = None
@@ -146,11 +146,10 @@ def read_case_tree(root: Node, document: DocumentText) -> Reading:
 
 
 def _with_annexes(root: Mapping, document: DocumentText) -> tuple[Mapping, ByKey]:
-    """Return the document without keys of missing annexes, and the shape with keys of annexes.
+    """Return the document without keys of missing annexes, and a shape with the other keys.
 
     Keys of annexes that are not installed are omitted with a warning. Annexes are imported only if
-    the document contains their keys, or an unknown key, because its hint needs the names of all
-    keys.
+    the document contains their keys, or an unknown key, whose hint needs the names of all keys.
     """
     unknown = {key.text for key, _ in root.entries}.difference(_CORE_KEYS)
     if not unknown:
@@ -174,14 +173,14 @@ def _mapping(root: Node, document: DocumentText, expected: str) -> Mapping:
 
 
 def _case(root: Mapping) -> Mapping:
-    """Return the case, which a JSON result or solution contains under a key."""
+    """Return the case that a JSON result or a solution contains under a key."""
     entries = {key.text: value for key, value in root.entries}
     inner = entries.get("case")
     return inner if entries.keys() & {"format", "blanks"} and isinstance(inner, Mapping) else root
 
 
 def read_document(data: bytes, file: str, shape: ByKey, expected: str) -> tuple[Any, Spots]:
-    """Read a document in YAML, and return the values with places.
+    """Read a document in YAML, and return its values and their places.
 
     Parameters
     ----------
@@ -197,7 +196,7 @@ def read_document(data: bytes, file: str, shape: ByKey, expected: str) -> tuple[
     Raises
     ------
     ReadError
-        With every problem and its place.
+        The error contains every problem and its place.
 
     Examples
     --------

@@ -13,7 +13,7 @@ from vstatics.core.readers.named.nodes import DocumentText, shown
 from vstatics.core.readers.named.units import unit
 
 NO_LINK = -1
-"""Stand-in for an unknown link, equal to no other link."""
+"""Number of an unknown link, which no other link has."""
 
 NO_ELEMENT = 0
 _FEW_LINKS = 8
@@ -64,16 +64,16 @@ class References:
         self._numbers[kind] = _numbered(names)
 
     def add_converters(self, names: Iterable[str]) -> None:
-        """Append the names of converters to the mechanisms; both can have speed ratios."""
+        """Append converters to the mechanisms, because both can have speed ratios in gears."""
         self.set_numbers("mechanism", [*self._numbers["mechanism"], *names])
 
     def other(self, kind: str, text: str) -> int:
-        """Return the number of a mechanism, a spring or an elastic component.
+        """Return the number of a mechanism, a spring or an elastic component, by name.
 
         Raises
         ------
         ValueError
-            With the expected name.
+            The message states the expected name.
         """
         numbers = self._numbers[kind]
         if text in numbers:
@@ -87,7 +87,7 @@ class References:
         Raises
         ------
         ValueError
-            With the expected name or number.
+            The message states the expected name or number.
         """
         if text in _HOUSING:
             return HOUSING
@@ -105,7 +105,7 @@ class References:
         raise UnknownNameError(f"expected a link number from 1 to {self._links} or `housing`{hint}")
 
     def speed_of(self, text: str) -> SpeedOf | None:
-        """Return the speed that a text such as `FL`, `1.05*FL` or `1.05*link 3` gives, if any.
+        """Return the speed for a text such as `FL`, `1.05*FL` or `1.05*link 3`, else None.
 
         Raises
         ------
@@ -133,7 +133,7 @@ class References:
         return None
 
     def _number(self, link: str) -> int | None:
-        """Return the number of a link, given alone or after the word `link`, if known."""
+        """Return the number of a link, named alone or after the word `link`; None if unknown."""
         name = link.removeprefix("link ").strip()
         if self.link_names:
             return self._link_numbers.get(name if name in self._link_numbers else link)
@@ -146,7 +146,7 @@ class References:
         Raises
         ------
         ValueError
-            With the expected name.
+            The message states the expected name.
         """
         numbers = self._numbers["shift element"]
         if text in numbers:

@@ -11,10 +11,10 @@ import re
 from vstatics.core.readers.named.arithmetic import DIMENSIONLESS, dimensionless, slip_or_percent
 
 NUMBER = rf"^{DIMENSIONLESS}$"
-"""Number or calculation, as a regular expression for JSON Schema."""
+"""Regular expression of a number or calculation, for JSON Schema."""
 
 LINK_NUMBER = "^(0|[1-9][0-9]*)$"
-"""Digits without a leading zero, because some YAML readers convert `010` to 8."""
+"""Digits without a leading zero, because some YAML parsers convert `010` to 8."""
 
 INFINITE = frozenset((".inf", ".Inf", ".INF", "+.inf", "+.Inf", "+.INF"))
 """Spellings of infinity in YAML 1.1 and 1.2."""
@@ -29,7 +29,7 @@ def number(text: str) -> float:
     Raises
     ------
     ValueError
-        With what was expected.
+        The message states the expectation.
 
     Examples
     --------
@@ -81,7 +81,7 @@ def count(text: str) -> int:
 
 
 def share(text: str) -> float:
-    """Return a share, which is later divided by the sum of all shares.
+    """Return a share. All shares together can have any sum.
 
     >>> share("3/2")
     1.5
@@ -96,7 +96,7 @@ def share(text: str) -> float:
 
 
 def flag(text: str, *, plain: bool) -> bool:
-    """Return the value of a switch, `true` or `false` without quotes."""
+    """Return the value of a switch: `true` or `false`, without quotes."""
     if not plain or text not in ("true", "false"):
         raise ValueError("expected `true` or `false`" + ("" if plain else " without quotes"))
     return text == "true"

@@ -69,7 +69,7 @@ _GEARS: tuple[Words, ...] = (
     {"required": ["gears"], "properties": {"gears": {**_GIVEN, **_NOT_EMPTY}}},
     {"properties": {"shift_elements": {"maxProperties": 0}}},
 )
-"""Conditions on the gears: at least one gear, or no shift elements (and so a single gear)."""
+"""Conditions on the gears: at least one gear; or no shift elements, which implies a single gear."""
 _ENOUGH: tuple[Words, ...] = (
     {"required": ["elements"], "properties": {"links": _TWO_LINKS}, "anyOf": [*_GEARS]},
     {
@@ -147,7 +147,7 @@ def _key(key: KeyShape) -> Words:
 
 
 def _optional(words: Words) -> Words:
-    """Return a schema that also permits null, for an optional key that then counts as missing."""
+    """Return a schema that also permits null, which makes an optional key count as missing."""
     if "anyOf" in words:
         return {**words, "anyOf": [*words["anyOf"], {"type": "null"}]}
     if "$ref" in words:
@@ -266,4 +266,4 @@ def _leaf(shape: Leaf) -> Words:  # noqa: PLR0911 - a table
             return dict(_NAME)
         case "text":
             return {"type": ["string", "number", "boolean"]}
-    return _reference(shape.kind)  # a number, a link, a measure
+    return _reference(shape.kind)  # used by many keys, such as a number, a link or a measure

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from functools import cache
 from typing import NamedTuple
 
@@ -16,13 +16,14 @@ from vstatics.core.readers.named.units import (
     Quantity,
     factors,
     has_digits,
+    plain_unit,
     unit,
     usual,
     with_article,
 )
 
-WITH_UNIT = rf"^{ARITHMETIC}[*·]? *[1A-Za-zА-я°/(][-A-Za-zА-я°0-9*·⋅×./^() ²³⁴⁻−¹]{{0,39}}$"
-"""Number with a unit, as a regular expression for JSON Schema."""
+WITH_UNIT = rf"^{ARITHMETIC}[*·]? *[1A-Za-zА-я°/(][-A-Za-zА-я°0-9_*·⋅×./^() ²³⁴⁻−¹]{{0,39}}$"
+"""Regular expression of a number with a unit, for JSON Schema."""
 
 _Dimension = tuple[int, ...]
 """Dimension of a unit: exponents of kg, m, s, rad and K."""
@@ -34,14 +35,14 @@ _FORMS: dict[str, tuple[str, ...]] = {
     "damping": ("N*m*s/rad", "N*m*s"),
     "pump_factor": ("N*m*s^2/rad^2", "N*m*s^2"),
 }
-"""Units of each measure, also without the radian if unambiguous; N*m alone is a torque."""
+"""Units of each measure. The radian can be omitted if the unit stays unambiguous."""
 
 
 class _Base(NamedTuple):
     dimension: _Dimension
     above: float
     below: float = 1.0
-    """Divisor of `above`; the quotient is the factor from the unit to SI."""
+    """Divisor of `above`. The factor from the unit to SI is ``above/below``."""
 
 
 _NOTHING: _Dimension = (99, 99, 99, 99, 99)
@@ -54,7 +55,7 @@ _BASES: dict[str, tuple[_Dimension, float]] = {
     "speed": ((0, 0, -1, 1, 0), math.pi / 30),
     "power": ((1, 2, -3, 0, 0), 1000),
 }
-"""Dimension of each kind of factor in `units`, and the factor from the base unit to SI."""
+"""For each kind of factor in `units`: dimension, and factor to SI from the unit used there."""
 _STANDARD_GRAVITY = 9.80665
 _GRAMS = {
     "g": _Base(_MASS, 1, 1000),
@@ -63,6 +64,9 @@ _GRAMS = {
     "кг": _Base(_MASS, 1),
     "t": _Base(_MASS, 1000),
     "т": _Base(_MASS, 1000),
+    "kilogram": _Base(_MASS, 1),
+    "gram": _Base(_MASS, 1, 1000),
+    "slug": _Base(_MASS, 45359237 * 980665, 10**8 * 30480),  # lbf*s^2/ft
 }
 _OTHERS = {
     "K": _Base((0, 0, 0, 0, 1), 1),
@@ -88,13 +92,14 @@ _VELOCITIES = {
 }
 """Units of vehicle speed in a single word; upper and lower case are equivalent."""
 _POUNDS = frozenset(("lb", "lbs", "pound", "pounds", "oz", "ounce", "ounces"))
-"""Units that are a force in `units`, but a mass if required by the measure."""
+"""Units that are forces in `units`, but masses in a measure with a mass."""
 _MILLISECONDS = frozenset(("ms", "msec", "мс"))
-"""Units that are metres per second in `units`, but milliseconds if the measure is a time."""
+"""Units that are metres per second in `units`, but milliseconds in a measure of time."""
 _QUANTITIES: dict[Measure, Quantity] = {"si_speed": "speed", "si_torque": "torque"}
-"""Measures for which `units` accepts further spellings of the units."""
+"""Measures for which `units` accepts further spellings."""
 _TOKEN = re.compile(r" *(?:([*·.×⋅/()-]|1(?= */))|([^\W\d_]+|°))")
 _EXPONENT = re.compile(r"(?:\^|\*\*)?(\()?(-?[1-4])(?(1)\))(?![0-9])")
+_LARGEST_EXPONENT = 4
 _SUPERSCRIPTS = str.maketrans("²³⁴⁻−¹", "234--1")
 
 
@@ -104,7 +109,7 @@ def measured(text: str, measure: Measure) -> float:
     Raises
     ------
     ValueError
-        With what was expected.
+        The message states the expectation.
 
     Examples
     --------
@@ -137,12 +142,12 @@ def measured(text: str, measure: Measure) -> float:
 
 
 def in_any_unit(text: str, measures: Sequence[Measure]) -> InUnit:
-    """Return the value in SI of a number, without a unit or with a unit of several measures.
+    """Return the value in SI of a number without a unit, or with a unit of any of `measures`.
 
     Raises
     ------
     ValueError
-        With what was expected.
+        The message states the expectation.
 
     Examples
     --------
@@ -162,12 +167,12 @@ def in_any_unit(text: str, measures: Sequence[Measure]) -> InUnit:
 
 
 def of_either(text: str, measure: Measure) -> InUnit:
-    """Return the value in SI of a number with a unit of rotation or of straight motion.
+    """Return the value in SI of a number with a unit of rotation or of motion along a line.
 
     Raises
     ------
     ValueError
-        With what was expected.
+        The message states the expectation.
 
     Examples
     --------
@@ -185,25 +190,25 @@ def of_either(text: str, measure: Measure) -> InUnit:
 
 @cache
 def _dimensions() -> dict[str, list[_Dimension]]:
-    """Return the possible dimensions of each measure; the first identifies the measure."""
+    """Return the possible dimensions of each measure; the first is its main dimension."""
     return {
         kind: [_unit(form, of_words=False)[0] for form in forms] for kind, forms in _FORMS.items()
     }
 
 
 def _unit(text: str, *, of_words: bool) -> tuple[_Dimension, float, float]:
-    """Return the dimension of a unit and the factor to SI as a quotient; `_NOTHING` if unknown.
+    """Return the dimension of a unit (`_NOTHING` if unknown), and dividend and divisor to SI.
 
     Parameters
     ----------
     text : str
     of_words : bool
-        True if ``lb`` is a mass and ``ms`` a time, False if ``lb`` is a force and ``ms`` a metre
+        True if ``lb`` is a mass and ``ms`` a time. False if ``lb`` is a force and ``ms`` a metre
         per second.
     """
     total, above, below = [0] * 5, 1.0, 1.0
     try:
-        for word, exponent in _powers(text.translate(_SUPERSCRIPTS).replace(" per ", "/")):
+        for word, exponent in _powers(plain_unit(text.translate(_SUPERSCRIPTS))):
             for place, base in enumerate(_bases(word, of_words=of_words)):
                 times = exponent if place == 0 else math.copysign(1, exponent)
                 total = [a + int(times) * b for a, b in zip(total, base.dimension, strict=True)]
@@ -216,38 +221,48 @@ def _unit(text: str, *, of_words: bool) -> tuple[_Dimension, float, float]:
     return tuple(total), above, below
 
 
-def _powers(text: str) -> Iterator[tuple[str, int]]:
-    """Yield the words of a unit with exponents; brackets after `/` divide as a whole."""
+def _powers(text: str) -> list[tuple[str, int]]:
+    """Return the words of a unit with exponents; a `/` divides by the whole bracket.
+
+    >>> _powers("N*m/(rad/s)^2")
+    [('N', 1), ('m', 1), ('rad', -2), ('s', 2)]
+    """
     if len(text) > LONGEST_UNIT:
         raise ValueError
+    words: list[tuple[str, int]] = []
+    starts: list[int] = []
     at, signs, sign = 0, [1], 1
     while at < len(text):
         token = _TOKEN.match(text, at)
         if not token:
             raise ValueError
         at = token.end()
+        power = _EXPONENT.match(text, at) if token[1] in (None, ")") else None
+        at, exponent = (power.end(), int(power[2])) if power else (at, 1)
         match token[1]:
             case "/":
                 sign = -1
             case "(":
                 signs.append(signs[-1] * sign)
+                starts.append(len(words))
                 sign = 1
             case ")":
-                if len(signs) == 1:
+                if not starts:
                     raise ValueError
                 signs.pop()
+                start = starts.pop()
+                words[start:] = [(word, exponent * inner) for word, inner in words[start:]]
                 sign = 1
             case None:
-                power = _EXPONENT.match(text, at)
-                at = power.end() if power else at
-                yield token[2], signs[-1] * sign * (int(power[2]) if power else 1)
+                words.append((token[2], signs[-1] * sign * exponent))
                 sign = 1
-    if len(signs) > 1:
+    if starts or any(abs(exponent) > _LARGEST_EXPONENT for _, exponent in words):
         raise ValueError
+    return words
 
 
 def _bases(word: str, *, of_words: bool) -> list[_Base]:
-    """Return the units whose product is a word, the last unit (with any exponent) first."""
+    """Return the factors of a word, last first; only the last can have an exponent."""
     if of_words and word.casefold() in _POUNDS:
         [(_, above, below)] = factors(word)
         return [_Base(_MASS, above / _STANDARD_GRAVITY, below)]

@@ -20,7 +20,7 @@ from vstatics.core.suggestions import mixed_letters, nearest
 Quantity = Literal["speed", "torque", "power"]
 
 _Factor = tuple[str, int, float]
-"""Kind of a factor of a unit, and the size in N, m, turns, min or kW as a fraction of integers."""
+"""Kind of a unit, and numerator and denominator of its size in N, m, turns, min or kW."""
 _LB, _FT, _G = (45359237, 10**8), (3048, 10**4), (980665, 10**5)
 """Numerator and denominator of the pound in kg, the foot in m (International Yard and Pound,
 1959) and standard gravity in m/s^2
@@ -32,7 +32,7 @@ _PREFIXED: dict[str, _Factor] = {
     **dict.fromkeys(("m", "м", "meter", "meters", "metre", "metres"), ("length", 1, 1)),
     **dict.fromkeys(("W", "Вт", "watt", "watts"), ("power", 1, 1000)),
 }
-"""Units that can have a metric prefix; upper and lower case are distinguished."""
+"""Units that can have a metric prefix. Upper and lower case differ."""
 _PREFIXES = {
     prefix: (above, below)
     for prefixes, above, below in (
@@ -60,6 +60,7 @@ _WORDS_OF_UNITS: dict[str, _Factor] = {
         ("yd yard yards", "length", _FT[0] * 3, _FT[1]),
         ("mi mile miles", "length", _FT[0] * 5280, _FT[1]),
         ("rev revs revolution revolutions turn turns cycle cycles r u umdr tr об", "angle", 1, 1),
+        ("rotation rotations", "angle", 1, 1),
         ("rad radian radians рад", "angle", 1, 2 * math.pi),
         ("deg degree degrees °", "angle", 1, 360),
         ("min mins minute minutes мин", "time", 1, 1),
@@ -74,7 +75,7 @@ _WORDS_OF_UNITS: dict[str, _Factor] = {
     )
     for word in words.split()
 }
-"""Units without metric prefixes; upper and lower case are equivalent."""
+"""Units without metric prefixes. Upper and lower case are equivalent."""
 
 _KINDS: dict[str, tuple[Quantity, int]] = {
     "speed": ("speed", 1),
@@ -83,29 +84,48 @@ _KINDS: dict[str, tuple[Quantity, int]] = {
     "power": ("power", 1),
     "/time force length": ("power", 60_000),  # N*m/min
 }
-"""Quantity of each combination of kinds of factors, and the divisor to the base unit."""
+"""Quantity of each product of units, and divisor to rpm, N*m or kW."""
 
 _SIGNS = str.maketrans("·⋅×⁻−¹", "***--1")
+_SPELLED = (
+    (re.compile(r"_per_| per "), "/"),
+    (re.compile(r"force_pound|pound_force"), "lbf"),
+    (re.compile(r"metric_horsepower"), "PS"),
+    (re.compile(r"(?<=[^\W\d_])_(?=[^\W\d_])"), "*"),
+    (re.compile(r" *\*\* *"), "^"),
+)
+"""Spellings of units in words, as pint prints them, and what `unit` reads."""
 _FACTOR = re.compile(r" *([*./-]?) *(1(?= */)|[^\W\d_]+|°)(?:(?:\^|\*\*)?(-?1)(?![0-9]))?")
 LONGEST_UNIT = 40
 """Maximum number of characters of a unit."""
 
 
+def plain_unit(text: str) -> str:
+    """Return a unit with signs instead of words such as `per`.
+
+    >>> plain_unit("revolutions_per_minute"), plain_unit("kilogram * meter ** 2")
+    ('revolutions/minute', 'kilogram * meter^2')
+    """
+    for spelling, sign in _SPELLED:
+        text = spelling.sub(sign, text)
+    return text
+
+
 def unit(text: str) -> tuple[Quantity | None, float]:
-    """Return the quantity and size [rpm, N*m, kW] of a unit; `None` for an unknown unit.
+    """Return quantity and size (in rpm, N*m or kW) of a unit; None for an unknown unit.
 
     Parameters
     ----------
     text : str
-        Unit: factors separated by `*`, `.`, `-`, a blank, nothing or `/`; exponents can be 1 and
-        -1.
+        Unit, whose factors can be separated by `*`, `.`, `-`, a blank, nothing or `/`. Exponents
+        can be 1 and -1.
 
     Examples
     --------
     >>> unit("kNm"), unit("min^-1"), unit("furlong/fortnight")
     (('torque', 1000.0), ('speed', 1.0), (None, 1.0))
     """
-    text = text.translate(_SIGNS).replace("л.с.", "лс").replace(" per ", "/")
+    text = plain_unit(text.translate(_SIGNS).replace("л.с.", "лс"))
     kinds = []
     above: float = 1
     below: float = 1
@@ -145,11 +165,12 @@ def _factor(word: str) -> _Factor | None:
         if word.startswith(prefix) and (known := _PREFIXED.get(word[len(prefix) :])):
             kind, above, below = known
             return kind, above * up, below * down
-    return _WORDS_OF_UNITS.get(word.casefold())
+    plain = word.casefold()
+    return _WORDS_OF_UNITS.get(plain) or (_PREFIXED.get(plain) if len(plain) > 1 else None)
 
 
-QUANTITY = rf"^{ARITHMETIC}[*·]? *(1? */ *)?[A-Za-zА-я°][-A-Za-zА-я0-9*·⋅×./^ ⁻−¹]{{0,39}}$"
-"""Number with a unit, as a regular expression for JSON Schema."""
+QUANTITY = rf"^{ARITHMETIC}[*·]? *(1? */ *)?[A-Za-zА-я°][-A-Za-zА-я0-9_*·⋅×./^ ⁻−¹]{{0,39}}$"
+"""Regular expression of a number with a unit, for JSON Schema."""
 
 EXAMPLES: dict[Quantity, str] = {
     "speed": "`2100 rpm` or `220 rad/s`",
@@ -166,16 +187,16 @@ _MEANT = {
     "kgm": "kgf*m",
     "kgcm": "kgf*cm",
 }
-"""Suggested spellings for wrong units of speed or torque, by the letters of the unit."""
+"""Suggestions for ambiguous or wrong units, by the letters of the unit."""
 
 
 _MASSES = ("kg", "g", "t")
 _MEASURES = ("force", "length", "time", "angle")
-"""Kinds of factors that messages can name as a measure."""
+"""Kinds of units that messages name as a measure."""
 
 
 def quantity(text: str, kind: Quantity, or_else: str = "") -> float:
-    """Return a speed in rpm, a torque in N*m or a power in kW.
+    """Return a speed in rpm, a torque in N*m or a power in kW from a text.
 
     Parameters
     ----------
@@ -188,7 +209,7 @@ def quantity(text: str, kind: Quantity, or_else: str = "") -> float:
     Raises
     ------
     ValueError
-        With what was expected.
+        The message states the expectation.
 
     Examples
     --------
@@ -256,7 +277,7 @@ def with_article(kind: str) -> str:
 
 
 class WithUnit(float):
-    """Speed in rpm or torque in N*m, as distinct from a number relative to the input."""
+    """Speed in rpm or torque in N*m, in contrast to a number relative to the input."""
 
     quantity: Quantity
 
@@ -276,7 +297,7 @@ def relative(text: str, kind: Quantity) -> float:
     Raises
     ------
     ValueError
-        With what was expected.
+        The message states the expectation.
 
     Examples
     --------

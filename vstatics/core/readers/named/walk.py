@@ -1,7 +1,7 @@
 """Walk through a tree of nodes along the declared shape of a case.
 
 The walk creates parts of the model and plain values from the nodes, and stores the place of each.
-For an unreadable value it returns a stand-in, so that reading can continue.
+For an unreadable value it returns a harmless stand-in, so that reading can continue.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ from vstatics.core.readers.named.references import NO_ELEMENT, NO_LINK, Referenc
 
 _ENDS = ("first", "second")
 _SHORT: dict[type[Shape], type[Node]] = {ListOf: Listing, Leaf: Scalar}
-"""Types of node for the short form of a record; for other nodes the message asks for a mapping."""
+"""Node types of the short form of a mapping. Messages about other nodes expect a mapping."""
 
 
 class Walk:
@@ -181,15 +181,15 @@ class Walk:
             spot.item(member, number, item)
             for number, (member, item) in enumerate(zip(_ENDS, node.items, strict=False), 1)
         ]
-        if spot.path[-1] == "links":  # within a record, the model has no part `links`
+        if spot.path[-1] == "links":  # within a mapping, the model has no part `links`
             inner = [end._replace(path=(*spot.path[:-1], end.path[-1])) for end in inner]
         first, *second = [self.read(end, Leaf("link")) for end in inner]
         return first, *(second or [HOUSING])
 
     def _either(self, spot: Spot, shape: Either) -> Any:
-        """Read a record (mapping with declared keys), or the short form: the value of the main key.
+        """Read a mapping with declared keys, or its short form, the value of the main key.
 
-        If the main key is unreadable, problems of the model about the record are hidden.
+        If the main key is unreadable, problems of the model in the mapping are hidden.
         """
         inner = spot._replace(path=(*spot.path, shape.key))
         if isinstance(spot.node, Mapping) or (is_null(spot.node) and not shape.record.required):
@@ -210,7 +210,7 @@ class Walk:
         return record
 
     def _numbers(self, spot: Spot, shape: Numbers) -> Any:
-        """Read numbers by the names of links, shift elements or other components."""
+        """Read a mapping from names of links, shift elements or other components to numbers."""
         node = spot.node
         if not isinstance(node, Mapping):
             return self.refuse(spot, shape, f"expected a mapping: a number for each {shape.by}")
@@ -240,7 +240,7 @@ class Walk:
         return values
 
     def _is_behind_comma(self, spot: Spot, key: Scalar, value: Node) -> bool:
-        """Report a key that is the end of a number with decimal comma, as in `{a: 0,2 kg*m^2}`."""
+        """Report a key that results from a decimal comma, as in `{a: 0,2 kg*m^2}`."""
         if not (is_null(value) and key.text.partition(" ")[0].isdigit()):
             return False
         message = f"read {what(key)} without a value; in a number, {NO_COMMA}"
@@ -248,7 +248,7 @@ class Walk:
         return True
 
     def _shares(self, spot: Spot, shape: Shares) -> Any:
-        """Read shares by the names of gears, which are not compared with the case."""
+        """Read shares by gear name. The names are not compared with the case."""
         if not isinstance(spot.node, Mapping):
             return self.refuse(spot, shape, "expected a share for each gear")
         shares = {}
@@ -344,7 +344,7 @@ class Walk:
 
 
 def _joined(node: Node, known: Iterable[str]) -> Node:
-    """Return a list of words as a single word, as in `ByKind` (`[speed, torque]`)."""
+    """Return a list of words as a single word, as in the records of a `ByKind`."""
     if not isinstance(node, Listing) or not all(isinstance(item, Scalar) for item in node.items):
         return node
     if not any(name.startswith("[") for name in known):

@@ -1,4 +1,4 @@
-"""Numbers in the text of a document, which can be replaced in place.
+"""Replacement of numbers in the text of a document.
 
 Comments, blanks, line endings and units remain unchanged.
 """
@@ -20,7 +20,7 @@ _PROPERTIES = re.compile(r"(?:[&!][^\s,\[\]{}]*\s+)*")
 
 
 class NumberSpot(NamedTuple):
-    """Number of a document, with start and end in the text."""
+    """Number of a document, with its start and end in the text."""
 
     value: float
     unit: str
@@ -59,7 +59,7 @@ def number_spots(text: str, root: Node) -> dict[Keys, NumberSpot]:
         match = _PROPERTIES.match(text, at)
         at = match.end() if match else at
         at += not node.plain and text[at : at + 1] in ("'", '"')
-        # The start is -1 for a value with escape sequences.
+        # The start of a value with escape sequences is -1.
         start = at if node.text and text.startswith(node.text, at) else -1
         end = start + len(node.text.rstrip().removesuffix(unit).rstrip())
         if start >= 0:
@@ -82,7 +82,7 @@ def _scalars(node: Node, keys: Keys) -> Iterator[tuple[Keys, Scalar]]:
 def with_written(
     data: bytes, spots: Mapping[Keys, NumberSpot], values: Mapping[Keys, float]
 ) -> bytes:
-    """Return the text of a document with new numbers; unchanged numbers stay as written.
+    """Return the text of a document with new numbers. Equal numbers stay as written.
 
     Parameters
     ----------
@@ -96,7 +96,7 @@ def with_written(
     Raises
     ------
     ValueError
-        If two different values are given for a number that has two paths through an alias.
+        If a number has two paths because of an alias, and `values` contains two different values.
 
     Examples
     --------

@@ -1,7 +1,7 @@
 """YAML text -> tree of nodes, from the events of the parser.
 
-Parser events are read one at a time, so that unbounded nesting or aliases are rejected early. YAML
-tags have no effect: only texts, lists and mappings are created.
+Events are read one at a time, so that unlimited nesting or aliases are rejected early. YAML tags
+have no effect: only texts, lists and mappings are created.
 """
 
 from __future__ import annotations
@@ -15,22 +15,22 @@ import yaml
 from vstatics.core.readers.named.nodes import DocumentText, Listing, Mapping, Node, Scalar, shown
 
 _BRACKETS = {"flow sequence": ("list", "]"), "flow mapping": ("mapping", "}")}
-"""Name of a bracketed value in parser messages, with the plain name and closing bracket."""
+"""Words of the parser for a value in brackets, with plain words and the closing bracket."""
 _BLOCKS = {
     "block mapping": ("mapping", "a key"),
     "block collection": ("list", "`- `"),
     "block sequence": ("list", "`- `"),
 }
-"""Name of an unbracketed value in parser messages, with the plain name and kind of entry."""
+"""Words of the parser for a value without brackets, with plain words and the kind of entry."""
 MOST_VALUES = 200_000
-"""Maximum number of values of a document with all aliases expanded."""
+"""Maximum number of values of a document, if all aliases are expanded."""
 
 _READ_AHEAD = "exceeded maximum nesting depth"
-"""Message of libyaml about more than 1000 levels, sometimes raised before any event."""
+"""Message of libyaml about more than 1000 levels, which can occur before any event."""
 
 _UNPRINTABLE = re.compile("[^\t\n\r -~\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 _TEXT_WITH_BRACKETS = re.compile(r"[^\s,:'\"{}[\]]\[")
-"""Pattern of a text that contains `[`, which YAML reads as the start of an inner list."""
+"""Pattern of a text with `[`, which YAML reads as the start of an inner list."""
 _SPACED_RATIO = re.compile(r"(-?\d*\.?\d+)[ \t]+:[ \t]*(\d*\.?\d+)")
 """Pattern of a ratio with blanks around the colon, which YAML reads as the end of a key."""
 _STANDARD = "tag:yaml.org,2002:"
@@ -59,13 +59,13 @@ def yaml_tree(document: DocumentText) -> Node:
 
 
 class _Builder:
-    """Builder of nodes from parser events, which counts the values that aliases repeat."""
+    """Builder of nodes from parser events. It also counts the values that aliases repeat."""
 
     def __init__(self, document: DocumentText, loader: Any) -> None:
         self.document = document
         self.events: Iterator[yaml.Event] = yaml.parse(document.text, Loader=loader)
         self.anchors: dict[str, tuple[Node | None, int]] = {}
-        """Node and number of values of each anchor; `None` until the node is complete."""
+        """Node of each anchor (None while incomplete), and its number of values."""
         self.values = 0
         self.last = (1, 1)
 
@@ -86,7 +86,8 @@ class _Builder:
             event = next(self.events)
         except yaml.MarkedYAMLError as error:
             if error.problem == _READ_AHEAD:
-                _Builder(self.document, yaml.SafeLoader).root()  # too deep nesting raises an error
+                # raises an error for excessive nesting
+                _Builder(self.document, yaml.SafeLoader).root()
             mark = error.problem_mark or error.context_mark
             place = self.document.place(mark.index) if mark else self.last
             reason = reason_of(error, self.document.text)
@@ -107,7 +108,7 @@ class _Builder:
         return event
 
     def _spaced_ratio(self, at: int) -> str:
-        """Return advice on how to write a ratio at a place of the text; empty without a ratio."""
+        """Return advice if the text at an offset is a ratio with blanks; empty for other texts."""
         for ratio in _SPACED_RATIO.finditer(self.document.text, max(at - 40, 0), at + 40):
             if ratio.start() <= at <= ratio.end():
                 first, second = ratio.groups()
@@ -204,7 +205,7 @@ def reason_of(error: yaml.MarkedYAMLError, text: str) -> str:
 
 
 def _of_part(context: str, begin: yaml.Mark, text: str, index: int) -> str:
-    """Return the reason for an error inside a list, mapping or quotation; empty if unknown."""
+    """Return the reason for an error within a list, mapping or quotation; empty if unknown."""
     place = f"line {begin.line + 1}, column {begin.column + 1}"
     for kind, (name, bracket) in _BRACKETS.items():
         if kind in context:

@@ -24,7 +24,7 @@ class ReadCell(NamedTuple):
     """Cell with a value."""
 
     text: str
-    """Text of the cell; numbers and switches are written as in YAML."""
+    """Text of the cell, with numbers and booleans written as in YAML."""
     row: int
     column: int
 
@@ -37,7 +37,7 @@ class ReadSheet(NamedTuple):
 
 
 def read_sheets(data: bytes, file: str, wanted: Iterable[str]) -> list[ReadSheet]:
-    """Read the cells of the requested sheets of a workbook; other sheets are returned without rows.
+    """Read the cells of the sheets `wanted` of a workbook. Other sheets have no rows.
 
     Raises
     ------
@@ -71,7 +71,7 @@ def _no_workbook(file: str, error: Exception, sheet: str = "") -> ReadError:
 
 
 class _SheetElements:
-    """Handler of the XML elements of a sheet that collects the cells."""
+    """Handler of the XML elements of a sheet, which collects the cells."""
 
     def __init__(self, place: CellPlace, parts: PackedParts, problems: list[Problem]) -> None:
         self.rows: list[list[ReadCell]] = []
@@ -165,7 +165,7 @@ class _SheetElements:
         return number
 
     def _merged(self, ref: str) -> None:
-        """Report merged cells, of which all but the first would seem empty."""
+        """Report merged cells, because all except the first would seem empty."""
         first, _, last = ref.partition(":")
         place = _PLACE.fullmatch(first)
         if place and last:
@@ -196,7 +196,7 @@ def _column_of(letters: str) -> int:
 
 
 def _number(text: str) -> str:
-    """Return a number in the notation of Python.
+    """Return a number as text in the notation of Python.
 
     >>> _number("-3.5"), _number("1E3"), _number("97")
     ('-3.5', '1000.0', '97')

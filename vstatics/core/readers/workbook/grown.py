@@ -13,15 +13,15 @@ class GrownNode:
         self.line, self.column = line, column
         self.entries: list[tuple[Part, Scalar, GrownNode | Node]] = []
         self._values: dict[Part, GrownNode | Node] = {}
-        """First value of each key."""
+        """Value of each key; of several values for a key, the first."""
 
     def below(self, part: Part) -> GrownNode | Node | None:
-        """Return the value under a key or item number, if any."""
+        """Return the value under a key or item number; None without a value."""
         return self._values.get(part)
 
     def add(self, part: Part, value: GrownNode | Node) -> None:
         """Add a value under a key or item number."""
-        key = Scalar(str(part), value.line, value.column, plain=False)  # a name, never null
+        key = Scalar(str(part), value.line, value.column, plain=False)  # a name is never null
         self.entries.append((part, key, value))
         self._values.setdefault(part, value)
 
@@ -45,7 +45,7 @@ class GrownNode:
 
 
 def moved(node: Node, line: int, column: int) -> Node:
-    """Return a copy of a tree in which all nodes are at a single place."""
+    """Return a copy of a tree in which all nodes have the same place."""
     if isinstance(node, Scalar):
         return node._replace(line=line, column=column)
     if isinstance(node, Listing):

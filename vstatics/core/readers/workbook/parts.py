@@ -1,4 +1,4 @@
-"""Reader of the parts (files) inside a workbook, with limits on size: sheets, texts, formats."""
+"""Reader of the files (parts) in a workbook, with limited size: sheets, texts, formats."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ The limit is high because only the numbers of date formats are stored.
 MOST_NESTED_ELEMENTS = 100
 MOST_WORKBOOK_SHEETS = 1000
 _PART_PIECE = 2**16
-"""Size of the pieces in which a part is parsed. [bytes]"""
+"""Number of bytes of a part that are parsed at once."""
 _BUILT_IN_DATES = frozenset([*range(14, 23), *range(27, 37), *range(45, 48), *range(50, 59)])
 """Numbers of built-in formats for dates or times."""
 _NO_DATE = re.compile(r'"[^"]*"|\[(?!hh?\]|mm?\]|ss?\])[^\]]*\]|[_\\].')
@@ -34,12 +34,12 @@ End = Callable[[str], object]
 def parse(
     stream: io.BufferedIOBase | Any, start: Start, end: End = lambda _: None, text: Any = None
 ) -> None:
-    """Parse the XML elements of a part, and call the handlers with names without namespace.
+    """Parse the XML elements of a part, and call handlers with element names without namespace.
 
     Raises
     ------
     ValueError
-        If the part is nested too deeply, or has a document type, because entities can be hostile.
+        If the part is nested too deeply, or has a document type, whose entities could be hostile.
     ExpatError
         If the part is not valid XML.
     """
@@ -92,7 +92,7 @@ class PackedParts:
         self._book = next((path for kind, path in roots.values() if kind == "officeDocument"), "")
         self._book = self._book or "xl/workbook.xml"
         self.sheets: dict[str, str] = {}
-        """Part of each sheet of cells by its name; empty for a chart."""
+        """Path of the part of each sheet, by sheet name; empty for a chart."""
         self._first_day = dt.datetime(1899, 12, 30)  # noqa: DTZ001 (days have no time zone)
         self._named: list[tuple[str, str]] = []
         with self._open(self._book) as part:
@@ -142,7 +142,7 @@ class PackedParts:
         return relations
 
     def date(self, value: str) -> str:
-        """Return the date and time for a number of days as text; an invalid value is unchanged."""
+        """Return date and time as text from a number of days; an invalid value is unchanged."""
         try:
             return str(self._first_day + dt.timedelta(days=float(value)))
         except (OverflowError, ValueError):
@@ -155,7 +155,7 @@ class PackedParts:
 
     @cached_property
     def texts(self) -> list[str]:
-        """Texts that cells share, without phonetic hints."""
+        """Texts that cells refer to by index, without phonetic hints."""
         texts = []
         parts: list[str] = []
         inside = []

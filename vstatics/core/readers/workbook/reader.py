@@ -29,7 +29,7 @@ def read(data: bytes, file: str) -> Reading:
     Raises
     ------
     ReadError
-        With every problem, its sheet and its cell.
+        The error contains every problem, its sheet and its cell.
 
     Examples
     --------
@@ -45,7 +45,7 @@ def read(data: bytes, file: str) -> Reading:
 
 
 def workbook_tree(data: bytes, file: str) -> tuple[MappingNode, DocumentText]:
-    """Read the tree of nodes of a workbook, and return the tree with the text and places.
+    """Read a workbook as a tree of nodes, and return the tree with its text and places.
 
     Raises
     ------

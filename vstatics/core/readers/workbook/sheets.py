@@ -18,15 +18,15 @@ from vstatics.core.model.paths import PathPart, in_quotes, split, written
 from vstatics.core.model.shape import ByKey, ByKind, ByName
 
 CASE_SHEET = "case"
-"""Name of the sheet of paths and values, for all keys without a sheet."""
+"""Name of the sheet of paths and values, for all keys that have no separate sheet."""
 LINKS = "links"
 """Name of the sheet with the names of links, in a single column."""
 GEARS = "gears"
-"""Name of the sheet of gears, whose columns can also be shift elements."""
+"""Name of the sheet of gears, whose columns can be shift elements."""
 ENGAGED = "x"
 MARKS = dict.fromkeys([ENGAGED, "\u0445", "\u00d7", "true"], True)  # Latin and Cyrillic x, times
 MARKS |= dict.fromkeys(["-", "\u2013", "\u2014", "\u2212", "false"], False)
-"""Whether a shift element is engaged, by the mark in a shift table."""
+"""Marks in a shift table: True if the shift element is engaged."""
 LONGEST_NUMBER = 9
 """Maximum number of digits of an item number."""
 
@@ -46,9 +46,9 @@ class PartSheet(NamedTuple):
     """Declaration of a sheet with a row for each part; the first column contains the name."""
 
     first: dict[str, Path]
-    """Headings that always come first, each with a path."""
+    """Headings that come first, each with its path."""
     known: frozenset[str]
-    """Keys with which the path of a heading can begin."""
+    """Keys with which the path in a heading can begin."""
 
 
 def _keys(shape: ByKey) -> frozenset[str]:
@@ -73,7 +73,7 @@ SHEETS = (CASE_SHEET, LINKS, *PART_SHEETS)
 
 
 def text_cell(text: str) -> str:
-    r"""Return a text as a cell; in quotes, if the plain text would be read differently.
+    r"""Return a text as a cell, in quotes if the plain text would have another meaning.
 
     >>> text_cell("sun"), text_cell("[1] a"), text_cell(" a\r")
     ('sun', '"[1] a"', '" a\\r"')
@@ -84,7 +84,7 @@ def text_cell(text: str) -> str:
 
 
 def flow_cell(value: Any) -> str:
-    """Return plain data on a single line, valid in JSON and YAML.
+    """Return plain data as a single line that is valid JSON and YAML.
 
     >>> flow_cell([["a", 2.5], []])
     '[["a", 2.5], []]'
@@ -103,12 +103,12 @@ def is_flow(text: str) -> bool:
 
 
 def can_be_path(keys: Sequence[str]) -> bool:
-    """Return whether keys can be written in a path: not empty, and without mixed quotes."""
+    """Return whether keys can be written as a path: not empty, and without both kinds of quotes."""
     return not any(not key or ('"' in key and "'" in key) for key in keys)
 
 
 def path_cell(parts: Sequence[Part]) -> str:
-    """Return a path as a cell; items of lists are numbers in brackets.
+    """Return a path as a cell, with item numbers in brackets.
 
     >>> path_cell(("teeth", "sun")), path_cell(("speeds", "a.b")), path_cell(("points", 2, 1))
     ('teeth.sun', 'speeds."a.b"', 'points[2][1]')
@@ -120,7 +120,7 @@ def path_cell(parts: Sequence[Part]) -> str:
 
 
 def quoted_path_cell(parts: Sequence[Part]) -> str:
-    """Return a path as a cell; the first key is quoted, to differ from a shift element.
+    """Return a path as a cell with a quoted first key, which distinguishes it from shift elements.
 
     >>> quoted_path_cell(("speeds", "C1"))
     '"speeds".C1'

@@ -1,4 +1,4 @@
-"""Builder of a tree of nodes from the cells of sheets, equal to the tree of a YAML text."""
+"""Builder of a tree of nodes from the cells of sheets; the tree equals that of a YAML text."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ from vstatics.core.readers.workbook.sheets import (
 from vstatics.core.suggestions import nearest
 
 _ROWS = MOST_ROWS + 2
-"""Offset between the line numbers of two sheets; the line of a node encodes sheet and row."""
+"""Offset of line numbers between sheets. The line of a node encodes sheet and row."""
 
 
 class WorkbookSource(Source):
@@ -41,7 +41,7 @@ class WorkbookSource(Source):
         self.sheets = sheets
 
     def place(self, line: int, column: int = 1) -> Place:
-        """Return the cell at a line, which encodes sheet and row; line 0 is the whole file."""
+        """Return the cell at a line, which encodes sheet and row. Line 0 is the whole file."""
         number, row = divmod(line, _ROWS)
         place = Place(self.file, row, column if row else 0)
         return CellPlace.of(place, self.sheets[number]) if row else place
@@ -62,7 +62,7 @@ class TreeOfSheets:
         Raises
         ------
         ReadError
-            If sheets or headings are unknown, or a value is given twice.
+            If sheets or headings are unknown, or a value occurs twice.
         """
         self._check_names()
         root = GrownNode(0, 0)
@@ -84,7 +84,10 @@ class TreeOfSheets:
         return node
 
     def _check_names(self) -> None:
-        """Check the names of sheets; unknown names are an error only if similar to a known name."""
+        """Check the names of sheets.
+
+        An unknown name is an error only if it resembles a known name.
+        """
         if self.sheets.keys().isdisjoint(SHEETS):
             names = ", ".join(map(quoted, SHEETS))
             self.document.stop(f"no sheet of a case, expected some of {names}", 0, 1)
@@ -164,7 +167,7 @@ class TreeOfSheets:
     def _headings(
         self, name: str, elements: Mapping[str, str]
     ) -> tuple[dict[int, Path], dict[int, str]]:
-        """Return the paths and the shift elements given by the headings, by column."""
+        """Return the paths and the shift elements in the headings, by column."""
         paths, engaged = dict[int, Path](), dict[int, str]()
         sheet, rows = PART_SHEETS[name], self.sheets[name]
         given = set()
@@ -179,7 +182,7 @@ class TreeOfSheets:
         return paths, engaged
 
     def _path(self, cell: ReadCell, sheet: PartSheet, elements: Mapping[str, str]) -> Path:
-        """Return the path in a heading; report a wrong heading and return an empty path."""
+        """Return the path in a heading; after an error, an empty path."""
         if cell.text in sheet.first:
             return sheet.first[cell.text]
         try:
@@ -198,14 +201,15 @@ class TreeOfSheets:
     def _engage(
         self, part: GrownNode, cells: Sequence[ReadCell], engaged: Mapping[int, str]
     ) -> None:
-        """Add the engaged shift elements of a gear, in the order of columns or given numbers.
+        """Add the engaged shift elements of a gear, in the order of columns or numbers.
 
-        A number gives the position in the order, from 1; 0 means disengaged. So a shift table of 1
-        and 0 can be read, too.
+        A number is the position in the order, from 1, or 0 if disengaged. A table of 1 and 0 is
+        valid.
         """
         engagements = []
         for cell in cells:
-            number = cell.text.removesuffix(".0")  # programs write `.0` in columns with empty cells
+            # programs write `.0` in columns that contain empty cells
+            number = cell.text.removesuffix(".0")
             is_number = number.isdecimal() and len(number) <= LONGEST_NUMBER
             order = int(number) if is_number else 0
             is_engaged = bool(order) if is_number else MARKS.get(cell.text.casefold())
@@ -245,7 +249,7 @@ class TreeOfSheets:
             self._put(root, parts, path, self._value(values[0]))
 
     def _put(self, grown: GrownNode, parts: Sequence[Part], cell: ReadCell, value: Node) -> None:
-        """Add a value at a path; an empty path, after a wrong heading, is ignored."""
+        """Add a value at a path; ignore an empty path, which is the result of a wrong heading."""
         if not parts:
             return
         for part in parts[:-1]:

@@ -1,12 +1,12 @@
-"""Results at many operating points, at which any numbers of a case vary, in SI units.
+"""Results at many points, which are variants of a case with other numbers in SI units.
 
-`paths` finds the numbers that a path names. `parts` groups points by numbers that require a new
-case, such as tooth numbers; `relative` groups points by the signs of loads, and divides numbers by
-the input speed or torque. `laws` calculates drag torques, efficiencies and losses of gears
-(`gear_loss`) that depend on speed and torque. `roots` searches for an unknown number of each gear:
-`balance` uses it for the torque that balances `machines` with a battery, `converters` for the speed
-ratio at which the pump takes the torque of its gear. `unsolved` reports gears without such a
-solution.
+`paths` finds the numbers that a path names. `parts` creates a new case for points with other tooth
+numbers, for example. `relative` groups points by the signs of loads, and divides numbers by the
+input speed or torque. `laws` calculates drag torques, efficiencies and losses of gears
+(`gear_loss`) that depend on speed and torque. `roots` searches for an unknown number of each gear.
+`balance` uses this search for the torque that balances `machines` with a battery, `converters` for
+the speed ratio at which the pump takes the torque of its gear. `unsolved` reports gears without
+such a solution.
 """
 
 from __future__ import annotations
@@ -49,12 +49,12 @@ if TYPE_CHECKING:
 
 
 CONSEQUENCES = frozenset({"W418", "W420", "W423", "W424"})
-"""Ids of messages about missing torques; omitted if W426, W427, W431 or W433 gives the cause."""
+"""Ids of messages about missing torques, omitted if W426, W427, W431 or W433 states the cause."""
 
 
 def solve_varied(case: Transmission, vary: Mapping[str, ArrayLike]) -> Results:
     """Calculate every gear of a case at many points; see `vstatics.solve`."""
-    vary = dict(vary)  # also from a table of pandas
+    vary = dict(vary)  # accept a table of pandas, too
     arrays, variants = together(vary)
     known = case.part_numbers() if vary.keys() - numbers_of(case).keys() else {}
     parts = {path: arrays.pop(path) for path in vary if path in known}
@@ -95,8 +95,8 @@ def solve_laws(
 ) -> Results:
     """Calculate a case with laws, or variants of ratios and efficiencies.
 
-    Both arrays have the shape (variants, mechanisms). A mechanism whose numbers equal the numbers
-    of the case is not varied, so that an efficiency given by a law continues to follow the law.
+    Both arrays have the shape (variants, mechanisms). A mechanism is not varied if its numbers
+    equal the numbers of the case. Its efficiency can then follow a law.
     """
     columns: dict[CaseNumber, Floats] = {}
     for owner, mechanism in enumerate(case.mechanisms):
@@ -131,7 +131,7 @@ def _with_arrays(points: Any, changed: Callable[[Any], Any]) -> OperatingPoints:
 
 
 def _single(case: Transmission, answer: Followed) -> Results:
-    """Return the results of a single point, without the axis of points but with messages."""
+    """Return the results of a single point, with messages and without an axis of points."""
     results, points = answer.results, answer.results.points
     assert points is not None  # noqa: S101 - for mypy
     settled = with_numbers(results.case, answer.columns)
@@ -156,7 +156,7 @@ def _single(case: Transmission, answer: Followed) -> Results:
 
 
 def _settled(gear: Gear, settled: Gear, state: int) -> Gear:
-    """Return the solved gear, with NaN for a torque or speed ratio that is not unique."""
+    """Return a solved gear, with NaN for a torque or speed ratio that has no unique solution."""
     if state in (NO_RATIO, NO_TORQUE):
         return unknown_ratio(gear, settled)
     return unknown_torque(gear, settled) if state in (NO_BALANCE, TWO_BALANCES) else settled

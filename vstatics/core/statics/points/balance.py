@@ -1,10 +1,10 @@
 """Search for the torque on a link that balances the powers of electric machines and a battery.
 
-A link gives its machine the power ``P = -external torque x speed``; the battery receives ``P x
-efficiency``, or gives ``P/efficiency`` if P is below 0. An efficiency can depend on the speed and
-the torque of its machine. The surplus is the power that the battery receives from all machines,
-minus the charging power given by the case. The module `roots` searches a grid of torques of both
-signs for the torques at which the surplus vanishes.
+A link gives its machine the power ``P = -external torque x speed``. The battery receives ``P x
+efficiency`` if P is positive, and delivers ``-P/efficiency`` if P is negative. An efficiency can
+depend on the speed and the torque of its machine. The surplus is the power that the battery
+receives from all machines, minus the charging power that the case prescribes. The module `roots`
+searches a grid of torques of both signs for the torques at which the surplus vanishes.
 """
 
 from __future__ import annotations
@@ -33,20 +33,21 @@ from vstatics.core.statics.results import Results
 GRID_SIZE = 65
 """Number of trial torques in the grid."""
 GRID_WIDTH = 100.0
-"""Largest torque of the grid, relative to the torque expected from the powers of the gear. [-]"""
+"""Largest torque of the grid, relative to the result of `_scales`. [-]"""
 GRID_REFINEMENT = 1000.0
-"""Value of sinh at the end of the grid; a larger value places more trial torques near 0. [-]"""
+"""Value of sinh at the end of the grid, which follows sinh to have more trial torques near 0. [-]
+"""
 MOST_SOLUTIONS = 3
-"""Largest number of sign changes searched for roots."""
+"""Largest number of sign changes of the surplus in which a torque is searched for."""
 PROBE_PART = 0.37
-"""Trial torque relative to the input torque, arbitrary, to test if torques are determinate. [-]"""
+"""Arbitrary trial torque, to test if torques are determinate, relative to the input torque. [-]"""
 NO_BALANCE, TWO_BALANCES = 3, 4
 """States of a gear: no torque balances the battery, or several torques do."""
 
 
 @dataclass(frozen=True, eq=False)
 class OpenBalance:
-    """Battery balance of a gear, with the unknown torque on a link."""
+    """Battery balance of a gear that determines the torque on a link."""
 
     gear: int
     link: int
@@ -62,7 +63,7 @@ class OpenBalance:
         return CaseNumber(self.gear, "torques", self.link)
 
     def surplus(self, results: Results) -> Floats:
-        """Return the power of the machines minus the given charging power, at each point [W]."""
+        """Return the surplus of power at each point [W]."""
         entering = results.port_powers_kW[:, self.gear]
         total = -self.battery
         for link, efficiency in self.efficiencies:
@@ -72,19 +73,20 @@ class OpenBalance:
         return total
 
     def size(self, results: Results) -> Floats:
-        """Return the sum of the magnitudes of all powers at each point [W]."""
+        """Return the sum of the magnitudes of all powers at each point [W], for comparison."""
         entering = 1000 * np.abs(results.port_powers_kW[:, self.gear]).sum(axis=-1)
         powers: Floats = entering + np.abs(self.battery)
         return powers
 
     def at(self, points: Integers) -> OpenBalance:
-        """Return the balance restricted to chosen points, given by indices."""
+        """Return the balance for the points with the indices `points`."""
         return replace(self, battery=self.battery[points])
 
     def machine(self, results: Results, link: int, power: Floats) -> tuple[Floats, Floats]:
         """Return the magnitude of a machine's speed [rad/s], and the torque along the speed [N*m].
 
-        The torque follows from the power given to the machine [W]; it is 0 at rest.
+        The torque is calculated from the power that the link gives to the machine [W]. It is
+        negative for a positive power (generator), and 0 at rest.
         """
         speed = np.abs(results.speeds_rpm[:, self.gear, link - 1]) * RAD_PER_RPM
         return speed, np.divide(-power, speed, out=np.zeros_like(power), where=speed > 0)
@@ -97,7 +99,7 @@ def balanced(
     variants: int,
     follow: Follow,
 ) -> Followed:
-    """Calculate all points, with the torques that satisfy the battery balances.
+    """Calculate all points with the torques that satisfy the battery balances.
 
     Parameters
     ----------
@@ -106,11 +108,11 @@ def balanced(
     balances : sequence of OpenBalance
         Balances of the gears.
     given : mapping
-        Columns of varied numbers.
+        Varied numbers.
     variants : int
         Number of points.
     follow : callable
-        Function that solves points with given torques.
+        Function that calculates points with known torques.
     """
     open_balances = []
     for balance in balances:
@@ -143,7 +145,7 @@ def balanced(
 
 
 def _outside(case: Transmission, balances: Sequence[OpenBalance], results: Results) -> Outside:
-    """Return marks of points at which a machine is outside the efficiency map, by link."""
+    """Return flags of points at which a machine is outside its efficiency map, by link name."""
     outside: dict[str, Booleans] = {}
     for balance in balances:
         for link, law in balance.efficiencies:
@@ -160,12 +162,12 @@ def _outside(case: Transmission, balances: Sequence[OpenBalance], results: Resul
 
 
 def unknown_torque(gear: Gear, settled: Gear) -> Gear:
-    """Return the solved gear, with NaN for the torque that is not unique."""
+    """Return a solved gear, with NaN for the torque that the balance does not determine."""
     return settled._replace(torques={**settled.torques, sought_link(gear, settled): math.nan})
 
 
 def sought_link(gear: Gear, settled: Gear) -> int:
-    """Return the link with the unknown torque, on which only the solved gear has a torque."""
+    """Return the link with the unknown torque: only the solved gear has a torque on it."""
     return next(link for link in settled.torques if link not in gear.torques)
 
 
@@ -191,8 +193,8 @@ def without_balances(case: Transmission) -> tuple[Transmission, list[OpenBalance
 def _sought(case: Transmission, index: int) -> tuple[int, tuple[int, ...] | None]:
     """Return the link with the unknown torque in a gear, and the links with dependent torques.
 
-    The torque of a machine on a separate gear train follows from the equilibrium of this train. The
-    unknown is then the torque of another machine, even if the speed of that machine is given.
+    A machine on a separate gear train has a torque from the equilibrium of this train. The unknown
+    is then the torque of another machine, even if that has a prescribed speed.
     """
     gear = case.gears[index]
     output = case.gear_output(gear)
@@ -214,7 +216,7 @@ def _sought(case: Transmission, index: int) -> tuple[int, tuple[int, ...] | None
 
 
 def _is_determined(case: Transmission, index: int, link: int, holding: tuple[int, ...]) -> bool:
-    """Return whether a given torque on a link determines all other torques of a gear."""
+    """Return whether all torques of a gear are known if the torque on `link` is known."""
     gear = case.gears[index]._replace(balance=None, holding=holding)
     alone = without_laws(case.replace(gears=[gear]))
     load: Any = loads_of(alone, {}, 1)[0].torque
@@ -243,7 +245,7 @@ def _scales(
 def _with_torques(
     results: Results, balances: list[OpenBalance], columns: Columns, unknown: Any
 ) -> Results:
-    """Return results with the solved torques; NaN at points with no or several solutions."""
+    """Return results with the solved torques; NaN if there is no unique solution."""
     changed: dict[str, Any] = {}
     points: Any = results.points
     for name in ("holding_torques", "lossy_holding_torques"):

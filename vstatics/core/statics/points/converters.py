@@ -39,32 +39,33 @@ from vstatics.core.statics.results import Results
 LEAST_TRIALS = 65
 """Smallest number of trial speed ratios in the grid."""
 MOST_SPEED_RATIOS = 16
-"""Largest number of sign changes in which a speed ratio is searched for."""
+"""Largest number of sign changes of the surplus in which a speed ratio is searched for."""
 ROUNDED = 16 * EPSILON
 """Relative difference of the torques on a pump that is attributed to rounding. [-]"""
 LOSSY_SPEED_RATIO = 0.01
-"""Speed ratio at which any real converter loses power. [-]"""
+"""Speed ratio at which every real converter loses power. [-]"""
 TRIALS = 0.382, 0.618
-"""Two places in the range of speed ratios (0 to 1) at which gears without a solution are solved."""
+"""Trial speed ratios for gears without a solution: 0 the first, 1 the last of the points. [-]"""
 NO_RATIO, NO_TORQUE = 6, 7
-"""States of a gear: no speed ratio agrees with the load, or no speed ratio gives torques."""
+"""States of a gear: no speed ratio agrees with the load, or no torques exist at any speed ratio."""
 OF_SPEEDS = ("speeds", "planet_speeds", "slip_speeds", "ratio", "speed_ratio")
 """Names of arrays that can depend on the speed ratio of a converter."""
 
 
 @dataclass(frozen=True, eq=False)
 class SoughtRatio:
-    """Speed ratio of a converter that the load of a gear determines."""
+    """Converter whose speed ratio depends on the load of a gear."""
 
     gear: int
     owner: int
-    """Number of the converter among the mechanisms given by the case."""
+    """Number of the converter among the `mechanisms` of the case, without gear sets."""
     converter: Mechanism
     rows: tuple[int, int]
-    """Index of the converter on the last axis of the arrays `torques` and `speed_ratio`."""
+    """Indices of the converter on the last axes of the arrays `torques` and `speed_ratio`."""
     is_alone: bool
-    """True if nothing but the converter connects the two sides, so that the speed ratio does not
-    change the speed of the pump nor the torque of the gear on the pump.
+    """True if only the converter connects its pump and turbine.
+
+    The speed of the pump and the torque on the pump then do not depend on the speed ratio.
     """
 
     @property
@@ -81,8 +82,8 @@ class SoughtRatio:
     def grid(self) -> Floats:
         """Trial speed ratios in descending order, including the points of the converter [-].
 
-        They are close together near a speed ratio at which the converter loses no power, because no
-        torques exist beyond it.
+        Trials are added directly below and above each speed ratio at which the converter loses no
+        power, because no torques exist beyond that ratio.
         """
         by_ratio = [point[0] for point in self.converter.points]
         pieces = math.ceil((LEAST_TRIALS - 1) / max(len(by_ratio) - 1, 1))
@@ -91,8 +92,8 @@ class SoughtRatio:
         trials = np.concatenate([*parts, by_ratio[-1:], lossless])
         return np.unique(trials[(trials >= by_ratio[0]) & (trials <= by_ratio[-1])])[::-1]
 
-    def at(self, points: Integers) -> SoughtRatio:  # noqa: ARG002 - nothing differs from point to point
-        """Return the unknown speed ratio unchanged, for any selection of points."""
+    def at(self, points: Integers) -> SoughtRatio:  # noqa: ARG002 - equal for all points
+        """Return the object itself, which is the same for all points."""
         return self
 
     def surplus(self, results: Results) -> Floats:
@@ -109,7 +110,7 @@ class SoughtRatio:
         return np.where(agrees, 0.0, left)
 
     def size(self, results: Results) -> Floats:
-        """Return the larger of the actual and the largest possible torque on the pump [N*m]."""
+        """Return the torque on the pump or, if larger, the most that the pump can take [N*m]."""
         brought, speed = self.on_pump(results)
         most = max(abs(point[2]) for point in self.converter.points)
         size: Floats = np.maximum(np.abs(brought), most * speed**2)
@@ -136,7 +137,7 @@ class SoughtRatio:
 
 
 def _lossless(converter: Mechanism) -> list[float]:
-    """Return the speed ratios i between the points at which the torque ratio is 1/i: no loss."""
+    """Return the speed ratios i [-] between the points at which the torque ratio is 1/i."""
     ratios = []
     for (left, before, _), (right, after, _) in pairwise(converter.points):
         slope = (after - before) / (right - left)
@@ -146,12 +147,12 @@ def _lossless(converter: Mechanism) -> list[float]:
 
 
 def without_sought(case: Transmission, given: Columns) -> tuple[Transmission, list[SoughtRatio]]:
-    """Split a case into the case with trial speed ratios, and the unknown speed ratios.
+    """Split a case into a case with trial speed ratios, and the unknown speed ratios.
 
     Parameters
     ----------
     given : mapping
-        Varied numbers. A speed ratio among them is known, so it is not searched for.
+        Varied numbers. A speed ratio among these is known.
     """
     gears, sought = list(case.gears), list[SoughtRatio]()
     torques, ratios = first_rows(case), row_names(case, "converters")
@@ -171,7 +172,7 @@ def without_sought(case: Transmission, given: Columns) -> tuple[Transmission, li
 
 
 def _is_alone(case: Transmission, gear: Gear, place: int) -> bool:
-    """Return whether only a converter connects the input, on the pump side, with the turbine."""
+    """Return whether only a converter connects the trains of its pump and turbine."""
     bodies = list(range(case.links + 1))
     drag, freewheels = case.gear_open_drag(gear), case.freewheels
     joining: list[Iterable[int]] = [
@@ -209,11 +210,11 @@ def with_found_ratios(
     sought : sequence of SoughtRatio
         Unknown speed ratios of different gears.
     given : mapping
-        Columns of varied numbers.
+        Varied numbers.
     variants : int
         Number of points.
     follow : callable
-        Function that solves points with given speed ratios.
+        Function that calculates points with known speed ratios.
     """
     trials = [
         {ratio.number: np.full(variants, _trial(ratio, part)) for ratio in sought}
@@ -244,7 +245,7 @@ def with_found_ratios(
 def _roots(
     sought: Sequence[SoughtRatio], columns: Columns, variants: int, follow: Follow
 ) -> dict[SoughtRatio, Roots]:
-    """Return the speed ratios that agree with the load, without a search where possible."""
+    """Return the speed ratios that agree with the load, by search only if necessary."""
     alone = [ratio for ratio in sought if ratio.is_alone]
     others = [ratio for ratio in sought if not ratio.is_alone]
     roots: dict[SoughtRatio, Roots] = {}
@@ -272,10 +273,10 @@ def _roots(
 
 
 def _roots_alone(ratio: SoughtRatio, slow: Results, fast: Results) -> Roots:
-    """Return the roots of a converter that alone connects the two sides, from two trial solutions.
+    """Return the speed ratios of a converter for which `is_alone` is true, without iteration.
 
-    The torque on the pump and the speed of the pump are equal at all speed ratios at which torques
-    exist, and lambda is linear between the points, so no iteration is needed.
+    The torque and the speed of the pump are known from two trial solutions, and lambda is linear
+    between the points.
     """
     brought, speed = (
         np.fmax(*pair) for pair in zip(*map(ratio.on_pump, (slow, fast)), strict=True)
@@ -299,7 +300,7 @@ def _extended(grid: Floats, length: int) -> Floats:
 
 
 def _apart(found: Floats) -> Floats:
-    """Return the solutions below the largest speed ratio, (points, ratios); NaN for repetitions."""
+    """Return the speed ratios below the largest solution, (points, ratios); NaN for repetitions."""
     others = found[1:].copy()
     others[found[:-1] - found[1:] <= SAME_SOLUTION] = np.nan
     return others.T
@@ -314,8 +315,8 @@ def _mark_gaining(
 ) -> None:
     """Set the state NO_RATIO for gears that lack torques only because of the converter.
 
-    Such a converter would gain power at every speed ratio of its points, as in a gear that coasts.
-    At a larger speed ratio it would lose power, and the gear would have torques.
+    In a gear that coasts, for example, the converter would gain power at every speed ratio of its
+    points. At larger speed ratios it would lose power, and torques would exist.
     """
     if not (state == NO_TORQUE).any():
         return
@@ -329,7 +330,7 @@ def _mark_gaining(
 def _without_ratios(results: Results, other: Results, state: Integers) -> Results:
     """Return results without torques in gears whose speed ratio is unknown.
 
-    Speeds are unknown too if they differ between two trial speed ratios.
+    Speeds are also unknown if they differ between two trial speed ratios.
     """
     changed: dict[str, Any] = {}
     lacks = state != 0
@@ -348,7 +349,7 @@ def _without_ratios(results: Results, other: Results, state: Integers) -> Result
 
 
 def unknown_ratio(gear: Gear, settled: Gear) -> Gear:
-    """Return the solved gear, with NaN for the speed ratio that the load does not determine."""
+    """Return a solved gear, with NaN for a speed ratio that the load does not determine."""
     owners = settled.speed_ratios.keys() - gear.speed_ratios.keys()
     unknown = dict.fromkeys(owners, math.nan)
     return settled._replace(speed_ratios={**settled.speed_ratios, **unknown})

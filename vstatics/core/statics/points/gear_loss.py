@@ -1,4 +1,4 @@
-"""Loss of a gear measured as a whole, represented by a torque that brakes the input link."""
+"""Loss measured for a whole gear, represented by a torque that brakes the input link."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from vstatics.core.numerics.arrays import Floats, Integers
 from vstatics.core.numerics.tolerances import SAME_SOLUTION
 
 ROUNDING = 1e-12
-"""Relative distance outside an interval of the map up to which a solution counts as inside. [-]"""
+"""Relative distance from an interval of the map up to which a solution counts as inside. [-]"""
 
 
 def brake_torque(loss: Law, speed: Floats, torque: Floats) -> Floats:
@@ -18,7 +18,7 @@ def brake_torque(loss: Law, speed: Floats, torque: Floats) -> Floats:
     Parameters
     ----------
     loss : Law
-        Map of the loss, in its unit.
+        Map of the loss, with its unit.
     speed, torque : ndarray
         Magnitudes of the speed [rad/s] and the torque [N*m] of the input.
 
@@ -41,7 +41,7 @@ def _unit(loss: Law) -> str:
 
 
 def power_loss(loss: Law, speed: Size, torque: Size) -> Size:
-    """Return a loss at magnitudes of the speed [rad/s] and the torque [N*m] of the input [W].
+    """Return a power loss [W] at magnitudes of input speed [rad/s] and input torque [N*m].
 
     >>> from vstatics.core.model.laws import MapLaw
     >>> power_loss(MapLaw([0, 100], [[0, 0, 0], [100, 2, 4]], "kW"), 50.0, 100.0)
@@ -61,7 +61,7 @@ def braked_torques(loss: Law, speed: Floats, passed: Floats) -> tuple[Floats, In
     speed : ndarray
         Magnitude of the input speed. [rad/s]
     passed : ndarray
-        Torque in the direction of the speed that remains after the loss. [N*m]
+        Input torque minus brake torque, in the direction of the speed. [N*m]
 
     Examples
     --------
@@ -77,7 +77,7 @@ def braked_torques(loss: Law, speed: Floats, passed: Floats) -> tuple[Floats, In
     at_ends = brake_torque(
         loss, np.repeat(speed, len(ends)), np.tile(np.abs(ends), len(speed))
     ).reshape(len(speed), len(ends))
-    # The brake torque is linear between the torques of the map and constant beyond.
+    # The brake torque is linear between the torques of the map and constant outside.
     low = np.concatenate([[-np.inf], ends])
     high = np.concatenate([ends, [np.inf]])
     with np.errstate(invalid="ignore"):

@@ -1,11 +1,11 @@
 """Losses that depend on speed, torque or both, solved for all points at once.
 
-Speeds do not depend on losses. Therefore drag torques, efficiencies over speed, and the losses of
-gears as a whole (whose input torque is given) follow directly from the speeds. If drag changes the
+Speeds do not depend on losses. Drag torques, efficiencies over speed, and losses measured for whole
+gears (whose input torque is known) therefore follow directly from the speeds. If drag changes the
 states of freewheels, they are recalculated until the states settle. Efficiencies over torque, or
-over speed and torque, result from fixed-point iterations that start from the smallest and the
-largest values. If the efficiencies of only one mechanism of a gear depend on torque, a scan of the
-whole range searches for further solutions. A solution is accepted only if it is unique.
+over speed and torque, result from two fixed-point iterations, which start from the smallest and the
+largest efficiency. If the efficiencies of only one mechanism of a gear depend on torque, a scan of
+the whole range searches for further solutions. A solution is accepted only if it is unique.
 """
 
 from __future__ import annotations
@@ -30,17 +30,17 @@ from vstatics.core.statics.results import Results
 MOST_FIXED_POINT_STEPS = 100
 """Largest number of fixed-point iterations."""
 MOST_EXTRAPOLATED_STEPS = 40
-"""Largest number of further, extrapolated iterations if the iteration is slow or oscillates."""
+"""Largest number of extrapolated iterations, which follow slow or oscillating iterations."""
 MOST_FREEWHEEL_PASSES = 8
 """Largest number of passes until the states of freewheels settle."""
 SCAN_POINTS = 17
-"""Number of trial values of the only efficiency of a gear that depends on torque."""
+"""Number of trial efficiencies, if a single efficiency of a gear depends on torque."""
 MOST_ROOTS = 3
-"""Largest number of sign changes in which a root is searched for."""
+"""Largest number of sign changes in which an efficiency is searched for."""
 ROOT_BISECTIONS = 60
-"""Number of bisections for a root, enough for the precision of a float."""
+"""Number of bisections for an efficiency, enough for the precision of a float."""
 LEAST_EFFICIENCY = 1e-6
-"""Lower bound for efficiencies given by a formula, during a search. [-]"""
+"""Lower limit of efficiencies from a formula during a search. [-]"""
 NONE, SEVERAL, NO_EFFICIENCY = 1, 2, 5
 """States of a gear: no solution, several solutions, or a formula without a valid efficiency."""
 WITH_LOSSES = (
@@ -48,7 +48,7 @@ WITH_LOSSES = (
     *("drag_losses", "gear_losses", "slip_losses"),
     *("lossy_mesh_torques", "mesh_losses", "power_sign"),
 )
-"""Names of arrays that are undefined if the efficiencies have no unique solution."""
+"""Arrays that do not exist if the efficiencies have no unique solution."""
 
 Laws = Mapping[CaseNumber, Law]
 _Sizes = Mapping[CaseNumber, tuple[Floats, ...]]
@@ -60,19 +60,21 @@ class Followed(NamedTuple):
 
     results: Results
     columns: Columns
-    """Values of the varied numbers, and of the numbers that laws determine."""
+    """Values of the varied numbers, and of the numbers that laws or searches determine."""
     open: Integers
     """States as in `OperatingPoints.open`, shape (points, gears): 0 for a unique solution."""
     outside: Outside
-    """Marks of points outside the range of a law, by the name of the part with the law."""
+    """Flags of points outside the range of a law, by the name of the part that has the law."""
     wrong: Outside = NOWHERE
-    """Marks of points without a valid efficiency from a formula, by the name of the part."""
+    """Flags of points where a formula gives no valid efficiency, by the name of the part."""
     others: Mapping[int, Floats] = MappingProxyType({})
-    """Smaller speed ratios of a converter that agree with the load, by gear, (points, ratios)."""
+    """Smaller speed ratios of a converter that agree with the load, shape (points, ratios), by
+    gear.
+    """
 
 
 def follow_laws(case: Transmission, given: Columns, variants: int) -> Followed:
-    """Calculate all points, with drag torques, efficiencies and losses given by laws."""
+    """Calculate all points; laws determine drag torques, efficiencies and losses."""
     if not case.laws:
         settled = np.zeros((variants, len(case.gears)), np.int8)
         return Followed(solve_points(case, given, variants), given, settled, NOWHERE)
@@ -98,7 +100,7 @@ def follow_laws(case: Transmission, given: Columns, variants: int) -> Followed:
 
 
 def laws_of(case: Transmission) -> Laws:
-    """Return all laws of a case, by the number that the law determines."""
+    """Return all laws of a case, by the number that each law determines."""
     numbers: dict[CaseNumber, Any] = {}
     for index, gear in enumerate(case.gears):
         for n, torque in case.gear_open_drag(gear).items():
@@ -151,9 +153,9 @@ def _with_speeds(
     columns: dict[CaseNumber, Floats],
     variants: int,
 ) -> tuple[Results, dict[CaseNumber, tuple[Floats, ...]], Booleans]:
-    """Return results with laws over known quantities, the quantities, and marks of unsettled gears.
+    """Return results with laws over known speeds, these speeds, and flags of unsettled gears.
 
-    Drag can release or lock a freewheel, which changes the speeds and therefore the drag.
+    Drag can release or lock a freewheel, which changes the speeds and therefore the drag again.
     """
     results = solve_points(plain, columns, variants)
     loads: Any = loads_of(plain, columns, variants)
@@ -228,7 +230,7 @@ def _differ(speeds: Floats, others: Floats) -> Booleans:
 def _wrong_efficiencies(
     case: Transmission, laws: Laws, sizes: _Sizes, results: Results, settled: Booleans
 ) -> Outside:
-    """Return marks of points at which the formula of an efficiency in use is outside (0, 1]."""
+    """Return flags of points where the formula of an efficiency in use is outside (0, 1]."""
     by_name: dict[str, Booleans] = {}
     settled = settled & results.consistent
     for number, law in laws.items():
@@ -246,7 +248,7 @@ def _is_efficiency(number: CaseNumber) -> bool:
 
 
 def _is_in_use(case: Transmission, number: CaseNumber, results: Results) -> Booleans:
-    """Return marks of points at which power flows in the direction of the efficiency."""
+    """Return flags of points at which power flows in the direction of an efficiency."""
     sign = results.power_sign[:, number.gear, number.owner]
     in_use: Booleans = sign > 0 if number.quantity == "efficiency" else sign < 0
     return in_use if case.mechanisms[number.owner].back_efficiency is not None else sign != 0
@@ -270,7 +272,7 @@ class _Search:
             self.of_gear.setdefault(number.gear or 0, []).append(number)
 
     def sizes(self, results: Results) -> dict[CaseNumber, tuple[Floats, ...]]:
-        """Return the magnitudes of speed and torque at which laws are evaluated, or NaN."""
+        """Return magnitudes of speed [rad/s] and torque [N*m] for each law; NaN if unknown."""
         torques = results.lossy_torques_Nm
         return {
             number: law.sizes_of(
@@ -282,19 +284,19 @@ class _Search:
     def _tried(
         self, guess: Mapping[CaseNumber, Floats]
     ) -> tuple[Results, dict[CaseNumber, Floats]]:
-        """Return results for guessed efficiencies, and the efficiencies that the laws then give."""
+        """Return results for trial efficiencies, and the efficiencies that laws then have."""
         results = solve_points(self.case, {**self.columns, **guess}, self.variants)
         sizes = self.sizes(results)
         efficiencies = {}
         for number, law in self.laws.items():
             values: Floats = law.at(*sizes[number])
-            if law.text:  # a formula is checked only at the solution
+            if law.text:  # a formula is checked only for the solution
                 values = np.clip(np.nan_to_num(values, nan=LEAST_EFFICIENCY), LEAST_EFFICIENCY, 1.0)
             efficiencies[number] = np.where(np.isnan(sizes[number][-1]), np.nan, values)
         return results, efficiencies
 
     def _from(self, end: Any) -> tuple[dict[CaseNumber, Floats], Booleans, Booleans]:
-        """Iterate to a fixed point, starting at an end of each law (`end` is `min` or `max`).
+        """Iterate to a fixed point from the least or largest efficiencies (`end`: min or max).
 
         Returns
         -------
@@ -329,7 +331,7 @@ class _Search:
         return guess, still & ~lacking, lacking
 
     def solved(self) -> tuple[Results, dict[CaseNumber, Floats], Integers]:
-        """Return results, all numbers, and the state of each gear, 0 for a unique solution."""
+        """Return results, all numbers, and the state of each gear (0 for a unique solution)."""
         several = any(len(numbers) > 1 for numbers in self.of_gear.values())
         starts = [self._from(end) for end in (min, max, *[_middle] * several)]
         best, still, lacking = starts[0]
@@ -350,7 +352,7 @@ class _Search:
         return results, columns, state
 
     def _scan(self, best: dict[CaseNumber, Floats], state: Integers) -> None:
-        """Scan the range of efficiencies for all solutions, if a single mechanism has laws."""
+        """Search the whole range of efficiencies for solutions, if a single mechanism has laws."""
         single = [
             number
             for numbers in self.of_gear.values()
@@ -381,7 +383,7 @@ class _Search:
         grid: Floats,
         left: Floats,
     ) -> None:
-        """Count the solutions for an efficiency, and update the states of gears."""
+        """Count the solutions for an efficiency, and set the states of gears."""
         turns = np.sign(left[1:]) * np.sign(left[:-1]) < 0
         turns |= (left[1:] == 0) & (np.arange(1, SCAN_POINTS) < SCAN_POINTS - 1)[:, None]
         gear_state, order = state[:, number.gear], np.cumsum(turns, axis=0)
@@ -409,7 +411,7 @@ class _Search:
     ) -> tuple[Floats, Booleans]:
         """Return the root in the interval after a grid point, by bisection, and flags of success.
 
-        A sign change without a root is a jump of the efficiency; its flag is False.
+        The flag is False if the sign changes because of a jump of the efficiency.
         """
         low, high = grid[place], grid[place + 1]
         at_low = np.sign(np.take_along_axis(left, place[None], axis=0)[0])
@@ -424,14 +426,13 @@ class _Search:
 
 
 def _extrapolated(first: Floats, second: Floats, third: Floats) -> Floats:
-    """Return the limits of sequences, extrapolated from three terms by Aitken's rule."""
+    """Return the limits of sequences, extrapolated from three terms by Aitken's method."""
     with np.errstate(divide="ignore", invalid="ignore"):
         limit: Floats = third - (third - second) ** 2 / (third - 2 * second + first)
     return limit
 
 
 def _ends(law: Law) -> tuple[float, float]:
-    """Return the smallest and the largest efficiency that a law can give [-]."""
     ends: tuple[float, float] = getattr(law, "ends", (LEAST_EFFICIENCY, 1.0))
     return ends
 
@@ -441,7 +442,7 @@ def _middle(ends: Iterable[float]) -> float:
 
 
 def _without_values(results: Results, state: Integers) -> Results:
-    """Return results with NaN for losses at points and gears without a unique solution."""
+    """Return results with NaN for losses in gears without a unique solution."""
     wrong = state != 0
     if not wrong.any():
         return results

@@ -15,8 +15,8 @@ def machine_efficiency(law: Law, speed: Floats, torque: Floats) -> Floats:
     ----------
     law : Law
         Efficiency over speed and torque. A formula, or a map that contains torques below 0, is
-        evaluated at the signed torque; a torque below 0 acts against the speed, so the machine
-        generates. Other maps are evaluated at the magnitude. [-]
+        evaluated at the signed torque, which is below 0 for a generator. Other maps are evaluated
+        at the magnitude. [-]
     speed : ndarray
         Magnitude of the speed. [rad/s]
     torque : ndarray
@@ -33,12 +33,12 @@ def machine_efficiency(law: Law, speed: Floats, torque: Floats) -> Floats:
 
 
 def machine_torque(law: Law, torque: Floats) -> Floats:
-    """Return the torque at which the law of a machine is evaluated [N*m]: signed or magnitude."""
+    """Return the torque, signed or as magnitude, for the law of a machine [N*m]."""
     return torque if law.text or law.columns[0] < 0 else np.abs(torque)  # type: ignore[attr-defined] # a map
 
 
 def efficiency_at(given: float, speed: Floats, torque: Floats, power: Floats) -> Floats:
-    """Return the efficiency of a machine; NaN where power flows but the formula is not valid."""
+    """Return the efficiency of a machine [-]; NaN if power flows but the formula is not valid."""
     if not isinstance(given, Law):
         return np.full(power.shape, given)
     values = machine_efficiency(given, speed, torque)
@@ -46,7 +46,7 @@ def efficiency_at(given: float, speed: Floats, torque: Floats, power: Floats) ->
 
 
 def battery_power(power: Floats, efficiency: Floats | float) -> Floats:
-    """Return the charging power of a battery, from the shaft power given to the machine.
+    """Return the charging power of a battery from the shaft power that drives the machine [W].
 
     >>> battery_power(np.array([2.0, -2.0]), 0.8).tolist()
     [1.6, -2.5]

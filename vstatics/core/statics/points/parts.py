@@ -1,7 +1,6 @@
-"""Groups of points with equal numbers of parts, such as teeth; each group needs its own case.
+"""Groups of points with equal tooth numbers and other numbers of parts.
 
-`elements.part_numbers` lists the numbers of parts that can vary; the cases are created by methods
-of `Transmission`.
+Each group needs its own case, which a method of `Transmission` creates.
 """
 
 from __future__ import annotations
@@ -20,7 +19,7 @@ from vstatics.core.statics.results import Results
 
 
 class CaseOfPoints(NamedTuple):
-    """Case for all points with equal part numbers."""
+    """Case for all points with equal numbers of parts."""
 
     chosen: Integers
     """Indices of the points."""
@@ -32,7 +31,7 @@ class CaseOfPoints(NamedTuple):
 
 
 def cases_of_points(case: Transmission, columns: Mapping[str, Floats]) -> Iterator[CaseOfPoints]:
-    """Yield a case for each different set of part numbers, from columns in SI units by path.
+    """Yield a case for each different set of numbers of parts, from columns in SI units by path.
 
     Raises
     ------

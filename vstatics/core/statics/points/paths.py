@@ -1,8 +1,7 @@
 """Paths to the numbers of a case that can vary, such as ``load.torque`` or ``gears.low.drag.out``.
 
 Paths contain names of gears and components of the case; `*` as the name of a gear selects all
-gears. Numbers are in SI units; for example, the power of a battery is in W. Values are checked
-against the range of their quantity.
+gears. Numbers are in SI units; for example, the power of a battery is in W.
 """
 
 from __future__ import annotations
@@ -15,7 +14,7 @@ import numpy as np
 from vstatics.core.errors import CaseError, Problem, quoted
 from vstatics.core.model.parts import OfLoad
 from vstatics.core.model.paths import Keys, dotted
-from vstatics.core.model.shape import Measure
+from vstatics.core.model.shape import UNIT_OF, Measure
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, as_floats
 from vstatics.core.statics import matrix
@@ -36,7 +35,7 @@ class CaseNumber(NamedTuple):
     """Identification of a number of a case that varies."""
 
     gear: int | None
-    """Index of the gear, except for the operating point of the case."""
+    """Index of the gear; None for the operating point of the case."""
     quantity: OfLoads | OfGear | OfMechanism | Literal["battery", "relative_slip"]
     owner: int = 0
     """Number of the link or shift element, or index of the mechanism; 0 for an operating point."""
@@ -45,13 +44,13 @@ class CaseNumber(NamedTuple):
 RELATIVE_TO_SPEED: tuple[OfGear, ...] = ("speeds", "slip")
 """Quantities of a gear that are relative to the input speed."""
 FREE_RATIOS = ("variator", "converter")
-"""Kinds of mechanisms whose speed ratio can differ from gear to gear."""
+"""Kinds of mechanisms that have a speed ratio for each gear."""
 Columns = Mapping[CaseNumber, Floats]
 """Values of varied numbers in SI units, each of shape (variants,)."""
 
 
 def together(vary: Mapping[str, ArrayLike]) -> tuple[dict[str, Floats], int]:
-    """Broadcast arrays to a common length; return the arrays and the length.
+    """Broadcast arrays to a common length, and return the arrays and the length.
 
     Raises
     ------
@@ -106,7 +105,8 @@ def columns_of(
     for path, column in arrays.items():
         numbers = known.get(path)
         if not numbers:
-            message = f"the case has no number {quoted(path)}{nearest(path, [*known, *others])}"
+            hint = _without_unit(path, known) or nearest(path, [*known, *others])
+            message = f"the case has no number {quoted(path)}{hint}"
             raise CaseError([Problem("E421", message, ("vary",))])
         _check(case, path, numbers[0], column)
         for number in numbers:
@@ -117,8 +117,18 @@ def columns_of(
     return columns
 
 
+def _without_unit(path: str, known: Mapping[str, Sequence[CaseNumber]]) -> str:
+    """Return a hint for a path with a unit in brackets, or an empty text."""
+    bare, bracket, _ = path.partition(" [")
+    if not bracket or not known.get(bare):
+        return ""
+    measure = measure_of(known[bare][0].quantity)
+    unit = "W" if measure == "power" else UNIT_OF[measure] if measure else "bare numbers"
+    return f"; expected {quoted(bare)}, in {unit}"
+
+
 def numbers_of(case: Transmission) -> dict[str, tuple[CaseNumber, ...]]:
-    """Return the numbers of a case by path; a path with `*` names the numbers of all gears.
+    """Return the numbers of a case by path; `*` selects all gears.
 
     >>> from vstatics.core.model.transmission import Gear, Mechanism
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear()])
@@ -129,7 +139,7 @@ def numbers_of(case: Transmission) -> dict[str, tuple[CaseNumber, ...]]:
 
 
 def measure_of(quantity: str) -> Measure | Literal["power"] | None:
-    """Return the measure of a quantity, if the number has a unit.
+    """Return the quantity, in terms of units, of a number; None for a number without a unit.
 
     >>> measure_of("speeds"), measure_of("efficiency")
     ('si_speed', None)
@@ -180,7 +190,7 @@ def _named(case: Transmission) -> Iterator[tuple[Keys, list[CaseNumber]]]:
 
 
 def _acting(case: Transmission, numbers: Sequence[CaseNumber]) -> list[CaseNumber]:
-    """Return the numbers without speed ratios of converters that are bypassed or open."""
+    """Return the numbers, except speed ratios of converters that are bypassed or open."""
     first = case.own_mechanisms.start - 1
     return [
         number
@@ -227,7 +237,7 @@ def _of_balances(case: Transmission) -> Iterator[tuple[Keys, list[CaseNumber]]]:
 def _together_and_each(
     case: Transmission, numbers: Sequence[int]
 ) -> Iterator[tuple[str, Sequence[int]]]:
-    """Yield the indices of gears under the key `*`, then each index under the gear's name."""
+    """Yield the indices of all gears under the key `*`, then of each gear under its name."""
     yield "*", numbers
     for number in numbers:
         yield case.gears[number].name, [number]
@@ -249,7 +259,7 @@ def _check(case: Transmission, path: str, number: CaseNumber, column: Floats) ->
 
 
 def _check_quantity(quantity: str, column: Floats) -> tuple[Booleans, str]:
-    """Return flags that mark invalid numbers, and a phrase for the valid numbers."""
+    """Return flags of invalid numbers, and words for the valid numbers."""
     if quantity in ("ratio", "efficiency"):
         return matrix.impossible(quantity, column), matrix.EXPECTED[quantity]  # type: ignore[arg-type] # one of the two
     wrong = ~np.isfinite(column)

@@ -1,8 +1,7 @@
-"""Solution of points with numbers in SI units, relative to an operating point that can vary.
+"""Calculation of points with numbers in SI units, relative to an operating point that varies.
 
-Points are solved together, as variants of a single case, if their loads have equal signs and the
-zeros among their numbers are at the same places. Their equations and the directions of drag are
-then equal.
+Points are variants of a common case if their loads have equal signs and the same numbers are 0.
+Their equations and the directions of drag are then equal.
 """
 
 from __future__ import annotations
@@ -31,34 +30,34 @@ from vstatics.core.statics.variants import (
 )
 
 RPM = 30 / math.pi
-"""Speed of 1 rad/s. [rpm]"""
+"""Conversion factor: 1 rad/s in rpm."""
 
 
 class GearLoad(NamedTuple):
-    """Operating points of a gear, arrays of shape (points,), if given."""
+    """Operating points of a gear: arrays of shape (points,), None if unknown."""
 
     speed: Floats | None
     """Input speed. [rad/s]"""
     torque: Floats | None
-    """Input torque; `turned` sets the sign required by `coast`. [N*m]"""
+    """Input torque; after `turned` with the sign that `coast` requires. [N*m]"""
     coast: bool | None = None
 
     def turned(self) -> GearLoad:
         """Return the operating points with the sign of the torque required by `coast`."""
         if self.coast is None or self.torque is None:
             return self
-        return self._replace(torque=np.abs(self.torque) * self._way)
+        return self._replace(torque=np.abs(self.torque) * self._sign)
 
     @property
-    def _way(self) -> Floats:
+    def _sign(self) -> Floats:
         """Sign of the torque: the sign of the speed, or the opposite when coasting."""
         way: Floats = np.sign(np.ones(1) if self.speed is None else self.speed)
         return -way if self.coast else way
 
     @property
     def torque_unit(self) -> Floats | None:
-        """Reference of relative torques, as in `Transmission.torque_unit` [N*m]."""
-        return None if self.torque is None else np.where(self.torque == 0, self._way, self.torque)
+        """Torque to which torques are relative, as in `Transmission.torque_unit` [N*m]."""
+        return None if self.torque is None else np.where(self.torque == 0, self._sign, self.torque)
 
     def unit_of(self, quantity: OfGear) -> Floats | None:
         """Return the speed or torque to which numbers of a quantity are relative [rad/s, N*m]."""
@@ -76,8 +75,8 @@ def solve_points(case: Transmission, columns: Columns, variants: int) -> Results
     Raises
     ------
     CaseError
-        If a number in SI units needs an operating point that is not given, or the case of a group
-        of points is not valid.
+        If a number in SI units needs a missing operating point, or the case of a group of points is
+        not valid.
     """
     loads = loads_of(case, columns, variants)
     _expect_loads(case, columns, loads)
@@ -102,10 +101,13 @@ def solve_points(case: Transmission, columns: Columns, variants: int) -> Results
 
 
 def loads_of(case: Transmission, columns: Columns, variants: int) -> list[GearLoad]:
-    """Return the operating points of each gear, which inherits omitted values from the case."""
+    """Return the operating points of each gear. The case supplies values that a gear omits."""
 
     def load(index: int, gear: Gear) -> GearLoad:
-        """Return the load of the case, overridden by the gear; a given power keeps P = T w."""
+        """Return the load of a gear; values of the case are defaults.
+
+        A prescribed power stays constant.
+        """
         speed: Floats | None = None
         torque: Floats | None = None
         power: float | None = None
@@ -132,7 +134,7 @@ def _filled(number: float | None, by: float, variants: int) -> Floats | None:
 
 
 def _expect_loads(case: Transmission, columns: Columns, loads: Sequence[GearLoad]) -> None:
-    """Raise CaseError for a number relative to an operating point that is not given."""
+    """Raise CaseError for a number that is relative to a missing operating point."""
     for index, quantity, owner in columns:
         if index is None or quantity not in OF_GEAR:
             continue
@@ -146,7 +148,7 @@ def _expect_loads(case: Transmission, columns: Columns, loads: Sequence[GearLoad
 
 
 def alike(columns: Columns, loads: Sequence[GearLoad], variants: int) -> Iterator[Integers]:
-    """Group the points that can be solved together; yield the indices of each group."""
+    """Group points that a common case can represent, and yield the indices of each group."""
     code = np.zeros(variants, dtype=np.int64)
     seen = {id(half): half for load in loads for half in load[:2] if half is not None}
     kinds = [np.sign(half).astype(np.int64) for half in seen.values()]
@@ -162,7 +164,7 @@ def alike(columns: Columns, loads: Sequence[GearLoad], variants: int) -> Iterato
 
 
 def with_numbers(case: Transmission, columns: Columns) -> Transmission:
-    """Return the case with the numbers of the first point, checked."""
+    """Return a checked case with the numbers of the first point."""
 
     def load(index: int | None, given_load: Load | None) -> Load | None:
         speed = columns.get(CaseNumber(index, "load.speed"))
@@ -191,7 +193,7 @@ def with_numbers(case: Transmission, columns: Columns) -> Transmission:
 def _relative(case: Transmission, index: int, columns: Columns, load: GearLoad) -> GearNumbers:
     """Return the numbers of a gear that vary, relative to the input speed or torque.
 
-    Fixed numbers with a unit are included, because their relative values vary with the load.
+    Constant numbers with a unit are included, because their relative values vary with the load.
     """
     numbers: dict[GearNumber, Floats] = {}
     gear = case.gears_with_drag[index]
@@ -213,7 +215,7 @@ def _relative(case: Transmission, index: int, columns: Columns, load: GearLoad) 
 
 
 class _PointData:
-    """Collector of the data for results in rpm, N*m and kW, filled group by group of points."""
+    """Data for results in rpm, N*m and kW, collected from groups of points."""
 
     def __init__(self, case: Transmission, loads: Sequence[GearLoad], variants: int) -> None:
         shape = variants, len(case.gears)
@@ -236,7 +238,7 @@ class _PointData:
         by_gear: Sequence[GearNumbers],
         loads: Sequence[GearLoad],
     ) -> None:
-        """Store the data of the chosen points, a group that a single case represents."""
+        """Store the data of the points with the indices `chosen`, which `case` represents."""
         for n, gear in enumerate(case.gears):
             unit = loads[n].torque_unit
             if unit is not None:

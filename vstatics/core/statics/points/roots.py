@@ -1,9 +1,9 @@
-"""Search for the unknown number of each gear that makes a surplus vanish, at all points at once.
+"""Search for an unknown number of each gear at which a surplus is 0, at all points at once.
 
 The unknown number is a torque that balances a battery, or the speed ratio of a converter. The
-surplus (of power or torque) is a nearly piecewise linear function of it, calculated on a grid of
-trial numbers. Roots are searched for in the first few intervals in which the sign of the surplus
-changes, by the Illinois rule (Dowell, Jarratt 1971) and bisection.
+surplus (of power or torque) is a nearly piecewise linear function of the number, calculated on a
+grid of trial numbers. The root in an interval with a sign change is found by the Illinois rule
+(Dowell, Jarratt 1971) and bisection.
 """
 
 from __future__ import annotations
@@ -20,14 +20,14 @@ from vstatics.core.statics.points.paths import CaseNumber, Columns
 from vstatics.core.statics.results import Results
 
 EDGE_STEPS = 50
-"""Number of bisections for the limit beyond which a gear has no torques."""
+"""Number of bisections for the trial number beyond which a gear has no torques."""
 MOST_ROOT_STEPS = 100
 """Largest number of iterations for a root."""
 MOST_POINTS_AT_ONCE = 100_000
-"""Largest number of points calculated at once, to limit memory."""
+"""Largest number of points calculated together, to limit memory."""
 
 Follow = Callable[[Columns, int], Followed]
-"""Function that solves a number of points, given columns of varied numbers, including laws."""
+"""Function that calculates points, from the varied numbers and the number of points."""
 
 
 class Unknown(Protocol):
@@ -42,13 +42,13 @@ class Unknown(Protocol):
         """Key of the unknown number in the columns of varied numbers."""
 
     def surplus(self, results: Results) -> Floats:
-        """Return the quantity that vanishes at a root, shape (points,); NaN without torques."""
+        """Return the quantity that is 0 at a root, shape (points,); NaN without torques."""
 
     def size(self, results: Results) -> Floats:
-        """Return the reference magnitude for a relative surplus, shape (points,)."""
+        """Return the magnitude to which the surplus is compared, shape (points,)."""
 
     def at(self, points: Integers) -> Self:
-        """Return the unknown restricted to chosen points, given by indices."""
+        """Return the unknown for the points with the indices `points`."""
 
 
 U = TypeVar("U", bound=Unknown)
@@ -60,7 +60,7 @@ class Roots(NamedTuple):
     values: Floats
     """Roots in the order of the grid, shape (roots, points), padded with NaN."""
     has_surplus: Booleans
-    """Marks of points at which the surplus exists for some trial number, shape (points,)."""
+    """Flags of points at which the surplus exists for any trial number, shape (points,)."""
 
     @property
     def first(self) -> Floats:
@@ -90,15 +90,15 @@ def find_roots(  # noqa: PLR0913
     Parameters
     ----------
     grids : mapping of Unknown to ndarray, shape (trials, points)
-        Trial numbers in ascending or descending order; all unknowns have the same number of trials.
+        Trial numbers in ascending or descending order, equally many for all unknowns.
     columns : mapping
         Varied numbers.
     follow : callable
-        Function that solves points with given numbers.
+        Function that calculates points with known numbers.
     most : int
         Largest number of sign changes in which a root is searched for.
     agreed : float
-        Largest relative surplus at a root; a sign change with a larger surplus is a jump. [-]
+        Largest relative surplus at a root. A sign change with a larger surplus is a jump. [-]
     enough : float
         Relative surplus at which the search for a root ends. [-]
     """
@@ -127,10 +127,7 @@ def find_roots(  # noqa: PLR0913
 
 
 def _surpluses(grids: Mapping[U, Floats], columns: Columns, follow: Follow) -> dict[U, Floats]:
-    """Return the surplus (0 at a root) of each unknown for all trial numbers.
-
-    The shape of each surplus is (trials, points).
-    """
+    """Return the surplus of each unknown for all trial numbers, shape (trials, points)."""
     trials, variants = next(iter(grids.values())).shape
     at_once = max(1, MOST_POINTS_AT_ONCE // variants)
     surpluses: dict[U, list[Floats]] = {unknown: [] for unknown in grids}
@@ -152,9 +149,9 @@ def _with_edges(
 ) -> tuple[Floats, Floats]:
     """Insert a row after each row of trials and surplus, both of shape (trials, points).
 
-    Friction can lock a gear, so that only one of two neighbouring trials has torques. The new row
-    then contains the limit up to which torques exist, from bisection, so that a sign change before
-    this limit is not missed. Otherwise the new row repeats the first of the two trials.
+    If friction locks a gear at only one of two neighbouring trials, the new row contains the limit
+    up to which torques exist. A sign change before this limit is then not missed. Otherwise the new
+    row repeats the row before.
     """
     lacks = np.isnan(surplus)
     wide = np.abs(trials[1:] - trials[:-1]) > SAME_TRIAL * np.abs(trials[1:])
@@ -179,9 +176,9 @@ def _with_edges(
 def _ends(
     trials: Floats, surplus: Floats, turn: int
 ) -> tuple[Floats, Floats, Floats, Floats, Booleans]:
-    """Return the trials and surpluses at both ends of a sign change, and flags of existence.
+    """Return trials and surpluses before and after a sign change, and flags of existence.
 
-    `turn` selects the sign change of each point, counted from 0.
+    `turn` is the number of the sign change at each point, from 0.
     """
     signs = np.sign(surplus)
     change = (signs[1:] * signs[:-1] < 0) | ((signs[1:] == 0) & (signs[:-1] != 0))
@@ -207,11 +204,11 @@ def _iterate(
 
 
 class _RootSearch:
-    """Search for roots between two ends, at all points at once.
+    """Search for roots between two numbers (the ends), at all points at once.
 
-    The Illinois rule (regula falsi that halves the surplus of an end that stays) alternates with
-    bisection. A trial number without torques has no surplus: it counts as beyond the root if
-    `beyond`, else as before the root.
+    The Illinois rule is a regula falsi that halves the surplus of an end that stays. It alternates
+    with bisection. A trial number without torques counts as beyond the root if `beyond` is true,
+    else as before the root.
     """
 
     def __init__(  # noqa: PLR0913
@@ -258,13 +255,13 @@ class _RootSearch:
         self.side = np.where(same, 1, -1).astype(np.int8)
 
     def done(self, enough: float) -> bool:
-        """Return whether every root is within `enough` or cannot be improved."""
+        """Return whether every root is accurate to `enough` or cannot be improved."""
         width = np.abs(self.high - self.low)
         narrow = width <= 4 * EPSILON * np.maximum(np.abs(self.low), np.abs(self.high))
         return bool((~self.is_there | narrow | (self.left <= enough)).all())
 
     def beyond_gap(self) -> _RootSearch:
-        """Return a search for roots beyond the range of numbers without torques."""
+        """Return a search for roots beyond the numbers that have no torques."""
         return _RootSearch(*self.ends, self.is_there & self.gap & self.beyond, beyond=False)
 
     def stands(self, agreed: float) -> Booleans:

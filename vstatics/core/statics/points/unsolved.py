@@ -20,9 +20,9 @@ def unsolved_messages(
     Parameters
     ----------
     points : OperatingPoints
-        Operating point with the solved numbers, a single point.
+        Operating point with the solved numbers.
     answer : Followed
-        Solution with the states of gears, a single point.
+        Solution with the states of gears.
     """
     states = zip(case.gears, points.gears, answer.open[0].tolist(), strict=True)
     for number, (gear, with_torques, state) in enumerate(states):

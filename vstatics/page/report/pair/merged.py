@@ -1,6 +1,6 @@
-"""Tables of two cases merged into one: each row of A, then the row of B, then the change.
+"""Tables of two cases merged into one: each row of A, the row of B, and their change.
 
-Rows correspond if their names are equal, and columns if their headings are equal; so gears
+Rows correspond if their names are equal, and columns if their headings are equal. Gears therefore
 correspond by name.
 """
 
@@ -21,7 +21,7 @@ from vstatics.pictures.paged.marks import digits_of
 DIFFERS, CHANGE = "differs", "change"
 """CSS class of cells that differ between the cases, and label of rows with changes."""
 UNEQUAL = Cell("\N{NOT EQUAL TO}", says=DIFFERS)
-"""Cell for a change that is not a percentage, such as of a text, or from zero."""
+"""Cell of a change that is not a percentage, for example of a text or from zero."""
 MOST_WORDS = 3
 """Largest number of leading text columns that together identify a row."""
 _Keys = Mapping[Hashable, list[Cell]]
@@ -71,13 +71,13 @@ def merged(both: Sequence[Grid], labels: str) -> Grid:
 
 
 def _columns(grid: Grid) -> dict[Hashable, tuple[int, Column]]:
-    """Return each column with the index, by heading; repeated headings have different keys."""
+    """Return each column with its index, by heading; repeated headings have different keys."""
     keys = _numbered([column.heading for column in grid.columns])
     return {key: (place, grid.columns[place]) for place, key in enumerate(keys)}
 
 
 def _numbered(keys: Sequence[Hashable]) -> list[Hashable]:
-    """Return each key with the number of earlier occurrences, so that all results are different."""
+    """Return each key with the number of its earlier occurrences, so that the results differ."""
     seen: Counter[Hashable] = Counter()
     numbered: list[Hashable] = []
     for key in keys:
@@ -107,7 +107,7 @@ def _spread(
     columns: Mapping[Hashable, tuple[int, Column]],
     places: Mapping[Hashable, object],
 ) -> list[Cell | None] | None:
-    """Return a row for the columns of both tables, with gaps for missing columns."""
+    """Return a row arranged in the columns of both tables, with gaps for missing columns."""
     if row is None:
         return None
     return [row[columns[key][0]] if key in columns else None for key in places]
@@ -116,7 +116,7 @@ def _spread(
 def _lines(
     pair: Sequence[list[Cell | None] | None], labels: str
 ) -> Iterator[tuple[int, list[Cell]]]:
-    """Yield the rows of both cases and the row of changes, each row a level deeper."""
+    """Yield the rows of both cases and their change, each a level deeper."""
     old, new = pair
     same = [True] * len(old or new or ())
     if old and new:
@@ -146,7 +146,7 @@ def _line(row: Sequence[Cell | None], label: str, same: Sequence[bool]) -> list[
 
 
 def _of_case(cell: Cell, label: str) -> Cell:
-    """Mark a cell with the letter of the case and, for a number, with all digits."""
+    """Mark a cell with the letter of its case and, for a number, with all digits."""
     if cell.value is None:
         return cell._replace(marks={**cell.marks, "case": label}) if cell.marks else cell
     return cell._replace(marks={"number": digits_of(cell.value), **cell.marks, "case": label})
@@ -161,7 +161,7 @@ def _are_same(old: Cell | None, new: Cell | None) -> bool:
 
 
 def _change(first: Cell | None, second: Cell | None) -> Cell:
-    """Return a cell with the relative change of a number, or with a not-equal sign."""
+    """Return the cell of the relative change of a number, or of a not-equal sign."""
     old, new = (
         cell.value
         if cell is not None and cell.value is not None and cell.kind is float
@@ -175,7 +175,7 @@ def _change(first: Cell | None, second: Cell | None) -> Cell:
 def _head(
     key: Hashable, columns: Sequence[Mapping[Hashable, tuple[int, Column]]], labels: str
 ) -> Column:
-    """Return the merged column of a heading, with a note if a case lacks the column."""
+    """Return the merged column of a heading, with a note if either case lacks it."""
     owners = [
         label
         for label, columns_of_case in zip(labels, columns, strict=True)
@@ -184,7 +184,7 @@ def _head(
     column = next(columns_of_case[key][1] for columns_of_case in columns if key in columns_of_case)
     if len(owners) == len(labels):
         return column
-    # Headings below a common heading are names, which are not translated.
+    # Headings below a common heading are names, so they are not translated.
     name = column.heading if column.over or column.is_name else heading(column.heading)
     over = f"{tr(column.over)} {tr('only in {case}', case=owners[0])}".strip()
     return column._replace(heading=name, over=over)

@@ -1,4 +1,4 @@
-"""Page of two cases: changes of the input and of the results."""
+"""Page of two cases: changes of their input and of their results."""
 
 from __future__ import annotations
 
@@ -38,11 +38,11 @@ ON_ONE_SCALE = ("steps", "efficiency")
 OF_SHIFTS = ("transitions", "margins", "margins by gear", "needed capacity")
 LARGEST = ("planets", "shift elements", "planets with load", "shift elements with load")
 SIGN = "Changes are relative to the magnitude of A; they are negative where a number decreases."
-"""Text on the page that explains the sign of changes, which is the sign in `compare`."""
+"""Text on the page about the sign of changes, which is the sign in `compare`."""
 
 
 def pair_page(both: Sequence[PagedCase], stamp: Mapping[str, str] | None = None) -> str:
-    """Return the page of two cases, with corresponding numbers in successive rows.
+    """Return the page of two cases, whose corresponding numbers are in successive rows.
 
     Examples
     --------
@@ -143,7 +143,7 @@ def _results(both: Sequence[PagedCase]) -> Iterator[Grid]:
 
 
 def _overview(both: Sequence[PagedCase], verdict: CaseVerdict) -> Iterator[Markup]:
-    """Yield the verdict on the comparison, the main figures, and the messages of each case."""
+    """Yield the verdict of the comparison, and the main figures and messages of each case."""
     headline = verdict.headline.removeprefix(f"{verdict.name}: ")
     yield tag("p", f"{headline[:1].upper()}{headline[1:]}.", class_="verdict")
     yield table(merged_tables(both, [_figures(case.material) for case in both]), headed=False)
@@ -177,7 +177,7 @@ def _figures(material: Material) -> Grid:
 
 
 def _changes(both: Sequence[PagedCase], verdict: CaseVerdict) -> Iterator[Markup]:
-    """Yield the changes of the input data, named by paths as in a sweep."""
+    """Yield the changes of input data, named by paths as in a sweep."""
     if not verdict.case:
         yield tag("p", tr("The cases are the same, but perhaps for names and descriptions."))
         return
@@ -188,7 +188,7 @@ def _changes(both: Sequence[PagedCase], verdict: CaseVerdict) -> Iterator[Markup
 
 
 def _gears_of_one(both: Sequence[PagedCase]) -> Iterator[Markup]:
-    """Yield notes about gears that are missing in either case."""
+    """Yield notes about gears that either case lacks."""
     names = [[gear.name for gear in case.material.results.case.gears] for case in both]
     for case, gears, others in zip(both, names, reversed(names), strict=True):
         alone = [name for name in gears if name not in others]
@@ -203,7 +203,7 @@ def _gears_of_one(both: Sequence[PagedCase]) -> Iterator[Markup]:
 
 
 def _pictures(both: Sequence[PagedCase]) -> Iterator[Markup]:
-    """Yield stick diagrams of both cases, side by side on a screen, and charts on equal scales."""
+    """Yield stick diagrams of both cases side by side, and charts on common scales."""
     try:
         require("plot", "a picture")
     except CaseError as error:

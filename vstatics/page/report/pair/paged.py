@@ -1,4 +1,4 @@
-"""Contents of each case on a page of two cases, and merged tables of both."""
+"""Contents of each of two cases on a page, and their merged tables."""
 
 from __future__ import annotations
 
@@ -19,15 +19,15 @@ NO_PICTURES = Pictures()
 
 
 class PagedCase(NamedTuple):
-    """Case on a page that compares two cases, with the contents."""
+    """Case on a page that compares two cases, with its contents."""
 
     label: str
     """Letter of the case, A or B."""
     file: str
-    """Name of the file without the folder."""
+    """Name of the file without its folder."""
     material: Material
     motion: PicturedRun | None = None
-    """Simulated run of a scenario, if given."""
+    """Simulated run of a scenario, if any."""
 
     @property
     def title(self) -> str:
@@ -45,7 +45,7 @@ def paged(  # noqa: PLR0913, PLR0917 - as `gather`
     naming: Naming = UNNAMED,
     motion: PicturedRun | None = None,
 ) -> PagedCase:
-    """Return a case with the contents for the page; parameters as in `gather`."""
+    """Return a case with its contents for the page; parameters as in `gather`."""
     quick = AskedPage([key for key in SECTIONS if key not in report_parts()])
     options: dict[str, Any] = {"asked": quick, "has_marks": True, "drawn": NO_PICTURES}
     material = gather(results, problems, digits, None, naming, **options)

@@ -1,8 +1,8 @@
-"""Marks on tables for the tools of a page: links of each row, unit of each number.
+"""Marks on tables for the tools of a page: links of each row, and unit of each number.
 
 ``data-links`` in the first cell of a row contains the indices of its links. ``data-unit`` is the
-present unit of a number, ``data-scaled`` the unit that it would have at an operating point. Results
-have ``data-result`` instead, whose units `toolbar` lists once for all tables.
+present unit of a number, and ``data-scaled`` its unit at an operating point. Results have
+``data-result`` instead, whose units `toolbar` lists once for all tables.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from vstatics.core.tables.grid import Cell, Column, Grid
 from vstatics.core.tables.quantities import UNITS
 
 RELATIVE = "\N{MULTIPLICATION SIGN} input"
-"""Heading that replaces a unit for numbers relative to the input."""
+"""Heading, instead of a unit, of numbers relative to the input."""
 LOSS_SHARE = "loss_share"
 POWERS = {
     "ideal": "power",
@@ -27,14 +27,14 @@ POWERS = {
     "loss, kW": "power_loss_kW",
     "share, %": LOSS_SHARE,
 }
-"""Keys of quantities, by the heading of the column in the table of powers of a gear."""
+"""Keys of quantities by their heading in the table of powers of a gear."""
 PartLinks = Callable[[str], Sequence[int]]
-"""Function that returns the indices of the links of a component with a name."""
+"""Function from the name of a component to the indices of its links."""
 _RELATIVE = {"speed": "rpm", "slip": "rpm", "torque": "Nm", "with losses": "Nm"}
 _RELATIVE |= {"power": "kW", "capacity": "Nm"}
-"""Units that relative numbers have at an operating point, by the heading of the column."""
+"""Units of relative numbers at an operating point, by heading of the column."""
 _IN_UNITS = ("planets", "shift elements", "margins", "needed capacity", "slip power", "ports")
-"""Keys of the tables that have both columns of relative numbers and columns in units."""
+"""Keys of tables with columns of relative numbers as well as columns with units."""
 
 
 def with_tool_marks(grid: Grid, case: Transmission) -> Grid:
@@ -55,7 +55,7 @@ def with_tool_marks(grid: Grid, case: Transmission) -> Grid:
 
 
 def marked_links(grid: Grid, case: Transmission) -> Grid:
-    """Mark the rows of powers of a gear with links; a heading has the links of all rows below."""
+    """Mark the rows of a gear's powers with links; a heading has the links of all its rows."""
     find = _named(case)["power through"]
     kinds = {"links": _links(case)}
     rows, links_of_row, kind = [row[:] for row in grid.cells], [set[int]() for _ in grid.rows], find
@@ -91,7 +91,7 @@ def _of_links(cell: Cell, links: Sequence[int]) -> Cell:
 
 
 def _named(case: Transmission) -> dict[str, PartLinks]:
-    """Return functions from names to links, by the heading of the column of names."""
+    """Return functions from names to link indices, by heading of the column of names."""
     elements = {part.name: _indices(part.links) for part in case.shift_elements}
     devices, members, planets = (dict[str, list[int]]() for _ in range(3))
     for part in case.mechanisms:
@@ -129,7 +129,7 @@ def _links(case: Transmission) -> PartLinks:
 
 
 def _indices(links: Iterable[int]) -> list[int]:
-    """Return the indices of links, sorted, without the housing."""
+    """Return the indices of links, sorted and without the housing."""
     return sorted({link - 1 for link in links if link})
 
 
@@ -161,7 +161,7 @@ def _unit(column: Column) -> dict[str, str]:
 
 
 def _gears(columns: Sequence[Column], row: Sequence[Cell]) -> Iterator[dict[str, str]]:
-    """Yield the gear of each cell, from the heading of the column or else from the row."""
+    """Yield the gear of each cell, from the heading of its column or else from the row."""
     first = row[0].text if columns[0].heading == "gear" else ""
     for place, _ in enumerate(columns):
         after = place + 1

@@ -1,4 +1,4 @@
-"""Input fields of the tools of a page, and data about cases and units for their script."""
+"""Input fields of the tools of a page, and data about cases and units for the script."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from vstatics.core.texts import tr
 from vstatics.page.report.tools.marks import LOSS_SHARE, POWERS, RELATIVE
 
 US = {"Nm": "lbf*ft", "kW": "hp"}
-"""Units customary in the United States, by the replaced unit."""
+"""Units customary in the United States, by the unit that they replace."""
 CHOICES = {"relative": "relative", "si": "rpm, N*m, kW", "us": "US: rpm, lbf*ft, hp"}
-"""Systems of units that the reader can choose; the first is the default."""
+"""Systems of units among which the reader chooses; the first is the default."""
 
 
 def toolbar() -> Markup:
-    """Return the toolbar: choice of units, filter by a link, and button that saves the page.
+    """Return the toolbar: choice of units, filter by a link, and button for saving the page.
 
     >>> bar = toolbar()
     >>> bar.count("<option "), bar.count('type="search"'), bar.count("data-save=")
@@ -50,12 +50,12 @@ def toolbar() -> Markup:
 
 
 def tools_of(case: Transmission, label: str = "", digits: int | None = None) -> Markup:
-    """Return the data of a case for the script of the tools, as an element of a section.
+    """Return the data of a case for the script of the tools, as an HTML element.
 
     Parameters
     ----------
     label : str
-        Letter of one of two cases, equal to ``data-case`` of its numbers.
+        Letter of the case among two cases, as in ``data-case`` of its numbers.
     digits : int, optional
         Number of decimals.
     """
@@ -72,7 +72,7 @@ def tools_of(case: Transmission, label: str = "", digits: int | None = None) -> 
 
 
 def _known() -> dict[str, Any]:
-    """Return the units of all results, and the names, decimals and conversions of units."""
+    """Return the units of all results, and names, decimals and conversions of units."""
     results = {entry.name: _result(entry.of, entry.unit or entry.with_load) for entry in QUANTITIES}
     for name in POWERS.values():
         if name == LOSS_SHARE:
@@ -94,7 +94,7 @@ def _known() -> dict[str, Any]:
 def _result(
     of: str, in_unit: str, *, real: bool = False, is_in_unit: bool = False
 ) -> dict[str, Any]:
-    """Return the unit of a result at an operating point, with flags for the conversion."""
+    """Return the unit of a result at an operating point, with flags for its conversion."""
     entry = {"unit": in_unit}
     flags = {"own": is_in_unit or bool(of), "repeats": bool(of), "real": real}
     return entry | {key: True for key, holds in flags.items() if holds}

@@ -227,7 +227,7 @@ class AxesBoard:
         return at
 
     def ways(self, index: int) -> int:
-        """Return the number of ways to draw a station."""
+        """Return the number of variants in which a station can be drawn."""
         station = self.stations[index]
         if station.kind == "set":
             return len(station.glyphs)

@@ -37,7 +37,7 @@ def placed(
     """
     inner = list(row_sections(scheme, axes, sections, is_ordered=style.ordered))
     chosen = _chosen(scheme, axes, inner)
-    # A link would pass through a half-section: all components are drawn as separate stations.
+    # If a link would pass through a half-section, all components are drawn as separate stations.
     if chosen is None:
         inner, chosen = [], _chosen(scheme, axes, [])
     assert chosen is not None  # noqa: S101 - without half-sections, no link can pass through one

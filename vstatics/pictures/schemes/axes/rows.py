@@ -32,7 +32,7 @@ class AxisRows(NamedTuple):
     """Side of each axis on which links are drawn: 1 above, -1 below."""
 
     def between(self, axes: Sequence[int]) -> list[int]:
-        """Return the axes from the first to the last of some axes, both included."""
+        """Return two axes and all axes drawn between them."""
         low, high = sorted(self.heights[axis] for axis in axes)
         inside = [axis for axis in self.order if low <= self.heights[axis] <= high]
         return [*inside, *(axis for axis in axes if axis not in inside)]

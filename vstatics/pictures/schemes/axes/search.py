@@ -105,7 +105,7 @@ def _turned(board: AxesBoard, chosen: StationOrder, *, index: int) -> Iterator[S
 
 
 def _rerouted(board: AxesBoard, chosen: StationOrder) -> Iterator[StationOrder]:
-    """Yield choices with a link as drum or as shaft, or an input or output at the other end."""
+    """Yield choices with a link changed to a drum or shaft, or a port moved to the other end."""
     for link in board.axis_of:
         if link in board.may_be_drums:
             rerouted = chosen._replace(drums=chosen.drums ^ {link})

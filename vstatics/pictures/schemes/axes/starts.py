@@ -11,7 +11,7 @@ IN_CHAINS = frozenset({"coupling", "pair"})
 
 
 def starts(board: AxesBoard) -> Iterator[StationOrder]:
-    """Yield an order along the shafts and, for small boxes, the order of the case."""
+    """Yield an order along the shafts and, for small gearboxes, the order of the case."""
     count = len(board.stations)
     ways = (0,) * count
     right = frozenset(port.link for port in board.ports if port.role != "input")

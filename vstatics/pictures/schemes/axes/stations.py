@@ -116,7 +116,7 @@ def _section(layout: CoaxialLayout, axes: ParallelAxes) -> Station:
 
 
 def _stacked(stations: Sequence[Station]) -> Iterator[Station]:
-    """Yield the stations, with couplings between equal links stacked as a single station."""
+    """Yield the stations; couplings between the same two links become a single station."""
     taken: set[int] = set()
     for place, station in enumerate(stations):
         if place in taken:
@@ -169,7 +169,7 @@ def box_note(device: Device, style: Style) -> str:
 
 
 def set_ways(device: Device, style: Style) -> list[Glyph]:
-    """Return all ways to draw a planetary gear set with the carrier; empty for other kinds."""
+    """Return all ways to draw a planetary gear set; empty for other components."""
     if device.element is not None:
         if not isinstance(device.element.shape, Planetary):
             return []

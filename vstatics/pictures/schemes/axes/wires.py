@@ -13,7 +13,7 @@ from vstatics.pictures.schemes.axes.places import AxesPlaces
 from vstatics.pictures.schemes.axes.stations import Station
 
 STACK = 27.0
-"""Vertical distance between symbols that connect equal links. [pt]"""
+"""Vertical distance between symbols that connect the same two links. [pt]"""
 TOO_NEAR = 2.5
 """Distance below which two vertical lines look like a single line. [pt]"""
 EPSILON = 0.01

@@ -29,7 +29,7 @@ Each variant contains the number of letters per line, True to name only the link
 axis, and True to label gears by tooth numbers without names.
 """
 MOST_SHRUNK_NAMED = 2.5
-"""Largest letter-to-length ratio with named links and gears; beyond, symbols are too small. [-]"""
+"""Largest letter-to-length ratio with named gears; above it, symbols are too small. [-]"""
 MOST_SHRUNK = 4.0
 """Largest ratio of letters to lengths; wider pictures exceed the width of the page. [-]"""
 FITS, SLOW_FITS = 16, 5

@@ -200,7 +200,7 @@ class _FrameMaker:
         )
 
     def _nearest(self, first_link: int, second_link: int, place: int) -> list[Bar]:
-        """Return the two bars at a place or, for place -1, the nearest bars of two links."""
+        """Return the bars `place` and `place` + 1 or, for -1, the nearest bars of the two links."""
         if place >= 0:
             return (self.below + self.above)[place : place + 2]
         bars = list(enumerate(self.below + self.above))

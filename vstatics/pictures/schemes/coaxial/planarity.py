@@ -13,7 +13,7 @@ from math import prod
 from vstatics.pictures.schemes.coaxial.train import AXIS, HOUSING_VERTEX, CoaxialTrain, Planes
 
 MOST_GRAPHS = 512
-"""Number of ways to split carriers up to which all ways are tried; beyond, carriers stay whole."""
+"""Largest number of ways to split carriers that are all tried; with more, carriers stay whole."""
 _Vertex = int | tuple[int, int]
 _Joined = tuple[_Vertex, _Vertex]
 _NumberedSet = tuple[int, Planes]
@@ -65,7 +65,7 @@ def has_half_section(train: CoaxialTrain, left_out: int = 0) -> bool:
 def _ways(
     train: CoaxialTrain, apart: Mapping[int, Sequence[_NumberedSet]], left_out: int
 ) -> list[list[list[_Joined]]]:
-    """Return the alternative ways to draw each edge or group of edges."""
+    """Return the alternative drawings of each edge or group of edges."""
     ends = {link: list(chain(*map(_ends, sets))) for link, sets in apart.items()}
 
     def joined(

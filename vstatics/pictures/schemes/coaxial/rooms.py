@@ -1,4 +1,4 @@
-"""Rectangles that the parts of a half-section need, and points where uprights meet bars."""
+"""Rectangles that symbols and texts of a half-section need, and points where uprights meet bars."""
 
 from __future__ import annotations
 

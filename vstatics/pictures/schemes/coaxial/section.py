@@ -86,7 +86,7 @@ def coaxial_scheme(
     supports = count(len(scheme.links) + 1)
 
     def with_support(link: int) -> int:
-        """Number a fixed member as a separate link, because of the separate support in drawings."""
+        """Return the number of a link, a new one for each fixed member with its own support."""
         return next(supports) if link == HOUSING else link
 
     planes = [

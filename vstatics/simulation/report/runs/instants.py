@@ -11,9 +11,9 @@ import numpy as np
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 
 NEAR = 5e-4
-"""Allowed deviation of straight lines from a column, relative to the range of the column.
+"""Allowed deviation of straight lines from a column, relative to the column's range.
 
-It is half of a visible difference.
+This is half of a visible difference.
 """
 
 
@@ -21,18 +21,18 @@ class ChosenInstants(NamedTuple):
     """Chosen instants of a run."""
 
     mask: Booleans
-    """True for the chosen instants."""
+    """True for each chosen instant."""
     off: float
-    """Largest deviation of the lines from a column, relative to the range of the column. [-]"""
+    """Largest deviation of the lines from a column, relative to the column's range. [-]"""
 
 
 def chosen_instants(
     times: Floats, columns: Floats, most: int, must: Floats | tuple[float, ...] = ()
 ) -> ChosenInstants:
-    """Choose the instants that draw columns with straight lines, largest deviation first.
+    """Choose instants between which straight lines draw the columns, largest deviation first.
 
-    Ends, jumps, extremes of each column, required times, and both neighbours of undefined values
-    are always chosen.
+    Always chosen are ends, jumps, extremes of each column, required times, and both neighbours of
+    undefined values.
 
     Parameters
     ----------
@@ -40,7 +40,7 @@ def chosen_instants(
         Sorted times; an instant of a jump appears twice. [s]
     columns : ndarray, shape (instants, columns)
     most : int
-        Largest number of instants, unless more are always chosen.
+        Largest number of instants, exceeded only by instants that are always chosen.
     must : sequence of float
         Times whose nearest instants are required. [s]
 
@@ -78,11 +78,11 @@ def chosen_instants(
 
 
 _Gap = tuple[float, int, int, int]
-"""Interval: negative largest deviation from the line; indices of first, farthest, last instant."""
+"""Interval: minus its largest deviation, and indices of its first, farthest and last instant."""
 
 
 def _gaps(chosen: Integers, times: Floats, values: Floats) -> Iterator[_Gap]:
-    """Yield the intervals between consecutive chosen instants that contain other instants."""
+    """Yield the intervals between consecutive chosen instants, if they contain other instants."""
     for first, last in zip(chosen[:-1].tolist(), chosen[1:].tolist(), strict=True):
         inner = slice(first + 1, last)
         if last - first < 2 or times[first] == times[last]:

@@ -1,6 +1,6 @@
 """Lever diagrams of a case, in which a script shows the speeds at the selected time.
 
-The points on a lever have true distances; speeds are drawn to the right of the points.
+Points on a lever have true distances; speeds are drawn to the right of the points.
 """
 
 from __future__ import annotations
@@ -17,9 +17,9 @@ from vstatics.pictures.lever.routes import LeverRow
 from vstatics.pictures.paged.drawn import PAGE, in_spoken
 
 BESIDE = 8.0
-"""Distance from a lever to the names of points, and to the speeds. [pt]"""
+"""Distance from a lever to the names of its points, and to the speeds. [pt]"""
 ACROSS = 130.0
-"""Width from the lowest to the highest speed of a run. [pt]"""
+"""Width from the lowest to the highest speed in the run. [pt]"""
 NUMBER = 48.0
 """Width of a printed speed. [pt]"""
 LARGER = 1.25
@@ -82,7 +82,7 @@ def _lever(case: Transmission, cell: LeverCell) -> Markup:
 def _point(
     case: Transmission, link: int, row: LeverRow, top: float, across: tuple[float, float]
 ) -> Markup:
-    """Return the line from the name of a link to the point on the lever, and the speed."""
+    """Return a point on the lever with the name of its link, and the speed next to it."""
     (at, wide), y, point = across, _length(top - row.y), _length(top - row.at)
     texts = row.name.split("\n")
     lines = [

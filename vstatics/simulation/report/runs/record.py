@@ -1,4 +1,4 @@
-"""Run as JSON data for the script of its page: columns, panels, states, gears, events."""
+"""Run as JSON data for the script of a page: columns, panels, states, gears, events."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from vstatics.simulation.report.runs.instants import chosen_instants
 from vstatics.simulation.tolerances import NO_RANGE
 
 MOST_NUMBERS = 25_000
-"""Largest number of values in all columns, about 140 kilobytes of a page."""
+"""Largest number of values in all columns, which take about 140 kilobytes of the page."""
 WORDS = ("gear", "open", "sticks", "slips")
 """Words that the script prints for a gear and for the states of shift elements."""
 _TABLES = {
@@ -35,11 +35,11 @@ _TABLES = {
     "acceleration": "vehicle_acceleration",
     "output": "output_torque",
 }
-"""Names of tables by kind of panel; other kinds are names of tables."""
+"""Kind of panel -> name of its table; other kinds are themselves names of tables."""
 
 
 class _RunColumns:
-    """Columns of a run in a page; equal columns are stored once."""
+    """Columns of a run on a page; equal columns are stored once."""
 
     def __init__(self) -> None:
         self.values: list[Floats] = []
@@ -47,7 +47,7 @@ class _RunColumns:
         self._places: dict[bytes, int] = {}
 
     def add(self, table: str, values: Floats) -> int:
-        """Add a column of a table, and return the index of the column."""
+        """Add a column of a table, and return its index."""
         place = self._places.setdefault(values.tobytes(), len(self.values))
         if place == len(self.values):
             self.values.append(values)
@@ -55,7 +55,7 @@ class _RunColumns:
         return place
 
     def moving(self) -> Iterator[Floats]:
-        """Yield the columns that change by more than the rounding noise of the table."""
+        """Yield the columns that change by more than the rounding noise of their table."""
         peaks = [float(np.fmax.reduce(np.abs(values))) for values in self.values]
         largest: dict[str, float] = {}
         for table, peak in zip(self._tables, peaks, strict=True):
@@ -70,13 +70,13 @@ class PageRun(NamedTuple):
 
     motion: Motion
     off: float
-    """Largest deviation of straight lines from a column, relative to the column range. [-]"""
+    """Largest deviation of straight lines from a column, relative to the column's range. [-]"""
 
 
 def page_run(results: Results, motion: Motion) -> PageRun:
     """Reduce a run to instants between which straight lines are accurate.
 
-    Events and extremes of all columns are included.
+    The instants include events and the extremes of all columns.
     """
     columns = _RunColumns()
     data = _data(results, motion, columns)
@@ -147,8 +147,9 @@ def _data(results: Results, motion: Motion, columns: _RunColumns) -> dict[str, A
 def _packed(values: Floats) -> str:
     """Encode numbers without loss in base64, byte position by byte position.
 
-    The least significant bytes of all numbers come first, the bytes with sign and exponent last:
-    similar bytes are adjacent and compress well. A constant column is encoded as one number.
+    The least significant bytes of all numbers come first, the bytes with sign and exponent last.
+    Adjacent bytes are therefore similar and compress well. A constant column is encoded as a single
+    number.
 
     >>> _packed(np.array([1.0, 2.0])), _packed(np.array([1.0, 1.0]))
     ('AAAAAAAAAAAAAAAA8AA/QA==', 'AAAAAAAA8D8=')
@@ -213,7 +214,7 @@ def _lines(
 def _heading(table: str, name: str, motion: Motion) -> str:
     """Return the heading of a column as in `vstatics simulate -f csv`: ``speeds[in]``.
 
-    The heading of the output torque, or of a column without a name, is the name of the table.
+    The output torque, or a column without a name, has the name of the table as its heading.
     """
     names = {"speeds": motion.links, "slips": motion.elements, "torques": motion.devices}
     rows: Sequence[str] = names.get(table, (name,))
@@ -223,7 +224,7 @@ def _heading(table: str, name: str, motion: Motion) -> str:
 
 
 def _look(look: Look) -> dict[str, Any]:
-    """Return colour name and dash pattern of a line; the pattern is shifted to begin at 0 [pt].
+    """Return a line's colour name and dash pattern [pt]; the pattern is shifted to begin at 0.
 
     >>> _look({"color": Style().colour(1), "linestyle": (10.0, (5.0, 10.0))})
     {'colour': 'colour1', 'dash': (0.0, 5.0, 5.0, 5.0)}
@@ -231,6 +232,6 @@ def _look(look: Look) -> dict[str, Any]:
     dash: tuple[float, ...] = ()
     if not isinstance(look["linestyle"], str):
         start, dash = look["linestyle"]
-        if start:  # an offset lets dashes of several lines alternate
+        if start:  # the dashes of two lines alternate by an offset
             dash = (0.0, sum(dash) - start, dash[0], start - dash[0])
     return {"colour": colour_name(look["color"]), "dash": dash}

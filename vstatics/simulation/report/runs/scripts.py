@@ -17,5 +17,5 @@ SCRIPTS = (
     _resource("panels.js"),
     _resource("run.js"),
 )
-"""Plotting library uPlot with licence, then the scripts of a run."""
+"""Plotting library uPlot with its licence, then the scripts of a run."""
 STYLE = Markup(f"{_resource('uPlot.min.css').strip()}\n{_resource('run.css')}")

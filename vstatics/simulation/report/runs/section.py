@@ -1,4 +1,4 @@
-"""HTML of the interactive run, for the scripts of `scripts`."""
+"""HTML of the interactive run, for the JavaScript of module `scripts`."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _BUTTONS = {
 
 
 def moving_run(results: Results, motion: Motion, stick: Drawn) -> Markup:
-    """Return panels, levers, stick diagram and tables of a run; without JavaScript all are hidden.
+    """Return panels, levers, stick diagram and tables of a run, all hidden without JavaScript.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Requirements of a search as arrays, and work arrays to search a choice of input and output."""
+"""Arrays for the compiled search: wanted ratios and tolerances, and work arrays."""
 
 from __future__ import annotations
 
@@ -21,26 +21,26 @@ from vstatics.synthesis.tolerances import TARGET_MARGIN
 
 @cache
 def asked_arrays(search: BoxSearch) -> Asked:
-    """Return the requirements of a search as arrays."""
+    """Return the wanted ratios of a search, their tolerance ranges and the bounds, as arrays."""
     targets = np.array(search.targets, dtype=float)
     widths = np.array(search.widths)
     factors = np.exp(widths + TARGET_MARGIN)
     ends = np.sort([targets / factors, targets * factors], axis=0)
-    # An additional target stands for the sequence: every forward ratio reaches it.
+    # The additional target represents the sequence: every forward ratio is in its range.
     if search.sequence is not None:
         ends = np.append(ends, [[1 / LARGEST_BOX_RATIO], [LARGEST_BOX_RATIO]], axis=1)
     return Asked(targets, ends[0], ends[1], widths, *search.bounds)
 
 
 def single_shifts(search: BoxSearch) -> Integers:
-    """Return the pairs of targets (wanted ratios) that must differ by a single exchange."""
+    """Return the pairs of targets (wanted gears) that must differ by a single shift element."""
     in_turn = search.singly and search.sequence is None
     return neighbours(search.targets if in_turn else ())
 
 
 @lru_cache(maxsize=32)
 def room_of(search: BoxSearch, most: int, thread: int) -> Room | RoomOfSequences:  # noqa: ARG001
-    """Return the work arrays to search a choice of input and output, separate for each thread."""
+    """Return the work arrays for one choice of input and output, separate for each thread."""
     table = combinations_table(search.moving, search.engaged, search.elements)
     asked = asked_arrays(search)
     wanted = sequence_of(search.sequence, singly=search.singly)

@@ -20,8 +20,7 @@ from vstatics.synthesis.boxes.schemes.stems import stems
 PIECE, LONGEST_PIECE = 0.5, 5.0
 """Estimated time of a piece, in a short search and in a long search. [s]"""
 MOST_SHORT_PIECES = 2000
-"""Largest number of pieces of length `PIECE`; with short pieces, interrupted searches have results.
-"""
+"""Largest number of pieces of length `PIECE`; longer searches have longer pieces."""
 SAMPLED_CHOICES = 24
 """Number of choices of input and output in the sample that estimates the total time."""
 DEPTH = Depth(firsts=8, sets=12, seconds=0.2)
@@ -73,7 +72,7 @@ def ranges(search: BoxSearch, piece: int, count: int) -> Iterator[BoxScheme]:
 
 
 def _part(schemes: list[BoxScheme], first: int, last: int, weight: int) -> Iterator[BoxScheme]:
-    """Yield the schemes with the choices of ports in a range of the weight of a stem."""
+    """Yield the schemes of a stem, with the choices of ports in a range of the stem's weight."""
     total = sum(len(scheme.ports) for scheme in schemes)
     low, high = (min(max(place, 0), weight) * total // weight for place in (first, last))
     for scheme in schemes:

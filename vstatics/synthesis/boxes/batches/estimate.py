@@ -16,7 +16,9 @@ from vstatics.synthesis.boxes.search.joining import NO_END
 ENOUGH = 3.0
 """Time after which no further choice of input and output is sampled. [s]"""
 FEW_SCHEMES, FEW_PORTS = 40, 300
-"""Largest numbers of schemes and of ports of a search that is carried out instead of estimated."""
+"""Largest numbers of schemes, and of choices of input and output, of a search that is carried out
+instead of estimated.
+"""
 LEAST_WORK = 1e-9
 """Lower limit of the expected time of all samples, to avoid a division by zero. [s]"""
 DEPTH = Depth(firsts=16, sets=24, seconds=0.5)
@@ -77,7 +79,7 @@ def _of_all(search: BoxSearch) -> BoxEstimate | None:
 
 
 def _of_some(search: BoxSearch) -> BoxEstimate:
-    """Extrapolate from a sample of input and output; a scheme is prepared once for all."""
+    """Extrapolate the counts and times from a sample of choices of input and output."""
     began = time.process_time()
     seen: list[tuple[float, Tried]] = []
     count, ready = 0, 0.0
@@ -95,7 +97,7 @@ def _of_some(search: BoxSearch) -> BoxEstimate:
         for name in ("searched", "found")
     )
     seconds = ready / count
-    # Scale the expected times by the measured speed of this machine, for each kind of work.
+    # Scale the expected time of each stage by the measured speed of this machine.
     for place in range(len(Work._fields)):
         took = sum(part.seconds[place] for _, part in seen)
         pace = took / max(sum(part.spent[place] for _, part in seen), LEAST_WORK)

@@ -78,7 +78,7 @@ class PortSearch:
             most *= 4
 
     def gears_of(self, first: int, last: int) -> PortGears:
-        """Return empty arrays for the gears between two ports; count the gearboxes."""
+        """Return work arrays for an input and an output link, and add to the count `searched`."""
         search, table = self.search, self.table
         ports = self.bases.moving.index(first), self.bases.moving.index(last)
         ends = enumerate(table.ends.tolist())
@@ -168,4 +168,4 @@ def _gears(bases: SpeedBases, table: Combinations) -> GearSpeeds:
 
 
 _KEYS = np.sqrt(np.arange(2, 66)).reshape(-1, 2) % 1 - 0.3
-"""Weights of link speeds in two sums that differ for combinations with different speeds."""
+"""Weights for two weighted sums of link speeds; equal sums mean equal speeds."""

@@ -23,8 +23,8 @@ from vstatics.synthesis.boxes.search.engaged import combinations_table
 from vstatics.synthesis.boxes.search.kernel import SetSample, boxes_in, find_gears
 
 JOIN, CELL, SEQUENCE_CELL = 0.4e-6, 16e-6, 60e-6
-"""Times to try an addition to a set of shift elements, and to examine a cell of gear-set ratios for
-given ratios, and for a sequence of gears. [s]
+"""Times for an attempt to add elements to a set of shift elements, and for examining a cell (ranges
+of gear-set ratios) for wanted ratios or for a sequence of gears. [s]
 """
 SET = 2e-6
 """Time to examine a set of shift elements, in addition to the time for the cells of ratios. [s]"""
@@ -36,7 +36,7 @@ SCHEME, SCHEME_GEAR = 1e-3, 0.45e-6
 ELEMENT_SETS = 10_000
 """Number of sets of shift elements for which the work arrays have room."""
 GOLDEN = 0.6180339887498949
-"""Golden ratio minus 1; multiples modulo 1 are evenly spread, so samples come from all parts.
+"""Golden ratio minus 1; its multiples modulo 1 are evenly spread from 0 to 1.
 """
 
 
@@ -44,7 +44,7 @@ class Depth(NamedTuple):
     """Limits of the partial search of a choice of input and output."""
 
     firsts: int
-    """Approximate number of combinations with which the listed sets of shift elements begin."""
+    """Approximate number of first combinations from which sets of shift elements are built."""
     sets: int
     """Approximate number of the listed sets of shift elements that are examined."""
     seconds: float
@@ -121,9 +121,9 @@ class DrawnPorts(NamedTuple):
 
 
 def drawn(search: BoxSearch) -> Iterator[DrawnPorts | None]:
-    """Yield an endless sample of ports, spread evenly over the weights of stems of schemes.
+    """Yield an endless sample of choices of input and output, spread evenly over the schemes.
 
-    A stem without schemes yields None.
+    None marks a stem (scheme with one gear set less) that has no schemes.
     """
     search_stems = stems(search)
     total = search_stems.total
@@ -148,6 +148,6 @@ def drawn(search: BoxSearch) -> Iterator[DrawnPorts | None]:
 
 
 def scheme_cost(search: BoxSearch) -> float:
-    """Return the time to calculate the speeds in all gears of a scheme, without ports [s]."""
+    """Return the time to calculate the link speeds in all gears of a scheme, for all ports [s]."""
     table = combinations_table(search.moving, search.engaged, search.elements)
     return SCHEME + SCHEME_GEAR * len(table.members)

@@ -38,7 +38,7 @@ class BoxWork(NamedTuple):
     """Weights of gears in the mean drag, by the name of the gear."""
 
     def describe(self, item: object) -> str:
-        """Return words for a job, for messages: a piece, gearboxes, or files."""
+        """Return the name of a job for messages, such as "piece 3 of the search"."""
         if isinstance(item, int):
             return f"piece {item} of the search"
         return str(getattr(item, "name", "figures of boxes"))
@@ -50,7 +50,7 @@ def find(work: BoxWork, piece: int) -> FoundPiece:
 
 
 def measure(work: BoxWork, boxes: Sequence[FoundBox]) -> list[MeasuredBox]:
-    """Calculate the figures of gearboxes."""
+    """Calculate the characteristic numbers (figures) of gearboxes."""
     return [measured(work.search, box, work.efficiency, work.weights) for box in boxes]
 
 
@@ -94,7 +94,7 @@ class SearchedPieces:
     """Finished pieces of a search, in a directory that outlives the process, or in memory."""
 
     def __init__(self, count: int, store: FinishedPieces | None = None) -> None:
-        """Begin with the finished pieces of an open store, if a store is given."""
+        """Begin with the finished pieces of an open store, if any."""
         self.count = count
         self._store = store
         self._accounts = {} if store is None else dict(store.accounts)

@@ -22,7 +22,7 @@ FAR_DECIMALS = 6
 
 
 class KnownBox(NamedTuple):
-    """Gearbox of a shipped case, in a form with the least identity; see `least_forms`."""
+    """Gearbox of a shipped case, renumbered as in `least_forms`."""
 
     name: str
     """Name of the shipped case."""
@@ -72,7 +72,7 @@ class KnownBox(NamedTuple):
         return f"{json.dumps(data)}\n"
 
     def rank(self, ratios: tuple[float, ...]) -> tuple[float, int, str]:
-        """Return a sort key for shipped gearboxes of equal identity, nearest ratios first."""
+        """Return a sort key for shipped gearboxes that equal a found gearbox, nearest first."""
         pairs = zip(ratios, self.box.ratios, strict=True)
         far = math.fsum(abs(math.log(ratio / known)) for ratio, known in pairs)
         return round(far, FAR_DECIMALS), self.left_out, self.name

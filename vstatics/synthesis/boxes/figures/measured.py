@@ -47,13 +47,13 @@ from vstatics.synthesis.ratios.fitting import deviation
 from vstatics.synthesis.tolerances import NO_LOAD
 
 FIGURE_DECIMALS = 9
-"""Number of decimals in comparisons of figures."""
+"""Number of decimals in comparisons of losses and other figures."""
 ALIKE: Mapping[str, float] = {}
 """Weights that are equal for all gears."""
 
 
 class MeasuredBox(NamedTuple):
-    """Found gearbox with the figures, in the form that `least_box` returns."""
+    """Found gearbox, renumbered by `least_box`, with its characteristic numbers (figures)."""
 
     box: FoundBox
     targets: tuple[float, ...]

@@ -15,8 +15,8 @@ Edge = tuple[int, int]
 AXIS = -1
 """Vertex of the axis of rotation, in addition to the vertices of links and housing."""
 MOST_ENDS = 2
-"""Number of links of an elastic component that is an edge; a component with a single link leads to
-the housing.
+"""Number of links that a spring contributes to its edge; the housing is the other end of a spring
+with a single link.
 """
 
 

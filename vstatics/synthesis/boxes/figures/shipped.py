@@ -17,7 +17,7 @@ from vstatics.synthesis.boxes.least_form import least_forms
 
 
 def shipped_boxes() -> Iterator[KnownBox]:
-    """Yield each shipped case that is a gearbox, in each form with the least identity."""
+    """Yield each shipped case that is a gearbox, once for each form of `least_forms`."""
     for name in example_files():
         if "/" in name:  # a scenario, not a case
             continue

@@ -31,7 +31,7 @@ class BoxScheme(NamedTuple):
 
 
 def with_choices(search: BoxSearch, codes: Codes, symmetries: Symmetries) -> Iterator[BoxScheme]:
-    """Yield the schemes of codes with all choices, except choices equal by symmetry.
+    """Yield each scheme with each choice of double-pinion sets and held link, symmetric ones once.
 
     Parameters
     ----------

@@ -1,4 +1,7 @@
-"""Schemes of two or more parts without a common link, as in Lepelletier's gearbox."""
+"""Schemes of two or more parts (groups of gear sets) without a common link.
+
+Lepelletier's gearbox is an example.
+"""
 
 from __future__ import annotations
 
@@ -45,7 +48,7 @@ def _classes(part: Part) -> list[tuple[int, ...]]:
 
 
 def counts(split: tuple[Part, ...]) -> Integers:
-    """Return the number of schemes whose last part belongs to each class of schemes.
+    """Return, for each class of the last part of a scheme, the number of schemes.
 
     Parts with equal numbers of gear sets and links are in ascending order of their classes.
 
@@ -62,7 +65,7 @@ def counts(split: tuple[Part, ...]) -> Integers:
 
 
 def codes_of(split: tuple[Part, ...], row: int) -> Codes:
-    """Return the least codes of all schemes whose last part has the class `row`, ascending.
+    """Return the least codes, ascending, of all schemes whose last part has class number `row`.
 
     >>> codes_of(((1, 3), (1, 3)), 0)
     array([[0, 1, 2, 3, 4, 5]], dtype=uint8)
@@ -86,6 +89,6 @@ def _least(parts: list[tuple[int, ...]]) -> list[int]:
 
 
 def _grown(sets: tuple[tuple[int, ...], ...]) -> list[int]:
-    """Number the links of gear sets from 0 in the order of first appearance."""
+    """Assign numbers to the links of gear sets from 0 in the order of first appearance."""
     numbers: dict[int, int] = {}
     return [numbers.setdefault(link, len(numbers)) for members in sets for link in members]

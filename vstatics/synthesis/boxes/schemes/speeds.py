@@ -14,16 +14,16 @@ from vstatics.synthesis.boxes.schemes.choices import BoxScheme
 
 
 class SpeedBases(NamedTuple):
-    """Bases of the possible speeds of moving links, at several ratios of the gear sets."""
+    """Basis of the possible speeds of the moving links, at several points of gear-set ratios."""
 
     ratios: Floats
-    """Basic ratios of the gear sets at each point, shape (points, sets): all corners of the bounds,
+    """Basic ratio of each gear set at each point, shape (points, sets): all corners of the bounds,
     then a point within. At corner n, set j has the upper bound if bit j of n is 1. [-]
     """
     speeds: Floats
     """Columns that span the possible link speeds, shape (points, moving links, free speeds). [-]"""
     factors: Floats
-    """Factors of `speeds` that turn the minors into polynomials of the ratios, shape (points,). [-]
+    """Factors that turn minors of `speeds` into polynomials of the gear-set ratios, (points,). [-]
     """
     moving: tuple[int, ...]
     """Number of the link of each row of `speeds`; links without a gear-set member are last."""
@@ -65,7 +65,7 @@ def speed_bases(search: BoxSearch, scheme: BoxScheme) -> SpeedBases:
 
 @cache
 def _inner(sets: int) -> Floats:
-    """Return a point within the unit cube at which no two gear ratios are equal by chance."""
+    """Return a point in the unit cube, chosen so that no two gear ratios are equal by chance."""
     return np.asarray(np.sqrt(np.array([2, 3, 5, 7, 11, 13, 17, 19, 23, 29][:sets])) % 1)
 
 

@@ -22,9 +22,9 @@ from vstatics.synthesis.structures.growth import SchemeBatch, StructureSearch, b
 from vstatics.synthesis.structures.least_codes import symmetries
 
 COUNTED = 500
-"""Number of stems up to which the schemes of all stems are counted; beyond, of a sample."""
+"""Number of stems up to which all schemes are counted; with more stems, a sample is counted."""
 ALIKE = 24
-"""Number of stems in the sample from each group of stems with similar beginnings."""
+"""Number of stems in the sample from each group of stems with similar first gear sets."""
 UNIT = 1000
 """Weight of a scheme, an integer larger than the number of choices of input and output."""
 
@@ -34,9 +34,11 @@ class Stems(NamedTuple):
 
     search: BoxSearch
     codes: Codes
-    """Codes of the stems, with a gear set less, shape (stems, 3*sets - 3)."""
+    """Codes of the stems, shape (stems, 3*sets - 3) for `sets` gear sets in the schemes."""
     parts: tuple[tuple[tuple[Part, ...], int], ...]
-    """Divisions of schemes with several parts, each with the number of classes of the last part."""
+    """Divisions of schemes into parts without a common link, each with the number of classes of
+    equal schemes of its last part.
+    """
     ends: Integers
     """Cumulative weights of the stems, about `UNIT` times the number of schemes, shape (stems,)."""
 
@@ -139,7 +141,7 @@ def _weights(search: BoxSearch, codes: Codes) -> Integers:
     if len(codes) <= COUNTED:
         numbers = np.bincount(_batch(search, codes).parents, minlength=len(codes))
         return np.asarray(UNIT * numbers, np.int64)
-    # A stem in whose sample no scheme was counted can still have some.
+    # A stem without counted schemes in its sample can still have some, so no weight is 0.
     weights = np.ones(len(codes), np.int64)
     alike = np.column_stack([codes.max(axis=1), codes[:, MEMBERS : 2 * MEMBERS]])
     _, kinds = np.unique(alike, axis=0, return_inverse=True)

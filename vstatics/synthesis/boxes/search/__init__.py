@@ -5,7 +5,7 @@ set is all shift elements of a gearbox. `engaged` lists the combinations and cal
 speeds with each as polynomials of the gear-set ratios. `ranges` finds the targets that a
 combination can reach. `elements` lists the element sets that can reach all targets; `joining`
 chooses the element to add next, `matching` assigns gear ratios to targets, and `shifts` checks that
-neighbouring gears differ by one element. `solving` finds the gear-set ratios, and `set_ratios` the
-nearest to the targets. `kernel` combines all of it to compiled functions for a choice of input and
-output, or for a sample.
+neighbouring gears differ by one element. `solving` finds gear-set ratios that meet all targets, and
+`set_ratios` the best of these. `kernel` combines these modules to compiled functions for a choice
+of input and output.
 """

@@ -25,9 +25,9 @@ from vstatics.synthesis.tolerances import CELL_ROUNDING
 NARROW_CELL = 1.001
 """Quotient of the bounds of a gear-set ratio below which a cell is not halved further. [-]"""
 MOST_SWEEPS = 4
-"""Largest number of times that all targets in turn reduce a cell."""
+"""Largest number of passes in which each target reduces a cell once."""
 LESS = 0.8
-"""Share of a cell, along a gear-set ratio, above which a reduction counts as small. [-]"""
+"""Fraction of a cell's width above which the remainder of the cell counts as little reduced. [-]"""
 
 
 @shared
@@ -42,13 +42,14 @@ class RatioCells(NamedTuple):
     stages: Integers
     """Number of stages of `solving.SPREADS` at which fits have been tried, shape (cells,)."""
     known: Booleans
-    """True if combinations of shift elements are known that meet all targets, shape (cells,)."""
+    """True if an assignment of combinations to all targets is already known, shape (cells,)."""
     parts: Floats
-    """Numerators and denominators of the gear ratios at the corners, shape (ratios, 2, corners).
-    [-]
+    """Numerators and denominators of the gear ratios at the corners of the cell, shape (ratios, 2,
+    corners). [-]
     """
     shares: Floats
-    """Start and end of the cell along each gear-set ratio, in shares of the bounds, (sets, 2). [-]
+    """Start and end of the cell along each gear-set ratio, as fractions of the range between the
+    bounds, shape (sets, 2). [-]
     """
     left: Floats
     """Start and end of the part of the cell in which all targets can be met, in fractions of the
@@ -83,7 +84,7 @@ def cells_room(ratios: int, asked: Asked, sets: int) -> RatioCells:
 def is_left(parts: Floats, asked: Asked, cells: RatioCells, match: MatchRoom, top: int) -> bool:
     """Reduce a cell to the part in which all targets can be met; return False if the part is empty.
 
-    Targets that a gear ratio cannot meet in the cell are removed from it. Then each target that
+    First, each gear ratio loses the targets that it cannot meet in the cell. Then each target that
     only one gear ratio can meet reduces the cell.
 
     Parameters
@@ -152,7 +153,7 @@ def _cut_out(parts: Floats, asked: Asked, cells: RatioCells, top: int) -> None:
 
 @compiled_part
 def _is_less(asked: Asked, cells: RatioCells, top: int) -> bool:
-    """Remove targets that a gear ratio misses in the whole cell; return True if any."""
+    """Remove the targets that a gear ratio misses in the whole cell; return True if any."""
     reach = cells.reach[top]
     is_any = False
     for ratio in range(len(reach)):

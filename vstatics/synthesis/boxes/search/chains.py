@@ -1,7 +1,7 @@
 """Assignment of combinations (engaged shift elements) to consecutive gears, with single shifts.
 
-In a single shift, one element is exchanged. A forward search over the gears keeps the elements used
-up to each gear, so that it finds an assignment in which every shift element of the gearbox is used.
+In a single shift, one element is exchanged. The search proceeds from gear to gear and records the
+elements used so far, because every shift element of the gearbox must be used.
 """
 
 from __future__ import annotations
@@ -20,19 +20,21 @@ class ChainRoom(NamedTuple):
     """Work arrays for the assignment of combinations to consecutive gears."""
 
     used: Integers
-    """Shift elements of each combination, as bits of places in the element set, (combinations,)."""
+    """Shift elements of each combination, as bits of their positions in the element set, shape
+    (combinations,).
+    """
     order: Integers
     """Order in which targets are assigned; targets joined by single shifts are consecutive."""
     is_shift: Booleans
-    """True where a single shift leads to a position of the order, or out of the last position."""
+    """True if a single shift must lead to a position of `order`; False at the end."""
     is_near: Booleans
     """True if two combinations differ by at most a single element, shape (combinations,
     combinations).
     """
     met: Integers
-    """Number of the latest search that reached a state: the number of assigned gears, the last
-    combination (if a single shift follows), and the used elements as bits. Shape (targets + 1,
-    combinations or 1, 2**size).
+    """Number of the latest search that reached each state, shape (targets + 1, combinations or 1,
+    2**size). A state is the number of assigned gears, the last combination (if a single shift
+    follows), and the used elements as bits.
     """
     came: Integers
     """Predecessor and combination of each state, encoded as an integer."""

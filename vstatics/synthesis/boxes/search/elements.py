@@ -32,7 +32,7 @@ class PortGears(NamedTuple):
     reach: Integers
     """Targets that each ratio reaches, as bits; 0 after the last ratio; shape (combinations,)."""
     useful: Integers
-    """Indices of the combinations that have a ratio, then -1, shape (combinations,)."""
+    """Indices of the combinations that have a ratio, padded with -1, shape (combinations,)."""
     brakes: int
     """Permitted numbers of brakes in an element set, as bits."""
     shifts: Integers
@@ -53,7 +53,7 @@ class PortGears(NamedTuple):
 
 @compiled_part
 def begun(table: Combinations, port: PortGears, room: SetRoom) -> bool:
-    """List the usable combinations and choose the first branch; return False without a set."""
+    """List the usable combinations and choose the first branch; return False if no set exists."""
     if not _list_gears(table, port, room):
         return False
     room.sets[0] = 0
@@ -83,8 +83,8 @@ def some_sets(table: Combinations, port: PortGears, room: SetRoom, most: int) ->
     Returns
     -------
     int, float
-        Number of sets, or -1 if `listed` is too small; share of the first combinations in the
-        sample.
+        Number of sets, or -1 if `listed` is too small; fraction of the first combinations that the
+        sample contains.
     """
     if room.branches[0] == ONE or most == NO_END:
         return sets_after(table, port, room, 0, NO_END), 1.0
@@ -102,7 +102,7 @@ def some_sets(table: Combinations, port: PortGears, room: SetRoom, most: int) ->
 
 @compiled_part
 def sets_after(table: Combinations, port: PortGears, room: SetRoom, count: int, last: int) -> int:
-    """List further element sets, up to first combination `last`; return the number of sets.
+    """List further element sets that begin with combinations up to `last`; return the total number.
 
     `count` sets are already listed. The list is incomplete if the permitted number of steps is
     exhausted. The result is -1 if `listed` is too small.
@@ -185,7 +185,7 @@ def _find_commonest(port: PortGears, room: SetRoom) -> None:
 
 @compiled_part
 def _note_last(table: Combinations, targets: int, which: int, room: SetRoom) -> None:
-    """Record each element of a combination as an element that could complete an element set."""
+    """Record in `rows` that each element completes the other elements of a combination."""
     for place in range(table.members.shape[1]):
         bit, others = 1 << table.members[which, place], table.rests[which, place]
         for target in range(len(room.lengths)):
@@ -210,7 +210,7 @@ def _find_members(room: SetRoom, depth: int) -> int:
 def _may_have(table: Combinations, port: PortGears, room: SetRoom, members: int) -> bool:
     """Return whether a partial element set can still satisfy the limits on shift elements.
 
-    There are limits on the number of brakes, on elements at each shaft, and on retained elements.
+    The limits are the number of brakes, elements at each shaft, and retained elements.
     """
     brakes = chosen = 0
     for place in range(members):

@@ -1,8 +1,8 @@
 """Combinations of engaged brakes and clutches of a scheme, and the link speeds with each.
 
-Each engaged shift element is a linear equation of the free speeds, with one equation less than free
-speeds. The solution is the generalised cross product of the rows of the equations, so it consists
-of minors, which are polynomials of the gear-set ratios.
+Each engaged shift element gives a linear equation of the free speeds. There is one equation less
+than free speeds, so the solution is the generalised cross product of the equations. It consists of
+minors, which are polynomials of the gear-set ratios.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ class Combinations(NamedTuple):
     """Combinations of simultaneously engaged shift elements, from which element sets are formed.
 
     Combinations are ordered by their last element, then the second last, and so on, so the index of
-    a combination is a sum of binomial coefficients. Combinations of places within an element set
+    a combination is a sum of binomial coefficients. Combinations of positions within an element set
     are ordered in the same way.
     """
 
@@ -35,17 +35,15 @@ class Combinations(NamedTuple):
     masks: Integers
     """Shift elements of each combination, as bits, shape (combinations,)."""
     rests: Integers
-    """Index of the smaller combination that remains without each member, shape (combinations,
-    engaged).
-    """
+    """Index of the smaller combination without each member, shape (combinations, engaged)."""
     ranks: Integers
-    """Binomial coefficient of an element and a place, counted from 1, shape (elements, engaged +
-    1).
+    """Binomial coefficients for the index of a combination, by element and by its position from 1,
+    shape (elements, engaged + 1).
     """
     places: Integers
-    """Combinations of places in an element set, shape (combinations of a set, engaged)."""
+    """All combinations of positions in an element set, shape (combinations of a set, engaged)."""
     starts: Integers
-    """Number of combinations that only use places before each place, shape (size + 1,)."""
+    """Number of combinations that use only positions before each position, shape (size + 1,)."""
 
 
 @cache
@@ -81,7 +79,7 @@ def _ascending(number: int, size: int) -> list[tuple[int, ...]]:
 
 @compiled_part
 def number_of(table: Combinations, chosen: Integers, subset: int) -> int:
-    """Return the index of the combination at some places of an element set, given the elements."""
+    """Return the index of the combination that consists of some positions of an element set."""
     number = 0
     for place in range(table.places.shape[1]):
         number += table.ranks[chosen[table.places[subset, place]], place + 1]

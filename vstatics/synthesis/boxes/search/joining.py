@@ -18,7 +18,9 @@ from vstatics.synthesis.boxes.search.engaged import Combinations, integers
 from vstatics.synthesis.boxes.search.matching import MatchRoom, match_room
 
 ONE = -1
-"""Branch that adds a single element: all targets are reached, or only a single place is left."""
+"""Branch that adds a single element: all targets are reached, or only one element can still be
+added.
+"""
 NO_END = 2**62
 """Limit of the number of attempts that is never reached."""
 
@@ -46,11 +48,9 @@ class SetRoom(NamedTuple):
     other than the commonest, as bits, shape (rests,).
     """
     levels: Integers
-    """Elements that add at least as many ratios, other than the commonest, as the row number, as
-    bits, shape (targets + 1,).
-    """
+    """Row n: elements that add at least n ratios other than the commonest, as bits."""
     able: Integers
-    """Elements that, with some chosen elements, form a combination for each target, as bits, shape
+    """Elements that complete a combination for each target with the chosen elements, as bits, shape
     (targets,).
     """
     sets: Integers
@@ -129,7 +129,7 @@ def choose(table: Combinations, room: SetRoom, depth: int, held: int, there: int
         Work arrays; `chosen` contains the elements of the partial set.
     depth : int
     held : int
-        Targets that these elements reach, as a bit mask.
+        Targets that the elements of the partial set reach, as a bit mask.
     there : int
         All possible shift elements, as a bit mask.
     """
@@ -168,8 +168,7 @@ def _ways_to_join(room: SetRoom, before: int, target: int, left: int, most: int)
 def _last_elements(table: Combinations, room: SetRoom, members: int, there: int, held: int) -> int:
     """Return the elements that complete a set, with all targets and enough ratios, as a bit mask.
 
-    Most combinations lock up the gearbox and have a common ratio, so that often too few different
-    ratios remain.
+    The number of ratios is checked because many combinations share the ratio 1 (locked up).
     """
     engaged, targets, lacking = table.places.shape[1], len(room.lengths), room.lacking[0]
     fill(room.able, 0)

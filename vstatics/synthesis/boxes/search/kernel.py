@@ -24,8 +24,8 @@ class PortRoom(NamedTuple):
 
     sets: SetRoom
     lines: Floats
-    """Weights of the corners on lines along each gear-set ratio, see `lines`, shape (corners,
-    sets). [-]
+    """Weights of the corners on a line along each gear-set ratio, from the function `lines`, shape
+    (corners, sets). [-]
     """
     ratios: Floats
     """Numerators and denominators of all different gear ratios, shape (speeds, 2, corners). [-]"""
@@ -43,12 +43,12 @@ class PortRoom(NamedTuple):
 
 @shared
 class FoundRoom(NamedTuple):
-    """Gearboxes found between two ports; `SetRoom.listed` contains the shift elements."""
+    """Gearboxes found with a given input and output; `SetRoom.listed` has their shift elements."""
 
     lengths: Integers
     """Number of gears of each gearbox in addition to the targets, shape (most,)."""
     gears: Integers
-    """Index of the combination of places engaged in each gear, shape (most, gears)."""
+    """Index of the combination engaged in each gear, shape (most, gears)."""
     logs: Floats
     """Logarithms of ring teeth divided by sun teeth, shape (most, sets). [-]"""
     errors: Floats
@@ -57,7 +57,7 @@ class FoundRoom(NamedTuple):
 
 @shared
 class Room(NamedTuple):
-    """Work arrays for finding the gearboxes with a given input and output."""
+    """Work arrays for the search with a given input and output, without a sequence."""
 
     ports: PortRoom
     cells: CellRoom
@@ -66,7 +66,7 @@ class Room(NamedTuple):
 
 @shared
 class RoomOfSequences(NamedTuple):
-    """Work arrays for finding gearboxes with a sequence of gears between two ports."""
+    """Work arrays for the search with a given input and output, and with a sequence of gears."""
 
     ports: PortRoom
     cells: SequenceRoom
@@ -263,8 +263,8 @@ def _find_different(
 ) -> int:
     """Find and count the different gear ratios of an element set.
 
-    `of_places` receives the index of the ratio of each combination of places, and the places that
-    it uses, as bits.
+    `of_places` receives, for each combination of positions in the element set, the index of its
+    ratio, and the used positions as bits.
     """
     ratio_of, used = of_places
     put(elements, room.sets.chosen)

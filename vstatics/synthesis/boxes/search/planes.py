@@ -67,7 +67,7 @@ def planes_leave(parts: Floats, least: Floats, most: Floats, room: PlaneRoom, le
     room : PlaneRoom
         Work arrays; `only_ratios` contains the gear ratio of each target.
     left : array, shape (sets, 2)
-        Start and end along each gear-set ratio, in shares of the cell; reduced in place.
+        Start and end along each gear-set ratio, in fractions of the cell; reduced in place.
 
     Returns
     -------
@@ -124,10 +124,10 @@ def _narrow(planes: Floats, room: PlaneRoom, left: Floats) -> bool:
 
 @compiled_part
 def _may_meet(planes: Floats, room: PlaneRoom) -> bool:
-    """Return whether the planes can have a common point within their widths.
+    """Return whether a point can be near all planes, within their widths.
 
-    A common point is impossible if the weighted errors of the planes exceed their weighted widths
-    (Farkas' lemma, with the least-squares errors as weights).
+    No such point exists if the weighted errors of the planes exceed their weighted widths (Farkas'
+    lemma, with the least-squares errors as weights).
     """
     count, sets = len(planes), len(room.middle)
     within = apart = 0.0

@@ -64,7 +64,7 @@ def extremes(numerator: Floats, denominator: Floats) -> tuple[float, float]:
 
 @compiled_part
 def _within(numerator: Floats, denominator: Floats, low: Floats, high: Floats, inverse: int) -> int:
-    """Return the ranges that a quotient reaches, or with `inverse` the ranges of 1/ratio."""
+    """Return the targets that a quotient reaches or, with `inverse`, that its inverse reaches."""
     least, most = extremes(numerator, denominator)
     targets = 0
     for target in range(len(low)):
@@ -141,7 +141,7 @@ def _independent(above: Floats, below: Floats, within: Floats) -> int:
 def lines(sets: int) -> Floats:
     """Return the weights of corners on lines through a point within the bounds, for `divide`.
 
-    >>> lines(2)[:, 0]  # along the first ratio, at a fixed place of the second
+    >>> lines(2)[:, 0]  # along the first ratio, with the second fixed
     array([0.58578644, 0.58578644, 0.41421356, 0.41421356])
     """
     places = np.sqrt(np.array([3, 2, 5, 7, 11, 13, 17, 19, 23, 29][:sets])) % 1

@@ -31,18 +31,21 @@ MOST_BOX_STEPS = 60
 GIVEN_UP = 1e8
 """Damping above which a fit is aborted. [-]"""
 PULL = 1e4
-"""Weight of a squared error beyond the width of the target, relative to a squared error. [-]"""
+"""Weight of the squared excess of an error over its tolerance (width), relative to a squared error.
+[-]
+"""
 MOST_TURNS = 40
-"""Largest number of times that the pull on errors beyond their widths is increased."""
+"""Largest number of times that the pull on errors beyond their tolerance is increased."""
 FIRST_TURNS = 3
-"""Number of turns after which errors beyond their widths must shrink by `LESS_BEYOND` each turn."""
+"""Number of turns after which the excess of errors must shrink by `LESS_BEYOND` in each turn."""
 LESS_BEYOND = 0.9
-"""Largest quotient of the errors beyond their widths in successive turns. [-]"""
+"""Largest permitted quotient of the excess of errors over their tolerance in successive turns. [-]
+"""
 
 
 @shared
 class Asked(NamedTuple):
-    """Requirements on a gearbox as arrays."""
+    """Wanted ratios with tolerance ranges, and bounds of gear-set ratios."""
 
     targets: Floats
     """Wanted ratios of the gears, shape (targets,). [-]"""
@@ -73,11 +76,14 @@ class FitRoom(NamedTuple):
     trial: Floats
     """Errors at the point `tried`, shape (targets,). [-]"""
     pulls: Floats
-    """Additional pull on an error beyond the width of the target, shape (targets,). [-]"""
+    """Amount by which each target's width is narrowed, in widths, shape (targets,). [-]"""
     forces: Floats
-    """Half the first derivative of the sum of squares by each error, shape (targets,). [-]"""
+    """First derivative of half the sum of squares with respect to each error, shape (targets,). [-]
+    """
     weights: Floats
-    """Half the second derivative of the sum of squares by each error, shape (targets,). [-]"""
+    """Second derivative of half the sum of squares with respect to each error, shape (targets,).
+    [-]
+    """
     corner_weights: Floats
     """Weights of the corners in interpolation, with sum 1, shape (corners,). [-]"""
     slopes: Floats
@@ -250,7 +256,7 @@ def _pull(errors: Floats, stiffness: float, room: FitRoom) -> float:
 
 @compiled_part
 def weigh(logs: Floats, asked: Asked, room: FitRoom) -> None:
-    """Calculate the corner weights at a point, and the derivatives."""
+    """Calculate the corner weights at a point, and their derivatives."""
     sets = len(logs)
     fill(room.corner_weights, 1.0)
     for slopes in room.slopes:
@@ -336,7 +342,7 @@ def damped_step(room: FitRoom, least: float, most: float, damping: float) -> flo
 
 @compiled_part
 def _weigh_errors(room: FitRoom, stiffness: float) -> None:
-    """Calculate half the first and second derivatives of the sum of squares by each error."""
+    """Calculate both derivatives of half the sum of squares with respect to each error."""
     for target in range(len(room.errors)):
         error = room.errors[target]
         beyond = abs(error) - 1.0 + room.pulls[target]

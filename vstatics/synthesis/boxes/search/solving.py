@@ -32,8 +32,9 @@ from vstatics.synthesis.boxes.search.set_ratios import Asked, FitRoom, fit_room,
 SPREADS = np.array([0.5, 0.2, 0.06, 0.02, 0.006, 0.002])
 """Variations of ln(i) in a cell below which fits of the chosen gears are tried, in turn. [-]
 
-After the last fit the cell is abandoned, so that a gearbox is only missed if its tolerances leave
-less than the last variation."""
+After the last fit the cell is abandoned. A gearbox is therefore missed only if ln(i) varies by less
+than the last number over its permitted gear-set ratios.
+"""
 MOST_CELLS = 200_000
 """Number of cells of gear-set ratios after which an element set is given up."""
 EACH, NONE = -1, -2
@@ -185,10 +186,10 @@ def _open_target(ratios: int, room: CellRoom, top: int) -> int:
 
 @compiled_part
 def _give(target: int, cells: RatioCells, top: int) -> None:
-    """Branch on the first gear ratio that can meet a target, by a copy of the cell.
+    """Split a cell into two cases: the first gear ratio that can meet a target does or does not.
 
-    In the upper copy, the gear ratio meets only this target; in the lower copy, it does not meet
-    it.
+    In the upper copy of the cell, the gear ratio meets only this target; in the lower copy, it
+    cannot meet it.
     """
     double(cells, top)
     bit = 1 << target

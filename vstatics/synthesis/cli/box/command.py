@@ -95,7 +95,7 @@ def box_command(
         if sharing.scheduler is not None:
             require("dask", "--scheduler")
         if dry_run:
-            _estimate(asked, to, sharing.processes, quiet=quiet)
+            _print_estimate(asked, to, sharing.processes, quiet=quiet)
             return DONE
         from vstatics.synthesis.cli.box.run import BoxRun, carry_out
 
@@ -141,8 +141,7 @@ class BoxSearchEstimate(NamedTuple):
     """Processor time to compile or load machine code. [s]"""
 
 
-def _estimate(asked: BoxAsked, to: Destination, jobs: int, *, quiet: bool) -> None:
-    """Print the estimated numbers of gearboxes and files, and the time of the search."""
+def _print_estimate(asked: BoxAsked, to: Destination, jobs: int, *, quiet: bool) -> None:
     from vstatics.core.numerics.code_cache import CACHE
     from vstatics.core.numerics.compiled import HAS_COMPILER, WITHOUT_COMPILER
     from vstatics.synthesis.boxes.batches.estimate import box_estimate

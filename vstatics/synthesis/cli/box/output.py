@@ -145,7 +145,7 @@ def write_folder(
         for name, content in pages.items():
             put(name, content)
         advance(1)
-        _forget(folder, hashes)
+        _remove_earlier_files(folder, hashes)
         put("boxes.csv", result.table(TextStyle(raw=style.raw)))
         # JSON is written last: if this file exists, the directory is complete.
         for form, name in TABLES.items():
@@ -209,8 +209,7 @@ def of_others(folder: str) -> str:
     return ""
 
 
-def _forget(folder: str, new_names: Container[str]) -> None:
-    """Remove the files of an earlier search, except files with new names."""
+def _remove_earlier_files(folder: str, new_names: Container[str]) -> None:
     for name in os.listdir(folder):  # noqa: PTH208
         if RESULT_NAMES.fullmatch(name) and name not in new_names:
             os.unlink(os.path.join(folder, name))  # noqa: PTH108, PTH118

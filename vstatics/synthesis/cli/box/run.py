@@ -93,7 +93,7 @@ def carry_out(run: BoxRun) -> int:
 
 
 def _nearest(run: BoxRun) -> str:
-    """Return words about the nearest gearbox, if wider tolerances soon find a gearbox."""
+    """Return a hint about the nearest gearbox, if a search with wider tolerances soon ends."""
     search, end = run.asked.search, time.perf_counter() + NEAREST_SECONDS
     if search.tolerances or search.sequence is not None:
         return ""  # without a common tolerance, no gearbox is the nearest

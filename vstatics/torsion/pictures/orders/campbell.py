@@ -1,8 +1,8 @@
 """Campbell diagram: natural frequencies of gears and orders over the speed of the input.
 
-A panel with linear scales shows the modes of all gears as horizontal lines, and orders as lines
-through 0. The strip at the side shows the frequencies gear by gear, and the table below the panel
-lists resonances.
+A panel with linear scales shows the modes of all gears as horizontal lines, and the orders as lines
+through 0. A strip to the right shows the frequencies gear by gear, and a table below lists
+resonances.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ TALLEST_PANEL = 340.0
 FREQUENCY_SCALE_WIDTH, SPEED_SCALE_HEIGHT = 52.0, 46.0
 """Width of the scale of frequencies, and height of the scale of speeds. [pt]"""
 ORDERS_PART = 0.6
-"""Largest share of the right edge for names of orders, if names of modes also need room."""
+"""Largest share of the right edge for names of orders, if names of modes need room, too."""
 ABOVE_PANEL = 16.0
 """Height above the panel for the title of the strip of gears. [pt]"""
 BEFORE_STRIP = 6.0
@@ -58,7 +58,7 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Canv
 
 
 def _mode_look(style: Style, *, is_common: bool) -> Look:
-    """Return the line style of a natural frequency, in black, as only links have colours."""
+    """Return the line style of a natural frequency, without colour, since colours are for links."""
     return {"color": style.ink, "width": 1.3 if is_common else 0.5}
 
 
@@ -80,7 +80,7 @@ def _signs(sheet: CampbellSheet) -> list[Meaning]:
 
 
 def _pages(sheet: CampbellSheet) -> Iterator[Canvas]:
-    """Draw a page with the panel and the tables that fit, then pages with the remaining tables."""
+    """Draw a page with the panel and the tables that fit, then pages with all other tables."""
     style, across = sheet.style, sheet.style.width
     text, room = title(sheet.case, style.text("Campbell diagram")), across - 2 * MARGIN
     tables = resonance_tables(
@@ -133,7 +133,7 @@ def _draw_panel(pen: Pen, sheet: CampbellSheet, place: tuple[float, float]) -> N
 
 
 def _mode_ends(sheet: CampbellSheet) -> list[LineEnd]:
-    """Return the names of the modes of a single gear; modes above the scale have arrows."""
+    """Return the names of the modes of a single gear, with arrows at modes above the scale."""
     ends = []
     for mode in sheet.modes:
         above = " ↑" if mode.frequency > sheet.top else ""
@@ -143,7 +143,7 @@ def _mode_ends(sheet: CampbellSheet) -> list[LineEnd]:
 
 
 def thinned(ends: Sequence[LineEnd], room: float) -> list[LineEnd]:
-    """Choose every n-th name so that the names fit into a height [pt].
+    """Choose every n-th name, so that the names fit into a height [pt].
 
     >>> ends = [LineEnd(0.1 * n, (str(n),)) for n in range(9)]
     >>> [end.names[0] for end in thinned(ends, 60.0)]
@@ -163,14 +163,13 @@ def _draw_scales(pen: Pen, sheet: CampbellSheet) -> None:
     pen.frame()
     rpm = style.text("rpm")
     name = style.text("speed of {input}, {rpm}", input=sheet.input, rpm=rpm)
-    if not sheet.input or width(name) >= wide:  # several inputs, or a long name
+    if not sheet.input or width(name) >= wide:  # the inputs differ, or their name is long
         name = style.text("speed of the input, {rpm}", rpm=rpm)
     pen.name("bottom", name, 28)
     pen.name("left", style.text("frequency, Hz"), widest(texts) + 16)
 
 
 def _draw_lines(pen: Pen, sheet: CampbellSheet) -> None:
-    """Draw the lines of modes, and on top the lines of orders."""
     style, (wide, _) = sheet.style, pen.size
     for mode in sheet.shared:
         if mode.frequency <= sheet.top:

@@ -23,7 +23,7 @@ from vstatics.torsion.pictures.orders.resonances import (
 from vstatics.torsion.pictures.shown_modes import modes_of, why_none
 
 MOST_NAMED = 4
-"""Largest number of modes without resonances that a note lists."""
+"""Largest number of modes without resonances that a note names."""
 
 
 class CampbellSheet(NamedTuple):
@@ -33,9 +33,9 @@ class CampbellSheet(NamedTuple):
     gears: Sequence[str]
     """Names of gears with modes."""
     said: Sequence[str]
-    """Texts about gears without modes, each with the reason."""
+    """Texts about gears without modes, with the reasons."""
     input: str
-    """Name of the input link, whose speed is the abscissa; empty if gears have different inputs."""
+    """Name of the input, whose speed is the abscissa; empty if gears have different inputs."""
     modes: Sequence[GearMode]
     orders: Sequence[Order]
     running: Sequence[float]
@@ -53,7 +53,7 @@ class CampbellSheet(NamedTuple):
 
     @property
     def shared(self) -> list[SharedMode]:
-        """Modes; nearly equal modes of several gears are combined."""
+        """Modes, with nearly equal modes of several gears combined."""
         return shared_modes(self.modes)
 
     @property
@@ -62,12 +62,12 @@ class CampbellSheet(NamedTuple):
         return list(meetings(self.modes, self.orders, self.fastest, self.slowest))
 
     def hertz(self, frequency: float) -> str:
-        """Return the text of a frequency, including the unit."""
+        """Return a frequency [Hz] as text with its unit."""
         return f"{number(frequency)} {self.style.text('Hz')}"
 
     @property
     def order_ends(self) -> list[LineEnd]:
-        """Names of orders, each with a sample of the line."""
+        """Names of orders, each with a sample of its line."""
         top = self.orders[-1].number
         return [
             LineEnd(order.number / top, (order.name,), (order_look(order, self.style),))
@@ -76,7 +76,7 @@ class CampbellSheet(NamedTuple):
 
     @property
     def note(self) -> str:
-        """Note about modes and gears that the panel does not show."""
+        """Note on modes and gears that the panel does not show."""
         style, notes = self.style, []
         met = {meeting.mode.number for meeting in self.meetings}
         excited = {mode.number for mode in self.modes if mode.is_excited}
@@ -104,7 +104,7 @@ class CampbellSheet(NamedTuple):
 
 
 def campbell_sheet(results: Results, style: Style, gears: Sequence[int]) -> CampbellSheet:
-    """Return the content of the diagram of given gears, or of all gears of a case.
+    """Return the content of the diagram, for some or all gears of a case.
 
     Raises
     ------

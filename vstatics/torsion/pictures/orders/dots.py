@@ -1,6 +1,6 @@
-"""Dots of resonances: their size shows the participation of the input, their fill the damping.
+"""Dots at resonances: their size shows the participation of the input, their fill the damping.
 
-The participation is the amplitude of the input relative to the largest amplitude of the mode.
+The participation is the amplitude of the input divided by the largest amplitude of the mode.
 """
 
 from __future__ import annotations
@@ -14,11 +14,11 @@ from vstatics.pictures.drawing.style import Style
 from vstatics.torsion.pictures.orders.resonances import Meeting
 
 LARGEST_DOT, LEAST_DOT = 6.0, 1.6
-"""Diameter of a dot for a participation of 1, and smallest diameter. [pt]"""
+"""Diameter of a dot at a participation of 1, and smallest diameter. [pt]"""
 PER_DECADE = 1.4
-"""Decrease of the diameter per power of ten of the participation. [pt]"""
+"""Decrease of the diameter per power of ten in the participation. [pt]"""
 LITTLE_DAMPED, MUCH_DAMPED = 0.02, 0.1
-"""Damping ratio below which dots are filled, and damping ratio from which dots are open."""
+"""Damping ratio below which a dot is filled, and from which it is open."""
 
 
 def dot_size(participation: float) -> float:
@@ -31,14 +31,14 @@ def dot_size(participation: float) -> float:
 
 
 def dot_fill(damping_ratio: float, colour: str, style: Style) -> str:
-    """Return the fill of a dot: the colour of the order, a faint colour, or the colour of paper."""
+    """Return the fill of a dot: the colour of its order, a paler colour, or the colour of paper."""
     if damping_ratio >= MUCH_DAMPED:
         return style.paper
     return style.faint if damping_ratio >= LITTLE_DAMPED else colour
 
 
 def dot_look(met: Meeting, style: Style) -> Look:
-    """Return the style of the dot of a resonance, in the colour of the order."""
+    """Return the style of the dot at a resonance, in the colour of its order."""
     return _look(met.mode.participation, met.mode.damping_ratio, style, fires=met.order.fires)
 
 
@@ -56,7 +56,7 @@ def _look(participation: float, damping_ratio: float, style: Style, *, fires: bo
 
 
 def dot_signs(met: Sequence[Meeting], style: Style) -> Iterator[Meaning]:
-    """Yield the entries of the legend for sizes and fills that occur."""
+    """Yield the legend entries of the sizes and fills that occur."""
     if not met:
         return
     ratios = [meeting.mode.damping_ratio for meeting in met]

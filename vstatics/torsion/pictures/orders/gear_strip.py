@@ -1,4 +1,4 @@
-"""Strip at the side of a Campbell diagram, with a column of natural frequencies for each gear."""
+"""Strip to the right of a Campbell diagram: a column of natural frequencies for each gear."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from vstatics.torsion.pictures.orders.resonances import GearMode
 GEAR_PITCH = 12.0
 """Distance between the columns of neighbouring gears. [pt]"""
 MOST_STRIP_WIDTH = 150.0
-"""Largest width of the columns of all gears together. [pt]"""
+"""Largest width of all columns together. [pt]"""
 HALF_MARK = 0.36
-"""Half width of the mark of a frequency, relative to the distance of columns."""
+"""Half width of the mark of a frequency, divided by the distance of columns."""
 
 
 class GearStrip(NamedTuple):
-    """Strip with a column for each gear, and marks at natural frequencies."""
+    """Strip with a column for each gear, and a mark at each natural frequency."""
 
     gears: Sequence[str]
     modes: Sequence[GearMode]
@@ -34,12 +34,12 @@ class GearStrip(NamedTuple):
 
     @property
     def across(self) -> float:
-        """Width of the columns of all gears together [pt]."""
+        """Width of all columns together [pt]."""
         return min(GEAR_PITCH * len(self.gears), MOST_STRIP_WIDTH)
 
     @property
     def wide(self) -> float:
-        """Width of the strip, including the numbers of modes at the right edge [pt]."""
+        """Width of the strip, including numbers of modes at the right edge [pt]."""
         return self.across + width_of(self._ends)
 
     @property
@@ -49,12 +49,12 @@ class GearStrip(NamedTuple):
 
     @property
     def _ends(self) -> list[LineEnd]:
-        """Numbers of modes at the right edge, at the frequencies in the last gear."""
+        """Numbers of modes at the right edge, at the frequencies of the last gear."""
         lasts = [(number, modes[-1].frequency) for number, modes in self._by_mode.items()]
         return [LineEnd(last / self.top, (str(number),)) for number, last in lasts]
 
     def draw(self, pen: Pen) -> None:
-        """Draw the strip in a panel with the scale of the diagram."""
+        """Draw the strip in a panel that has the scale of the diagram."""
         (wide, high), style = pen.size, self.style
         pitch = wide / len(self.gears)
         at = [(place + 0.5) * pitch for place in range(len(self.gears))]

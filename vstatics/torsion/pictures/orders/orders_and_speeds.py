@@ -16,12 +16,12 @@ from vstatics.torsion.clutch.clutch_dump import ClutchDump
 ORDERS = (0.5, 1.0, 2.0, 3.0, 4.0, 6.0)
 """Orders shown if the number of cylinders is unknown, for four-stroke engines.
 
-They are the half order, the order of the shaft, and the firing orders of 4, 6, 8 and 12 cylinders.
+These are the half order, the order of the shaft, and the firing orders of 4, 6, 8 and 12 cylinders.
 """
 FASTEST_INPUT = 6000.0
 """Largest upper end of a diagram if no speed of the input is known. [rpm]"""
 ABOVE_ONE, ABOVE_RANGE = 1.25, 1.05
-"""Upper end of a diagram, relative to a single known speed, or to the highest of several."""
+"""Upper end of a diagram divided by a single known speed, or by the highest of several."""
 PER_MINUTE = 60.0
 """Number of seconds per minute."""
 
@@ -81,9 +81,9 @@ def _fires(order: float, cylinders: int | None) -> bool:
 
 
 def running_speeds(case: Transmission, gears: Iterable[Gear], asked: Excitation) -> list[float]:
-    """Return the known speeds of the input of a case, ascending [rpm].
+    """Return the known speeds of a case's input, ascending [rpm].
 
-    They are the requested speeds, and the speeds of loads, of the vehicle's engine and of a clutch
+    These are the requested speeds, and the speeds of loads, of the vehicle's engine and of a clutch
     dump.
 
     Examples
@@ -100,7 +100,7 @@ def running_speeds(case: Transmission, gears: Iterable[Gear], asked: Excitation)
 
 @runtime_checkable
 class HasEngine(Protocol):
-    """Part of a vehicle that is read here: the engine."""
+    """Vehicle data that is used here: the engine."""
 
     @property
     def engine(self) -> Sequence[tuple[float, float]]:
@@ -120,10 +120,10 @@ def _engine_speeds(case: Transmission) -> Iterator[float]:
 
 
 def highest_speed(known: Sequence[float], frequencies: Sequence[float], lowest: float) -> float:
-    """Return a round speed above all known speeds [rpm].
+    """Return a round speed [rpm] above all known speeds.
 
-    If no speed is known, it is a speed up to which the lowest order meets all natural frequencies,
-    but `FASTEST_INPUT` at most.
+    If no speed is known, return the speed up to which the lowest order meets all natural
+    frequencies, limited to `FASTEST_INPUT`.
 
     Parameters
     ----------
@@ -165,7 +165,7 @@ class ExcitedSpeeds(NamedTuple):
 def excited_speeds(
     case: Transmission, gears: Sequence[Gear], frequencies: Sequence[float], asked: Excitation
 ) -> ExcitedSpeeds:
-    """Choose the orders and the range of speeds for gears with given natural frequencies [Hz]."""
+    """Choose the orders and the range of speeds for gears with natural frequencies [Hz]."""
     orders = orders_of(case, asked)
     running = running_speeds(case, gears, asked)
     if asked.shown is not None:

@@ -1,4 +1,4 @@
-"""Table below a Campbell diagram: modes, with the speeds of their resonances by order."""
+"""Table below a Campbell diagram: modes, with the resonant speeds of each order."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ HEADING_HEIGHT = height("\n") + 4.0
 ROW_GAP = 0.5
 """Gap between rows. [pt]"""
 IN_A_ROW = 3
-"""Smallest number of successive gears that are written as a range, such as 1–3."""
+"""Number of successive gears from which they are written as a range, such as 1–3."""
 
 
 class TableCell(NamedTuple):
@@ -35,7 +35,7 @@ class TableCell(NamedTuple):
 
 
 class TableRow(NamedTuple):
-    """Row of a mode, for all gears with equal printed values."""
+    """Row of a mode, for all gears whose printed values are equal."""
 
     mode: str
     """Number of the mode."""
@@ -60,7 +60,7 @@ class ResonanceTable(NamedTuple):
 
     headings: Sequence[str]
     fires: Sequence[bool]
-    """Flag for each column of an order, True for a firing order."""
+    """Flag for each column: True for a firing order."""
     rows: Sequence[TableRow]
     style: Style
 
@@ -81,7 +81,7 @@ class ResonanceTable(NamedTuple):
         ]
 
     def draw(self, pen: Pen, left: float, top: float, rows: Sequence[TableRow]) -> None:
-        """Draw headings and given rows below a height [pt]."""
+        """Draw the headings and some rows of the table, downward from a height [pt]."""
         ends, x = [], left
         for wide in self._widths:
             x += wide
@@ -107,7 +107,7 @@ class ResonanceTable(NamedTuple):
 
 
 class TableParts(NamedTuple):
-    """Tables with some of the rows, arranged in a column."""
+    """Tables in a column, each with some of its rows."""
 
     parts: Sequence[tuple[ResonanceTable, Sequence[TableRow]]]
 
@@ -118,7 +118,7 @@ class TableParts(NamedTuple):
         return sum(highs) or MARGIN
 
     def fitting(self, room: float, least: int = 0) -> tuple[TableParts, TableParts]:
-        """Split rows that fit into `room` [pt], but at least `least`, from the remaining rows."""
+        """Split off the rows that fit into `room` [pt], or `least` rows if fewer fit."""
         for place, (table, rows) in enumerate(self.parts):
             room -= HEADING_HEIGHT + MARGIN
             for count, row in enumerate(rows):
@@ -130,7 +130,7 @@ class TableParts(NamedTuple):
         return self, TableParts([])
 
     def draw(self, pen: Pen) -> None:
-        """Draw all tables, ending at the lower edge of a figure."""
+        """Draw all tables, down to the lower edge of a figure."""
         y = self.high
         for table, rows in self.parts:
             table.draw(pen, MARGIN, y, rows)
@@ -219,7 +219,7 @@ def _printed_alike(
     *,
     is_damped: bool,
 ) -> dict[tuple[TableCell, ...], list[int]]:
-    """Group the gears of a mode by printed cells: cells -> indices of gears."""
+    """Group the gears of a mode by their printed cells: cells -> indices of gears."""
     places: dict[tuple[TableCell, ...], list[int]] = {}
     for mode in modes:
         first = [number(mode.frequency), typeset(f"{mode.participation:.2g}")]
@@ -244,7 +244,7 @@ def _speed(
 
 
 def gear_run(names: Sequence[str], every: Sequence[str], style: Style) -> str:
-    """Return the names of gears as a text, with ranges of successive gears.
+    """Return the names of gears as a text, in which successive gears form ranges.
 
     >>> gear_run(["1", "2", "3", "5", "R"], ["1", "2", "3", "4", "5", "R"], Style())
     '1–3, 5, R'

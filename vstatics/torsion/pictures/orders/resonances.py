@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class GearMode(NamedTuple):
-    """Natural mode of a gear, with the participation of the input."""
+    """Natural mode of a gear, with its participation of the input."""
 
     gear: str
     place: int
@@ -28,7 +28,7 @@ class GearMode(NamedTuple):
     frequency: float
     """Natural frequency without damping. [Hz]"""
     participation: float
-    """Amplitude of the input in the mode, relative to the largest amplitude. [-]"""
+    """Amplitude of the input in the mode, divided by the largest amplitude. [-]"""
     damping_ratio: float
     """Damping ratio, 0 without damping. [-]"""
 
@@ -39,7 +39,7 @@ class GearMode(NamedTuple):
 
 
 class Meeting(NamedTuple):
-    """Resonance: an order meets a natural frequency."""
+    """Resonance, at which an order meets a natural frequency."""
 
     mode: GearMode
     order: Order
@@ -51,7 +51,7 @@ class Meeting(NamedTuple):
 
 
 def gear_modes(gears: Sequence[GearModes], inputs: Sequence[str]) -> list[GearMode]:
-    """Return the modes of gears, with the participation of input links (names)."""
+    """Return the modes of gears; `inputs` are the names of their input links."""
     return [
         GearMode(
             gear.name,
@@ -69,7 +69,7 @@ def gear_modes(gears: Sequence[GearModes], inputs: Sequence[str]) -> list[GearMo
 def meetings(
     modes: Sequence[GearMode], orders: Sequence[Order], fastest: float, slowest: float = 0.0
 ) -> Iterator[Meeting]:
-    """Yield the resonances between a lowest and a highest speed [rpm].
+    """Yield the resonances at speeds in a range [rpm].
 
     >>> mode = GearMode("1", 0, 1, 50.0, 0.3, 0.0)
     >>> orders = [Order(n, False) for n in (0.5, 1.0, 2.0)]
@@ -102,7 +102,7 @@ class SharedMode(NamedTuple):
 
     @property
     def gears(self) -> list[str]:
-        """Names of the gears, in the order shown."""
+        """Names of the gears in their order on the page."""
         return [mode.gear for mode in sorted(self.modes, key=lambda mode: mode.place)]
 
 

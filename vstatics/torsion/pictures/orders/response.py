@@ -1,7 +1,7 @@
 """Picture of the response of a link to a harmonic torque on it, over speed, for several orders.
 
-Each gear has a panel with a line for each order, with an amplitude of 1 N*m or as in a given
-torque. Speeds and orders are chosen as in the Campbell diagram.
+Each gear has a panel with a line for each order, whose torque has the amplitude 1 N*m or is from a
+table. Speeds and orders are chosen as in the Campbell diagram.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ from vstatics.torsion.pictures.orders.running import draw_running, running_sign
 from vstatics.torsion.tolerances import LEAST_PARTICIPATION
 
 RESPONSE_HEIGHT, LEAST_RESPONSE_HEIGHT = 118.0, 84.0
-"""Usual and smallest height of each of several panels. [pt]"""
+"""Usual and smallest height of a panel among several. [pt]"""
 LONE_RESPONSE_HEIGHT = 230.0
 """Height of a single panel. [pt]"""
 AMPLITUDE_SCALE_WIDTH, SPEED_SCALE_HEIGHT = 40.0, 40.0
@@ -46,14 +46,14 @@ BETWEEN_PANELS = 12.0
 MOST_DECADES = 7
 """Largest number of powers of ten in the scale of amplitudes."""
 SLOW = 0.04
-"""Speed below which amplitudes do not determine the scale, relative to the highest speed.
+"""Speed below which amplitudes do not affect the scale, divided by the highest speed.
 
-Amplitudes grow without bound as the speed approaches 0.
+Amplitudes grow without bound towards speed 0.
 """
 
 
 class _ResponseSheet(NamedTuple):
-    """Panels of all gears, with common orders, speeds and scale."""
+    """Panels of all gears, with orders, speeds and a scale in common."""
 
     panels: Sequence[ResponsePanel]
     orders: Sequence[Order]
@@ -64,7 +64,7 @@ class _ResponseSheet(NamedTuple):
     slowest: float
     """Lowest speed. [rpm]"""
     decades: tuple[float, float]
-    """Ends of the scale: exponents of powers of ten of amplitudes in rad."""
+    """Exponents of 10 at both ends of the scale of amplitudes in rad."""
     style: Style
 
     @property
@@ -74,7 +74,7 @@ class _ResponseSheet(NamedTuple):
         return next(iter(links)) if len(links) == 1 else ""
 
     def look(self, order: Order) -> Look:
-        """Return the line style of an order; lines of firing orders are thick."""
+        """Return the line style of an order; firing orders have thick lines."""
         place, wide = self.orders.index(order), 1.9 if order.fires else 1.0
         return {
             "color": self.style.colour(place),
@@ -111,7 +111,7 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Canv
 
 
 def _rows(results: Results, sheet: _ResponseSheet, rows: int) -> tuple[float, int]:
-    """Return the height of panels [pt], and the number of rows of panels per page."""
+    """Return the height of panels [pt], and the number of panel rows per page."""
     if len(sheet.panels) == 1:
         return LONE_RESPONSE_HEIGHT, 1
     if math.isinf(sheet.style.height):
@@ -138,7 +138,7 @@ def _head(results: Results, sheet: _ResponseSheet) -> SheetHead:
 
 
 def _decades(lines: Sequence[ResponseLine], fastest: float) -> tuple[float, float]:
-    """Return exponents of powers of ten that enclose the amplitudes, at most 7 apart."""
+    """Return exponents of 10 that enclose the amplitudes, at most 7 apart."""
     logs = [_logs(line.amplitudes[line.speeds >= SLOW * fastest]) for line in lines]
     every = np.concatenate(logs)
     every = every[np.isfinite(every)]
@@ -148,7 +148,6 @@ def _decades(lines: Sequence[ResponseLine], fastest: float) -> tuple[float, floa
 
 
 def _logs(amplitudes: Floats) -> Floats:
-    """Return logarithms to the base 10, with NaN for amplitudes of 0."""
     known = np.where(amplitudes > 0, amplitudes, np.nan)
     logs: Floats = np.log10(known)
     return logs
@@ -160,7 +159,7 @@ def _figure(
     panels: Sequence[ResponsePanel],
     size: tuple[int, float],
 ) -> Canvas:
-    """Draw panels; `size` is the number of columns and the height of a panel [pt]."""
+    """Draw panels; `size` contains the number of columns and the height of a panel [pt]."""
     style, (columns, high) = sheet.style, size
     rows = math.ceil(len(panels) / columns)
     pitch = PANEL_HEAD + high + BETWEEN_PANELS
@@ -221,7 +220,7 @@ def _draw_panel(pen: Pen, panel: ResponsePanel, sheet: _ResponseSheet, *, is_low
 
 
 def _draw_scales(pen: Pen, sheet: _ResponseSheet, *, is_lowest: bool) -> None:
-    """Draw the scales of amplitudes and speeds; only the lowest panel has numbers of speeds."""
+    """Draw the scales of amplitudes and speeds, with numbers of speeds at the lowest panel only."""
     style, (wide, _) = sheet.style, pen.size
     low, high = (int(end) for end in sheet.decades)
     decades = list(range(low, high + 1))
@@ -232,13 +231,13 @@ def _draw_scales(pen: Pen, sheet: _ResponseSheet, *, is_lowest: bool) -> None:
     if is_lowest:
         rpm = style.text("rpm")
         name = style.text("speed of {link}, {rpm}", link=sheet.link, rpm=rpm)
-        if not sheet.link or width(name) > wide:  # several links, or a long name
+        if not sheet.link or width(name) > wide:  # the links differ, or their name is long
             name = style.text("speed, {rpm}", rpm=rpm)
         pen.name("bottom", name, 12.0 + 1.5 * height(""))
 
 
 def _draw_peak(pen: Pen, line: ResponseLine, mode: GearMode, sheet: _ResponseSheet) -> None:
-    """Draw the dot of a resonance on the line, if the amplitude is within the scale."""
+    """Draw a dot on the line at a resonance, if its amplitude is within the scale."""
     speed = line.order.speed(mode.frequency)
     at = int(np.argmin(np.abs(line.speeds - speed)))
     value = _logs(line.amplitudes[at : at + 1])[0]

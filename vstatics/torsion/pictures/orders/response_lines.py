@@ -19,19 +19,19 @@ if TYPE_CHECKING:
     from vstatics.torsion.forced.harmonic_torques import Harmonic
 
 EVEN_SPEEDS = 400
-"""Number of evenly spaced speeds of a line, to which speeds at and near resonances are added."""
+"""Number of evenly spaced speeds of a line; speeds at and near resonances are added."""
 ABOUT_PEAK = (0.3, 0.6, 1.0, 1.7, 3.0, 6.0)
-"""Distances of added speeds from a resonance, relative to resonant speed times damping ratio."""
+"""Distances of added speeds from a resonance, in units of resonant speed times damping ratio."""
 
 
 class ResponseLine(NamedTuple):
-    """Amplitudes of a link over the speed, under the torque of an order."""
+    """Amplitudes of a link over its speed, under the torque of an order."""
 
     order: Order
     speeds: Floats
     """Speeds of the link. [rpm]"""
     amplitudes: Floats
-    """Amplitudes of the link under the torque of the order, NaN if undefined. [rad]"""
+    """Amplitudes of the link, NaN if undefined. [rad]"""
 
 
 class ResponsePanel(NamedTuple):
@@ -42,7 +42,7 @@ class ResponsePanel(NamedTuple):
     """Link on which the torque acts."""
     lines: Sequence[ResponseLine]
     peaks: Sequence[tuple[Order, GearMode]]
-    """Marked resonances: order and mode."""
+    """Resonances to mark: order and mode."""
     why: str = ""
     """Reason why the gear has no response."""
 
@@ -52,7 +52,7 @@ def response_panels(
 ) -> tuple[ExcitedSpeeds, list[ResponsePanel]]:
     """Choose orders and speeds, and calculate the response of each gear.
 
-    The torque acts on a link that the style names, or by default on the input of the gear.
+    The torque acts on the link that the style names, by default on the input of the gear.
     """
     case, excitation = results.case, style.excited
     harmonics = by_order(style)
@@ -81,7 +81,7 @@ def response_panels(
 
 
 def by_order(style: Style) -> dict[float, Harmonic]:
-    """Return the harmonics of the torque that the style gives, by order; empty without a torque."""
+    """Return the harmonics of the torque in the style, by order; empty without a torque."""
     harmonics = cast("Sequence[Harmonic]", style.data or ())
     return {harmonic.order: harmonic for harmonic in harmonics}
 
@@ -93,7 +93,7 @@ def _panel(
     excited: ExcitedSpeeds,
     harmonics: Mapping[float, Harmonic],
 ) -> ResponsePanel:
-    """Calculate the response of a gear, with separate speeds for each order."""
+    """Calculate the response of a gear, at separate speeds for each order."""
     from vstatics.torsion.forced.harmonic_torques import Harmonic, response
 
     gear, link = names

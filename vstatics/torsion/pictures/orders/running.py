@@ -11,7 +11,7 @@ from vstatics.pictures.drawing.style import Style
 
 
 def running_sign(speeds: Sequence[float], style: Style) -> Iterator[Meaning]:
-    """Yield the entry of the legend for running speeds [rpm], in ascending order.
+    """Yield the legend entry of running speeds [rpm], given in ascending order.
 
     >>> [sign[1] for sign in running_sign([800.0, 6500.0], Style())]
     ['the input runs, 800 to 6500 rpm']

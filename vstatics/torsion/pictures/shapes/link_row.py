@@ -18,9 +18,9 @@ LINK_PITCH = 26.0
 LEAST_ROW_WIDTH = 130.0
 """Smallest width of a row of links. [pt]"""
 NEAREST_LINKS = 13.0
-"""Smallest distance between links at which all links have names. [pt]"""
+"""Distance between links above which all links have names. [pt]"""
 BEYOND_ROW = 12.0
-"""Largest length of names beyond the ends of the row. [pt]"""
+"""Largest length by which names extend beyond the ends of the row. [pt]"""
 LEVEL_PITCH = 19.0
 """Distance between levels of components below the row. [pt]"""
 GROUND_HEIGHT = 24.0
@@ -31,7 +31,7 @@ _ELASTIC = "rigid", "elastic, by number"
 _HEAVY = "without inertia", "with inertia"
 """Texts of the legend for dots of links, from bottom to top."""
 ROOMY_PITCH = 12.0
-"""Smallest distance between links at which springs have numbers. [pt]"""
+"""Distance between links above which springs have numbers. [pt]"""
 
 
 class Axis(NamedTuple):
@@ -44,27 +44,27 @@ class Axis(NamedTuple):
     """Distance between neighbouring links. [pt]"""
 
     def at(self, place: float) -> float:
-        """Return the abscissa of the link with an index in the row [pt]."""
+        """Return the abscissa [pt] of the link with an index in the row."""
         return self.left + (place + 0.5) * self.pitch
 
 
 def whole_width(links: ModeLinks) -> float:
-    """Return the usual width of a row [pt]."""
+    """Return the usual width of a row of links [pt]."""
     return max(len(links.names) * LINK_PITCH, LEAST_ROW_WIDTH)
 
 
 def least_width(links: ModeLinks) -> float:
-    """Return the smallest width of a row in which all links have names [pt]."""
+    """Return the smallest width of a row in which all links can have names [pt]."""
     return max(len(links.names) * NEAREST_LINKS, LEAST_ROW_WIDTH)
 
 
 def springs(links: ModeLinks) -> list[str]:
-    """Return the names of elastic components in the order of printed numbers."""
+    """Return the names of elastic components, in the order of their printed numbers."""
     return [device.name for device in links.devices if device.elastic]
 
 
 def _names(links: ModeLinks, pitch: float) -> list[tuple[int, str]]:
-    """Return the index and name of every n-th link, so that the names have room."""
+    """Return index and name of every n-th link, so that the names have room."""
     names = [wrapped(name, LONG_NAME) for name in links.names]
     needed = sum(height(name) + LABEL_GAP for name in names)
     every = math.ceil(needed / (len(names) * pitch + 2 * BEYOND_ROW)) if names else 1
@@ -72,7 +72,7 @@ def _names(links: ModeLinks, pitch: float) -> list[tuple[int, str]]:
 
 
 def row_height(links: ModeLinks, pitch: float) -> float:
-    """Return the height of the row with names above and components below [pt]."""
+    """Return the height of the row, with names above and components below [pt]."""
     up = widest(name for _, name in _names(links, pitch))
     up += LEADER + LABEL_GAP
     return up + _above(links) + _below(links)
@@ -88,7 +88,7 @@ def _below(links: ModeLinks) -> float:
 
 
 def draw_links(axis: Axis, low: float, links: ModeLinks) -> None:
-    """Draw the row of links, with names and components, above a height [pt]."""
+    """Draw the row of links, with its names and components, above a height [pt]."""
     pen, y = axis.pen, low + _below(links)
     _write_names(axis, y + _above(links), _names(links, axis.pitch))
     count = 0
@@ -101,7 +101,6 @@ def draw_links(axis: Axis, low: float, links: ModeLinks) -> None:
 
 
 def _write_names(axis: Axis, low: float, names: Sequence[tuple[int, str]]) -> None:
-    """Write vertical names, each with a line to the link."""
     wanted = [axis.at(place) for place, _ in names]
     sizes = [height(name) + LABEL_GAP for _, name in names]
     row = axis.left, axis.left + sum(sizes)
@@ -114,7 +113,7 @@ def _write_names(axis: Axis, low: float, names: Sequence[tuple[int, str]]) -> No
 
 
 def _draw_device(axis: Axis, y: float, device: ModeDevice, mark: str) -> None:
-    """Draw a component on the row, below the row with lines to links, or at the housing."""
+    """Draw a component: on the row, below the row with lines to its links, or at the housing."""
     pen = axis.pen
     colour, wide = (pen.style.ink, 1.2) if device.elastic else (pen.style.faint, 0.9)
     look: Look = {"color": colour, "width": wide, "title": device.name}
@@ -125,7 +124,7 @@ def _draw_device(axis: Axis, y: float, device: ModeDevice, mark: str) -> None:
     level = y - LEVEL_PITCH * device.level
     for place in device.members if device.level else ():
         pen.line((axis.at(place), y), (axis.at(place), level), **look)
-    for place in device.members[1:-1]:  # a dot marks a joint, not a crossing
+    for place in device.members[1:-1]:  # a dot marks a joint of lines, not a crossing
         at = axis.at(place), level
         pen.line(at, marker="o", markersize=2.4, color=colour, width=1.5)
     ends = [(axis.at(place), level) for place in (device.members[0], device.members[-1])]
@@ -142,7 +141,6 @@ def _draw_device(axis: Axis, y: float, device: ModeDevice, mark: str) -> None:
 
 
 def _draw_ground(axis: Axis, y: float, device: ModeDevice, mark: str, look: Look) -> None:
-    """Draw a spring from a link up to the housing."""
     pen, link, top = axis.pen, axis.at(device.members[0]), y + GROUND_HEIGHT - 6
     x = link + 0.6 * axis.pitch * device.level
     turns = [(x + turn - y, y + 11 + along - x) for along, turn in zigzag(x, y, 7.0, 3.5)]
@@ -155,7 +153,7 @@ def _draw_ground(axis: Axis, y: float, device: ModeDevice, mark: str, look: Look
 
 
 def draw_legend(pen: Pen, right: float, low: float, *, elastic: bool) -> None:
-    """Draw the two lines of the legend above `low` and to the left of `right` [pt]."""
+    """Draw the two-line legend, above `low` and to the left of `right` [pt]."""
     style = pen.style
     texts = [style.text(english) for english in (_ELASTIC if elastic else _HEAVY)]
     left = right - LEGEND_SIGN - widest(texts)
@@ -192,7 +190,7 @@ class AmplitudeBand(NamedTuple):
 def draw_shape(
     axis: Axis, band: AmplitudeBand, links: ModeLinks, shape: Mapping[str, float]
 ) -> None:
-    """Draw amplitudes as bars, whose ends are joined by lines where components join links.
+    """Draw amplitudes as bars, with lines between the ends of bars of connected links.
 
     Parameters
     ----------

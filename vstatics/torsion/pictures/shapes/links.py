@@ -1,4 +1,4 @@
-"""Arrangement of the links of a vibrating gear in a row, with the components between links."""
+"""Arrangement of the links of a vibrating gear in a row, with the components between them."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class ModeDevice(NamedTuple):
     level: int = 0
     """Number of levels below the row; 0 is on the row.
 
-    For a component at the housing, the number of preceding components at the same link.
+    For a component at the housing, this is the number of preceding components at its link.
     """
 
     @property
@@ -37,7 +37,7 @@ class ModeDevice(NamedTuple):
 
     @property
     def kind(self) -> int:
-        """Kind of the component: 0 rigid, 1 shaft, 2 elastic with any other number of links."""
+        """Kind of the component: 0 rigid, 1 shaft, 2 elastic with one or more than two links."""
         return self.elastic * (1 if len(self.members) == 2 else 2)
 
 
@@ -49,15 +49,15 @@ class ModeLinks(NamedTuple):
     heavy: tuple[bool, ...]
     """Flag for each link, True for a link with inertia."""
     devices: tuple[ModeDevice, ...]
-    """Components, elastic components first, beginning at the input."""
+    """Components: elastic components first, each group beginning at the input."""
     resting: tuple[str, ...]
     """Links that neither rotate nor vibrate."""
     idle: tuple[str, ...]
-    """Unloaded links: links without inertia that belong to a single component."""
+    """Links without inertia that belong to a single component, so they carry no torque."""
 
 
 def mode_links(results: Results, number: int, modes: GearModes) -> ModeLinks:
-    """Arrange the vibrating links of a gear in the order of the power flow.
+    """Arrange the vibrating links of a gear in a row that begins at the input.
 
     Links are sorted by the smallest number of components between link and input, then by number.
 
@@ -82,7 +82,7 @@ def mode_links(results: Results, number: int, modes: GearModes) -> ModeLinks:
     }
     joined = [
         (name, [link for link in dict.fromkeys(links) if link in moving])
-        for name, links in _joined(case, state.gear)
+        for name, links in _links_of_components(case, state.gear)
     ]
     with_planets = {part.rpartition(".")[0] for part in modes.modes[0].kinetic} - {""}
     loaded = {link for link in moving if case.heavy.get(link)} | {state.input, state.output}
@@ -108,13 +108,12 @@ def mode_links(results: Results, number: int, modes: GearModes) -> ModeLinks:
 
 
 def _moves(amplitudes: Sequence[float], speed: float) -> bool:
-    """Return whether a link vibrates or rotates; a rotating link can be a node of all modes."""
+    """Return whether a link vibrates or rotates; a rotating link can be at rest in all modes."""
     known = not any(map(math.isnan, amplitudes))
     return known and any(abs(motion) > STANDS_IN_ALL_MODES for motion in (*amplitudes, speed))
 
 
-def _joined(case: Transmission, gear: Gear) -> Iterator[tuple[str, Iterable[int]]]:
-    """Yield the name and the links of each component of a gear."""
+def _links_of_components(case: Transmission, gear: Gear) -> Iterator[tuple[str, Iterable[int]]]:
     for element in case.elements_at(gear.joining):
         yield element.name, element.links
     for device in case.own_devices:
@@ -126,7 +125,7 @@ def _joined(case: Transmission, gear: Gear) -> Iterator[tuple[str, Iterable[int]
 def _loaded(
     light: AbstractSet[int], joined: list[tuple[str, list[int]]]
 ) -> list[tuple[str, list[int]]]:
-    """Remove, repeatedly, components with a massless link that no other component has."""
+    """Remove, repeatedly, components with a massless link that belongs to no other component."""
     while True:
         count = Counter(link for _, links in joined for link in links)
         loose = {link for link in light if count[link] == 1}
@@ -148,20 +147,19 @@ def _row(links: AbstractSet[int], first: int, joined: Sequence[Sequence[int]]) -
 
 
 def _levelled(devices: Sequence[ModeDevice]) -> Iterator[ModeDevice]:
-    """Place components at levels without overlap, beginning with elastic and short components."""
+    """Put components at levels without overlap, elastic and short components first."""
     order = sorted(devices, key=lambda d: (not d.elastic, d.members[-1] - d.members[0]))
     taken: list[ModeDevice] = []
     for device in order:
         on_line = device.is_grounded or device.members[1:] == (device.members[0] + 1,)
         placed = device._replace(level=0 if on_line else 1)
-        while any(_cover(other, placed) for other in taken):
+        while any(_would_overlap(other, placed) for other in taken):
             placed = placed._replace(level=placed.level + 1)
         taken.append(placed)
     yield from sorted(taken, key=lambda d: (not d.elastic, d.members, d.level))
 
 
-def _cover(device: ModeDevice, other: ModeDevice) -> bool:
-    """Return whether two components at a common level would overlap."""
+def _would_overlap(device: ModeDevice, other: ModeDevice) -> bool:
     if device.is_grounded or other.is_grounded or device.level == 0:
         return (device.level, device.members) == (other.level, other.members)
     apart = device.members[-1] < other.members[0] or other.members[-1] < device.members[0]

@@ -1,4 +1,4 @@
-"""Picture of the natural modes of a gear: shapes over the links, and shares of the energy."""
+"""Picture of the natural modes of a gear: shapes over the links, and shares of energy."""
 
 from __future__ import annotations
 
@@ -43,18 +43,18 @@ LEAST_MODE_HEIGHT = 58.0
 SHAPE_HEIGHT = 84.0
 """Largest height of a mode shape. [pt]"""
 MODE_GAP = 14.0
-"""Gap between modes, and between columns. [pt]"""
+"""Vertical gap between modes, and gap between columns. [pt]"""
 BETWEEN_SHARES = 5.0
 """Vertical gap between the bars of elastic and of kinetic energy. [pt]"""
 NO_BREAK = "\N{NO-BREAK SPACE}"
 PART_GAP = "    "
-"""Spaces between the parts of the caption of a mode."""
+"""Spaces between the items in the caption of a mode."""
 SAID_GAP = 3.0
 """Gap below the caption of a mode. [pt]"""
 NOTE_GAP = 4.0
 """Gap between the note on a gear and the row of links. [pt]"""
 AMPLITUDE_SCALE_WIDTH = 16.0
-"""Width of the numbers at the scale of amplitudes. [pt]"""
+"""Width of the numbers on the scale of amplitudes. [pt]"""
 ELASTIC = "elastic energy"
 KINETIC = "kinetic energy"
 """Titles of the bars of elastic and kinetic energy."""
@@ -63,17 +63,17 @@ GEAR_GAP = 30.0
 
 
 class _ModeRow(NamedTuple):
-    """Mode with caption, and with bars at the side of the shape."""
+    """Mode with its caption, and with bars to the right of its shape."""
 
     mode: Mode
     said: Sequence[str]
-    """Parts of the caption."""
+    """Items of the caption."""
     elastic: list[Share]
     kinetic: list[Share]
 
 
 class _GearModesPart(NamedTuple):
-    """Gear with all or some modes; without modes, a note gives the reason."""
+    """Gear with all or some of its modes, or with a note why it has no modes."""
 
     head: str
     note: str
@@ -82,7 +82,7 @@ class _GearModesPart(NamedTuple):
 
 
 class _ModeColumns(NamedTuple):
-    """Widths that all gears of a figure have in common, in points."""
+    """Widths in points that all gears of a figure share."""
 
     shapes: float
     """Width of mode shapes."""
@@ -104,7 +104,7 @@ class _ModeColumns(NamedTuple):
 
     @property
     def ends(self) -> tuple[float, float]:
-        """Right ends of the bars of elastic and kinetic energy."""
+        """Right ends of the bars of elastic energy, and of kinetic energy."""
         first = self.left + self.shapes + MODE_GAP
         if self.stacked:
             return (first + max(self.elastic, self.kinetic),) * 2
@@ -116,7 +116,7 @@ class _ModeColumns(NamedTuple):
         return self.ends[1] + MARGIN
 
     def caption(self, row: _ModeRow) -> str:
-        """Return the caption of a mode, wrapped to the width left by the bars or title."""
+        """Return the caption of a mode, wrapped if the title of bars leaves too little width."""
         line = PART_GAP.join(row.said)
         if self._fits_beside_title(line):
             return line
@@ -127,12 +127,12 @@ class _ModeColumns(NamedTuple):
         return width(line) <= self.ends[0] - self.named - MODE_GAP - MARGIN
 
     def drop(self, row: _ModeRow) -> float:
-        """Return the distance from the top of a mode down to the bars."""
+        """Return the distance from the top of a mode to its bars."""
         is_beside = self._fits_beside_title(PART_GAP.join(row.said))
         return 0.0 if is_beside else self.caption_height(row)
 
     def caption_height(self, row: _ModeRow) -> float:
-        """Return the height of the caption of a mode, including the gap below."""
+        """Return the height of a caption, including the gap below."""
         return height(self.caption(row)) + SAID_GAP
 
     def high(self, row: _ModeRow) -> float:
@@ -151,9 +151,9 @@ def _spaced(parts: str) -> str:
 
 
 def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Canvas]:
-    """Draw the natural modes of gears in a column, on pages.
+    """Draw the natural modes of gears in a column, on one or more pages.
 
-    If a single page without a given height is requested, only the first gear is drawn by default.
+    By default a single page of unspecified height shows only the first gear.
 
     Raises
     ------
@@ -217,7 +217,7 @@ def _row(
 
 
 def _columns(parts: Sequence[_GearModesPart], style: Style) -> _ModeColumns:
-    """Choose widths: bars side by side if the links have room, otherwise stacked."""
+    """Choose the widths: bars side by side if the links have room, otherwise stacked."""
     rows = [row for part in parts for row in part.rows]
     links = [part.links for part in parts if part.links]
     captions = widest(PART_GAP.join(row.said) for row in rows) - AMPLITUDE_SCALE_WIDTH
@@ -229,7 +229,7 @@ def _columns(parts: Sequence[_GearModesPart], style: Style) -> _ModeColumns:
             (KINETIC, [row.kinetic for row in rows]),
         )
     )
-    # The caption of a mode can extend to the title of the bars.
+    # the caption of a mode can extend to the title of the bars
     named = width(style.text(ELASTIC))
     captions -= elastic - named
     whole = max([captions, *map(whole_width, links)])
@@ -241,22 +241,21 @@ def _columns(parts: Sequence[_GearModesPart], style: Style) -> _ModeColumns:
     return _ModeColumns(shapes, shapes / count, elastic, kinetic, stacked, named)
 
 
-def _head_high(part: _GearModesPart, columns: _ModeColumns) -> float:
-    """Return the height above the first mode of a gear [pt]."""
+def _height_above_modes(part: _GearModesPart, columns: _ModeColumns) -> float:
     across = columns.right - 2 * MARGIN
     texts = height("") + NOTE_GAP + height(wrapped(part.note, across))
     return texts + (row_height(part.links, columns.pitch) + MODE_GAP if part.links else 0.0)
 
 
 def _high(part: _GearModesPart, columns: _ModeColumns) -> float:
-    return _head_high(part, columns) + sum(map(columns.high, part.rows))
+    return _height_above_modes(part, columns) + sum(map(columns.high, part.rows))
 
 
 def _on_pages(results: Results, part: _GearModesPart, style: Style) -> Iterator[_GearModesPart]:
-    """Divide the modes of a gear into parts that fit on a page each."""
+    """Divide the modes of a gear into groups that fit on a page each."""
     columns = _columns([part], style)
     room = style.height - _page_head(results, columns.right, style).high - 3 * MARGIN
-    room -= _head_high(part, columns)
+    room -= _height_above_modes(part, columns)
     page: list[_ModeRow] = []
     for row in part.rows:
         if page and sum(map(columns.high, [*page, row])) - MODE_GAP > room:
@@ -285,14 +284,13 @@ def _figure(results: Results, parts: Sequence[_GearModesPart], style: Style) -> 
 
 
 def _draw_gear(pen: Pen, top: float, part: _GearModesPart, columns: _ModeColumns) -> None:
-    """Draw the row of links of a gear, and the modes below the row."""
     style, right = pen.style, columns.right - MARGIN
     pen.text(MARGIN, top, part.head, va="top", bold=True)
     note = wrapped(part.note, right - MARGIN)
     pen.text(MARGIN, top - height(""), note, color=style.soft, **BELOW)
     if part.links is None:
         return
-    y = top - _head_high(part, columns)
+    y = top - _height_above_modes(part, columns)
     axis = Axis(pen, columns.left, columns.pitch)
     draw_links(axis, y + MODE_GAP, part.links)
     above = 2 + 2 * columns.stacked
@@ -306,7 +304,6 @@ def _draw_gear(pen: Pen, top: float, part: _GearModesPart, columns: _ModeColumns
 def _draw_mode(
     axis: Axis, top: float, links: ModeLinks, row: _ModeRow, columns: _ModeColumns
 ) -> None:
-    """Draw the caption, shape and bars of a mode below a height [pt]."""
     pen, style = axis.pen, axis.pen.style
     pen.text(MARGIN, top, columns.caption(row), **BELOW)
     caption = columns.caption_height(row)

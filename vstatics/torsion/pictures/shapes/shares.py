@@ -13,15 +13,15 @@ from vstatics.pictures.drawing.style import SHORT_NAME, Style
 FULL_BAR = 52.0
 """Length of a bar of 100 %. [pt]"""
 SHARE_BAR_HEIGHT = 6.0
-"""Height of a bar. [pt]"""
+"""Thickness of a bar. [pt]"""
 PERCENT_WIDTH = 26.0
-"""Width of the number after a bar. [pt]"""
+"""Width of the number to the right of a bar. [pt]"""
 BAR_GAP = 5.0
 """Gap between a name and a bar, and between a bar and a number. [pt]"""
 SHARE_BAR_WIDTH = FULL_BAR + BAR_GAP + PERCENT_WIDTH
-"""Width of a full bar with the number. [pt]"""
+"""Width of a full bar with its number. [pt]"""
 MOST_BARS = 5
-"""Largest number of bars, in addition to a bar for all other shares."""
+"""Largest number of bars, apart from a bar for all other shares."""
 LEAST_SHARE = 0.01
 """Smallest share with a bar."""
 
@@ -38,7 +38,7 @@ class Share(NamedTuple):
 def largest_shares(
     shares: Mapping[str, float], marks: Mapping[str, str], colours: Mapping[str, str], style: Style
 ) -> list[Share]:
-    """Return the largest shares in the energy of a mode, and the sum of other shares.
+    """Return the largest energy shares in a mode, and the sum of all other shares.
 
     Parameters
     ----------
@@ -71,7 +71,7 @@ def largest_shares(
 
 
 def shares_height(shares: Sequence[Share]) -> float:
-    """Return the height of the bars of given shares [pt]."""
+    """Return the height of the bars of shares [pt]."""
     return sum(height(share.name) for share in shares)
 
 
@@ -81,7 +81,7 @@ def shares_width(shares: Sequence[Share]) -> float:
 
 
 def draw_shares(pen: Pen, right: float, top: float, shares: Sequence[Share]) -> None:
-    """Draw bars that begin at the abscissa `right` - `SHARE_BAR_WIDTH`, from `top` down [pt]."""
+    """Draw bars from `top` down; they begin at the abscissa `right` - `SHARE_BAR_WIDTH` [pt]."""
     start, y = right - SHARE_BAR_WIDTH, top
     for share in shares:
         middle = y - height(share.name) / 2

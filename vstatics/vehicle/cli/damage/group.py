@@ -14,7 +14,7 @@ class DamageCommands(LazyGroup):
     modules = ANNEX.groups["damage"]
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """Insert the default command unless a command is named, and parse the arguments."""
+        """Insert the default command if none is named, and parse the arguments."""
         if args and args[0] not in (*self.modules, *ctx.help_option_names):
             args = ["record", *args]
         return super().parse_args(ctx, args)

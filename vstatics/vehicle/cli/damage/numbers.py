@@ -15,7 +15,7 @@ from vstatics.core.tables.grid import Grid
 
 
 def number(name: str, text: str, default: float | None = None) -> Option:
-    """Return an option for a number above 0, required unless a default is given."""
+    """Return an option for a number above 0, which is required without a default."""
     return click.option(
         f"--{name}",
         type=float,
@@ -29,7 +29,7 @@ def number(name: str, text: str, default: float | None = None) -> Option:
 
 
 def stress(name: str, text: str) -> Option:
-    """Return a required option for a stress or stress distribution with unit; values are in Pa."""
+    """Return a required option for a stress, or a distribution of it, with a unit; values in Pa."""
 
     def read(given: str) -> float:
         from vstatics.core.readers.named.si_units import in_any_unit

@@ -1,4 +1,4 @@
-"""Command `vstatics damage resize`: shaft of equal fatigue life under other torques."""
+"""Command `vstatics damage resize`: shaft with an equal fatigue life under other torques."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class _Diameter(NamedTuple):
 
 
 def _diameter(text: str) -> _Diameter:
-    """Parse a diameter, and keep the unit, if any."""
+    """Parse a diameter; keep its unit, if any."""
     from vstatics.core.readers.named.arithmetic import calculated
     from vstatics.core.readers.named.si_units import measured
 

@@ -30,7 +30,7 @@ def draw_pair(sheet: AxesSheet, number: int) -> None:
 
 
 def _wheel(sheet: AxesSheet, number: int, place: int, radius: float, toward: int) -> None:
-    """Draw a gear with teeth at both edges, and the half of its web that is not the link's line."""
+    """Draw a gear: teeth at both edges, and the half of the web on the far side of the axis."""
     placing, station = sheet.placing, sheet.placing.board.stations[number]
     index, x, axis, link = (
         station.devices[0],

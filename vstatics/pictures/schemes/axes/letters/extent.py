@@ -24,7 +24,7 @@ class AxesLetters(NamedTuple):
 
     @classmethod
     def of(cls, placing: AxesPlaces, scheme: Scheme, wide: float = inf) -> AxesLetters:
-        """Return all texts; components have names only if the other parts fit a width [pt]."""
+        """Return all texts; components have names only if the bare diagram fits a width [pt]."""
         solid = list(obstacles(placing))
         names = fixed_names(placing, scheme, solid)
         bare = cls(names, solid, {})

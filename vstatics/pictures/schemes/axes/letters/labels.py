@@ -56,7 +56,8 @@ class WantedLabel(NamedTuple):
     above: Point
     """Middle of the lower edge of a text above, or of the upper edge of a text below. [pt]"""
     below: float
-    """Height of the near edge of a text on the other side of the component. [pt]"""
+    """Height of the near edge of a text below instead of above the component, or vice versa. [pt]
+    """
     up: int
     half: float = 3.0
     """Half the width of the named component. [pt]"""
@@ -69,7 +70,7 @@ class WantedLabel(NamedTuple):
 
 
 class DeviceLabel(NamedTuple):
-    """Text with a position."""
+    """Name or tooth number of a component, with its position."""
 
     text: str
     at: Point

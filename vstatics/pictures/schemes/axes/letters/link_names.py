@@ -1,4 +1,4 @@
-"""Positions of link names, next to the arrows of inputs and outputs and in free places."""
+"""Positions of link names, next to the arrows of inputs and outputs, or below a free line."""
 
 from __future__ import annotations
 

@@ -128,7 +128,7 @@ def _of_set(placing: AxesPlaces, number: int, station: Station) -> Iterator[Obst
 
 
 def _of_section(station: Station, layout: CoaxialLayout, x: float, y: float) -> Iterator[Obstacle]:
-    """Yield an obstacle for a half-section above the axis, and an obstacle for each part below."""
+    """Yield an obstacle for a half-section above the axis, and for each symbol below the axis."""
     low, high = x - station.half, x + station.half
     yield Obstacle(Rectangle(low, y - HALF_LINE, high, y + station.reach[1]))
     for up, at in zip(layout.uprights, layout.places.at, strict=True):

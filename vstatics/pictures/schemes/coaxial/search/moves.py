@@ -23,7 +23,7 @@ from vstatics.pictures.schemes.coaxial.train import CoaxialTrain
 
 
 class Moves(NamedTuple):
-    """Generator of the steps that can follow to the right of a place in a half-section."""
+    """Generator of the components that can follow to the right in a half-section."""
 
     train: CoaxialTrain
     crossing: int = 0
@@ -101,7 +101,7 @@ class Moves(NamedTuple):
 def _adjacent(
     below: Bars, above: Bars, link: int, part: int, *, wraps: bool
 ) -> Iterator[tuple[Bars, Bars, int]]:
-    """Yield all places of a new bar next to the bars of a link, instead of a bar, or within it."""
+    """Yield the bars below and above with a new bar next to a bar of a link, or within it."""
     for row, is_low in ((below, True), (above, False)):
         for at, bar in enumerate(row):
             if bar >> 3 != link:

@@ -18,7 +18,7 @@ def can_go_on(train: CoaxialTrain, bars: Sequence[int], done: int) -> bool:
     Parameters
     ----------
     bars : sequence of int
-        Bars from the axis outwards, each eight times the link plus the number of the link's part.
+        Bars from the axis outwards, each as 8 times its link plus the number of its part.
     """
     parts = list(_parts(train, bars, done))
     for places in parts:

@@ -28,7 +28,7 @@ _Plane = tuple[tuple[int, int], tuple[int, int]]
 
 
 class _Begun(NamedTuple):
-    """Gear set whose planes are drawn up to some place."""
+    """Gear set of which the first planes are drawn."""
 
     state: SectionState
     cost: int

@@ -1,4 +1,4 @@
-"""State of a search: bars (lines of links) at a place along the axis, and drawn components.
+"""State of a search: bars (lines of links) at a position along the axis, and drawn components.
 
 A bar is identified by eight times the number of its link plus the number of its part. Parts of a
 link with different numbers must still be connected further to the right.
@@ -10,7 +10,9 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 Bars = tuple[int, ...]
-"""Bars from the axis outwards, each eight times the link plus the number of the link's part."""
+"""Bars (lines of links) from the axis outwards, each as 8 times its link plus the number of its
+part.
+"""
 SET, PAIR, TOP, WALL = 3, 2, 1, 1
 """Lengths of components along the axis, which multiply the cost of bars. [-]"""
 FOLD, TURN, CROSSING, EXCHANGE = 8, 2, 400, 10
@@ -18,7 +20,7 @@ FOLD, TURN, CROSSING, EXCHANGE = 8, 2, 400, 10
 
 
 class SectionState(NamedTuple):
-    """Bars at a place along the axis, and the bits of the components to the left of the place."""
+    """Bars at a position along the axis, and the bits of the components to the left of it."""
 
     below: Bars
     above: Bars
@@ -26,7 +28,7 @@ class SectionState(NamedTuple):
 
 
 class SweepStep(NamedTuple):
-    """Component at a place along the axis."""
+    """Step of the search: a component at a position along the axis."""
 
     kind: str
     """Kind of component: ``top`` (at the housing), ``pair`` (between two links), ``wall`` (vertical

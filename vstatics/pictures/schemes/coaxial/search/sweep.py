@@ -63,7 +63,7 @@ MOST_CROSSING = 2
 MOST_CHOICES = 12
 """Largest number of choices of crossing components that are tried, in the order of the train."""
 MOST_FURTHER = 2
-"""Largest number of bars at a place in addition to a single bar per link."""
+"""Largest number of bars at a position in addition to a single bar per link."""
 BARS_OF_REST = 2
 """Number of bars along each remaining component in the estimate of the remaining cost."""
 _Trace = tuple[tuple[SweepStep, ...], "_Trace | None"]
@@ -272,7 +272,7 @@ def _thinned(below: Bars, above: Bars) -> Iterator[tuple[Bars, Bars]]:
 
 
 def _numbered(below: Bars, above: Bars) -> tuple[Bars, Bars]:
-    """Number the parts of each link anew, in order of appearance."""
+    """Rename the parts of each link by numbers in order of appearance."""
     if not any(bar & 7 for bar in below + above):  # each link has a single part
         return below, above
     names: dict[int, int] = {}

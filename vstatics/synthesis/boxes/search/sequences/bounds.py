@@ -128,7 +128,7 @@ def _step(dividend: Floats, divisor: Floats, sums: Floats) -> tuple[float, float
 
 @compiled_part
 def _gap(corner: int) -> int:
-    """Return the increment to the next corner, when the bits of corners are digits in base 3."""
+    """Return the increment from a corner to the next, with the bits of corners as base-3 digits."""
     low, power = 0, 1
     while corner & 1:
         low += power

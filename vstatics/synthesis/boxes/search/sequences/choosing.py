@@ -1,6 +1,7 @@
-"""Choices of gear ratios for the targets and a sequence, by the ranges of ratios and steps.
+"""Choice of a gear ratio for each target and for each gear of a sequence.
 
-At a point all ranges are single numbers, so that the choices are exact.
+In a cell of gear-set ratios, the gear ratios and step ratios are known as ranges. At a point they
+are known exactly, and so are the choices.
 """
 
 from __future__ import annotations
@@ -29,7 +30,7 @@ class Goal(NamedTuple):
 
 @compiled_part
 def begin_choices(room: ChoiceRoom) -> None:
-    """Reset the room before the first choice."""
+    """Reset the work arrays before the first choice."""
     for ratio in range(len(room.free)):
         room.free[ratio] = True
     room.places[0] = -1
@@ -150,7 +151,7 @@ def set_elements(asked: Asked, length: int, singly: int, room: SequenceRoom) -> 
 
 @compiled_part
 def may_use_all(targets: int, length: int, singly: int, room: SequenceRoom) -> bool:
-    """Return False if gears chosen by ranges in a cell cannot use all shift elements.
+    """Return False if the gears chosen in a cell cannot use all shift elements.
 
     If there are targets, the order of the gears is not yet known, so that single shifts are not
     checked.

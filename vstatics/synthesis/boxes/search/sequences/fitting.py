@@ -115,7 +115,7 @@ def _find_rows(length: int, asked: Asked, room: SequenceRoom) -> int:
 
 @compiled_part
 def _pulled(error: float, row: int, room: SequenceRoom) -> float:
-    """Return the signed distance of an error, with the pull, from the nearer end of the range."""
+    """Return the signed distance of an error from its range, narrowed by the pull; 0 within."""
     pull = room.fit.pulls[row]
     above, below = error - room.rows[row, 3] + pull, room.rows[row, 2] - error + pull
     if above >= below:
@@ -200,7 +200,7 @@ def _errors(parts: Floats, length: int, asked: Asked, room: SequenceRoom, errors
 
 @compiled_part
 def _combine(logs: Floats, length: int, asked: Asked, room: SequenceRoom, errors: Floats) -> None:
-    """Combine logarithms of gear ratios, or the slopes, to spread and steps, in half-widths."""
+    """Combine ln(i) of the gears, or their slopes, to targets, spread and steps, in half-widths."""
     targets = len(asked.targets)
     fill(errors, 0.0)
     for target in range(targets):
@@ -232,7 +232,7 @@ def _find_slopes(parts: Floats, length: int, asked: Asked, room: SequenceRoom) -
 
 @compiled_part
 def _weigh_errors(stiffness: float, room: SequenceRoom) -> None:
-    """Calculate half of both derivatives of the sum of squares with respect to each error."""
+    """Calculate both derivatives of half the sum of squares with respect to each error."""
     fit = room.fit
     for row in range(len(fit.errors)):
         error, counts = fit.errors[row], room.rows[row, 4]

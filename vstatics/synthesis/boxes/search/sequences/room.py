@@ -78,7 +78,8 @@ class ChoiceRoom(NamedTuple):
     order: Integers
     """Indices of the gear ratios from the largest to the smallest, shape (ratios,)."""
     places: Integers
-    """Position in `order` of the ratio of each gear; negative at first, shape (gears,)."""
+    """Position in `order` of the ratio of each gear, then a spare, shape (gears + 1,); -1 at first.
+    """
     chosen: Integers
     """Index of the ratio of each gear, shape (gears,)."""
     free: Booleans
@@ -110,9 +111,9 @@ class SequenceRoom(NamedTuple):
     high: Floats
     """Upper bounds of ring teeth divided by sun teeth, shape (cells, sets). [-]"""
     cell: ChoiceRoom
-    """Choices by the ranges of the gear ratios in a cell."""
+    """Work arrays for the choices of gears that are possible in a cell."""
     point: ChoiceRoom
-    """Choices by the gear ratios at a point."""
+    """Work arrays for the choices of gears at a point."""
     sums: Floats
     """Bernstein coefficients of a step ratio in a cell, shape (2, 3**sets)."""
     logs: Floats

@@ -5,9 +5,9 @@ reported sequence has first as many gears as possible, then single shifts betwee
 the smallest sum of squared distances from the middles of the ranges. If single shifts are required,
 only sequences with single shifts are considered.
 
-The bounds are repeatedly halved to cells. A cell is discarded if its ranges allow no choice of
-gears; otherwise the best choice at its middle is recorded. In a small cell, every possible choice
-is fitted from the middle; solutions that these fits miss are lost.
+The range of gear-set ratios is repeatedly halved to cells. A cell is discarded if its ranges allow
+no choice of gears; otherwise the best choice at its middle is recorded. In a small cell, every
+possible choice is fitted from the middle; solutions that these fits miss are lost.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ MOST_SEQUENCE_CELLS = 20_000
 MORE_CELLS = 1000
 """Number of further cells to examine for an equally long sequence with single shifts."""
 SMALL = 1.05
-"""Quotient of the bounds of each gear-set ratio below which choices are fitted in a cell. [-]"""
+"""Quotient of the bounds of each gear-set ratio in a cell, below which choices are fitted. [-]"""
 MOST_CELL_FITS = 40
 """Largest number of choices of gears to fit before a cell is halved."""
 
@@ -151,10 +151,10 @@ def _is_point_better(parts: Floats, asked: Asked, room: SequenceRoom) -> bool:
 
 @compiled_part
 def _is_settled(parts: Floats, top: int, widest: int, asked: Asked, room: SequenceRoom) -> bool:
-    """Fit every possible choice in a small cell; return True if the cell is settled.
+    """Fit every possible choice in a small cell; return True if it needs no further halving.
 
-    A cell is not settled if a gear of a choice has the wrong direction in its middle, unless the
-    cell is narrow.
+    Halving continues if a gear of a choice has the wrong direction in the middle of the cell,
+    unless the cell is narrow.
     """
     targets, cell, depth, fits = len(asked.targets), room.cell, 0, 0
     goal = Goal(targets, len(parts), fewest(room), MOST_CELL_LOOKS)
