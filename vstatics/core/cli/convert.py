@@ -47,9 +47,12 @@ def convert_command(
                 in the gears in which they hold. A case with springs, inertias or
                 stiffnesses cannot be written as a deck.
       xlsx      has a sheet for each kind of part.
-      matrices  are two tables in CSV with a row for each link: the first has a
-                column for each member of a planetary gear set, the second for
-                each shift element. These tables cannot be read.
+      matrices  are Evseenko's tables 1 and 2 in CSV, with a row for each link.
+                Table 1 has a column for the sun (a), carrier (h) and ring (b)
+                of each planetary gear set, with 1 at its link, or -1 if the
+                link is the input. Table 2 has a column for each shift element,
+                with -1 at the first link and 1 at the second. The program
+                cannot read these tables.
 
     Everything that the format cannot keep is listed, and the exit status is 1.
 

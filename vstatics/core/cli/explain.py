@@ -45,7 +45,8 @@ class AskedExercise(NamedTuple):
         "--seed",
         type=click.IntRange(min=0),
         metavar="N",
-        help="Replace teeth and ratios of the exercise by random values that can be assembled.",
+        help="Replace teeth and ratios of the exercise with random values. All gear sets can be "
+        "assembled.",
     ),
 )
 @formats.options(*formats.TABLES, output_help=formats.OF_SEVERAL_CASES)

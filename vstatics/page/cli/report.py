@@ -48,8 +48,8 @@ class PageOptions(NamedTuple):
 @command
 @arguments.argument
 @arguments.required_output(
-    "Output file for one case, or for two cases to compare, written completely or not at all; a "
-    "directory for several cases; - is standard output.",
+    "Output file for one case, or for two cases to compare, written completely or not at all. For "
+    "several cases: a directory. - is standard output.",
     unless="watch",
 )
 @under(

@@ -127,13 +127,13 @@ options = gathered(
             default="170mm",
             show_default=True,
             callback=value(told(page_width)),
-            help="Width of a page, 80mm to 1200mm; in mm, cm, in or pt.",
+            help="Width of a page from 80mm to 1200mm, in mm, cm, in or pt.",
         ),
         click.option("--dark", is_flag=True, help="Draw light lines on a dark background."),
     ),
     arguments.required_output(
-        "SVG, PNG or PDF file by its suffix, for one case or for two cases to compare; a directory "
-        "for several cases; - is standard output, with one SVG page of any height."
+        "Picture of one case, or of two cases to compare: SVG, PNG or PDF by the suffix. For "
+        "several cases: a directory. - is standard output: one SVG page of any height."
     ),
     under(
         _KINDS,

@@ -59,8 +59,8 @@ class FitOptions(NamedTuple):
         metavar="MECHANISM=LOW:HIGH,...",
         callback=value(named("MECHANISM=LOW:HIGH", pair), "--bounds"),
         help="Range of the ratio of a mechanism, or its fixed value. `all` gives the range of all "
-        "other mechanisms. Repeatable.  [default: sign of the ratio in the case, magnitude at "
-        "most 14; if all three links can rotate, the side of 1 on which the case has the ratio]",
+        "other mechanisms. Repeatable.  [default: same sign as in the case, magnitude at most "
+        "14; if all three links can rotate, also the same side of 1 as in the case]",
     ),
     click.option(
         "--weights",

@@ -65,9 +65,9 @@ def _links(text: str) -> int:
         type=click.Choice(get_args(Classes)),
         default="none",
         show_default=True,
-        help="Changes of a structure that do not count, so that equal structures are listed once. "
-        "sets: other names of the gear sets; members: also sun and ring exchanged; order: also "
-        "any other order of the members of a set; none: no changes.",
+        help="List only one of several structures that differ in the names of gear sets (sets), "
+        "also by an exchange of sun and ring (members), or also in the order of all members "
+        "(order).",
     ),
     click.option(
         "--ports", is_flag=True, help="List each structure with every pair of input and output."

@@ -79,7 +79,7 @@ def _whole_pair(text: str) -> tuple[int, int]:
         multiple=True,
         metavar="NAME=LOW:HIGH,...",
         callback=value(named("NAME=LOW:HIGH", _whole_pair), "--range"),
-        help="Range of tooth numbers, or a fixed number, of all toothed gears of a name "
+        help="Range of tooth numbers, or a fixed number, of all toothed gears with a name "
         "(sun=17:60), of one toothed gear (P2.ring=40:121), or of all others (all=17:90). Fewer "
         "than 17 teeth need a profile shift. Repeatable.  [default: 17 to 60, ring gears to 121, "
         "gear pairs to 100; always includes the numbers of the case]",
@@ -105,7 +105,7 @@ def _whole_pair(text: str) -> tuple[int, int]:
         metavar="PAIR=A,...",
         callback=value(named("PAIR=MODULES", number), "--centre"),
         help="Centre distance of an external gear pair, in modules (half the sum of its teeth). "
-        "Pairs on the same two shafts need it.",
+        "Give this option for pairs on the same two shafts.",
     ),
     click.option(
         "--modules",

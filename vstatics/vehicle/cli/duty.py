@@ -104,8 +104,8 @@ duty_options = gathered(
         "--duty",
         type=FILE,
         metavar="FILE",
-        help="Duty cycle: a YAML file with `energy` or `time`, a share for each gear; or a CSV "
-        "file with `time [s]` or `share`, `gear`, `speed [rpm]`, `torque [N*m]`.",
+        help="File of a duty cycle. YAML gives `energy` or `time` with a share for each gear. CSV "
+        "has the columns `time [s]` or `share`, `gear`, `speed [rpm]` and `torque [N*m]`.",
     ),
     click.option(
         "--exponent",

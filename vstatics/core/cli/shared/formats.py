@@ -167,8 +167,7 @@ raw = under(
     click.option(
         "--raw",
         is_flag=True,
-        help="Omit the apostrophe that CSV has before a text which a spreadsheet would read as a "
-        "formula.",
+        help="Omit the apostrophe in CSV that keeps a spreadsheet from reading text as a formula.",
     ),
 )
 digits = under(

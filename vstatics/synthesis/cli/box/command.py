@@ -40,7 +40,9 @@ LOADING_SECONDS = 5.0
         help="Exit with status 1 if the search can have missed gearboxes.",
     ),
     click.option(
-        "--dry-run", is_flag=True, help="Print only estimates of the number of gearboxes and time."
+        "--dry-run",
+        is_flag=True,
+        help="Print only estimates of the number of gearboxes and of the time.",
     ),
 )
 @arguments.quiet
