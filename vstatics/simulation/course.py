@@ -29,7 +29,7 @@ from vstatics.simulation.events.selection import (
 from vstatics.simulation.events.sequence_commands import StepCommands, value_of, with_states
 from vstatics.simulation.events.sequences import SequenceProgress, SequenceRun
 from vstatics.simulation.events.sides import Judge
-from vstatics.simulation.events.stretches import Closed, NoFit
+from vstatics.simulation.events.stretches import Closed, KnownSolutions, NoFit
 from vstatics.simulation.events.time_steps import StepTolerances, TimeStep, TooSmall, steps
 from vstatics.simulation.events.unbounded import unbounded
 from vstatics.simulation.record.motion import EventKind
@@ -109,6 +109,7 @@ class EventRun:
         """Indices of the contacts that reached their torque limit at the present instant."""
         self.length: float | None = None
         """Length of the last time step. [s]"""
+        self.solutions = KnownSolutions()
         self.parts: int | None = None
         """Largest number of equal parts in the next stretch that is solved in closed form."""
         self.meetings = CornerMeetings(self.span)
@@ -435,7 +436,7 @@ class EventRun:
         time = equations.time
         if equations.has_closed_form:
             try:
-                closed = Closed(equations, state, self.scales.torque, self.parts)
+                closed = Closed(equations, state, self.scales.torque, self.solutions, self.parts)
                 for step in closed.steps(state, end):
                     self.parts = closed.most
                     yield step

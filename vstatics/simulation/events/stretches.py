@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.core.numerics.arrays import Booleans, Complex, Floats, largest
+from vstatics.core.numerics.arrays import Booleans, Complex, Floats, Integers, largest
 from vstatics.simulation.events.exponential import Exponential
 from vstatics.simulation.events.time_steps import TimeStep
 from vstatics.simulation.system.equations import Affine, Equations
@@ -65,6 +65,10 @@ _CONVERGED = 0.1
 """Largest expected error after the last round, relative to the error limit."""
 _BALANCINGS = 3
 """Number of passes that balance the scales of the control values."""
+_SLOPES_DIFFER = 0.05
+"""Relative difference of slopes above which torques are linearized anew. [-]"""
+_MOST_SLOPES, _MOST_KNOWN = 4, 32
+"""Largest numbers of slopes and of exponentials that are kept for later stretches."""
 _FEW = 64
 """Number of state variables above which eigenvalues are first estimated by a bound."""
 _SQUARINGS = 6
@@ -229,6 +233,64 @@ def _equal_parts(length: float, left: float, most: int) -> tuple[float, int]:
     return left / count, count
 
 
+class KnownSolutions:
+    """Slopes of torques and matrix exponentials of a run, which serve again after an event.
+
+    After most events, the matrix of the equations of motion returns to an earlier value.
+    """
+
+    def __init__(self) -> None:
+        self._slopes: list[tuple[Floats, tuple[Floats, Floats]]] = []
+        self._exponentials: dict[bytes, Exponential] = {}
+
+    def slopes_near(
+        self, slopes: tuple[Floats, Floats], bending: Integers, torques: int
+    ) -> tuple[Floats, Floats]:
+        """Return slopes of torques, with little different earlier slopes of nonlinear torques.
+
+        Parameters
+        ----------
+        slopes : ndarray, shape (ports,), and ndarray, shape (ports + values, size)
+            Derivatives with respect to the rates of ports, and to the state.
+        bending : ndarray of int
+            Ports with nonlinear torques, and rates of values.
+        torques : int
+            Number of ports in `bending`.
+        """
+        by_rate, by_state = slopes
+        now = _joined(slopes)
+        for before, known in self._slopes:
+            if not _differ(now, before):
+                by_rate[bending[:torques]] = known[0][bending[:torques]]
+                by_state[bending] = known[1][bending]
+                return slopes
+        latest = now, (by_rate.copy(), by_state.copy())
+        self._slopes = [latest, *self._slopes[: _MOST_SLOPES - 1]]
+        return slopes
+
+    def exponential(self, matrix: Floats, size: int) -> Exponential:
+        """Return the exponential of a matrix at `NODES`; `size` rows are calculated."""
+        key = matrix.tobytes()
+        known = self._exponentials.pop(key, None) or Exponential(matrix, NODES, size)
+        self._exponentials[key] = known
+        if len(self._exponentials) > _MOST_KNOWN:
+            del self._exponentials[next(iter(self._exponentials))]  # the one not used for longest
+        return known
+
+
+def _joined(slopes: tuple[Floats, Floats]) -> Floats:
+    by_rate, by_state = slopes
+    return np.concatenate([by_rate, by_state.reshape(-1)])
+
+
+def _differ(now: Floats, before: Floats) -> bool:
+    """Return whether slopes of torques differ so much that a new matrix is better."""
+    if len(now) != len(before):
+        return True
+    sizes = np.maximum(np.abs(now), np.abs(before))
+    return bool((np.abs(now - before) > _SLOPES_DIFFER * sizes).any())
+
+
 class Closed:
     """Closed-form solution of a set of equations of motion.
 
@@ -239,14 +301,20 @@ class Closed:
         State at the start.
     large : float
         Torque that counts as large, the scale of rounding errors. [N*m]
+    known : KnownSolutions
     most : int, optional
         Number of parts of the last successful stretch, if torques are nonlinear in the state.
     """
 
     def __init__(
-        self, equations: Equations, state: Floats, large: float, most: int | None = None
+        self,
+        equations: Equations,
+        state: Floats,
+        large: float,
+        known: KnownSolutions,
+        most: int | None = None,
     ) -> None:
-        self.equations, self.large = equations, large
+        self.equations, self.large, self.solutions = equations, large, known
         ports = equations.ports
         timed = {port for port, _, _ in ports.timed}
         rates = range(equations.layout.ports, equations.layout.ports + len(equations.layout.values))
@@ -272,7 +340,10 @@ class Closed:
     def _straighten(self, time: float, state: Floats) -> None:
         """Linearize the torques about a state, and calculate the matrix A."""
         equations = self.equations
-        by_rate, by_state = self.known = self._slopes(time, state)
+        slopes = self._slopes(time, state)
+        by_rate, by_state = self.known = self.solutions.slopes_near(
+            slopes, self.bending, self.torques
+        )
         self.slopes: Floats = by_rate[self.bending[: self.torques]]
         self.by_state = by_state[self.bending]
         self.sees_state = bool(self.by_state.any())
@@ -299,12 +370,7 @@ class Closed:
 
     def _bends_elsewhere(self, time: float, state: Floats) -> bool:
         """Return whether torque slopes in a state differ from the slopes in the matrix."""
-        now, before = (
-            np.hstack([*map(np.ravel, slopes)])
-            for slopes in (self._slopes(time, state), self.known)
-        )
-        sizes = np.maximum(np.abs(now), np.abs(before))
-        return bool((np.abs(now - before) > 0.05 * sizes).any())
+        return _differ(_joined(self._slopes(time, state)), _joined(self.known))
 
     def _balanced(self) -> Floats:
         """Return factors that convert speeds and twists to square roots of energies."""
@@ -434,7 +500,7 @@ class Closed:
         # The factor keeps the effect of torques as small as the effect of the state.
         unit = max(largest(np.abs(matrix[:size, size:]).sum(axis=0)), NOT_ZERO)
         matrix[:size, size:] /= unit
-        exponential = Exponential(matrix, NODES, size), unit
+        exponential = self.solutions.exponential(matrix, size), unit
         self.exponentials[length] = exponential
         return exponential
 
@@ -444,7 +510,7 @@ class Closed:
         times = np.concatenate([[parts.begin], parts.times.reshape(-1)])
         times = self.equations.ports.inside(times)
         to_series, to_powers, to_values = fitting(parts.number)
-        before: Floats | None = None
+        before: Floats | None = given @ to_values
         change = 0.0
         at = np.empty((self.size, len(times)))
         at[:, 0] = state[: self.size]
