@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Sequence
+from functools import cache, lru_cache
 from xml.etree import ElementTree as ET
 
 from vstatics.core.tables.html import Markup
@@ -30,6 +31,8 @@ _STEP = re.compile(r"([MLQCz])([^MLQCz]*)")
 _DECIMAL = re.compile(r"-?\d+(?:\.\d+)?")
 _MOVED = re.compile(r"translate\((\S+) (\S+)\)")
 _INK = "var(--ink)"
+_MOST_PATHS = 4096
+"""Largest number of remembered paths; pictures of gears have many paths in common."""
 
 
 def palette(*, dark: bool) -> str:
@@ -87,6 +90,7 @@ def _fold(parent: ET.Element) -> None:
             parent[place] = shape
 
 
+@cache
 def _local(name: str) -> str:
     """Return a name without the namespace of SVG, and ``xml:space`` with the prefix."""
     return name.replace(_XML, "xml:").rpartition("}")[2]
@@ -104,6 +108,7 @@ def _rewritten(key: str, value: str, prefix: str) -> str:
     return _REFERENCE.sub(rf"url(#{prefix}-\1)", value)
 
 
+@lru_cache(maxsize=_MOST_PATHS)
 def short_path(path: str) -> str:
     """Return an SVG path with coordinates relative to the previous point, rounded to 0.1 pt.
 
@@ -215,6 +220,7 @@ def shared(page: Markup) -> tuple[Markup, Markup]:
     return Markup(_TAG.sub(short, page)), Markup("\n".join(rules))
 
 
+@cache
 def is_look(key: str) -> bool:
     """Check whether an attribute determines the appearance of an element.
 
