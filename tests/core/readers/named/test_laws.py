@@ -47,7 +47,7 @@ def test_a_file_of_points_is_that_of_a_test_bench(tmp_path: Path, text: str) -> 
     (tmp_path / "drag.csv").write_text(text, "utf-8")
     law = load(case_of(tmp_path, "{file: drag.csv}")).drag[2]
     assert isinstance(law, PointLaw)
-    np.testing.assert_allclose(law.points, [[0, 1], [10 * math.pi, 4]])
+    np.testing.assert_allclose(law.points, [[0.0, 1.0], [10 * math.pi, 4.0]])
 
 
 @pytest.mark.parametrize(
