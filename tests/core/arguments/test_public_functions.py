@@ -106,7 +106,7 @@ CALLS: list[tuple[str, type[Exception], Callable[[], Any], str]] = [
      "check of <Transmission .*: expected a path"),
     ("", TypeError, lambda: vstatics.solve(CASE, ratios={}),  # type: ignore[arg-type]
      "`ratios` is dict {}, expected an array"),
-    ("", TypeError, lambda: vstatics.solve(CASE, vary=pd.DataFrame({0: [1.0]})),
+    ("", TypeError, lambda: vstatics.solve(CASE, vary=pd.DataFrame({0: [1.0]})),  # type: ignore[arg-type]
      "`vary` is DataFrame .*expected a mapping of a text to an array"),
     ("", TypeError, lambda: vstatics.summarize(RESULTS, at_mots=1),  # type: ignore[call-arg]
      "`at_mots`; did you mean `at_most`"),

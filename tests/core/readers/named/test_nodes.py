@@ -93,6 +93,25 @@ def test_yaml_aliases_share_nodes() -> None:
 
 
 @pytest.mark.usefixtures("parser")
+def test_merge_keys_bring_what_pyyaml_brings() -> None:
+    """Sources: github.com/coreos/butane/issues/507 and gitlabform/gitlabform/issues/340."""
+    text = "a: &a {x: p, y: q}\nb: &b {<<: *a, z: s}\n"
+    for last in (
+        "c: {<<: *a, x: t}",
+        "c: {x: t, <<: *b}",
+        "c: {<<: [*a, *b], u: v}",
+        "c: {<<: [*b, {w: w, z: z}]}",
+        "c: {<<: *b, d: {<<: {x: y}}}",
+        "c: {<<: {}, '<<': n}",
+    ):
+        assert plain(of_yaml(text + last)) == yaml.safe_load(text + last), last
+    # yaml.org/type/merge.html: keys of the mapping itself win, then those of earlier mappings
+    tree = plain(of_yaml(text + "c: &c {<<: *b, y: r}\nd: {<<: [*c, *a], x: t}"))
+    assert isinstance(tree, dict)
+    assert tree["d"] == {"x": "t", "y": "r", "z": "s"}
+
+
+@pytest.mark.usefixtures("parser")
 @pytest.mark.parametrize(
     ("text", "line", "column", "words"),
     [

@@ -29,7 +29,6 @@ from vstatics.core.readers.named.nodes import (
 )
 from vstatics.core.readers.named.references import UnknownNameError
 
-NO_MERGE = "the merge key `<<` is not accepted, write its keys out"
 NO_COMMA = "write a decimal point, not a decimal comma"
 _AFTER_COMMA = re.compile(r"\d+(%|[ \t].*)?", re.ASCII)
 """Pattern of a key that results from a decimal comma in braces: `5 rpm` of `{speed: 2000,5 rpm}`.
@@ -47,9 +46,7 @@ def entries(spots: Spots, spot: Spot) -> Iterator[tuple[Scalar, Node]]:
     assert isinstance(spot.node, Mapping)  # noqa: S101 (for mypy)
     seen: dict[str, Scalar] = {}
     for key, value in spot.node.entries:
-        if is_merge(key):
-            spots.complain(spot, NO_MERGE, key, UNKNOWN_KEY)
-        elif is_null(key) or not key.text:
+        if is_null(key) or not key.text:
             spots.complain(spot, "read an empty key, expected a name", key, UNKNOWN_KEY)
         elif key.text in seen:
             first = seen[key.text]
@@ -109,11 +106,6 @@ def _advice(key: str, known: Collection[str]) -> str:
     if key == "ratio" and "teeth" in known and "ratios" not in known:
         return "; a gear set with a ratio instead of teeth is written under `mechanisms`"
     return ""
-
-
-def is_merge(key: Scalar) -> bool:
-    """Return whether a key is `<<`, the YAML key for merging mappings."""
-    return key.plain and key.text == "<<"
 
 
 def id_of(error: ValueError) -> str:

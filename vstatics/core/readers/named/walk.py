@@ -38,9 +38,7 @@ from vstatics.core.model.shape import (
 from vstatics.core.readers.named import compounds, laws, scalars
 from vstatics.core.readers.named.compounds import (
     NO_COMMA,
-    NO_MERGE,
     entries,
-    is_merge,
     known_entries,
 )
 from vstatics.core.readers.named.leaves import LEAVES, either_way, stand_in, values_before
@@ -51,7 +49,6 @@ from vstatics.core.readers.named.nodes import (
     NUMBER,
     SHAPE,
     TWICE,
-    UNKNOWN_KEY,
     Listing,
     Mapping,
     Node,
@@ -285,15 +282,13 @@ class Walk:
             return self.refuse(spot, shape, "expected a mapping with `kind` and members")
         given = [value for key, value in node.entries if key.text == shape.key]
         if not given:
-            merged = next((key for key, _ in node.entries if is_merge(key)), None)
             kinds = spoken(map(quoted, known), "or")
             of_several = "one of " if len(known) > 1 else ""
             missing = f"{quoted(shape.key)} is missing; expected {of_several}{kinds}"
             for key, _ in node.entries:
                 if key.text.startswith(f"{shape.key}:"):
                     missing = f"{quoted(shape.key)} is missing; write a blank after the colon"
-            message, identity = (NO_MERGE, UNKNOWN_KEY) if merged else (missing, MISSING)
-            self.spots.complain(spot, message, merged, identity)
+            self.spots.complain(spot, missing, identity=MISSING)
             self.spots.unreadable.append(spot.path)
             return {}
         kind = self.read(

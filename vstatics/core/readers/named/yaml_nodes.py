@@ -12,7 +12,15 @@ from typing import Any
 
 import yaml
 
-from vstatics.core.readers.named.nodes import DocumentText, Listing, Mapping, Node, Scalar, shown
+from vstatics.core.readers.named.nodes import (
+    UNKNOWN_KEY,
+    DocumentText,
+    Listing,
+    Mapping,
+    Node,
+    Scalar,
+    shown,
+)
 
 _BRACKETS = {"flow sequence": ("list", "]"), "flow mapping": ("mapping", "}")}
 """Words of the parser for a value in brackets, with plain words and the closing bracket."""
@@ -56,6 +64,9 @@ def yaml_tree(document: DocumentText) -> Node:
             *document.place(unprintable.start()),
         )
     return _Builder(document, getattr(yaml, "CSafeLoader", yaml.SafeLoader)).root()
+
+
+_NO_MAPPING = "expected a mapping, or a list of mappings, behind the merge key `<<`"
 
 
 class _Builder:
@@ -131,7 +142,7 @@ class _Builder:
             case yaml.SequenceStartEvent():
                 node = Listing(list(self.items(depth)), line, column)
             case yaml.MappingStartEvent():
-                node = Mapping(list(self.entries(depth)), line, column)
+                node = Mapping(self.merged([*self.entries(depth)]), line, column)
             case _:
                 node = self.scalar(event, line, column)
         tag = getattr(event, "tag", None)
@@ -154,6 +165,22 @@ class _Builder:
                     "a key that is a list or a mapping, expected text", key.line, key.column
                 )
             yield key, self.node(self.next(), depth + 1)
+
+    def merged(self, entries: list[tuple[Scalar, Node]]) -> list[tuple[Scalar, Node]]:
+        """Return entries with the mappings after merge keys `<<`, whose known keys are left out."""
+        names = {key.text for key, _ in entries}
+        merged: list[tuple[Scalar, Node]] = []
+        for key, value in entries:
+            if not (key.plain and key.text == "<<"):
+                merged.append((key, value))
+                continue
+            for source in value.items if isinstance(value, Listing) else [value]:
+                if isinstance(source, Mapping):
+                    merged += (entry for entry in source.entries if entry[0].text not in names)
+                    names |= {name.text for name, _ in source.entries}
+                else:
+                    self.document.add(_NO_MAPPING, key.line, key.column, identity=UNKNOWN_KEY)
+        return merged
 
     def scalar(self, event: Any, line: int, column: int) -> Scalar:
         self.document.check_characters(event.value, line, column)
