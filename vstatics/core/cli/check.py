@@ -173,7 +173,7 @@ def check_command(
 
     A CASE can also be a scenario, which is checked together with its case; - is standard input.
     Messages go to stderr with file, line and column. The number of constraints in each gear
-    goes to stdout; with -q, it is printed only for a case that fails.
+    goes to stdout. With -q, it is printed only for a case that fails.
 
     The formats for editors and CI contain the messages of all cases and go to stdout, or to
     the file of -o: an array in JSON, annotations of GitHub, SARIF, or JUnit.

@@ -39,7 +39,7 @@ def convert_command(
     """Convert a case from the file IN to the file OUT; - is standard input or output.
 
     The formats are deck (.dat), YAML, JSON, XLSX and matrices. An existing file OUT is
-    replaced. Numbers and names are kept exactly; torques and speeds with a unit are written
+    replaced. Numbers and names are kept exactly. Torques and speeds with a unit are written
     relative to the operating point of the case.
 
     \b

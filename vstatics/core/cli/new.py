@@ -83,7 +83,7 @@ def _known(name: str) -> str:
 def new_command(target: str, name: str) -> None:
     """Write a commented case to FILE, or to standard output.
 
-    A template is a small case that explains its keys in comments; a shipped case is a
+    A template is a small case that explains its keys in comments. A shipped case is a
     gearbox from the literature. The MZKT 7922 exists also as a deck of Visual-Statics. To
     list all names, press Tab after --template (needs completion, see `vstatics --help`).
 
@@ -94,7 +94,7 @@ def new_command(target: str, name: str) -> None:
       vstatics new zf.yaml --template zf-8hp70
       vstatics new mzkt.dat --template mzkt7922
 
-    Missing folders of FILE are created. An existing file is not overwritten; the exit
+    Missing folders of FILE are created. An existing file is not overwritten. The exit
     status is then 1.
 
     A scenario names its case, which must be written, too:

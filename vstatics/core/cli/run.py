@@ -95,7 +95,7 @@ def run_command(
       vstatics run '**/*.yaml' -o all.parquet
       find . -name '*.dat' | vstatics run --files-from - -o all.jsonl
 
-    The default format is a listing with the tables of Visual-Statics; -f source reproduces
+    The default format is a listing with the tables of Visual-Statics. -f source reproduces
     the published listing character by character. Quoted patterns are expanded by the
     program; ** stands for any folders. In a directory, each result has the name of its case.
     A case that fails does not stop the other cases.

@@ -81,7 +81,7 @@ def summary_command(
 
     Step ratios and shifts are between neighbouring gears of one direction. The largest values
     are taken over all gears. A sensitivity is the change of a ratio in % when the basic ratio
-    of a mechanism changes by 1 %. Several cases are shown side by side as A, B and C; -o
+    of a mechanism changes by 1 %. Several cases are shown side by side as A, B and C. -o
     DIRECTORY/ writes a separate summary of each case. Instead of cases you can give the
     gearboxes found by `synth box -f json`. The CASE - is standard input.
 
@@ -96,7 +96,7 @@ def summary_command(
           --ratios 3,1 -o boxes.json
       vstatics summary boxes.json --gearbox 1
 
-    Markdown and LaTeX have the tables of the text; XLSX and CSV have the same tables with
+    Markdown and LaTeX have the tables of the text. XLSX and CSV have the same tables with
     all digits. JSON has an entry for each case.
 
     Exit status 1: a case has an error, or a gear is tied up.

@@ -102,13 +102,13 @@ def report_command(
 
     Instead of a case you can give a scenario, whose page includes the simulation, or the
     gearboxes found by `synth box -f json`. Two cases and -o FILE give a page that compares
-    them as A and B; several cases and -o DIR/ give a page for each case.
+    them as A and B. Several cases and -o DIR/ give a page for each case.
 
     The page begins with an overview and the stick diagram. It shows power flow, levers and
     equations of a chosen gear, the input, and all tables, which you can sort and copy. It
     loads nothing from elsewhere and contains the result as JSON. A printed page has at most
     ten A4 pages: overview, gears, power flow, efficiency, largest values, and vibration and
-    simulation if the case has them. To print all sections, use --all; to select sections,
+    simulation if the case has them. To print all sections, use --all. To select sections,
     use --sections.
 
     A page of two cases has additional tools: units (rpm, N*m and kW, or US units), a filter by

@@ -71,7 +71,7 @@ def plot_command(
     \b
     KINDS
 
-    For a scenario, --kind shift and --kind plan draw the simulation; all other kinds draw the
+    For a scenario, --kind shift and --kind plan draw the simulation. All other kinds draw the
     case. Two cases to one FILE are drawn in one picture, with common axes or as panels A and B.
     The CASE - is standard input.
 

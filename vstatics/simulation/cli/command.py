@@ -40,7 +40,7 @@ def simulate_command(asked: SimulateOptions) -> int:
 
     SCENARIO is a YAML file with a case, a duration, an initial state, and capacities of
     shift elements and external torques over time, or shifts. CASE replaces the case of the
-    scenario. The events, the energies and the largest torques are printed; a CSV, JSON, NPZ
+    scenario. The events, the energies and the largest torques are printed. A CSV, JSON, NPZ
     or Parquet file has the speeds, slips and torques over time. --out adds columns to it:
 
     \b

@@ -134,7 +134,7 @@ def sweep_command(
 ) -> int:
     """Calculate variants of CASE and write a table with a row for each variant.
 
-    CASE can be a scenario of `vstatics simulate`; each variant is then a simulation.
+    CASE can be a scenario of `vstatics simulate`. Each variant is then a simulation.
 
     \b
     NAME    is the path of a number in the case: P1.teeth.sun, P1.ratio,
@@ -169,7 +169,7 @@ def sweep_command(
           --out 'heat[clutch],peaks[tyres]'
 
     The suffix of -o gives the format: .csv .jsonl .ndjson .npz .parquet, and for tables
-    with few rows .md .tex .xlsx. During the run, finished pieces are kept in OUTPUT.parts;
+    with few rows .md .tex .xlsx. During the run, finished pieces are kept in OUTPUT.parts.
     --resume continues from them.
 
     \b

@@ -67,12 +67,12 @@ def case_command(
 ) -> int:
     """Write the structure CODE as a case: gear sets, shift elements and gears.
 
-    CODE is from `vstatics synth structures`; its link 0 is L0 in the case, and so on. Each
+    CODE is from `vstatics synth structures`. Link 0 is L0 in the case, and so on. Each
     link except input and output gets a brake, and a clutch connects input and output. If
     gears engage two or more shift elements, clutches also connect the input to all other
     links, unless this gives more than 60 combinations. The gears are the combinations that
     give a ratio, one for each ratio. Input and output have inertias of 1 kg*m^2 instead of
-    engine and load; a deck has no inertias.
+    engine and load. A deck has no inertias.
 
     \b
     Examples:

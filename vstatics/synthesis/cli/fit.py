@@ -89,8 +89,8 @@ def fit_command(request: OneCase, asked: FitOptions, dry_run: bool, target: str 
     """Fit the ratios of the mechanisms of CASE to wanted ratios of gears.
 
     The sum of squares of ln(i/wanted) is minimised within bounds, from many starting
-    points; all different solutions are listed. The ratios keep the signs that they have in
-    CASE; a ratio that the wanted ratios do not determine stays near its value in CASE. Tooth
+    points. All different solutions are listed. The ratios keep the signs that they have in
+    CASE. A ratio that the wanted ratios do not determine stays near its value in CASE. Tooth
     numbers are ignored. A gear set with shared planets has several ratios, between its
     central gears. The CASE - is standard input.
 

@@ -53,7 +53,7 @@ def identify_command(request: OneCase, gear: str | None, mode: int, observation:
     """Correct the compliances of CASE by a measured natural frequency.
 
     The compliances of all elastic components of the gear are multiplied by
-    (calculated/W)^2. The mode then has the measured frequency W; mode shapes do not change.
+    (calculated/W)^2. The mode then has the measured frequency W. Mode shapes do not change.
     With a logarithmic decrement D, each component also gets the damping D/(pi E W), with
     its corrected compliance E. Instead of the two numbers you can give the record of a free
     vibration, or its extreme values. The CASE - is standard input.

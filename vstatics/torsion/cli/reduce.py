@@ -28,7 +28,7 @@ def reduce_command(request: OneCase, to: str, gears: tuple[str, ...]) -> int:
     The factors follow from the speeds w of the rigid motion: an inertia J becomes
     J (w_link/w_to)^2, a compliance E becomes E (w_to/w_link)^2. A link at rest can
     support 1 - i times the torque of the link --to, such as a casing on its mounting. Then J
-    becomes J/(1 - i)^2, and E becomes E (1 - i)^2; for i = 1 the values are left out. Rigidly
+    becomes J/(1 - i)^2, and E becomes E (1 - i)^2. For i = 1 the values are left out. Rigidly
     connected links are one entry under the name of the first link. The CASE - is standard
     input.
 

@@ -141,7 +141,7 @@ def simplify_command(
 ) -> int:
     """Simplify the torsional system of a gear of CASE, reduced to the input.
 
-    The partial system with the highest frequency is removed repeatedly; the lowest natural
+    The partial system with the highest frequency is removed repeatedly. The lowest natural
     frequencies hardly change. A warning lists remaining frequencies that are above half of
     a removed partial frequency. The CASE - is standard input.
 

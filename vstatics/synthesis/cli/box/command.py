@@ -76,11 +76,11 @@ def box_command(
           --ratios 4.70,3.13,2.10,1.67,1.28,1,0.84,0.67,-3.30 \\
           --tolerance 0.005 --dry-run
 
-    During the search, finished pieces are kept in DIR.parts or FILE.parts; --resume
+    During the search, finished pieces are kept in DIR.parts or FILE.parts. --resume
     continues from them, also with other options of the selection.
 
     The search needs networkx, and numba for its speed: pip install ".[boxes]" in the
-    source folder; diagrams also need matplotlib, ".[boxes,plot]".
+    source folder. Diagrams also need matplotlib, ".[boxes,plot]".
 
     \b
     Exit status 1: no gearbox is found, the search is not finished, or gearboxes
