@@ -214,8 +214,7 @@ def scrolled(inner: Markup, label: str) -> Markup:
 
 
 def _row(grid: Grid, row: list[Cell], level: int) -> Markup:
-    look = f' class="level{level}"' if level > 1 else ""
-    name = f'<th scope="row"{look}{_marks(row[0])}>{_text(row[0])}</th>'
+    name = f'<th scope="row"{_marks(row[0])}>{_text(row[0])}</th>'
     cells = "".join(_cell(*pair) for pair in zip(grid.columns[1:], row[1:], strict=True))
     return Markup(f"<tr{_attribute('data_level', level or False)}>{name}{cells}</tr>")
 
