@@ -1,4 +1,6 @@
-"""Times at which links come to rest, by the equations of motion as one linear system."""
+"""Times at which links reach speeds, or come to rest: closed forms, linear systems."""
+
+import math
 
 import numpy as np
 import pytest
@@ -46,6 +48,27 @@ def test_a_target_that_is_reached_at_the_end_counts() -> None:
     case = "inertias: {ring: 1}\nshift_elements: {B: [ring, housing]}\n"
     [target] = simulated(text, case).reached
     assert (target.time, target.angle) == pytest.approx((1, 5))
+
+
+def test_a_target_below_a_short_peak_is_reached() -> None:
+    """With 5 - 2 t on 1 kg*m^2 the speed 5 t - t^2 is 6 at 2 s and 3 s, and at most 6.25."""
+    start = 'start: {speeds: {a: 0}}\ntorques: {a: "5 - 2*t"}\n'
+    for duration in (4, 10, 100):
+        text = f"duration: {duration}\n{start}targets: {{a: [6, 6.2499, 6.26]}}\n"
+        times = [target.time for target in simulated(text, "inertias: {a: 1}").reached]
+        assert times == pytest.approx([2, 2.49, math.nan], nan_ok=True)
+
+
+def test_the_first_of_several_times_counts() -> None:
+    """With 3 N*m on the smaller of two inertias, its speed is t + 2/w sin(w t), w^2 = 75."""
+    case = "inertias: {a: 1, b: 2}\nsprings: {s: {links: [a, b], stiffness: 50}}\n"
+    start = "duration: 20\nstart: {speeds: {a: 0, b: 0}}\ntorques: {a: 3}\n"
+    times, omega, rng = np.linspace(0, 20, 200_001), math.sqrt(75), seeded(72)
+    speeds = times + 2 / omega * np.sin(omega * times)
+    targets = [round(rng.uniform(0.1, 19), 3) for _ in range(count(40, 400))]
+    reached = simulated(f"{start}targets: {{a: {targets}}}\n", case).reached
+    expected = [times[np.argmax(speeds >= target)] for target in targets]
+    assert [target.time for target in reached] == pytest.approx(expected, abs=2e-4)
 
 
 def test_a_condition_close_to_rest_is_met() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import lru_cache, reduce
 from typing import NamedTuple
 
@@ -16,6 +17,7 @@ from vstatics.simulation.tolerances import (
     AHEAD,
     LARGEST_NUMBER,
     NO_MARGIN,
+    NOT_ZERO,
     ROOT_PART,
     ROOT_TIME,
     SAME_INSTANT,
@@ -30,18 +32,34 @@ _LOW = 0.1
 
 Lower minima are examined closely, since they could be negative.
 """
+_IN_GAP = 4
+"""Number of places in a gap between two instants at which minima are searched for."""
 _PLACES = 65
 """Number of points at which a polynomial is evaluated to find its minimum between two instants."""
 _NEAR = np.append(2.0 ** np.arange(-32, 0), 1.0)
 """Fractions of an interval at which a margin that begins at 0 is evaluated."""
 
 
+class GapMatrices(NamedTuple):
+    """Matrices from values at the nodes of an interval to their interpolating polynomial."""
+
+    inner: Floats
+    """To values at four places in each gap between nodes, from the lower node on."""
+    widths: Floats
+    """Distances between these places and the end, as fractions of the interval."""
+    slopes: Floats
+    """To slopes at both ends of the interval, shape (nodes, 2)."""
+
+
 @lru_cache(maxsize=8)
-def _in_gaps(nodes: tuple[float, ...]) -> Floats:
+def _in_gaps(nodes: tuple[float, ...]) -> GapMatrices:
     at = np.array(nodes)
-    inner = at[:-1, None] + np.diff(at)[:, None] * np.linspace(0, 1, 5)
-    powers = np.vander(inner.reshape(-1), len(at))
-    return np.asarray(np.linalg.solve(np.vander(at).T, powers.T), float)
+    places = (at[:-1, None] + np.diff(at)[:, None] * np.arange(_IN_GAP) / _IN_GAP).reshape(-1)
+    to_powers = np.linalg.inv(np.vander(at))
+    orders = np.arange(len(at) - 1, -1, -1)
+    ends = np.array([np.where(orders == 1, 1.0, 0.0), orders])
+    values = np.linalg.solve(np.vander(at).T, np.vander(places, len(at)).T)
+    return GapMatrices(np.asarray(values, float), np.diff(places, append=1.0), (ends @ to_powers).T)
 
 
 def _lowest(nodes: tuple[float, ...], values: Floats, gap: int) -> float:
@@ -57,6 +75,61 @@ def _lowest(nodes: tuple[float, ...], values: Floats, gap: int) -> float:
     bend = before - 2 * at + after
     moved = 0.5 * (before - after) / bend if bend > 0 else 0.0
     return float(places[lowest] + moved * (places[1] - places[0]))
+
+
+def minima(step: TimeStep, values: Floats) -> Iterator[tuple[int, int, float]]:
+    """Yield minima of functions of time between two instants that could be negative.
+
+    Interpolating polynomials through the instants of each part of the step show them.
+
+    Parameters
+    ----------
+    step : TimeStep
+    values : ndarray, shape (functions, 1 + instants)
+        Values at the start and at the instants of the step.
+
+    Yields
+    ------
+    number : int
+        Index of the next instant in `step.times`; in ascending order.
+    row : int
+        Row of `values`.
+    time : float
+        Time of the minimum. [s]
+    """
+    count = len(step.nodes)
+    nodes = (0.0, *step.nodes.tolist())
+    inner = values[:, 1:].reshape(len(values), -1, count)
+    by_parts = np.concatenate([values[:, :-1:count, None], inner], axis=-1)
+    edges = np.concatenate([[step.start], step.times[count - 1 :: count]])
+    for number, row in _low_gaps(by_parts, _in_gaps(nodes)):
+        part, gap = divmod(number, count)
+        place = _lowest(nodes, by_parts[row, part], gap)
+        yield number, row, float(edges[part] + (edges[part + 1] - edges[part]) * place)
+
+
+def _low_gaps(by_parts: Floats, matrices: GapMatrices) -> list[tuple[int, int]]:
+    """Return gaps with low minima, sorted: number of the gap and row of `by_parts`."""
+    near = (by_parts @ matrices.inner).reshape(len(by_parts), -1)
+    near = np.column_stack([near, by_parts[:, -1, -1]])
+    widths = np.tile(matrices.widths, by_parts.shape[1])
+    rates = np.diff(near) / widths
+    rows, places = np.nonzero((rates[:, :-1] <= 0) & (rates[:, 1:] >= 0))
+    before, after = rates[rows, places], rates[rows, places + 1]
+    left, right = widths[places], widths[places + 1]
+    slope = (before * right + after * left) / (left + right)
+    bend = np.maximum((after - before) / (left + right), NOT_ZERO)
+    lowest = near[rows, places + 1] - slope**2 / (4 * bend)
+    low = lowest < _LOW * np.maximum(-before * left, after * right)
+    gaps = (places + 1 - (slope > 0)) // _IN_GAP  # a minimum at a node can be on either side
+    first, last = (by_parts[:, [0, -1]] * matrices.slopes.T).sum(axis=-1).T
+    falls, rises = (first < 0) & (rates[:, 0] >= 0), (last > 0) & (rates[:, -1] <= 0)
+    end = len(widths) // _IN_GAP - 1
+    return sorted(
+        {*zip(gaps[low].tolist(), rows[low].tolist(), strict=True)}
+        | {(0, row) for row in np.flatnonzero(falls).tolist()}
+        | {(end, row) for row in np.flatnonzero(rises).tolist()}
+    )
 
 
 class MarginEnd(NamedTuple):
@@ -126,31 +199,12 @@ class Finder:
     ) -> tuple[int, tuple[float, Floats]] | None:
         """Find the first negative minimum of a margin between two instants, up to number `last`.
 
-        Interpolating polynomials through the instants of each part show the candidates. Returns the
-        index of the next instant in `step.times`, with time and margins of the minimum. The first
-        column of `margins` belongs to the start of the step.
+        Returns the index of the next instant in `step.times`, with time and margins of the minimum.
+        The first column of `margins` belongs to the start of the step.
         """
-        count = len(step.nodes)
-        nodes = (0.0, *step.nodes.tolist())
-        inner = margins[:, 1:].reshape(len(margins), -1, count)
-        by_parts = np.concatenate([margins[:, :-1:count, None], inner], axis=-1)
-        near = (by_parts @ _in_gaps(nodes)).reshape(*inner.shape, -1)
-        before, at, after = near[..., :-2], near[..., 1:-1], near[..., 2:]
-        bend = before - 2 * at + after
-        turns = np.nonzero((at <= before) & (at <= after) & (bend > 0))
-        before, at, after, bend = before[turns], at[turns], after[turns], bend[turns]
-        lowest = at - (after - before) ** 2 / (8 * bend)
-        low = lowest < _LOW * (np.maximum(before, after) - at)
-        watches, parts, gaps = (places[low] for places in turns[:3])
-        edges = np.concatenate([[step.start], step.times[count - 1 :: count]])
-        for number, watch in sorted(
-            {*zip((parts * count + gaps).tolist(), watches.tolist(), strict=True)}
-        ):
+        for number, _, time in minima(step, margins):
             if number > last:
                 break
-            part, gap = divmod(number, count)
-            place = _lowest(nodes, by_parts[watch, part], gap)
-            time = float(edges[part] + (edges[part + 1] - edges[part]) * place)
             minimum = self._margins_at(step, time)
             if (minimum < -self.noise).any():
                 return number, (time, minimum)

@@ -3,7 +3,8 @@
 `record` collects a run in pieces from event to event; `segments` calculates the columns of a piece.
 `drawn` chooses the instants that draw these columns, from the polynomials of `curves`. `asked`
 calculates additional columns, `row_names` lists their names, `changes` differentiates speeds, and
-`converters` calculates converter efficiencies. `picture_tables` adds columns for pictures.
-`account` balances the energy, and `dynamic_factors` compares torques with static torques. `motion`
-declares the result. `tables`, `columns` and `answer` write it, and `words` names its events.
+`converters` calculates converter efficiencies, and `targets` the times of target speeds.
+`picture_tables` adds columns for pictures. `account` balances the energy, and `dynamic_factors`
+compares torques with static torques. `motion` declares the result. `tables`, `columns` and `answer`
+write it, and `words` names its events.
 """

@@ -24,6 +24,7 @@ from vstatics.simulation.record.motion import Damage, Event, Motion, Reached
 from vstatics.simulation.record.picture_tables import chosen
 from vstatics.simulation.record.row_names import roads_of
 from vstatics.simulation.record.segments import Piece, peaks
+from vstatics.simulation.record.targets import first_reached
 from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.programme import cut_note
 from vstatics.simulation.system.equations import Equations
@@ -245,25 +246,21 @@ class Record:
     def _record_targets(
         self, step: TimeStep, end: float, state: Floats, equations: Equations
     ) -> None:
-        fastest = largest(equations.speeds(end, state))
-        for link, speed in self.targets:
-            if (link, speed) in self.reached:
-                continue
+        """Record the time and angle at which links first reach target speeds in a time step."""
+        targets = [target for target in self.targets if target not in self.reached]
+        if not targets:
+            return
+        times = np.append(step.start, step.times)
+        moving = equations.speeds_at(times, np.column_stack([step.first, step.states]))
+        for link, speed in targets:
 
-            def short(time: float, link: int = link, speed: float = speed) -> float:
+            def speed_at(time: float, link: int = link) -> float:
                 at = state if time == end else step.between(np.array([time]))[:, 0]
-                return float(equations.speeds(time, at)[link]) - speed
+                return float(equations.speeds(time, at)[link])
 
-            first, last = short(step.start), short(end)
-            # a link that is held at its target keeps a rounding error, of any sign
-            near = EXACT_SIDES * max(abs(speed), fastest)
-            passes = (first < 0) != (last < 0)
-            if passes or min(abs(first), abs(last)) <= near:
-                from scipy.optimize import brentq
-
-                time = step.start if abs(first) <= near else end
-                if passes and time == end:
-                    time = float(brentq(short, step.start, end))
+            near = EXACT_SIDES * max(abs(speed), largest(moving[:, 0]))
+            time = first_reached(step, moving[link], speed_at, speed, near)
+            if time is not None and time <= end:
                 at = step.between(np.array([time]))[:, 0]
                 angle = float(at[equations.angles][equations.layout.angles.index(link)])
                 self.reached[link, speed] = time, angle
