@@ -89,7 +89,7 @@ def test_its_own_frame(built: Built) -> None:
 
 
 def test_counts_of_frames() -> None:
-    """Facts of the issue: 4428 classes with ports of three sets and six links, 3656 of five."""
+    """Known counts: 4428 classes with ports of three sets and six links, 3656 of five."""
     assert len(all_frames(Space(3, 1, 2, ()))) == 4428
     assert len(all_frames(Space(3, 1, 1, ()))) == 3656
     space = Space(2, 4, 1, ())

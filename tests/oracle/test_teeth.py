@@ -1,4 +1,4 @@
-"""The exhaustive search of teeth against the figures of the issue's facts and built gearboxes."""
+"""The exhaustive search of teeth against known counts and built gearboxes."""
 
 import math
 from collections import Counter

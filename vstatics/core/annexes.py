@@ -263,5 +263,5 @@ def not_installed(what: str, annex: str) -> str:
 
 
 def report_parts() -> Mapping[str, ReportPart]:
-    """Return the sections that annexes add to the HTML page of a case."""
+    """Return the sections that the annexes (optional packages) add to the HTML page of a case."""
     return {key: part for annex in annexes() for key, part in annex.report.items()}

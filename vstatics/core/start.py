@@ -19,7 +19,7 @@ NEW_OBJECTS = 100_000
 
 
 def is_command(argument: str, command_line: list[str]) -> bool:
-    """Return whether the process is the command, from ``sys.argv[0]`` and ``sys.orig_argv``.
+    """Return whether Python runs `vstatics`, from ``sys.argv[0]`` and ``sys.orig_argv``.
 
     >>> is_command("/usr/bin/vstatics", []), is_command("script.py", ["python", "script.py"])
     (True, False)

@@ -34,7 +34,7 @@ from vstatics.simulation.system.devices import motion_system
 from vstatics.simulation.tolerances import CLOSED_ENERGY, NO_ENERGY, RTOL
 
 _END = ("duration",)
-"""Scenario path of a problem that stops a run, if no other key is at fault."""
+"""Key of a scenario at which an aborted run is reported if no other key is the cause."""
 
 Method = Literal["events", "tarasik"]
 

@@ -44,7 +44,7 @@ NO_PROGRESS = 1e-5
 AHEAD_OF_STOP = (0.0, 1e-9, 1e-6, 1e-3)
 """Times after a stop at which torques are checked for invalid numbers, relative to the duration."""
 BEYOND_ALL = 1e6
-"""Smallest torque that counts as the cause of a stop, relative to large torques of the run. [-]"""
+"""Smallest torque reported as the cause of an aborted run, relative to its large torques. [-]"""
 ROOT_PART = 1e-14
 """Tolerance of the root of a polynomial, relative to the interval."""
 ROOT_TIME = 1e-15

@@ -106,6 +106,6 @@ PLANE_ROUNDING = 1e-9
 NO_FIGURE = 1e-9
 """Largest speed or torque that counts as 0, relative to the input. [-]"""
 CELL_ROUNDING = 1e-12
-"""Margin for rounding errors where a cell is cut, as a fraction of the cell. [-]"""
+"""Margin for rounding where a cell of basic ratios is cut, relative to its width. [-]"""
 NARROWEST_RANGE = 1e-5
 """Smallest half-width of a range, also if both ends are equal. [-]"""

@@ -1,4 +1,4 @@
-"""Words for the expected type of an argument and for its value."""
+"""Wording of messages about an argument: its expected type and the value received."""
 
 from __future__ import annotations
 

@@ -40,7 +40,7 @@ class AskedExercise(NamedTuple):
     click.option(
         "--worksheet", is_flag=True, help="Write an exercise with given values and blanks."
     ),
-    click.option("--solution", is_flag=True, help="Write the solution of the exercise."),
+    click.option("--solution", is_flag=True, help="Write the solution of --worksheet."),
     click.option(
         "--seed",
         type=click.IntRange(min=0),

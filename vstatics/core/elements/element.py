@@ -150,7 +150,7 @@ class Element:
 
     @property
     def shape(self) -> Kind:
-        """Declaration of the kind, with members, gears and meshes."""
+        """Description of this kind of gear set: its members, toothed gears and meshes."""
         return KINDS[self.kind]
 
     @property

@@ -297,7 +297,7 @@ MACHINE_EFFICIENCY = ByLaw(
     ),
     values="efficiency",
 )
-"""Declaration of the efficiency of an electric machine [-]: a number, or a law."""
+"""Key of the efficiency of an electric machine: a number, a map or a formula. [-]"""
 
 GEAR_LOSS = ByLaw(
     None,

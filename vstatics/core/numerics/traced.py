@@ -346,7 +346,7 @@ def chosen(condition: Condition, yes: Number, no: Number) -> Number:
 
 
 def where(condition: Condition, number: Number) -> Number | Residual:
-    """Return a number if a condition is true, else NaN, in each variant; only for final results.
+    """Return a number where a condition is true, otherwise NaN; the result ends a calculation.
 
     >>> where(False, 2.5)
     nan

@@ -108,7 +108,7 @@ class ResultFields(_NamedFields):
     ratio: Floats
     """Ratio ``w_input/w_output``, ``(..., gears)``. [-]"""
     speed_ratio: Floats
-    """Speed ratios of converters, ``(..., gears, converters)``; NaN if bypassed or open. [-]"""
+    """Speed ratios of converters, ``(..., gears, converters)``; NaN if locked up or drained. [-]"""
 
     torques: Floats
     """Torques without losses, ``(..., gears, shift elements + mechanisms + springs + 1)``. [-]

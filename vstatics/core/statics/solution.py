@@ -1,4 +1,4 @@
-"""Results of a transmission or of its variants, without checks of argument types."""
+"""Calculation of the results of a transmission or its variants from checked arguments."""
 
 from __future__ import annotations
 

@@ -34,7 +34,7 @@ class Transition(NamedTuple):
     to the input power. Elements in `released` are oncoming in the downshift. [-]
     """
     slip_power_kW: Mapping[str, float]  # noqa: N815
-    """The same slip power at the operating point before the shift [kW]; NaN without a load."""
+    """Slip power at the operating point before the shift; NaN without a load. [kW]"""
 
     @property
     def changes(self) -> int:

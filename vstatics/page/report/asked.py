@@ -100,12 +100,12 @@ EVERYTHING = AskedPage()
 
 
 def section(name: str) -> str:
-    """Return the key of a section, after a check; an error suggests the nearest key.
+    """Return a name if it is the key of a section.
 
     Raises
     ------
     ValueError
-        If no section has this key.
+        If no section has this key; the message suggests the nearest key.
 
     Examples
     --------

@@ -47,5 +47,7 @@ def shared_definitions(page: Markup) -> Markup:
     definitions += [Markup(f'<path id="{name}" d="{data}"/>') for data, name in ids.items()]
     if not definitions:
         return page
-    drawn = tag("svg", tag("defs", *definitions), width=0, height=0, class_="unseen")
+    drawn = tag(
+        "svg", tag("defs", *definitions), width=0, height=0, class_="unseen", aria_hidden="true"
+    )
     return joined(drawn, page)

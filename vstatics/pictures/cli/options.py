@@ -189,9 +189,8 @@ options = gathered(
                 "--duty",
                 metavar="FILE",
                 default="",
-                help="For --kind spectrum, and for operating points in --kind map over load.speed "
-                "and load.torque: CSV file of a duty cycle, or of the time steps of a driving "
-                "cycle.",
+                help="CSV file of a duty cycle, or of the time steps of a driving cycle: for "
+                "--kind spectrum, or as points in a --kind map over load.speed and load.torque.",
             ),
         ),
         *_of_kinds(

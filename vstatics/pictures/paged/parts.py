@@ -114,7 +114,7 @@ def of_gear(section: str, gear: str, shown: Sequence[Markup], *, is_printed: boo
 
 
 def on_screen(shown: Iterable[Markup]) -> Markup:
-    """Return elements that are not printed."""
+    """Wrap HTML elements that are shown on screen but not on paper."""
     return tag("div", *shown, class_=SCREEN)
 
 

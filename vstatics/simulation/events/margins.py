@@ -491,7 +491,7 @@ class Margins:
         return best
 
     def tight(self, time: float, state: Floats) -> list[Watch]:
-        """Return the identities of the torques nearest to a limit in the best split."""
+        """Return the contact torques with the least reserve, which the split maximises."""
         at, states = np.array([time]), state[:, None]
         rates, torques = self.equations.acting_at(at, states)
         seen = self.equations.seen_at(at, states, rates, torques) if self.sees else None

@@ -37,7 +37,7 @@ _MOST_TURNED = 8
 """Largest number of corrections where torques that depend on the motion would reverse a slip."""
 
 
-class NoChoice(Exception):  # noqa: N818 - it never leaves the room
+class NoChoice(Exception):  # noqa: N818 - never raised to callers
     """Signal that no combination of states is admissible."""
 
 

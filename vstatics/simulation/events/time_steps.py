@@ -56,7 +56,7 @@ _STEPS_OF_PROGRESS = 1000
 """Number of steps between checks of progress."""
 
 
-class TooSmall(Exception):  # noqa: N818 - it never leaves the room
+class TooSmall(Exception):  # noqa: N818 - never raised to callers
     """Signal that steps are as small as rounding errors, or too small for progress."""
 
 

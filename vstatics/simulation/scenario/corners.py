@@ -34,7 +34,7 @@ ENDS = BENDS | {"sqrt"}
 
 
 _MOST_DEGREE = 8
-"""Highest degree of the polynomials whose corners are searched."""
+"""Highest degree of polynomials inside functions with corners, such as `abs`."""
 
 Polynomial: TypeAlias = tuple[float, ...]
 """Coefficients of 1, x, x^2, ...; the last is not 0 unless it is the only coefficient."""

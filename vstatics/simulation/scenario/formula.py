@@ -95,7 +95,7 @@ class Formula(NamedTuple):
 
     @property
     def whole(self) -> Tree:
-        """Tree of operations: `tree`, or else the tree of the text."""
+        """Tree of operations: the given `tree`, or the result of parsing the text."""
         return _read(*self).tree
 
     def knowing(self, numbers: Mapping[str, float]) -> Formula:

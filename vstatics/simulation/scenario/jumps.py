@@ -162,7 +162,7 @@ def _intervals(places: tuple[float, ...]) -> list[tuple[float, float]]:
 
 
 def _beside(first: int, count: int) -> list[tuple[tuple[int, str], ...]]:
-    """Return the adjacent jumps of each interval: index, and side on which the interval is."""
+    """Return the jumps at the ends of each interval: index, and side (+ or -) of the interval."""
     return [
         tuple(
             (first + number, side)

@@ -1,4 +1,4 @@
-"""Capacity of each shift element over time: from its control, from shifts, or from its gear."""
+"""Torque capacity of each shift element over time, set by controls, shifts or the gear."""
 
 from __future__ import annotations
 

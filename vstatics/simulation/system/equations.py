@@ -53,7 +53,7 @@ _LIMIT_ROUNDS = 8
 
 
 class Equations:
-    """Equations of motion between two events, while inputs over time are smooth.
+    """Equations of motion between two events, during which all inputs are smooth.
 
     Parameters
     ----------
@@ -65,7 +65,8 @@ class Equations:
     rounding : float
         Largest slip that counts as 0, because it can be rounding error. [rad/s]
     carried : sequence of float
-        Last torques on first links of mechanisms with varying efficiency; empty at the start. [N*m]
+        Torques on the first links of mechanisms with varying efficiency, at the end of the previous
+        stretch; empty at the start. [N*m]
 
     Raises
     ------

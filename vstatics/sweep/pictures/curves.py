@@ -1,4 +1,4 @@
-"""Curves of a sweep versus a varied number, for each gear or value of another column."""
+"""Plot of results of a sweep over a varied number: a curve for each gear or other number."""
 
 from __future__ import annotations
 

@@ -44,12 +44,12 @@ class VariedDocument(ABC):
 
     @abstractmethod
     def in_unit(self, varied: Varied, unit: str, place: Place | None) -> Varied:
-        """Return a varied number with values in a unit.
+        """Return a varied number whose values are typed in a unit.
 
         Raises
         ------
         ReadError
-            If the unit is not the unit in the document.
+            If the document has no such unit for this number.
         """
 
     @abstractmethod

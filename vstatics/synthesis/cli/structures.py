@@ -166,11 +166,14 @@ def _counted(asked: StructureSearch, by_links: Mapping[int, int]) -> StructureCo
 
 
 def _expected_count(asked: StructureSearch, output: str | None, *, listed: bool) -> int:
-    """Estimate the number of schemes; print the number for a long list, and check the disk space.
+    """Return the estimated number of schemes, or 0 for a quick search.
+
+    The number is also printed if the search takes long.
 
     Raises
     ------
     ReadError
+        If the disk space does not suffice.
     """
     if asked.sets <= QUICK_SETS:
         return 0

@@ -33,7 +33,7 @@ from vstatics.torsion.vibration.torques import Balance, balance, own_torques, to
 Named = Mapping[str, float]
 """Name of a link or component -> value, NaN if undetermined."""
 SOME_LINKS, SOME_MODES = 50, 20
-"""Number of links up to which all modes are calculated by default; number of modes beyond."""
+"""Largest number of links with all modes by default; number of modes for larger systems."""
 
 
 class Sensitivity(NamedTuple):

@@ -76,7 +76,8 @@ def identify(  # noqa: PLR0913
     mode : int
         Number of the mode, from 1, by ascending frequency and without rigid modes.
     coast : bool, optional
-        Whether power enters at the output, which decides on freewheels. By default as in the case.
+        True if power enters at the output, which determines the holding freewheels. By default as
+        in the case.
 
     Returns
     -------
@@ -124,11 +125,11 @@ def damping(  # noqa: PLR0913
     *,
     coast: bool | None = None,
 ) -> Damped:
-    """Calculate dampings of elastic components from decrements, and the decrement of a mode.
+    """Calculate the damping of elastic components and of a mode from logarithmic decrements.
 
-    The damping of a compliance E is ``decrement/(pi E omega)``, (П1.19). The decrement of the mode
-    is the sum of the decrements of components, weighted by their shares in the elastic energy,
-    (П1.20), (П1.21).
+    A component with the compliance E has the damping ``decrement/(pi E omega)``, equation (П1.19)
+    of Tsitovich and Algin, 1981. The decrement of the mode is the sum of the decrements of the
+    components, weighted by their shares in the elastic energy, (П1.20), (П1.21).
 
     Parameters
     ----------
@@ -138,11 +139,12 @@ def damping(  # noqa: PLR0913
     decrements : mapping
         Name of an elastic component -> decrement. [-]
     omega : float, optional
-        Angular frequency at which the dampings are valid, by default that of the mode. [rad/s]
+        Angular frequency at which the dampings are valid, by default the mode's. [rad/s]
     mode : int
         Number of the mode, from 1, by ascending frequency and without rigid modes.
     coast : bool, optional
-        Whether power enters at the output, which decides on freewheels. By default as in the case.
+        True if power enters at the output, which determines the holding freewheels. By default as
+        in the case.
 
     Returns
     -------

@@ -270,7 +270,7 @@ class WithoutDevice(NamedTuple):
 def without(
     system: TorsionalSystem, split: Coordinates, stiffnesses: Floats, device: int
 ) -> WithoutDevice | None:
-    """Remove a component from a system, unless it carries no torque in any mode.
+    """Cut an elastic component out of a system; return None if it carries no torque in any mode.
 
     Parameters
     ----------
@@ -285,8 +285,8 @@ def without(
 
     Examples
     --------
-    A mass of 2 on a spring of 8 is connected to a mass of 1 by two shafts in series. Without the
-    first shaft, the compliance of the second shaft (stiffness 5) is in series with the first.
+    A mass of 2 on a spring of 8 is connected to a mass of 1 by two shafts in series. If the
+    first shaft is cut, the second shaft (stiffness 5, compliance 0.2) is a loose end on the mass 1.
 
     >>> from vstatics import Spring, Transmission
     >>> from vstatics.torsion.system.coordinates import coordinates

@@ -32,7 +32,7 @@ INTERVALS = 2
 MOST_STEPS = 100
 """Largest number of steps of the Illinois rule."""
 MOST_DOUBLINGS = 40
-"""Largest number of doublings of the engine torque, until the pump gets enough torque."""
+"""Largest number of times that a trial engine torque is doubled to exceed the pump torque."""
 MOST_POINTS_AT_ONCE = 100_000
 """Largest number of operating points that are solved at once, to limit memory."""
 SLOWEST_PART = 4.0 ** -np.arange(1.0, 6.0)
@@ -346,8 +346,8 @@ class ConverterGear(NamedTuple):
         everywhere = np.arange(len(engine))
 
         def surplus(at: Integers, torque: Floats) -> Floats:
-            # The torque is NaN if the converter would gain power. Then its pump gets too little
-            # torque, or brakes too little.
+            # The torque is NaN where the converter would deliver more power than it receives. Count
+            # this as too little torque on the pump or, when coasting, too little braking torque.
             left = direction[at] * (brought(at, torque) - taken[at])
             return np.where(np.isnan(left), -gained[at], left)
 

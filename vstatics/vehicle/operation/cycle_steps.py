@@ -321,7 +321,7 @@ class CycleSteps(NamedTuple):
         return self._solved(turned(self.case, self.ratios), rows, points)
 
     def _load_of_wheels(self, rows: Integers) -> tuple[Floats, Floats]:
-        """Return speeds [rad/s] and torques [N*m] of the output, the backward input."""
+        """Return speeds [rad/s] and torques [N*m] of the output, for the backward calculation."""
         here = self.at(rows)
         speeds = here.output_speeds
         torques = -here.asked_forces * self.vehicle.radius / self.vehicle.final_drive
@@ -420,7 +420,7 @@ class CycleSteps(NamedTuple):
     def _with_loss(
         self, rows: Integers, of_gear: Integers, speeds: Floats, torques: Floats
     ) -> Floats:
-        """Return the input torques of a gear, including the loss of the whole gear [N*m]."""
+        """Return input torques in a gear, increased by the overall loss of this gear [N*m]."""
         loss = self.case.gears[self.gears[rows[of_gear[0]]]].loss if of_gear.size else None
         if loss is None:
             return torques[of_gear]

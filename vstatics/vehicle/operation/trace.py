@@ -71,7 +71,10 @@ _OF_SUMO = {
     "speed": {"vehicle speed": "m/s"},
     "slope": {"vehicle slope": "deg"},
 }
-"""Headings of SUMO, whose units hold only together: elsewhere, `vehicle_speed` needs its unit."""
+"""Headings of SUMO files with their units.
+
+The units are assumed only if all these headings occur. Otherwise `vehicle_speed` needs its unit.
+"""
 _SUMO_COLUMNS = tuple(
     column._replace(aliases={**column.aliases, **_OF_SUMO.get(column.name, {})})
     for column in COLUMNS

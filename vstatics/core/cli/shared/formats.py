@@ -176,7 +176,8 @@ digits = under(
         "--digits",
         type=click.IntRange(1, 15),
         metavar="N",
-        help="Number of decimals in text; JSON and CSV have all digits.  [default: by the value]",
+        help="Number of decimals in text; JSON and CSV have all digits.  "
+        "[default: depends on the value]",
     ),
 )
 WHOLE_OUTPUT = "Output file, written completely or not at all."

@@ -39,7 +39,10 @@ def placements(group: PlanetGroup, train: Mapping[str, Fraction]) -> int:
 def _rows(
     group: PlanetGroup, train: Mapping[str, Fraction], teeth: Callable[[Key], Any]
 ) -> Iterator[list[Any]]:
-    """Yield the argument `rows` of `common_step`: a list for each mesh of a train."""
+    """Yield the numbers of teeth in each mesh of a train of planets, as rows for `common_step`.
+
+    A row has a column for each planet, and a last column for the central gear.
+    """
     column = {planet: number for number, planet in enumerate(train)}
     for place, wheel in enumerate(group.wheels):
         planet = group.planet_of[wheel.rim]

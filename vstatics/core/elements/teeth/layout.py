@@ -35,7 +35,7 @@ class AxisLayout:
     group: PlanetGroup
 
     def teeth(self, rim: str) -> Fraction | None:
-        """Return the number of teeth of a rim, or None if unknown."""
+        """Return the number of teeth of one toothed gear (rim) of a planet, or None if unknown."""
         return self.group.planets[self.group.planet_of[rim]][rim]
 
     def around(self, rim: str) -> list[CentralWheel]:

@@ -113,7 +113,7 @@ def _parts(fields: Fields) -> dict[str, Any]:
         "P": fields.size("NP", "gears", 1),
     }
     if fields.optional(SPRINGS, 0, range(1), NO_SPRINGS) is None:
-        # links that only springs connect would otherwise be reported
+        # The springs are unreadable. Do not report links as unconnected that only springs connect.
         fields.hidden.append(("links",))
     names = _names(fields, sizes)
     elements = fields.or_guess(sizes["F"], "NZF(I,1)", "shift_elements")

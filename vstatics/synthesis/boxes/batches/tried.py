@@ -66,7 +66,7 @@ class Tried(NamedTuple):
     """Result of the partial search of a choice of input and output."""
 
     searched: int
-    """Number of gearboxes that the full search examines for the choice of input and output."""
+    """Number of gearboxes that a full search would examine for this input and output."""
     found: float
     """Estimated number of gearboxes with the wanted ratios."""
     whole: Work

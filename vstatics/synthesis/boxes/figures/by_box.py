@@ -43,7 +43,7 @@ class BoxFigures(NamedTuple):
     """True if the gearbox can be drawn without crossing shafts."""
 
     def number(self, name: str) -> float:
-        """Return a figure as a number: the length of a list; 0 for a true property, else 1.
+        """Return a figure as a number, best if small: length of a list, 0 for True, 1 for False.
 
         Examples
         --------

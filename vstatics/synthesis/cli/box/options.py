@@ -354,7 +354,7 @@ options = gathered(
                 default=PARETO,
                 callback=value(_names, "--pareto"),
                 metavar="FIGURE,...",
-                help=f"Figures of the Pareto list.  [default: {','.join(PARETO)}]",
+                help=f"Criteria of the Pareto list.  [default: {','.join(PARETO)}]",
             ),
         ),
         click.option(

@@ -1,4 +1,4 @@
-"""Choice of gears and gear-set ratios reported for a sequence: best fit from a grid of points."""
+"""Selection of gears and gear-set ratios that fit a sequence of gears best, from a grid."""
 
 from __future__ import annotations
 
