@@ -266,6 +266,7 @@ def test_blanks_of_print_are_blanks_in_tables(seed: int) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.alone  # measures the largest of all processes that the test has started
 def test_a_million_rows_take_500_mb(folder: Path) -> None:
     text = "links: [a, b]\nmechanisms: {p: {first: a, second: b, ratio: 4, efficiency: .97}}\n"
     vehicle = 'gears: {"1": []}\nvehicle: {mass: 1000, radius: 0.5}\n'

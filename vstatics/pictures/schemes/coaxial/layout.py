@@ -117,6 +117,8 @@ class _FrameMaker:
             self._start(step)
         if step.before is not None:
             self._go_to(*step.before)
+            if step.kind == "pair":
+                self._fold(step.before, step.bars[0])
         self._go_to(*step.bars[0])
         if step.kind == "set":
             self._set(step)
@@ -183,6 +185,18 @@ class _FrameMaker:
         self._go_to(*step.bars[-1])
         right = self._arms(carrier, *step.right)
         self._stand(Upright("set", step.number, [], (), step.is_turned, wheels, left, right))
+
+    def _fold(self, before: tuple[Bars, Bars], after: tuple[Bars, Bars]) -> None:
+        """Add a wall if a bar turns back, so that it encloses the new bar of a pair."""
+        old, new = sum(before, ()), sum(after, ())
+        turned = [bar for bar in old if new.count(bar) > old.count(bar)]
+        if not turned:
+            return
+        rows = [tuple([bar for bar in row if bar in old]) for row in after]
+        place = [*pairwise(sum(rows, ()))].index((turned[0], turned[0]))
+        self._go_to(*rows)
+        ends = (self.below + self.above)[place : place + 2]
+        self._stand(Upright("wall", turned[0] >> 3, ends, ends))
 
     @staticmethod
     def _last_of(row: Sequence[Bar], link: int) -> Bar:
