@@ -220,12 +220,16 @@ class Record:
         """Return whether a control value is about to exceed its scale; if so, raise the scale.
 
         A value that leaves 0 cannot be integrated with a small error relative to itself. Its error
-        is therefore relative to the magnitude that it soon reaches.
+        is therefore relative to the magnitude that it soon reaches or, if that does not suffice
+        because its rate is a rounding error, to ever larger magnitudes.
         """
-        length = DISTANCES[-1] * equations.within
-        later = equations.moved(time, state, length)
-        soon = length * np.abs(equations.derivative(time + length, later)[equations.values])
-        for part in (SMALL_VALUE, 1.0, 1 / SMALL_VALUE):
+        lengths = np.array(DISTANCES) * equations.within
+        rates = [
+            equations.derivative(time + length, equations.moved(time, state, length))
+            for length in lengths.tolist()
+        ]
+        soon = lengths[-1] * np.abs(rates)[:, equations.values].max(axis=0)
+        for part in SMALL_VALUE ** np.arange(1.0, -4.0, -1.0):
             grows = np.isfinite(soon) & (part * soon > 2 * self.value_scales)
             if grows.any():
                 self.value_scales = np.where(grows, part * soon, self.value_scales)
