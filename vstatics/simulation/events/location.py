@@ -124,6 +124,8 @@ def _low_gaps(by_parts: Floats, matrices: GapMatrices) -> list[tuple[int, int]]:
     gaps = (places + 1 - (slope > 0)) // _IN_GAP  # a minimum at a node can be on either side
     first, last = (by_parts[:, [0, -1]] * matrices.slopes.T).sum(axis=-1).T
     falls, rises = (first < 0) & (rates[:, 0] >= 0), (last > 0) & (rates[:, -1] <= 0)
+    falls &= by_parts[:, 0, 0] + 2 * first * widths[0] < 0
+    rises &= by_parts[:, -1, -1] - 2 * last * widths[-1] < 0
     end = len(widths) // _IN_GAP - 1
     return sorted(
         {*zip(gaps[low].tolist(), rows[low].tolist(), strict=True)}
