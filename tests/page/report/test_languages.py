@@ -85,12 +85,7 @@ def test_a_page_says_the_same_with_other_words() -> None:
     """Its data, addresses, numbers are those of the English page; no English text is left."""
     english, page = page_of(SHOWN[0]), page_of(SHOWN[0], "--lang", "ru")
     assert document_of(page) == document_of(english)
-    for kept in (
-        r' id="(?!p\d)[^"]*"',
-        r' href="(?!#p\d)[^"]*"',
-        r'data-value="[^"]*"',
-        r'data-gear="[^"]*"',
-    ):
+    for kept in (r' id="[^"]*"', r' href="[^"]*"', r'data-value="[^"]*"', r'data-gear="[^"]*"'):
         assert set(re.findall(kept, page)) == set(re.findall(kept, english)), kept
     english_lines, lines = ({*words_of(one).split("\n")} for one in (english, page))
     said = {row for row, other in table("ru").items() if row != other}

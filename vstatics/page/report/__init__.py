@@ -1,8 +1,8 @@
 """HTML page of a case and its results, which needs no other files.
 
-`material` gathers the contents of the page from the results, `html_page` lays out the page,
-`definitions` shortens repeated drawings, and `saving` writes the page to a file. `tools` contains
-the choice of units, the filter by a link and the buttons for saving. `pair` compares two cases.
+`material` gathers the contents of the page from the results, `html_page` lays out the page, and
+`saving` writes it to a file. `tools` contains the choice of units, the filter by a link and the
+buttons for saving. `pair` compares two cases.
 
 >>> from vstatics import Gear, Mechanism, Transmission, solve
 >>> from vstatics.page.report.html_page import page

@@ -11,7 +11,6 @@ from typing import Any, NamedTuple
 from vstatics.core.tables.html import Markup, filled, joined, printed, tag
 from vstatics.core.texts import spoken, tr
 from vstatics.page.report.asked import SECTIONS
-from vstatics.page.report.definitions import shared_definitions
 from vstatics.page.report.material import Material
 from vstatics.page.report.parts import chooser
 from vstatics.page.report.sections import sections
@@ -130,8 +129,6 @@ def framed(
     contents = tag("nav", *links, class_="contents", aria_label=tr("Contents"))
     shown = tag("main", *map(_section, parts))
     main, looks = shared(printed(shown, _names(frame.named or document.get("case"))))
-    if frame.revision is None:  # sections of a served page are replaced one by one
-        main = shared_definitions(main)
     data = json.dumps(document, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
     data = data.replace("<", "\\u003c")  # text in the data cannot end the script element
     body = tag(

@@ -45,11 +45,9 @@
   // --- pictures: what the page says of their looks goes with them, in the colours of paper ------
 
   const svgOf = (svg) => {
-    const copy = svg.cloneNode(true), shared = document.querySelector("svg.unseen > defs")?.cloneNode(true);
-    for (const path of shared?.querySelectorAll(":scope > path") ?? []) if (!copy.querySelector(`use[href="#${path.id}"]`)) path.remove();
-    if (shared) copy.prepend(shared);
+    const copy = svg.cloneNode(true);
     const rules = [...document.styleSheets].flatMap((sheet) => [...sheet.cssRules]);
-    const names = new Set([...copy.querySelectorAll("[class]")].flatMap((one) => [...one.classList]));
+    const names = new Set([...svg.querySelectorAll("[class]")].flatMap((one) => [...one.classList]));
     const looks = rules.filter(({ selectorText }) => /^\.l\d+$/.test(selectorText ?? "") && names.has(selectorText.slice(1)));
     const style = document.createElementNS(svg.namespaceURI, "style");
     style.textContent = looks.map(({ cssText }) => cssText).join("\n");

@@ -31,7 +31,8 @@ def met_by(layout: CoaxialLayout, up: Upright) -> dict[Bar, list[float]]:
     if up.kind != "set":
         return {bar: [0.0] for bar in up.bars}
     section = layout.section(up)
-    pairs = [(bar, section.x(n)) for n, both in enumerate(up.wheels) for bar in both]
+    xs = map(section.x, range(len(up.wheels)))
+    pairs = [(bar, x) for x, both in zip(xs, up.wheels, strict=True) for bar in both]
     pairs += [(bar, 0.0) for bar in up.left] + [(bar, section.width) for bar in up.right]
     return grouped((bar, x) for bar, x in pairs if bar is not None)
 

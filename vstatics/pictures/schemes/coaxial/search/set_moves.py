@@ -178,7 +178,7 @@ class SetMoves(NamedTuple):
         done |= gear_set.bit
         has_more = bool(self.train.masks[carrier] & ~done)
         bars = below + above
-        part, is_there = fresh(carrier, bars), carrier in links_of(bars)
+        part, is_there = fresh(carrier, bars), any(bar >> 3 == carrier for bar in bars)
         ends = [_end_of(row, carrier, arm.joined) for row in (below, above[::-1])]
         for low, high in product(*ends):
             carrier_bars = set(arm.joined)
