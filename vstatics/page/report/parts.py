@@ -43,9 +43,7 @@ def chooser(gears: Iterable[str]) -> Markup:
 
 def _without_titles(drawn: Drawn) -> Drawn:
     """Return a picture without its tooltips, which paper does not show."""
-    return drawn._replace(
-        sheets=[Markup(_TITLE.sub("", sheet).replace("></path>", "/>")) for sheet in drawn.sheets]
-    )
+    return drawn._replace(sheets=[Markup(_TITLE.sub("", sheet)) for sheet in drawn.sheets])
 
 
 def on_paper(drawn: Drawn, name: str, *, most: int = MOST_SHEETS) -> Markup:
