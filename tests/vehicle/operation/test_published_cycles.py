@@ -223,7 +223,7 @@ def test_gears_of_published_cycles() -> None:
             "time_s,speed_mph,grade\n0,0,0.5\n1,5,2.5\n",
             ":3:1: error: grade: read 2.5, expected -1 to 1 without a unit; .*need .*`grade .%.`",
         ),
-        ("time_s speed_mps\n0 0\n1 5\n", "commas, semicolons or tabs have to separate the cells"),
+        ("time_s speed_mps\n0 0\n1 5\n", "separate the cells by commas, semicolons or tabs"),
         ("time [s],speed [mph],slope [deg]\n0,0,91\n1,5,0\n", "slope: read .*, expected -1 to 1"),
         ("time [s],speed [m/s]\n0,0\n1,1e300\n", ":3:1: .*speed: read 1e.300, expected at most 1e"),
         ("time [s],speed [m/s]\n0,0\n1e300,1\n", ":3:1: .*time: read 1e.300, expected at most 1e"),

@@ -480,7 +480,7 @@ def _keys_over_time(words: Vocabulary) -> tuple[KeyShape, ...]:
         KeyShape(
             "torques",
             Numbers("link", OneOrMany(_law(torque))),
-            "External torques on links in N*m, positive like the input's; a law, or several.",
+            "External torques on links in N*m: a law, or several. Positive torques act forward.",
         ),
         *_motion_keys(words),
         KeyShape(

@@ -75,7 +75,7 @@ def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Canv
     values = np.concatenate([surface.z[np.isfinite(surface.z)] for surface in surfaces])
     low, high = values.min(), values.max()
     if sheet.levels and not any(low <= level <= high for level in sheet.levels):
-        words = "no level is within the values from {low} to {high}"
+        words = "no level is between {low} and {high}"
         notes.append(style.text(words, low=number(low), high=number(high)))
     return map_pages(sheet, names[:2], overlays, "; ".join(notes), style)
 

@@ -66,8 +66,7 @@ def _links(text: str) -> int:
         default="none",
         show_default=True,
         help="List only one of several structures that differ in the names of gear sets (sets), "
-        "also by an exchange of sun and ring (members), or also in the order of all members "
-        "(order).",
+        "or also in an exchange of sun and ring (members) or of all members (order).",
     ),
     click.option(
         "--ports", is_flag=True, help="List each structure with every pair of input and output."

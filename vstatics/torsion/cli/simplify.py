@@ -81,7 +81,7 @@ class Reducing(NamedTuple):
     type=click.IntRange(1),
     required=True,
     metavar="N",
-    help="Number of natural frequencies to keep. A simplified chain has one mass more.",
+    help="Number N of natural frequencies to keep. A simplified chain has N + 1 masses.",
 )
 @gathered(
     "reducing",

@@ -54,7 +54,7 @@ links-missing.yaml:1:1: `links` is missing
 links-not-a-number.yaml:1:8: links: read 'three', expected the number of links or a list of their
     names
 mechanism-without-ratio.yaml:6:3: mechanisms.D1: `ratio` is missing
-merge-key.yaml:9:9: expected a mapping, or a list of mappings, behind the merge key `<<`
+merge-key.yaml:9:9: expected a mapping, or a list of mappings, after the merge key `<<`
 name-of-two-lines.yaml:2:7: name: read 'two\nlines', expected one line of text
 nested-without-end.yaml:1:17: nested deeper than 16 levels
 no-mapping.yaml:1:1: read a list, expected a case: a mapping with `elements`, `mechanisms`,

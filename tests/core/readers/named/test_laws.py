@@ -54,12 +54,12 @@ def test_a_file_of_points_is_that_of_a_test_bench(tmp_path: Path, text: str) -> 
     ("text", "said"),
     [
         ("speed [rpm],moment [N*m]\n0,1\n", "not `speed [rpm],moment [N*m]`"),
-        ("speed,torque\n0,1\n", "read `drag.csv`, expected a CSV file with the head"),
+        ("speed,torque\n0,1\n", "read `drag.csv`, expected a CSV file with the headings"),
         ("speed [rpm],torque [kW]\n0,1\n", "read `drag.csv`, line 1: the unit of torque: expected"),
         ("speed [rpm],torque [N*m]\n", "expected a point at least"),
         ("speed [rpm],torque [N*m]\n0\n", "line 2: expected 2 numbers"),
         ("speed [rpm],torque [N*m]\n0,nan\n", "line 2: torque: read 'nan', expected a torque"),
-        ("Nm,rpm\n0,1\n", "the head `speed [rad/s],torque [N*m]`, not `Nm,rpm`"),
+        ("Nm,rpm\n0,1\n", "the headings `speed [rad/s],torque [N*m]`, not `Nm,rpm`"),
         ("x" * 1_000_001, "cannot be read: larger than 1 MB"),
     ],
 )

@@ -232,7 +232,7 @@ def test_a_map_is_read_from_a_file_in_any_order_and_written_as_it_is(tmp_path: P
             "0,0,1.2\n0,5,0.9\n9,0,0.9\n9,5,1\n",
             "`map.csv`, line 2: read 1.2, expected an efficiency above 0",
         ),
-        ("0,0,0\n0,5,0\n9,0,0\n9,5,1\n", "read 0, .*; omit the rows at rest and without torque"),
+        ("0,0,0\n0,5,0\n9,0,0\n9,5,1\n", "read 0, .*; omit all rows with speed 0 or torque 0"),
         ("0,0,0.9\n0,5,0.9\n", r"rows: read 1, expected two speeds or more"),
         ("0,0\n", "line 2: expected 3 numbers"),
     ],

@@ -338,7 +338,7 @@ class _ExpectedTable(NamedTuple):
             if is_mistyped or missing or not self.skips:
                 expected = spoken([quoted(column.heading) for column in self.columns], "or")
                 if len(self.understood(cell.split())) > 1:
-                    hint = "; commas, semicolons or tabs have to separate the cells"
+                    hint = "; separate the cells by commas, semicolons or tabs"
                 raise ValueError(f"read the heading {cell[:40]!r}, expected {expected}{hint}")
         if twice := next((name for name in names if names.count(name) > 1), None):
             raise ValueError(f"two columns are called {quoted(twice)}")

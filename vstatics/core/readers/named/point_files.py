@@ -151,7 +151,7 @@ def _map(rows: _Rows, values: Values) -> MapLaw:
             message = f"line {line}: {_point(units, speed, torque)} is on line {first}, too"
             raise ValueError(f"{message}; expected each point once")
         if not (0 < value <= 1 if values == "efficiency" else value >= 0):
-            hint = "; omit the rows at rest and without torque" if value == 0 else ""
+            hint = "; omit all rows with speed 0 or torque 0" if value == 0 else ""
             raise ValueError(f"line {line}: read {value:g}, expected {_VALUES[values]}{hint}")
         points[speed, torque] = line, value
     speeds, torques = (sorted({point[place] for point in points}) for place in (0, 1))
@@ -166,7 +166,7 @@ def _map(rows: _Rows, values: Values) -> MapLaw:
 
 def _expected(values: str, heads: Sequence[str]) -> ValueError:
     read = f", not `{','.join(heads)[:MOST_QUOTED]}`" if heads else ""
-    return ValueError(f"expected a CSV file with the head `{_HEADS[values]}`{read}")
+    return ValueError(f"expected a CSV file with the headings `{_HEADS[values]}`{read}")
 
 
 def _point(units: Sequence[str], *values: float) -> str:

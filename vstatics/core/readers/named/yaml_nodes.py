@@ -66,7 +66,7 @@ def yaml_tree(document: DocumentText) -> Node:
     return _Builder(document, getattr(yaml, "CSafeLoader", yaml.SafeLoader)).root()
 
 
-_NO_MAPPING = "expected a mapping, or a list of mappings, behind the merge key `<<`"
+_NO_MAPPING = "expected a mapping, or a list of mappings, after the merge key `<<`"
 
 
 class _Builder:
