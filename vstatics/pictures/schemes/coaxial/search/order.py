@@ -202,8 +202,9 @@ class _Attempt(NamedTuple):
 
 def _unrolled(trace: _Trace) -> list[OrderStep]:
     steps, before = trace
-    if before is None:
-        return [*steps]
-    state, earlier = before
-    first = steps[0]._replace(before=(state.below, state.above))
-    return [*_unrolled(earlier), first, *steps[1:]]
+    all_steps = [*steps]
+    while before is not None:
+        state, (steps, before) = before
+        all_steps[0] = all_steps[0]._replace(before=(state.below, state.above))
+        all_steps[:0] = steps
+    return all_steps
