@@ -55,11 +55,10 @@ class GapMatrices(NamedTuple):
 def _in_gaps(nodes: tuple[float, ...]) -> GapMatrices:
     at = np.array(nodes)
     places = (at[:-1, None] + np.diff(at)[:, None] * np.arange(_IN_GAP) / _IN_GAP).reshape(-1)
-    to_powers = np.linalg.inv(np.vander(at))
     orders = np.arange(len(at) - 1, -1, -1)
-    ends = np.array([np.where(orders == 1, 1.0, 0.0), orders])
-    values = np.linalg.solve(np.vander(at).T, np.vander(places, len(at)).T)
-    return GapMatrices(np.asarray(values, float), np.diff(places, append=1.0), (ends @ to_powers).T)
+    rows = np.vstack([np.vander(places, len(at)), orders == 1, orders])
+    matrix = np.asarray(np.linalg.solve(np.vander(at).T, rows.T), float)
+    return GapMatrices(matrix[:, :-2], np.diff(places, append=1.0), matrix[:, -2:])
 
 
 def _lowest(nodes: tuple[float, ...], values: Floats, gap: int) -> float:
@@ -80,7 +79,7 @@ def _lowest(nodes: tuple[float, ...], values: Floats, gap: int) -> float:
 def minima(step: TimeStep, values: Floats) -> Iterator[tuple[int, int, float]]:
     """Yield minima of functions of time between two instants that could be negative.
 
-    Interpolating polynomials through the instants of each part of the step show them.
+    The search uses polynomials that interpolate the values in each part of the step.
 
     Parameters
     ----------
