@@ -120,14 +120,9 @@ def _differential(sheet: AxesSheet, number: int, station: Station) -> None:
 
 
 def _set(sheet: AxesSheet, number: int, station: Station) -> None:
-    (index,), axis, placing = station.devices, station.axes[0], sheet.placing
+    (index,), placing = station.devices, sheet.placing
     glyph = station.glyphs[placing.chosen.ways[number]]
-    side = placing.board.rows.sides[axis]
-    left, middle = placing.xs[number] - glyph.width / 2, placing.sign_height(axis)
-
-    def at(x: float, y: float) -> Point:
-        return left + x, placing.y(axis, middle + y)
-
+    at, side = placing.in_set(number, glyph), placing.board.rows.sides[station.axes[0]]
     pen, color = sheet.of_device(index).pen, sheet.color(index)
     if index in sheet.state.pieces:
         low, high = sorted(at(*corner) for corner in glyph.wheels)
