@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import sys
 import xml.etree.ElementTree as ET
 from itertools import combinations, pairwise
 from random import Random
@@ -29,6 +30,7 @@ from vstatics.pictures.drawing.svg import written_as_svg
 from vstatics.pictures.paged.drawn import HALF
 from vstatics.pictures.schemes.bare import bare_stick
 from vstatics.pictures.schemes.coaxial.planarity import has_half_section
+from vstatics.pictures.schemes.coaxial.search.order import component_order
 from vstatics.pictures.schemes.coaxial.train import CoaxialTrain, Planes
 from vstatics.pictures.schemes.scheme import scheme_of
 from vstatics.pictures.schemes.stick import stick_scheme
@@ -262,6 +264,14 @@ def test_planar_boxes_are_drawn_without_crossings(count: int) -> None:
         assert crossings(svg) == bridges(svg) == 0
         assert title == "box"
         assert_connected(svg)
+
+
+@pytest.mark.slow
+def test_a_chain_of_shafts_can_be_longer_than_the_stack_of_calls() -> None:
+    count = sys.getrecursionlimit()
+    shafts = [(link, link + 1) for link in range(3, count + 3)]
+    steps = component_order(CoaxialTrain([Planes(3, [(1, 2)])], shafts, [2], 1, count + 3)).steps
+    assert [step.number for step in steps if step.kind == "pair"] == [*range(count)]
 
 
 def test_a_carrier_at_the_output_goes_down_to_the_axis_and_never_up() -> None:

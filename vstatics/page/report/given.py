@@ -77,11 +77,8 @@ def _mechanisms(case: Transmission) -> Grid:
             mechanism.name,
             *map(case.link_name, (mechanism.first, mechanism.second)),
             case.link_name(mechanism.third) if mechanism.third else NOTHING,
-            *(_number_or_law(value) for value in (mechanism.ratio, mechanism.efficiency)),
-            *(
-                _number_or_law(value)
-                for value in (mechanism.back_efficiency, mechanism.planet_ratio)
-            ),
+            *map(_number_or_law, (mechanism.ratio, mechanism.efficiency)),
+            *map(_number_or_law, (mechanism.back_efficiency, mechanism.planet_ratio)),
             *_elastic(mechanism),
         )
         for mechanism in case.mechanisms
@@ -110,10 +107,8 @@ def _number_or_law(value: float | None) -> Any:
 def _shift_elements(case: Transmission) -> Grid:
     """Return the table of shift elements, with columns for drag and friction ratio if present."""
     elements = case.shift_elements
-    drags, slips = (
-        any(element.drag for element in elements),
-        any(element.static != 1 for element in elements),
-    )
+    drags = any(element.drag for element in elements)
+    slips = any(element.static != 1 for element in elements)
     rows = [
         (
             element.name,
@@ -131,11 +126,10 @@ def _shift_elements(case: Transmission) -> Grid:
     ]
     headings = ("shift element", "kind", "first", "second")
     more = (
-        *(
-            "drag torque, relative to the input torque",
-            "torque capacity, relative to the input torque",
-        ),
-        *("static by kinetic torque", "friction pack, SI"),
+        "drag torque, relative to the input torque",
+        "torque capacity, relative to the input torque",
+        "static by kinetic torque",
+        "friction pack, SI",
         *ELASTIC,
     )
     return grid_of("Shift elements", (*headings, *more), rows, optional=more)

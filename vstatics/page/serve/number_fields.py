@@ -126,12 +126,7 @@ def case_fields(case: Transmission) -> Iterator[PageField]:
 
 def _derived(case: Transmission) -> Iterator[str]:
     """Yield the paths of mechanism numbers that follow from gear sets with teeth."""
-    drawing = drawing_of(case)
-    given = (
-        {mechanism.name for mechanism in drawing.mechanisms}
-        if drawing
-        else {mechanism.name for mechanism in case.mechanisms}
-    )
+    given = {mechanism.name for mechanism in (drawing_of(case) or case).mechanisms}
     for mechanism in case.mechanisms:
         if mechanism.name not in given:
             yield from (f"{mechanism.name}.{quantity}" for quantity in OF_MECHANISM)

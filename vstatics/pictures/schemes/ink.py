@@ -6,9 +6,11 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Self
 
+from vstatics.core.model.transmission import HOUSING
 from vstatics.pictures.drawing.canvas import Look, Point
 from vstatics.pictures.drawing.pen import Pen
 from vstatics.pictures.schemes.scheme import Scheme, SchemePort, SchemeState
+from vstatics.pictures.schemes.shift_element_symbols import Coupled, draw_coupled
 from vstatics.pictures.schemes.titles import Titles
 
 AXIS_DASHES = (0, (12, 3, 2, 3))
@@ -73,6 +75,19 @@ class SchemeInk:
         device = self.scheme.devices[index]
         kind = "element" if device.is_shift_element else "mechanism"
         return replace(self, pen=self.pen.within(kind, name=device.name))
+
+    def draw_sign(self, index: int, start: Point, end: Point, housing: int = 0) -> None:
+        """Draw the symbol of a component on a line; for the parameters see `Coupled`."""
+        device = self.scheme.devices[index]
+        look = self.color(index), self.state.is_closed(index), self.rod_color(index), housing
+        is_backward = device.members.get("first") == HOUSING
+        coupled = Coupled(device.sign, start, end, *look, self.said(index), is_backward)
+        draw_coupled(self.of_device(index).pen, coupled)
+
+    def name_sign(self, index: int, at: Point, name: str, **look: Any) -> None:
+        """Write the name of a component, bold if it is engaged and does not slip."""
+        usual: Look = {"color": self.text_color(index), "bold": self.state.is_closed(index)}
+        centred(self.of_device(index).pen, at, name, **usual, **look)
 
     def ways(self, ports: Sequence[SchemePort]) -> set[bool]:
         """Return the directions of power at ports: True for leaving, False for entering power.

@@ -40,26 +40,20 @@ _NEAR = np.append(2.0 ** np.arange(-32, 0), 1.0)
 """Fractions of an interval at which a margin that begins at 0 is evaluated."""
 
 
-class GapMatrices(NamedTuple):
-    """Matrices from values at the nodes of an interval to their interpolating polynomial."""
-
-    inner: Floats
-    """To values at four places in each gap between nodes, from the lower node on."""
-    widths: Floats
-    """Distances between these places and the end, as fractions of the interval."""
-    slopes: Floats
-    """To slopes at both ends of the interval, shape (nodes, 2)."""
-
-
 @lru_cache(maxsize=8)
-def _in_gaps(nodes: tuple[float, ...]) -> GapMatrices:
+def _in_gaps(nodes: tuple[float, ...]) -> tuple[Floats, Floats]:
+    """Return a matrix to values and slopes of interpolating polynomials, and widths of places.
+
+    The matrix multiplies values at the nodes. Values and slopes are at four places in each gap
+    between nodes, from the lower node on, and at the last node.
+    """
     at = np.array(nodes)
-    places = (at[:-1, None] + np.diff(at)[:, None] * np.arange(_IN_GAP) / _IN_GAP).reshape(-1)
-    to_powers = np.linalg.inv(np.vander(at))
-    orders = np.arange(len(at) - 1, -1, -1)
-    ends = np.array([np.where(orders == 1, 1.0, 0.0), orders])
-    values = np.linalg.solve(np.vander(at).T, np.vander(places, len(at)).T)
-    return GapMatrices(np.asarray(values, float), np.diff(places, append=1.0), (ends @ to_powers).T)
+    inner = at[:-1, None] + np.diff(at)[:, None] * np.arange(_IN_GAP) / _IN_GAP
+    places = np.append(inner, 1.0)
+    powers = np.vander(places, len(at))
+    slopes = np.pad(powers[:, 1:] * np.arange(len(at) - 1, 0, -1), ((0, 0), (0, 1)))
+    matrix = np.linalg.solve(np.vander(at).T, np.vstack([powers, slopes]).T)
+    return np.asarray(matrix, float), np.diff(places)
 
 
 def _lowest(nodes: tuple[float, ...], values: Floats, gap: int) -> float:
@@ -80,7 +74,7 @@ def _lowest(nodes: tuple[float, ...], values: Floats, gap: int) -> float:
 def minima(step: TimeStep, values: Floats) -> Iterator[tuple[int, int, float]]:
     """Yield minima of functions of time between two instants that could be negative.
 
-    Interpolating polynomials through the instants of each part of the step show them.
+    The search uses polynomials that interpolate the values in each part of the step.
 
     Parameters
     ----------
@@ -102,36 +96,27 @@ def minima(step: TimeStep, values: Floats) -> Iterator[tuple[int, int, float]]:
     inner = values[:, 1:].reshape(len(values), -1, count)
     by_parts = np.concatenate([values[:, :-1:count, None], inner], axis=-1)
     edges = np.concatenate([[step.start], step.times[count - 1 :: count]])
-    for number, row in _low_gaps(by_parts, _in_gaps(nodes)):
+    for number, row in _low_gaps(by_parts, nodes):
         part, gap = divmod(number, count)
         place = _lowest(nodes, by_parts[row, part], gap)
         yield number, row, float(edges[part] + (edges[part + 1] - edges[part]) * place)
 
 
-def _low_gaps(by_parts: Floats, matrices: GapMatrices) -> list[tuple[int, int]]:
+def _low_gaps(by_parts: Floats, nodes: tuple[float, ...]) -> list[tuple[int, int]]:
     """Return gaps with low minima, sorted: number of the gap and row of `by_parts`."""
-    near = (by_parts @ matrices.inner).reshape(len(by_parts), -1)
-    near = np.column_stack([near, by_parts[:, -1, -1]])
-    widths = np.tile(matrices.widths, by_parts.shape[1])
-    rates = np.diff(near) / widths
-    rows, places = np.nonzero((rates[:, :-1] <= 0) & (rates[:, 1:] >= 0))
-    before, after = rates[rows, places], rates[rows, places + 1]
-    left, right = widths[places], widths[places + 1]
-    slope = (before * right + after * left) / (left + right)
-    bend = np.maximum((after - before) / (left + right), NOT_ZERO)
-    lowest = near[rows, places + 1] - slope**2 / (4 * bend)
-    low = lowest < _LOW * np.maximum(-before * left, after * right)
-    gaps = (places + 1 - (slope > 0)) // _IN_GAP  # a minimum at a node can be on either side
-    first, last = (by_parts[:, [0, -1]] * matrices.slopes.T).sum(axis=-1).T
-    falls, rises = (first < 0) & (rates[:, 0] >= 0), (last > 0) & (rates[:, -1] <= 0)
-    falls &= by_parts[:, 0, 0] + 2 * first * widths[0] < 0
-    rises &= by_parts[:, -1, -1] - 2 * last * widths[-1] < 0
-    end = len(widths) // _IN_GAP - 1
-    return sorted(
-        {*zip(gaps[low].tolist(), rows[low].tolist(), strict=True)}
-        | {(0, row) for row in np.flatnonzero(falls).tolist()}
-        | {(end, row) for row in np.flatnonzero(rises).tolist()}
+    matrix, widths = _in_gaps(nodes)
+    values, slopes = np.split(by_parts @ matrix, 2, axis=-1)
+    turns = np.nonzero((slopes[..., :-1] <= 0) & (slopes[..., 1:] >= 0))
+    rows, parts, places = turns
+    falls, rises = -slopes[turns] * widths[places], slopes[..., 1:][turns] * widths[places]
+    halves = 2 * np.maximum(falls + rises, NOT_ZERO)
+    # Estimates by a parabola with both slopes, from the value at either end.
+    lowest = np.minimum(
+        values[turns] - falls**2 / halves, values[..., 1:][turns] - rises**2 / halves
     )
+    low = lowest < _LOW * np.maximum(falls, rises)
+    gaps = parts * (len(nodes) - 1) + places // _IN_GAP
+    return sorted({*zip(gaps[low].tolist(), rows[low].tolist(), strict=True)})
 
 
 class MarginEnd(NamedTuple):

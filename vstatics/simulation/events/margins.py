@@ -363,13 +363,9 @@ class Margins:
     def units(self, scales: LargeSizes) -> Floats:
         """Return the scale of each margin, relative to which a tiny violation is rounding."""
         units = np.where(self.is_torque, scales.torque, scales.speed)
-        at = self.deciding
-        for _, _, limit in self.limits_of_states:
-            units[at] = EXACT_SIDES / NO_MARGIN * max(abs(limit), NOT_ZERO)
-            at += 1
-        for comparison in self.sequences:
-            units[at] = EXACT_SIDES / NO_MARGIN * max(comparison.size, NOT_ZERO)
-            at += 1
+        sizes = [abs(limit) for _, _, limit in self.limits_of_states]
+        sizes += [comparison.size for comparison in self.sequences]
+        units[self.deciding :] = EXACT_SIDES / NO_MARGIN * np.maximum(sizes, NOT_ZERO)
         return units
 
     def at(self, time: float, state: Floats) -> Floats:

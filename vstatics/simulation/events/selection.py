@@ -162,8 +162,7 @@ class ModeSelection:
         contacts = list(states.contacts)
         for index in (index for kind, index, _ in choices if kind == "contacts"):
             contact = self.system.contacts[index]
-            moves = _moves(contact.row, structure.free) or _moves(contact.row, structure.light)
-            if not (contact.switch or moves):
+            if not (contact.switch or _moves(contact.row, structure.free, structure.light)):
                 contacts[index] = "stick"
         return states._replace(contacts=tuple(contacts))
 
@@ -206,8 +205,7 @@ class ModeSelection:
             motions = self.structure(states.held, meshes)
         except np.linalg.LinAlgError:
             return True
-        slip = self.system.meshes[watch.of].slip
-        return _moves(slip, motions.free) or _moves(slip, motions.light)
+        return _moves(self.system.meshes[watch.of].slip, motions.free, motions.light)
 
     def _released(self, states: States, at: Instant, choices: Sequence[Choice]) -> States | None:
         """Return the states in which mechanisms move that would move without friction, or None."""
@@ -389,8 +387,8 @@ def _finite(margins: Floats) -> Floats:
     return np.where(np.isposinf(margins), _AMPLE, margins)
 
 
-def _moves(slip: Floats, motions: Floats) -> bool:
-    return bool((np.abs(slip @ motions) > STANDING).any())
+def _moves(slip: Floats, *motions: Floats) -> bool:
+    return any((np.abs(slip @ part) > STANDING).any() for part in motions)
 
 
 def _failed(margins: Margins, time: float, state: Floats, sizes: Floats) -> list[Watch]:

@@ -234,19 +234,21 @@ def _equal_parts(length: float, left: float, most: int) -> tuple[float, int]:
 
 
 class KnownSolutions:
-    """Slopes of torques and matrix exponentials of a run, which serve again after an event.
+    """Slopes of torques and matrix exponentials of a run, for use after later events.
 
     After most events, the matrix of the equations of motion returns to an earlier value.
     """
 
     def __init__(self) -> None:
-        self._slopes: list[tuple[Floats, tuple[Floats, Floats]]] = []
+        self._slopes: list[tuple[Floats, Floats]] = []
         self._exponentials: dict[bytes, Exponential] = {}
 
     def slopes_near(
         self, slopes: tuple[Floats, Floats], bending: Integers, torques: int
     ) -> tuple[Floats, Floats]:
-        """Return slopes of torques, with little different earlier slopes of nonlinear torques.
+        """Replace slopes of nonlinear torques by similar earlier slopes, if any, and return all.
+
+        The matrix of the equations can then equal an earlier matrix.
 
         Parameters
         ----------
@@ -257,15 +259,12 @@ class KnownSolutions:
         torques : int
             Number of ports in `bending`.
         """
-        by_rate, by_state = slopes
-        now = _joined(slopes)
-        for before, known in self._slopes:
-            if not _differ(now, before):
-                by_rate[bending[:torques]] = known[0][bending[:torques]]
-                by_state[bending] = known[1][bending]
+        for known in self._slopes:
+            if not _differ(slopes, known):
+                slopes[0][bending[:torques]] = known[0][bending[:torques]]
+                slopes[1][bending] = known[1][bending]
                 return slopes
-        latest = now, (by_rate.copy(), by_state.copy())
-        self._slopes = [latest, *self._slopes[: _MOST_SLOPES - 1]]
+        self._slopes = [slopes, *self._slopes[: _MOST_SLOPES - 1]]
         return slopes
 
     def exponential(self, matrix: Floats, size: int) -> Exponential:
@@ -274,21 +273,18 @@ class KnownSolutions:
         known = self._exponentials.pop(key, None) or Exponential(matrix, NODES, size)
         self._exponentials[key] = known
         if len(self._exponentials) > _MOST_KNOWN:
-            del self._exponentials[next(iter(self._exponentials))]  # the one not used for longest
+            longest_unused = next(iter(self._exponentials))
+            del self._exponentials[longest_unused]
         return known
 
 
-def _joined(slopes: tuple[Floats, Floats]) -> Floats:
-    by_rate, by_state = slopes
-    return np.concatenate([by_rate, by_state.reshape(-1)])
-
-
-def _differ(now: Floats, before: Floats) -> bool:
+def _differ(now: tuple[Floats, Floats], before: tuple[Floats, Floats]) -> bool:
     """Return whether slopes of torques differ so much that a new matrix is better."""
-    if len(now) != len(before):
-        return True
-    sizes = np.maximum(np.abs(now), np.abs(before))
-    return bool((np.abs(now - before) > _SLOPES_DIFFER * sizes).any())
+    return any(
+        new.shape != old.shape
+        or (np.abs(new - old) > _SLOPES_DIFFER * np.maximum(np.abs(new), np.abs(old))).any()
+        for new, old in zip(now, before, strict=True)
+    )
 
 
 class Closed:
@@ -351,9 +347,8 @@ class Closed:
         """Rounding error of the torques that depend on the state. [N*m]"""
         try:
             self.affine = Affine(equations, by_rate, by_state)
-        except (
-            np.linalg.LinAlgError
-        ):  # a speed of a link without inertia depends on another such speed
+        except np.linalg.LinAlgError:
+            # The speed of a link without inertia depends on the speed of another such link.
             raise NoFit from None
         self.latest, self.series = np.zeros(len(self.bending)), None
         matrix = self.affine.change.by_state
@@ -370,7 +365,7 @@ class Closed:
 
     def _bends_elsewhere(self, time: float, state: Floats) -> bool:
         """Return whether torque slopes in a state differ from the slopes in the matrix."""
-        return _differ(_joined(self._slopes(time, state)), _joined(self.known))
+        return _differ(self._slopes(time, state), self.known)
 
     def _balanced(self) -> Floats:
         """Return factors that convert speeds and twists to square roots of energies."""

@@ -25,8 +25,8 @@ def first_reached(
         Function from a time within the step to the value.
     target : float
     near : float
-        Difference that counts as rounding error. A quantity that is held at its target keeps such
-        an error, of any sign.
+        Difference that counts as rounding error. A quantity that is held at its target can have
+        such an error, of either sign.
     """
     side = -1.0 if values[0] < target else 1.0
 

@@ -51,6 +51,15 @@ def bare(tree: Any) -> Tree:
     return whole
 
 
+def with_names(tree: Any, replaced: Callable[[TableName], Tree]) -> Tree:
+    """Return a tree in which the result of a function replaces each name."""
+    if isinstance(tree, Applied):
+        operands = (with_names(operand, replaced) for operand in tree.operands)
+        return tree._replace(operands=tuple(operands))
+    whole: Tree = replaced(tree) if isinstance(tree, TableName) else tree
+    return whole
+
+
 def plus(first: Tree, second: Tree) -> Tree:
     """Return the sum of two trees."""
     if Constant(0.0) in (first, second):

@@ -19,7 +19,7 @@ from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.core.readers.expressions.grammar import Applied, Language, Tree, parse
 from vstatics.core.readers.expressions.operands import Constant, DottedName, TableName
 from vstatics.core.suggestions import nearest
-from vstatics.simulation.scenario.algebra import parts, slope, variables
+from vstatics.simulation.scenario.algebra import parts, slope, variables, with_names
 from vstatics.simulation.scenario.corners import JUMPS, between, corners
 from vstatics.simulation.scenario.crossings import crossings
 from vstatics.simulation.scenario.formula_code import (
@@ -109,17 +109,28 @@ class Formula(NamedTuple):
         return self._replace(tree=_with_numbers(self.whole, numbers))
 
     def on_link(self, name: str) -> Formula:
-        """Return the formula of a torque on a link; its motion can stay at jumps of its own speed.
+        """Return the formula of a torque on a link, such as `out`, with `speed` for `speed('out')`.
+
+        Only a formula that jumps at values of the speed or angle of the link changes. The motion
+        can then stay at a jump.
 
         >>> Formula("9*(speed('out') < 3)").on_link("out").variables
         frozenset({'speed'})
         """
         own = Seen("speed", name), Seen("angle", name)
-        jumps = (part for part in parts(self.whole) if _jumps(part))
-        seen = (part for jump in jumps for part in parts(jump) if isinstance(part, TableName))
-        if {seen_in(part) for part in seen}.isdisjoint(own):
+        in_jumps = {
+            seen_in(part)
+            for jump in parts(self.whole)
+            if _jumps(jump)
+            for part in parts(jump)
+            if isinstance(part, TableName)
+        }
+        if in_jumps.isdisjoint(own):
             return self
-        return self._replace(tree=_on_link(self.whole, own))
+        tree = with_names(
+            self.whole, lambda part: part._replace(subscripts=()) if seen_in(part) in own else part
+        )
+        return self._replace(tree=tree)
 
     @property
     def variables(self) -> frozenset[str]:
@@ -274,11 +285,12 @@ def formula_tree(
     return _with_speed(tree) if is_speed else tree
 
 
-def _with_speed(tree: Any) -> Any:
-    if isinstance(tree, Applied):
-        return tree._replace(operands=tuple(map(_with_speed, tree.operands)))
-    is_short = isinstance(tree, TableName) and tree.name == SHORT_SPEED and not tree.subscripts
-    return tree._replace(name="speed") if is_short else tree
+def _with_speed(tree: Tree) -> Tree:
+    def whole_word(part: TableName) -> TableName:
+        is_short = part.name == SHORT_SPEED and not part.subscripts
+        return part._replace(name="speed") if is_short else part
+
+    return with_names(tree, whole_word)
 
 
 def _with_tables(tree: Any, tables: Mapping[str, LookupTable]) -> Any:
@@ -383,18 +395,9 @@ def _jumps(part: Tree) -> bool:
     return isinstance(part, Applied) and part.name in JUMPS
 
 
-def _on_link(tree: Any, own: Collection[Seen]) -> Any:
-    """Return the tree with plain names for the speed and the angle of the link itself."""
-    if isinstance(tree, Applied):
-        return tree._replace(operands=tuple(_on_link(operand, own) for operand in tree.operands))
-    is_own = isinstance(tree, TableName) and seen_in(tree) in own
-    return tree._replace(subscripts=()) if is_own else tree
+def _with_numbers(tree: Tree, numbers: Mapping[str, float]) -> Tree:
+    def value(part: TableName) -> Tree:
+        is_number = part.name in numbers and not part.subscripts
+        return Constant(numbers[part.name]) if is_number else part
 
-
-def _with_numbers(tree: Any, numbers: Mapping[str, float]) -> Any:
-    if isinstance(tree, Applied):
-        operands = tuple(_with_numbers(operand, numbers) for operand in tree.operands)
-        return tree._replace(operands=operands)
-    if isinstance(tree, TableName) and not tree.subscripts and tree.name in numbers:
-        return Constant(numbers[tree.name])
-    return tree
+    return with_names(tree, value)

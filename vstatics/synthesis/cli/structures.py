@@ -15,7 +15,7 @@ from vstatics.core.cli.shared.estimates import (
     duration_text,
     size_text,
 )
-from vstatics.core.cli.shared.formats import WHOLE_OUTPUT
+from vstatics.core.cli.shared.formats import WHOLE_OUTPUT, FormatChoice
 from vstatics.core.cli.shared.options import OUTPUT, command, gathered, under
 from vstatics.core.cli.shared.progress import progress
 from vstatics.core.cli.shared.values import FILE, each, value, wrong_value
@@ -90,7 +90,7 @@ def _links(text: str) -> int:
         "-f",
         "--format",
         "form",
-        type=click.Choice(FORMATS),
+        type=FormatChoice(FORMATS),
         help="Format of the output. A list of structures is JSON lines in both formats.",
     ),
     click.option("-o", "--output", type=FILE, help=WHOLE_OUTPUT),

@@ -11,7 +11,7 @@ from vstatics.core import readers
 from vstatics.core.cli.shared import cases as arguments
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.files import file_name
-from vstatics.core.cli.shared.formats import TABLES, OutputOptions, TextStyle
+from vstatics.core.cli.shared.formats import TABLES, FormatChoice, OutputOptions, TextStyle
 from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase, warnings_of
 from vstatics.core.cli.shared.options import command, gathered
 from vstatics.core.cli.shared.problems import Telling
@@ -115,7 +115,7 @@ class Reducing(NamedTuple):
         "-f",
         "--format",
         "form",
-        type=click.Choice(FORMS),
+        type=FormatChoice(FORMS),
         default="text",
         show_default=True,
         help="Format of the report on the removals.",

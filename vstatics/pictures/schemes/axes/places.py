@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from math import inf
 from typing import NamedTuple
 
+from vstatics.pictures.drawing.canvas import Point
 from vstatics.pictures.drawing.labels import width
 from vstatics.pictures.drawing.style import SIZE
 from vstatics.pictures.schemes.axes.board import BESIDE_SET, AxesBoard, StationOrder
 from vstatics.pictures.schemes.axes.contacts import AxisContact, contacts, port_contacts
+from vstatics.pictures.schemes.gear_glyphs import Glyph
 
 LEVEL = 4.5
 """Distance from the line of a shaft to the line of the surrounding hollow shaft. [pt]"""
@@ -78,6 +80,12 @@ class AxesPlaces(NamedTuple):
     def y(self, axis: int, height: float) -> float:
         """Return the vertical position of a height on the side of an axis with the links [pt]."""
         return self.board.rows.heights[axis] + self.board.rows.sides[axis] * height
+
+    def in_set(self, number: int, glyph: Glyph) -> Callable[[float, float], Point]:
+        """Return the conversion of distances in the symbol of a gear set to points [pt]."""
+        axis = self.board.stations[number].axes[0]
+        left, middle = self.xs[number] - glyph.width / 2, self.sign_height(axis)
+        return lambda x, y: (left + x, self.y(axis, middle + y))
 
 
 def places(board: AxesBoard, chosen: StationOrder) -> AxesPlaces:

@@ -187,7 +187,7 @@ class _FrameMaker:
         self._stand(Upright("set", step.number, [], (), step.is_turned, wheels, left, right))
 
     def _fold(self, before: tuple[Bars, Bars], after: tuple[Bars, Bars]) -> None:
-        """Add a wall if a bar turns back, so that it encloses the new bar of a pair."""
+        """Add a wall if a bar turns back around the new bar of a pair."""
         old, new = sum(before, ()), sum(after, ())
         turned = [bar for bar in old if new.count(bar) > old.count(bar)]
         if not turned:

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
+from vstatics.pictures.drawing.groups import grouped
+
 AXIS, HOUSING_VERTEX = -1, 0
 """Vertices of the axis and of the housing. The vertices of links are the link numbers, from 1."""
 
@@ -89,13 +91,10 @@ class CoaxialTrain:
     @cached_property
     def couplings(self) -> dict[tuple[int, int], list[tuple[int, int]]]:
         """Indices and bits of the `pairs` between two links, by both orders of the links."""
-        by_links: dict[tuple[int, int], list[tuple[int, int]]] = {}
-        for index, ((first, second), bit) in enumerate(
-            zip(self.pairs, self.pair_bits, strict=True)
-        ):
-            for ends in {(first, second), (second, first)}:
-                by_links.setdefault(ends, []).append((index, bit))
-        return by_links
+        pairs = enumerate(zip(self.pairs, self.pair_bits, strict=True))
+        return grouped(
+            (ends, (index, bit)) for index, (pair, bit) in pairs for ends in {pair, pair[::-1]}
+        )
 
     @cached_property
     def top_bits(self) -> list[int]:
@@ -106,10 +105,8 @@ class CoaxialTrain:
     @cached_property
     def tops_of(self) -> dict[int, list[tuple[int, int]]]:
         """Indices and bits of the connections to the housing of each link."""
-        by_link: dict[int, list[tuple[int, int]]] = {}
-        for index, (link, bit) in enumerate(zip(self.tops, self.top_bits, strict=True)):
-            by_link.setdefault(link, []).append((index, bit))
-        return by_link
+        tops = enumerate(zip(self.tops, self.top_bits, strict=True))
+        return grouped((link, (index, bit)) for index, (link, bit) in tops)
 
     @cached_property
     def end_bit(self) -> int:

@@ -111,10 +111,8 @@ def campbell_sheet(results: Results, style: Style, gears: Sequence[int]) -> Camp
     CaseError
         If scipy is not installed, or no gear has a mode.
     """
-    case = results.case
-    numbers = list(gears) or list(range(1, len(case.gears) + 1))
-    chosen = [case.gears[number - 1] for number in numbers]
-    by_gear = modes_of(results, numbers)
+    case, by_gear = results.case, modes_of(results, gears)
+    chosen = [case.gears[number - 1] for number in gears] or [*case.gears]
     reasons = [
         f"{gear_title(gear.name, style)}: {why_none(gear, style)}"
         for gear in by_gear

@@ -62,9 +62,8 @@ def response_panels(
         known = ", ".join(f"{order:g}" for order in harmonics)
         message = f"the torque has no order {unknown[0]:g}: expected one of {known}"
         raise CaseError("E505", message)
-    numbers = list(gears) or list(range(1, len(case.gears) + 1))
-    chosen = [case.gears[number - 1] for number in numbers]
-    modes_by_gear = modes_of(results, numbers)
+    chosen = [case.gears[number - 1] for number in gears] or [*case.gears]
+    modes_by_gear = modes_of(results, gears)
     link = case.link_number(excitation.at) if excitation.at else 0
     links = [case.link_name(link or case.gear_input(gear)) for gear in chosen]
     by_gear = [

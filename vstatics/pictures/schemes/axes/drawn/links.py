@@ -50,10 +50,11 @@ class AxesSheet(SchemeInk):
 
     def name(self, index: int) -> None:
         """Write the name of a component, and the tooth numbers if wanted."""
+        sheet = self.of_device(index)
         is_bold = index in self.state.engaged or not self.scheme.devices[index].is_coupling
         for label in self.labels.get(index, ()):
             look: Look = {"bold": is_bold} if label.is_name else {"size": SMALL}
-            self.text(label.at, label.text, color=self.text_color(index), **look)
+            sheet.text(label.at, label.text, color=self.text_color(index), **look)
 
     def text(self, at: Point, text: str, **look: Any) -> None:
         """Write a text centred at a point, above all lines."""

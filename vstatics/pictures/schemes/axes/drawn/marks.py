@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from vstatics.core.model.transmission import HOUSING
 from vstatics.core.tables.numbers import typeset
 from vstatics.pictures.drawing.canvas import Look, Point
 from vstatics.pictures.drawing.labels import Segment
@@ -19,7 +18,6 @@ from vstatics.pictures.schemes.coaxial.picture import draw_parts
 from vstatics.pictures.schemes.coaxial.rooms import ends_of
 from vstatics.pictures.schemes.gear_glyphs import HATCH_WIDTH, TOOTH, ground, hatching
 from vstatics.pictures.schemes.ink import SchemeInk
-from vstatics.pictures.schemes.shift_element_symbols import Coupled, draw_coupled
 
 
 def draw_station(sheet: AxesSheet, number: int) -> None:
@@ -46,30 +44,18 @@ def _ends(sheet: AxesSheet, index: int) -> dict[int, float]:
 def _coupling(sheet: AxesSheet, _number: int, station: Station) -> None:
     axis, placing = station.axes[0], sheet.placing
     for index in station.devices:
-        device_sheet, device = sheet.of_device(index), sheet.scheme.devices[index]
-        y, xs = placing.y(axis, sign_height(placing, index)), _ends(sheet, index)
-        first, second = device.members["first"], device.members["second"]
-        closed = sheet.state.is_closed(index)
-        ends = (xs[first], y), (xs[second], y)
-        coupled = Coupled(device.sign, *ends, sheet.color(index), closed, sheet.rod_color(index))
-        draw_coupled(device_sheet.pen, coupled._replace(title=sheet.said(index)))
-        device_sheet.name(index)
+        members, xs = sheet.scheme.devices[index].members, _ends(sheet, index)
+        y = placing.y(axis, sign_height(placing, index))
+        sheet.draw_sign(index, (xs[members["first"]], y), (xs[members["second"]], y))
+        sheet.name(index)
 
 
 def _brake(sheet: AxesSheet, number: int, station: Station) -> None:
     (index,), axis, placing = station.devices, station.axes[0], sheet.placing
-    device_sheet, device, side = (
-        sheet.of_device(index),
-        sheet.scheme.devices[index],
-        sheet.placing.board.rows.sides[axis],
-    )
     x, low = placing.xs[number], sign_height(placing, index)
     ends = (x, placing.y(axis, low)), (x, placing.y(axis, low + BRAKE_HEIGHT))
-    is_backward = device.members.get("first") == HOUSING
-    drawn = device.sign, *ends, sheet.color(index), sheet.state.is_closed(index)
-    details = sheet.rod_color(index), side, sheet.said(index), is_backward
-    draw_coupled(device_sheet.pen, Coupled(*drawn, *details))
-    device_sheet.name(index)
+    sheet.draw_sign(index, *ends, placing.board.rows.sides[axis])
+    sheet.name(index)
 
 
 def _drum(sheet: AxesSheet, _number: int, station: Station) -> None:
@@ -87,12 +73,9 @@ def _drum(sheet: AxesSheet, _number: int, station: Station) -> None:
     look: Look = {"kind": "wire", "title": sheet.titles.links.get(common, ""), "color": color}
     pen.line((start, placing.y(axis, low)), (start, roof), (last, roof), zorder=3.2, **look)
     for index, link in zip(station.devices, station.links[1:], strict=True):
-        device_sheet, x = sheet.of_device(index), xs[index][link]
-        ends = (x, roof), (x, placing.y(axis, low))
-        closed, rod = sheet.state.is_closed(index), sheet.rod_color(index)
-        coupled = Coupled("clutch", *ends, sheet.color(index), closed, rod, title=sheet.said(index))
-        draw_coupled(device_sheet.pen, coupled)
-        device_sheet.name(index)
+        x = xs[index][link]
+        sheet.draw_sign(index, (x, roof), (x, placing.y(axis, low)))
+        sheet.name(index)
 
 
 def _box(sheet: AxesSheet, number: int, station: Station) -> None:
@@ -112,14 +95,14 @@ def _box(sheet: AxesSheet, number: int, station: Station) -> None:
             if contact[:3:2] == (link, index) and member in device.labels:
                 at = contact.x + 2.0, y - up * (BOX + 5.0)
                 device_sheet.text(at, typeset(device.labels[member]), size=SMALL, ha="left")
-    device_sheet.name(index)
+    sheet.name(index)
 
 
 def _differential(sheet: AxesSheet, number: int, station: Station) -> None:
     """Draw the differential case with the pinions, and the side gears of the two shafts."""
     (index,), axis, placing = station.devices, station.axes[0], sheet.placing
-    device_sheet, x = sheet.of_device(index), placing.xs[number]
-    y, pen, color = placing.y(axis, 0.0), device_sheet.pen, sheet.color(index)
+    pen, x, y = sheet.of_device(index).pen, placing.xs[number], placing.y(axis, 0.0)
+    color = sheet.color(index)
     look: Look = {"facecolor": pen.style.paper, "edgecolor": color, "zorder": 4}
     corner = (x - CAGE, y - CAGE)
     pen.box(corner, (2 * CAGE, 2 * CAGE), width=LINE_WIDTH, title=sheet.said(index), **look)
@@ -133,19 +116,14 @@ def _differential(sheet: AxesSheet, number: int, station: Station) -> None:
         lines += [((x - teeth, y + way * 9), (x + teeth, y + way * 9))]
         lines += [((x + up * teeth, y + way * 9), (x + up * 3, y + way * inner)) for up in (-1, 1)]
     pen.lines(lines, color=color, zorder=4.5)
-    device_sheet.name(index)
+    sheet.name(index)
 
 
 def _set(sheet: AxesSheet, number: int, station: Station) -> None:
-    (index,), axis, placing = station.devices, station.axes[0], sheet.placing
+    (index,), placing = station.devices, sheet.placing
     glyph = station.glyphs[placing.chosen.ways[number]]
-    device_sheet, side = sheet.of_device(index), placing.board.rows.sides[axis]
-    left, middle = placing.xs[number] - glyph.width / 2, placing.sign_height(axis)
-
-    def at(x: float, y: float) -> Point:
-        return left + x, placing.y(axis, middle + y)
-
-    pen, color = device_sheet.pen, sheet.color(index)
+    at, side = placing.in_set(number, glyph), placing.board.rows.sides[station.axes[0]]
+    pen, color = sheet.of_device(index).pen, sheet.color(index)
     if index in sheet.state.pieces:
         low, high = sorted(at(*corner) for corner in glyph.wheels)
         low, high = (low[0], min(low[1], high[1])), (high[0], max(low[1], high[1]))
@@ -165,7 +143,7 @@ def _set(sheet: AxesSheet, number: int, station: Station) -> None:
         dashes = (0, (2.5, 1.5)) if dashed else "solid"
         look: Look = {"linestyle": dashes, "title": said, "solid_capstyle": "projecting"}
         pen.lines(strokes, color=color, width=thick, zorder=4, **look)
-    device_sheet.name(index)
+    sheet.name(index)
 
 
 def _section(sheet: AxesSheet, number: int, station: Station) -> None:

@@ -26,7 +26,7 @@ def draw_pair(sheet: AxesSheet, number: int) -> None:
     for place, radius in enumerate((first, second)):
         _wheel(device_sheet, number, place, radius, toward if not place else -toward)
     _between(device_sheet, number)
-    device_sheet.name(index)
+    sheet.name(index)
 
 
 def _wheel(sheet: AxesSheet, number: int, place: int, radius: float, toward: int) -> None:

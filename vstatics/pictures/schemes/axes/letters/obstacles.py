@@ -108,12 +108,8 @@ def _of_pair(placing: AxesPlaces, number: int, station: Station) -> Iterator[Obs
 
 def _of_set(placing: AxesPlaces, number: int, station: Station) -> Iterator[Obstacle]:
     """Yield the lines and supports of a gear set as obstacles, and the interior at a lower cost."""
-    axis, glyph = station.axes[0], station.glyphs[placing.chosen.ways[number]]
-    left, middle = placing.xs[number] - glyph.width / 2, placing.sign_height(axis)
-
-    def at(x: float, y: float) -> Point:
-        return left + x, placing.y(axis, middle + y)
-
+    glyph = station.glyphs[placing.chosen.ways[number]]
+    at = placing.in_set(number, glyph)
     yield Obstacle(
         about(at(0, -glyph.half), at(glyph.width, glyph.half)), IN_SET, station.devices[0]
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from itertools import pairwise
 
-from vstatics.pictures.drawing.canvas import Look, Point
+from vstatics.pictures.drawing.canvas import Point
 from vstatics.pictures.drawing.labels import height, width
 from vstatics.pictures.drawing.style import WIDE_MARGIN
 from vstatics.pictures.schemes.boxes import BoxText
@@ -17,7 +17,7 @@ from vstatics.pictures.schemes.coaxial.section import NO_TEXTS
 from vstatics.pictures.schemes.gear_glyphs import lines_of
 from vstatics.pictures.schemes.ink import ARROW, SchemeInk, centred
 from vstatics.pictures.schemes.scheme import Scheme
-from vstatics.pictures.schemes.shift_element_symbols import Coupled, draw_coupled, half_of
+from vstatics.pictures.schemes.shift_element_symbols import half_of
 
 Texts = Mapping[int, BoxText]
 """Texts of boxes, by the index of the component in the scheme."""
@@ -107,13 +107,9 @@ def draw_chain(ink: SchemeInk, chain: CoaxialChain, texts: Texts = NO_TEXTS) -> 
         if index in texts:
             draw_chain_box(ink, index, texts[index], (x, 0.0), chain.links[place : place + 2])
             continue
-        device, closed = scheme.devices[index], ink.state.is_closed(index)
-        before = chain.links[: place + 1]
-        way = 1 if next(iter(device.members.values())) in before else -1
-        colors = ink.color(index), closed, ink.rod_color(index), 0, ink.said(index)
-        pen = ink.of_device(index).pen
-        draw_coupled(pen, Coupled(device.sign, (x - way * by, 0.0), (x + way * by, 0.0), *colors))
-        look: Look = {"color": ink.text_color(index), "bold": closed, "va": "bottom"}
-        centred(pen, (x, ABOVE_SIGN), _device_name(scheme, index), **look)
+        first = next(iter(scheme.devices[index].members.values()))
+        side = by if first in chain.links[: place + 1] else -by
+        ink.draw_sign(index, (x - side, 0.0), (x + side, 0.0))
+        ink.name_sign(index, (x, ABOVE_SIGN), _device_name(scheme, index), va="bottom")
     draw_end(ink, chain.links[0], (0.0, 0.0), -1.0)
     draw_end(ink, chain.links[-1], (end, 0.0), 1.0)

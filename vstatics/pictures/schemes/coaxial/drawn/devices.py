@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from vstatics.core.model.transmission import HOUSING
 from vstatics.pictures.drawing.canvas import Look, Point
 from vstatics.pictures.drawing.pen import LINE_WIDTH
 from vstatics.pictures.drawing.style import SMALL
@@ -23,7 +22,6 @@ from vstatics.pictures.schemes.coaxial.rooms import (
 from vstatics.pictures.schemes.gear_glyphs import FACE, HATCH_WIDTH, TOOTH, ground, hatching
 from vstatics.pictures.schemes.ink import SchemeInk, centred
 from vstatics.pictures.schemes.sets import planet_strokes, wheel_taps, wheel_texts
-from vstatics.pictures.schemes.shift_element_symbols import Coupled, draw_coupled
 
 SIGN_NAME = 12.0
 """Distance from the middle of a shift element or shaft to the name. [pt]"""
@@ -74,17 +72,13 @@ def _pair(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None
     if index in layout.coaxial.texts:
         draw_pair_box(ink, layout, up, at)
         return
-    device, pen = ink.scheme.devices[index], ink.of_device(index).pen
-    middle = layout.middle(up)
+    device, middle = ink.scheme.devices[index], layout.middle(up)
     first = up.bars[0].link == next(iter(device.members.values()))
     is_low = first == (heights[up.bars[0]] < heights[up.bars[1]])
     side = layout.half(up) * (1 if is_low else -1)
-    closed = ink.state.is_closed(index)
-    ends = (at, middle - side), (at, middle + side)
-    look = device.sign, *ends, ink.color(index), closed, ink.rod_color(index), 0, ink.said(index)
-    draw_coupled(pen, Coupled(*look))
-    name: Look = {"color": ink.text_color(index), "bold": closed, "ha": "left"}
-    centred(pen, (at + SIGN_NAME, middle), pair_name(device, layout.line_letters), **name)
+    ink.draw_sign(index, (at, middle - side), (at, middle + side))
+    name = pair_name(device, layout.line_letters)
+    ink.name_sign(index, (at + SIGN_NAME, middle), name, ha="left")
 
 
 def _top(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None:
@@ -100,9 +94,5 @@ def _top(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None:
         ink.of_link("housing").lines(lines, color=ink.pen.style.ink, zorder=4.5)
         return
     index = meaning.device
-    device, pen = ink.scheme.devices[index], ink.of_device(index).pen
-    closed, is_back = ink.state.is_closed(index), device.members.get("first") == HOUSING
-    look = device.sign, *ends, ink.color(index), closed, ink.rod_color(index), 1, ink.said(index)
-    draw_coupled(pen, Coupled(*look, is_back))
-    name: Look = {"color": ink.text_color(index), "bold": closed, "va": "bottom"}
-    centred(pen, name_at, top_name(layout, up), **name)
+    ink.draw_sign(index, *ends, 1)
+    ink.name_sign(index, name_at, top_name(layout, up), va="bottom")

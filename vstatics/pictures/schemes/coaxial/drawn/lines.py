@@ -10,7 +10,7 @@ from vstatics.pictures.drawing.canvas import Point
 from vstatics.pictures.drawing.groups import grouped
 from vstatics.pictures.drawing.labels import Segment
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
-from vstatics.pictures.schemes.coaxial.layout import Bar, Upright
+from vstatics.pictures.schemes.coaxial.layout import Upright
 from vstatics.pictures.schemes.coaxial.rooms import BRAKE_LENGTH, ends_of, met_by
 from vstatics.pictures.schemes.sets import axles, wheel_taps
 
@@ -45,23 +45,22 @@ def meeting(first: Segment, second: Segment) -> Point | None:
 
 def wires_of(layout: CoaxialLayout) -> Wires:
     """Return the lines of all links."""
-    places = layout.places
-    lines: list[tuple[int, Segment]] = []
-    met: list[tuple[int, int, Point]] = []
-    ends: dict[Bar, list[float]] = {}
-    for up, at in zip(layout.uprights, places.at, strict=True):
-        for bar, offs in met_by(layout, up).items():
-            ends.setdefault(bar, []).extend(at + off for off in offs)
-        for link, line in _upright_lines(layout, up, at):
-            lines.append((link, line))
-        met += _meets(layout, up, at)
-    left, right = ends_of(layout)
+    places, (left, right) = layout.places, ends_of(layout)
+    uprights = [*zip(layout.uprights, places.at, strict=True)]
+    lines = [line for up, at in uprights for line in _upright_lines(layout, up, at)]
+    met = [point for up, at in uprights for point in _meets(layout, up, at)]
+    ends = grouped(
+        (bar, at + off)
+        for up, at in uprights
+        for bar, offs in met_by(layout, up).items()
+        for off in offs
+    )
     for bar, xs in ends.items():
         y = places.heights[bar]
         lines.append((bar.link, ((min(xs), y), (max(xs), y))))
     train = layout.coaxial.train
     for link, x, kind in ((train.start, left, "start"), (train.end, right, "end")):
-        for up, at in zip(layout.uprights, places.at, strict=True):
+        for up, at in uprights:
             if up.kind == kind:
                 low, high = min(x, at), max(x, at)
                 lines.append((link, ((low, places.axis), (high, places.axis))))
@@ -90,10 +89,15 @@ def _upright_lines(layout: CoaxialLayout, up: Upright, at: float) -> Iterator[tu
         yield low.link, ((at, places.axis), (at, y))
 
 
+def _axles(layout: CoaxialLayout, up: Upright) -> tuple[int, list[Segment], list[Segment]]:
+    """Return the carrier of a gear set, with its axles and arms."""
+    lines = axles(layout.section(up), is_left=any(up.left), is_right=any(up.right))
+    return layout.coaxial.train.sets[up.index].carrier, *lines
+
+
 def _carrier_lines(layout: CoaxialLayout, up: Upright, at: float) -> Iterator[tuple[int, Segment]]:
     section, heights = layout.section(up), layout.places.heights
-    carrier = layout.coaxial.train.sets[up.index].carrier
-    pins, arms = axles(section, is_left=any(up.left), is_right=any(up.right))
+    carrier, pins, arms = _axles(layout, up)
     for (x, y), (x2, y2) in (*pins, *arms):
         yield carrier, ((x + at, y), (x2 + at, y2))
     for x, bars in ((0.0, up.left), (section.width, up.right)):
@@ -118,13 +122,11 @@ def _wheel_lines(layout: CoaxialLayout, up: Upright, at: float) -> Iterator[tupl
 def _meets(layout: CoaxialLayout, up: Upright, at: float) -> Iterator[tuple[int, int, Point]]:
     places, device = layout.places, layout.device(up)
     if up.kind == "set":
-        section = layout.section(up)
-        carrier = layout.coaxial.train.sets[up.index].carrier
-        pins, _ = axles(section, is_left=any(up.left), is_right=any(up.right))
+        carrier, pins, _ = _axles(layout, up)
         for (x, y), (end, _) in pins:
             yield carrier, device, (at + x, y)
             yield carrier, device, (at + end, y)
-        for tap in wheel_taps(section):
+        for tap in wheel_taps(layout.section(up)):
             if tap.wire:
                 yield tap.wire, device, (at + tap.x, tap.side * tap.depth)
     elif up.kind == "pair":

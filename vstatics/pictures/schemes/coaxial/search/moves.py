@@ -72,10 +72,8 @@ class Moves(NamedTuple):
                 part = fresh(second_link, bars)
                 if first_link in alive and part is not None:
                     again = FOLD * (second_link in alive)
-                    for low, high, cost in _adjacent(
-                        below, above, first_link, part, wraps=not again
-                    ):
-                        ways.append((low, high, cost + again))
+                    adjacent = _adjacent(below, above, first_link, part, wraps=not again)
+                    ways += [(low, high, cost + again) for low, high, cost in adjacent]
             if self.crossing & bit and alive.issuperset(pair):
                 first, second = ([n for n, b in enumerate(bars) if b >> 3 == x] for x in pair)
                 over = min(abs(a - b) - 1 for a in first for b in second)

@@ -8,7 +8,7 @@ remaining cost; a large weight reaches an end sooner. Components that connect ne
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from functools import cache, lru_cache
+from functools import cache, lru_cache, partial
 from heapq import heappop, heappush
 from itertools import combinations, count, islice
 from operator import attrgetter
@@ -58,7 +58,7 @@ MOST_CHOICES = 12
 BARS_OF_REST = 2
 """Number of bars along each remaining component in the estimate of the remaining cost."""
 _Trace = tuple[tuple[OrderStep, ...], tuple[SectionState, "_Trace"] | None]
-"""Steps to a state, and the state before with its own steps."""
+"""Steps to a state, and the previous state with its trace; None at the start of the axis."""
 
 
 class ComponentOrder(NamedTuple):
@@ -138,7 +138,7 @@ def _found(moves: Moves, attempts: Sequence[tuple[float, int]]) -> Iterator[_Fou
     """Yield the steps of successful attempts, which share the calculated successors."""
     successors = Successors(moves)
     for weight, most in attempts:
-        arrangement = _Attempt(successors, weight).found(most)
+        arrangement = _attempt(successors, weight, most)
         if arrangement is not None:
             yield arrangement
 
@@ -148,62 +148,59 @@ class _FoundSteps(NamedTuple):
     cost: int
 
 
-class _Attempt(NamedTuple):
-    successors: Successors
-    weight: float
+def _attempt(successors: Successors, weight: float, most: int) -> _FoundSteps | None:  # noqa: C901 - a single loop
+    """Return the cheapest steps to the end, unless the search needs too many states.
 
-    def found(self, most: int) -> _FoundSteps | None:  # noqa: C901 - a single loop
-        """Return the cheapest steps to the end, unless the search needs too many states.
+    A state in the queue has all its bars. It is thinned when it leaves the queue, because most
+    states never do. Among equal guesses, the first in the queue leaves first.
+    """
+    train, crossing = successors.moves.train, successors.moves.crossing
+    number, remaining = count(), cache(partial(_remaining, train))
+    waiting: list[tuple[float, int, int, int, SectionState, _Trace]] = []
+    closed: set[SectionState] = set()
 
-        A state waits with all its bars, and is thinned when its turn comes, because most states
-        wait in vain. Among equal guesses the first comes first.
-        """
-        train, crossing = self.successors.moves.train, self.successors.moves.crossing
-        number, remaining = count(), cache(self._remaining)
-        waiting: list[tuple[float, int, int, int, SectionState, _Trace]] = []
-        closed: set[SectionState] = set()
+    def add(state: SectionState, cost: int, trace: _Trace) -> None:
+        guess = cost + weight * remaining(state.done)
+        heappush(waiting, (guess, next(number), -1, cost, state, trace))
 
-        def add(state: SectionState, cost: int, trace: _Trace) -> None:
-            guess = cost + self.weight * remaining(state.done)
-            heappush(waiting, (guess, next(number), -1, cost, state, trace))
+    for state, steps, cost in successors.first():
+        add(state, cost, (steps, None))
+    while waiting and len(closed) < 8 * most:
+        guess, order, selection, cost, state, trace = heappop(waiting)
+        if selection < 0:
+            for place, part in enumerate(thinned(state)):
+                # The output is not at the axis.
+                more = int(state.done == train.all_bits and bool(part.above))
+                heappush(waiting, (guess + more, order, place, cost + more, part, trace))
+            continue
+        if state in closed:
+            continue
+        closed.add(state)
+        bars = state.below + state.above
+        if not can_go_on(train, bars, state.done | crossing):
+            continue
+        ends = {8 * train.end} if train.end else set()
+        if state.done == train.all_bits and set(bars) == ends:
+            return _FoundSteps(_unrolled(trace), cost)
+        most -= 1
+        if most < 0:
+            return None
+        for following, steps, more in successors.after(state):
+            add(following, cost + more, (steps, (state, trace)))
+    return None
 
-        for state, steps, cost in self.successors.first():
-            add(state, cost, (steps, None))
-        while waiting and len(closed) < 8 * most:
-            guess, order, selection, cost, state, trace = heappop(waiting)
-            if selection < 0:
-                for place, part in enumerate(thinned(state)):
-                    # The output is not at the axis.
-                    more = int(state.done == train.all_bits and bool(part.above))
-                    heappush(waiting, (guess + more, order, place, cost + more, part, trace))
-                continue
-            if state in closed:
-                continue
-            closed.add(state)
-            bars = state.below + state.above
-            if not can_go_on(train, bars, state.done | crossing):
-                continue
-            ends = {8 * train.end} if train.end else set()
-            if state.done == train.all_bits and set(bars) == ends:
-                return _FoundSteps(_unrolled(trace), cost)
-            most -= 1
-            if most < 0:
-                return None
-            for following, steps, more in self.successors.after(state):
-                add(following, cost + more, (steps, (state, trace)))
-        return None
 
-    def _remaining(self, done: int) -> int:
-        train = self.successors.moves.train
-        sets = zip(train.sets, train.carrier_bits, strict=True)
-        value = sum(SET * len(planes.wheels) for planes, bit in sets if not done & bit)
-        return BARS_OF_REST * (value + PAIR * sum(not done & bit for bit in train.pair_bits))
+def _remaining(train: CoaxialTrain, done: int) -> int:
+    sets = zip(train.sets, train.carrier_bits, strict=True)
+    value = sum(SET * len(planes.wheels) for planes, bit in sets if not done & bit)
+    return BARS_OF_REST * (value + PAIR * sum(not done & bit for bit in train.pair_bits))
 
 
 def _unrolled(trace: _Trace) -> list[OrderStep]:
     steps, before = trace
-    if before is None:
-        return [*steps]
-    state, earlier = before
-    first = steps[0]._replace(before=(state.below, state.above))
-    return [*_unrolled(earlier), first, *steps[1:]]
+    all_steps = [*steps]
+    while before is not None:
+        state, (steps, before) = before
+        all_steps[0] = all_steps[0]._replace(before=(state.below, state.above))
+        all_steps[:0] = steps
+    return all_steps

@@ -140,7 +140,7 @@ class SetMoves(NamedTuple):
                 under = under[:-1]
             if high == TAKEN:
                 over = over[1:]
-            begun = _Begun(SectionState(under, over, state.done), 0, (start,))
+            begun = _Begun(SectionState(under, over, state.done), gear_set.cost, (start,))
             arm = _LeftArm(max(parts, 1), joined, (low != NONE, high != NONE))
             for at in self._meshed(begun, gear_set.planes, carrier):
                 yield from self._left_behind(at, arm, gear_set)
@@ -212,5 +212,4 @@ class SetMoves(NamedTuple):
                 left=arm.left,
                 right=(low != NONE, high != NONE),
             )
-            total = gear_set.cost + cost + extra
-            yield Move(SectionState(under, over, done), length, total, step)
+            yield Move(SectionState(under, over, done), length, cost + extra, step)

@@ -1,4 +1,4 @@
-"""States that follow a state of the search, after all connections that are never worse."""
+"""States that follow a state of the search, in which neighbouring bars are connected."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from vstatics.pictures.schemes.coaxial.search.state import (
 MOST_FURTHER = 2
 """Largest number of bars at a position in addition to a single bar per link."""
 MOST_REMEMBERED = 1000
-"""Largest number of states whose successors are remembered, which limits memory."""
+"""Largest number of states whose successors are remembered, to limit memory."""
 
 
 class Successor(NamedTuple):
