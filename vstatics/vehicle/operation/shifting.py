@@ -147,7 +147,9 @@ def by_shift_speeds(
     ladder = [shifts[0].low, *(shift.high for shift in shifts)]
     for name in ladder:
         if name not in names:
-            raise ValueError(f"there is no gear {quoted(name)} in the case")
+            raise ValueError(
+                f"there is no gear {quoted(name)}, expected one of {listed(names, 12)}"
+            )
     alike = directions(ratios, names)
     pairs = [f"{names[lower]}-{names[upper]}" for way in alike for lower, upper in pairwise(way)]
     size = dict(zip(names, np.abs(ratios).tolist(), strict=True))
