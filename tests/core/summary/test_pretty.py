@@ -220,6 +220,18 @@ def test_the_legend_says_which_numbers_are_relative(load: str, words: str) -> No
     assert [*re.findall("1.00 is .*", text)] == [words] * bool(words)
 
 
+def test_the_legend_explains_the_signs_of_torques_on_further_ports() -> None:
+    """Power P = M w of a link that holds the carrier at speed is negative where it goes out."""
+    signs = "torque of an output: on its load; of other ports: on their links"
+    text = """\
+links: [engine, motor, axle]
+mechanisms: {split: {first: motor, second: axle, third: engine, ratio: -2.6}}
+gears: {drive: {engaged: [], speeds: {motor: 1.5}}}
+"""
+    assert signs in shown(text)
+    assert signs not in shown(HUB.format(ratio=-2))
+
+
 def test_a_slipping_clutch_has_a_sign_of_its_own() -> None:
     """The clutch slips by 0.3 of the input speed: i = 1/(1 - 0.3); the freewheel overruns."""
     text = shown(FREEWHEEL.replace("low: {}", "low: {slip: {lock-up clutch: 300 rpm}}"))
