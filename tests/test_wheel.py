@@ -21,7 +21,7 @@ from tests.commands import ID, ROOT
 from tests.installed import ANNEXES, needs
 from vstatics.core.annexes import picture_kinds
 from vstatics.core.cli.new import TEMPLATES
-from vstatics.core.extras import BESIDES, EXTRAS, __version__
+from vstatics.core.extras import BESIDES, EXTRAS, SLOWER_WITHOUT, __version__
 
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
 
@@ -218,9 +218,10 @@ def fresh(tmp_path_factory: pytest.TempPathFactory, wheel: Path) -> Fresh:
 
 def asks_for(extra: str) -> str:
     """The words that name a missing package and how it is installed."""
-    packages = " ".join((EXTRAS[extra], *BESIDES.get(extra, ())))
+    packages = EXTRAS[extra], *BESIDES.get(extra, ())
+    needed = next(package for package in packages if package not in SLOWER_WITHOUT)
     in_source = f'pip install ".[{extra}]" in the source folder'
-    return f"needs the package {EXTRAS[extra]}: {in_source}, or pip install {packages}"
+    return f"needs the package {needed}: {in_source}, or pip install {' '.join(packages)}"
 
 
 def test_extras_are_those_of_the_project_and_are_tried() -> None:

@@ -119,6 +119,9 @@ def test_what_is_wrong_is_told_at_its_place(file: Path, tmp_path: Path) -> None:
         ran = run("sweep", file, "--vary", vary, "-o", tmp_path / "out.csv")
         assert ran.gives_nothing("--vary:1:", said), vary
         assert not (tmp_path / "out.csv").exists()
+    (tmp_path / "v.csv").write_text("load.speed\n1000 rpm\n")
+    ran = run("sweep", file, "--variants", tmp_path / "v.csv")
+    assert ran.gives_nothing("such as 2000 rpm; give the unit in brackets in the heading")
     for twice in (
         ("gears.*.torques.mid=1 N*m", "gears.one.torques.mid=2 N*m"),
         ("drag.mid=1 N*m", "gears.two.drag.mid=2 N*m"),

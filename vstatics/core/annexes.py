@@ -102,6 +102,8 @@ class PictureKind(NamedTuple):
     """Smallest width of the picture with readable labels. [mm]"""
     alike: bool = False
     """True if pictures of two cases can be drawn with common scales."""
+    at_any_load: bool = False
+    """True if the picture does not depend on the operating point of the case."""
 
 
 class DocumentKind(NamedTuple):

@@ -43,6 +43,7 @@ ANNEX = Annex(
             "block diagram: mechanisms as boxes, links as wires, clutches\nand brakes",
             40,
             "Structure",
+            at_any_load=True,
         ),
         "stick": PictureKind(
             "vstatics.pictures.schemes.stick",
@@ -50,6 +51,7 @@ ANNEX = Annex(
             50,
             "Stick diagram",
             options=("wheels", "order"),
+            at_any_load=True,
         ),
         "efficiency": PictureKind(
             "vstatics.pictures.flow.efficiency",

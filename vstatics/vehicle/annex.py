@@ -84,6 +84,7 @@ ANNEX = Annex(
             "Wheel force",
             refused=_FULL_LOAD,
             alike=True,
+            at_any_load=True,
         ),
         "sawtooth": PictureKind(
             "vstatics.vehicle.pictures.sawtooth",
@@ -92,6 +93,7 @@ ANNEX = Annex(
             "Engine speed over road speed",
             refused=_FULL_LOAD,
             alike=True,
+            at_any_load=True,
         ),
         "steps": PictureKind(
             "vstatics.vehicle.pictures.steps",
@@ -110,6 +112,7 @@ ANNEX = Annex(
             options=("duty", "classes"),
             refused=_OWN_GEARS,
             reads="drawn_duty",
+            at_any_load=True,
         ),
     },
     picture_options={

@@ -105,6 +105,8 @@ WRONG = dict.fromkeys(
 ) | {
     "summary - -": "standard input",
     "rnu box.yaml": "there is no command `rnu`; did you mean `run`?",
+    "box.yaml": "there is no command `box.yaml`; expected a command before a file; commands are new, ",
+    "new zf-8hp70": "zf-8hp70 is a template, not a file: expected --template zf-8hp70",
     "sumary box.yaml": "there is no command `sumary`; did you mean `summary`?",
     f"run {DIFFERENTIAL} --gear 1": "flow, explain and plot have it",
     f"report {DIFFERENTIAL} --gears 9 -o a.html": "Invalid value for --gears: no gear '9'",

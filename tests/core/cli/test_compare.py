@@ -141,6 +141,7 @@ NO_RESULTS = {
     "words only": "the file contains no table of results",
     "{": "x:1:2: error: the file is not JSON: ",
     "[" * 200_000: "nested too deeply",
+    "{\n<<<<<<< HEAD\n}": "x:2:1: error: the file has an unresolved merge conflict",
     "null": "the file contains no table of results",
     "[]": "an empty array, as of check where all is well",
     '["x"]': "result 1 is not a JSON object",

@@ -8,6 +8,7 @@ import pytest
 
 from vstatics import CaseError, Gear, Mechanism, ShiftElement, Transmission, loads
 from vstatics import solve as solved
+from vstatics.core.model.checks import hints
 from vstatics.core.model.parts import Load, load_of
 from vstatics.core.writers.deck import lost
 from vstatics.core.writers.named import write_json, write_yaml
@@ -123,3 +124,20 @@ def test_the_number_of_cylinders_is_kept_but_by_a_deck(number: int) -> None:
     assert lost(case) == ["cylinders"]
     none = case.replace(cylinders=None)
     assert "cylinders" not in write_yaml(none)
+
+
+def test_a_gear_that_repeats_another_is_noted() -> None:
+    """The order of shift elements has no meaning; neutral gears can be equal, points differ."""
+    case = loads("""\
+links: [sun, ring, carrier]
+shift_elements: {B: [ring, housing], C: [sun, ring]}
+mechanisms: {set: {first: sun, second: ring, third: carrier, ratio: -2.5}}
+gears:
+  first: {engaged: [B, C], kind: point}
+  second: {engaged: [C, B], kind: point}
+  third: {engaged: [B, C], kind: point, torques: {ring: 0.1}}
+  N: {kind: neutral}
+  P: {kind: neutral}
+""")
+    said = [(problem.id, problem.path) for problem in hints(case)]
+    assert said == [("N206", ("gears", 2))]

@@ -57,6 +57,14 @@ def gear_lines(text: str) -> list[str]:
     return lines[: next(place for place, line in enumerate(lines) if " port " in line)]
 
 
+def test_a_table_that_scrolls_repeats_its_headings_at_the_end() -> None:
+    gears = "".join(f"  {gear}: [B]\n" for gear in range(1, 9))
+    long = HUB.format(ratio=-2.5).partition("gears:")[0] + f"gears:\n{gears}"
+    heads = [line for line in shown(long).splitlines() if line.startswith(" gear  port")]
+    assert len(heads) == 2
+    assert shown(long).rstrip().endswith(heads[0].rstrip())
+
+
 def rows(text: str) -> dict[str, list[str]]:
     """The words of each gear."""
     lines = [line.split() for line in gear_lines(text) if line.startswith(" ")]
@@ -210,6 +218,18 @@ def test_the_legend_says_which_numbers_are_relative(load: str, words: str) -> No
     """With a speed alone, planet speeds are in rpm, and only torques are relative."""
     text = shown(HUB.format(ratio=-2) + load)
     assert [*re.findall("1.00 is .*", text)] == [words] * bool(words)
+
+
+def test_the_legend_explains_the_signs_of_torques_on_further_ports() -> None:
+    """Power P = M w of a link that holds the carrier at speed is negative where it goes out."""
+    signs = "torque of an output: on its load; of other ports: on their links"
+    text = """\
+links: [engine, motor, axle]
+mechanisms: {split: {first: motor, second: axle, third: engine, ratio: -2.6}}
+gears: {drive: {engaged: [], speeds: {motor: 1.5}}}
+"""
+    assert signs in shown(text)
+    assert signs not in shown(HUB.format(ratio=-2))
 
 
 def test_a_slipping_clutch_has_a_sign_of_its_own() -> None:

@@ -1,7 +1,7 @@
-"""The input of a case as tables: how shift elements and springs slip."""
+"""The input of a case as tables: laws, and how shift elements and springs slip."""
 
 from vstatics import loads
-from vstatics.page.report.given import _shift_elements, torsion_grids
+from vstatics.page.report.given import _mechanisms, _shift_elements, torsion_grids
 
 SLIPPING = """
 inertias: {a: 1, b: 2, c: 3}
@@ -27,3 +27,17 @@ def test_friction_and_limits_stand_in_the_tables() -> None:
 def test_what_none_has_has_no_column() -> None:
     plain = "inertias: {a: 1, b: 2}\nshift_elements: {C: [a, b]}\n"
     assert len(_shift_elements(loads(plain)).columns) == 4
+
+
+def test_efficiencies_that_depend_are_described() -> None:
+    laws = {
+        "0.97": "0.9700",
+        "0.98 - 1.5/(T + 20)": "0.98 - 1.5/(T + 20)",
+        "{over: torque, points: [[0, .9], [9, .98]]}": "2 points over torque",
+        "{over: [speed, torque], columns: [0, 9], rows: [[0, .9, .9], [5, .9, .9]]}": "map over speed and torque",
+    }
+    head = "links: [a, b]\nload: {speed: 900 rpm, torque: 5 N*m}\nmechanisms: {pair: "
+    for law, words in laws.items():
+        case = loads(f"{head}{{first: a, second: b, ratio: 2, efficiency: {law}}}}}\n")
+        [row] = _mechanisms(case).texts
+        assert row[-1] == words

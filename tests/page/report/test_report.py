@@ -267,6 +267,19 @@ def test_a_duty_cycle_is_on_the_page_with_what_is_doubtful_about_it(tmp_path: Pa
     assert set(table) == {name for name, one in members.items() if one["torque"]["largest"]}
 
 
+@pytest.mark.usefixtures("without_pictures")
+def test_a_duty_cycle_gives_the_load_of_a_case_without_it(tmp_path: Path) -> None:
+    points = tmp_path / "points.csv"
+    points.write_text("time [s],gear,speed [rpm],torque [N*m]\n9,1,1500,300\n")
+    text = "ratio: 3, efficiency: {over: torque, points: [[0, 0.9], [600, 0.98]]}"
+    bare = re.sub("load: .*|, capacity: 700 N.m", "", DUTY)
+    case = write(tmp_path, bare.replace("ratio: 3", text))
+    shown = Page(report(case, "--duty", points))
+    assert any(
+        "gears are calculated at 1500 rpm and 300 N*m" in each.text for each in shown.all("li")
+    )
+
+
 @pytest.mark.slow
 def test_a_page_carries_the_result(zf: Page) -> None:
     assert {**zf.data, "file": "zf-8hp70.yaml"} == json_answer("run", CASES / "zf-8hp70.yaml")

@@ -195,3 +195,28 @@ gears: {a: {}, b: {speed_ratios: {V: 0.4}}}
 """)
     [plan] = plans(solve(case))
     assert [mark.output for mark in plan.marks] == pytest.approx([3 / 3.5, 2 / 3.5])
+
+
+@pytest.mark.parametrize("given", ["", "speed_ratio: 0.7,"])
+def test_a_converter_has_the_rays_of_its_speed_ratio(given: str) -> None:
+    """The pump takes 200 N*m at lambda = 200/w^2, which is linear in i from 0.85 to 1.
+
+    The ring is at (3.5 x - turbine)/2.5. It is at 0 in `low`, and turns with the turbine in `high`.
+    """
+    case = loads(f"""\
+links: [engine, turbine, ring, output]
+output: output
+load: {{speed: 200 rad/s, torque: 200 N*m}}
+shift_elements: {{B: [ring, housing], C: [turbine, ring], LU: [engine, turbine]}}
+mechanisms:
+  TC: {{kind: converter, first: engine, second: turbine, {given}
+       points: [[0, 2, 0.008], [0.85, 1.1, 0.008], [1, 1, 0]]}}
+  set: {{first: turbine, second: ring, third: output, ratio: -2.5}}
+gears: {{low: [B], high: [C], locked: [C, LU]}}
+""")
+    turbine = 0.7 if given else 0.85 + 0.15 * (1 - 200 / 200**2 / 0.008)
+    plan = plans(solve(case))[0]
+    rays = {ray.links: (ray.start, ray.slope) for ray in plan.rays}
+    assert rays[(2,)] == pytest.approx((turbine, 0))
+    assert rays[(3,)] == pytest.approx((-turbine / 2.5, 1.4))
+    assert [mark.output for mark in plan.marks] == pytest.approx([turbine / 3.5, turbine])

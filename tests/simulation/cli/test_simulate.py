@@ -188,6 +188,7 @@ def test_a_scenario_is_checked_with_its_case() -> None:
     said = vstatics("check", "lock.yaml", "box.yaml")
     assert said.is_without_messages()
     assert said.out.startswith("lock.yaml: 1 s, 1 control, 2 torques\nbox.yaml: 3 links")
+    assert vstatics("check", "-", stdin=SCENARIO.encode()).out.startswith("<stdin>: 1 s, 1 control")
     text = SCENARIO.replace("-60", "{road: {mass: 1000, radius: 0.3}}")
     Path("lock.yaml").write_text(text, "utf-8")
     said = vstatics("check", "lock.yaml", "--strict")

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from vstatics import Gear, Mechanism, ShiftElement, Transmission, loads
+from vstatics import Gear, Load, Mechanism, ShiftElement, Transmission, loads, solve
 from vstatics.core.model.checks import doubts, hints
 from vstatics.core.model.laws import LossUnit, MapLaw
 from vstatics.core.model.springs import Spring
@@ -51,6 +51,17 @@ def test_a_converter_that_every_gear_bypasses_has_no_speed_ratio_to_stay_at(name
     elements = [ShiftElement(1, 2), ShiftElement(2, 3)]
     case = Transmission(3, elements, sets, gears, vehicle=Vehicle(1200, 0.3))
     assert [one.id for one in doubts(case)] == ["W891"] * ("open" in names)
+
+
+def test_a_speed_ratio_that_the_load_determines_is_not_given() -> None:
+    """The pump takes 0.002 (1 - i) w^2, so i = 0.5 at 100 rad/s and 10 N*m."""
+    points = ((0, 2, 0.002), (1, 1, 0.0))
+    converter = Mechanism(1, 2, 0, math.nan, kind="converter", points=points)
+    load = Load(100 * 30 / math.pi, 10)
+    case = Transmission(2, [], [converter], [Gear()], load=load, vehicle=Vehicle(1200, 0.3))
+    results = solve(case)
+    assert results.ratio[0] == pytest.approx(2)
+    assert results.messages == ()
 
 
 @pytest.mark.parametrize(("link", "speed"), [(4, 1 / 4), (5, 1 / 16), (1, 3.0)])

@@ -240,13 +240,13 @@ def test_a_cycle_that_stands_has_no_consumption() -> None:
     assert math.isnan(found.consumption)
 
 
-def test_cycles_need_no_load_of_the_case(tmp_path: Path) -> None:
+def test_cycles_and_their_pictures_need_no_load_of_the_case(tmp_path: Path) -> None:
     """From rest to rest without resistance: nothing remains at the wheels."""
     case = tmp_path / "car.yaml"
     text = (
         "mechanisms: {pair: {first: in, second: out, ratio: 8, "
         "efficiency: {over: [speed, torque], columns: [0, 99], rows: [[0, .9, .95], [99, .8, .9]]}}}\n"
-        "gears: {'1': []}\nvehicle: {mass: 1500, radius: 0.3, machine: {torque: [[0, 300]]}}\n"
+        "gears: {'1': []}\nvehicle: {mass: 1500, radius: 0.3, machine: {torque: [[0, 300], [900, 100]]}}\n"
     )
     (tmp_path / "t.csv").write_text("time [s],speed [m/s]\n0,0\n5,9\n9,9\n14,0\n")
     (tmp_path / "d.csv").write_text("time [s],gear,speed [rpm],torque [N*m]\n9,1,0,0\n9,1,900,50\n")
@@ -257,6 +257,12 @@ def test_cycles_need_no_load_of_the_case(tmp_path: Path) -> None:
         duty = vstatics("summary", case, "--duty", tmp_path / "d.csv", "-f", "json")
         n423 = "gears are calculated at 900 rpm and 50 N*m, the first of these points"
         assert (n423 in duty.err) == (not load)
-        answers.append((energy, duty.json["duty"]["energy"]))
+        pictures = []
+        for kind in ("spectrum", "traction", "sawtooth", "structure"):
+            points = ("--duty", tmp_path / "d.csv") if kind == "spectrum" else ()
+            drawn = vstatics("plot", case, "-k", kind, *points, "-o", tmp_path / "p.svg")
+            assert drawn.status == 0
+            pictures.append((tmp_path / "p.svg").read_bytes())
+        answers.append((energy, duty.json["duty"]["energy"], pictures))
     assert answers[0] == answers[1]
     assert answers[0][0]["wheels"] == 0

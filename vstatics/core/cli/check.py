@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import os
 import re
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Annotated, NamedTuple, TypeAlias
 
 import click
@@ -233,25 +233,21 @@ CheckedFile: TypeAlias = tuple[str, list[Problem], bool, Grid | None]
 
 def _calculated(cases: Sequence[str], options: CaseOptions) -> Iterator[CheckedFile]:
     for file in cases:
-        if check_document := _of_document(file):
-            yield check_document(file, options)
+        texts, check_document = dict[str, bytes](), None
+        with contextlib.suppress(ReadError):  # reported by `calculate_one`
+            data, name = files.read_input(file)
+            texts[name] = data
+            check_document = document_function("check_document", data, name)
+        if check_document:
+            yield check_document(data, name, options)
             continue
-        outcome = calculate_one(file, options)
+        outcome = calculate_one(next(iter(texts), file), options, texts)
         problems, grid, failed = outcome.problems, None, outcome.failed
         if outcome.results is not None and outcome.locate is not None:
             undriven = [*map(outcome.locate, undriven_gears(outcome.results))]
             problems, failed = [*undriven, *problems], failed or bool(undriven)
             grid = constraints(outcome.file, outcome.results)
         yield outcome.file, problems, failed, grid
-
-
-def _of_document(file: str) -> Callable[[str, CaseOptions], CheckedFile] | None:
-    """Return the function of an annex that checks a document; None for a case."""
-    check_document: Callable[[str, CaseOptions], CheckedFile] | None = None
-    if file != files.STDIN:
-        with contextlib.suppress(ReadError):
-            check_document = document_function("check_document", *files.read_input(file))
-    return check_document
 
 
 def _printed(file: str, problems: Sequence[Problem], telling: Telling) -> list[Problem]:

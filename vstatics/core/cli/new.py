@@ -104,6 +104,8 @@ def new_command(target: str, name: str) -> None:
       vstatics new driveline-8hp70.yaml --template driveline-8hp70
       vstatics simulate scenarios/upshift.yaml
     """
+    if target in {*TEMPLATES, *example_files()}:
+        raise click.UsageError(f"{target} is a template, not a file: expected --template {target}")
     kind = format_of_name(target)
     text = template(name, os.path.splitext(target)[1])  # noqa: PTH122
     if kind not in (None, "yaml") and not (kind == "deck" and format_of("", text.encode()) == kind):

@@ -166,7 +166,7 @@ def _bare(
 
 
 def hints(case: TransmissionFields) -> Iterator[Problem]:
-    """Yield notes about possibly shared planets, an assumed input direction, and ignored data."""
+    """Yield notes about shared planets, an assumed input direction, and repeated or lost data."""
     sets = (
         (number, mechanism.name or mechanism_name(number), mechanism.third, mechanism.links[:2])
         for number, mechanism in _own_mechanisms(case)
@@ -181,6 +181,7 @@ def hints(case: TransmissionFields) -> Iterator[Problem]:
             ("mechanisms", number),
         )
     yield from _turning(case)
+    yield from _twins(case)
     if case.springs:
         yield from left_out(case)
 
@@ -195,6 +196,17 @@ def _turning(case: TransmissionFields) -> Iterator[Problem]:
                 "forward, which affects the freewheels; write `input_turns: forward` or `backward`",
                 ("gears", number),
             )
+
+
+def _twins(case: TransmissionFields) -> Iterator[Problem]:
+    """Yield notes about gears that repeat a gear under another name."""
+    names: dict[str, str] = {}
+    for number, gear in enumerate(case.gears, 1):
+        content = repr(gear._replace(name="", engaged=tuple(sorted(gear.engaged))))
+        name = names.setdefault(content, gear.name)
+        if name != gear.name and gear.kind != "neutral":
+            message = f"repeats gear {name}: expected other engaged shift elements or other data"
+            yield Problem("N206", message, ("gears", number))
 
 
 def _own_mechanisms(case: TransmissionFields) -> list[tuple[int, Mechanism]]:

@@ -46,6 +46,9 @@ OTHERS = {
 NAMED_FILE = re.compile(r"==> (.+) <==$")
 """Pattern of the line with the file name above each of several listings."""
 
+MERGE_CONFLICT = re.compile("^<{7} ", re.MULTILINE)
+"""Pattern of the mark that git writes at the start of a conflict."""
+
 
 def read_results(data: bytes, file: str) -> list[WrittenResult]:
     """Read results from a listing, JSON, JSON lines, CSV or Parquet, in the order of the file.
@@ -58,6 +61,9 @@ def read_results(data: bytes, file: str) -> list[WrittenResult]:
     if is_parquet(data):
         return read_parquet(data, file)
     text = decode(data, file)
+    if mark := MERGE_CONFLICT.search(text):
+        message = "the file has an unresolved merge conflict"
+        raise no_result(message, file, text.count("\n", 0, mark.start()) + 1)
     if text.lstrip()[:1] in ("{", "["):
         try:
             content = json.loads(text)

@@ -55,14 +55,17 @@ def given_constraints(gear: Gear) -> int:
     return len(gear.carrying) + 1 + len(gear.speeds)
 
 
-def messages(results: Results) -> list[Message]:
-    """Return the messages about the results of a case, without suppressed ids."""
-    return not_allowed(_messages(results), results.case.untold)
+def messages(results: Results, given: Transmission) -> list[Message]:
+    """Return the messages about the results of a case, without suppressed ids.
+
+    `given` is the case before laws, balances and speed ratios were replaced by numbers.
+    """
+    return not_allowed(_messages(results, given), results.case.untold)
 
 
-def _messages(results: Results) -> Iterator[Message]:
+def _messages(results: Results, source: Transmission) -> Iterator[Message]:
     case = results.case
-    for problem in doubts(case):
+    for problem in doubts(source):
         yield Message(problem.id, _named(case, path_text(problem.path), problem.message))
     if case.heavy and (without_unit := without_load(case)):
         text = (

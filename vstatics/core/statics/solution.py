@@ -61,7 +61,7 @@ def solution(  # noqa: PLR0913
         arrays = solve_variants(case, u, eta, math.prod(axes))
     if axes == ():
         results = Results(case=case, **{name: array[0] for name, array in arrays.items()})
-        return results._replace(messages=tuple(diagnosis.messages(results)))
+        return results._replace(messages=tuple(diagnosis.messages(results, case)))
     shaped = {name: array.reshape(*axes, *array.shape[1:]) for name, array in arrays.items()}
     return Results(case=case, **shaped)
 

@@ -94,6 +94,9 @@ def view(
     lines = [*_legend(results, gears, marks), *_inverses(results, digits)]
     if converters := _converters(results):
         lines.append(f"{', '.join(converters)}: {tr('speed ratio of a converter')}")
+    others = [sum(not port.is_output for _, port in gear.rows) for gear in port_tables(results)]
+    if any(number > 1 for number in others):
+        lines.append(tr("torque of an output: on its load; of other ports: on their links"))
     legend = (Text(line, style="dim") for line in lines)
     ports = terminal.tables(_ports(results).with_digits(digits), width, keys=2)
     tables = (table for part in parts for table in terminal.tables(part, width))

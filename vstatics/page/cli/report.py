@@ -168,7 +168,9 @@ def report_command(
             return _report_two(cases, output, page._replace(settings=takes))
     to = to._replace(style=TextStyle(page.lang))
     files.spare(page.duty_files, to.output)
-    show = partial(_page_output, page=page, cycle=page.duty.read() if page.duty else None)
+    cycle = page.duty.read() if page.duty else None
+    takes = takes._replace(load=cycle.load if cycle else None)
+    show = partial(_page_output, page=page, cycle=cycle)
     return carry_out(Job("report", takes, to, show), cases, others=page.duty_files)
 
 

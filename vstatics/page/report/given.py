@@ -7,6 +7,7 @@ from typing import Any
 
 from vstatics.core.elements.drawing import Drawing, drawing_of
 from vstatics.core.explain.given_parts import kind_of, twist_text
+from vstatics.core.model.laws import MapLaw
 from vstatics.core.model.parts import Law, Mechanism, OfLoad, ShiftElement, damping
 from vstatics.core.model.springs import Spring, SpringLimit
 from vstatics.core.model.transmission import Transmission
@@ -95,6 +96,8 @@ def _number_or_law(value: float | None) -> Any:
     """Return a number with its unit, or the description of a characteristic curve."""
     if isinstance(value, OfLoad):
         return f"{value.given:g} N*m"
+    if isinstance(value, MapLaw):
+        return tr("map over speed and torque")
     if isinstance(value, Law):
         return value.text or tr(
             "{count} point over {what}|{count} points over {what}",

@@ -133,7 +133,8 @@ def plot_command(
         status: int = higher(record.plots)(cases, to, style, asked)
         return status
     of_runs = "motion" in record.options
-    takes = (settings.at_nominal_load if of_runs else settings)._replace(
+    is_nominal = of_runs or record.at_any_load
+    takes = (settings.at_nominal_load if is_nominal else settings)._replace(
         scenarios=True, of_runs=of_runs, of_vibration=record.shows == "vibration"
     )
     if len(cases) > 1 and not to.is_folder:

@@ -232,4 +232,4 @@ def _bars(pen: Pen, losses: _Losses) -> None:
         low, reads = pen.up(float(value)), style.text("efficiency")
         said = f"{head}: {reads} {number(value)}"
         pen.line((left, low), (left + wide, low), color=style.ink, width=1.5, title=said)
-        pen.text(left + wide / 2, low - 4, number(value), ha="center", va="top")
+        pen.text(left + wide / 2, low - 4, number(value), ha="center", va="top", over=True)

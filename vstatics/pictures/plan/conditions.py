@@ -9,7 +9,7 @@ from typing import NamedTuple
 from vstatics.core.errors import CaseError
 from vstatics.core.model.transmission import HOUSING, Gear, ShiftElement, SpeedOf, Transmission
 from vstatics.core.numerics.traced import plain
-from vstatics.core.statics.matrix import columns
+from vstatics.core.statics.matrix import rows
 from vstatics.core.statics.speeds import solve_speeds
 from vstatics.pictures.drawing.gear_state import PictureState
 
@@ -137,4 +137,4 @@ def speeds_under(
     if output is not None:
         speeds[last] = output
     gear = Gear(engaged, speeds, input=first, output=last)
-    return [plain(speed) for speed in solve_speeds(case, gear, columns(case, ratios)).links]
+    return [plain(speed) for speed in solve_speeds(case, gear, rows(case, ratios)).links]

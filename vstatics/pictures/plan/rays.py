@@ -110,7 +110,7 @@ def plans(results: Results) -> list[KinematicPlan]:
     >>> [round(ray.start + 0.0, 3) for ray in plan.rays], [round(ray.slope, 3) for ray in plan.rays]
     ([1.0, -0.4, 0.0], [0.0, 1.4, 1.0])
     """
-    case = _with_free_ratios(results.with_freewheels_engaged)
+    case = _with_ratios(results)
     gears = [state_of(results, number) for number in range(1, len(case.gears) + 1)]
     known = {
         number: gear
@@ -146,17 +146,23 @@ def off_plans(case: Transmission, drawn: Sequence[KinematicPlan]) -> list[str]:
     return [gear.name for number, gear in enumerate(case.gears, 1) if number not in on_plans]
 
 
-def _with_free_ratios(case: Transmission) -> Transmission:
-    """Replace mechanisms whose speed ratio some gear prescribes by open shift elements."""
-    given = {number for gear in case.gears for number in gear.speed_ratios}
-    if not given:
+def _with_ratios(results: Results) -> Transmission:
+    """Set the speed ratios that the load determines, and open mechanisms with several ratios.
+
+    Such a mechanism becomes a shift element that no gear engages.
+    """
+    case = results.with_freewheels_engaged
+    if not any(mechanism.kind for mechanism in case.mechanisms):
         return case
+    solved = results.points.gears if results.points else case.gears
     remaining, opened = {}, list(case.shift_elements)
     for number, mechanism in enumerate(case.mechanisms[case.own_mechanisms], 1):
-        if number in given:
-            opened.append(ShiftElement(mechanism.first, mechanism.second, mechanism.name))
+        in_gears = (gear.speed_ratios.get(number, mechanism.ratio) for gear in solved)
+        ratios = [ratio for ratio in in_gears if math.isfinite(ratio)]
+        if ratios and max(ratios) - min(ratios) < SAME_RATIO:
+            remaining[number] = mechanism._replace(ratio=ratios[0])
         else:
-            remaining[number] = mechanism
+            opened.append(ShiftElement(mechanism.first, mechanism.second, mechanism.name))
     numbers = {number: place for place, number in enumerate(remaining, 1)}
     gears = [gear.renumbered(numbers) for gear in case.gears]
     return with_mechanisms(case, [*remaining.values()], shift_elements=opened, gears=gears)

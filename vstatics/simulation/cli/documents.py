@@ -112,10 +112,12 @@ TRIED, LONG = 1.0, 60.0
 """Processor time of a trial run, and estimated time above which a note is printed. [s]"""
 
 
-def check_document(file: str, options: CaseOptions) -> tuple[str, list[Problem], bool, Grid | None]:
+def check_document(
+    data: bytes, file: str, options: CaseOptions
+) -> tuple[str, list[Problem], bool, Grid | None]:
     """Return name, problems, failure flag and summary of a scenario."""
     try:
-        read = read_with_case(*files.read_input(file), options.input_format)
+        read = read_with_case(data, file, options.input_format)
         read = read.allowing(options.telling.allow)
         doubts = [*scenario_doubts(read.scenario), *_tried(read.scenario)]
         doubts = not_allowed(doubts, read.scenario.case.untold)

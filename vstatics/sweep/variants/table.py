@@ -261,7 +261,7 @@ def _varied(name: str, subject: VariedSubject, place: Place) -> Varied:
     try:
         return varied.in_unit("") if isinstance(varied, CasePath) else varied
     except ValueError as error:
-        raise refusal(f"{error}; in brackets behind it", place) from None
+        raise refusal(f"{error}; give the unit in brackets in the heading", place) from None
 
 
 def _rows(first: bytes, pieces: Iterator[bytes], columns: _Columns) -> Iterator[Floats]:

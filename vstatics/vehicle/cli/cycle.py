@@ -91,7 +91,8 @@ def _choice(
         "shifts",
         callback=value(_shifts),
         metavar="TEXT",
-        help="Vehicle speeds of upshifts and downshifts, such as '1-2: 15 km/h/12 km/h'.",
+        help="Vehicle speeds of upshifts and downshifts, such as '1-2: 15 km/h/12 km/h, "
+        "2-3: 30 km/h/25 km/h'.",
     ),
     click.option(
         "--strategy",

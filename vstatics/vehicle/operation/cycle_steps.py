@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.core.errors import CaseError, Problem, quoted
+from vstatics.core.errors import CaseError, Problem, listed, quoted
 from vstatics.core.model.parts import OfLoad
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
@@ -546,7 +546,9 @@ def _gears(
     numbers = {name: number for number, name in enumerate(names)}
     chosen = [numbers.get(name, numbers.get(name.removesuffix(".0"))) for name in trace.gears]
     problems = [
-        Problem("E416", f"there is no gear {quoted(name)} in the case", (row,))
+        Problem(
+            "E416", f"there is no gear {quoted(name)}, expected one of {listed(names, 12)}", (row,)
+        )
         for row, name in enumerate(trace.gears)
         if chosen[row] is None and not (standing[row] and name.casefold() in _AT_STANDSTILL)
     ]

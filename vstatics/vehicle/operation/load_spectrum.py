@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.core.errors import CaseError, Problem, not_allowed
+from vstatics.core.errors import CaseError, Problem, listed, not_allowed
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Floats, Integers, rounding_as_zero
 from vstatics.core.statics.carried import overloads_at_points
@@ -285,7 +285,7 @@ def points_of(
     """
     names = [gear.name for gear in case.gears]
     problems = [
-        Problem("E416", f"there is no gear {gear!r} in the case", (row,))
+        Problem("E416", f"there is no gear {gear!r}, expected one of {listed(names, 12)}", (row,))
         for row, (gear, speed) in enumerate(zip(gears, numbers["speed"], strict=True))
         if gear not in names and speed
     ]

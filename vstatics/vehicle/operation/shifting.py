@@ -53,8 +53,8 @@ def read_shifts(text: str) -> list[ShiftSpeed]:
         low, dash, high = (part.strip() for part in gears.partition("-"))
         up, down = _two_speeds(speeds)
         if not (colon and dash and low and high) or up is None or down is None:
-            example = "1-2: 15 km/h/12 km/h"
-            raise ValueError(f"read {item.strip()!r}, expected {example}")
+            example = "1-2: 15 km/h/12 km/h, 2-3: 30 km/h/25 km/h"
+            raise ValueError(f"read {item.strip()!r}, expected such as {example!r}")
         if down > up:
             raise ValueError(f"read {item.strip()!r}, expected a downshift below the upshift")
         if shifts and shifts[-1].high != low:
@@ -147,7 +147,9 @@ def by_shift_speeds(
     ladder = [shifts[0].low, *(shift.high for shift in shifts)]
     for name in ladder:
         if name not in names:
-            raise ValueError(f"there is no gear {quoted(name)} in the case")
+            raise ValueError(
+                f"there is no gear {quoted(name)}, expected one of {listed(names, 12)}"
+            )
     alike = directions(ratios, names)
     pairs = [f"{names[lower]}-{names[upper]}" for way in alike for lower, upper in pairwise(way)]
     size = dict(zip(names, np.abs(ratios).tolist(), strict=True))

@@ -72,7 +72,7 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Canv
     columns = int((style.width - 2 * MARGIN) // (SPECTRUM_SIZE[0] + SPECTRUM_SCALE_WIDTH))
     high_pitch = SPECTRUM_SIZE[1] + NAME_ROOM + SPECTRUM_SCALE_HEIGHT
     pitch = (style.width - 2 * MARGIN) / columns, high_pitch
-    text = title(results.case, style.text("Load spectrum"))
+    text = title(results.case, style.text("load spectrum"))
     is_open = any(math.isnan(each.to) for each in classes)
     key: list[Meaning] = [(is_open, "above the last bound", _bar(style, is_open=True))]
     head = sheet_head(text, "", key, style.width - 2 * MARGIN, style)

@@ -124,6 +124,25 @@ def test_too_many_counts_are_the_only_fault(old: str, new: str, message: str) ->
     assert [problem.message for problem in raised.value.problems] == [message]
 
 
+@pytest.mark.parametrize(
+    ("line", "word"),
+    [
+        ("MODE= 2", "read `MODE`, expected the name of a field; the line is ignored"),
+        ("IDEL = 1", "did you mean `IDLE`?"),
+        ("INQ(I),I=1,NP: 1 1", "did you mean `INP`?"),
+        ("Where n = 3", ""),
+        ("Number of gears (NP=3):", ""),
+    ],
+)
+def test_a_line_that_is_a_field_except_for_its_name_is_a_warning(line: str, word: str) -> None:
+    text = (BAD_FILES / "no-fault.dat").read_text("utf-8")
+    warnings = deck.read(f"{text}\n{line}\n".encode(), "case.dat").warnings
+    place = f"case.dat:{len(text.splitlines()) + 2}:1: "
+    assert [str(each).startswith(place) and word in str(each) for each in warnings] == [
+        True
+    ] * bool(word)
+
+
 def test_missing_gears_are_reported_before_later_fields_of_the_same_place() -> None:
     text = (BAD_FILES / "no-fault.dat").read_text("utf-8")
     text = text[: text.index("KFRI")] + "IDLE="

@@ -83,6 +83,8 @@ def test_a_file_that_is_wrong_is_told_at_its_place(tmp_path: Path, text: str, sa
             "1",
             "read `,`, expected an operator, or an end (with a decimal point)",
         ),
+        ("a.csv", "1", "expected a file as `{file: a.csv}`"),
+        ("1", "a.csv", "expected a file as `{over: [speed, torque], file: a.csv}`"),
         ("[]", "1", "expected points"),
         ("[[0, 1, 2]]", "1", "expected 2 numbers: [speed, torque]"),
         ("[[5, 1], [5, 2]]", "1", "read 5, expected a speed above 5"),

@@ -127,6 +127,7 @@ def test_merge_keys_bring_what_pyyaml_brings() -> None:
         ("a: [b, c\nd: e", 2, 2, "the list that begins on line 1, column 4 is not closed"),
         ("a: {b: 1; c: 2}", 1, 12, "the mapping that begins on line 1, column 4 is not closed"),
         ("- 1\nb: 2", 2, 1, "the list that begins on line 1, column 1 continues with `- `"),
+        ("a: 1\nb [c]\n", 2, 1, "expected a key with a colon and a blank"),
         ("a: @b", 1, 4, "read `@`, with which no text begins"),
         ("a: \x00", 1, 4, "U+0000"),
         ("a: \x85b\x7f", 1, 6, "U+007F"),

@@ -29,6 +29,7 @@ def test_a_load_beyond_the_points_leaves_the_gear_without_torques() -> None:
     """80 N*m are taken at stall; the speeds of engine and pump stay known."""
     results = solve(loads(CASE))
     assert [said.id for said in results.messages] == ["W431", "W431"]
+    assert results.messages[0].text.endswith("; at the input speed it takes 0 to 80 N*m")
     assert results.speeds[0, 0] == 1
     for array in (results.speeds[0, 1:], results.lossy_torques[0, 1:], results.ratio[[0, 2]]):
         assert all(map(math.isnan, array))

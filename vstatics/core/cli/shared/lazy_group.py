@@ -54,7 +54,8 @@ class LazyGroup(click.Group):
 
     def hint(self, name: str) -> str:
         """Return the hint for an unknown name: the most similar command, or all commands."""
-        return nearest(name, self.listed()) or f"; commands are {', '.join(self.listed())}"
+        file = "; expected a command before a file" * ("." in name)
+        return nearest(name, self.listed()) or f"{file}; commands are {', '.join(self.listed())}"
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:  # noqa: ARG002
         """Write the list of commands without importing their modules."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from itertools import accumulate, pairwise
 
@@ -9,7 +10,7 @@ from vstatics.core.errors import Path, Problem, count_of
 from vstatics.core.readers.deck.numbers import Number, Parse, Spot, integer, loose_count
 from vstatics.core.readers.deck.places import Places, label_in
 from vstatics.core.readers.deck.table import FIELDS
-from vstatics.core.readers.deck.text import Scan
+from vstatics.core.readers.deck.text import LISTS, SCALARS, Scan
 from vstatics.core.readers.deck.values import (
     Values,
     Wanted,
@@ -19,6 +20,11 @@ from vstatics.core.readers.deck.values import (
     take_rows,
 )
 from vstatics.core.suggestions import nearest
+
+_LIKE_FIELD = re.compile(
+    r"\s*\(?[A-Z]{2,7}(?:\s*=\s*[-+]?[0-9.]+\s*|\s*\([^()]*\).*,\s*[IJK]\s*=\s*1\s*,.*)"
+)
+"""Pattern of a line that is a field, except for its name."""
 
 
 class Fields:
@@ -155,6 +161,15 @@ class Fields:
             self.error(label, f"read {size}, expected a smaller number: {cannot}")
         return size <= self.capacity
 
+    def warn_of_unknown(self) -> None:
+        """Add a warning for each line that is a field, except for its name."""
+        for word, line in self.scan.unknown.items():
+            if _LIKE_FIELD.fullmatch(self.scan.source.lines[line - 1]):
+                hint = nearest(word, [*SCALARS, *LISTS])
+                message = f"read `{word}`, expected the name of a field; the line is ignored{hint}"
+                place = self.scan.source.place(line, 1)
+                self.scan.problems.append(Problem("W103", message, place=place))
+
     def _missing(self, key: str, expected: str) -> None:
         name, hint = key.partition("(")[0], ""
         if name in self.scan.broken:
@@ -162,6 +177,7 @@ class Fields:
         for word, line in self.scan.unknown.items():
             if nearest(word, [name]):
                 hint = f"; line {line} starts with `{word}`, which is not a field"
+                del self.scan.unknown[word]
                 break
         self.scan.error(f"{key} is missing: expected {expected}{hint}", *self._end())
 

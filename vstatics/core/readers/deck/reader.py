@@ -145,6 +145,7 @@ def _parts(fields: Fields) -> dict[str, Any]:
     if links is not None and any(name.startswith("J") for name in names):
         parts["link_names"] = [names.get(f"J{link}", str(link)) for link in range(1, links + 1)]
     parts["links"] = _links_above_all(parts) if links is None else links
+    fields.warn_of_unknown()
     return parts
 
 

@@ -63,8 +63,14 @@ _FORMULA = re.compile(
 """Pattern of a formula: the name of the speed, or operators not followed by a unit."""
 
 
+def _refuse_file(text: str, before: str = "") -> None:
+    if text.lower().endswith(".csv"):
+        raise ValueError(f"expected a file as `{{{before}file: {text}}}`")
+
+
 def _drag(text: str) -> float:
     """Read a drag torque, or a formula of drag over speed."""
+    _refuse_file(text)
     try:
         return units.relative(text, "torque")
     except ValueError as error:
@@ -86,6 +92,7 @@ _OF_BOTH = re.compile(r"\b(w|speed|T|torque)\b|\d.*[*+(^-].*[^\W\d_]")
 
 def _efficiency(text: str) -> float:
     """Read an efficiency, or a formula of efficiency over speed and torque."""
+    _refuse_file(text, "over: [speed, torque], ")
     try:
         return scalars.number(text)
     except ValueError:

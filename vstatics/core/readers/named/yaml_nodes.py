@@ -36,6 +36,9 @@ MOST_VALUES = 200_000
 _READ_AHEAD = "exceeded maximum nesting depth"
 """Message of libyaml about more than 1000 levels, which can occur before any event."""
 
+_NO_COLON = "could not find expected ':'"
+"""Message of the parsers about a key without colon, which they notice only on a later line."""
+
 _UNPRINTABLE = re.compile("[^\t\n\r -~\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 _TEXT_WITH_BRACKETS = re.compile(r"[^\s,:'\"{}[\]]\[")
 """Pattern of a text with `[`, which YAML reads as the start of an inner list."""
@@ -100,6 +103,8 @@ class _Builder:
                 # raises an error for excessive nesting
                 _Builder(self.document, yaml.SafeLoader).root()
             mark = error.problem_mark or error.context_mark
+            if error.problem == _NO_COLON:
+                mark = error.context_mark
             place = self.document.place(mark.index) if mark else self.last
             reason = reason_of(error, self.document.text)
             if (
@@ -224,6 +229,8 @@ def reason_of(error: yaml.MarkedYAMLError, text: str) -> str:
     begin = error.context_mark
     index = error.problem_mark.index if error.problem_mark else len(text)
     raw = ", ".join(part for part in (context, problem) if part)
+    if problem == _NO_COLON:
+        return "expected a key with a colon and a blank, such as `low: [C1, B1]`"
     if problem.startswith("mapping values are not allowed"):
         return "read a second `: `; write a text with a colon in quotes, and check the indentation"
     if "that cannot start any token" in problem and text[index : index + 1].strip():

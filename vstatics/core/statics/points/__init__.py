@@ -148,7 +148,7 @@ def _single(case: Transmission, answer: Followed) -> Results:
     unknown = [gear.name for gear, state in states if state not in (0, NO_TORQUE)]
     said = [
         message
-        for message in diagnosis.messages(at_point)
+        for message in diagnosis.messages(at_point, case)
         if not (message.gear in unknown and message.id in CONSEQUENCES)
     ]
     said += not_allowed(unsolved_messages(case, points, answer), case.untold)

@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from vstatics.core.errors import plural, spoken
+from vstatics.core.model.parts import RAD_PER_RPM
 from vstatics.core.model.transmission import Gear, Transmission
+from vstatics.core.statics.carried import torque_of_pump
 from vstatics.core.statics.points.balance import NO_BALANCE, TWO_BALANCES, sought_link
 from vstatics.core.statics.points.converters import NO_RATIO
 from vstatics.core.statics.points.laws import NO_EFFICIENCY, NONE, SEVERAL, Followed
@@ -52,11 +54,16 @@ def unsolved_messages(
 
 def _no_ratio(case: Transmission, gear: Gear) -> str:
     converter = case.mechanisms[case.sought_converters(gear)[0]]
-    first, last = converter.points[0], converter.points[-1]
+    points = converter.points
+    first, last = points[0], points[-1]
     text = (
         f"at no speed ratio from {first[0]:g} to {last[0]:g} does the pump of {converter.name} "
         "take the torque of the load, so the torques are unknown"
     )
+    bodies, load = case.bodies(gear), case.gear_load(gear)
+    if load.speed and bodies[converter.first] == bodies[case.gear_input(gear)]:
+        taken = [torque_of_pump(converter.points, x, load.speed * RAD_PER_RPM) for x, *_ in points]
+        text += f"; at the input speed it takes {min(taken):.4g} to {max(taken):.4g} N*m"
     if case.coasts(gear) and last[2] >= 0:
         text += "; to coast, the converter needs points beyond i = 1 with lambda below 0"
     return text
