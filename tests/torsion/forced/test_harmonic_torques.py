@@ -8,7 +8,16 @@ from hypothesis import given
 
 from tests.chance import each_seed, seeded
 from tests.torsion.systems import branched, chain, matrices, mounted, wheels, with_planetary_set
-from vstatics import Damping, Gear, Mechanism, ReadError, ShiftElement, Spring, Transmission
+from vstatics import (
+    CaseError,
+    Damping,
+    Gear,
+    Mechanism,
+    ReadError,
+    ShiftElement,
+    Spring,
+    Transmission,
+)
 from vstatics.core.model.parts import RAD_PER_RPM
 from vstatics.torsion.forced.cycle import summed
 from vstatics.torsion.forced.harmonic_torques import Harmonic, response
@@ -232,6 +241,46 @@ def test_a_table_of_torques() -> None:
     assert found == [Harmonic(2.0, 80.0, math.pi / 2), Harmonic(4.5, 20.0, 0.0)]
 
 
+def test_torques_on_several_cranks() -> None:
+    """Phases of the firing order 1-3-4-2, against the equations of motion solved in full.
+
+    Source: forced response of crankshafts in github.com/Aalto-Arotor/openTorsion/pull/11.
+    """
+    masses, rates, losses = [0.05, 0.04, 0.03, 0.04, 1.2], [8e5, 7e5, 8e5, 9e5], [20.0, 10, 20, 30]
+    springs = [
+        Spring({n + 1: 1, n + 2: -1}, rates[n], damping=Damping(losses[n]), name=f"{n}")
+        for n in range(4)
+    ]
+    case = Transmission(5, [], [], [], springs=springs, inertias=dict(enumerate(masses, 1)))
+    rows = "order,amplitude,phase [deg],link\n"
+    rows += "".join(
+        f"{order},{50 * order},{-order * angle},{link}\n"
+        for order in (0.5, 2, 4)
+        for link, angle in zip("1342", (0, 180, 360, 540), strict=True)
+    )
+    harmonics = read_torque_table(rows.encode(), "engine.csv")
+    [gear] = response(case, 5, harmonics, SPEEDS)
+    twists = np.eye(4, 5) - np.eye(4, 5, 1)
+    for harmonic, found in zip(harmonics, gear.orders, strict=True):
+        order = harmonic.order
+        omegas = order * gear.speeds * RAD_PER_RPM
+        angles = np.pi * np.array([0, 3, 1, 2, 0])
+        torques = 50 * order * np.exp(-1j * order * angles) * [1, 1, 1, 1, 0]
+        for place, omega in enumerate(omegas):
+            dynamic = np.array(rates) + 1j * omega * np.array(losses)
+            matrix = twists.T * dynamic @ twists - omega**2 * np.diag(masses)
+            expected = np.linalg.solve(matrix, torques)
+            values = [found.amplitudes[f"{link}"][place] for link in range(1, 6)]
+            assert values == pytest.approx(expected.tolist(), rel=1e-9)
+            twist = twists @ expected
+            carried = [found.torques[f"{n}"][place] for n in range(4)]
+            # differences of angles lose digits: 1e-9 of the exciting torques remain
+            assert carried == pytest.approx((dynamic * twist).tolist(), abs=1e-9 * 50 * order)
+    wrong = read_torque_table(rows.replace(",2\n", ",x\n").encode(), "engine.csv")
+    with pytest.raises(CaseError, match="no link 'x'"):
+        response(case, 5, wrong, SPEEDS)
+
+
 HEADS = b"order,amplitude\n"
 
 
@@ -245,6 +294,7 @@ def test_a_fault_of_a_table_is_told_with_its_line() -> None:
         (HEADS + b"-2,1\n3,5\n", "2:1: error: order: read -2, expected a number above"),
         (HEADS + b"2,nan\n", "2:1: error: amplitude: read 'nan'"),
         (HEADS + b"2,1\n2,3\n", "3:1: error: order 2 is given twice"),
+        (HEADS[:-1] + b",link\n2,1,a\n2,3,b\n2,4,a\n", "4:1: error: order 2 is given twice"),
         (HEADS + b"2,1,5\n", "2:1: error: read 3 cells, expected 2"),
         (HEADS + b"2," + b"1" * 140_000, "2:1: error: amplitude: read '1111"),
         (b"", "1:1: error: the file is empty, expected a table of orders"),

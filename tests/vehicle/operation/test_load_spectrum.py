@@ -214,6 +214,12 @@ def test_a_load_spectrum_in_percent_of_a_single_gear(folder: Path) -> None:
     (folder / "case.yaml").write_text(case + 'gears: {"1": [], "2": []}\n')
     missing = ":1:1: error: `gear` is missing, expected the gear of each point, as the case has 2"
     assert vstatics("summary", "case.yaml", "--duty", "duty.csv").gives_nothing(missing)
+    # pandas writes whole numbers beside an empty cell as 1.0
+    rows = "time,gear,n [rpm],M [N*m]\n0:18:0,1.0,1000,100\n0:30:0,1.0,500,50\n720,,0,0\n"
+    (folder / "duty.csv").write_text(rows)
+    assert vstatics("summary", "case.yaml", "--duty", "duty.csv", "-f", "json").json["duty"][
+        "bearings"
+    ]["b"]["hours"] == pytest.approx(1 / damage)
 
 
 BEYOND = """

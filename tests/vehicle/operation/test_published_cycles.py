@@ -169,9 +169,11 @@ SINE = math.sin(math.radians(3))
         ("time [s];vehicle_speed [km/h];slope [°]\n0;0;-3\n2;36;-3\n", -SINE),
         ("time [s],speed [km/h],Incline (°)\n0,0,-3\n2,36,-3\n", -SINE),
         ("t / s;v / (km/h);grade_percent;Speed/Limit\n0;0;75;9\n2;36;75;9\n", 0.6),
+        ("time [hh:mm:ss];speed [km/h];grade\n07:59:59,5;0;0,75\n08:00:01,5;36;0,75\n", 0.6),
+        ("time [min],speed [km/h],grade\n0:1:30,0,0.75\n00:01:32.0,36,0.75\n", 0.6),
     ],
 )
-def test_headings_of_further_programs(text: str, slope: float) -> None:
+def test_headings_and_times_of_further_programs(text: str, slope: float) -> None:
     trace = read_trace(text.encode(), "t.csv")
     assert trace.duration.tolist() == [2.0]
     assert trace.speed.tolist() == [pytest.approx(5.0)]

@@ -29,6 +29,7 @@ from vstatics.core.readers.named.nodes import MOST_PROBLEMS, decode
 from vstatics.core.readers.reading import Source
 
 _PLAIN = re.compile(r"[-+0-9.eE, \t]+")
+_CLOCK = re.compile(r"\s*(\d+):([0-5]?\d):([0-5]?\d(?:[.,]\d*)?)\s*")
 _BLOCK_LINES = 5000
 MOST_TABLE_ROWS = 1_000_000
 """Maximum number of rows of a table. A day in steps of 0.1 s has 864,000 rows."""
@@ -137,6 +138,7 @@ class _ColumnsRead:
         self.texts: dict[str, list[str]] = {}
         self._sizes: list[tuple[int, str, float, array[float]]] = []
         self._words: list[tuple[int, list[str]]] = []
+        self._times = {h.column.name for h in head.headings if h.column.measure == "time"}
         for heading in head.headings:
             name, place = heading.column.name, heading.place
             if heading.column.is_text:
@@ -200,9 +202,19 @@ class _ColumnsRead:
         self.lines.append(number)
         for place, name, size, column in self._sizes:
             cell = cells[place]
+            clock = _CLOCK.fullmatch(cell) if name in self._times else None
             try:
-                column.append(decimal(self.decimals.with_points(cell, number)) * size)
+                if clock:
+                    column.append(_seconds(clock))
+                else:
+                    column.append(decimal(self.decimals.with_points(cell, number)) * size)
             except ValueError as error:
                 raise ValueError(f"{name}: read {cell.strip()[:40]!r}, {error}") from None
         for place, words in self._words:
             words.append(sys.intern(cells[place].strip()))
+
+
+def _seconds(clock: re.Match[str]) -> float:
+    """Return the time of a cell such as `01:30:00` in seconds, independent of the unit above."""
+    hours, minutes, seconds = clock.groups()
+    return 3600.0 * int(hours) + 60 * int(minutes) + float(seconds.replace(",", "."))

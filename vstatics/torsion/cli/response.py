@@ -126,7 +126,7 @@ def _unbounded(case: Transmission, gear: GearResponse) -> str:
     if not speeds:
         return ""
     names = f"{plural('resonance', len(speeds))} at {listed(speeds)} rpm"
-    near = f"damps the {names}: the response near them is unbounded"
+    near = f"damps the {names}: the response near {'them' if speeds[1:] else 'it'} is unbounded"
     if any(spring.friction for spring in case.springs):
         near = f"but dry friction {near} where the torque exceeds 4 M/pi of the friction"
     return f"nothing {near}, and the largest values are those at the requested speeds"
@@ -179,8 +179,8 @@ def _stuck_springs(case: Transmission, gear: GearResponse) -> str:
         "--torque",
         type=FILE,
         metavar="FILE",
-        help="CSV file with the columns `order`, `amplitude [N*m]`, and `phase [rad]` or `phase "
-        "[deg]`.",
+        help="CSV file with the columns `order`, `amplitude [N*m]`, `phase [rad]` or `phase "
+        "[deg]`, and `link` for torques on several links.",
     ),
 )
 @click.option(

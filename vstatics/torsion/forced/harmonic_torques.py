@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from functools import partial
+from itertools import chain
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -43,18 +44,43 @@ class Harmonic(NamedTuple):
         Amplitude of the torque. [N*m]
     phase : float
         Phase of the torque. [rad]
+    by_link : mapping of str to complex
+        Name of a link -> complex torque, instead of `amplitude` and `phase`. The empty name is
+        the excited link of the response. [N*m]
 
     Examples
     --------
     Firing order of a four-cylinder engine:
 
-    >>> Harmonic(order=2.0, amplitude=150.0)
-    Harmonic(order=2.0, amplitude=150.0, phase=0.0)
+    >>> Harmonic(order=2.0, amplitude=150.0).phase
+    0.0
     """
 
     order: float
     amplitude: float = 1.0
     phase: float = 0.0
+    by_link: Mapping[str, complex] = MappingProxyType({})
+
+    def torques(self, case: Transmission, at: int) -> dict[int, complex]:
+        """Return the complex torques [N*m] by link number (from 0); `at` is the excited link.
+
+        Raises
+        ------
+        CaseError
+            If a link of `by_link` does not exist, or moves along a line.
+        """
+        if not self.by_link:
+            return {at: self.amplitude * np.exp(1j * self.phase)}
+        torques: dict[int, complex] = {}
+        for name, torque in self.by_link.items():
+            try:
+                link = _rotating(case, name) if name else at
+            except ValueError as error:
+                raise CaseError(
+                    "E505", f"the torque acts on a link that is wrong: {error}"
+                ) from None
+            torques[link] = torques.get(link, 0.0) + torque
+        return torques
 
 
 class OrderResponse(NamedTuple):
@@ -83,7 +109,7 @@ class Resonance(NamedTuple):
     speed: float
     """Speed of the excited link. [rpm]"""
     participation: float
-    """Amplitude of the excited link in the mode, relative to the largest amplitude. [-]"""
+    """Largest amplitude of the excited links in the mode, relative to that of all links. [-]"""
     damped: bool = True
     """True if the mode is damped; the response of an undamped mode is unbounded."""
 
@@ -164,7 +190,7 @@ def response(  # noqa: PLR0913 - all but the first by name
     ValueError
         If a link, gear or converter does not exist.
     CaseError
-        If the link `at` does not rotate but moves along a line.
+        If an excited link does not rotate but moves along a line.
 
     Examples
     --------
@@ -178,15 +204,28 @@ def response(  # noqa: PLR0913 - all but the first by name
     (array([0.013889]), [])
     """
     chosen = asked_gears(case, gears)
-    if (number := case.link_number(at)) in case.masses:
-        raise CaseError(
-            "E547",
-            f"link {at} moves straight, so it has no revolutions: expected a link that rotates",
-            ("masses", number),
-        )
-    link, given = number - 1, np.asarray(speeds, dtype=np.float64)
+    link, given = _rotating(case, at), np.asarray(speeds, dtype=np.float64)
     working = [working_gear(case, gear, speed_ratios) for gear in chosen]
     return [_gear_response(gear, link, harmonics, given) for gear in working]
+
+
+def _rotating(case: Transmission, link: int | str) -> int:
+    """Return the number (from 0) of a link that rotates.
+
+    Raises
+    ------
+    ValueError
+        If the link does not exist.
+    CaseError
+        If the link moves along a line.
+    """
+    if (number := case.link_number(link)) in case.masses:
+        raise CaseError(
+            "E547",
+            f"link {link} moves straight, so it has no revolutions: expected a link that rotates",
+            ("masses", number),
+        )
+    return number - 1
 
 
 def _gear_response(
@@ -197,19 +236,21 @@ def _gear_response(
     if isinstance(system, str):
         return GearResponse(gear.name, speeds, error=system)
     system, split = system._replace(converters=converters), coordinates(system)
-    if error := not_excitable(system, split, at):
-        return GearResponse(gear.name, speeds, error=error)
+    exciting = [harmonic.torques(case, at) for harmonic in harmonics]
+    for link in dict.fromkeys(chain(*exciting)):
+        if error := not_excitable(system, split, link):
+            return GearResponse(gear.name, speeds, error=error)
     natural = natural_modes(system, split)
     undamped = _are_undamped(system, natural)
     largest = np.abs(natural.shapes[: system.case_links]).max(axis=0)
-    parts = np.abs(natural.shapes[at]) / np.where(largest, largest, 1.0)
+    parts = np.abs(natural.shapes) / np.where(largest, largest, 1.0)
     low = speeds.min(initial=math.inf) * (1 - NO_POWER)
     high = speeds.max(initial=-math.inf) * (1 + NO_POWER)
     resonances = [
         Resonance(harmonic.order, mode, speed, part, not undamped[mode - 1])
-        for harmonic in harmonics
+        for harmonic, torques in zip(harmonics, exciting, strict=True)
         for mode, (omega, part) in enumerate(
-            zip(natural.omegas.tolist(), parts.tolist(), strict=True), 1
+            zip(natural.omegas.tolist(), parts[[*torques]].max(axis=0).tolist(), strict=True), 1
         )
         if part > LEAST_PARTICIPATION
         and low <= (speed := omega / harmonic.order / RAD_PER_RPM) <= high
@@ -217,17 +258,17 @@ def _gear_response(
     speeds = _with_peaks(speeds, [resonance.speed for resonance in resonances if resonance.damped])
     orders = []
     friction = DryFriction.of(case, system)
-    for harmonic in harmonics:
+    for harmonic, torques in zip(harmonics, exciting, strict=True):
         with np.errstate(over="ignore", invalid="ignore"):  # speeds out of range give NaN
             omegas = harmonic.order * RAD_PER_RPM * speeds
             moved = partial(_amplitudes, system, split, omegas, natural.omegas[undamped])
-            torque = harmonic.amplitude * np.exp(1j * harmonic.phase)
-            amplitudes = torque * moved(split.free[at])
+            by_link = [torque * moved(split.free[link]) for link, torque in torques.items()]
+            amplitudes: Complex = np.sum(by_link, axis=0)
             by_torque = [moved(row @ split.free) for row in friction.rows]
             resisting = friction.torques(amplitudes, by_torque, omegas)
             for name, columns in zip(friction.names, by_torque, strict=True):
                 amplitudes -= columns * resisting[name]
-            by_device = _torques(system, (at, torque), omegas, amplitudes, resisting)
+            by_device = _torques(system, torques, omegas, amplitudes, resisting)
             named = own_torques(case, system, by_device, amplitudes * omegas**2)
         amplitudes[split.undetermined] = np.nan
         links = dict(zip(system.names[: system.case_links], amplitudes, strict=False))
@@ -319,7 +360,7 @@ def _solved(
 
 def _torques(
     system: TorsionalSystem,
-    exciting: tuple[int, complex],
+    exciting: Mapping[int, complex],
     omegas: Floats,
     amplitudes: Complex,
     friction: Mapping[str, Complex],
@@ -328,14 +369,14 @@ def _torques(
 
     Parameters
     ----------
-    exciting : tuple of int and complex
-        Index of the excited link, and the torque on it. [N*m]
+    exciting : mapping of int to complex
+        Index of an excited link -> torque on it. [N*m]
     friction : mapping of str to ndarray
         Torques of dry friction, by the names of springs. [N*m]
     """
-    at, torque = exciting
     acting = np.asarray(system.link_inertias)[:, None] * amplitudes * omegas**2
-    acting[at] += torque
+    for link, torque in exciting.items():
+        acting[link] += torque
     elastic: dict[str, Complex] = {}
     for device in system.elastic:
         damping, rate = device.damping, device.rate

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import cmath
+
 from vstatics.core.errors import Problem, ReadError
 from vstatics.core.readers.named.headings import TableColumn
 from vstatics.core.readers.unit_table import read_unit_table
@@ -11,6 +13,7 @@ COLUMNS = (
     TableColumn("order"),
     TableColumn("amplitude", "si_torque", may_be_bare=True),
     TableColumn("phase", "angle", optional=True, may_be_bare=True),
+    TableColumn("link", is_text=True, optional=True),
 )
 MOST_ORDERS = 1000
 
@@ -22,7 +25,8 @@ def read_torque_table(data: bytes, file: str) -> list[Harmonic]:
     ----------
     data : bytes
         CSV: a line with the headings `order`, `amplitude` [N*m] and optionally `phase` [rad], then
-        a line for each order. Headings can be followed by other units in brackets.
+        a line for each order. With a column `link`, a line for each order and link. Headings can be
+        followed by other units in brackets.
     file : str
         Name of the file, for messages.
 
@@ -34,24 +38,29 @@ def read_torque_table(data: bytes, file: str) -> list[Harmonic]:
     Examples
     --------
     >>> read_torque_table(b"order,amplitude\\n2,80\\n4,25\\n", "engine.csv")
-    [Harmonic(order=2.0, amplitude=80.0, phase=0.0), Harmonic(order=4.0, amplitude=25.0, phase=0.0)]
+    [Harmonic(order=2.0, amplitude=80.0, ...), Harmonic(order=4.0, amplitude=25.0, ...)]
     """
     table = read_unit_table(data, file, "a table of orders", COLUMNS, "E505")
     orders, amplitudes = table.numbers["order"], table.numbers["amplitude"]
     phases = table.numbers.get("phase", [0.0] * len(orders))
+    links = table.texts.get("link", [""] * len(orders))
     harmonics: dict[float, Harmonic] = {}
     problems: list[Problem] = []
     for row, order in enumerate(orders[: MOST_ORDERS + 1]):
         fault = ""
         if order <= 0:
             fault = f"order: read {order:g}, expected a number above 0"
-        elif order in harmonics:
+        elif order in harmonics and links[row] in harmonics[order].by_link:
             fault = f"order {order:g} is given twice"
         elif row == MOST_ORDERS:
             fault = f"read more than {MOST_ORDERS} orders, expected at most {MOST_ORDERS}"
         if fault:
             problems.append(Problem("E505", fault, (), table.place(row)))
-        harmonics[order] = Harmonic(order, amplitudes[row], phases[row])
+        before = harmonics[order].by_link if order in harmonics else {}
+        by_link = {**before, links[row]: cmath.rect(amplitudes[row], phases[row])}
+        harmonics[order] = Harmonic(order, amplitudes[row], phases[row], by_link)
     if problems:
         raise ReadError(problems)
+    if not any(links):
+        return [harmonic._replace(by_link={}) for harmonic in harmonics.values()]
     return list(harmonics.values())

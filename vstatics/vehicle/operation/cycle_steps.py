@@ -20,7 +20,7 @@ from vstatics.core.tables.written_results import GEAR_NUMBER
 from vstatics.vehicle.case.vehicle import Vehicle, beside_engine
 from vstatics.vehicle.operation.converter import ConverterGear, bare, converters_of, solved_slips
 from vstatics.vehicle.operation.converter_steps import ConverterSteps
-from vstatics.vehicle.operation.point_loads import DutyPoints, PointLoads, at_rows
+from vstatics.vehicle.operation.point_loads import DutyPoints, PointLoads, at_rows, numbers_of_gears
 from vstatics.vehicle.operation.shifting import (
     EngineSpeeds,
     ShiftSpeed,
@@ -543,8 +543,7 @@ def _gears(
         message += "--least-speed and --strategy"
         raise CaseError("E426", message, place=trace.place)
     standing: Booleans = trace.speed <= 0
-    numbers = {name: number for number, name in enumerate(names)}
-    chosen = [numbers.get(name, numbers.get(name.removesuffix(".0"))) for name in trace.gears]
+    chosen = numbers_of_gears(case, trace.gears)
     problems = [
         Problem(
             "E416", f"there is no gear {quoted(name)}, expected one of {listed(names, 12)}", (row,)

@@ -26,7 +26,7 @@ from vstatics.vehicle.life.bearing_life import BearingLife, bearing_grid, bearin
 from vstatics.vehicle.life.classes import Classes, MemberSpectrum, spectra, spectrum_grid
 from vstatics.vehicle.life.member_rows import MemberRows
 from vstatics.vehicle.life.strength import MemberLife, life_grid, lives
-from vstatics.vehicle.operation.point_loads import DutyPoints, PointLoads, at_rows
+from vstatics.vehicle.operation.point_loads import DutyPoints, PointLoads, at_rows, numbers_of_gears
 
 EXPONENT = 3.0
 """Exponent of equivalent torques, near the exponent of roller bearings (10/3). [-]"""
@@ -283,17 +283,17 @@ def points_of(
     CaseError
         If a gear is not in the case, or a number is out of range.
     """
-    names = [gear.name for gear in case.gears]
+    chosen = numbers_of_gears(case, gears)
     problems = [
         Problem("E416", f"there is no gear {gear!r}, expected one of {listed(names, 12)}", (row,))
         for row, (gear, speed) in enumerate(zip(gears, numbers["speed"], strict=True))
-        if gear not in names and speed
+        if chosen[row] is None and speed
     ]
     kind = _weighing(numbers)
     if problems := [*problems, *wrong_numbers(numbers)]:
         raise CaseError(problems)
     speeds, torques, weights = (np.array(numbers[name]) for name in ("speed", "torque", kind))
-    indices = np.array([names.index(gear) if gear in names else 0 for gear in gears])
+    indices = np.array([number or 0 for number in chosen])
     return DutyPoints(indices, speeds, torques, weights, kind == "share")
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import Any, NamedTuple
 
@@ -308,3 +308,12 @@ class PointLoads(NamedTuple):
                 yield name, (np.full(len(column), np.nan), column)
         for name, torque, slip in self.elements():
             yield name, (torque, slip)
+
+
+def numbers_of_gears(case: Transmission, names: Iterable[str]) -> list[int | None]:
+    """Return the number of each gear (from 0) in a column of names; None for an unknown name.
+
+    A table that was saved by pandas with an empty cell has `1.0` for gear 1.
+    """
+    numbers = {gear.name: number for number, gear in enumerate(case.gears)}
+    return [numbers.get(name, numbers.get(name.removesuffix(".0"))) for name in names]

@@ -23,7 +23,7 @@ GRAVITY = Fraction("9.80665")
 LBF_FT = POUND * GRAVITY * FOOT
 
 TORQUES = {
-    ONE: "N*m|Nm|N.m|N m|N-m|N·m|N⋅m|N * m|m*N|newton*meter|newton metre|newtons*meters"
+    ONE: "N*m|Nm|N.m|N m|N-m|N·m|N⋅m|N∙m|N * m|m*N|newton*meter|newton metre|newtons*meters"
     "|Н*м|Нм|Н·м|N*m^1",
     KILO: "kN*m|kNm|kN m|kilonewton*meter|кН*м|кНм|MN*mm",
     MEGA: "MN*m|MNm",
@@ -139,12 +139,22 @@ EXACT: dict[Measure, dict[Fraction, str]] = {
 """By size in SI: from the definitions of pound, foot and standard gravity."""
 OF_ANGLES: dict[Measure, dict[float, str]] = {
     "stiffness": {
-        180 / math.pi: "N*m/deg|Nm/°|N m/deg",
+        180 / math.pi: "N*m/deg|Nm/°|N m/deg|N∙m/deg|Н*м/град",
+        10800 / math.pi: "N*m/arcmin|Nm/arcmin",
+        1000.0: "N*m/mrad",
         1 / (2 * math.pi): "N*m/rev",
         1000 * 180 / math.pi: "kN*m/deg",
     },
     "compliance": {math.pi / 180: "deg/(N*m)|°/Nm", math.pi / 180 / 1000: "deg/(kN*m)|deg/kNm"},
-    "angle": {1.0: "rad|рад", math.pi / 180: "deg|°", 2 * math.pi: "rev"},
+    "angle": {
+        1.0: "rad|рад",
+        math.pi / 180: "deg|°|град",
+        2 * math.pi: "rev",
+        math.pi / 10800: "arcmin",
+        math.pi / 648000: "arcsec",  # github.com/amusecode/amuse/pull/169
+        0.001: "mrad|мрад",
+    },
+    "inertia": {1.0: "kg*m^2/rad|N*m*s^2/rad"},
     "pump_factor": {(30 / math.pi) ** 2: "N*m/rpm^2"},
     "damping": {30 / math.pi: "N*m/rpm", 180 / math.pi: "N*m*s/deg|N*m/(deg/s)"},
 }
@@ -262,6 +272,7 @@ IN = {
     ("text", "measure", "said"),
     [
         ("3 rpm", "inertia", "; this is a speed"),
+        ("3 kgf*m^2", "inertia", "; write a flywheel effect (GD^2) of 4 kgf*m^2 as 1 kg*m^2"),
         ("3 kW", "damping", "; this is a power"),
         ("3 kg", "inertia", "; this is a mass"),
         ("3 lb", "length", "; this is a force"),

@@ -127,6 +127,8 @@ def _size_of(unit: str, measure: Measure) -> float:
     >>> _size_of("KM/H", "velocity") == _size_of("km/h", "velocity"), _size_of("MS", "time")
     (True, 0.001)
     """
+    if measure == "time" and unit.casefold() == "hh:mm:ss":  # the cells are clock times
+        return 1.0
     try:
         return measured(f"1 {unit}", measure)
     except ValueError:

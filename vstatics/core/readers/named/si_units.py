@@ -22,7 +22,7 @@ from vstatics.core.readers.named.units import (
     with_article,
 )
 
-WITH_UNIT = rf"^{ARITHMETIC}[*·]? *[1A-Za-zА-я°/(][-A-Za-zА-я°0-9_*·⋅×./^() ²³⁴⁻−¹]{{0,39}}$"
+WITH_UNIT = rf"^{ARITHMETIC}[*·]? *[1A-Za-zА-я°/(][-A-Za-zА-я°0-9_*·⋅∙×./^() ²³⁴⁻−¹]{{0,39}}$"
 """Regular expression of a number with a unit, for JSON Schema."""
 
 _Dimension = tuple[int, ...]
@@ -33,6 +33,7 @@ _FORMS: dict[str, tuple[str, ...]] = {
     **{measure: (unit,) for measure, unit in UNIT_OF.items()},
     "compliance": ("rad/(N*m)", "1/(N*m)"),
     "damping": ("N*m*s/rad", "N*m*s"),
+    "inertia": ("kg*m^2", "kg*m^2/rad"),
     "pump_factor": ("N*m*s^2/rad^2", "N*m*s^2"),
 }
 """Units of each measure. The radian can be omitted if the unit stays unambiguous."""
@@ -46,6 +47,8 @@ class _Base(NamedTuple):
 
 
 _NOTHING: _Dimension = (99, 99, 99, 99, 99)
+_FLYWHEEL_EFFECT: _Dimension = (1, 3, -2, 0, 0)
+"""Dimension of a weight times the square of a diameter, which some catalogues give as inertia."""
 _MASS, _TIME = (1, 0, 0, 0, 0), (0, 0, 1, 0, 0)
 _BASES: dict[str, tuple[_Dimension, float]] = {
     "force": ((1, 1, -2, 0, 0), 1),
@@ -97,7 +100,7 @@ _MILLISECONDS = frozenset(("ms", "msec", "мс"))
 """Units that are metres per second in `units`, but milliseconds in a measure of time."""
 _QUANTITIES: dict[Measure, Quantity] = {"si_speed": "speed", "si_torque": "torque"}
 """Measures for which `units` accepts further spellings."""
-_TOKEN = re.compile(r" *(?:([*·.×⋅/()-]|1(?= */))|([^\W\d_]+|°))")
+_TOKEN = re.compile(r" *(?:([*·.×⋅∙/()-]|1(?= */))|([^\W\d_]+|°))")
 _EXPONENT = re.compile(r"(?:\^|\*\*)?(\()?(-?[1-4])(?(1)\))(?![0-9])")
 _LARGEST_EXPONENT = 4
 _SUPERSCRIPTS = str.maketrans("²³⁴⁻−¹", "234--1")
@@ -138,6 +141,8 @@ def measured(text: str, measure: Measure) -> float:
     other = {forms[0]: kind for kind, forms in _dimensions().items()}.get(dimension)
     if other:
         raise UnitError(f"{in_unit}; this is {with_article(other)}")
+    if measure == "inertia" and dimension == _FLYWHEEL_EFFECT:
+        raise UnitError(f"{in_unit}; write a flywheel effect (GD^2) of 4 kgf*m^2 as 1 kg*m^2")
     raise UnitError(in_unit + (slip(text) or usual(behind, _QUANTITIES.get(measure))))
 
 

@@ -62,7 +62,10 @@ _WORDS_OF_UNITS: dict[str, _Factor] = {
         ("rev revs revolution revolutions turn turns cycle cycles r u umdr tr об", "angle", 1, 1),
         ("rotation rotations", "angle", 1, 1),
         ("rad radian radians рад", "angle", 1, 2 * math.pi),
-        ("deg degree degrees °", "angle", 1, 360),
+        ("deg degree degrees ° град", "angle", 1, 360),
+        ("arcmin arcminute arcminutes", "angle", 1, 360 * 60),
+        ("arcsec arcsecond arcseconds", "angle", 1, 360 * 3600),
+        ("mrad milliradian milliradians мрад", "angle", 1, 2000 * math.pi),
         ("min mins minute minutes мин", "time", 1, 1),
         ("s sec secs second seconds с сек", "time", 1, 60),
         ("h hr hour hours ч", "time", 60, 1),
@@ -86,7 +89,7 @@ _KINDS: dict[str, tuple[Quantity, int]] = {
 }
 """Quantity of each product of units, and divisor to rpm, N*m or kW."""
 
-_SIGNS = str.maketrans("·⋅×⁻−¹", "***--1")
+_SIGNS = str.maketrans("·⋅∙×⁻−¹", "****--1")
 _SPELLED = (
     (re.compile(r"_per_| per "), "/"),
     (re.compile(r"force_pound|pound_force"), "lbf"),
@@ -169,7 +172,7 @@ def _factor(word: str) -> _Factor | None:
     return _WORDS_OF_UNITS.get(plain) or (_PREFIXED.get(plain) if len(plain) > 1 else None)
 
 
-QUANTITY = rf"^{ARITHMETIC}[*·]? *(1? */ *)?[A-Za-zА-я°][-A-Za-zА-я0-9_*·⋅×./^ ⁻−¹]{{0,39}}$"
+QUANTITY = rf"^{ARITHMETIC}[*·]? *(1? */ *)?[A-Za-zА-я°][-A-Za-zА-я0-9_*·⋅∙×./^ ⁻−¹]{{0,39}}$"
 """Regular expression of a number with a unit, for JSON Schema."""
 
 EXAMPLES: dict[Quantity, str] = {

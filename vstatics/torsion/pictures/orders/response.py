@@ -127,8 +127,10 @@ def _head(results: Results, sheet: _ResponseSheet) -> SheetHead:
     style = sheet.style
     link = sheet.link or style.text("the input")
     words = "amplitude of {link} by a torque of 1 N·m on it"
-    if by_order(style):
+    if harmonics := by_order(style).values():
         words = "amplitude of {link} by each order of the torque on it"
+        if any(harmonic.by_link for harmonic in harmonics):
+            words = "amplitude of {link} by each order of the torques"
     subject = style.text(words, link=link)
     signs: list[Meaning] = [
         (True, _order_words(order, style), sheet.look(order)) for order in sheet.orders
