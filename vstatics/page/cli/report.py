@@ -223,7 +223,7 @@ def _page_output(
 
     from vstatics.core.summary.sections import doubts
 
-    duty = None if cycle is None else cycle.of(results)
+    duty = cycle.of(results) if cycle else None
     warnings = doubts(duty, outcome.file)
 
     def html(_: str | None) -> str:

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.core.errors import CaseError, Problem, listed, quoted
+from vstatics.core.errors import CaseError, Problem
 from vstatics.core.model.parts import OfLoad
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
@@ -20,7 +20,13 @@ from vstatics.core.tables.written_results import GEAR_NUMBER
 from vstatics.vehicle.case.vehicle import Vehicle, beside_engine
 from vstatics.vehicle.operation.converter import ConverterGear, bare, converters_of, solved_slips
 from vstatics.vehicle.operation.converter_steps import ConverterSteps
-from vstatics.vehicle.operation.point_loads import DutyPoints, PointLoads, at_rows, numbers_of_gears
+from vstatics.vehicle.operation.point_loads import (
+    DutyPoints,
+    PointLoads,
+    at_rows,
+    numbers_of_gears,
+    unknown_gear,
+)
 from vstatics.vehicle.operation.shifting import (
     EngineSpeeds,
     ShiftSpeed,
@@ -545,9 +551,7 @@ def _gears(
     standing: Booleans = trace.speed <= 0
     chosen = numbers_of_gears(case, trace.gears)
     problems = [
-        Problem(
-            "E416", f"there is no gear {quoted(name)}, expected one of {listed(names, 12)}", (row,)
-        )
+        Problem("E416", unknown_gear(case, name), (row,))
         for row, name in enumerate(trace.gears)
         if chosen[row] is None and not (standing[row] and name.casefold() in _AT_STANDSTILL)
     ]

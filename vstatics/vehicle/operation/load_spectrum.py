@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.core.errors import CaseError, Problem, listed, not_allowed
+from vstatics.core.errors import CaseError, Problem, not_allowed
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Floats, Integers, rounding_as_zero
 from vstatics.core.statics.carried import overloads_at_points
@@ -26,7 +26,13 @@ from vstatics.vehicle.life.bearing_life import BearingLife, bearing_grid, bearin
 from vstatics.vehicle.life.classes import Classes, MemberSpectrum, spectra, spectrum_grid
 from vstatics.vehicle.life.member_rows import MemberRows
 from vstatics.vehicle.life.strength import MemberLife, life_grid, lives
-from vstatics.vehicle.operation.point_loads import DutyPoints, PointLoads, at_rows, numbers_of_gears
+from vstatics.vehicle.operation.point_loads import (
+    DutyPoints,
+    PointLoads,
+    at_rows,
+    numbers_of_gears,
+    unknown_gear,
+)
 
 EXPONENT = 3.0
 """Exponent of equivalent torques, near the exponent of roller bearings (10/3). [-]"""
@@ -285,7 +291,7 @@ def points_of(
     """
     chosen = numbers_of_gears(case, gears)
     problems = [
-        Problem("E416", f"there is no gear {gear!r}, expected one of {listed(names, 12)}", (row,))
+        Problem("E416", unknown_gear(case, gear), (row,))
         for row, (gear, speed) in enumerate(zip(gears, numbers["speed"], strict=True))
         if chosen[row] is None and speed
     ]

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from vstatics.core.errors import CaseError, Problem
+from vstatics.core.errors import CaseError, Problem, listed, quoted
 from vstatics.core.model.parts import Load
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Floats, Integers
@@ -317,3 +317,9 @@ def numbers_of_gears(case: Transmission, names: Iterable[str]) -> list[int | Non
     """
     numbers = {gear.name: number for number, gear in enumerate(case.gears)}
     return [numbers.get(name, numbers.get(name.removesuffix(".0"))) for name in names]
+
+
+def unknown_gear(case: Transmission, name: str) -> str:
+    """Return the message about a name that no gear of the case has."""
+    gears = listed([gear.name for gear in case.gears], 12)
+    return f"there is no gear {quoted(name)}, expected one of {gears}"

@@ -18,6 +18,7 @@ from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 from vstatics.core.numerics.tolerances import SAME_RATIO
 from vstatics.core.readers.named.si_units import measured
 from vstatics.core.summary.design_table import ranges_of
+from vstatics.vehicle.operation.point_loads import unknown_gear
 from vstatics.vehicle.operation.trace import blocks
 
 
@@ -147,9 +148,7 @@ def by_shift_speeds(
     ladder = [shifts[0].low, *(shift.high for shift in shifts)]
     for name in ladder:
         if name not in names:
-            raise ValueError(
-                f"there is no gear {quoted(name)}, expected one of {listed(names, 12)}"
-            )
+            raise ValueError(unknown_gear(case, name))
     alike = directions(ratios, names)
     pairs = [f"{names[lower]}-{names[upper]}" for way in alike for lower, upper in pairwise(way)]
     size = dict(zip(names, np.abs(ratios).tolist(), strict=True))
