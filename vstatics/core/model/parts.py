@@ -12,8 +12,9 @@ from __future__ import annotations
 import math
 from bisect import bisect_right
 from collections.abc import Mapping, Sequence
-from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Self, TypeVar, get_args
+
+from vstatics.core.model.empty import EMPTY
 
 if TYPE_CHECKING:
     from vstatics.core.numerics.arrays import Booleans, Floats  # costs start-up time
@@ -706,23 +707,23 @@ class Gear(NamedTuple):
     """
 
     engaged: Sequence[int] = ()
-    speeds: Mapping[int, float | SpeedOf] = MappingProxyType({})
-    torques: Mapping[int, float] = MappingProxyType({})
+    speeds: Mapping[int, float | SpeedOf] = EMPTY
+    torques: Mapping[int, float] = EMPTY
     input: int | None = None
     output: int | None = None
     name: str = ""
-    drag: Mapping[int, float] = MappingProxyType({})
-    open_drag: Mapping[int, float] = MappingProxyType({})
+    drag: Mapping[int, float] = EMPTY
+    open_drag: Mapping[int, float] = EMPTY
     load: Load | None = None
     input_turns: Direction | Literal[""] = ""
     kind: GearKind = "gear"
     coast: bool | None = None
     balance: BatteryBalance | None = None
-    speed_ratios: Mapping[int, float] = MappingProxyType({})
-    slip: Mapping[int, float] = MappingProxyType({})
+    speed_ratios: Mapping[int, float] = EMPTY
+    slip: Mapping[int, float] = EMPTY
     loss: Law | None = None
     holding: tuple[int, ...] | None = None
-    loss_torques: Mapping[int, float] = MappingProxyType({})
+    loss_torques: Mapping[int, float] = EMPTY
     open: Sequence[int] = ()
 
     @property

@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from functools import partial
-from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
 
 from vstatics.core.arguments import refusing
 from vstatics.core.errors import CaseError
+from vstatics.core.model.empty import EMPTY
 from vstatics.core.model.parts import RAD_PER_RPM
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Complex, Floats
@@ -130,7 +130,7 @@ def response(  # noqa: PLR0913 - all but the first by name
     speeds: Sequence[float] | Floats,
     gears: Sequence[int | str] | None = None,
     *,
-    speed_ratios: Ratios = MappingProxyType({}),
+    speed_ratios: Ratios = EMPTY,
 ) -> list[GearResponse]:
     """Calculate the forced vibration of the gears of a case.
 

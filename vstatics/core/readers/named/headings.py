@@ -12,10 +12,10 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from itertools import chain, islice, pairwise, repeat
 from operator import itemgetter
-from types import MappingProxyType
 from typing import NamedTuple
 
 from vstatics.core.errors import quoted, spoken
+from vstatics.core.model.empty import EMPTY
 from vstatics.core.model.shape import UNIT_OF, Measure
 from vstatics.core.readers.named.csv_rows import cells_of, headings_of, separator_of
 from vstatics.core.readers.named.si_units import measured
@@ -61,7 +61,7 @@ class TableColumn(NamedTuple):
     """Hint that ends the message about a wrong unit."""
     sizes: Mapping[str, float] | None = None
     """Permitted units and factors to SI, for a column without a measure."""
-    aliases: Mapping[str, str] = MappingProxyType({})
+    aliases: Mapping[str, str] = EMPTY
     """Alternative names in lower case, with the unit that each name implies (or an empty text)."""
 
     @property
