@@ -13,7 +13,7 @@ from vstatics.core.model.parts import RAD_PER_RPM, Load
 from vstatics.core.model.shape import ByKey, KeyShape, Shares
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers.kinds import KEYS, is_of_kind
-from vstatics.core.readers.named.headings import MOST_TITLE_LINES, SHAFT_NAMES, TableColumn
+from vstatics.core.readers.named.headings import MOST_TITLE_LINES, SHAFT_COLUMNS, TableColumn
 from vstatics.core.readers.named.nodes import Spots
 from vstatics.core.readers.named.reader import read_document
 from vstatics.core.readers.named.si_units import measured
@@ -73,8 +73,7 @@ _COLUMNS = (
     TableColumn("time", "time", optional=True, may_be_bare=True),
     TableColumn("share", optional=True, sizes={"": 1.0, "-": 1.0, "%": 0.01}),
     TableColumn("gear", is_text=True, optional=True),
-    TableColumn("speed", "si_speed", aliases=dict.fromkeys(SHAFT_NAMES["speed"], "")),
-    TableColumn("torque", "si_torque", aliases=dict.fromkeys(SHAFT_NAMES["torque"], "")),
+    *SHAFT_COLUMNS,
 )
 
 
