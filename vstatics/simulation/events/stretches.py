@@ -240,7 +240,8 @@ class KnownSolutions:
     """
 
     def __init__(self) -> None:
-        self._slopes: list[tuple[Floats, tuple[Floats, Floats]]] = []
+        self._slopes: list[Floats] = []
+        """Different slopes of torques, the latest first, each as one array."""
         self._exponentials: dict[bytes, Exponential] = {}
 
     def slopes_near(
@@ -259,13 +260,13 @@ class KnownSolutions:
         """
         by_rate, by_state = slopes
         now = _joined(slopes)
-        for before, known in self._slopes:
+        for before in self._slopes:
             if not _differ(now, before):
-                by_rate[bending[:torques]] = known[0][bending[:torques]]
-                by_state[bending] = known[1][bending]
+                known_by_rate, known_by_state = np.split(before, [len(by_rate)])
+                by_rate[bending[:torques]] = known_by_rate[bending[:torques]]
+                by_state[bending] = known_by_state.reshape(by_state.shape)[bending]
                 return slopes
-        latest = now, (by_rate.copy(), by_state.copy())
-        self._slopes = [latest, *self._slopes[: _MOST_SLOPES - 1]]
+        self._slopes = [now, *self._slopes[: _MOST_SLOPES - 1]]
         return slopes
 
     def exponential(self, matrix: Floats, size: int) -> Exponential:
