@@ -69,8 +69,8 @@ class TableColumn(NamedTuple):
             return f"{self.name} [{unit}]" if unit else self.name
         return f"{self.name} [{UNIT_OF[self.measure]}]" if self.measure else self.name
 
-    def accepts(self, unit: str) -> bool:
-        """Return whether a text is a unit of the column.
+    def accepts(self, unit: str | None) -> bool:
+        """Return whether a text is a unit of the column, or whether it can be missing.
 
         >>> TableColumn("speed", "velocity").accepts("limit")
         False
@@ -272,9 +272,19 @@ class _ExpectedTable(NamedTuple):
         return self.checked(lines, at, separator, cells)
 
     def understood(self, cells: Sequence[str]) -> list[Heading]:
-        """Return the known headings among cells, in order."""
-        headings = (self.heading(cell, place) for place, cell in enumerate(cells))
-        return [heading for heading in headings if heading]
+        """Return the known headings among cells, in order.
+
+        Of several headings of a column, those with a unit of another measure are not known.
+        """
+        found = (self.heading(cell, place) for place, cell in enumerate(cells))
+        headings = [heading for heading in found if heading]
+        fitting = [heading for heading in headings if heading.column.accepts(heading.unit)]
+        names = {heading.column.name for heading in fitting}
+        return [
+            heading
+            for heading in headings
+            if heading in fitting or heading.column.name not in names
+        ]
 
     def heading(self, cell: str, place: int) -> Heading | None:
         """Return the heading in a cell; None if its name is unknown."""
