@@ -294,7 +294,7 @@ def _shift_element(element: ShiftElement, number: int, load: Load | None) -> Shi
         name=element.name or element_name(number, element),
         drag=_by_torque(element.drag, load),
         capacity=None if element.capacity is None else _by_torque(element.capacity, load),
-        stiffness=with_floats(element.stiffness),
+        stiffness=element.stiffness and float(element.stiffness),
         damping=damping(element.damping),
         static=float(element.static),
         friction=element.friction and element.friction.completed(),
@@ -302,14 +302,16 @@ def _shift_element(element: ShiftElement, number: int, load: Load | None) -> Shi
 
 
 def _mechanism(mechanism: Mechanism, number: int) -> Mechanism:
+    numbers = mechanism.efficiency, mechanism.back_efficiency, mechanism.stiffness, mechanism.points
+    efficiency, back_efficiency, stiffness, points = with_floats(numbers)
     return mechanism._replace(
         ratio=float(mechanism.ratio),
-        efficiency=with_floats(mechanism.efficiency),
+        efficiency=efficiency,
         name=mechanism.name or mechanism_name(number),
-        back_efficiency=with_floats(mechanism.back_efficiency),
-        stiffness=with_floats(mechanism.stiffness),
+        back_efficiency=back_efficiency,
+        stiffness=stiffness,
         damping=damping(mechanism.damping),
-        points=with_floats(mechanism.points),
+        points=points,
     )
 
 
