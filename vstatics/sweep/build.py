@@ -12,7 +12,7 @@ import numpy as np
 from vstatics.core.errors import CaseError, Place, Problem, ReadError
 from vstatics.core.extras import require
 from vstatics.core.model.transmission import IdleConvention, Transmission
-from vstatics.core.numerics.arrays import Floats, as_floats
+from vstatics.core.numerics.arrays import Floats, as_list
 from vstatics.core.readers.named.nodes import MOST_PROBLEMS
 from vstatics.core.statics.solve import solve
 from vstatics.core.tables.written_results import GEAR
@@ -41,6 +41,7 @@ if TYPE_CHECKING:
 Read = TypeVar("Read")
 
 OUT = "ratio,efficiency"
+_ONE_TEXT = "; with a unit they are one text, such as '100 N*m,200 N*m'"
 
 
 def check_packages(options: SweepOptions, form: Format, scheduler: str | None) -> None:
@@ -133,7 +134,7 @@ def _variants(
     variations = [
         (variation := next(read))._replace(place=item.place(1) or variation.place)
         if isinstance(item, Text)
-        else Variation(target_of(item[0], subject), _list(*item))
+        else Variation(target_of(item[0], subject), as_list(*item, _ONE_TEXT))
         for item in given
     ]
     if options.sample is not None:
@@ -207,17 +208,9 @@ def _check_slopes(sweep_plan: SweepPlan) -> None:
         raise CaseError("E720", message)
 
 
-def _list(name: str, values: ArrayLike) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
-    hint = "; with a unit they are one text, such as '100 N*m,200 N*m'"
-    array = as_floats(name, values, hint)
-    if array.ndim != 1:
-        raise CaseError("E701", f"{name}: read {array.ndim} axes, expected a list of numbers")
-    return array
-
-
 def _table(subject: Subject, columns: Mapping[str, ArrayLike]) -> VariantTable:
     targets = [target_of(name, subject) for name in columns]
-    arrays = [_list(name, values) for name, values in columns.items()]
+    arrays = [as_list(name, values, _ONE_TEXT) for name, values in columns.items()]
     if len({len(array) for array in arrays}) != 1:
         lengths = ", ".join(f"{name} {len(a)}" for name, a in zip(columns, arrays, strict=True))
         message = f"variants: expected the same number of values for each ({lengths or 'none'})"

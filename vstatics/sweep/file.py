@@ -63,11 +63,8 @@ def read_sweep_file(data: bytes, file: str) -> SweepOptions:
     from vstatics.core.readers.named.yaml_nodes import yaml_tree  # yaml is slow to import
 
     source = decode(data, file, "a sweep")
-    root = yaml_tree(source)
-    if not isinstance(root, Mapping):
-        keys = spoken(map(quoted, list(KEYS)[:3]))
-        expected = f"expected a sweep: a mapping with keys such as {keys}"
-        source.stop(f"read {what(root)}, {expected}", root.line, root.column)
+    keys = spoken(map(quoted, list(KEYS)[:3]))
+    root = source.mapping(yaml_tree(source), f"a sweep: a mapping with keys such as {keys}")
     if message := _NO_SWEEPS.get(kind_of(root) or ""):
         source.stop(message, root.line, root.column)
     options = _Reader(source, os.path.dirname(file)).options(root)  # noqa: PTH120

@@ -13,10 +13,9 @@ from vstatics.core.model.parts import RAD_PER_RPM, Load
 from vstatics.core.model.shape import ByKey, KeyShape, Shares
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers.kinds import KEYS, is_of_kind
-from vstatics.core.readers.named.headings import MOST_TITLE_LINES, SHAFT_NAMES, TableColumn
+from vstatics.core.readers.named.headings import MOST_TITLE_LINES, SHAFT_COLUMNS, TableColumn
 from vstatics.core.readers.named.nodes import Spots
 from vstatics.core.readers.named.reader import read_document
-from vstatics.core.readers.named.si_units import measured
 from vstatics.core.readers.unit_table import UnitTable, read_unit_table
 from vstatics.core.statics.result_arrays import Message
 from vstatics.core.statics.results import Results
@@ -73,8 +72,7 @@ _COLUMNS = (
     TableColumn("time", "time", optional=True, may_be_bare=True),
     TableColumn("share", optional=True, sizes={"": 1.0, "-": 1.0, "%": 0.01}),
     TableColumn("gear", is_text=True, optional=True),
-    TableColumn("speed", "si_speed", aliases=dict.fromkeys(SHAFT_NAMES["speed"], "")),
-    TableColumn("torque", "si_torque", aliases=dict.fromkeys(SHAFT_NAMES["torque"], "")),
+    *SHAFT_COLUMNS,
 )
 
 
@@ -157,8 +155,7 @@ _STEP_COLUMNS = (
     *(column._replace(aliases={}) for column in _COLUMNS[2:]),
 )
 """Columns that are read from the steps of a driving cycle."""
-_DURATION = re.compile(r"(?:^|[,;\t])[\s\"]*duration\b", re.IGNORECASE)
-_SPEED = re.compile(r"((?:^|[,;\t])\s*\"?)(speed\s*\[([^\]]*)\])", re.IGNORECASE)
+_DURATION = re.compile(rb"(?:^|[,;\t])[\s\"]*duration\b", re.IGNORECASE)
 
 
 def read_duty_table(
@@ -183,13 +180,9 @@ def read_duty_table(
     ReadError
         If the file has errors, with every problem and its position.
     """
-    lines = data.removeprefix(codecs.BOM_UTF8).split(b"\n")
-    for number, line in enumerate(lines[:MOST_TITLE_LINES]):
-        headings = line.decode("utf-8", errors="surrogateescape")
-        if _DURATION.search(headings):
-            plain = _SPEED.sub(_of_road, headings).encode("utf-8", errors="surrogateescape")
-            lines[number] = plain
-            return _steps(b"\n".join(lines), file, exponent, classes)
+    lines = data.removeprefix(codecs.BOM_UTF8).split(b"\n", MOST_TITLE_LINES)
+    if any(map(_DURATION.search, lines[:MOST_TITLE_LINES])):
+        return _steps(data, file, exponent, classes)
     expected = "a duty cycle, such as `vstatics cycle --time-steps` writes: time or share, "
     table = read_unit_table(data, file, f"{expected}gear, speed, torque", _COLUMNS, "E121")
     if ("time" in table.numbers) == ("share" in table.numbers):
@@ -201,16 +194,6 @@ def read_duty_table(
 def _first_load(table: UnitTable) -> Load | None:
     points = zip(table.numbers["speed"], table.numbers["torque"], strict=True)
     return next((Load(w / RAD_PER_RPM, torque) for w, torque in points if w and torque), None)
-
-
-def _of_road(speed: re.Match[str]) -> str:
-    """Rename the column of road speed, so that it is not read as input speed."""
-    before, heading, unit = speed.groups()
-    try:
-        measured(f"1 {unit}", "si_speed")
-    except ValueError:
-        return f"{before}road {heading}"
-    return speed[0]
 
 
 def _steps(data: bytes, file: str, exponent: float | None, classes: Classes | None) -> DutyTable:

@@ -38,6 +38,9 @@ def test_states_and_parts_can_be_copied_and_sent_to_another_process() -> None:
     for copied in (pickle.loads(pickle.dumps(state)), deepcopy(state)):  # noqa: S301
         assert copied == state
     assert deepcopy(Gear([1])) == Gear([1])
+    for change in ("__setitem__", "setdefault", "update", "__ior__"):
+        with pytest.raises(TypeError, match="cannot be changed"):
+            getattr(Gear().drag, change)({2: 3.0})
 
 
 def test_a_unit_in_a_path_is_refused_with_the_unit_that_counts() -> None:

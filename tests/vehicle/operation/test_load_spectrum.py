@@ -185,7 +185,7 @@ def test_elements_that_carry_more_than_their_capacities_are_told_at_their_rows(l
         ("gear,speed [rpm],torque [N*m]\n1,2,3\n", "expected exactly one of"),
         ("time,share,gear,speed [rpm],torque [N*m]\n1,1,1,2,3\n", "expected exactly one of"),
         ("time,gear,sped [rpm],torque [N*m]\n1,1,2,3\n", "did you mean `speed`?"),
-        ("time,gear,speed [rpm],torque [N*m]\n1,9,2,3\n", ":2:1: error: there is no gear '9'"),
+        ("time,gear,speed [rpm],torque [N*m]\n1,9,2,3\n", ":2:1: error: there is no gear `9`"),
         ("time,gear,speed [rpm],torque [N*m]\n1,1,2\n", ":2:1: error: read 3 cells"),
         ("time,gear,speed [rpm],torque [N*m]\n1,1,0,2\n", "read 0 everywhere, expected a speed"),
         ("time,gear,speed [rpm],torque [N*m]\n-1,1,1,2\n", "time: read -1"),

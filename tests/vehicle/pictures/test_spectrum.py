@@ -78,7 +78,7 @@ def test_wrong_files_and_classes_are_located(folder: Path) -> None:
     assert vstatics(*asked).is_wrong_use("expected a duty cycle as a CSV of points")
     assert vstatics(*asked, "--duty", "case.yaml").is_wrong_use("a CSV of points")
     assert vstatics(*asked, "--duty", "duty.csv", "--spectrum", "0").is_wrong_use("from 1 to 1000")
-    assert vstatics(*asked, "--duty", "bad.csv").fails("bad.csv:3:1: error: there is no gear '9'")
+    assert vstatics(*asked, "--duty", "bad.csv").fails("bad.csv:3:1: error: there is no gear `9`")
     assert vstatics(*asked, "--duty", "still.csv").fails("no member turns under torque")
     assert vstatics(*asked, "--duty", "duty.csv", "--gear", "1").is_wrong_use("its own gears")
     assert not (folder / "no.svg").exists()

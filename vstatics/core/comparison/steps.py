@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from vstatics.core.comparison.numbers import Difference, is_same
 from vstatics.core.model.transmission import Transmission
-from vstatics.core.summary.design_table import ranges_of
+from vstatics.core.summary.design_table import ends_of, ranges_of
 from vstatics.core.tables.written_results import Figure, WrittenResult
 
 Steps = dict[tuple[str, str], Figure]
@@ -38,10 +38,7 @@ def steps_of(result: WrittenResult, gears: Sequence[str], case: Transmission | N
         return {}
     kinds: Sequence[object] = [""] * len(ratios)
     if case and len(case.gears) == len(ratios):
-        kinds = [
-            (case.gear_input(gear), case.gear_output(gear)) if gear.kind == "gear" else None
-            for gear in case.gears
-        ]
+        kinds = ends_of(case)
     return {
         (gears[lower], gears[upper]): _step(ratios[lower], ratios[upper])
         for indices in ranges_of([ratio.value for ratio in ratios], kinds, gears)

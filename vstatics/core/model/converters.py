@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
-from vstatics.core.model.parts import HOUSING, Mechanism
+from vstatics.core.model.parts import HOUSING, Mechanism, with_floats
 
 
 class Converter(NamedTuple):
@@ -34,7 +34,7 @@ class Converter(NamedTuple):
 
     def completed(self) -> Converter:
         """Return the converter with all numbers as floats."""
-        return self._replace(points=tuple(tuple(map(float, point)) for point in self.points))
+        return self._replace(points=with_floats(self.points))
 
     def at_ratio(self, ratio: float) -> Mechanism:
         """Return the converter as a mechanism with a given speed ratio."""

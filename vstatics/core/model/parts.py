@@ -12,8 +12,9 @@ from __future__ import annotations
 import math
 from bisect import bisect_right
 from collections.abc import Mapping, Sequence
-from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Self, TypeVar, get_args
+
+from vstatics.core.model.empty import EMPTY
 
 if TYPE_CHECKING:
     from vstatics.core.numerics.arrays import Booleans, Floats  # costs start-up time
@@ -136,11 +137,6 @@ class CoefficientTable(NamedTuple):
             (row[0], row[1 + left] + part * (row[1 + right] - row[1 + left])) for row in self.rows
         )
 
-    def completed(self) -> CoefficientTable:
-        """Return the table with all numbers as floats; it must have passed the checks."""
-        rows = tuple(tuple(map(float, row)) for row in self.rows)
-        return CoefficientTable(tuple(map(float, self.columns)), rows)
-
 
 class Friction(NamedTuple):
     """Friction pack of a shift element, for torque capacity and temperature.
@@ -185,18 +181,7 @@ class Friction(NamedTuple):
 
     def completed(self) -> Friction:
         """Return the friction pack with all numbers as floats; it must have passed the checks."""
-        table = self.table
-        points = tuple((float(slip), float(coefficient)) for slip, coefficient in self.points)
-        heat = None if self.heat_capacity is None else float(self.heat_capacity)
-        return Friction(
-            float(self.radius),
-            float(self.area),
-            int(self.surfaces),
-            table.completed() if table else points,
-            heat,
-            float(self.cooling),
-            float(self.ambient),
-        )
+        return with_floats(self)._replace(surfaces=int(self.surfaces))
 
 
 class ShiftElement(NamedTuple):
@@ -603,9 +588,24 @@ class Law(float):
         return hash(self._definition)
 
 
-def as_float(number: float) -> float:
-    """Return a number as a float, but `Law` and `OfLoad` unchanged."""
-    return number if isinstance(number, Law | OfLoad) else float(number)
+Data = TypeVar("Data")
+
+
+def with_floats(data: Data) -> Data:
+    """Return data with all numbers as floats, and sequences as tuples.
+
+    Texts, None, `Law` and `OfLoad` are unchanged.
+
+    >>> with_floats(Load(1000, power=7)), with_floats([(1, 2), "a", None])
+    (Load(speed=1000.0, torque=None, power=7.0), ((1.0, 2.0), 'a', None))
+    """
+    given: Any = data
+    if given is None or isinstance(given, str | Law | OfLoad):
+        return data
+    if isinstance(given, Sequence) or getattr(given, "ndim", False):
+        parts: Any = map(with_floats, given)
+        return given._make(parts) if hasattr(given, "_make") else tuple(parts)  # type: ignore[return-value]
+    return float(given)  # type: ignore[return-value]
 
 
 class SpeedOf(NamedTuple):
@@ -706,23 +706,23 @@ class Gear(NamedTuple):
     """
 
     engaged: Sequence[int] = ()
-    speeds: Mapping[int, float | SpeedOf] = MappingProxyType({})
-    torques: Mapping[int, float] = MappingProxyType({})
+    speeds: Mapping[int, float | SpeedOf] = EMPTY
+    torques: Mapping[int, float] = EMPTY
     input: int | None = None
     output: int | None = None
     name: str = ""
-    drag: Mapping[int, float] = MappingProxyType({})
-    open_drag: Mapping[int, float] = MappingProxyType({})
+    drag: Mapping[int, float] = EMPTY
+    open_drag: Mapping[int, float] = EMPTY
     load: Load | None = None
     input_turns: Direction | Literal[""] = ""
     kind: GearKind = "gear"
     coast: bool | None = None
     balance: BatteryBalance | None = None
-    speed_ratios: Mapping[int, float] = MappingProxyType({})
-    slip: Mapping[int, float] = MappingProxyType({})
+    speed_ratios: Mapping[int, float] = EMPTY
+    slip: Mapping[int, float] = EMPTY
     loss: Law | None = None
     holding: tuple[int, ...] | None = None
-    loss_torques: Mapping[int, float] = MappingProxyType({})
+    loss_torques: Mapping[int, float] = EMPTY
     open: Sequence[int] = ()
 
     @property

@@ -6,10 +6,10 @@ declaration. `model.keys` and `elements.keys` declare a case.
 
 from __future__ import annotations
 
-import copyreg
 from collections.abc import Callable, Mapping
-from types import MappingProxyType
 from typing import Any, Literal, NamedTuple, Self, TypeAlias
+
+from vstatics.core.model.empty import EMPTY
 
 Measure = Literal[
     "inertia",
@@ -100,22 +100,6 @@ UNITS: Mapping[str, str] = {"speed": "rpm", "torque": "N*m", "power": "kW"}
 
 Limits: TypeAlias = Mapping[str, Any]
 """Limits of a number as keywords of JSON Schema. The program checks numbers separately."""
-NO_LIMITS: Limits = MappingProxyType({})
-
-
-def read_only(items: dict[str, Any]) -> MappingProxyType[str, Any]:
-    """Return a mapping that cannot be changed; `pickle` and `copy` call this function.
-
-    >>> import copy
-    >>> copy.deepcopy(NO_LIMITS)
-    mappingproxy({})
-    """
-    return MappingProxyType(items)
-
-
-copyreg.pickle(MappingProxyType, lambda proxy: (read_only, (dict(proxy),)))
-# Default values of parts, scenarios and states of gears are such mappings, which Python itself
-# neither pickles nor copies.
 
 
 class Leaf(NamedTuple):
@@ -158,7 +142,7 @@ class Numbers(NamedTuple):
 
     by: Literal["link", "shift element", "mechanism", "spring", "elastic component"]
     item: Shape
-    limits: Limits = NO_LIMITS
+    limits: Limits = EMPTY
 
 
 class Shares(NamedTuple):
@@ -176,7 +160,7 @@ class KeyShape(NamedTuple):
     description: str
     required: bool = False
     default: Any = None
-    limits: Limits = NO_LIMITS
+    limits: Limits = EMPTY
     examples: tuple[Any, ...] = ()
     unless: str = ""
     """Name of another key. A document that has this other key can omit the declared key."""

@@ -68,11 +68,6 @@ class Strut(NamedTuple):
             )
             return float(sum(slopes))
 
-    def completed(self) -> Strut:
-        """Return the strut with all numbers as floats."""
-        given = self._asdict().items()
-        return self._replace(**{name: float(value) for name, value in given if value is not None})
-
 
 class StrutCurve(NamedTuple):
     """Restoring force of a strut over the extension z from rest: ``P(0) - P(z)``, (4.16).

@@ -21,11 +21,11 @@ from vstatics.core.model.parts import (
     Mechanism,
     ShiftElement,
     SpeedOf,
-    as_float,
     damping,
     element_name,
     mechanism_name,
     related,
+    with_floats,
 )
 from vstatics.core.model.springs import Spring, SpringLimit, spring_name
 from vstatics.core.suggestions import nearest
@@ -294,7 +294,7 @@ def _shift_element(element: ShiftElement, number: int, load: Load | None) -> Shi
         name=element.name or element_name(number, element),
         drag=_by_torque(element.drag, load),
         capacity=None if element.capacity is None else _by_torque(element.capacity, load),
-        stiffness=_float(element.stiffness),
+        stiffness=element.stiffness and float(element.stiffness),
         damping=damping(element.damping),
         static=float(element.static),
         friction=element.friction and element.friction.completed(),
@@ -302,28 +302,29 @@ def _shift_element(element: ShiftElement, number: int, load: Load | None) -> Shi
 
 
 def _mechanism(mechanism: Mechanism, number: int) -> Mechanism:
-    back = mechanism.back_efficiency
+    numbers = mechanism.efficiency, mechanism.back_efficiency, mechanism.stiffness, mechanism.points
+    efficiency, back_efficiency, stiffness, points = with_floats(numbers)
     return mechanism._replace(
         ratio=float(mechanism.ratio),
-        efficiency=as_float(mechanism.efficiency),
+        efficiency=efficiency,
         name=mechanism.name or mechanism_name(number),
-        back_efficiency=None if back is None else as_float(back),
-        stiffness=_float(mechanism.stiffness),
+        back_efficiency=back_efficiency,
+        stiffness=stiffness,
         damping=damping(mechanism.damping),
-        points=tuple(tuple(map(float, point)) for point in mechanism.points),
+        points=points,
     )
 
 
 def _spring(spring: Spring, number: int) -> Spring:
     return spring._replace(
         twist=tuple(spring.form.items()),
-        stiffness=_float(spring.stiffness),
-        compliance=_float(spring.compliance),
+        stiffness=with_floats(spring.stiffness),
+        compliance=with_floats(spring.compliance),
         damping=damping(spring.damping),
         name=spring.name or spring_name(number),
         limit=_limit(spring.limit),
-        strut=spring.strut and spring.strut.completed(),
-        points=tuple((float(twist), float(torque)) for twist, torque in spring.points),
+        strut=with_floats(spring.strut),
+        points=with_floats(spring.points),
         friction=float(spring.friction),
     )
 
@@ -348,24 +349,20 @@ def _gear(case: Transmission, gear: Gear, number: int) -> Gear:
 
 
 def _by_load(numbers: Mapping[int, float], whole: float | None) -> dict[int, float]:
-    return {part: as_float(related(number, whole)) for part, number in numbers.items()}
+    return {part: with_floats(related(number, whole)) for part, number in numbers.items()}
 
 
 def _by_torque(number: float, load: Load | None) -> float:
-    return as_float(related(number, load.torque_size if load else None))
+    return with_floats(related(number, load.torque_size if load else None))
 
 
 def _speed(speed: float | SpeedOf, whole: float | None) -> float | SpeedOf:
     if isinstance(speed, SpeedOf):
         return SpeedOf(speed.link, float(speed.factor))
-    return as_float(related(speed, whole))
+    return with_floats(related(speed, whole))
 
 
 def _limit(limit: float | SpringLimit | None) -> float | SpringLimit | None:
     if isinstance(limit, SpringLimit):
         return SpringLimit(float(limit.base), limit.of, float(limit.times))
-    return _float(limit)
-
-
-def _float(value: float | None) -> float | None:
-    return None if value is None else float(value)
+    return with_floats(limit)

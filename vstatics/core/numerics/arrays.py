@@ -42,6 +42,26 @@ def as_floats(name: str, given: object, hint: str = "") -> Floats:
     raise CaseError("E701", f"{name}: read {quoted(str(given))}, expected numbers{hint}")
 
 
+def as_list(name: str, given: object, hint: str = "") -> Floats:
+    """Return numbers of any array-like type with a single axis as an array of floats.
+
+    Raises
+    ------
+    CaseError
+        If `given` contains something other than numbers, or has another number of axes.
+
+    Examples
+    --------
+    >>> as_list("load.torque", 100)
+    Traceback (most recent call last):
+    vstatics.core.errors.CaseError: load.torque: read 0 axes, expected a list of numbers [E701]
+    """
+    numbers = as_floats(name, given, hint)
+    if numbers.ndim != 1:
+        raise CaseError("E701", f"{name}: read {numbers.ndim} axes, expected a list of numbers")
+    return numbers
+
+
 def _has_truths(given: object) -> bool:
     if isinstance(given, list | tuple):
         return any(map(_has_truths, given))

@@ -19,10 +19,10 @@ from vstatics.core.readers.named.csv_rows import (
     has_cells,
 )
 from vstatics.core.readers.named.headings import (
-    COMMENT_SIGNS,
     HeadingError,
     HeadingLine,
     TableColumn,
+    is_comment,
     read_headings,
 )
 from vstatics.core.readers.named.nodes import MOST_PROBLEMS, decode
@@ -194,7 +194,7 @@ class _ColumnsRead:
         ValueError
             The error names the cell that cannot be read.
         """
-        if self._has_comments and line.lstrip().startswith(COMMENT_SIGNS):
+        if self._has_comments and is_comment(line):
             return
         separator = self.head.separator
         cells = cells_of(line, separator) if '"' in line else line.split(separator)

@@ -19,11 +19,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import pairwise
-from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
 
+from vstatics.core.model.empty import EMPTY
 from vstatics.core.model.parts import OfLoad
 from vstatics.core.model.transmission import HOUSING, Gear, Mechanism, SpeedOf, Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, as_floats
@@ -260,7 +260,7 @@ def torque_rows(
     case: Transmission,
     gear: Gear,
     columns: Sequence[Column],
-    drag: Mapping[int, Number] = MappingProxyType({}),
+    drag: Mapping[int, Number] = EMPTY,
     external: Mapping[int, Number] | None = None,
 ) -> list[Equation]:
     """Return the equilibrium equation of each link of a gear (figure 4).

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple, TypeAlias
 
 import numpy as np
 
 from vstatics.core.errors import Severity, severity
+from vstatics.core.model.empty import EMPTY
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 
@@ -55,7 +55,6 @@ class Message(NamedTuple):
 
 Outside: TypeAlias = Mapping[str, Booleans]
 """Flags of laws evaluated outside their points, shape (variants, gears), by name of the part."""
-NOWHERE: Outside = MappingProxyType({})
 
 
 class OperatingPoints(NamedTuple):
@@ -79,9 +78,9 @@ class OperatingPoints(NamedTuple):
     no efficiency. Torque that balances a battery: 3 no solution, 4 several solutions. Speed ratio
     of a converter: 6 none agrees with the load, 7 no torques exist at any speed ratio.
     """
-    outside: Outside = NOWHERE
+    outside: Outside = EMPTY
     """Flags of laws evaluated outside their points."""
-    other_ratios: Mapping[int, Sequence[float]] = MappingProxyType({})
+    other_ratios: Mapping[int, Sequence[float]] = EMPTY
     """Smaller speed ratios at which a converter agrees with the load of a single point, by gear."""
 
 

@@ -13,9 +13,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from types import MappingProxyType
 from typing import NamedTuple
 
+from vstatics.core.model.empty import EMPTY
 from vstatics.core.model.parts import OfLoad
 from vstatics.core.model.transmission import HOUSING, Gear, Transmission
 from vstatics.core.numerics import elimination
@@ -24,22 +24,19 @@ from vstatics.core.statics import matrix
 from vstatics.core.statics.matrix import Column
 from vstatics.core.statics.speeds import is_tie
 
-NOTHING: Mapping[int, Number] = MappingProxyType({})
-"""Empty mapping of torques."""
-
 
 class Drag(NamedTuple):
     """Drag of a gear, which depends only on speeds."""
 
-    links: Mapping[int, Number] = NOTHING
+    links: Mapping[int, Number] = EMPTY
     """External torque by which drag brakes each link, by link number. [-]"""
-    elements: Mapping[int, Number] = NOTHING
+    elements: Mapping[int, Number] = EMPTY
     """Drag torque on the first link of each disengaged shift element, by index. [-]"""
-    external: Mapping[int, Number] = NOTHING
+    external: Mapping[int, Number] = EMPTY
     """Sum of drag torques on each link, including those of shift elements, by link number. [-]"""
     losses: Sequence[Number] = ()
     """Power lost to drag at each link and in each shift element. [-]"""
-    gear: Mapping[int, Number] = NOTHING
+    gear: Mapping[int, Number] = EMPTY
     """Torque on the input link (by number) equivalent to `Gear.loss`. [-]"""
     gear_loss: Number = 0.0
     """Power loss measured for the whole gear (`Gear.loss`). [-]"""

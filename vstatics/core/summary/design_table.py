@@ -12,6 +12,7 @@ from collections.abc import Hashable, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
+from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.tolerances import SAME_RATIO
 from vstatics.core.statics.results import Results
 
@@ -96,12 +97,16 @@ def ranges(results: Results) -> list[list[int]]:
     >>> ranges(solve(case))
     [[2, 0]]
     """
-    case = results.case
-    kinds = [
+    names = [gear.name for gear in results.case.gears]
+    return ranges_of(results.ratio.tolist(), ends_of(results.case), names)
+
+
+def ends_of(case: Transmission) -> list[tuple[int, int] | None]:
+    """Return input and output link of each gear; None for a gear of the kind `point`."""
+    return [
         (case.gear_input(gear), case.gear_output(gear)) if gear.kind == "gear" else None
         for gear in case.gears
     ]
-    return ranges_of(results.ratio.tolist(), kinds, [gear.name for gear in case.gears])
 
 
 def ranges_of(

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from types import MappingProxyType
 from typing import NamedTuple
 
+from vstatics.core.model.empty import EMPTY
 from vstatics.core.model.transmission import Transmission
 
 GEAR_NUMBER = "gear number"
@@ -34,7 +34,7 @@ class WrittenResult(NamedTuple):
     """True if the result was read from a listing."""
     errors: bool = False
     """True if the case failed."""
-    rows: Mapping[str, Sequence[str]] = MappingProxyType({})
+    rows: Mapping[str, Sequence[str]] = EMPTY
     """Names of the rows of each table, if the file contains them (for a drawn case, or in CSV)."""
     file: str = ""
     """File of the case, with its folders if the result contains them; empty if unknown."""

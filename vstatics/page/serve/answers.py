@@ -5,9 +5,9 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from http import HTTPStatus
-from types import MappingProxyType
 from typing import Any, NamedTuple
 
+from vstatics.core.model.empty import EMPTY
 from vstatics.core.texts import spoken
 from vstatics.page.serve.page import policy_in
 from vstatics.page.serve.requests import RefusedError
@@ -32,7 +32,7 @@ class HttpAnswer(NamedTuple):
     status: int
     kind: str
     body: bytes
-    fields: Mapping[str, str] = MappingProxyType({})
+    fields: Mapping[str, str] = EMPTY
 
     @property
     def data(self) -> bytes:

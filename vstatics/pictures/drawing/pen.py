@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from types import MappingProxyType
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
+from vstatics.core.model.empty import EMPTY
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.tables.numbers import typeset
 from vstatics.pictures.drawing.canvas import (
@@ -32,7 +32,7 @@ LINE_WIDTH = 1.3
 """Default width of a line. [pt]"""
 MOST_DECIMALS = 8
 """Largest number of decimals of a number on a scale."""
-NO_DATA: Mapping[str, str] = MappingProxyType({})
+NO_DATA: Mapping[str, str] = EMPTY
 GAP = (math.nan, math.nan)
 """Point that separates two pieces of an interrupted line."""
 Side = Literal["left", "right", "bottom", "top"]

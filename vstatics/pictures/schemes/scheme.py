@@ -6,12 +6,12 @@ import math
 from collections.abc import Mapping, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, field
-from types import MappingProxyType
 from typing import NamedTuple
 
 from vstatics.core.elements.drawing import parts_of
 from vstatics.core.elements.element import Element
 from vstatics.core.errors import CaseError
+from vstatics.core.model.empty import EMPTY
 from vstatics.core.model.parts import ELEMENT_KINDS
 from vstatics.core.model.springs import Spring, TwistCurve, ends
 from vstatics.core.model.transmission import HOUSING, Gear, Mechanism, ShiftElement, Transmission
@@ -36,7 +36,7 @@ class Device(NamedTuple):
     """Gear set with teeth, if the case gives teeth."""
     ratio: float = math.nan
     """Basic ratio of a mechanism; NaN if not given. [-]"""
-    labels: Mapping[str, str] = MappingProxyType({})
+    labels: Mapping[str, str] = EMPTY
     """Texts that differ from the names of members, by the member."""
     has_gap: bool = False
     """True for an elastic component with play, such as a spring or an elastic dog clutch."""

@@ -9,10 +9,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import permutations, product
-from types import MappingProxyType
 
 from vstatics.core.elements.element import CentralWheel
 from vstatics.core.elements.group import PlanetGroup
+from vstatics.core.model.empty import EMPTY
 from vstatics.pictures.drawing.canvas import Point
 from vstatics.pictures.drawing.labels import Segment, Span, width
 from vstatics.pictures.drawing.style import SMALL
@@ -37,7 +37,7 @@ PLANE_DISTANCE = 34.0
 """Distance between planes of gears. [pt]"""
 CARRIER_ARM = 16.0
 """Distance from the outermost gear to the arm of the carrier. [pt]"""
-NO_NAMES: Mapping[str, str] = MappingProxyType({})
+NO_NAMES: Mapping[str, str] = EMPTY
 LEFT, RIGHT = 0, 1
 MOST_COLUMNS = 6
 """Largest number of columns for which all orders are tried."""

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from types import MappingProxyType
 from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, Protocol
 
 from vstatics.core.errors import Problem, plural
 from vstatics.core.extras import AnyPicture, higher
+from vstatics.core.model.empty import EMPTY
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.statics.result_arrays import Message
@@ -157,11 +157,11 @@ class Motion(NamedTuple):
     reached: tuple[Reached, ...] = ()
     messages: tuple[Message, ...] = ()
     stopped: Problem | None = None
-    asked: Mapping[str, Mapping[str, Floats]] = MappingProxyType({})
-    damage: Mapping[str, Damage] = MappingProxyType({})
-    beside: Mapping[str, Mapping[str, Floats]] = MappingProxyType({})
+    asked: Mapping[str, Mapping[str, Floats]] = EMPTY
+    damage: Mapping[str, Damage] = EMPTY
+    beside: Mapping[str, Mapping[str, Floats]] = EMPTY
     case: Transmission | None = None
-    dynamic_factors: Mapping[str, float | None] = MappingProxyType({})
+    dynamic_factors: Mapping[str, float | None] = EMPTY
 
     def __repr__(self) -> str:
         """Return the name of the case, the duration and the number of events."""

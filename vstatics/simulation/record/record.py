@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from copy import copy
-from types import MappingProxyType
 
 import numpy as np
 
 from vstatics.core.errors import Problem, listed, not_allowed
 from vstatics.core.extras import higher
+from vstatics.core.model.empty import EMPTY
 from vstatics.core.numerics.arrays import Booleans, Floats, largest
 from vstatics.core.statics.result_arrays import Message
 from vstatics.simulation.events.impacts import kinetic_energy
@@ -62,7 +62,7 @@ class Record:
         system: MotionSystem,
         start: Instant,
         step: float | None,
-        asked: Mapping[str, Sequence[str]] = MappingProxyType({}),
+        asked: Mapping[str, Sequence[str]] = EMPTY,
     ) -> None:
         self.system, self.start, self.every = system, start, step
         self.events: list[Event] = []

@@ -30,7 +30,6 @@ from vstatics.core.readers.named.nodes import (
     Spots,
     decode,
     is_null,
-    what,
 )
 from vstatics.core.readers.named.walk import Walk
 from vstatics.core.readers.reading import Reading, certain
@@ -214,9 +213,7 @@ def read_scenario(data: bytes, file: str) -> ScenarioDocument:
     from vstatics.core.readers.named.yaml_nodes import yaml_tree  # import is slow
 
     decoded = decode(data, file, "a scenario")
-    root = yaml_tree(decoded)
-    if not isinstance(root, Mapping):
-        decoded.stop(f"read {what(root)}, expected {EXPECTED}", root.line, root.column)
+    root = decoded.mapping(yaml_tree(decoded), EXPECTED)
     if message := _OTHERS.get(kind_of(root) or ""):
         decoded.stop(message, root.line, root.column)
     return ScenarioDocument(root, decoded)

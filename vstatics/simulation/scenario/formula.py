@@ -9,10 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping
 from functools import lru_cache
-from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from vstatics.core.errors import listed, quoted, spoken
+from vstatics.core.model.empty import EMPTY
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.lookup_table import LookupTable
 from vstatics.core.readers.expressions.excerpt import Excerpt
@@ -51,12 +51,12 @@ _OF_NAMES = (*OF_MOTION, *OF_TORQUES, *OF_EVENTS)
 class Vocabulary(NamedTuple):
     """Names that formulas of a scenario can use in addition to t, speed and angle."""
 
-    rows: Mapping[str, Collection[str]] = MappingProxyType({})
+    rows: Mapping[str, Collection[str]] = EMPTY
     """Function of the motion -> possible arguments: `slip` -> names of shift elements."""
-    numbers: Mapping[str, float] = MappingProxyType({})
+    numbers: Mapping[str, float] = EMPTY
     values: Collection[str] = ()
     """Names of control states, and of numbers that sequences set."""
-    tables: Mapping[str, LookupTable] = MappingProxyType({})
+    tables: Mapping[str, LookupTable] = EMPTY
 
     def only(self, *words: str) -> Vocabulary:
         """Return the vocabulary restricted to some functions of the motion."""

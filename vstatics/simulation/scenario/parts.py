@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from types import MappingProxyType
 from typing import NamedTuple, TypeAlias
 
 from vstatics.core.errors import Path
 from vstatics.core.model.converters import Converter
+from vstatics.core.model.empty import EMPTY
 from vstatics.core.model.transmission import Transmission
 from vstatics.simulation.scenario.conditions import StepCondition
 from vstatics.simulation.scenario.formula import Formula
@@ -44,11 +44,11 @@ class Start(NamedTuple):
 
     gear: str | None = None
     speed: float = 0.0
-    speeds: Mapping[int, float] = MappingProxyType({})
+    speeds: Mapping[int, float] = EMPTY
     engaged: tuple[int, ...] = ()
     settled: bool = False
-    twists: Mapping[str, float] = MappingProxyType({})
-    angles: Mapping[int, float] = MappingProxyType({})
+    twists: Mapping[str, float] = EMPTY
+    angles: Mapping[int, float] = EMPTY
 
 
 class Capacity(NamedTuple):
@@ -133,11 +133,11 @@ class SequenceStep(NamedTuple):
     """Longest permitted time from the preceding step until the condition is true. [s]"""
     wait: float = 0.0
     """Time from the condition to the action. [s]"""
-    settings: Mapping[str, Curve] = MappingProxyType({})
+    settings: Mapping[str, Curve] = EMPTY
     """Name of a setting or state -> new value."""
     shift: Shift | None = None
     """Shift that begins with the action; its time `at` is ignored."""
-    dogs: Mapping[int, bool] = MappingProxyType({})
+    dogs: Mapping[int, bool] = EMPTY
     """Number of a dog clutch -> True if the step closes the clutch, False if it opens it."""
 
 
@@ -211,13 +211,13 @@ class Scenario(NamedTuple):
     torques: tuple[tuple[int, TorqueLaw], ...] = ()
     converters: tuple[Converter, ...] = ()
     shifts: tuple[Shift, ...] | None = None
-    targets: Mapping[int, tuple[float, ...]] = MappingProxyType({})
-    settings: Mapping[str, float] = MappingProxyType({})
+    targets: Mapping[int, tuple[float, ...]] = EMPTY
+    settings: Mapping[str, float] = EMPTY
     states: tuple[ControlState, ...] = ()
     sequences: tuple[StepSequence, ...] = ()
-    speeds: Mapping[int, Curve] = MappingProxyType({})
-    speed_ratios: Mapping[int, Curve] = MappingProxyType({})
-    limits: Mapping[int, Curve] = MappingProxyType({})
+    speeds: Mapping[int, Curve] = EMPTY
+    speed_ratios: Mapping[int, Curve] = EMPTY
+    limits: Mapping[int, Curve] = EMPTY
     static: StaticTorque | None = None
 
     @property

@@ -7,8 +7,9 @@ from typing import get_args
 
 from vstatics.core.model.shape import Measure
 from vstatics.core.numerics.lookup_table import LookupTable
-from vstatics.core.readers.named.csv_files import csv_rows
-from vstatics.core.readers.named.headings import with_unit
+from vstatics.core.readers.named.csv_files import lines_of
+from vstatics.core.readers.named.csv_rows import numbered_rows
+from vstatics.core.readers.named.headings import with_unit, without_titles
 from vstatics.core.readers.named.si_units import measured
 
 MOST_TABLE_BYTES = 5_000_000
@@ -25,10 +26,8 @@ def table_of(scenario: str, name: str) -> LookupTable:
     ValueError
         If the content is not a table; the message says what was expected.
     """
-    rows = csv_rows(
-        Path(scenario).parent / name, MOST_TABLE_BYTES, lambda cell: bool(with_unit(cell)[1])
-    )
-    return _table(rows)
+    lines = lines_of(Path(scenario).parent / name, MOST_TABLE_BYTES)
+    return _table(list(numbered_rows(without_titles(lines, lambda cell: bool(with_unit(cell)[1])))))
 
 
 def _table(rows: list[tuple[int, list[str]]]) -> LookupTable:

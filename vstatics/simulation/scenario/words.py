@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
-from types import MappingProxyType
 
 from vstatics.core.errors import Problem, quoted
+from vstatics.core.model.empty import EMPTY
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.lookup_table import LookupTable
 from vstatics.core.readers.expressions.grammar import PYTHON
@@ -17,13 +17,13 @@ _TRUTH = ("on", "off", "yes", "no", "true", "false")
 """Names that YAML readers can interpret as true or false."""
 _TAKEN = {*VARIABLES, *OF_MOTION, *OF_TORQUES, *OF_EVENTS, *FUNCTIONS, *PYTHON, PI}
 _TAKEN |= {"and", "or", "not"}
-_NO_TABLES: Mapping[str, LookupTable] = MappingProxyType({})
+_NO_TABLES: Mapping[str, LookupTable] = EMPTY
 
 
 def vocabulary(
     case: Transmission,
     *,
-    numbers: Mapping[str, float] = MappingProxyType({}),
+    numbers: Mapping[str, float] = EMPTY,
     values: Collection[str] = (),
     tables: Mapping[str, LookupTable] = _NO_TABLES,
     converters: Collection[str] = (),

@@ -17,11 +17,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from types import MappingProxyType
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
+from vstatics.core.model.empty import EMPTY
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.readers.expressions.evaluation import LAST, REDUCTIONS, evaluate
@@ -112,7 +112,7 @@ class Terms(NamedTuple):
 
     targets: Sequence[Varied] = ()
     """Varied numbers, in the order of the values."""
-    named: Mapping[str, ResolvedPart] = MappingProxyType({})
+    named: Mapping[str, ResolvedPart] = EMPTY
     """Expressions of named columns, by the name."""
     by_gear: bool = False
     """True if each output row represents a gear; tables then have no axis of gears."""

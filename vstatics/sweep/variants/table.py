@@ -23,8 +23,8 @@ from vstatics.core.readers.named.csv_rows import (
     separator_of,
 )
 from vstatics.core.readers.named.headings import (
-    COMMENT_SIGNS,
     MOST_TITLE_LINES,
+    is_comment,
     is_row_of_numbers,
     with_unit,
     without_sign,
@@ -315,7 +315,7 @@ def _careful(piece: bytes, line: int, columns: _Columns) -> Floats:
     for number, data in enumerate(piece.split(b"\n"), line):
         try:
             text = _text(data, columns.file, number)
-            if has_cells(text) and not text.lstrip().startswith(COMMENT_SIGNS):
+            if has_cells(text) and not is_comment(text):
                 rows.append(_row(text, Place(columns.file, number, 1, text), columns))
         except ReadError as error:
             problems += error.problems

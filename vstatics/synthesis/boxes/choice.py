@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
-from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -12,6 +11,7 @@ import numpy as np
 from vstatics.core.arguments import refusing
 from vstatics.core.errors import CaseError
 from vstatics.core.extras import higher, require
+from vstatics.core.model.empty import EMPTY
 from vstatics.core.numerics.tolerances import SAME_RATIO
 from vstatics.core.tables.html import shown
 from vstatics.synthesis.boxes.box import EFFICIENCY, BoxSearch, FoundBox, check_box_search
@@ -140,7 +140,7 @@ class BoxFilter(NamedTuple):
     brakes: tuple[int, ...] = ()
     """Permitted numbers of brakes; empty for any number."""
     clutches: tuple[int, ...] = ()
-    limits: Mapping[str, float] = MappingProxyType({})
+    limits: Mapping[str, float] = EMPTY
     """Upper limits of figures, by the names in `LIMITED`."""
 
     def narrowed(self, search: BoxSearch) -> BoxSearch:

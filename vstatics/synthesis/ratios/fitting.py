@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
@@ -13,6 +12,7 @@ from vstatics.core.arguments import refusing
 from vstatics.core.elements.drawing import drawing_of
 from vstatics.core.errors import listed
 from vstatics.core.explain.bodies import on_own_links
+from vstatics.core.model.empty import EMPTY
 from vstatics.core.model.transmission import HOUSING, Mechanism, Transmission
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.statics.solve import solve
@@ -32,8 +32,8 @@ from vstatics.synthesis.ratios.search import found_ratios
 TOLERANCE = 0.005
 """Default largest deviation ``|ln(i/target)|`` of a ratio that counts as met, 0.5 %. [-]"""
 
-_NONE: Mapping[str, float] = MappingProxyType({})
-_NO_BOUNDS: Mapping[str, tuple[float, float]] = MappingProxyType({})
+_NONE: Mapping[str, float] = EMPTY
+_NO_BOUNDS: Mapping[str, tuple[float, float]] = EMPTY
 
 
 class FitSolution(NamedTuple):

@@ -6,13 +6,13 @@ import math
 from collections.abc import Mapping, Sequence
 from functools import partial
 from itertools import chain
-from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
 
 from vstatics.core.arguments import refusing
 from vstatics.core.errors import CaseError
+from vstatics.core.model.empty import EMPTY
 from vstatics.core.model.parts import RAD_PER_RPM
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Complex, Floats
@@ -59,7 +59,7 @@ class Harmonic(NamedTuple):
     order: float
     amplitude: float = 1.0
     phase: float = 0.0
-    by_link: Mapping[str, complex] = MappingProxyType({})
+    by_link: Mapping[str, complex] = EMPTY
 
     def torques(self, case: Transmission, at: int) -> dict[int, complex]:
         """Return the complex torques [N*m] by link number (from 0); `at` is the excited link.
@@ -156,7 +156,7 @@ def response(  # noqa: PLR0913 - all but the first by name
     speeds: Sequence[float] | Floats,
     gears: Sequence[int | str] | None = None,
     *,
-    speed_ratios: Ratios = MappingProxyType({}),
+    speed_ratios: Ratios = EMPTY,
 ) -> list[GearResponse]:
     """Calculate the forced vibration of the gears of a case.
 

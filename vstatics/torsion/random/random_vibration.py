@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from types import MappingProxyType
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -12,6 +11,7 @@ import numpy as np
 from vstatics.core.arguments import refusing
 from vstatics.core.errors import CaseError
 from vstatics.core.extras import higher
+from vstatics.core.model.empty import EMPTY
 from vstatics.core.model.fields import Carried
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Floats
@@ -73,8 +73,8 @@ class GearRandom(NamedTuple):
     """Random vibration of a gear."""
 
     name: str
-    devices: Mapping[str, RandomDevice] = MappingProxyType({})
-    links: Mapping[str, RandomLink] = MappingProxyType({})
+    devices: Mapping[str, RandomDevice] = EMPTY
+    links: Mapping[str, RandomLink] = EMPTY
     half_widths: Sequence[float] = ()
     """Half width, at half of the squared amplitude, of the resonance peak of each mode. [rad/s]
 
@@ -95,7 +95,7 @@ def random_vibration(  # noqa: PLR0913 - all but the first by name
     *,
     by: Excitation = "torque",
     omegas: Sequence[float] | Floats | None = None,
-    speed_ratios: Ratios = MappingProxyType({}),
+    speed_ratios: Ratios = EMPTY,
 ) -> list[GearRandom]:
     """Calculate the random vibration of the gears of a case.
 

@@ -9,12 +9,12 @@ Algin, Vehicle dynamics, 1981, 1.2 and (1.11)).
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
 
 from vstatics.core.elements.planet_bodies import Body, Shares, planet_bodies
+from vstatics.core.model.empty import EMPTY
 from vstatics.core.model.parts import NO_DAMPING, Damping, Mechanism, ShiftElement, damping
 from vstatics.core.model.springs import Spring
 from vstatics.core.model.transmission import Gear, Transmission
@@ -180,7 +180,7 @@ class TorsionalSystem(NamedTuple):
 
 
 def torsional_system(
-    case: Transmission, gear: Gear, slopes: Mapping[str, float] = MappingProxyType({})
+    case: Transmission, gear: Gear, slopes: Mapping[str, float] = EMPTY
 ) -> TorsionalSystem:
     """Build the torsional system of a gear.
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
@@ -12,6 +11,7 @@ import numpy as np
 from vstatics.core.arguments import refusing
 from vstatics.core.errors import CaseError, plural, spoken
 from vstatics.core.extras import higher
+from vstatics.core.model.empty import EMPTY
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.elimination import dependencies
@@ -129,7 +129,7 @@ class GearModes(NamedTuple):
     damped: Sequence[complex] = ()
     warnings: Sequence[str] = ()
     error: Failure = ""
-    slopes: Named = MappingProxyType({})
+    slopes: Named = EMPTY
     converters: Sometimes[Mapping[str, WorkingConverter]] = None
 
     def __repr__(self) -> str:
@@ -156,7 +156,7 @@ def modes(
     *,
     count: int | None = None,
     coast: bool | None = None,
-    speed_ratios: Ratios = MappingProxyType({}),
+    speed_ratios: Ratios = EMPTY,
 ) -> CaseModes:
     """Calculate the natural modes of the gears of a case.
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from vstatics.core.model.carried import as_type
+from vstatics.core.model.parts import with_floats
 
 if TYPE_CHECKING:
     from vstatics.core.model.fields import TransmissionFields
@@ -55,10 +56,4 @@ class Bearing(NamedTuple):
 
     def completed(self) -> Bearing:
         """Return the bearing with all numbers as floats."""
-        on: Any = self.on if isinstance(self.on, str) else tuple(self.on)
-        return self._replace(
-            on=on,
-            load_per_torque=float(self.load_per_torque),
-            dynamic=float(self.dynamic),
-            exponent=float(self.exponent),
-        )
+        return with_floats(self)

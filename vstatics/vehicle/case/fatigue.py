@@ -9,6 +9,7 @@ import math
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from vstatics.core.model.carried import as_type
+from vstatics.core.model.parts import with_floats
 
 if TYPE_CHECKING:
     from vstatics.core.model.fields import TransmissionFields
@@ -68,10 +69,7 @@ class Fatigue(NamedTuple):
 
     def completed(self) -> Fatigue:
         """Return the strength with all numbers as floats."""
-        changed = {
-            name: float(value) for name, value in self._asdict().items() if value is not None
-        }
-        return self._replace(**changed)
+        return with_floats(self)
 
 
 Flanks = Literal["apart", "together"]
@@ -127,11 +125,4 @@ class TorqueStrength(NamedTuple):
 
     def completed(self) -> TorqueStrength:
         """Return the strength with all numbers as floats."""
-        return self._replace(
-            torque=float(self.torque),
-            exponent=float(self.exponent),
-            cycles=float(self.cycles),
-            contacts=None if self.contacts is None else float(self.contacts),
-            threshold=float(self.threshold),
-            sum=float(self.sum),
-        )
+        return with_floats(self)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from vstatics.core.errors import Path, Problem, listed, quoted
 from vstatics.core.model.parts import element_names
@@ -41,31 +41,33 @@ class Members(NamedTuple):
     @classmethod
     def of(cls, case: TransmissionFields) -> Members:
         """Return the names in a case."""
-        devices = case.own_devices
-        planets = {}
-        drawn: Any = case.drawing
-        for element in drawn.elements if drawn else ():
-            if element.planets:
-                planets[element.name] = int(element.planets)
+        devices, drawn = case.own_devices, cast("Any", case.drawing)
+        planets = {
+            element.name: int(element.planets)
+            for element in (drawn.elements if drawn else ())
+            if element.planets
+        }
+        members = [
+            (device, member, f"{device.name}.{member.name}")
+            for device in devices
+            for member in device.members
+        ]
         links = case.link_names[: case.own_links] or range(1, case.own_links + 1)
         return cls(
             [str(name) for name in links],
-            [f"{device.name}.{member.name}" for device in devices for member in device.members],
+            [name for _, _, name in members],
             [planet.name for device in devices for planet in device.planets],
             element_names(case.shift_elements),
             {device.name: f"{device.name}.{device.members[0].name}" for device in devices},
             [
-                f"{device.name}.{member.name}"
-                for device in devices
-                for member in device.members
+                name
+                for device, member, name in members
                 if member.link == case.mechanisms[device.mechanisms[0]].third
             ],
             {
-                f"{device.name}.{member.name}": planets[device.name]
-                for device in devices
-                if device.name in planets
-                for member in device.members
-                if member.name != "carrier"
+                name: planets[device.name]
+                for device, member, name in members
+                if device.name in planets and member.name != "carrier"
             },
         )
 

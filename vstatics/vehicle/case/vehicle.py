@@ -10,7 +10,7 @@ import numpy as np
 
 from vstatics.core.errors import CaseError, spoken
 from vstatics.core.model.carried import as_type
-from vstatics.core.model.parts import Gear, SpeedOf, as_float
+from vstatics.core.model.parts import Gear, SpeedOf, with_floats
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.constants import AIR, GRAVITY
 from vstatics.core.statics.points.machines import battery_power, efficiency_at
@@ -18,7 +18,6 @@ from vstatics.vehicle.tolerances import SAME_SPEED
 
 if TYPE_CHECKING:
     from vstatics.core.model.fields import TransmissionFields
-NUMBERS_OF_VEHICLE = ("mass", "radius", "rolling", "drag_area", "final_drive")
 
 EnginePoints = Sequence[tuple[float, float]]
 """Points (engine speed [rad/s], torque [N*m]) in ascending order of speed."""
@@ -85,15 +84,6 @@ class Machine(NamedTuple):
         """
         power: Floats = -battery_power(-electric, self.battery_efficiency)
         return power
-
-    def completed(self) -> Machine:
-        """Return the machine with all numbers as floats."""
-        return Machine(
-            _floats(self.torque),
-            _floats(self.generating),
-            as_float(self.efficiency),
-            float(self.battery_efficiency),
-        )
 
 
 class Vehicle(NamedTuple):
@@ -206,15 +196,7 @@ class Vehicle(NamedTuple):
 
     def completed(self) -> Vehicle:
         """Return the vehicle with all numbers as floats."""
-        numbers: dict[str, Any] = {name: float(getattr(self, name)) for name in NUMBERS_OF_VEHICLE}
-        for name in ("engine", "overrun"):
-            numbers[name] = _floats(getattr(self, name))
-        numbers["recuperation"] = float(self.recuperation)
-        return self._replace(**numbers, machine=self.machine and self.machine.completed())
-
-
-def _floats(points: EnginePoints) -> EnginePoints:
-    return tuple((float(x), float(y)) for x, y in points)
+        return with_floats(self)
 
 
 def _between(points: EnginePoints, speed: Any) -> Any:

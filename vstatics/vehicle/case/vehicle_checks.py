@@ -12,8 +12,9 @@ from vstatics.core.model.part_checks import no_unit
 from vstatics.core.model.parts import RAD_PER_RPM, Law
 from vstatics.core.model.springs import ends
 from vstatics.core.statics.points.gear_loss import power_loss
-from vstatics.vehicle.case.vehicle import NUMBERS_OF_VEHICLE, Vehicle, beside_engine
+from vstatics.vehicle.case.vehicle import Vehicle, beside_engine
 
+_NUMBERS = ("mass", "radius", "rolling", "drag_area", "final_drive")
 ABOVE_NOTHING = ("mass", "radius", "final_drive")
 
 
@@ -22,7 +23,7 @@ def of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
     vehicle = Vehicle.of(case)
     if vehicle is None:
         return
-    for name in NUMBERS_OF_VEHICLE:
+    for name in _NUMBERS:
         value = getattr(vehicle, name)
         is_positive = name in ABOVE_NOTHING
         if not 0 <= value < math.inf or (is_positive and value == 0):

@@ -13,9 +13,8 @@ from typing import TYPE_CHECKING, NamedTuple, Protocol
 import numpy as np
 
 from vstatics.core.arguments import refusing
-from vstatics.core.errors import CaseError
 from vstatics.core.model.transmission import Transmission
-from vstatics.core.numerics.arrays import Floats, as_floats
+from vstatics.core.numerics.arrays import Floats, as_list
 from vstatics.core.tables.answer import document
 from vstatics.vehicle.case.fatigue import Fatigue
 from vstatics.vehicle.damage.rainflow import LoadCycle, rainflow
@@ -134,14 +133,7 @@ def damages(case: Transmission, torques: Mapping[str, ArrayLike]) -> dict[str, D
     (100, [300.0, 500.0, 800.0])
     """
     return {
-        name: device_damage(fatigue, _record(name, torques[name]))
+        name: device_damage(fatigue, as_list(name, torques[name]))
         for name, fatigue in Fatigue.of(case).items()
         if name in torques
     }
-
-
-def _record(name: str, given: ArrayLike) -> Floats:
-    torques = as_floats(name, given)
-    if torques.ndim != 1:
-        raise CaseError("E701", f"{name}: read {torques.ndim} axes, expected a list of numbers")
-    return torques

@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.arguments import refusing
+from vstatics.core.numerics.arrays import Floats
 from vstatics.core.tables.answer import Sometimes, document
 from vstatics.vehicle.case.fatigue import Fatigue
 from vstatics.vehicle.damage.scatter import LifeSamples, drawn
@@ -65,21 +66,28 @@ def rayleigh_life(fatigue: Fatigue, deviation: float, per_unit: float = 1.0) -> 
     >>> round(result.integral, 6), round(result.life or 0.0)
     (3.619192, 51168)
     """
+    ratio = fatigue.endurance / deviation
+    if ratio in (0, math.inf):
+        raise ValueError("the numbers are too large to give a life")
+    integral, life = map(float, _logarithms(fatigue, np.asarray(ratio), per_unit))
+    if math.isinf(integral):
+        return RayleighLife(0.0, None)
+    if max(integral, life) > LARGEST_LOG_OF_LIFE:
+        raise ValueError("the numbers are too large to give a life")
+    return RayleighLife(math.exp(integral), math.exp(life))
+
+
+def _logarithms(fatigue: Fatigue, ratio: Floats, per_unit: float) -> tuple[Floats, Floats]:
+    """Return the logarithms of integral and life at ratios of endurance to deviation."""
     from scipy.special import gammaincc, gammaln
 
-    half, ratio = fatigue.exponent / 2, fatigue.endurance / deviation
-    if math.isinf(ratio):
-        raise ValueError("the numbers are too large to give a life")
-    least = fatigue.threshold * ratio
-    above = float(gammaincc(1 + half, least * least / 2))
-    if not above:
-        return RayleighLife(0.0, None)
-    logarithm = half * math.log(2) + float(gammaln(1 + half)) + math.log(above)
-    life = fatigue.exponent * math.log(ratio) - logarithm
+    half = fatigue.exponent / 2
+    with np.errstate(divide="ignore", over="ignore"):
+        above = gammaincc(1 + half, (fatigue.threshold * ratio) ** 2 / 2)
+        integral = half * math.log(2) + gammaln(1 + half) + np.log(above)
+        life = fatigue.exponent * np.log(ratio) - integral
     life += math.log(fatigue.sum) + math.log(fatigue.cycles) - math.log(per_unit)
-    if max(logarithm, life) > LARGEST_LOG_OF_LIFE:
-        raise ValueError("the numbers are too large to give a life")
-    return RayleighLife(math.exp(logarithm), math.exp(life))
+    return integral, life
 
 
 def scattered_life(
@@ -108,17 +116,10 @@ def scattered_life(
     >>> round(found.samples.B10 / found.life / math.exp(-1.2815516 * 3 * 0.08), 1)
     1.0
     """
-    from scipy.special import gammaincc, gammaln
-
     random = np.random.default_rng(seed)
     ratios = drawn(fatigue.endurance, count, random) / drawn(deviation, count, random)
-    half = fatigue.exponent / 2
-    with np.errstate(divide="ignore", over="ignore"):
-        above = gammaincc(1 + half, (fatigue.threshold * ratios) ** 2 / 2)
-        logarithms = half * math.log(2) + gammaln(1 + half) + np.log(above)
-        life = fatigue.exponent * np.log(ratios) - logarithms
-        life += math.log(fatigue.sum) + math.log(fatigue.cycles) - math.log(per_unit)
-        lives = np.exp(np.where(life > LARGEST_LOG_OF_LIFE, np.inf, life))
+    _, life = _logarithms(fatigue, ratios, per_unit)
+    lives = np.exp(np.where(life > LARGEST_LOG_OF_LIFE, np.inf, life))
     return rayleigh_life(fatigue, deviation, per_unit)._replace(samples=LifeSamples.of(lives))
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.tables.grid import Grid, grid_of
 from vstatics.vehicle.case.bearing import Bearing
-from vstatics.vehicle.life.member_rows import MemberRows
+from vstatics.vehicle.life.member_rows import MemberRows, equivalent
 from vstatics.vehicle.life.strength import life_of
 
 RATED_REVOLUTIONS = 1e6
@@ -66,12 +66,8 @@ def _life(bearing: Bearing, rows: MemberRows) -> BearingLife:
     loads = np.abs(np.nan_to_num(torques)) * bearing.load_per_torque
     with np.errstate(over="ignore"):
         damage = float(((loads / bearing.dynamic) ** p) @ turns) / RATED_REVOLUTIONS
-    largest = float(loads.max(initial=0.0))
-    equivalent = math.nan
-    if total:
-        parts = loads / largest if largest else loads
-        equivalent = largest * float((parts**p) @ turns / total) ** (1 / p)
-    return BearingLife(damage, total, equivalent, *life_of(damage, 1.0, rows.duration))
+    load = equivalent(loads, turns, p)
+    return BearingLife(damage, total, load, *life_of(damage, 1.0, rows.duration))
 
 
 def bearing_grid(lives: Mapping[str, BearingLife]) -> Grid:

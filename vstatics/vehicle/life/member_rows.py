@@ -13,6 +13,23 @@ from vstatics.core.numerics.arrays import Floats, rounding_as_zero
 from vstatics.vehicle.case.members import Members
 
 
+def equivalent(loads: Floats, turns: Floats, exponent: float) -> float:
+    """Return ``(sum P^p n/sum n)^(1/p)`` of loads P, revolutions n and the exponent p.
+
+    The result is NaN without revolutions.
+
+    >>> round(equivalent(np.array([3.0, 5.0]), np.array([2.0, 2.0]), 2.0) ** 2, 9)
+    17.0
+    """
+    largest, total = float(np.nanmax(loads, initial=0.0)), float(turns.sum())
+    if not total:
+        return math.nan
+    with np.errstate(all="ignore"):
+        parts = loads / largest if largest else loads
+        mean = float(parts**exponent @ turns / total)
+    return float(largest * mean ** (1 / exponent))
+
+
 class MemberRow(NamedTuple):
     """Torques and revolutions of a member at all points with motion, shape (points,)."""
 

@@ -25,7 +25,7 @@ from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 from vstatics.core.statics.carried import overloads_at_points
 from vstatics.core.statics.diagnosis import outside_message
-from vstatics.core.statics.points.machines import machine_torque
+from vstatics.core.statics.points.machines import outside_map
 from vstatics.core.statics.result_arrays import Message
 from vstatics.core.tables.answer import Sometimes, document, json_keys
 from vstatics.vehicle.case.vehicle import Machine, Vehicle
@@ -235,8 +235,7 @@ class ElectricSupply(NamedTuple):
             raise CaseError(problems)
         law, is_outside = machine.efficiency, False
         if isinstance(law, Law):
-            wrong = law.is_outside(*law.sizes_of(speeds, machine_torque(law, torques)))
-            is_outside = bool((wrong & (mechanical != 0)).any())
+            is_outside = bool(outside_map(law, speeds, torques, mechanical).any())
         return cls(mechanical, electric, machine.battery_power(electric), is_outside)
 
     def energies(self, energy: CycleEnergy, duration: Floats) -> CycleEnergy:

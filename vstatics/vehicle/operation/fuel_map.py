@@ -9,13 +9,12 @@ import numpy as np
 from vstatics.core.errors import ReadError
 from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.core.numerics.lookup_table import LookupTable
-from vstatics.core.readers.named.headings import SHAFT_NAMES, TableColumn
+from vstatics.core.readers.named.headings import SHAFT_COLUMNS, TableColumn
 from vstatics.core.readers.unit_table import read_unit_table
 from vstatics.vehicle.tolerances import SAME_SPEED
 
 COLUMNS = (
-    TableColumn("speed", "si_speed", aliases=dict.fromkeys(SHAFT_NAMES["speed"], "")),
-    TableColumn("torque", "si_torque", aliases=dict.fromkeys(SHAFT_NAMES["torque"], "")),
+    *SHAFT_COLUMNS,
     TableColumn(
         "fuel",
         aliases=dict.fromkeys(("fuel consumption", "fuel rate", "fuel flow"), ""),

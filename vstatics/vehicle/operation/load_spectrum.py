@@ -24,7 +24,7 @@ from vstatics.vehicle.damage.tables import damage_grid
 from vstatics.vehicle.duty import Cycle
 from vstatics.vehicle.life.bearing_life import BearingLife, bearing_grid, bearing_lives
 from vstatics.vehicle.life.classes import Classes, MemberSpectrum, spectra, spectrum_grid
-from vstatics.vehicle.life.member_rows import MemberRows
+from vstatics.vehicle.life.member_rows import MemberRows, equivalent
 from vstatics.vehicle.life.strength import MemberLife, life_grid, lives
 from vstatics.vehicle.operation.point_loads import (
     DutyPoints,
@@ -258,17 +258,12 @@ def _member(
     torques: Floats, speeds: Floats, weights: Floats, exponent: float, places: Integers
 ) -> MemberLoad:
     """Return the load of a member from torques [N*m] and speeds [rad/s] at points `places`."""
-    sizes = np.abs(torques)
     turned = np.nan_to_num(np.abs(speeds)) * weights
-    total = float(turned.sum())
-    top = float(np.nanmax(sizes, initial=0.0))
-    with np.errstate(all="ignore"):
-        mean = float(((sizes / top) ** exponent) @ turned / total) if top and total else math.nan
     return MemberLoad(
         _largest(torques, places),
         _largest(speeds * 30 / math.pi, places),
-        total / (2 * math.pi),
-        top * mean ** (1 / exponent) if mean else math.nan,
+        float(turned.sum()) / (2 * math.pi),
+        equivalent(np.abs(torques), turned, exponent) or math.nan,
     )
 
 

@@ -37,7 +37,7 @@ def test_a_file_of_points_stands_beside_the_case(tmp_path: Path) -> None:
     "text",
     [
         "# speed [rpm],torque [N*m]\n0,1\n300,4\n",  # as numpy.savetxt writes it
-        "Rig 5\nSpeed,Oil,Torque\nrpm,C,N*m\n0,90,1\n300,90,4\n",
+        "Rig 5\nSpeed,Oil,Torque\n# warm\nrpm,C,N*m\n0,90,1\n300,90,4\n",
         "torque [N*m],speed [rpm],note\n1,0,\n# by hand\n4,300,warm\n",
         "speed [rpm];torque [N*m]\n0;1,0\n300;4,0\n",
     ],
@@ -53,13 +53,25 @@ def test_a_file_of_points_is_that_of_a_test_bench(tmp_path: Path, text: str) -> 
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("speed [rpm],moment [N*m]\n0,1\n", "not `speed [rpm],moment [N*m]`"),
-        ("speed,torque\n0,1\n", "read `drag.csv`, expected a CSV file with the headings"),
-        ("speed [rpm],torque [kW]\n0,1\n", "read `drag.csv`, line 1: the unit of torque: expected"),
+        (
+            "speed [rpm],moment [N*m]\n0,1\n",
+            "expected `speed [rad/s]` or `torque [N*m]`; the line of the headings is `speed [rpm],moment",
+        ),
+        (
+            "speed,torque\n0,1\n",
+            "read `drag.csv`, line 1: speed: its unit is missing, such as `speed [rad/s]`",
+        ),
+        (
+            "speed [rpm],torque [kW]\n0,1\n",
+            "read `drag.csv`, line 1: torque: read the unit 'kW', expected a",
+        ),
         ("speed [rpm],torque [N*m]\n", "expected a point at least"),
         ("speed [rpm],torque [N*m]\n0\n", "line 2: expected 2 numbers"),
         ("speed [rpm],torque [N*m]\n0,nan\n", "line 2: torque: read 'nan', expected a torque"),
-        ("Nm,rpm\n0,1\n", "the headings `speed [rad/s],torque [N*m]`, not `Nm,rpm`"),
+        (
+            "Nm,rpm\n0,1\n",
+            "line 1: read the heading 'Nm', expected `speed [rad/s]` or `torque [N*m]`",
+        ),
         ("x" * 1_000_001, "cannot be read: larger than 1 MB"),
     ],
 )

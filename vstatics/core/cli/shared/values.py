@@ -10,12 +10,12 @@ import math
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from types import MappingProxyType
 from typing import TypeVar
 
 import click
 
 from vstatics.core.errors import CaseError, quoted
+from vstatics.core.model.empty import EMPTY
 from vstatics.core.suggestions import why_not_allowed
 
 Value = TypeVar("Value")
@@ -245,9 +245,7 @@ def named(
 
 
 @contextmanager
-def wrong_use(
-    options: Sequence[str], spelled: Mapping[str, str] = MappingProxyType({})
-) -> Iterator[None]:
+def wrong_use(options: Sequence[str], spelled: Mapping[str, str] = EMPTY) -> Iterator[None]:
     """Run the block; report problems whose path begins with an option as wrong use of it.
 
     `spelled` maps names of options in paths to names on the command line, if they differ.

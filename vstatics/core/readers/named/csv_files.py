@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from pathlib import Path
 
 from vstatics.core.jobs.input_files import read_file
-from vstatics.core.readers.named.csv_rows import numbered_rows
-from vstatics.core.readers.named.headings import without_titles
 from vstatics.core.readers.named.nodes import encoding_of
 from vstatics.core.readers.signs import with_plain_blanks
 
@@ -24,7 +22,7 @@ def noted_files() -> Iterator[set[str]]:
 
     >>> with noted_files() as noted:
     ...     try:
-    ...         csv_rows(Path("nowhere.csv"), 100, bool)
+    ...         lines_of(Path("nowhere.csv"), 100)
     ...     except OSError:
     ...         noted
     {'nowhere.csv'}
@@ -42,7 +40,7 @@ def no_files() -> Iterator[None]:
     """Refuse to read files that documents name within the block, because they may be untrusted.
 
     >>> with no_files():
-    ...     csv_rows(Path("/etc/passwd"), 100, bool)
+    ...     lines_of(Path("/etc/passwd"), 100)
     Traceback (most recent call last):
     ValueError: expected the points themselves: a text has no folder; ...
     """
@@ -58,25 +56,15 @@ def are_read() -> bool:
     return _ALLOWED.get()
 
 
-def csv_rows(
-    file: Path, most: int, is_heading: Callable[[str], bool]
-) -> list[tuple[int, list[str]]]:
-    """Return the headings and the rows below them of a file, each with a line number.
-
-    Parameters
-    ----------
-    file : Path
-    most : int
-        Largest size of the file, in bytes.
-    is_heading : callable
-        Function that recognises a heading in a cell. Lines above the headings are titles.
+def lines_of(file: Path, most: int) -> list[str]:
+    """Return the lines of a file of at most `most` bytes, with plain blanks.
 
     Raises
     ------
     OSError
         If the file cannot be read, or is larger.
     ValueError
-        If the content is wrong; the message states the expected content.
+        If the file may not be read, or is not a text.
     """
     if not are_read():
         hint = "`loads` reads files from the folder of `name`, if it has a folder"
@@ -89,6 +77,4 @@ def csv_rows(
         text = data.decode(encoding_of(data))
     except UnicodeDecodeError:
         raise ValueError("expected text in UTF-8") from None
-    return list(
-        numbered_rows(without_titles(io.StringIO(with_plain_blanks(text)).readlines(), is_heading))
-    )
+    return io.StringIO(with_plain_blanks(text)).readlines()

@@ -12,10 +12,10 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from itertools import chain, islice, pairwise, repeat
 from operator import itemgetter
-from types import MappingProxyType
 from typing import NamedTuple
 
 from vstatics.core.errors import quoted, spoken
+from vstatics.core.model.empty import EMPTY
 from vstatics.core.model.shape import UNIT_OF, Measure
 from vstatics.core.readers.named.csv_rows import cells_of, headings_of, separator_of
 from vstatics.core.readers.named.si_units import measured
@@ -27,14 +27,7 @@ MOST_QUOTED = 76
 """Maximum number of characters of a line quoted in a message."""
 LEAST_LIKENESS = 0.75
 """Smallest similarity (0 to 1) at which a heading is a mistyped name."""
-COMMENT_SIGNS = ("#", "%")
-"""Characters that begin a comment."""
-_ENGINES = ("engine", "motor", "machine", "input")
-SHAFT_NAMES: Mapping[str, Sequence[str]] = {
-    "speed": ("n", "rotational speed", *(f"{engine} speed" for engine in _ENGINES)),
-    "torque": ("m", *(f"{engine} torque" for engine in _ENGINES)),
-}
-"""Further names, in lower case, of columns with the speed and torque of a shaft."""
+_COMMENT_SIGNS = ("#", "%")
 _IN_ANY_LETTERS: tuple[Measure, ...] = ("time", "velocity")
 """Measures whose units can have any mixture of upper and lower case."""
 _UNIT_BEHIND = re.compile(
@@ -61,7 +54,7 @@ class TableColumn(NamedTuple):
     """Hint that ends the message about a wrong unit."""
     sizes: Mapping[str, float] | None = None
     """Permitted units and factors to SI, for a column without a measure."""
-    aliases: Mapping[str, str] = MappingProxyType({})
+    aliases: Mapping[str, str] = EMPTY
     """Alternative names in lower case, with the unit that each name implies (or an empty text)."""
 
     @property
@@ -76,8 +69,8 @@ class TableColumn(NamedTuple):
             return f"{self.name} [{unit}]" if unit else self.name
         return f"{self.name} [{UNIT_OF[self.measure]}]" if self.measure else self.name
 
-    def accepts(self, unit: str) -> bool:
-        """Return whether a text is a unit of the column.
+    def accepts(self, unit: str | None) -> bool:
+        """Return whether a text is a unit of the column, or whether it can be missing.
 
         >>> TableColumn("speed", "velocity").accepts("limit")
         False
@@ -112,6 +105,24 @@ class TableColumn(NamedTuple):
             return _size_of(unit, self.measure)
         except ValueError as error:
             raise ValueError(f"{self.name}: read the unit {unit[:40]!r}, {error}") from None
+
+
+_ENGINES = ("engine", "motor", "machine", "input")
+SHAFT_COLUMNS = (
+    TableColumn(
+        "speed",
+        "si_speed",
+        aliases=dict.fromkeys(
+            ("n", "rotational speed", *(f"{engine} speed" for engine in _ENGINES)), ""
+        ),
+    ),
+    TableColumn(
+        "torque",
+        "si_torque",
+        aliases=dict.fromkeys(("m", *(f"{engine} torque" for engine in _ENGINES)), ""),
+    ),
+)
+"""Columns for the speed and torque of a shaft, in this order."""
 
 
 def _size_of(unit: str, measure: Measure) -> float:
@@ -263,9 +274,19 @@ class _ExpectedTable(NamedTuple):
         return self.checked(lines, at, separator, cells)
 
     def understood(self, cells: Sequence[str]) -> list[Heading]:
-        """Return the known headings among cells, in order."""
-        headings = (self.heading(cell, place) for place, cell in enumerate(cells))
-        return [heading for heading in headings if heading]
+        """Return the known headings among cells, in order.
+
+        Of several headings of a column, those with a unit of another measure are not known.
+        """
+        found = (self.heading(cell, place) for place, cell in enumerate(cells))
+        headings = [heading for heading in found if heading]
+        fitting = [heading for heading in headings if heading.column.accepts(heading.unit)]
+        names = {heading.column.name for heading in fitting}
+        return [
+            heading
+            for heading in headings
+            if heading in fitting or heading.column.name not in names
+        ]
 
     def heading(self, cell: str, place: int) -> Heading | None:
         """Return the heading in a cell; None if its name is unknown."""
@@ -312,10 +333,12 @@ class _ExpectedTable(NamedTuple):
         try:
             _check_units(headings)
         except ValueError as error:
-            with_units = _with_units_below(headings, separator, lines[at + 1 : at + 2])
-            if not with_units:
-                raise HeadingError(f"{error}{_quoted_lines(lines, at)}", number) from None
-            headings, number = with_units, lines[at + 1][0]
+            for below, row in lines[at + 1 :]:
+                if with_units := _with_units(headings, cells_of(row, separator)):
+                    return HeadingLine(below, separator, with_units, len(cells), others)
+                if not is_comment(row):
+                    break
+            raise HeadingError(f"{error}{_quoted_lines(lines, at)}", number) from None
         return HeadingLine(number, separator, headings, len(cells), others)
 
     def check_names(self, headings: Sequence[Heading], others: Sequence[str]) -> None:
@@ -361,20 +384,16 @@ def _check_units(headings: Sequence[Heading]) -> None:
         _ = heading.size
 
 
-def _with_units_below(
-    headings: Sequence[Heading], separator: str, below: Sequence[NumberedLine]
-) -> list[Heading]:
-    """Return headings with the units of the next line; empty if that line has no units."""
-    for _, line in below:
-        cells = [cell.strip("[]() ") for cell in cells_of(line, separator)]
-        if len(cells) > max(heading.place for heading in headings):
-            with_units = [
-                heading._replace(unit=heading.unit or cells[heading.place] or None)
-                for heading in headings
-            ]
-            with suppress(ValueError):
-                _check_units(with_units)
-                return with_units
+def _with_units(headings: Sequence[Heading], row: Sequence[str]) -> list[Heading]:
+    """Return headings with the units of the row below; empty if that row has no units."""
+    units = {place: cell.strip("[]() ") for place, cell in enumerate(row)}
+    with_units = [
+        heading._replace(unit=heading.unit or units.get(heading.place) or None)
+        for heading in headings
+    ]
+    with suppress(ValueError):
+        _check_units(with_units)
+        return with_units
     return []
 
 
@@ -399,7 +418,12 @@ def without_sign(line: str) -> str:
     ('speed [rpm]', 'speed [rpm]')
     """
     bare = line.strip()
-    return bare.lstrip("".join(COMMENT_SIGNS)).strip() if bare.startswith(COMMENT_SIGNS) else line
+    return bare.lstrip("".join(_COMMENT_SIGNS)).strip() if is_comment(line) else line
+
+
+def is_comment(line: str) -> bool:
+    """Return whether a line is a comment."""
+    return line.lstrip().startswith(_COMMENT_SIGNS)
 
 
 def is_row_of_numbers(line: str) -> bool:

@@ -100,6 +100,12 @@ class DocumentText:
             [*self.problems, Problem("E108", message, (), self.source.place(line, column))]
         )
 
+    def mapping(self, root: Node, expected: str) -> Mapping:
+        """Return the root of the document, or stop if it is not a mapping."""
+        if not isinstance(root, Mapping):
+            self.stop(f"read {what(root)}, expected {expected}", root.line, root.column)
+        return root
+
     def hint(self, word: str, known: Iterable[str]) -> str:
         """Return a hint with the most similar known word. The number of hints is limited."""
         if len(self.problems) >= MOST_HINTS or len(word) > 60:

@@ -19,7 +19,6 @@ from vstatics.core.readers.named.nodes import (
     Spots,
     decode,
     is_null,
-    what,
 )
 from vstatics.core.readers.named.walk import Walk
 from vstatics.core.readers.reading import Reading, finish
@@ -110,7 +109,7 @@ def read_case_tree(root: Node, document: DocumentText) -> Reading:
         The error contains every problem that does not follow from another.
     """
     expected = "a case: a mapping with `elements`, `mechanisms`, `springs`, `inertias` or `masses`"
-    root = _case(_mapping(root, document, expected))
+    root = _case(document.mapping(root, expected))
     walk = Walk(Spots(document))
     given = {key.text for key, _ in root.entries}
     masses = any(
@@ -166,12 +165,6 @@ def _with_annexes(root: Mapping, document: DocumentText) -> tuple[Mapping, ByKey
     return root._replace(entries=entries), with_carried(CASE, keys)
 
 
-def _mapping(root: Node, document: DocumentText, expected: str) -> Mapping:
-    if not isinstance(root, Mapping):
-        document.stop(f"read {what(root)}, expected {expected}", root.line, root.column)
-    return root
-
-
 def _case(root: Mapping) -> Mapping:
     """Return the case that a JSON result or a solution contains under a key."""
     entries = {key.text: value for key, value in root.entries}
@@ -206,7 +199,7 @@ def read_document(data: bytes, file: str, shape: ByKey, expected: str) -> tuple[
     (Load(speed=None, torque=200.0, power=None), 9)
     """
     document = decode(data, file, expected)
-    root = _mapping(_tree(document, "yaml"), document, expected)
+    root = document.mapping(_tree(document, "yaml"), expected)
     spots = Spots(document)
     values = Walk(spots).read(Spot((), "", root), shape)
     if document.problems:

@@ -23,7 +23,7 @@ from vstatics.core.numerics.arrays import Booleans, Floats, Integers, without
 from vstatics.core.numerics.tolerances import BALANCED
 from vstatics.core.statics.physical import RELATIVE_TO_INPUT
 from vstatics.core.statics.points.laws import Followed, without_laws
-from vstatics.core.statics.points.machines import battery_power, efficiency_at, machine_torque
+from vstatics.core.statics.points.machines import battery_power, efficiency_at, outside_map
 from vstatics.core.statics.points.paths import CaseNumber, Columns
 from vstatics.core.statics.points.relative import loads_of, solve_points
 from vstatics.core.statics.points.roots import Follow, find_roots
@@ -153,8 +153,7 @@ def _outside(case: Transmission, balances: Sequence[OpenBalance], results: Resul
                 continue
             power = -1000 * results.port_powers_kW[:, balance.gear, link - 1]
             speed, torque = balance.machine(results, link, power)
-            wrong = law.is_outside(*law.sizes_of(speed, machine_torque(law, torque)))
-            wrong &= power != 0
+            wrong = outside_map(law, speed, torque, power)
             if wrong.any():
                 none = np.zeros_like(results.consistent)
                 outside.setdefault(case.link_name(link), none)[:, balance.gear] |= wrong

@@ -11,12 +11,12 @@ the whole range searches for further solutions. A solution is accepted only if i
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from vstatics.core.errors import CaseError, Path, Problem
+from vstatics.core.model.empty import EMPTY
 from vstatics.core.model.parts import HOUSING, Law
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers, without
@@ -24,7 +24,7 @@ from vstatics.core.numerics.tolerances import SAME_SOLUTION, STANDS_STILL, TIE
 from vstatics.core.statics.points.gear_loss import brake_torque
 from vstatics.core.statics.points.paths import CaseNumber, Columns
 from vstatics.core.statics.points.relative import loads_of, solve_points
-from vstatics.core.statics.result_arrays import NOWHERE, Outside, first_rows
+from vstatics.core.statics.result_arrays import Outside, first_rows
 from vstatics.core.statics.results import Results
 
 MOST_FIXED_POINT_STEPS = 100
@@ -65,9 +65,9 @@ class Followed(NamedTuple):
     """States as in `OperatingPoints.open`, shape (points, gears): 0 for a unique solution."""
     outside: Outside
     """Flags of points outside the range of a law, by the name of the part that has the law."""
-    wrong: Outside = NOWHERE
+    wrong: Outside = EMPTY
     """Flags of points where a formula gives no valid efficiency, by the name of the part."""
-    others: Mapping[int, Floats] = MappingProxyType({})
+    others: Mapping[int, Floats] = EMPTY
     """Smaller speed ratios of a converter that agree with the load, shape (points, ratios), by
     gear.
     """
@@ -77,7 +77,7 @@ def follow_laws(case: Transmission, given: Columns, variants: int) -> Followed:
     """Calculate all points; laws determine drag torques, efficiencies and losses."""
     if not case.laws:
         settled = np.zeros((variants, len(case.gears)), np.int8)
-        return Followed(solve_points(case, given, variants), given, settled, NOWHERE)
+        return Followed(solve_points(case, given, variants), given, settled, EMPTY)
     laws = {number: law for number, law in laws_of(case).items() if number not in given}
     plain = without_laws(case)
     sought = {n: law for n, law in laws.items() if _is_efficiency(n) and law.over != "speed"}

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from vstatics.core.model.parts import Law
-from vstatics.core.numerics.arrays import Floats
+from vstatics.core.numerics.arrays import Booleans, Floats
 
 
 def machine_efficiency(law: Law, speed: Floats, torque: Floats) -> Floats:
@@ -29,12 +31,18 @@ def machine_efficiency(law: Law, speed: Floats, torque: Floats) -> Floats:
     >>> machine_efficiency(by_sign, np.array([20.0, 20.0]), np.array([10.0, -5.0])).tolist()
     [0.9, 0.75]
     """
-    return law.at(*law.sizes_of(speed, machine_torque(law, torque)))
+    return law.at(*_sizes(law, speed, torque))
 
 
-def machine_torque(law: Law, torque: Floats) -> Floats:
-    """Return the torque, signed or as magnitude, for the law of a machine [N*m]."""
-    return torque if law.text or law.columns[0] < 0 else np.abs(torque)  # type: ignore[attr-defined] # a map
+def outside_map(law: Law, speed: Floats, torque: Floats, power: Floats) -> Booleans:
+    """Return True where power [W] flows at a speed and torque outside the efficiency map."""
+    outside: Booleans = law.is_outside(*_sizes(law, speed, torque)) & (power != 0)
+    return outside
+
+
+def _sizes(law: Law, speed: Floats, torque: Floats) -> Sequence[Floats]:
+    signed = law.text or law.columns[0] < 0  # type: ignore[attr-defined] # a map
+    return law.sizes_of(speed, torque if signed else np.abs(torque))
 
 
 def efficiency_at(given: float, speed: Floats, torque: Floats, power: Floats) -> Floats:

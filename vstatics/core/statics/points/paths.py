@@ -13,7 +13,7 @@ import numpy as np
 
 from vstatics.core.errors import CaseError, Problem, quoted
 from vstatics.core.model.parts import OfLoad
-from vstatics.core.model.paths import Keys, dotted
+from vstatics.core.model.paths import Keys, dotted, with_unit
 from vstatics.core.model.shape import UNIT_OF, Measure
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, as_floats
@@ -119,12 +119,12 @@ def columns_of(
 
 def _without_unit(path: str, known: Mapping[str, Sequence[CaseNumber]]) -> str:
     """Return a hint for a path with a unit in brackets, or an empty text."""
-    bare, bracket, _ = path.partition(" [")
-    if not bracket or not known.get(bare):
+    bare, unit = with_unit(path)
+    if unit is None or not known.get(bare):
         return ""
     measure = measure_of(known[bare][0].quantity)
-    unit = "W" if measure == "power" else UNIT_OF[measure] if measure else "bare numbers"
-    return f"; expected {quoted(bare)}, in {unit}"
+    expected = "W" if measure == "power" else UNIT_OF[measure] if measure else "bare numbers"
+    return f"; expected {quoted(bare)}, in {expected}"
 
 
 def numbers_of(case: Transmission) -> dict[str, tuple[CaseNumber, ...]]:

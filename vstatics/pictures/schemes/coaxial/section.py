@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Container, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import count
-from types import MappingProxyType
 from typing import NamedTuple
 
+from vstatics.core.model.empty import EMPTY
 from vstatics.core.model.transmission import HOUSING
 from vstatics.pictures.schemes.boxes import BoxSection, BoxText
 from vstatics.pictures.schemes.coaxial.planarity import has_half_section
@@ -15,7 +15,7 @@ from vstatics.pictures.schemes.coaxial.train import CoaxialTrain, Planes
 from vstatics.pictures.schemes.scheme import Device, Scheme, SchemePort
 from vstatics.pictures.schemes.sets import HalfSection
 
-NO_TEXTS: Mapping[int, BoxText] = MappingProxyType({})
+NO_TEXTS: Mapping[int, BoxText] = EMPTY
 
 
 class TopMeaning(NamedTuple):
