@@ -622,7 +622,7 @@ class EventRun:
 
     def _name(self, watch: Watch) -> str:
         if watch.kind == "split":
-            return "what sticks"
+            return "a group of sticking components"
         if watch.kind in FOLLOWING:
             return self._name_of_value(watch)
         kind: Kind | None = "meshes" if watch.kind == "flow" else KIND_OF.get(watch.kind)

@@ -214,7 +214,9 @@ def test_ends_are_never_removed_by_a_rule_but_on_demand() -> None:
 def test_where_only_ends_are_left_no_rule_goes_on() -> None:
     """Three masses on a joint without inertia have two frequencies."""
     star = STAR._replace(inertias=(1.0, 1.0, 1.0, 0.0))
-    told = "no link remains that a rule removes, as only one component acts on each of a, b, c; "
+    told = (
+        "the rule can remove no further link, because only one component acts on each of a, b, c; "
+    )
     assert problems(star, 1) == [f"{told}name the links to remove"]
     assert simplify(star, 1, remove=["b"]).scheme.names == ("a", "c")
 

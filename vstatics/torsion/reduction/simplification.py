@@ -164,8 +164,9 @@ def _by_masses(
             if not inner:
                 raise CaseError(
                     "E508",
-                    "no link remains that a rule removes, as only one component acts on each of "
-                    f"{listed([system.names[0] for system in systems])}; name the links to remove",
+                    "the rule can remove no further link, because only one component acts on each "
+                    f"of {listed([system.names[0] for system in systems])}; name the links to "
+                    "remove",
                 )
             system = _highest(inner)
         [mass] = system.masses

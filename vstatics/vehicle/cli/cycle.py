@@ -132,7 +132,7 @@ def cycle_command(
     --strategy.
 
     The engine supplies the power of wheels, inertias, losses and drag torques. If it cannot
-    brake enough (`overrun`), the brakes supply the rest. A warning lists the time steps in
+    brake enough (`overrun`), the brakes absorb the rest. A warning lists the time steps in
     which the engine would exceed its full load or its largest speed. The engine must drive
     alone: a gear with a balance, given torques or given speeds other than 0 is an error. Fuel
     needs a map in the vehicle: `fuel: {file: fuel.csv}`. A vehicle with a `machine` instead of

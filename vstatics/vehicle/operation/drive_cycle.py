@@ -4,7 +4,7 @@ In a step between two rows of a trace, the acceleration is constant, the speed i
 and the first row gives gear and slope. The wheel force follows from these quantities. The
 transmission is solved backwards, with its output as the input of the calculation. The result is the
 engine torque with all losses. Inertias J act as torques ``-J dw/dt`` on their links. If the engine
-would have to brake more than its overrun torque, the brakes supply the difference. At standstill
+would have to brake more than its overrun torque, the brakes absorb the difference. At standstill
 all torques are zero.
 
 An electric machine supplies a share of each braking force at the wheels. With the efficiency e, its

@@ -153,7 +153,7 @@ def test_a_stream_of_lines_is_whole_lines_and_a_file_is_not_there() -> None:
         out, err = run.communicate(timeout=60)
         os.close(pipe)
     assert len([json.loads(line) for line in out.splitlines()]) == 2
-    assert err == b"stopped after 2 of 5 cases; what was written ends there\n"
+    assert err == b"stopped after 2 of 5 cases; the output ends there\n"
     told = stopped_at_pipe(signal.SIGTERM, *CASES, "-f", "jsonl", "-o", "all.jsonl")
     kept = "all.jsonl was not written; the same command with --resume goes on"
     assert told[:2] == (143, [f"stopped after 2 of 5 cases; {kept}"])

@@ -183,7 +183,7 @@ def to_stream(
         If the output cannot be written.
     """
     telling, is_file = job.options.telling, not is_stream(output)
-    remains = f"{output} was not written" if is_file else "what was written ends there"
+    remains = f"{output} was not written" if is_file else "the output ends there"
     names = {os.path.basename(file) for file in cases}  # noqa: PTH119
     are_alike = len(names) < len({*cases})
     job = job._replace(folders=are_alike and job.to.form in ("json", "jsonl"))

@@ -323,7 +323,7 @@ options = gathered(
                 "--brakes",
                 multiple=True,
                 metavar="N,..",
-                help="Allowed numbers of brakes: 2, or 2,3.",
+                help="Allowed numbers of brakes, such as 2 or 2,3.",
             ),
             click.option(
                 "--clutches", multiple=True, metavar="N,..", help="Allowed numbers of clutches."
