@@ -22,7 +22,7 @@ from tests.pictures.schemes.test_schemes import overlaps as overlaps_of
 from tests.pictures.schemes.test_schemes import ring
 from tests.shipped import shipped_results
 from vstatics import CaseError, Results, Transmission, load, solve
-from vstatics.pictures import drawn_kinds, drawn_pages, module_of, picture, render
+from vstatics.pictures import drawn_pages, picture, render
 from vstatics.pictures.drawing.files import Format, figures_of, settings_of
 from vstatics.pictures.drawing.style import PAGE_HEIGHT, PAGE_WIDTH, POINTS_PER_MILLIMETRE, Style
 
@@ -201,12 +201,6 @@ def test_gears_without_a_solution_do_not_stop_a_picture(kind: str) -> None:
         else:
             assert said.status == int(text == TIED_UP)
             assert said.out.startswith("<?xml")
-
-
-def test_every_kind_of_picture_has_its_module() -> None:
-    for name in drawn_kinds():
-        kind = vars(module_of(name))
-        assert callable(kind.get("draw", kind.get("each")))
 
 
 @pytest.mark.slow

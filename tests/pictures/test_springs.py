@@ -15,13 +15,9 @@ SPRINGS = [
     Spring(between(4), stiffness=1, name="mount"),
     Spring({3: 1, 4: -4.1, 5: 3.1}, stiffness=1, name="axle"),
 ]
-CASE = Transmission(
-    5,
-    [ShiftElement(2, 3, "C"), ShiftElement(3, 0, "B")],
-    [],
-    [Gear([1], name="on"), Gear([2], name="off")],
-    springs=SPRINGS,
-)
+ELEMENTS = [ShiftElement(2, 3, "C"), ShiftElement(3, 0, "B")]
+GEARS = [Gear([1], name="on"), Gear([2], name="off")]
+CASE = Transmission(5, ELEMENTS, [], GEARS, springs=SPRINGS)
 
 
 def test_a_shaft_is_a_coupling_and_any_other_a_box_with_its_coefficients() -> None:
@@ -71,8 +67,7 @@ def test_one_mass_on_a_spring_is_drawn() -> None:
 
 def test_a_shaft_and_a_mechanism_have_one_state() -> None:
     """In the lever both ends of a shaft are joined to the input."""
-    mechanism = Mechanism(2, 3, 4, -2.0, name="set")
-    case = Transmission(
-        4, [ShiftElement(3)], [mechanism], [Gear([1])], springs=[Spring(between(1, 2), stiffness=1)]
-    )
+    shaft = Spring(between(1, 2), stiffness=1)
+    case = Transmission(4, [ShiftElement(3)], [Mechanism(2, 3, 4, -2.0)], [Gear([1])])
+    case = case.replace(springs=[shaft])
     assert state_of(solve(case), 1).joined == [0, 1, 1, 0, 4]

@@ -23,18 +23,10 @@ SET = Transmission(
 
 
 RATIOS = np.array([-2.0, -2.5, -3.0])
-
-
 VALUES = RATIOS[:, None]
-
-
 HELD = 1 - RATIOS
 """Ratio sun to carrier with the ring held, from (w1 - w3)/(0 - w3) = u."""
-
-
 VARIED = [target("D1.ratio", SET)]
-
-
 RESULTS = solve(SET, ratios=VALUES)
 
 

@@ -72,16 +72,8 @@ def finished(parts: Path) -> list[str]:
     return [name for name in names(parts) if name.isdigit()]
 
 
-CASE = Transmission(
-    7,
-    [],
-    [
-        Mechanism(1, 2, 3, -2.5),
-        Mechanism(3, 4, 5, -2.0, name="D.2=x"),
-        Mechanism(5, 6, 7, -3.0, name="1"),
-    ],
-    [Gear()],
-)
+SETS = Mechanism(1, 2, 3, -2.5), Mechanism(3, 4, 5, -2.0, name="D.2=x")
+CASE = Transmission(7, [], [*SETS, Mechanism(5, 6, 7, -3.0, name="1")], [Gear()])
 
 
 def variations(*lists: list[float] | Steps | Span) -> list[Variation]:

@@ -40,11 +40,8 @@ def test_a_row_is_of_a_gear() -> None:
     assert chunk.variants.tolist() == [0, 0, 0, 1, 1, 1]
     assert [chunk.gears[n] for n in chunk.of_gear] == ["low, 1", "high", "idle"] * 2
     nan = math.nan
-    low = [1 - u for u in RATIOS]
-    etas = [(1 - 0.96 * u) / (1 - u) for u in RATIOS]
-    rows = [
-        [[r, e, r, r], [1, 1, nan, r], [nan, nan, nan, r]] for r, e in zip(low, etas, strict=True)
-    ]
+    low = [(1 - u, (1 - 0.96 * u) / (1 - u)) for u in RATIOS]
+    rows = [[[r, e, r, r], [1, 1, nan, r], [nan, nan, nan, r]] for r, e in low]
     np.testing.assert_allclose(chunk.columns, np.concatenate(rows), rtol=1e-14)
     assert [STATUS[code] for code in chunk.status[:3]] == ["ok"] * 3
 

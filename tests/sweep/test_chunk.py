@@ -20,18 +20,15 @@ def test_numbers_are_those_of_the_case_solved_alone() -> None:
     """Each row against `solve` of one case with these numbers, the engine of `run`."""
     case = load(MZKT)
     random = np.random.default_rng(3)
-    table = {
-        "D1.ratio": random.uniform(-0.9, -0.7, 30),
-        "D3.efficiency": random.uniform(0.9, 1, 30),
-    }
+    ratios, etas = random.uniform([-0.9, 0.9], [-0.7, 1], (30, 2)).T
+    table = {"D1.ratio": ratios, "D3.efficiency": etas}
     (made,) = sweep(case, variants=table, out="ratio, efficiency, lossy_torques[T4]")
     assert made.headings[:2] == ("ratio[1]", "ratio[2]")
     assert made.headings[-1] == "lossy_torques[T4,6]"
     for row in range(30):
-        ratios = [table["D1.ratio"][row], 2.6, -2.461]
-        efficiencies = [0.94, 0.95, table["D3.efficiency"][row]]
-        one = solve(case, ratios=ratios, efficiencies=efficiencies)
-        expected = [*one.ratio, *one.efficiency, *one.lossy_torques[:, 3]]
+        given = {"ratios": [ratios[row], 2.6, -2.461], "efficiencies": [0.94, 0.95, etas[row]]}
+        alone = solve(case, **given)
+        expected = [*alone.ratio, *alone.efficiency, *alone.lossy_torques[:, 3]]
         np.testing.assert_allclose(made.columns[row], expected, rtol=1e-11)
         assert made.values[row].tolist() == [table[name][row] for name in table]
 
@@ -95,9 +92,8 @@ def test_a_gear_that_is_tied_up_or_open_by_its_ratios_tells_so() -> None:
 
 
 def test_a_neutral_gear_of_the_case_is_no_reason() -> None:
-    case = Transmission(
-        3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2, name="D")], [Gear(), Gear([1])]
-    )
+    sets = [Mechanism(1, 2, 3, -2, name="D")]
+    case = Transmission(3, [ShiftElement(2)], sets, [Gear(), Gear([1])])
     (made,) = sweep(case, {"D.ratio": [-2, -3]}, out="ratio")
     assert made.status.tolist() == [0, 0]
     assert np.isnan(made.columns[:, 0]).all()

@@ -181,9 +181,8 @@ def test_two_sweeps_do_not_write_one_output(tmp_path: Path) -> None:
         f"FinishedPieces({str(tmp_path / 'out.csv')!r}).lock()\n"
         "print('held', flush=True); time.sleep(60)"
     )
-    with subprocess.Popen(
-        [sys.executable, "-c", code], stdout=subprocess.PIPE, env=environment()
-    ) as other:
+    command = [sys.executable, "-c", code]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, env=environment()) as other:
         assert other.stdout is not None
         assert other.stdout.readline() == b"held\n"
         with pytest.raises(ReadError, match=rf"another sweep \(process {other.pid}\)"):

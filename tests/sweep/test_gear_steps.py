@@ -23,7 +23,6 @@ def test_random_ratios_have_the_steps_of_their_design_table() -> None:
         results = solve(Transmission(3, [], pairs, gears))
         ratios = np.array([random.choice([4.0, -3.0, 2.5, 1.0, -1.0, np.nan]) for _ in gears])
         made = design(results._replace(ratio=ratios))
-        np.testing.assert_allclose(
-            steps(results.case, ratios[None]), [[abs(one.step) for one in made.gears]]
-        )
+        expected = [[abs(gear.step) for gear in made.gears]]
+        np.testing.assert_allclose(steps(results.case, ratios[None]), expected)
         np.testing.assert_allclose(spread(results.case, ratios[None]), [made.spread])

@@ -68,7 +68,6 @@ def test_a_dragged_gear_that_drives_a_further_output_has_what_leaves_there() -> 
         ("energy: {low: 1, N: 2}", "gear N: the gear has no efficiency"),
         ("energy: {low: 0}", "all shares are 0"),
         ("energy: {low: -1}", "read '-1', expected a share of 0 or more"),
-        ("energy: {low: much}", "read 'much', expected a share"),
         ("energy: {low: 1, low: 2}", "gear low is given twice"),
         ("enrgy: {low: 1}", "did you mean `energy`?"),
         ("energy: [low]", "read a list, expected a share for each gear"),

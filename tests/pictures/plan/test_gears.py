@@ -5,12 +5,12 @@ those of the case.
 """
 
 import json
-from collections.abc import Sequence
 from itertools import combinations
 from xml.etree import ElementTree as ET
 
 import pytest
 
+from tests.chance import with_slow
 from tests.commands import CASES, SHIPPED, json_answer
 from tests.pictures.drawn import WITHOUT_PLAN, WITHOUT_TWO_GEARS
 from tests.shipped import shipped_results
@@ -48,11 +48,7 @@ gears: {"1": [K1, d1, d2], "2": [K2, d2, d3], "2 up": [K2, d2, d1], "3": [K1, d3
 
 def panels(results: Results) -> tuple[list[tuple[list[str], list[str]]], list[str]]:
     """Gears and engaged elements of each panel of all pages, and the gears that are left out."""
-    return told_panels(pages(results, "plan", "svg", Style(height=PAGE_HEIGHT)))
-
-
-def told_panels(made: Sequence[bytes]) -> tuple[list[tuple[list[str], list[str]]], list[str]]:
-    """The same of some pages."""
+    made = pages(results, "plan", "svg", Style(height=PAGE_HEIGHT))
     roots = [ET.fromstring(one) for one in made]  # noqa: S314 - our own
     found = [
         (json.loads(one.attrib["data-gears"]), json.loads(one.attrib["data-engaged"]))
@@ -95,13 +91,11 @@ def test_every_gear_is_on_a_panel_or_named(name: str) -> None:
         assert max(ratios) - min(ratios) > 1e-9
 
 
+SPEEDS = [name for name in NAMES if "8hp70" in name or "speed" in name]
+
+
 @pytest.mark.parametrize(
-    "name",
-    [
-        pytest.param(name, marks=[pytest.mark.slow] * (name != "allison-6speed.yaml"))
-        for name in NAMES
-        if "8hp70" in name or "speed" in name
-    ],
+    "name", with_slow(["allison-6speed.yaml"], set(SPEEDS) - {"allison-6speed.yaml"})
 )
 def test_gears_that_one_element_tells_apart_are_on_a_panel(name: str) -> None:
     """Boxes whose elements all carry torque where they are engaged, by the JSON."""

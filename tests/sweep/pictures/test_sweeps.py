@@ -189,7 +189,7 @@ def test_histograms_count_the_numbers_of_the_file(tmp_path: Path) -> None:
         assert [int(one["data-count"]) for one in bars] == counts.tolist()
 
 
-def test_a_histogram_is_as_high_as_its_count() -> None:
+def test_bars_of_a_histogram_are_as_high_as_their_counts() -> None:
     figure = drawn(histogram, sweep_of({"x": [0] * 6 + [1] * 3}, "x"))
     bars: list[Any] = [one for one in figure.artists if '"bar"' in str(one.get_gid())]
     heights = [one.get_path().get_extents().height for one in bars]
@@ -247,27 +247,24 @@ def test_a_gear_number_is_a_whole_number_all_the_way() -> None:
 
 
 @pytest.mark.usefixtures("folder")
-@pytest.mark.parametrize(
-    ("kind", "columns"),
-    [
-        ("map", {"z": "efficiency[low]"}),
-        ("curves", {"x": "D.ratio", "y": "efficiency[low]", "by": "D.efficiency"}),
-        ("histogram", {"y": "ratio[low]"}),
-    ],
-)
-def test_a_picture_from_python_is_that_of_the_command(kind: str, columns: dict[str, str]) -> None:
+def test_a_picture_from_python_is_that_of_the_command() -> None:
     """To the byte, from what the command has written."""
-    vary = [part for one in GRID for part in ("--vary", one)]
+    vary = [part for number in GRID for part in ("--vary", number)]
     save(DIFFERENTIAL, "box.yaml")
     assert vstatics("sweep", "box.yaml", *vary, "--out", OUT, "-o", "own.csv").status == 0
-    asked = [part for name, column in columns.items() for part in (f"--{name}", column)]
-    assert vstatics("plot", "own.csv", "-k", kind, *asked, "-o", "told.svg").status == 0
-    picture = sweep(DIFFERENTIAL, GRID, out=OUT).plot(kind, **columns)
-    picture.save("own.svg")
-    assert Path("own.svg").read_bytes() == Path("told.svg").read_bytes()
-    assert picture._repr_svg_().startswith("<?xml")
-    assert picture.figure.axes or picture.figure.texts
-    assert repr(picture) == f"<SweepPicture {kind} of 15 rows>"
+    for kind, named in {
+        "map": {"z": "efficiency[low]"},
+        "curves": {"x": "D.ratio", "y": "efficiency[low]", "by": "D.efficiency"},
+        "histogram": {"y": "ratio[low]"},
+    }.items():
+        asked = [part for name, column in named.items() for part in (f"--{name}", column)]
+        assert vstatics("plot", "own.csv", "-k", kind, *asked, "-o", "told.svg").status == 0
+        picture = sweep(DIFFERENTIAL, GRID, out=OUT).plot(kind, **named)
+        picture.save("own.svg")
+        assert Path("own.svg").read_bytes() == Path("told.svg").read_bytes()
+        assert picture._repr_svg_().startswith("<?xml")
+        assert picture.figure.axes or picture.figure.texts
+        assert repr(picture) == f"<SweepPicture {kind} of 15 rows>"
 
 
 def test_another_kind_and_another_column_are_told() -> None:

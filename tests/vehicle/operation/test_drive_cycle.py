@@ -95,17 +95,6 @@ def test_a_step_in_closed_form(gear: str, ratio: float, eta: float, name: str) -
     assert [float(column[0]) for column in made.steps.values()] == pytest.approx(expected)
 
 
-def test_brakes_take_what_the_engine_does_not() -> None:
-    """Coasting through .9 the overrun of -30 N*m holds 30 1.5/.9 on the output."""
-    case = CASE.replace(vehicle=CAR._replace(overrun=[(0.0, -30.0)]), inertias={})
-    made = drive(case, trace((0, 20, "2"), (2, 10, "2")), GearChoice()).energy
-    force = -1200 * 5 + 1200 * GRAVITY * 0.012 + AIR * 0.65 / 2 * 15**2
-    way, engine = 30.0, -30 * 1.5 * 4.1 / 0.3
-    by_hand = [engine / 0.9 - force, engine, engine - engine / 0.9]
-    energies = [made.brakes, made.engine, made.lost["second"]]
-    assert energies == pytest.approx([one * way for one in by_hand], rel=1e-12)
-
-
 @each_seed(20)
 def test_random_cycles_are_in_balance(seed: int) -> None:
     """The engine is the sum of all others, and its torque gives the force at the wheels."""
@@ -210,10 +199,10 @@ def test_a_link_that_is_held_at_0_rpm_is_braked() -> None:
 def test_where_machines_drive_too_nothing_of_the_vehicle_is_told(gear: Gear, why: str) -> None:
     """Their power is none of the engine's: energies would not close."""
     case = SET.replace(gears=[SET.gears[0], gear._replace(name="split")])
-    assert [(one.id, why in one.message) for one in doubts(case)] == [("W890", True)]
+    assert [(doubt.id, why in doubt.message) for doubt in doubts(case)] == [("W890", True)]
     told, alone = performance(case), performance(SET)
+    assert told._replace(gears=alone.gears) == alone
     assert told.gears["low"] == alone.gears["low"]
-    assert (told.top_speed, told.time_to_100) == (alone.top_speed, alone.time_to_100)
     assert all(map(math.isnan, told.gears["split"]))
     rows = trace((0, 3, "low"), (4, 9, "split"), (8, 30, ""))
     with pytest.raises(CaseError, match=f"gear split has {why}, expected a gear in w") as caught:
@@ -252,12 +241,9 @@ def test_gears_by_shift_speeds_and_by_the_least_speed() -> None:
     with pytest.raises(CaseError, match="no column `gear`"):
         drive(CASE, text, GearChoice())
     named = trace((0, 4, "1"), (2, 8, "1"))
-    both = (GearChoice(least, shifts), text), (GearChoice(least), named)
-    for choice, given in (
-        *both,
-        (GearChoice(shifts=shifts), named),
-        (GearChoice(least, (), True), text),
-    ):
+    twice = [(GearChoice(least, shifts), text), (GearChoice(least, (), True), text)]
+    twice += [(GearChoice(least), named), (GearChoice(shifts=shifts), named)]
+    for choice, given in twice:
         with pytest.raises(CaseError, match=r"and --\S+ both give the gears, expected one of them"):
             drive(case, given, choice)
     turned = read_shifts("2-1: 6 m/s/3.6 m/s")
@@ -395,11 +381,7 @@ TORQUE = "speed [rpm],torque [N*m],fuel"
         ("t.csv", "time [s],speed [km/h]\n0,1\n", "expected at least two"),
         ("t.csv", "time [s],speed [km/h]\n0,1\n0,2\n", ":3:1: error: time: read 0, expected a l"),
         ("t.csv", "time [s],speed [kg]\n0,1\n1,2\n", "speed: read the unit 'kg'"),
-        (
-            "t.csv",
-            "time [s],speed [m/s],slope [%]\n0,1,5\n1,2,5\n",
-            "`-` or `deg`, as it is the sine of",
-        ),
+        ("t.csv", "time [s],speed [m/s],slope [%]\n0,1,5\n1,2,5\n", "as it is the sine of"),
         ("t.csv", "time [s],speed [m/s],gear\n0,1,low\n1,2,9\n2,2,9\n", ":3:1: error: there is n"),
         ("t.csv", "A title\ntime [s],speed [mph]\n0,0\n5,10\n", "t.csv:2:1: error: the trace has"),
         ("fuel.csv", f"{TORQUE} [kg]\n0,0,1\n", "fuel.csv:1:1: error: fuel: read the unit 'kg'"),
@@ -475,9 +457,8 @@ def test_of_equal_ratios_the_gear_without_slip_is_the_higher() -> None:
 
 
 def test_a_slip_of_the_wrong_sign_gives_no_cycle() -> None:
-    with pytest.raises(
-        CaseError, match=r"engine would turn at -97\.8591 rpm, expected a gear in w"
-    ):
+    """At 10.5 m/s the pair turns at 84 rad/s, less 900 rpm: -97.859 rpm."""
+    with pytest.raises(CaseError, match=r"engine would turn at -97\.8591 rpm, expected a gear"):
         drive(in_rpm("-900 rpm"), trace((0, 10, "low"), (4, 11, "low")), GearChoice())
     with pytest.raises(CaseError, match=r"gear low has no torques .* only a slip below 0 is poss"):
         drive(loads(SLIPPING), trace((0, 7, "low"), (4, 5, "low")), GearChoice())

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from tests.commands import json_answer, json_file, vstatics
-from vstatics import CaseError, Gear, Mechanism, ShiftElement, Transmission
+from vstatics import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.core.model.parts import OfLoad
 from vstatics.core.numerics.constants import AIR, GRAVITY
 from vstatics.vehicle.case.vehicle import Vehicle
@@ -119,16 +119,6 @@ def test_no_slope_is_steeper_than_a_wall(torque: float) -> None:
     assert made.top_speed == pytest.approx(3.6 * 100 * 0.05)
 
 
-def test_a_vehicle_that_cannot_be_is_told() -> None:
-    for vehicle, said in (
-        (Vehicle(0, 0.3), "vehicle.mass: read 0"),
-        (Vehicle(1000, 0.3, engine=[(300, 9), (200, 9)]), "in ascending order"),
-        (Vehicle(1000, 0.3, overrun=[(100, 9)]), "a torque of 0 or less"),
-    ):
-        with pytest.raises(CaseError, match=said):
-            one_gear(vehicle)
-
-
 def test_summary_tells_the_vehicle(tmp_path: Path) -> None:
     file = tmp_path / "car.yaml"
     file.write_text(
@@ -141,14 +131,3 @@ def test_summary_tells_the_vehicle(tmp_path: Path) -> None:
     assert told["gears"]["low"]["slope"] == pytest.approx(1000 / (1000 * GRAVITY))
     assert vstatics("convert", file, tmp_path / "back.json").status == 0
     assert json_file(tmp_path / "back.json")["vehicle"]["radius"] == 0.5
-
-
-def test_a_gear_that_drives_nothing_has_no_slope() -> None:
-    """Park: the output is held, the input goes free of it."""
-    car = Vehicle(mass=1000, radius=0.3, engine=[(100.0, 100.0), (500.0, 100.0)])
-    park = ShiftElement(4, 0)
-    gears = [Gear([1], name="low"), Gear([3], name="park")]
-    case = Transmission(4, [*CLUTCHES, park], PAIRS, gears, vehicle=car)
-    made = performance(case).gears
-    assert made["low"].slope > 0.1
-    assert math.isnan(made["park"].slope)
