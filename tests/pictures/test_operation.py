@@ -1,6 +1,5 @@
 """Pictures of what operation adds: variators, converters, gears that are dragged."""
 
-
 from tests.pictures.drawn import texts, titled
 from vstatics import Transmission, solve
 from vstatics.core.readers import loads

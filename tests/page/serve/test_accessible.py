@@ -13,15 +13,11 @@ from tests.page.serve.served import BOX
 from tests.page.serve.windows import Program, Window, looked_through
 
 pytestmark = pytest.mark.slow
-VIBRATING, DECK, SCENARIO = (
-    "moskvich412.yaml",
-    "mzkt7922.dat",
-    "scenarios/tarasik-set-lock.yaml",
-)
+SERVED = "moskvich412.yaml", "mzkt7922.dat", "scenarios/tarasik-set-lock.yaml"
 PHONE = {"width": 390, "height": 844}
 
 
-@pytest.fixture(params=[VIBRATING, DECK, SCENARIO])
+@pytest.fixture(params=SERVED)
 def shipped(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
     """A shipped case, where it may be changed."""
     copy: Path = shutil.copytree(CASES, tmp_path / "cases") / request.param
@@ -99,6 +95,5 @@ def test_all_can_be_done_by_keys(program: Program, window: Callable[[], Window])
     here.until("document.getElementById('save').hidden")
     assert float(here.field("P1.efficiency")) == value
     program.file.write_text(BOX, "utf-8")
-    here.until(
-        "document.querySelector('input.field[data-path=\"P1.efficiency\"]').value === '0.97'"
-    )
+    field = "document.querySelector('input.field[data-path=\"P1.efficiency\"]')"
+    here.until(f"{field}.value === '0.97'")

@@ -19,12 +19,9 @@ def boxes(tmp_path: Path) -> Path:
 
 def test_plot_and_report(tmp_path: Path, boxes: Path) -> None:
     boxes.write_text(json.dumps(simpson()))
-    for command in (
-        ("plot", boxes, "--kind", "boxes", "-o", tmp_path / "boxes.png", "--dark"),
-        ("report", boxes, "-o", tmp_path / "boxes.html"),
-    ):
-        said = vstatics(*command)
-        assert (said.status, said.out, said.err) == (0, "", "")
+    plot = ("plot", boxes, "--kind", "boxes", "--dark", "-o", tmp_path / "boxes.png")
+    assert vstatics(*plot).is_silent()
+    assert vstatics("report", boxes, "-o", tmp_path / "boxes.html").is_silent()
     assert (tmp_path / "boxes.png").read_bytes().startswith(b"\x89PNG")
     assert "<h1>1 found box</h1>" in (tmp_path / "boxes.html").read_text()
 
@@ -33,12 +30,8 @@ def test_a_box_that_was_edited_without_its_case_is_reported(tmp_path: Path, boxe
     document = simpson()
     document["boxes"][0]["ratios"]["P1"] = -2.2
     boxes.write_text(json.dumps(document))
-    for command in (
-        ("plot", boxes, "--kind", "boxes", "-o", tmp_path / "boxes.svg"),
-        ("report", boxes, "-o", tmp_path / "boxes.html"),
-        ("summary", boxes),
-    ):
-        said = vstatics(*command)
+    for command in ("plot --kind boxes -o boxes.svg", "report -o boxes.html", "summary"):
+        said = vstatics(*command.replace("boxes.", f"{tmp_path}/boxes.").split(), boxes)
         assert said.status == 0
         message = "box 1: the ratio of set P1 is -2.2, but -2.08571429 in its `case`"
         assert said.err == f"{boxes}: warning: {message}\n"
