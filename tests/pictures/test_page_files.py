@@ -33,7 +33,6 @@ def count(monkeypatch: pytest.MonkeyPatch) -> list[int]:
 
 
 def wide(svg: str) -> float:
-    """The width of an SVG [pt]."""
     found = re.search(r'<svg [^>]*?\bwidth="([\d.]+)pt"', svg)
     assert found, svg[:200]
     return float(found[1])

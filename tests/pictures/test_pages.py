@@ -63,7 +63,6 @@ def files_of(kind: str, folder: Path) -> list[Path]:
 
 
 def drawn(file: Path, kind: str, folder: Path) -> Iterator[bytes]:
-    """The pages of a picture; none where there is nothing to draw."""
     target = folder / "drawn.svg"
     said = vstatics("plot", file, "--kind", kind, "-o", target, *OPTIONS.get(kind, ()))
     assert said.status in (0, 1), said.err
@@ -72,7 +71,6 @@ def drawn(file: Path, kind: str, folder: Path) -> Iterator[bytes]:
 
 
 def parameter(kind: str, *, is_quick: bool) -> Any:
-    """A kind, of some files or of all."""
     marks = [] if is_quick else [pytest.mark.slow]
     return pytest.param((kind, is_quick), id=f"{kind}-some" if is_quick else kind, marks=marks)
 
@@ -87,7 +85,6 @@ def parameter(kind: str, *, is_quick: bool) -> Any:
 def pages(
     request: pytest.FixtureRequest, browser: Any, tmp_path_factory: pytest.TempPathFactory
 ) -> Measured:
-    """The pages of a kind, of some cases or of all."""
     kind, is_quick = request.param
     folder = tmp_path_factory.mktemp("pages")
     files = files_of(kind, folder)

@@ -19,7 +19,6 @@ ONE, OTHER = CASES / "simpson.yaml", CASES / "zf-6hp26.yaml"
 
 
 def parsed(svg: bytes) -> ET.Element:
-    """Our own SVG."""
     return ET.fromstring(svg)  # noqa: S314 - from nowhere else
 
 

@@ -17,7 +17,6 @@ from matplotlib.text import Text
 from tests.chance import some
 from tests.commands import CASES, LOCKED, NEUTRAL, SHIPPED, TIED_UP, vstatics
 from tests.installed import HERE, needs
-from tests.pictures.drawn import WITHOUT_PLAN
 from tests.pictures.schemes.test_schemes import overlaps as overlaps_of
 from tests.pictures.schemes.test_schemes import ring
 from tests.shipped import shipped_results
@@ -29,7 +28,6 @@ from vstatics.pictures.drawing.style import PAGE_HEIGHT, PAGE_WIDTH, POINTS_PER_
 if TYPE_CHECKING:
     from vstatics.simulation.record.motion import Motion
 
-NAMES = [path.name for path in SHIPPED]
 OF_VAN = ("zf-8hp70.yaml", "ravigneaux-gf4a.yaml")
 """Cases that are put into a van each time."""
 
@@ -56,23 +54,7 @@ def overlaps(
         return overlaps_of(picture(results, kind, style, motion=motion))
 
 
-def has_picture(kind: str, name: str) -> bool:
-    if kind == "lever" and name == "moskvich-start.yaml":  # springs only
-        return False
-    return kind != "plan" or name not in WITHOUT_PLAN
-
-
 OURS = ("plan", "lever", "efficiency")
-STYLES = (Style(), Style("ru", dark=True))
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("kind", OURS)
-@pytest.mark.parametrize("name", NAMES[::5])
-def test_no_label_covers_another_in_russian_on_dark_paper(name: str, kind: str) -> None:
-    """In English on paper all are looked at in a browser, by test_pages.py."""
-    if has_picture(kind, name):
-        assert overlaps(shipped_results(name), kind, STYLES[1]) == []
 
 
 @needs("vehicle")
@@ -149,14 +131,6 @@ def test_a_picture_does_not_ask_for_a_screen() -> None:
     )
     done = subprocess.run([sys.executable, "-c", code], check=False, capture_output=True)
     assert done.returncode == 0, done.stderr.decode()
-
-
-def test_the_suffix_tells_the_format(tmp_path: Path) -> None:
-    for form, start in (("svg", b"<?xml"), ("png", b"\x89PNG"), ("pdf", b"%PDF")):
-        target = tmp_path / f"losses.{form}"
-        said = vstatics("plot", CASES / "umdm.yaml", "--kind", "efficiency", "-o", target)
-        assert said.is_silent()
-        assert target.read_bytes().startswith(start)
 
 
 def test_a_picture_goes_through_a_pipe() -> None:

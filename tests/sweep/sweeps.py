@@ -48,7 +48,6 @@ def plan(
 
 
 def small_pieces(monkeypatch: pytest.MonkeyPatch, size: int = 8) -> None:
-    """Have the command calculate so many variants at once."""
     whole = build.plan
     monkeypatch.setattr(build, "plan", lambda *of: replace(whole(*of), piece=size))
 
@@ -68,7 +67,6 @@ def begin(*arguments: object, cwd: Path, before: Callable[[], None] | None = Non
 
 
 def finished(parts: Path) -> list[str]:
-    """Names of the finished pieces in a directory."""
     return [name for name in names(parts) if name.isdigit()]
 
 

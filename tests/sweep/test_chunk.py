@@ -1,6 +1,5 @@
 """A part of a sweep: its numbers are those of `solve`, its status the worst of its gears."""
 
-import pickle
 from itertools import pairwise
 from typing import Any
 
@@ -12,7 +11,6 @@ from tests.core.statics.test_freewheels import pair
 from tests.sweep.sweeps import DIFFERENTIAL, plan
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, load, solve
 from vstatics.sweep import blocks, sweep
-from vstatics.sweep.blocks import calculate
 from vstatics.sweep.chunk import STATUS
 
 
@@ -34,7 +32,6 @@ def test_numbers_are_those_of_the_case_solved_alone() -> None:
 
 
 def statuses(case: Transmission, vary: dict[str, Any], **asked: Any) -> list[str]:
-    """The status of each variant of a sweep of ratios."""
     (made,) = sweep(case, variants=vary, **asked)
     return [STATUS[code] for code in made.status]
 
@@ -129,15 +126,6 @@ def test_conventions_of_the_call_come_before_those_of_the_case() -> None:
     (made,) = sweep(DIFFERENTIAL, {"D.ratio": [-2.5]}, coast=True)
     expected = solve(DIFFERENTIAL, coast=True)
     np.testing.assert_allclose(made.columns[0], [*expected.ratio, *expected.efficiency])
-
-
-def test_plans_and_chunks_can_go_to_other_processes() -> None:
-    made = plan("D.ratio=-4:-2:9", where="ratio[low] > 3.5", max=["efficiency[low]"])
-    there = pickle.loads(pickle.dumps(made))  # noqa: S301
-    one, other = calculate(made, 2, 9), pickle.loads(pickle.dumps(calculate(there, 2, 9)))  # noqa: S301
-    np.testing.assert_array_equal(one.variants, other.variants)
-    np.testing.assert_array_equal(one.columns, other.columns)
-    assert there.fingerprint("csv") == made.fingerprint("csv")
 
 
 def test_a_fingerprint_tells_plans_apart() -> None:

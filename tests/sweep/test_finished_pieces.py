@@ -42,7 +42,6 @@ def finished(path: Path, *, resume: bool = False, vary: str = VARY[0]) -> Output
 
 
 def calculate(written: Output) -> list[int]:
-    """Calculate what is not there; how many variants, as they came."""
     told: list[int] = []
     written.calculate(Alone(written.task, written.task.describe), told.append)
     return told
@@ -53,7 +52,6 @@ def assemble(written: Output) -> None:
 
 
 def whole(folder: Path) -> bytes:
-    """The output of an undisturbed sweep."""
     written = store(folder / "whole.csv")
     calculate(written)
     assemble(written)

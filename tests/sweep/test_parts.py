@@ -43,7 +43,6 @@ def file(tmp_path: Path) -> Path:
 
 
 def changed(*ways: tuple[tuple[str, ...], float | str]) -> vstatics.Transmission:
-    """The case of a document with other numbers."""
     document = json.loads(json.dumps(CASE))
     for keys, number in ways:
         inner = document

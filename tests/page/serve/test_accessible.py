@@ -19,7 +19,6 @@ PHONE = {"width": 390, "height": 844}
 
 @pytest.fixture(params=SERVED)
 def shipped(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
-    """A shipped case, where it may be changed."""
     copy: Path = shutil.copytree(CASES, tmp_path / "cases") / request.param
     return copy
 

@@ -37,7 +37,6 @@ def scenario_of(case: Transmission, data: st.DataObject) -> bytes:
 
 
 def own(found: Target | CasePath, case: Transmission) -> float | None:
-    """Return a number as the case has it."""
     if isinstance(found, Target):
         return own_number(case, found.owner, found.quantity)
     return own_part_number(case, found.part) if found.part else own_number_at(found, case)

@@ -63,7 +63,6 @@ def with_number(case: Transmission, path: str, value: float) -> Transmission:
 
 
 def replaced(part: Any, quantity: str, number: object) -> Any:
-    """A part with another number."""
     change = dataclasses.replace if dataclasses.is_dataclass(part) else type(part)._replace
     return change(part, **{quantity: number})
 

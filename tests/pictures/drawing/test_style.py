@@ -29,13 +29,11 @@ APART = 0.1
 
 
 def light(colour: str) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
-    """Red, green, blue of a colour, linear."""
     parts = np.array(channels(colour)) / 255
     return np.where(parts <= 0.04045, parts / 12.92, ((parts + 0.055) / 1.055) ** 2.4)
 
 
 def channels(colour: str) -> list[int]:
-    """Red, green, blue of a colour, from 0 to 255."""
     return [int(colour[at : at + 2], 16) for at in (1, 3, 5)]
 
 

@@ -25,12 +25,10 @@ OF_VIBRATION = [kind for kind, own in drawn_kinds().items() if own.shows == "vib
 
 
 def parsed(svg: bytes) -> ET.Element:
-    """Our own SVG."""
     return ET.fromstring(svg)  # noqa: S314 - from nowhere else
 
 
 def made(**how: Any) -> ET.Element:
-    """A picture of one text."""
     pen = blank(144.0, 72.0, STYLE)
     pen.text(72.0, 36.0, "sun <1>\nК & −2.5", **how)
     return parsed(written_as_svg(pen.canvas, "a <set>"))

@@ -207,7 +207,6 @@ def test_points_stand_at_their_ratios(name: str) -> None:
 
 
 def page(name: str) -> LeverPage:
-    """Where the levers of a shipped case stand."""
     found = page_of(shipped_results(name).case, Style())
     assert found is not None
     return found

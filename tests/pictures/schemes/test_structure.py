@@ -37,7 +37,6 @@ ONE_ROW = Style(width=inf)
 
 
 def coloured_wires(root: ET.Element) -> Iterator[tuple[str, Line, str]]:
-    """Return the lines of links with their colours."""
     for group in root.iter(f"{SVG}g"):
         if group.get("class") == "link" and group.attrib["data-name"] != "housing":
             for path in group.iter(f"{SVG}path"):

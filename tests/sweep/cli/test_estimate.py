@@ -24,7 +24,6 @@ def _files(folder: Path) -> None:
 
 
 def free(monkeypatch: pytest.MonkeyPatch, size: int) -> None:
-    """So many bytes are free."""
     monkeypatch.setattr(shutil, "disk_usage", lambda _: SimpleNamespace(free=size))
 
 

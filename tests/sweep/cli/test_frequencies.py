@@ -19,7 +19,6 @@ OMEGA = "omega[1,1],omega[2,1]/omega[1,1]"
 
 @pytest.fixture(autouse=True)
 def _case(folder: Path) -> None:
-    """A folder, the current one, with three masses."""
     (folder / "box.yaml").write_text(CASE, "utf-8")
 
 

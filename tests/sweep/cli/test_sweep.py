@@ -21,7 +21,6 @@ COLUMNS = "variant,D.ratio,status,ratio[direct],ratio[low]"
 
 @pytest.fixture(autouse=True)
 def _case(folder: Path) -> None:
-    """A folder, the current one, with the differential of `sweeps`."""
     (folder / "box.yaml").write_text(CASE_TEXT, "utf-8")
 
 

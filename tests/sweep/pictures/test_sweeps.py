@@ -38,7 +38,6 @@ def sweep_of(columns: Mapping[str, Iterable[float]], *varied: str) -> WrittenSwe
 
 
 def read(head: str, rows: Iterable[object]) -> WrittenSweep:
-    """A sweep as a file has it."""
     return sweep_tables.read("\n".join([head, *map(str, rows), ""]).encode(), "s.csv")
 
 
@@ -56,7 +55,6 @@ def drawn(kind: Any, sweep: WrittenSweep, **asked: Any) -> Figure:
 
 
 def lines(figure: Figure, title: str) -> list[Floats]:
-    """The lines of a title, by places in the figure [pt]."""
     return [one.get_xydata() for said, one in titled(figure) if said == title]
 
 

@@ -3,7 +3,6 @@
 import math
 import pickle
 from itertools import pairwise, permutations, product
-from pathlib import Path
 
 import pytest
 
@@ -20,7 +19,7 @@ from tests.synthesis.boxes.hand_boxes import (
     ZF_8HP,
     ZF_8HP_SEARCH,
 )
-from vstatics import load, solve
+from vstatics import solve
 from vstatics.core.explain.bodies import on_own_links
 from vstatics.core.readers import read
 from vstatics.core.writers import deck
@@ -157,12 +156,6 @@ def test_what_is_crowded_is_not_planar() -> None:
         left = [one for one in case.shift_elements if one != gone]
         joins_ports = {*gone.links} == {case.input, case.output}
         assert box_is_planar(case.replace(shift_elements=left, gears=gears)) != joins_ports
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("path", sorted(Path("cases").glob("*.yaml")), ids=lambda path: path.stem)
-def test_shipped_gearboxes_are_planar(path: Path) -> None:
-    assert box_is_planar(load(path))
 
 
 @pytest.mark.parametrize(("held", "key"), [(0, "first"), (1, "third"), (2, "second")])

@@ -77,7 +77,6 @@ def test_counts_of_four_sets(search: StructureSearch) -> None:
 
 
 def counted(search: StructureSearch) -> dict[int, int]:
-    """What the oracle counts."""
     sets, classes, unsound, with_ports, *_ = search
     if classes != "none":
         return oracle.classes(sets, classes, ports=with_ports, all_=unsound)

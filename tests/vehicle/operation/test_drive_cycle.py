@@ -68,7 +68,6 @@ def parallel(ratios: Mapping[str, float]) -> Transmission:
 
 
 def trace(*rows: tuple[float, float, str]) -> Trace:
-    """Of time [s], speed [m/s] and gear."""
     lines = [f"{time!r},{speed!r},{gear}" for time, speed, gear in rows]
     return read_trace("\n".join(["time [s],speed [m/s],gear", *lines]).encode(), "t.csv")
 
@@ -320,7 +319,6 @@ def test_no_gear_is_taken_beyond_the_engine_where_another_one_holds(seed: int) -
 
 @pytest.fixture
 def files(folder: Path) -> Path:
-    """A case with a fuel map, and a trace."""
     (folder / "car.yaml").write_text(CAR_FILE)
     (folder / "t.csv").write_text(TRACE_FILE)
     rows = "0,0,500\n0,900,500\n400,0,500\n400,900,500\n"

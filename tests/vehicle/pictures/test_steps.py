@@ -77,7 +77,6 @@ def test_numbers_of_steps_stand_in_their_cells_in_a_column() -> None:
 
 
 def lines(figure: Figure) -> list[tuple[str, np.ndarray]]:
-    """What lines say, and their places [pt]."""
     drawn = (one for one in figure.artists if isinstance(one, Line2D))
     return [(str(one.get_gid()), np.asarray(one.get_xydata())) for one in drawn]
 

@@ -105,7 +105,6 @@ class PlacedWheel(NamedTuple):
 
 
 def svg_of(case: Transmission, gears: tuple[int, ...] = ()) -> ET.Element:
-    """The stick diagram of a case."""
     return ET.fromstring(render(solve(case), "stick", "svg", Style(), gears))  # noqa: S314
 
 
@@ -123,12 +122,10 @@ def points(path: ET.Element) -> list[tuple[float, float]]:
 
 
 def of_class(root: ET.Element, kind: str) -> list[ET.Element]:
-    """All elements of a class."""
     return [one for one in root.iter() if one.get("class") == kind]
 
 
 def wheels(root: ET.Element) -> list[PlacedWheel]:
-    """All wheels of pairs."""
     found = []
     for group in of_class(root, "wheel"):
         places = [at for path in group.iter(f"{SVG}path") for at in points(path)]

@@ -106,7 +106,6 @@ def check_wheels(case: Transmission, root: ET.Element) -> None:
 
 
 def check_apart(root: ET.Element) -> None:
-    """No two wheels of different pairs overlap."""
     for one, other in combinations(wheels(root), 2):
         if one.mechanism != other.mechanism and abs(one.x - other.x) < 5:
             assert one.low > other.high - ROUNDED or other.low > one.high - ROUNDED
@@ -117,13 +116,11 @@ Piece = tuple[tuple[float, float], tuple[float, float]]
 
 
 def pieces(group: ET.Element) -> list[Piece]:
-    """The lines of the wires of a link."""
     wires = [one for one in group.iter(f"{SVG}path") if one.get("class") == "wire"]
     return [piece for wire in wires for piece in pairwise(points(wire))]
 
 
 def pieces_by_link(root: ET.Element) -> dict[str, list[Piece]]:
-    """The lines of the wires of all links."""
     found: dict[str, list[Piece]] = {}
     for group in of_class(root, "link"):
         found.setdefault(group.attrib["data-name"], []).extend(pieces(group))
@@ -321,7 +318,6 @@ def test_a_pair_of_every_kind_stands_on_two_axes(kind: str) -> None:
 
 
 def strokes(group: ET.Element) -> list[Piece]:
-    """All straight pieces of a group."""
     paths = [one.attrib["d"] for one in group.iter(f"{SVG}path")]
     parts = [ET.Element("path", d=f"M{part}") for path in paths for part in path.split("M")[1:]]
     return [piece for part in parts for piece in pairwise(points(part))]

@@ -26,7 +26,6 @@ class RandomBox(NamedTuple):
 
 
 def numbered_box(_: object) -> str:
-    """The name of an example, to which a number is added."""
     return "box"
 
 

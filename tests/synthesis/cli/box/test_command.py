@@ -35,7 +35,6 @@ LEAST = [("T-L2", "F-L0-L2"), ("T-L2", "F-L1-L2"), ("T-L2", "F-L0-L1")]
 
 
 def one(clutch: tuple[int, int], p: float = 2.0) -> FoundBox:
-    """The set with a brake at its ring."""
     scheme, error = SetScheme.of_code("0-1-2"), math.log((1 + p) / 3)
     return FoundBox(scheme, None, 0, 1, ((2, HELD), clutch), (-p,), ((0,), (1,)), max(error, 1e-9))
 
