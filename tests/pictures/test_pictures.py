@@ -55,6 +55,7 @@ def overlaps(
 
 
 OURS = ("plan", "lever", "efficiency")
+STYLES = (Style(), Style("ru", dark=True))
 
 
 @needs("vehicle")

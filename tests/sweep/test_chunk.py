@@ -24,8 +24,8 @@ def test_numbers_are_those_of_the_case_solved_alone() -> None:
     assert made.headings[:2] == ("ratio[1]", "ratio[2]")
     assert made.headings[-1] == "lossy_torques[T4,6]"
     for row in range(30):
-        given = {"ratios": [ratios[row], 2.6, -2.461], "efficiencies": [0.94, 0.95, etas[row]]}
-        alone = solve(case, **given)
+        own, eta = [ratios[row], 2.6, -2.461], [0.94, 0.95, etas[row]]
+        alone = solve(case, ratios=own, efficiencies=eta)
         expected = [*alone.ratio, *alone.efficiency, *alone.lossy_torques[:, 3]]
         np.testing.assert_allclose(made.columns[row], expected, rtol=1e-11)
         assert made.values[row].tolist() == [table[name][row] for name in table]

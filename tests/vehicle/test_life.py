@@ -249,9 +249,8 @@ def test_strengths_and_bearings_are_written_as_they_were_read() -> None:
 T, B = "torque: 9, cycles: 9, exponent: 3", "load_per_torque: 1, dynamic: 9"
 
 
-@pytest.mark.parametrize(
-    ("keys", "said"),
-    [
+def test_what_cannot_be_is_refused_at_its_place() -> None:
+    for keys, said in (
         (f"fatigue: {{P9.sun: {{{T}}}}}", "there is no link or member `P9"),
         (f"fatigue: {{P1.planet: {{{T}}}}}", "expected `torque_of`"),
         (f"fatigue: {{a: {{on: P1.planet, {T}}}}}", "P1.planet is a"),
@@ -271,13 +270,11 @@ T, B = "torque: 9, cycles: 9, exponent: 3", "load_per_torque: 1, dynamic: 9"
         (f"fatigue: {{P1.sun: {{torque_of: s, {T}, flanks: apart}}}}", "is a magnitude"),
         ("bearings: {b: {on: s, load_per_torque: 0, dynamic: 9 kN}}", "a load per torque above 0"),
         ("bearings: {b: {on: s, load_per_torque: 1 N, dynamic: 9}}", "load_per_torque: read '1 N'"),
-    ],
-)
-def test_what_cannot_be_is_refused_at_its_place(keys: str, said: str) -> None:
-    with pytest.raises(ReadError) as caught:
-        loads(CASE % keys)
-    assert said in str(caught.value)
-    assert ":8:" in str(caught.value)
+    ):
+        with pytest.raises(ReadError) as caught:
+            loads(CASE % keys)
+        assert said in str(caught.value)
+        assert ":8:" in str(caught.value)
 
 
 def test_members_of_gear_sets_in_error_are_not_reported_as_missing() -> None:

@@ -68,7 +68,7 @@ def test_a_path_of_the_page_is_that_of_sweep_solve_and_compare(
     data: st.DataObject, case: Transmission
 ) -> None:
     # paths of a sweep do not tell these apart: one name of two parts, a name in brackets from a unit
-    names = [device.name for device in (*case.shift_elements, *case.mechanisms)]
+    names = [one.name for one in case.shift_elements] + [one.name for one in case.mechanisms]
     assume(len({*names}) == len(names))
     assume(not any("[" in name for name in (*names, *case.link_names)))
     text = write_yaml(case).encode()

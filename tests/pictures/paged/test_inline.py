@@ -16,9 +16,6 @@ def test_a_look_of_many_is_said_once() -> None:
     page, rules = shared(Markup(f"<svg>{LINE * 3}</svg>"))
     assert page == f"<svg>{SHORT * 3}</svg>"
     assert rules == ".l0{fill:none;stroke:var(--ink)}"
-
-
-def test_a_look_of_one_stays_where_it_is() -> None:
     assert shared(Markup(LINE)) == (LINE, "")
 
 

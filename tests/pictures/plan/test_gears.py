@@ -5,6 +5,7 @@ those of the case.
 """
 
 import json
+from collections.abc import Sequence
 from itertools import combinations
 from xml.etree import ElementTree as ET
 
@@ -48,7 +49,10 @@ gears: {"1": [K1, d1, d2], "2": [K2, d2, d3], "2 up": [K2, d2, d1], "3": [K1, d3
 
 def panels(results: Results) -> tuple[list[tuple[list[str], list[str]]], list[str]]:
     """Gears and engaged elements of each panel of all pages, and the gears that are left out."""
-    made = pages(results, "plan", "svg", Style(height=PAGE_HEIGHT))
+    return told_panels(pages(results, "plan", "svg", Style(height=PAGE_HEIGHT)))
+
+
+def told_panels(made: Sequence[bytes]) -> tuple[list[tuple[list[str], list[str]]], list[str]]:
     roots = [ET.fromstring(one) for one in made]  # noqa: S314 - our own
     found = [
         (json.loads(one.attrib["data-gears"]), json.loads(one.attrib["data-engaged"]))

@@ -186,7 +186,7 @@ def random_box(chance: Random) -> Transmission | None:
     sets = chance.choice([2, 3])
     links = chance.randint(sets + 2, 2 * sets + 1)
     three = [chance.sample(range(1, links + 1), 3) for _ in range(sets)]
-    mechanisms = [Mechanism(*links, chance.choice([-2.5, -1.7, 2.1])) for links in three]
+    mechanisms = [Mechanism(a, b, c, chance.choice([-2.5, -1.7, 2.1])) for a, b, c in three]
     used = sorted({link for one in mechanisms for link in one.links})
     if used != list(range(1, links + 1)):
         return None

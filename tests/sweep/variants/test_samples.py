@@ -55,16 +55,14 @@ def test_sobol_is_scipys(dimensions: int, seed: int) -> None:
     assert np.array_equal(longer.block(2**20, 2**20 + 2), engine.random(2))
 
 
-def test_a_latin_hypercube_is_scipys() -> None:
+def test_a_latin_hypercube_is_scipys_and_random_numbers_are_numpys_row_by_row() -> None:
     for count in (1, 10, 1000):
         whole = Sample(UNIT, count, "lhs", 5).block(0, count)
         engine = qmc.LatinHypercube(3, rng=np.random.default_rng(5))
         assert np.array_equal(whole, engine.random(count))
-
-
-def test_random_numbers_are_numpys_row_by_row() -> None:
-    generator = np.random.Generator(np.random.PCG64(3))
-    assert np.array_equal(Sample(UNIT, 50, "random", 3).block(0, 50), generator.random((50, 3)))
+        generator = np.random.Generator(np.random.PCG64(3))
+        plain = Sample(UNIT, count, "random", 3).block(0, count)
+        assert np.array_equal(plain, generator.random((count, 3)))
 
 
 @given(methods, st.floats(-1e308, 1e308), st.floats(-1e308, 1e308), st.integers(1, 40))

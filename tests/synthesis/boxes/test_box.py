@@ -41,9 +41,8 @@ def test_what_gearboxes_have_can_be_asked_for() -> None:
         check_box_search(one)
 
 
-@pytest.mark.parametrize(
-    ("given", "told"),
-    [
+def test_a_mistake_is_told_with_its_option() -> None:
+    for given, told in (
         ({"sets": 0}, "sets: read 0, expected 1 to"),
         ({"meshed": 5}, "meshed: read 5, expected 0 to 4"),
         ({"fixed": -1}, "fixed: read -1, expected 0 to 4"),
@@ -67,12 +66,10 @@ def test_what_gearboxes_have_can_be_asked_for() -> None:
         ({**ONE, "elements": 5}, "which are engaged, to 4, all that there are (1"),
         ({"elements": 4}, "ratios: read 9 ratios, but 4 elements with 3 engaged give 4 gears"),
         ({"targets": (2.0,)}, "elements: read 5, but 1 gear with 3 engaged cannot use more than 3"),
-    ],
-)
-def test_a_mistake_is_told_with_its_option(given: dict[str, Any], told: str) -> None:
-    with pytest.raises(CaseError) as error:
-        check_box_search(search(**given))
-    assert told in str(error.value)
+    ):
+        with pytest.raises(CaseError) as error:
+            check_box_search(search(**given))
+        assert told in str(error.value)
 
 
 def test_several_mistakes_are_told_together() -> None:

@@ -140,23 +140,20 @@ def test_what_is_found_twice_is_told_once() -> None:
         assert found.found.figures.error == best
 
 
-@pytest.mark.parametrize(
-    ("wanted", "stays"),
-    [
+def test_filters() -> None:
+    for wanted, stays in (
         (BoxFilter(), True),
         (BoxFilter(single=True, planar=True, brakes=(2,), clutches=(1, 3)), True),
         (BoxFilter(brakes=(1, 3)), False),
         (BoxFilter(clutches=(2,)), False),
         *((BoxFilter(limits={name: EIGHT.figures.number(name)}), True) for name in LIMITED),
         *((BoxFilter(limits={name: EIGHT.figures.number(name) - 1e-3}), False) for name in LIMITED),
-    ],
-)
-def test_filters(wanted: BoxFilter, *, stays: bool) -> None:
-    assert len(ranked(ZF_8HP_SEARCH, [EIGHT], wanted)) == stays
-    assert wanted.before(EIGHT.box) or not stays
-    no = EIGHT._replace(figures=EIGHT.figures._replace(single=False, planar=False))
-    filters = BoxFilter(single=True), BoxFilter(planar=True), BoxFilter()
-    assert [each.lets(no) for each in filters] == [False, False, True]
+    ):
+        assert len(ranked(ZF_8HP_SEARCH, [EIGHT], wanted)) == stays
+        assert wanted.before(EIGHT.box) or not stays
+        no = EIGHT._replace(figures=EIGHT.figures._replace(single=False, planar=False))
+        filters = BoxFilter(single=True), BoxFilter(planar=True), BoxFilter()
+        assert [each.lets(no) for each in filters] == [False, False, True]
 
 
 def test_document_follows_the_schema_and_its_cases_are_cases() -> None:

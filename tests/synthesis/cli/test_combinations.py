@@ -206,9 +206,8 @@ def test_a_dry_run_says_how_many_how_large_how_long(tmp_path: Path) -> None:
     assert said(BELAZ, "--dry-run", "-f", "jsonl").out.count("\n") == 1
 
 
-@pytest.mark.parametrize(
-    ("options", "message"),
-    [
+def test_wrong_use() -> None:
+    for options, message in (
         (("--engaged", "7"), "read 7 engaged shift elements, expected 0 to 6"),
         (("--engaged", "two"), "read `two`, expected a whole number of shift elements"),
         (("--engaged", "-1"), "read `-1`"),
@@ -224,10 +223,8 @@ def test_a_dry_run_says_how_many_how_large_how_long(tmp_path: Path) -> None:
         (("--ports", "all,1:2"), "read `all`, expected `all` alone"),
         (("--ports", "all", "--dry-run"), "--ports: without"),
         (("--ports", "all", "--write", "gears.yaml"), "--ports: without"),
-    ],
-)
-def test_wrong_use(options: tuple[str, ...], message: str) -> None:
-    assert said(BELAZ, *options).is_wrong_use(message)
+    ):
+        assert said(BELAZ, *options).is_wrong_use(message)
 
 
 def test_what_cannot_be_done_is_told_with_what_helps(

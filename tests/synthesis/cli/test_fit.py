@@ -104,9 +104,8 @@ def test_the_dry_run_says_what_gears_can_have() -> None:
         assert "1e-300 " in said("--ratios", "2=1e-300", *more).out
 
 
-@pytest.mark.parametrize(
-    ("options", "message"),
-    [
+def test_wrong_use_is_told() -> None:
+    for options, message in (
         ((), "Missing option '--ratios'"),
         (("--ratios", "4.70,3.13"), "expected GEAR=RATIO with commas between"),
         (("--ratios", "1=4,70"), "with commas between (and with decimal points)"),
@@ -127,9 +126,7 @@ def test_the_dry_run_says_what_gears_can_have() -> None:
         (("--ratios", "2=4", "--write", "x.yaml", "-o", "x.yaml"), "x.yaml"),
         (("--ratios", "2=4", "--write", str(BELAZ)), "would be overwritten"),
         (("--ratios", "2=4", "-o", "x/"), "one case gives one text"),
-    ],
-)
-def test_wrong_use_is_told(options: tuple[str, ...], message: str) -> None:
-    answer = said(*options)
-    assert answer.is_wrong_use()
-    assert message in " ".join(answer.err.split())
+    ):
+        answer = said(*options)
+        assert answer.is_wrong_use()
+        assert message in " ".join(answer.err.split())

@@ -51,20 +51,17 @@ def test_summaries_stand_side_by_side(boxes: Path) -> None:
     assert tables.count("mean forward efficiency") == 2  # two boxes beside two others
 
 
-@pytest.mark.parametrize(
-    ("options", "said"),
-    [
+def test_wrong_use(boxes: Path) -> None:
+    for options, said in (
         (("summary", "BOXES", "--gearbox", "5"), "read 5, but the boxes have the numbers 1 to 4"),
         (("summary", "BOXES", "--gearbox", "x"), "read 'x', expected numbers of boxes"),
         (("summary", CASES / "simpson.yaml", "--gearbox", "1"), "--gearbox: expected one document"),
         (("plot", "BOXES", "--kind", "boxes", "--gear", "1", "-o", "x.svg"), "--gear: found boxes"),
         (("report", "BOXES", "-o", "x/"), "found boxes give one page: expected -o FILE, not x/"),
         (("plot", "BOXES", "BOXES", "--kind", "boxes", "-o", "x/"), "expected one document"),
-    ],
-)
-def test_wrong_use(options: tuple[object, ...], said: str, boxes: Path) -> None:
-    answer = vstatics(*(boxes if one == "BOXES" else one for one in options))
-    assert answer.is_wrong_use(said)
+    ):
+        answer = vstatics(*(boxes if one == "BOXES" else one for one in options))
+        assert answer.is_wrong_use(said)
 
 
 def test_other_commands_tell_what_it_is(tmp_path: Path, boxes: Path) -> None:

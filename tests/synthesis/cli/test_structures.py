@@ -145,9 +145,8 @@ def with_ratios(ratios: str) -> tuple[str, ...]:
     return (*TWO, *PORTS, "--ratios", ratios)
 
 
-@pytest.mark.parametrize(
-    ("words", "message"),
-    [
+def test_wrong_use() -> None:
+    for words, message in (
         (("structures", "--sets", 0), "'--sets': 0 is not in the range 1<=x<=10."),
         (("structures", "--sets", 2, "--links", 6), "--links: read 6 links, but 2 sets have"),
         (("structures", "--sets", 2, "--links", "4,,"), "'--links': read ``, expected a"),
@@ -174,7 +173,5 @@ def with_ratios(ratios: str) -> tuple[str, ...]:
         (with_ratios("-2,0"), "--ratios: P2: "),
         (with_ratios("-2,nan"), "--ratios: read `nan`"),
         (with_ratios("-2,1e999"), "--ratios: read `1e999`"),
-    ],
-)
-def test_wrong_use(words: tuple[object, ...], message: str) -> None:
-    assert message in refused(*words)
+    ):
+        assert message in refused(*words)

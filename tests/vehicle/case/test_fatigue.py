@@ -44,9 +44,8 @@ def test_written_and_read_it_is_the_same() -> None:
         check_deck(case)
 
 
-@pytest.mark.parametrize(
-    ("keys", "identity", "at"),
-    [
+def test_what_is_wrong_is_told_where_it_stands() -> None:
+    for keys, identity, at in (
         (f"diameter: .04, section_modulus: 4e-6, {GIVEN}", "E881", "shaft"),
         (GIVEN, "E881", "shaft"),
         (f"{BARE}, endurance: 0, exponent: 3", "E255", "0, exp"),
@@ -56,16 +55,14 @@ def test_written_and_read_it_is_the_same() -> None:
         (f"diameter: .04, {GIVEN}, threshold: .inf", "E125", ".inf"),
         (f"diameter: 4 cm^2, {GIVEN}", "E124", "4 cm"),
         (f"{BARE}, endurance: 1e8", "E191", "shaft"),
-    ],
-)
-def test_what_is_wrong_is_told_where_it_stands(keys: str, identity: str, at: str) -> None:
-    with pytest.raises(ReadError) as caught:
-        read(keys)
-    [problem] = caught.value.problems
-    assert problem.id == identity
-    assert problem.place
-    line = (CASE % keys).splitlines()[2]
-    assert problem.place[1:3] == (3, line.index(at) + 1)
+    ):
+        with pytest.raises(ReadError) as caught:
+            read(keys)
+        [problem] = caught.value.problems
+        assert problem.id == identity
+        assert problem.place
+        line = (CASE % keys).splitlines()[2]
+        assert problem.place[1:3] == (3, line.index(at) + 1)
 
 
 def test_a_device_that_there_is_not() -> None:

@@ -62,9 +62,8 @@ def test_a_device_that_was_not_recorded_is_left_out() -> None:
     assert vstatics("damage", "both.yaml", "record.csv", "--allow", "W880").err == ""
 
 
-@pytest.mark.parametrize(
-    ("record", "message"),
-    [
+def test_records_that_are_none() -> None:
+    for record, message in (
         ("time,torques[shafd]\n0,1\n1,2\n", "1:1: error: there is no column `torques["),
         ("torques[shaft]\n5\n5\n", "1:1: error: no torque of a component with `fatigue`"),
         ("torques[shaft]\n5\nnan\n", "3:1: error: torques[shaft]: read 'nan'"),
@@ -74,11 +73,9 @@ def test_a_device_that_was_not_recorded_is_left_out() -> None:
         ("torques[shaft] [kW]\n5\n6\n", "1:1: error: torques[shaft]: read the unit 'kW'"),
         ("torques[shaft]\n1e300\n-1e300\n", "1:1: error: torques of `shaft` are too lar"),
         ("", "1:1: error: the file is empty, expected a record"),
-    ],
-)
-def test_records_that_are_none(record: str, message: str) -> None:
-    Path("record.csv").write_text(record, "utf-8")
-    assert vstatics("damage", "case.yaml", "record.csv").fails(f"record.csv:{message}")
+    ):
+        Path("record.csv").write_text(record, "utf-8")
+        assert vstatics("damage", "case.yaml", "record.csv").fails(f"record.csv:{message}")
     Path("case.yaml").write_text(CASE.partition("fatigue")[0], "utf-8")
     assert vstatics("damage", "case.yaml", "record.csv").fails("the case has no `fatigue`")
 
@@ -109,9 +106,8 @@ def test_resize() -> None:
     assert "diameter [mm]" in vstatics(*words, "42 mm", "--ratio", "2.9").out
 
 
-@pytest.mark.parametrize(
-    ("words", "message"),
-    [
+def test_wrong_use() -> None:
+    for words, message in (
         ("resize --diameter 42", "expected --ratio, or --torque and --repeats"),
         ("resize --diameter 42 --ratio 2 --torque 3", "expected --ratio, or --torque and --rep"),
         ("resize --diameter 0 --ratio 2", "': read 0, expected a number above 0"),
@@ -122,10 +118,8 @@ def test_resize() -> None:
         ("rayleigh --endurance 1 --deviation 1 --exponent 1e9 --cycles 1", "too large"),
         ("rayleigh --endurance 9 --deviation 6MPa --exponent 3 --cycles 1", "of both, or of none"),
         ("case.yaml", "RECORD.csv"),
-    ],
-)
-def test_wrong_use(words: str, message: str) -> None:
-    assert vstatics("damage", *words.split()).is_wrong_use(message)
+    ):
+        assert vstatics("damage", *words.split()).is_wrong_use(message)
 
 
 STRENGTH = "{section_modulus: 4e-6, endurance: 100e6, exponent: 3, cycles: 4e6}"

@@ -70,17 +70,14 @@ def test_the_command_tells_the_distribution() -> None:
     assert answer == json_answer("damage", "rayleigh", *given, *scattered)
 
 
-@pytest.mark.parametrize(
-    ("given", "said"),
-    [
+def test_what_does_not_scatter_as_it_should_is_wrong_use() -> None:
+    for given, said in (
         ("lognormal(9 MPa, 0)|--samples|9", "and a deviation, above 0"),
         ("normal(9 MPa, 1)|--samples|9", "a unit of both numbers, or of none"),
         ("normal(9 MPa)|--samples|9", "or a distribution such as"),
         ("normal(9 MPa, 1 MPa)", "expected --samples as well"),
         ("9 MPa|--samples|9", "--samples: expected a distribution of"),
         ("9 MPa|--seed|9", "--seed: expected --samples as well"),
-    ],
-)
-def test_what_does_not_scatter_as_it_should_is_wrong_use(given: str, said: str) -> None:
-    others = ["--exponent", "3", "--cycles", "4e6", "--deviation", "6 MPa", "--endurance"]
-    assert vstatics("damage", "rayleigh", *others, *given.split("|")).is_wrong_use(said)
+    ):
+        others = ["--exponent", "3", "--cycles", "4e6", "--deviation", "6 MPa", "--endurance"]
+        assert vstatics("damage", "rayleigh", *others, *given.split("|")).is_wrong_use(said)

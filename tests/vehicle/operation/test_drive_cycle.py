@@ -186,29 +186,28 @@ def test_a_link_that_is_held_at_0_rpm_is_braked() -> None:
     assert performance(held) == performance(SET)
 
 
-@pytest.mark.parametrize(
-    ("gear", "why"),
-    [
+def test_where_machines_drive_too_nothing_of_the_vehicle_is_told() -> None:
+    """Their power is none of the engine's: energies would not close."""
+    for gear, why in (
         (Gear(speeds={2: 1.5}), "a given speed of 2"),
         (Gear(speeds={2: SpeedOf(3, 0.5)}), "a given speed of 2"),
         (Gear([1], torques={2: 0.2}), "a given torque on 2"),
         (Gear(speeds={}, balance=BatteryBalance([(1, 0.9), (2, 0.9)], -1.0)), "a balance"),
-    ],
-)
-def test_where_machines_drive_too_nothing_of_the_vehicle_is_told(gear: Gear, why: str) -> None:
-    """Their power is none of the engine's: energies would not close."""
-    case = SET.replace(gears=[SET.gears[0], gear._replace(name="split")])
-    assert [(doubt.id, why in doubt.message) for doubt in doubts(case)] == [("W890", True)]
-    told, alone = performance(case), performance(SET)
-    assert told._replace(gears=alone.gears) == alone
-    assert told.gears["low"] == alone.gears["low"]
-    assert all(map(math.isnan, told.gears["split"]))
-    rows = trace((0, 3, "low"), (4, 9, "split"), (8, 30, ""))
-    with pytest.raises(CaseError, match=f"gear split has {why}, expected a gear in w") as caught:
-        drive(case, rows, GearChoice())
-    assert caught.value.problems[0].path == (1,)
-    unnamed = rows._replace(gears=[])
-    assert drive(case, unnamed, GearChoice(least_speed=1.0)).gears == ["low", "low"]
+    ):
+        case = SET.replace(gears=[SET.gears[0], gear._replace(name="split")])
+        assert [(doubt.id, why in doubt.message) for doubt in doubts(case)] == [("W890", True)]
+        told, alone = performance(case), performance(SET)
+        assert told._replace(gears=alone.gears) == alone
+        assert told.gears["low"] == alone.gears["low"]
+        assert all(map(math.isnan, told.gears["split"]))
+        rows = trace((0, 3, "low"), (4, 9, "split"), (8, 30, ""))
+        with pytest.raises(
+            CaseError, match=f"gear split has {why}, expected a gear in w"
+        ) as caught:
+            drive(case, rows, GearChoice())
+        assert caught.value.problems[0].path == (1,)
+        unnamed = rows._replace(gears=[])
+        assert drive(case, unnamed, GearChoice(least_speed=1.0)).gears == ["low", "low"]
 
 
 @pytest.mark.parametrize("turned", [1, -1])
@@ -371,10 +370,8 @@ def test_fuel_is_bilinear() -> None:
 TORQUE = "speed [rpm],torque [N*m],fuel"
 
 
-@pytest.mark.usefixtures("files")
-@pytest.mark.parametrize(
-    ("file", "text", "said"),
-    [
+def test_faults_of_files_are_told_with_their_place(files: Path) -> None:
+    for file, text, said in (
         ("t.csv", "time [s],speed [km/h]\n", "no row below the headings"),
         ("t.csv", "time [s],speed [km/h]\n0,1\n", "expected at least two"),
         ("t.csv", "time [s],speed [km/h]\n0,1\n0,2\n", ":3:1: error: time: read 0, expected a l"),
@@ -385,11 +382,11 @@ TORQUE = "speed [rpm],torque [N*m],fuel"
         ("fuel.csv", f"{TORQUE} [kg]\n0,0,1\n", "fuel.csv:1:1: error: fuel: read the unit 'kg'"),
         ("fuel.csv", f"{TORQUE} [g/h]\n0,0,-1\n", "fuel.csv:2:1: error: fuel: expected 0 or more"),
         ("car.yaml", CAR_FILE.partition("vehicle")[0], "the case has no `vehicle`"),
-    ],
-)
-def test_faults_of_files_are_told_with_their_place(file: str, text: str, said: str) -> None:
-    Path(file).write_text(text)
-    assert vstatics("cycle", "car.yaml", "t.csv").gives_nothing(said)
+    ):
+        right = (files / file).read_text()
+        (files / file).write_text(text)
+        assert vstatics("cycle", "car.yaml", "t.csv").gives_nothing(said)
+        (files / file).write_text(right)
     for command in ("cycle", "damage"):
         ran = vstatics(command, "t.csv", "car.yaml")
         assert ran.is_wrong_use("the case stands first, then the CSV file: car.yaml t.csv")
@@ -443,6 +440,13 @@ def test_slip_in_rpm_adds_to_the_speed_of_the_engine() -> None:
     inertia = 0.1 * (76**2 - 60**2) / 2
     assert [energy.inertias, energy.engine] == pytest.approx([inertia, 78.125 * 68 * 4 + inertia])
     assert energy.lost == pytest.approx({"first": 3000, "second": 0, "slip.A": 78.125 * 20 * 4})
+    text = SLIPPING.replace("links: [engine", "links: [engine, c").replace(
+        "A: 0.4", "A: 20 rad/s, C: 0.2"
+    )
+    text = text.replace("A: [engine, a]", "C: [engine, c], A: [c, a]")
+    case = loads(f"{text}load: {{speed: 1000 rpm}}\n")  # 0.8 w - 20 = 48
+    energy = drive(case, trace((0, 5, "low"), (4, 7, "low")), GearChoice()).energy
+    assert [energy.lost["slip.C"], energy.engine] == pytest.approx([78.125 * 68, 78.125 * 340])
 
 
 def test_of_equal_ratios_the_gear_without_slip_is_the_higher() -> None:

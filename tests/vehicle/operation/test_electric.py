@@ -149,9 +149,8 @@ def test_a_machine_is_written_as_it_was_read() -> None:
     assert machine.battery_efficiency == 0.97
 
 
-@pytest.mark.parametrize(
-    ("text", "said"),
-    [
+def test_a_machine_that_cannot_be_is_refused_at_its_place() -> None:
+    for text, said in (
         (MACHINE % "" + ", engine: [[0, 9]]", "read `machine` beside `engine`"),
         (MACHINE % ", generating: [[0, 5]]", "generating[1]: read 5 N*m"),
         (MACHINE % "" + ", recuperation: 1.2", "recuperation: read 1.2"),
@@ -160,13 +159,11 @@ def test_a_machine_is_written_as_it_was_read() -> None:
         (MACHINE % ", battery: {efficiency: 0}", "battery.efficiency: read 0"),
         ("machine: {torque: []}", "torque: read no points, expected at least one"),
         ("machine: {efficiency: 0.9}", "`torque` is missing"),
-    ],
-)
-def test_a_machine_that_cannot_be_is_refused_at_its_place(text: str, said: str) -> None:
-    with pytest.raises(ReadError) as caught:
-        loads(CAR % text)
-    assert said in str(caught.value)
-    assert ":4:" in str(caught.value)
+    ):
+        with pytest.raises(ReadError) as caught:
+            loads(CAR % text)
+        assert said in str(caught.value)
+        assert ":4:" in str(caught.value)
 
 
 def test_the_gear_of_least_loss_is_that_of_the_least_energy_alone() -> None:

@@ -158,9 +158,8 @@ def test_elements_that_carry_more_than_their_capacities_are_told_at_their_rows(l
     assert not spectrum(case.replace(load=None), rows).messages  # relative to any input torque
 
 
-@pytest.mark.parametrize(
-    ("text", "said"),
-    [
+def test_faults_of_a_table_are_told_with_their_place(folder: Path) -> None:
+    for text, said in (
         ("time,gear,speed,torque [N*m]\n1,1,2,3\n", ":1:1: error: speed: its unit is missing"),
         ("time,gear,speed [kg],torque [N*m]\n1,1,2,3\n", "speed: read the unit 'kg'"),
         ("time,gear,speed [rpm],torque [N*m]\n1,1,nan,3\n", ":2:1: error: speed: read 'nan'"),
@@ -172,13 +171,11 @@ def test_elements_that_carry_more_than_their_capacities_are_told_at_their_rows(l
         ("time,gear,speed [rpm],torque [N*m]\n1,1,2\n", ":2:1: error: read 3 cells"),
         ("time,gear,speed [rpm],torque [N*m]\n1,1,0,2\n", "read 0 everywhere, expected a speed"),
         ("time,gear,speed [rpm],torque [N*m]\n-1,1,1,2\n", "time: read -1"),
-    ],
-)
-def test_faults_of_a_table_are_told_with_their_place(folder: Path, text: str, said: str) -> None:
-    case = 'links: 2\nmechanisms: {a: {first: 1, second: 2, ratio: 2}}\ngears: {"1": []}\n'
-    (folder / "case.yaml").write_text(case)
-    (folder / "duty.csv").write_text(text)
-    assert vstatics("summary", "case.yaml", "--duty", "duty.csv").gives_nothing(said)
+    ):
+        case = 'links: 2\nmechanisms: {a: {first: 1, second: 2, ratio: 2}}\ngears: {"1": []}\n'
+        (folder / "case.yaml").write_text(case)
+        (folder / "duty.csv").write_text(text)
+        assert vstatics("summary", "case.yaml", "--duty", "duty.csv").gives_nothing(said)
 
 
 def test_a_load_spectrum_in_percent_of_a_single_gear(folder: Path) -> None:
@@ -276,29 +273,26 @@ def test_elements_bear_what_their_first_member_carries() -> None:
     assert found == pytest.approx([50, of_sun, of_sun * 22 / 30 * 0.98])
 
 
-@pytest.mark.parametrize(
-    ("kind", "speed_ratio", "torque_ratio"),
-    [
+def test_torques_of_variators_and_converters_follow_from_the_speeds() -> None:
+    """M_second = -M_first eta/i of a variator, -K M_first of a converter; drag of 1 N*m behind."""
+    for kind, speed_ratio, torque_ratio in (
         ("variator, efficiency: 0.9", 0.4, 0.9 / 0.4),
         ("variator, efficiency: 0.8", -0.5, 0.8 / -0.5),
         ("converter, points: [[0, 2.2], [0.85, 1], [1, 1]]", 0.34, 2.2 - 0.4 * 1.2),
-    ],
-)
-def test_torques_of_variators_and_converters_follow_from_the_speeds(
-    kind: str, speed_ratio: float, torque_ratio: float
-) -> None:
-    """M_second = -M_first eta/i of a variator, -K M_first of a converter; drag of 1 N*m behind."""
-    own = f"{{first: eng, second: out, speed_ratio: {speed_ratio}, kind: {kind}}}"
-    case = loads(
-        f"links: [eng, out]\nmechanisms: {{h: {own}}}\ngears: {{1: []}}\n"
-        "drag: {out: 1 N*m}\nload: {speed: 2000 rpm, torque: 100 N*m}\n"
-    )
-    found = spectrum(case, points((200.0, 100.0, 10.0)))
-    assert found.members["h.second"].torque.largest == pytest.approx(-100 * torque_ratio, rel=1e-9)
-    assert found.energy.lost["h"] == pytest.approx(200e3 * (1 - speed_ratio * torque_ratio))
-    assert found.energy.lost["drag.out"] == pytest.approx(10 * abs(200 * speed_ratio))
-    closed = found.energy.in_ - found.energy.out - sum(found.energy.lost.values())
-    assert closed == pytest.approx(0, abs=1e-6)
+    ):
+        own = f"{{first: eng, second: out, speed_ratio: {speed_ratio}, kind: {kind}}}"
+        case = loads(
+            f"links: [eng, out]\nmechanisms: {{h: {own}}}\ngears: {{1: []}}\n"
+            "drag: {out: 1 N*m}\nload: {speed: 2000 rpm, torque: 100 N*m}\n"
+        )
+        found = spectrum(case, points((200.0, 100.0, 10.0)))
+        assert found.members["h.second"].torque.largest == pytest.approx(
+            -100 * torque_ratio, rel=1e-9
+        )
+        assert found.energy.lost["h"] == pytest.approx(200e3 * (1 - speed_ratio * torque_ratio))
+        assert found.energy.lost["drag.out"] == pytest.approx(10 * abs(200 * speed_ratio))
+        closed = found.energy.in_ - found.energy.out - sum(found.energy.lost.values())
+        assert closed == pytest.approx(0, abs=1e-6)
 
 
 @each_seed(10, 200)

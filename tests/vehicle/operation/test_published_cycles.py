@@ -155,12 +155,9 @@ def test_units_below_the_names(units: str) -> None:
 SINE = math.sin(math.radians(3))
 
 
-@pytest.mark.parametrize(
-    ("text", "slope"),
-    [
-        # FASTSim 3, github.com/NREL/fastsim, fastsim-core/resources/cycles/us06_city_1.csv
+def test_headings_of_further_programs() -> None:
+    for text, slope in (
         ("time_seconds,speed_meters_per_second,grade\n0,0,0.75\n2,10,0\n", 0.6),
-        # SUMO, floating-car data in CSV: m/s, and degrees (github.com/eclipse-sumo/sumo/issues/3308)
         (
             "timestep_time;vehicle_id;vehicle_slope;vehicle_speed\n"
             "0.00;a;3.00;0.00\n2.00;a;3.00;10.00\n",
@@ -169,13 +166,11 @@ SINE = math.sin(math.radians(3))
         ("time [s];vehicle_speed [km/h];slope [°]\n0;0;-3\n2;36;-3\n", -SINE),
         ("time [s],speed [km/h],Incline (°)\n0,0,-3\n2,36,-3\n", -SINE),
         ("t / s;v / (km/h);grade_percent;Speed/Limit\n0;0;75;9\n2;36;75;9\n", 0.6),
-    ],
-)
-def test_headings_of_further_programs(text: str, slope: float) -> None:
-    trace = read_trace(text.encode(), "t.csv")
-    assert trace.duration.tolist() == [2.0]
-    assert trace.speed.tolist() == [pytest.approx(5.0)]
-    assert trace.slope.tolist() == [pytest.approx(slope)]
+    ):
+        trace = read_trace(text.encode(), "t.csv")
+        assert trace.duration.tolist() == [2.0]
+        assert trace.speed.tolist() == [pytest.approx(5.0)]
+        assert trace.slope.tolist() == [pytest.approx(slope)]
 
 
 def test_gears_of_published_cycles() -> None:
@@ -193,9 +188,8 @@ def test_gears_of_published_cycles() -> None:
 KMH, MPH, MPS = (f"time [s],speed [{unit}]" for unit in ("km/h", "mph", "m/s"))
 
 
-@pytest.mark.parametrize(
-    ("text", "said"),
-    [
+def test_faults_of_published_cycles_quote_the_file() -> None:
+    for text, said in (
         ("Zeit;Tempo [km/h]\n0;0\n1;5\n", r"1:1: error: .*is `Zeit;Tempo \[km/h\]`, .*row `0;0`"),
         ("City cycle\ntmie [s],speed [km/h]\n0,0\n", ":2:1: error: .*'tmie .*did you mean `time`"),
         (f"{KMH},gaer\n0,0,1\n1,5,1\n", "read the heading 'gaer'.*mean `gear`"),
@@ -215,11 +209,9 @@ KMH, MPH, MPS = (f"time [s],speed [{unit}]" for unit in ("km/h", "mph", "m/s"))
         (f"{MPS}\n0,0\n1e300,1\n", ":3:1: .*time: read 1e.300, expected at most 1e"),
         (f"{MPS}\n0,0\n1e-300,1\n", ":3:1: .*speed: read 1, expected a change by"),
         (f"{MPS}\n0,0\n1,-1\n", ":3:1: .*speed: read -1, expected 0 or more"),
-    ],
-)
-def test_faults_of_published_cycles_quote_the_file(text: str, said: str) -> None:
-    with pytest.raises(ReadError, match=said):
-        read_trace(text.encode(), "t.csv")
+    ):
+        with pytest.raises(ReadError, match=said):
+            read_trace(text.encode(), "t.csv")
 
 
 @each_seed(20, 500)

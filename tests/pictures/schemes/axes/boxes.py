@@ -2,7 +2,7 @@
 
 import random
 import re
-from typing import NamedTuple
+from typing import Any, NamedTuple
 from xml.etree import ElementTree as ET
 
 from vstatics import Gear, ShiftElement, Transmission, loads
@@ -43,7 +43,7 @@ def countershaft_box(chance: random.Random) -> Transmission:
         pair(f"f{number}", shaft, 2)
     gears = [Gear([number]) for number in range(1, len(dogs) + 1)]
     drawing = Drawing(len(names), elements)
-    joined = {"shift_elements": dogs, "link_names": names, "gears": gears}
+    joined: dict[str, Any] = {"shift_elements": dogs, "link_names": names, "gears": gears}
     return transmission(drawing, **joined, input=1, output=2)
 
 
@@ -66,7 +66,7 @@ def one_pair(kind: str) -> Transmission:
     drive = Element("drive", kind, links, PAIRS[kind])
     shifts = [ShiftElement(1, 2, "K"), ShiftElement(3, 4, "d", "dog_clutch")]
     names, gears = ["motor", "shaft", "wheel", "out"], [Gear([1, 2])]
-    joined = {"shift_elements": shifts, "link_names": names, "gears": gears}
+    joined: dict[str, Any] = {"shift_elements": shifts, "link_names": names, "gears": gears}
     return transmission(Drawing(4, [drive]), **joined, input=1, output=4)
 
 

@@ -55,9 +55,8 @@ def test_a_gearbox_that_keeps_all_is_found() -> None:
     assert (said.status, said.json["searched"], said.json["found"]) == (0, 1, 1)
 
 
-@pytest.mark.parametrize(
-    ("given", "status", "told"),
-    [
+def test_options_that_need_others() -> None:
+    for given, status, told in (
         ((*KEEP, *RATIOS, "--sets", 2), 2, "--sets follows from the case of --keep"),
         ((*KEEP, *RATIOS, "--free", "sets=1"), 2, "read `sets`, expected shift-elements=N"),
         ((*KEEP, *RATIOS, "--free", "elements=x"), 2, "expected a number from 0 to 12"),
@@ -66,8 +65,6 @@ def test_a_gearbox_that_keeps_all_is_found() -> None:
         (RATIOS, 2, "Missing option '--sets'"),
         (COUNTS, 2, "Missing option '--ratios'"),
         ((*COUNTS, "--gears", "7"), 2, "read 7 gears, but 4 elements with 2 engaged give 6 gears"),
-    ],
-)
-def test_options_that_need_others(given: tuple[object, ...], status: int, told: str) -> None:
-    said = vstatics("synth", "box", *given)
-    assert (said.status, told in said.err) == (status, True)
+    ):
+        said = vstatics("synth", "box", *given)
+        assert (said.status, told in said.err) == (status, True)
