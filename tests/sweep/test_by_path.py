@@ -164,7 +164,6 @@ def test_what_has_no_number_of_its_own_is_told(file: Path) -> None:
 
 
 def test_an_error_writes_nothing(file: Path, tmp_path: Path) -> None:
-    """Neither the head of the columns to stdout, nor a file."""
     out = tmp_path / "out.csv"
     without = CASE.replace("load: {speed: 2000 rpm, torque: 50 N*m}\n", "")
     file.write_text(without.replace(" N*m", ""))

@@ -129,7 +129,6 @@ def test_conventions_of_the_call_come_before_those_of_the_case() -> None:
 
 
 def test_a_fingerprint_tells_plans_apart() -> None:
-    """Everything that decides the result is in it."""
     vary = "D.ratio=-4:-2:9"
     same: dict[str, Any] = {"piece": 8, "out": "ratio", "where": "ratio[low] > 3"}
     plans = [plan(one, **same) for one in (vary, "D.ratio=-4:-2:10", "D.ratio=-4:-2.1:9")]

@@ -13,7 +13,6 @@ from vstatics.vehicle.duty import Duty, cycle
 
 
 def test_shares_of_energy_give_a_weighted_mean() -> None:
-    """Also where the sum of shares is beyond any number."""
     made = cycle(solve(case()), Duty("energy", {"low": 1, "direct": 3, "N": 0}))
     assert [(one.gear, one.energy) for one in made.stages] == [("low", 0.25), ("direct", 0.75)]
     assert made.efficiency == pytest.approx(0.25 * LOW + 0.75)

@@ -201,7 +201,6 @@ def test_without_torque_the_spectrum_is_empty() -> None:
 
 
 def test_a_case_with_strengths_of_members_is_explained() -> None:
-    """Explanations have mechanisms instead of gear sets."""
     case = loads(CASE % STRENGTH)
     for ratios in (None, [-2.6, 2.0]):
         assert "u_pair (1 - u_P1)" in str(explain_gear(solve(case, ratios=ratios), "1"))

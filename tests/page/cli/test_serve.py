@@ -15,7 +15,6 @@ def test_a_port_that_is_taken_is_told() -> None:
 
 
 def test_what_cannot_be_served_is_told() -> None:
-    """No file, or what can't be saved again; a page is written or served."""
     for words in (["serve"], ["report", "--watch"]):
         said = vstatics(*words, "gone.yaml")
         assert said.gives_nothing("gone.yaml: error: cannot be read: No such file or directory")

@@ -91,7 +91,6 @@ def test_the_address_chooses_a_gear(page: Opened, gear: str) -> None:
 
 @pytest.mark.parametrize("page", ["#gear=99"], indirect=True)
 def test_a_gear_that_is_not_there_is_put_right_in_the_address(page: Opened) -> None:
-    """When the page is opened, and later, where the gear that is chosen stays."""
     status = page.window.locator("[role=status]")
     assert page.window.url.endswith(f"#gear={quote(LOW, safe='')}")
     assert status.text_content() == f"There is no gear 99, this is gear {LOW}"
@@ -116,7 +115,6 @@ def test_the_bar_tells_the_keys_where_they_work(browser: Any, page: Opened, file
 
 
 def test_keys_step_through_the_gears(page: Opened) -> None:
-    """And stop at the ends."""
     for key, gear in (("Left", LOW), ("Right", DIRECT), ("Right", DIRECT), ("Left", LOW)):
         page.window.keyboard.press(f"Arrow{key}")
         assert page.shown() == {gear}
@@ -129,7 +127,6 @@ def test_keys_step_through_the_gears(page: Opened) -> None:
 def test_a_narrow_page_has_wide_tables_that_scroll_and_fade(
     browser: Any, reports: dict[str, Path], case: str
 ) -> None:
-    """In them keys scroll, and a modifier makes a key one of the browser."""
     page = Opened(browser, reports[case], viewport=PHONE)
     assert page.window.evaluate("document.documentElement.scrollWidth") <= PHONE["width"]
     before = page.shown()
@@ -146,7 +143,6 @@ def test_a_narrow_page_has_wide_tables_that_scroll_and_fade(
 
 
 def test_a_row_of_the_table_chooses_its_gear(page: Opened) -> None:
-    """By a click anywhere in it, and by Enter on its name."""
     rows = page.window.locator("#gears tbody tr")
     rows.nth(1).locator("td").last.click()
     assert page.shown() == {DIRECT}

@@ -39,7 +39,6 @@ def test_a_page_has_no_english_words(case: object) -> None:
 
 
 def test_a_page_of_two_cases_has_no_english_words() -> None:
-    """Neither has the list of what is only in one of them."""
     both = SHOWN[0], str(CASES / "zf-8hp70.yaml")
     page = vstatics("report", *both, "--lang", "ru", "-o", "-", "-q").out
     sides = document_of(page).values()
@@ -81,7 +80,6 @@ def test_a_page_that_is_served_has_no_english_words(browser: Any, tmp_path: Path
 
 
 def test_a_page_says_the_same_with_other_words() -> None:
-    """Its data, addresses, numbers are those of the English page; no English text is left."""
     english, page = page_of(SHOWN[0]), page_of(SHOWN[0], "--lang", "ru")
     assert document_of(page) == document_of(english)
     for kept in (r' id="[^"]*"', r' href="[^"]*"', r'data-value="[^"]*"', r'data-gear="[^"]*"'):
@@ -94,7 +92,6 @@ def test_a_page_says_the_same_with_other_words() -> None:
 
 
 def test_names_that_are_english_words_stay(tmp_path: Path) -> None:
-    """A link `output`, a gear `ratio`, an element `brake` and a set `Gears` are names."""
     case = tmp_path / "names.yaml"
     case.write_text(
         "links: [input, speed, output]\n"

@@ -74,7 +74,6 @@ def test_what_is_explained_has_the_minus_of_print_and_names_as_they_are() -> Non
 
 
 def test_without_sympy_the_gears_say_nothing_of_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The page says once that there are no formulas."""
     monkeypatch.setattr(formula, "missing", lambda *_: "the formula needs the package sympy")
     monkeypatch.setattr(report_explained, "missing", lambda *_: "needs the package sympy")
     low, _ = explained(set_of())

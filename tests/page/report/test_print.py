@@ -148,7 +148,6 @@ def test_what_has_no_room_on_paper_is_told() -> None:
 
 
 def test_stick_diagrams_of_gears_are_printed_once() -> None:
-    """Small beside the table of gears, or large in the overview, where that is printed in full."""
     results, both = shipped_results("simpson-th400.yaml"), ["overview", "gears"]
     small, large = (
         (AskedPage(both), AskedPage()),

@@ -58,7 +58,6 @@ def test_tables_show_the_numbers_of_the_result(zf: Page) -> None:
 
 @pytest.mark.slow
 def test_numbers_by_gear_are_those_of_the_result(zf: Page) -> None:
-    """Ratio and efficiency stand in the table of gears, and only there."""
     [well] = [one.text for one in zf.all("p") if one.text.startswith("In all gears")]
     assert well.count(",") == 2
     assert "By gear" not in [one.text for one in zf.all("h3")]
@@ -204,7 +203,6 @@ def test_a_load_gives_tables_with_units(nasty: Page) -> None:
 
 
 def test_the_same_case_gives_the_same_page(tmp_path: Path) -> None:
-    """Wherever it stands."""
     original = CASES / "differential.yaml"
     copy = tmp_path / "elsewhere.yaml"
     shutil.copy(original, copy)

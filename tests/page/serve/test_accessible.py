@@ -27,7 +27,6 @@ def shipped(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
 def test_a_served_page_has_no_serious_fault_whatever_it_shows(
     browser: Any, shipped: Path, scheme: str
 ) -> None:
-    """All its parts, numbers that are edited, a conflict, errors of the file."""
     here = Window(browser, Program(shipped), color_scheme=scheme)
     looked_through(here)
     assert not serious_faults(here.page)
@@ -49,7 +48,6 @@ def test_a_served_page_has_no_serious_fault_whatever_it_shows(
 
 
 def test_a_served_page_fits_a_telephone(browser: Any, shipped: Path) -> None:
-    """Also with long numbers and errors."""
     here = Window(browser, Program(shipped), viewport=PHONE)
     width = "document.documentElement.scrollWidth"
     looked_through(here)
@@ -61,7 +59,6 @@ def test_a_served_page_fits_a_telephone(browser: Any, shipped: Path) -> None:
 
 
 def test_all_can_be_done_by_keys(program: Program, window: Callable[[], Window]) -> None:
-    """A number by its slider, then Save, Undo, Revert; what has the focus is outlined."""
     here = window()
     keys = here.page.keyboard
 

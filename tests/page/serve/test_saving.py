@@ -228,7 +228,6 @@ def test_no_room_for_a_file_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPa
 
 
 def test_numbers_on_one_anchor_say_so(tmp_path: Path) -> None:
-    """Each field names the paths of the others; a number of its own has no such line."""
     rng = seeded(13)
     for _ in range(count(4, 40)):
         names = [f"P{number}" for number in range(1, rng.randint(2, 5) + 1)]

@@ -35,7 +35,6 @@ def made(**how: Any) -> ET.Element:
 
 
 def test_texts_stay_texts_in_letters_that_other_machines_have() -> None:
-    """What an artist says is its title; a halo is painted below letters that stay letters."""
     root = made(title='P1: "sun" & <ring>', over=True)
     assert [text.text for text in root.iter(f"{SVG}text")] == ["sun <1>", "К & −2.5"]
     assert "sans-serif" in root.attrib["font-family"]
@@ -73,7 +72,6 @@ def test_texts_of_every_kind_have_contrast_and_typeset_numbers(kind: str, dark: 
 
 
 def test_what_belongs_together_is_one_group() -> None:
-    """Parts of two links drawn in turns stand by link, and their wires have their class."""
     pen = blank(50.0, 50.0, Style())
     for turn in range(2):
         for name in ("sun", "ring"):

@@ -178,7 +178,6 @@ def test_a_loop_tells_its_power_and_its_part_of_the_power_in() -> None:
 
 
 def test_a_loop_that_may_not_be_in_the_metal_says_so() -> None:
-    """Mechanisms that share planets, as the case says of itself."""
     said: dict[Literal["en", "ru"], str] = {
         "en": "may be an artefact of the model: D7 and D8 share sun 1 and carrier",
         "ru": "возможно, лишь в модели: у D7 и D8 общие sun 1 и carrier",

@@ -195,7 +195,6 @@ def crossed(figure: Figure) -> Iterator[str]:
 
 @pytest.mark.parametrize("name", MOSTLY_SLOW)
 def test_points_stand_at_their_ratios(name: str) -> None:
-    """On a lever heights go with positions, in one direction or the other."""
     for cell in page(name).cells:
         if cell.lever.ratio is None and len(cell.rows) > 2:
             (low, first), *others, (high, last) = sorted(cell.rows.items())
@@ -221,7 +220,6 @@ def routes_of(name: str) -> Iterator[list[LeverRoute]]:
 
 @pytest.mark.parametrize("name", MOSTLY_SLOW)
 def test_what_rises_between_levers_has_a_place_of_its_own(name: str) -> None:
-    """In no gear are two lines upright at one place."""
     for found in routes_of(name):
         pieces = [pairwise(piece) for route in found for piece in route.pieces]
         lines = [line for piece in pieces for line in piece]

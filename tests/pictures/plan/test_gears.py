@@ -83,7 +83,6 @@ def carrying(case: str) -> dict[str, dict[str, frozenset[str]]]:
 
 @pytest.mark.parametrize("name", MOSTLY_SLOW)
 def test_every_gear_is_on_a_panel_or_named(name: str) -> None:
-    """A panel has two gears of different ratios at least."""
     results = shipped_results(name)
     found, left_out = panels(results)
     shown = {gear for gears, _ in found for gear in gears}

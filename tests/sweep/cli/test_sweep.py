@@ -277,7 +277,6 @@ def test_rows_stand_where_the_file_behind_a_stream_is(where: str) -> None:
 
 
 def test_headings_stay_as_they_are_where_that_is_asked_for(tmp_path: Path) -> None:
-    """A heading that begins as a formula does gets an apostrophe; in a file and on a stream."""
     said = ("sweep", MZKT, "--vary", "D1.ratio=-3:-2:2", "--out", "-ratio[1]")
     heads = []
     for option in ((), ("--raw",)):

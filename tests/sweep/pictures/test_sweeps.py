@@ -81,7 +81,6 @@ def test_contours_are_even_and_each_has_its_number() -> None:
 
 
 def test_a_panel_without_a_number_says_why() -> None:
-    """Of two gears one is tied up everywhere; nowhere is a limit of operation."""
     rows = []
     for n, (x, y) in enumerate(product((1.0, 2.0), repeat=2)):
         rows += [f"{n},{x},{y},ok,low,{x * y}", f"{n},{x},{y},tied up,both,"]
@@ -214,7 +213,6 @@ def test_samples_become_histograms_of_what_differs(tmp_path: Path) -> None:
 
 
 def test_panels_go_on_on_further_pages_of_a_width() -> None:
-    """Nine gears, of which each has a map; nine columns, of which each has a panel of curves."""
     gears = [f"gear {n}" for n in range(1, 10)]
     rows = [
         f"{n},{x},{y},ok,{gear},{x * y}"

@@ -63,7 +63,6 @@ def test_linked_numbers_are_those_of_a_table() -> None:
 
 
 def test_files_tables_samples_and_workers_link_alike(folder: Path) -> None:
-    """All give one row for each variant, with the planet that fits between sun and ring."""
     text = "case: box.yaml\nvary: {P1.teeth.ring: 65:83:10}\nout: ratio\n"
     (folder / "sweep.yaml").write_text(text + "with: {P1.teeth.planet: (P1.teeth.ring - 33)/2}\n")
     (folder / "table.csv").write_text("\n".join(["P1.teeth.ring", *map(str, range(65, 85, 2)), ""]))

@@ -59,7 +59,6 @@ def spooled(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
 
 
 def test_a_table_as_people_write_it() -> None:
-    """The same rows with other ends of lines, separators, quotes, blanks, and a note."""
     for text in (
         "D1.ratio,D1.efficiency\n-2.5,.96\n-3,0.97\n",
         "D1.ratio,D1.efficiency\n-2.5,.96\n-3,0.97",
@@ -140,7 +139,6 @@ def test_all_that_is_wrong_is_told_up_to_a_limit(monkeypatch: pytest.MonkeyPatch
 
 @pytest.mark.parametrize("suffix", ["csv", "parquet", "xlsx", "npz", "jsonl"])
 def test_what_a_sweep_wrote_are_the_variants_of_the_next(tmp_path: Path, suffix: str) -> None:
-    """In every format, with the same numbers; so is what pandas writes."""
     file = str(tmp_path / f"own.{suffix}")
     case = CASES / "zf-8hp70.yaml"
     asked = ("--vary", "P1.teeth.sun=47,48", "--vary", "P1.efficiency=.9,1.5", "--out", "ratio[5]")

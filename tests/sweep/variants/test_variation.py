@@ -120,7 +120,6 @@ def test_every_wrong_number_of_a_list_is_told_up_to_a_limit() -> None:
 
 
 def test_a_text_may_stand_elsewhere() -> None:
-    """In a sweep file, say."""
     with pytest.raises(ReadError) as caught:
         read_variation("D1.ratio=1,x", CASE, Place("sweep.yaml", 7, 5, "  - D1.ratio=1,x"))
     assert caught.value.problems[0].place == Place("sweep.yaml", 7, 16, "  - D1.ratio=1,x")

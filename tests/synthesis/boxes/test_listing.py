@@ -70,7 +70,6 @@ def refused(text: bytes) -> ReadError:
 
 
 def test_what_is_wrong_is_told_where_it_is() -> None:
-    """At its box, in the wish, or in a text that is no document of boxes."""
     documents: dict[str, Any] = {}
     for said, change in WRONG.items():
         documents[said] = many(3)

@@ -261,7 +261,6 @@ def test_many_combinations_of_a_scheme_are_all_tried() -> None:
 
 @pytest.mark.parametrize("code", ["0-1-2-0-3-4-5-2-6-7-8-1", "0-1-2-3-4-1-2-5-6"])
 def test_every_speed_is_determined_in_a_gear_of_a_scheme(code: str) -> None:
-    """No link turns as it likes, and nothing is engaged in excess."""
     scheme = SetScheme.of_code(code)
     case = scheme_case(scheme, scheme.links - 1, scheme.links - 3, [-2.0] * len(scheme.sets))
     assert solve(case).calculable.all()

@@ -35,7 +35,6 @@ def drawn(document: dict[str, Any], most: int = 8, style: Style | None = None) -
 
 
 def test_one_box_has_its_point_and_its_diagram() -> None:
-    """With the ratios of the document, and the spread over its forward gears."""
     document = simpson()
     figure = drawn(document)
     said = texts(figure)
@@ -56,7 +55,6 @@ def test_one_box_has_its_point_and_its_diagram() -> None:
 
 
 def test_the_scales_of_a_narrow_page_can_be_read() -> None:
-    """Numbers stand apart, and the name of the scale is on the paper."""
     assert overlaps(drawn(simpson(), style=Style("ru", width=85 * POINTS_PER_MILLIMETRE))) == []
 
 
@@ -147,7 +145,6 @@ def test_figures_that_differ_widely_have_scales_of_logarithms() -> None:
 
 @pytest.mark.slow
 def test_the_same_boxes_give_the_same_picture() -> None:
-    """Also of a box without a name."""
     document = zf_6hp()
     del document["boxes"][0]["case"]["name"]
     listing = listing_of(document)

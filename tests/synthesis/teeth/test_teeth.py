@@ -192,7 +192,6 @@ def test_ranges_that_keep_all_wishes_from_being_met_together_are_told() -> None:
 
 
 def test_a_set_that_is_given_by_its_ratios_gets_teeth() -> None:
-    """It is written as well."""
     case = of_ratios(85 / 31, -85 / 38)
     assert from_dict(mapping(case)) == case
     best = find_teeth(case, {case.gears[0].name: 85 / 31}).solutions[0]

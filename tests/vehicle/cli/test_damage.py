@@ -43,7 +43,6 @@ def test_a_record() -> None:
 
 @pytest.mark.parametrize("name", ['"torques[""half-shaft""]"', "torques[half-shaft]"])
 def test_units_in_headings_and_names_with_or_without_quotes(name: str) -> None:
-    """A test rig knows no quotes."""
     rows = [f"x,{one / 1000},{one}" for one in EXAMPLE]
     text = "\n".join([f"note,torques[shaft] [kN*m],{name}", *rows, "", ""])
     Path("record.csv").write_text(text, "utf-8")

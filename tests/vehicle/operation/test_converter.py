@@ -383,7 +383,7 @@ def test_a_split_at_full_load_is_between_the_ends_of_the_points() -> None:
 def test_a_force_that_a_split_cannot_give_is_an_error(force: float) -> None:
     """At 20 rad/s the pump turns at 30 at most (i = 0), so the output gets 3 K lambda 30^2 = 21.6.
 
-    Beyond i = 1, where the converter would gain power, it gives nothing. With w_T - 2.4 w_P = -1.4 w
+    Beyond i = 1, where the converter would gain power, it gives nothing. With w_T - 2.4 w_P = -1.4w
     the turbine turns the output backward: the brakes would have to push at any torque.
     """
     table = f"time [s],speed [m/s]\n0,{20 - force / 2000}\n1,{20 + force / 2000}\n"

@@ -277,7 +277,6 @@ def test_a_gear_in_which_the_engine_would_overspeed_is_not_taken_downward(sign: 
 
 @pytest.mark.parametrize("shift", ["R-1", "1-R", "N-1", "1-N", "1-1", "1-split", "2-R"])
 def test_a_cycle_shifts_between_gears_of_one_direction(shift: str) -> None:
-    """Into reverse, neutral, where a machine drives too, or to itself there is no shift up."""
     case = parallel({"2": 1.5, "R": -3.0, "1": 3.5, "split": 2.5, "3": 1.0})
     gears = [*case.gears, Gear(name="N")]
     gears[3] = gears[3]._replace(torques={2: 0.2})

@@ -112,7 +112,6 @@ def test_energies_add_up_with_a_loss_of_the_gear() -> None:
 
 
 def test_a_machine_pulls_as_an_engine_with_its_full_load() -> None:
-    """Top speed, slope and time are those of an engine; without points it brakes as it drives."""
     points = [(0.0, 260.0), (900.0, 120.0)]
     pair = Mechanism(1, 2, 0, RATIO, ETA)
     engine, electric = (

@@ -174,7 +174,6 @@ def test_headings_of_further_programs() -> None:
 
 
 def test_gears_of_published_cycles() -> None:
-    """Neutral at standstill, and numbers that a program of tables made decimal."""
     text = "time [s],speed [m/s],gear\n0,0,0\n1,0,1.0\n2,5,1\n3,5,0\n4,5,1\n"
     trace = read_trace(text.encode(), "t.csv")
     with pytest.raises(CaseError, match="no gear `0` in the case") as raised:

@@ -23,7 +23,6 @@ from vstatics.vehicle.pictures.laws import geometric, progressive
 
 
 def test_a_step_is_a_ratio_over_the_next_one() -> None:
-    """A final drive may turn the sign of all ratios, and of no step."""
     for sign in (1, -1):
         ratios = [sign * ratio for ratio in (3.5, 2.1, 1.4, 1.0, -3.0)]
         cells = marks(box(ratios, vehicle=None), "steps", "step")

@@ -179,7 +179,6 @@ def check_built(case: Transmission, root: ET.Element) -> int:
 def test_shipped_boxes_can_be_built_and_have_all_that_is_theirs(
     shown: tuple[Transmission, ET.Element],
 ) -> None:
-    """Each axis is one level; no link crosses another."""
     case, root = shown
     assert check_built(case, root) == 0
     axes = [{y for _, y in points(one)} for one in of_class(root, "axis")]

@@ -192,7 +192,6 @@ def test_a_dry_run_says_how_many(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_a_directory_has_all_boxes_as_cases() -> None:
-    """Boxes of an earlier search go, other files stay."""
     said = vstatics("synth", "box", *ASKED, "-o", "found")
     assert said.status == 0
     assert said.err.startswith("found: 3 boxes in 2 families of 600 that were looked at; ")
@@ -239,7 +238,6 @@ def test_files_that_no_search_wrote_are_not_lost() -> None:
 
 
 def test_where_there_are_many_the_first_are_drawn(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The first of each family, here."""
     monkeypatch.setattr("vstatics.synthesis.cli.box.output.MOST_DRAWN_CASES", 2)
     said = vstatics("synth", "box", *ASKED, "-o", "found")
     assert said.err.startswith("found: 2 of 3 boxes have a diagram: those of the Pareto list, ")
@@ -256,7 +254,6 @@ def stopped(searched: Searched, output: str) -> Said:
 
 @pytest.mark.parametrize("output", ["found.json", "found"])
 def test_a_search_that_is_stopped_goes_on(searched: Searched, output: str) -> None:
-    """With other filters, too."""
     said = stopped(searched, output)
     kept = "stopped; 3 of 6 pieces of the search are finished and kept in"
     assert said.status == 130
