@@ -143,6 +143,7 @@ def test_what_cannot_be_drawn_is_told(tmp_path: Path) -> None:
         (curves, without, {"x": "x"}, "no row of the sweep has x"),
         (curves, saddle(), {"x": "x", "by": "x"}, "as it also varies y: expected --by"),
         (curves, saddle(), {}, "varies x, y: expected --x"),
+        (curves, sweep_of({"x": [1, 2], "z": [1, 1e301]}, "x"), {}, "`z` has a number above 1e"),
     ]
     for kind, one, options, words in wrong:
         with pytest.raises(CaseError, match=words):

@@ -251,16 +251,6 @@ def test_gears_by_shift_speeds_and_by_the_least_speed() -> None:
     assert drive(case.replace(mechanisms=pairs), text, GearChoice(shifts=turned)).gears[0] == "2"
 
 
-def test_three_gears_by_shift_speeds() -> None:
-    """Up at 6 and 12 m/s, down below 4 and 9 m/s: the mean speeds of the steps decide."""
-    speeds = [5, 7, 11, 13, 9, 8.5, 11, 5, 3.5, 13, 3]
-    rows = [(2.0 * n, speeds[n // 2], "") for n in range(22)]
-    choice = GearChoice(shifts=read_shifts("1-2: 6 m/s/4 m/s, 2-3: 12 m/s/9 m/s"))
-    made = drive(parallel({"1": 4.0, "2": 2.0, "3": 1.0}), trace(*rows)._replace(gears=[]), choice)
-    assert made.gears[::2] == [*"12233222131"]
-    assert made.steps["time [s]"].tolist() == [2.0 * n + 1 for n in range(len(made.gears))]
-
-
 @pytest.mark.parametrize("sign", [1, -1])
 def test_a_gear_in_which_the_engine_would_overspeed_is_not_taken_downward(sign: int) -> None:
     """Ratios 4, 2, 1 and 20 rad/s at most: at 8.5 m/s the second gear has 17, the first 34.
