@@ -33,17 +33,7 @@ WORD = re.compile(r"[^\W\d_]{3}")
 """What is in no number with its unit."""
 SWEPT = ("simpson.yaml", "--vary", "P1.ratio=-3:-1.5:31", "--vary", "P2.ratio=-3:-1.5:31")
 OPTIONS = {"map": ("--z", "efficiency[1]"), "curves": ("--x", "P1.ratio", "--y", "ratio[1]")}
-FOUND = [
-    "--sets",
-    "2",
-    "--shift-elements",
-    "4",
-    "--engaged",
-    "2",
-    "--own-input",
-    "--ratios",
-    "2.45,1.45,1,-2.2",
-]
+FOUND = "--sets 2 --shift-elements 4 --engaged 2 --own-input --ratios 2.45,1.45,1,-2.2"
 
 Measured = dict[str, list[MeasuredPage]]
 """The pages of each file that has a picture of a kind."""
@@ -52,7 +42,7 @@ Measured = dict[str, list[MeasuredPage]]
 def files_of(kind: str, folder: Path) -> list[Path]:
     """What a kind is drawn of."""
     if kind == "boxes":
-        vstatics("synth", "box", *FOUND, "-f", "json", "-o", folder / "found.json")
+        vstatics("synth", "box", *FOUND.split(), "-f", "json", "-o", folder / "found.json")
         return [folder / "found.json"]
     if kind in ("map", "curves"):
         case, *varied = SWEPT

@@ -78,12 +78,8 @@ def test_a_dry_run_tells_the_size_of_what_is_packed(varied: str) -> None:
 
     It is told by a block: what is repeated farther apart makes the file smaller than that.
     """
-    asked = [
-        "sweep",
-        "box.yaml",
-        *(word for number in varied.split() for word in ("--vary", number)),
-    ]
-    asked += ["-o", "out.parquet"]
+    options = [word for number in varied.split() for word in ("--vary", number)]
+    asked = ["sweep", "box.yaml", *options, "-o", "out.parquet"]
     told = re.search(r"size +about ([\d.]+) (kB|MB)", vstatics(*asked, "--dry-run").out)
     assert told is not None
     assert vstatics(*asked).status == 0

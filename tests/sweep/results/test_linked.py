@@ -112,34 +112,33 @@ def test_a_scenario_links_its_numbers() -> None:
     assert [float(row[2]) for row in rows[1:]] == [0.2, 0.26]
 
 
+SUN, PLANET = "P1.teeth.sun", "P1.teeth.planet"
+
+
 def test_wrong_links_are_located() -> None:
     for links, column, message in (
-        ("sun=P1.teeth.sun + 1", 1, "links in a circle: P1.teeth.sun -> P1"),
-        ("sun=P1.teeth.planet planet=P1.teeth.sun", 1, "P1.teeth.planet -> P1.teeth.sun"),
-        ("sun=P1.teeth.planet planet=5", 1, "linked later"),
-        ("ring=5", 1, "P1.teeth.ring is varied twice"),
-        ("sun=3 sun=4", 1, "P1.teeth.sun is varied twice"),
-        ("sun=P1.teeth.rng", 14, "did you mean `P1.teeth.ring`"),
-        ("sun[N]=5", 1, "read values in N, expected bare numbers"),
-        ("load.speed=5", 1, "such as `load.speed [rpm]=...`"),
-        ("load.torque[N]=5", 1, "such as `load.torque [N*m]=...`"),
-        ("sun", 13, "expected P1.teeth.sun= and then a formula"),
-        ("sun=", 14, "read no formula"),
-        ("sun=ratio[low]", 14, "linked to results, ratio"),
-        ("sun=(3", 16, "is not closed"),
-        ("P1.ratio=-2", 1, "teeth that determine it"),
-        ("nope.x=3", 1, "there is no"),
+        ([f"{SUN}={SUN} + 1"], 1, f"links in a circle: {SUN} -> P1"),
+        ([f"{SUN}={PLANET}", f"{PLANET}={SUN}"], 1, f"{SUN} -> {PLANET} -> {SUN}"),
+        ([f"{SUN}={PLANET}", f"{PLANET}=5"], 1, "linked later"),
+        (["P1.teeth.ring=5"], 1, "P1.teeth.ring is varied twice"),
+        ([f"{SUN}=3", f"{SUN}=4"], 1, f"{SUN} is varied twice"),
+        ([f"{SUN}=P1.teeth.rng"], 14, "did you mean `P1.teeth.ring`"),
+        ([f"{SUN} [N]=5"], 1, "read values in N, expected bare numbers"),
+        (["load.speed=5"], 1, "such as `load.speed [rpm]=...`"),
+        (["load.torque [N]=5"], 1, "such as `load.torque [N*m]=...`"),
+        ([SUN], 13, f"expected {SUN}= and then a formula"),
+        ([f"{SUN}="], 14, "read no formula"),
+        ([f"{SUN}=ratio[low]"], 14, "linked to results, ratio"),
+        ([f"{SUN}=(3"], 16, "is not closed"),
+        (["P1.ratio=-2"], 1, "teeth that determine it"),
+        (["nope.x=3"], 1, "there is no"),
     ):
-        words = links.replace(" + ", "+").split()
-        texts = [
-            f"P1.teeth.{text}" if text.isalpha() or text[0] in "rsp" else text for text in words
-        ]
-        options = [word for text in texts for word in ("--with", text)]
+        options = [word for link in links for word in ("--with", link)]
         said = vstatics("sweep", "box.yaml", *RINGS, *options, "-o", "o.csv")
         assert said.fails(f"--with:1:{column}: error", message)
         assert not Path("o.csv").exists()
         with pytest.raises(ReadError):
-            sweep(load("box.yaml"), RINGS[1], linked=texts)
+            sweep(load("box.yaml"), RINGS[1], linked=links)
 
 
 def test_a_circle_in_a_file_has_its_line(folder: Path) -> None:

@@ -49,15 +49,6 @@ def test_a_list_has_a_line_for_each_scheme_and_a_matrix_a_one_for_each_member(
         assert one["matrix"] == [[int(link == member) for member in code] for link in links]
 
 
-def test_ports_are_links_of_the_code() -> None:
-    """Two sets with one sun: the sets may be exchanged, so 10 of 20 pairs are left."""
-    found = structures("--sets", 2, "--classes", "sets", "--ports", "-f", "json")
-    assert len(found) == 201
-    ports = [(x["input"], x["output"]) for x in found if x["code"] == "0-1-2-0-3-4"]
-    from_1 = [(1, 0), (1, 2), (1, 3), (1, 4)]
-    assert ports == [(0, 1), (0, 2), *from_1, (2, 0), (2, 1), (2, 3), (2, 4)]
-
-
 def test_a_count_is_a_document() -> None:
     said = vstatics("synth", "structures", "--sets", 3, "--all", "--count")
     by_links = {"5": 1242, "6": 864, "7": 189}

@@ -171,6 +171,7 @@ def test_faults_of_a_table_are_told_with_their_place(folder: Path) -> None:
         ("time,gear,speed [rpm],torque [N*m]\n1,1,2\n", ":2:1: error: read 3 cells"),
         ("time,gear,speed [rpm],torque [N*m]\n1,1,0,2\n", "read 0 everywhere, expected a speed"),
         ("time,gear,speed [rpm],torque [N*m]\n-1,1,1,2\n", "time: read -1"),
+        ("time,gear,speed [rpm],torque [N*m]\n0,1,1,2\n", "all numbers of `time` are 0, expected"),
     ):
         case = 'links: 2\nmechanisms: {a: {first: 1, second: 2, ratio: 2}}\ngears: {"1": []}\n'
         (folder / "case.yaml").write_text(case)

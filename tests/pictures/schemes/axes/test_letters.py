@@ -84,10 +84,10 @@ elements:
 shift_elements:
   C1: [engine, odd]
   C2: [engine, even]
-  S1: [w1, out]
-  S2: [w2, out]
-  S3: [w3, out]
-  S4: [w4, out]
+  S1: {kind: dog_clutch, links: [w1, out]}
+  S2: {kind: dog_clutch, links: [w2, out]}
+  S3: {kind: dog_clutch, links: [w3, out]}
+  S4: {kind: dog_clutch, links: [w4, out]}
 gears: {"1": [C1, S1], "2": [C2, S2], "3": [C1, S3], "4": [C2, S4]}
 """
 
