@@ -29,7 +29,6 @@ def _named(figure: Figure) -> list[tuple[Artist, str]]:
 
 
 def texts(figure: Figure | Canvas) -> list[str]:
-    """All texts of a picture that are shown."""
     if isinstance(figure, Canvas):
         return figure.texts
     found: list[Any] = figure.findobj(Text)

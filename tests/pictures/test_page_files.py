@@ -33,7 +33,6 @@ def count(monkeypatch: pytest.MonkeyPatch) -> list[int]:
 
 
 def wide(svg: str) -> float:
-    """The width of an SVG [pt]."""
     found = re.search(r'<svg [^>]*?\bwidth="([\d.]+)pt"', svg)
     assert found, svg[:200]
     return float(found[1])
@@ -62,7 +61,6 @@ def test_a_pdf_has_all_pages_and_stdout_has_one(folder: Path, count: list[int]) 
 
 
 def test_cases_of_a_directory_have_their_pages(folder: Path, count: list[int]) -> None:
-    """A case that is named as a page of another does not lose its picture without a word."""
     for name in ("box", "box-2", "gear"):
         (folder / f"{name}.yaml").write_bytes(UMDM.read_bytes())
     said = vstatics("plot", "box.yaml", "gear.yaml", "-k", "efficiency", "-o", "out/")

@@ -33,17 +33,7 @@ WORD = re.compile(r"[^\W\d_]{3}")
 """What is in no number with its unit."""
 SWEPT = ("simpson.yaml", "--vary", "P1.ratio=-3:-1.5:31", "--vary", "P2.ratio=-3:-1.5:31")
 OPTIONS = {"map": ("--z", "efficiency[1]"), "curves": ("--x", "P1.ratio", "--y", "ratio[1]")}
-FOUND = (
-    "--sets",
-    2,
-    "--shift-elements",
-    4,
-    "--engaged",
-    2,
-    "--own-input",
-    "--ratios",
-    "2.45,1.45,1,-2.2",
-)
+FOUND = "--sets 2 --shift-elements 4 --engaged 2 --own-input --ratios 2.45,1.45,1,-2.2"
 
 Measured = dict[str, list[MeasuredPage]]
 """The pages of each file that has a picture of a kind."""
@@ -52,7 +42,7 @@ Measured = dict[str, list[MeasuredPage]]
 def files_of(kind: str, folder: Path) -> list[Path]:
     """What a kind is drawn of."""
     if kind == "boxes":
-        vstatics("synth", "box", *FOUND, "-f", "json", "-o", folder / "found.json")
+        vstatics("synth", "box", *FOUND.split(), "-f", "json", "-o", folder / "found.json")
         return [folder / "found.json"]
     if kind in ("map", "curves"):
         case, *varied = SWEPT
@@ -63,7 +53,6 @@ def files_of(kind: str, folder: Path) -> list[Path]:
 
 
 def drawn(file: Path, kind: str, folder: Path) -> Iterator[bytes]:
-    """The pages of a picture; none where there is nothing to draw."""
     target = folder / "drawn.svg"
     said = vstatics("plot", file, "--kind", kind, "-o", target, *OPTIONS.get(kind, ()))
     assert said.status in (0, 1), said.err
@@ -72,7 +61,6 @@ def drawn(file: Path, kind: str, folder: Path) -> Iterator[bytes]:
 
 
 def parameter(kind: str, *, is_quick: bool) -> Any:
-    """A kind, of some files or of all."""
     marks = [] if is_quick else [pytest.mark.slow]
     return pytest.param((kind, is_quick), id=f"{kind}-some" if is_quick else kind, marks=marks)
 
@@ -87,7 +75,6 @@ def parameter(kind: str, *, is_quick: bool) -> Any:
 def pages(
     request: pytest.FixtureRequest, browser: Any, tmp_path_factory: pytest.TempPathFactory
 ) -> Measured:
-    """The pages of a kind, of some cases or of all."""
     kind, is_quick = request.param
     folder = tmp_path_factory.mktemp("pages")
     files = files_of(kind, folder)

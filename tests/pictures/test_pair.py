@@ -19,7 +19,6 @@ ONE, OTHER = CASES / "simpson.yaml", CASES / "zf-6hp26.yaml"
 
 
 def parsed(svg: bytes) -> ET.Element:
-    """Our own SVG."""
     return ET.fromstring(svg)  # noqa: S314 - from nowhere else
 
 
@@ -46,7 +45,6 @@ def pair(kind: str, cases: Sequence[PairedCase] = (), style: Style | None = None
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_each_panel_has_what_the_picture_of_its_case_has(kind: str) -> None:
-    """On one page of any height; a file goes on on further pages."""
     [svg] = pair(kind)
     both = panels(parsed(svg))
     assert [*both] == ["A", "B"]

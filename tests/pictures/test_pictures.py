@@ -17,19 +17,19 @@ from matplotlib.text import Text
 from tests.chance import some
 from tests.commands import CASES, LOCKED, NEUTRAL, SHIPPED, TIED_UP, vstatics
 from tests.installed import HERE, needs
-from tests.pictures.drawn import WITHOUT_PLAN
+from tests.pictures.drawn import texts, titled
 from tests.pictures.schemes.test_schemes import overlaps as overlaps_of
 from tests.pictures.schemes.test_schemes import ring
 from tests.shipped import shipped_results
 from vstatics import CaseError, Results, Transmission, load, solve
-from vstatics.pictures import drawn_kinds, drawn_pages, module_of, picture, render
+from vstatics.core.readers import loads
+from vstatics.pictures import drawn_pages, picture, render
 from vstatics.pictures.drawing.files import Format, figures_of, settings_of
 from vstatics.pictures.drawing.style import PAGE_HEIGHT, PAGE_WIDTH, POINTS_PER_MILLIMETRE, Style
 
 if TYPE_CHECKING:
     from vstatics.simulation.record.motion import Motion
 
-NAMES = [path.name for path in SHIPPED]
 OF_VAN = ("zf-8hp70.yaml", "ravigneaux-gf4a.yaml")
 """Cases that are put into a van each time."""
 
@@ -56,23 +56,8 @@ def overlaps(
         return overlaps_of(picture(results, kind, style, motion=motion))
 
 
-def has_picture(kind: str, name: str) -> bool:
-    if kind == "lever" and name == "moskvich-start.yaml":  # springs only
-        return False
-    return kind != "plan" or name not in WITHOUT_PLAN
-
-
 OURS = ("plan", "lever", "efficiency")
 STYLES = (Style(), Style("ru", dark=True))
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("kind", OURS)
-@pytest.mark.parametrize("name", NAMES[::5])
-def test_no_label_covers_another_in_russian_on_dark_paper(name: str, kind: str) -> None:
-    """In English on paper all are looked at in a browser, by test_pages.py."""
-    if has_picture(kind, name):
-        assert overlaps(shipped_results(name), kind, STYLES[1]) == []
 
 
 @needs("vehicle")
@@ -151,14 +136,6 @@ def test_a_picture_does_not_ask_for_a_screen() -> None:
     assert done.returncode == 0, done.stderr.decode()
 
 
-def test_the_suffix_tells_the_format(tmp_path: Path) -> None:
-    for form, start in (("svg", b"<?xml"), ("png", b"\x89PNG"), ("pdf", b"%PDF")):
-        target = tmp_path / f"losses.{form}"
-        said = vstatics("plot", CASES / "umdm.yaml", "--kind", "efficiency", "-o", target)
-        assert said.is_silent()
-        assert target.read_bytes().startswith(start)
-
-
 def test_a_picture_goes_through_a_pipe() -> None:
     case = (CASES / "mzkt7922.dat").read_bytes()
     said = vstatics("plot", "-", "--kind", "lever", "--gear", "2", "-o", "-", stdin=case)
@@ -203,12 +180,6 @@ def test_gears_without_a_solution_do_not_stop_a_picture(kind: str) -> None:
             assert said.out.startswith("<?xml")
 
 
-def test_every_kind_of_picture_has_its_module() -> None:
-    for name in drawn_kinds():
-        kind = vars(module_of(name))
-        assert callable(kind.get("draw", kind.get("each")))
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize(
     "kind", some(["stick", "structure", "flow", "lever", "plan", "efficiency"])
@@ -220,3 +191,41 @@ def test_a_ring_of_forty_sets_is_drawn_within_twenty_seconds(kind: str) -> None:
     with contextlib.suppress(CaseError):
         render(results, kind, "svg", Style())
     assert time.process_time() - start < 20
+
+
+SPLIT = """\
+links: [engine, turbine, motor, output]
+output: output
+load: {speed: 2000 rpm, torque: 400 N*m}
+mechanisms:
+  TC: {kind: converter, first: engine, second: turbine, points: [[0, 2.2], [0.85, 1]]}
+  hydro: {kind: variator, first: turbine, second: motor, efficiency: 0.86}
+  set: {first: motor, second: turbine, third: output, ratio: -2.2, efficiency: 0.97}
+gears: {one: {speed_ratios: {hydro: 0.6, TC: 0.7}}, two: {speed_ratios: {hydro: 0, TC: 0.9}}}
+"""
+
+
+def drawn(kind: str, case: Transmission) -> str:
+    figure = picture(solve(case), kind, Style())
+    return "\n".join([*texts(figure), *(title for title, _ in titled(figure))])
+
+
+def test_pictures_of_a_variator_and_a_converter_name_them_and_have_no_nan() -> None:
+    for kind in ("plan", "lever", "flow", "structure", "stick"):
+        said = drawn(kind, loads(SPLIT))
+        assert "hydro" in said or kind == "plan"
+        assert "nan" not in said
+        if kind in ("structure", "stick"):
+            assert "variator" in said
+            assert "converter" in said
+
+
+def test_a_gear_that_is_dragged_says_so_in_place_of_an_efficiency() -> None:
+    case = loads("""\
+links: [a, b]
+load: {speed: 1000 rpm, torque: 1 N*m}
+mechanisms: {pair: {first: a, second: b, ratio: -2, efficiency: 0.98}}
+drag: {a: [[0, 3]]}
+gears: {idles: [], drives: {load: {torque: 30 N*m}}}
+""")
+    assert "back-driven" in drawn("efficiency", case)

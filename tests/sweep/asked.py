@@ -23,18 +23,10 @@ SET = Transmission(
 
 
 RATIOS = np.array([-2.0, -2.5, -3.0])
-
-
 VALUES = RATIOS[:, None]
-
-
 HELD = 1 - RATIOS
 """Ratio sun to carrier with the ring held, from (w1 - w3)/(0 - w3) = u."""
-
-
 VARIED = [target("D1.ratio", SET)]
-
-
 RESULTS = solve(SET, ratios=VALUES)
 
 
@@ -43,7 +35,6 @@ def expression(text: str) -> Expression:
 
 
 def value(text: str) -> Any:
-    """The value of an expression for the three variants."""
     return expression(text)(RESULTS, VALUES)
 
 
@@ -56,7 +47,6 @@ def number(text: str) -> float:
 
 
 def problem(text: str, option: str = "--where") -> Problem:
-    """The one problem of a text."""
     reader = read_columns if option == "--out" else partial(read_expression, option=option)
     with pytest.raises(ReadError) as caught:
         reader(text, SET, VARIED)
@@ -65,7 +55,6 @@ def problem(text: str, option: str = "--where") -> Problem:
 
 
 def marked(text: str, option: str = "--where") -> str:
-    """The text from where its problem is marked."""
     place = problem(text, option).place
     assert place is not None
     assert (place.file, place.line, place.text) == (option, 1, text)

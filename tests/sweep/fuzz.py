@@ -16,7 +16,6 @@ from vstatics.sweep.variants.variation import read_variation
 
 
 def kinds_of_sweeps() -> dict[str, Kind]:
-    """Return them by their names."""
     case = load(CASES / "mzkt7922.yaml")
     varied = [target("D1.ratio", case), target("D3.efficiency", case)]
     values = np.array([[-0.8, 0.97], [-0.9, 0.98]])

@@ -48,7 +48,6 @@ def plan(
 
 
 def small_pieces(monkeypatch: pytest.MonkeyPatch, size: int = 8) -> None:
-    """Have the command calculate so many variants at once."""
     whole = build.plan
     monkeypatch.setattr(build, "plan", lambda *of: replace(whole(*of), piece=size))
 
@@ -68,20 +67,11 @@ def begin(*arguments: object, cwd: Path, before: Callable[[], None] | None = Non
 
 
 def finished(parts: Path) -> list[str]:
-    """Names of the finished pieces in a directory."""
     return [name for name in names(parts) if name.isdigit()]
 
 
-CASE = Transmission(
-    7,
-    [],
-    [
-        Mechanism(1, 2, 3, -2.5),
-        Mechanism(3, 4, 5, -2.0, name="D.2=x"),
-        Mechanism(5, 6, 7, -3.0, name="1"),
-    ],
-    [Gear()],
-)
+SETS = Mechanism(1, 2, 3, -2.5), Mechanism(3, 4, 5, -2.0, name="D.2=x")
+CASE = Transmission(7, [], [*SETS, Mechanism(5, 6, 7, -3.0, name="1")], [Gear()])
 
 
 def variations(*lists: list[float] | Steps | Span) -> list[Variation]:

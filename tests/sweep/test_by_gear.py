@@ -7,11 +7,15 @@ import numpy as np
 import pytest
 
 import vstatics
+from tests.chance import seeded
 from tests.commands import vstatics as run
 from tests.sweep.sweeps import small_pieces
 from vstatics import Gear, Mechanism, ReadError, ShiftElement, Transmission
 from vstatics.core.readers import sweep_tables
+from vstatics.core.statics.solve import solve
+from vstatics.core.summary.design_table import design
 from vstatics.sweep.chunk import STATUS, Chunk
+from vstatics.sweep.gear_steps import spread, steps
 
 BOX = Transmission(
     3,
@@ -40,11 +44,8 @@ def test_a_row_is_of_a_gear() -> None:
     assert chunk.variants.tolist() == [0, 0, 0, 1, 1, 1]
     assert [chunk.gears[n] for n in chunk.of_gear] == ["low, 1", "high", "idle"] * 2
     nan = math.nan
-    low = [1 - u for u in RATIOS]
-    etas = [(1 - 0.96 * u) / (1 - u) for u in RATIOS]
-    rows = [
-        [[r, e, r, r], [1, 1, nan, r], [nan, nan, nan, r]] for r, e in zip(low, etas, strict=True)
-    ]
+    low = [(1 - u, (1 - 0.96 * u) / (1 - u)) for u in RATIOS]
+    rows = [[[r, e, r, r], [1, 1, nan, r], [nan, nan, nan, r]] for r, e in low]
     np.testing.assert_allclose(chunk.columns, np.concatenate(rows), rtol=1e-14)
     assert [STATUS[code] for code in chunk.status[:3]] == ["ok"] * 3
 
@@ -105,3 +106,22 @@ def test_steps_and_spread_stand_in_columns() -> None:
     chunk = swept(out="step, spread")
     assert chunk.headings == ('step["low, 1"]', "step[high]", "step[idle]", "spread")
     np.testing.assert_allclose(chunk.columns[:, [0, 3]], [[3, 3], [4, 4]])
+
+
+def test_random_ratios_have_the_steps_of_their_design_table() -> None:
+    """The summary sorts the gears of one case; here they are compared in pairs."""
+    random = seeded(27)
+    pairs = [Mechanism(1, 2, 0, -2.0), Mechanism(1, 3, 0, 2.0)]
+    for _ in range(60):
+        kinds = [random.choice(["gear", "gear", "gear", "point"]) for _ in range(6)]
+        ends = [random.choice([None, None, None, 3]) for _ in range(6)]
+        gears = [
+            Gear(kind=kind, output=end, name=f"g{n}")  # type: ignore[arg-type]
+            for n, (kind, end) in enumerate(zip(kinds, ends, strict=True))
+        ]
+        results = solve(Transmission(3, [], pairs, gears))
+        ratios = np.array([random.choice([4.0, -3.0, 2.5, 1.0, -1.0, np.nan]) for _ in gears])
+        made = design(results._replace(ratio=ratios))
+        expected = [[abs(gear.step) for gear in made.gears]]
+        np.testing.assert_allclose(steps(results.case, ratios[None]), expected)
+        np.testing.assert_allclose(spread(results.case, ratios[None]), [made.spread])

@@ -1,6 +1,5 @@
 """A part of a sweep: its numbers are those of `solve`, its status the worst of its gears."""
 
-import pickle
 from itertools import pairwise
 from typing import Any
 
@@ -12,7 +11,6 @@ from tests.core.statics.test_freewheels import pair
 from tests.sweep.sweeps import DIFFERENTIAL, plan
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, load, solve
 from vstatics.sweep import blocks, sweep
-from vstatics.sweep.blocks import calculate
 from vstatics.sweep.chunk import STATUS
 
 
@@ -20,24 +18,20 @@ def test_numbers_are_those_of_the_case_solved_alone() -> None:
     """Each row against `solve` of one case with these numbers, the engine of `run`."""
     case = load(MZKT)
     random = np.random.default_rng(3)
-    table = {
-        "D1.ratio": random.uniform(-0.9, -0.7, 30),
-        "D3.efficiency": random.uniform(0.9, 1, 30),
-    }
+    ratios, etas = random.uniform([-0.9, 0.9], [-0.7, 1], (30, 2)).T
+    table = {"D1.ratio": ratios, "D3.efficiency": etas}
     (made,) = sweep(case, variants=table, out="ratio, efficiency, lossy_torques[T4]")
     assert made.headings[:2] == ("ratio[1]", "ratio[2]")
     assert made.headings[-1] == "lossy_torques[T4,6]"
     for row in range(30):
-        ratios = [table["D1.ratio"][row], 2.6, -2.461]
-        efficiencies = [0.94, 0.95, table["D3.efficiency"][row]]
-        one = solve(case, ratios=ratios, efficiencies=efficiencies)
-        expected = [*one.ratio, *one.efficiency, *one.lossy_torques[:, 3]]
+        own, eta = [ratios[row], 2.6, -2.461], [0.94, 0.95, etas[row]]
+        alone = solve(case, ratios=own, efficiencies=eta)
+        expected = [*alone.ratio, *alone.efficiency, *alone.lossy_torques[:, 3]]
         np.testing.assert_allclose(made.columns[row], expected, rtol=1e-11)
         assert made.values[row].tolist() == [table[name][row] for name in table]
 
 
 def statuses(case: Transmission, vary: dict[str, Any], **asked: Any) -> list[str]:
-    """The status of each variant of a sweep of ratios."""
     (made,) = sweep(case, variants=vary, **asked)
     return [STATUS[code] for code in made.status]
 
@@ -95,9 +89,8 @@ def test_a_gear_that_is_tied_up_or_open_by_its_ratios_tells_so() -> None:
 
 
 def test_a_neutral_gear_of_the_case_is_no_reason() -> None:
-    case = Transmission(
-        3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2, name="D")], [Gear(), Gear([1])]
-    )
+    sets = [Mechanism(1, 2, 3, -2, name="D")]
+    case = Transmission(3, [ShiftElement(2)], sets, [Gear(), Gear([1])])
     (made,) = sweep(case, {"D.ratio": [-2, -3]}, out="ratio")
     assert made.status.tolist() == [0, 0]
     assert np.isnan(made.columns[:, 0]).all()
@@ -135,17 +128,7 @@ def test_conventions_of_the_call_come_before_those_of_the_case() -> None:
     np.testing.assert_allclose(made.columns[0], [*expected.ratio, *expected.efficiency])
 
 
-def test_plans_and_chunks_can_go_to_other_processes() -> None:
-    made = plan("D.ratio=-4:-2:9", where="ratio[low] > 3.5", max=["efficiency[low]"])
-    there = pickle.loads(pickle.dumps(made))  # noqa: S301
-    one, other = calculate(made, 2, 9), pickle.loads(pickle.dumps(calculate(there, 2, 9)))  # noqa: S301
-    np.testing.assert_array_equal(one.variants, other.variants)
-    np.testing.assert_array_equal(one.columns, other.columns)
-    assert there.fingerprint("csv") == made.fingerprint("csv")
-
-
 def test_a_fingerprint_tells_plans_apart() -> None:
-    """Everything that decides the result is in it."""
     vary = "D.ratio=-4:-2:9"
     same: dict[str, Any] = {"piece": 8, "out": "ratio", "where": "ratio[low] > 3"}
     plans = [plan(one, **same) for one in (vary, "D.ratio=-4:-2:10", "D.ratio=-4:-2.1:9")]

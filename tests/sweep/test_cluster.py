@@ -28,7 +28,6 @@ LONG = ("box.yaml", "--vary", "D.ratio=-4:-2:10000", "--vary", "D.efficiency=.9:
 
 
 def started(module: str, *arguments: object, cwd: Path, **variables: str) -> Any:
-    """A process of Dask's."""
     command = [sys.executable, "-m", module, "--no-dashboard", *map(str, arguments)]
     null = subprocess.DEVNULL
     return subprocess.Popen(

@@ -42,7 +42,6 @@ def finished(path: Path, *, resume: bool = False, vary: str = VARY[0]) -> Output
 
 
 def calculate(written: Output) -> list[int]:
-    """Calculate what is not there; how many variants, as they came."""
     told: list[int] = []
     written.calculate(Alone(written.task, written.task.describe), told.append)
     return told
@@ -53,7 +52,6 @@ def assemble(written: Output) -> None:
 
 
 def whole(folder: Path) -> bytes:
-    """The output of an undisturbed sweep."""
     written = store(folder / "whole.csv")
     calculate(written)
     assemble(written)
@@ -181,9 +179,8 @@ def test_two_sweeps_do_not_write_one_output(tmp_path: Path) -> None:
         f"FinishedPieces({str(tmp_path / 'out.csv')!r}).lock()\n"
         "print('held', flush=True); time.sleep(60)"
     )
-    with subprocess.Popen(
-        [sys.executable, "-c", code], stdout=subprocess.PIPE, env=environment()
-    ) as other:
+    command = [sys.executable, "-c", code]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, env=environment()) as other:
         assert other.stdout is not None
         assert other.stdout.readline() == b"held\n"
         with pytest.raises(ReadError, match=rf"another sweep \(process {other.pid}\)"):

@@ -4,7 +4,6 @@ from pathlib import Path
 
 import pytest
 
-import vstatics as package
 from tests.commands import vstatics
 from tests.sweep.sweeps import CASE_TEXT, DIFFERENTIAL
 from tests.sweep.test_file import read
@@ -50,10 +49,3 @@ def test_the_call_names_its_own_arguments() -> None:
         sweep(DIFFERENTIAL, "D.ratio=1:2", zip=True, sample=3)
     with pytest.raises(ValueError, match=r"^variants is a table of all .* vary, zip and sample$"):
         sweep(DIFFERENTIAL, sample=3, variants={"D.ratio": [-2]})
-
-
-def test_the_rooms_of_a_sweep_can_be_imported_beside_the_function() -> None:
-    from vstatics.sweep import plan
-
-    assert plan.SweepPlan.__name__ == "SweepPlan"
-    assert package.sweep is sweep

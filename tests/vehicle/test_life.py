@@ -201,7 +201,6 @@ def test_without_torque_the_spectrum_is_empty() -> None:
 
 
 def test_a_case_with_strengths_of_members_is_explained() -> None:
-    """Explanations have mechanisms instead of gear sets."""
     case = loads(CASE % STRENGTH)
     for ratios in (None, [-2.6, 2.0]):
         assert "u_pair (1 - u_P1)" in str(explain_gear(solve(case, ratios=ratios), "1"))
@@ -246,72 +245,43 @@ def test_strengths_and_bearings_are_written_as_they_were_read() -> None:
     assert case.fatigue["pair"] == TorqueStrength(300, 8, 1e6, 2.0, threshold=0.4)
 
 
-@pytest.mark.parametrize(
-    ("keys", "said"),
-    [
-        (
-            "fatigue: {P9.sun: {torque: 9, cycles: 9, exponent: 3}}",
-            "there is no link or member `P9",
-        ),
-        ("fatigue: {P1.planet: {torque: 9, cycles: 9, exponent: 3}}", "expected `torque_of`"),
-        ("fatigue: {a: {on: P1.planet, torque: 9, cycles: 9, exponent: 3}}", "P1.planet is a"),
-        ("fatigue: {a: {on: P9.sun, torque: 9, cycles: 9, exponent: 3}}", "or member `P9.sun`"),
+T, B = "torque: 9, cycles: 9, exponent: 3", "load_per_torque: 1, dynamic: 9"
+
+
+def test_what_cannot_be_is_refused_at_its_place() -> None:
+    for keys, said in (
+        (f"fatigue: {{P9.sun: {{{T}}}}}", "there is no link or member `P9"),
+        (f"fatigue: {{P1.planet: {{{T}}}}}", "expected `torque_of`"),
+        (f"fatigue: {{a: {{on: P1.planet, {T}}}}}", "P1.planet is a"),
+        (f"fatigue: {{a: {{on: P9.sun, {T}}}}}", "or member `P9.sun`"),
         ("fatigue: {a: {on: P1.sun, endurance: 9, cycles: 9, exponent: 3}}", "read `on` beside"),
-        (
-            "fatigue: {P1.sun: {torque: 9, cycles: 9, exponent: 3, endurance: 9 MPa}}",
-            "read `endurance` beside `torque`",
-        ),
+        (f"fatigue: {{P1.sun: {{{T}, endurance: 9 MPa}}}}", "read `endurance` beside `torque`"),
         ("fatigue: {P1.sun: {cycles: 9, exponent: 3}}", "`endurance` is missing"),
         ("fatigue: {P1.sun: {torque: 0, cycles: 9, exponent: 3}}", "expected a torque above 0"),
-        (
-            "fatigue: {P1.planet: {torque_of: P1.planet, torque: 9, cycles: 9, exponent: 3}}",
-            "there is no link or member with a torque `P1.planet`",
-        ),
-        ("bearings: {b: {on: x, load_per_torque: 1, dynamic: 9 kN}}", "no link or member `x`"),
-        (
-            "bearings: {b: {on: [s, x], torque_of: s, load_per_torque: 1, dynamic: 9}}",
-            "no link `x`",
-        ),
-        (
-            "bearings: {b: {on: [s, c], load_per_torque: 1, dynamic: 9}}",
-            "expected `torque_of` of b",
-        ),
-        (
-            "bearings: {b: {on: P1.planet, load_per_torque: 1, dynamic: 9}}",
-            "expected `torque_of` of b",
-        ),
-        (
-            "bearings: {b: {on: P1.carrier, load_per_torque: 1, dynamic: 9}}",
-            "does not turn against",
-        ),
-        (
-            "bearings: {b: {on: [s, s], torque_of: s, load_per_torque: 1, dynamic: 9}}",
-            "does not turn against",
-        ),
-        ("fatigue: {s: {torque: 9, cycles: 9, exponent: 3, flanks: apart}}", "is a magnitude"),
-        (
-            "fatigue: {P1.sun: {torque_of: s, torque: 9, cycles: 9, exponent: 3, flanks: apart}}",
-            "is a magnitude",
-        ),
+        (f"fatigue: {{P1.planet: {{torque_of: P1.planet, {T}}}}}", "with a torque `P1.planet`"),
+        (f"bearings: {{b: {{on: x, {B}}}}}", "no link or member `x`"),
+        (f"bearings: {{b: {{on: [s, x], torque_of: s, {B}}}}}", "no link `x`"),
+        (f"bearings: {{b: {{on: [s, c], {B}}}}}", "expected `torque_of` of b"),
+        (f"bearings: {{b: {{on: P1.planet, {B}}}}}", "expected `torque_of` of b"),
+        (f"bearings: {{b: {{on: P1.carrier, {B}}}}}", "does not turn against"),
+        (f"bearings: {{b: {{on: [s, s], torque_of: s, {B}}}}}", "does not turn against"),
+        (f"fatigue: {{s: {{{T}, flanks: apart}}}}", "is a magnitude"),
+        (f"fatigue: {{P1.sun: {{torque_of: s, {T}, flanks: apart}}}}", "is a magnitude"),
         ("bearings: {b: {on: s, load_per_torque: 0, dynamic: 9 kN}}", "a load per torque above 0"),
         ("bearings: {b: {on: s, load_per_torque: 1 N, dynamic: 9}}", "load_per_torque: read '1 N'"),
-    ],
-)
-def test_what_cannot_be_is_refused_at_its_place(keys: str, said: str) -> None:
-    with pytest.raises(ReadError) as caught:
-        loads(CASE % keys)
-    assert said in str(caught.value)
-    assert ":8:" in str(caught.value)
+    ):
+        with pytest.raises(ReadError) as caught:
+            loads(CASE % keys)
+        assert said in str(caught.value)
+        assert ":8:" in str(caught.value)
 
 
-@pytest.mark.parametrize(
-    ("read", "wrong"),
-    [("ratio: 2.5", "ratio: x"), ("ring: 78", "ring: 0"), ("sun: s", "sun: [s]")],
-)
-def test_members_of_gear_sets_in_error_are_not_reported_as_missing(read: str, wrong: str) -> None:
-    with pytest.raises(ReadError) as caught:
-        loads((CASE % STRENGTH).replace(read, wrong))
-    assert "E880" not in {problem.id for problem in caught.value.problems}
+def test_members_of_gear_sets_in_error_are_not_reported_as_missing() -> None:
+    wrong = {"ratio: 2.5": "ratio: x", "ring: 78": "ring: 0", "sun: s": "sun: [s]"}
+    for read, written in wrong.items():
+        with pytest.raises(ReadError) as caught:
+            loads((CASE % STRENGTH).replace(read, written))
+        assert "E880" not in {problem.id for problem in caught.value.problems}
 
 
 CAR = """\
@@ -357,19 +327,15 @@ def test_steps_of_a_cycle_are_points_of_a_duty_cycle() -> None:
     assert coasting["energy"] == duty["energy"]
 
 
-@pytest.mark.parametrize(
-    ("classes", "said"),
-    [
-        ("0", "read '0', expected a number of classes from 1 to 1000"),
-        ("50,20 N*m", "expected bounds above 0 in ascending order"),
-        ("50,100", "expected a number of classes"),
-        ("5 kW", "expected a number of classes"),
-    ],
-)
-def test_classes_that_cannot_be_are_wrong_use(classes: str, said: str) -> None:
-    assert vstatics("summary", "x.yaml", "--duty", "d.csv", "--spectrum", classes).is_wrong_use(
-        said
-    )
+def test_classes_that_cannot_be_are_wrong_use() -> None:
+    for classes, said in {
+        "0": "read '0', expected a number of classes from 1 to 1000",
+        "50,20 N*m": "expected bounds above 0 in ascending order",
+        "50,100": "expected a number of classes",
+        "5 kW": "expected a number of classes",
+    }.items():
+        asked = "summary", "x.yaml", "--duty", "d.csv", "--spectrum", classes
+        assert vstatics(*asked).is_wrong_use(said)
 
 
 @pytest.mark.usefixtures("folder")

@@ -14,19 +14,11 @@ def test_a_port_that_is_taken_is_told() -> None:
     assert said.gives_nothing(f"port {port} cannot be used: Address already in use")
 
 
-def test_a_file_that_is_not_there_is_told() -> None:
+def test_what_cannot_be_served_is_told() -> None:
     for words in (["serve"], ["report", "--watch"]):
         said = vstatics(*words, "gone.yaml")
         assert said.gives_nothing("gone.yaml: error: cannot be read: No such file or directory")
-
-
-def test_what_can_not_be_saved_again_is_wrong_use() -> None:
-    for words in (["serve", "-"], ["report", "--watch", "-"]):
-        said = vstatics(*words)
-        assert said.is_wrong_use("expected a file")
-
-
-def test_a_page_is_written_or_served() -> None:
+        assert vstatics(*words, "-").is_wrong_use("expected a file")
     case = str(CASES / "simpson.yaml")
     assert vstatics("report", case).status == 2
     assert vstatics("report", case, "--watch", "-o", "x.html").status == 2

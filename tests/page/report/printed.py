@@ -19,7 +19,6 @@ class PrintedSheet(NamedTuple):
 
 
 def printed(browser: Any, file: Path) -> list[PrintedSheet]:
-    """The sheets of a page."""
     pypdf = pytest.importorskip("pypdf")
     window = browser.new_page()
     window.goto(file.as_uri())

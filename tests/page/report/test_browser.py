@@ -41,10 +41,8 @@ class Opened:
 
     def names(self, label: str) -> list[str]:
         """The rows of a table."""
-        found: list[str] = self.window.locator(
-            f'[aria-label="{label}"] tbody th'
-        ).all_text_contents()
-        return found
+        rows = self.window.locator(f'[aria-label="{label}"] tbody th')
+        return [str(name) for name in rows.all_text_contents()]
 
 
 @pytest.fixture(scope="module")
@@ -77,13 +75,12 @@ def reports(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     return Made()
 
 
+ENCODED = quote(DIRECT, safe="")
+
+
 @pytest.mark.parametrize(
     ("page", "gear"),
-    [
-        ("", LOW),
-        (f"#gear={quote(DIRECT, safe='')}", DIRECT),
-        (f"#flow={quote(DIRECT, safe='')}", DIRECT),
-    ],
+    [("", LOW), (f"#gear={ENCODED}", DIRECT), (f"#flow={ENCODED}", DIRECT)],
     indirect=["page"],
 )
 def test_the_address_chooses_a_gear(page: Opened, gear: str) -> None:
@@ -94,15 +91,13 @@ def test_the_address_chooses_a_gear(page: Opened, gear: str) -> None:
 
 @pytest.mark.parametrize("page", ["#gear=99"], indirect=True)
 def test_a_gear_that_is_not_there_is_put_right_in_the_address(page: Opened) -> None:
-    """When the page is opened, and later, where the gear that is chosen stays."""
     status = page.window.locator("[role=status]")
     assert page.window.url.endswith(f"#gear={quote(LOW, safe='')}")
     assert status.text_content() == f"There is no gear 99, this is gear {LOW}"
     page.window.keyboard.press("ArrowRight")
     page.window.evaluate("location.hash = '#flow=98%'")
-    page.window.wait_for_function(
-        "document.querySelector('[role=status]').textContent.includes('98%')"
-    )
+    says = "document.querySelector('[role=status]').textContent"
+    page.window.wait_for_function(f"{says}.includes('98%')")
     assert page.shown() == {DIRECT}
     assert page.window.url.endswith(f"#gear={quote(DIRECT, safe=chr(39))}")
     page.window.evaluate("location.hash = '#tables'")
@@ -120,7 +115,6 @@ def test_the_bar_tells_the_keys_where_they_work(browser: Any, page: Opened, file
 
 
 def test_keys_step_through_the_gears(page: Opened) -> None:
-    """And stop at the ends."""
     for key, gear in (("Left", LOW), ("Right", DIRECT), ("Right", DIRECT), ("Left", LOW)):
         page.window.keyboard.press(f"Arrow{key}")
         assert page.shown() == {gear}
@@ -133,7 +127,6 @@ def test_keys_step_through_the_gears(page: Opened) -> None:
 def test_a_narrow_page_has_wide_tables_that_scroll_and_fade(
     browser: Any, reports: dict[str, Path], case: str
 ) -> None:
-    """In them keys scroll, and a modifier makes a key one of the browser."""
     page = Opened(browser, reports[case], viewport=PHONE)
     assert page.window.evaluate("document.documentElement.scrollWidth") <= PHONE["width"]
     before = page.shown()
@@ -150,7 +143,6 @@ def test_a_narrow_page_has_wide_tables_that_scroll_and_fade(
 
 
 def test_a_row_of_the_table_chooses_its_gear(page: Opened) -> None:
-    """By a click anywhere in it, and by Enter on its name."""
     rows = page.window.locator("#gears tbody tr")
     rows.nth(1).locator("td").last.click()
     assert page.shown() == {DIRECT}
@@ -176,12 +168,9 @@ def test_a_click_on_a_heading_sorts(page: Opened) -> None:
     """3.5 in the first gear, 1 in the other."""
     button = page.window.locator("#gears th [role=button]", has_text="ratio")
     heading = page.window.locator("#gears th", has_text="ratio")
-    for order, said in (
-        ([DIRECT, LOW], "ascending"),
-        ([LOW, DIRECT], "descending"),
-        ([LOW, DIRECT], "none"),
-    ):
+    for said in ("ascending", "descending", "none"):
         button.click()
+        order = [DIRECT, LOW] if said == "ascending" else [LOW, DIRECT]
         assert page.names("Ratios, steps, efficiencies") == order
         assert heading.get_attribute("aria-sort") == said
 
@@ -202,9 +191,8 @@ def test_rows_that_are_set_in_are_sorted_below_their_own(page: Opened) -> None:
 
 
 def test_a_table_is_copied_with_all_digits(page: Opened) -> None:
-    page.window.locator(
-        "[aria-label^='Copy CSV: Torques without losses'][aria-label$='[torques]']"
-    ).click()
+    copy = "[aria-label^='Copy CSV: Torques without losses'][aria-label$='[torques]']"
+    page.window.locator(copy).click()
     copied = page.window.evaluate("navigator.clipboard.readText()")
     head, *rows = csv.reader(io.StringIO(copied))
     assert head == ["torque of", LOW, DIRECT]

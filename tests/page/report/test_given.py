@@ -14,17 +14,12 @@ springs: {tyre: {links: [b, c], stiffness: 4e4, limit: 3 kN*m}}
 
 def test_friction_and_limits_stand_in_the_tables() -> None:
     elements = _shift_elements(loads(SLIPPING))
-    assert [column.heading for column in elements.columns][4:] == [
-        "static by kinetic torque",
-        "friction pack, SI",
-    ]
+    headings = [column.heading for column in elements.columns]
+    assert headings[4:] == ["static by kinetic torque", "friction pack, SI"]
     pack = "radius: 0.1; area: 0.006; surfaces: 8; coefficient: (0, 0.12), (9, 0.1)"
     assert [row[4:] for row in elements.texts] == [["1.200", ""], ["1.000", pack]]
     springs = list(torsion_grids(loads(SLIPPING)))[1]
     assert (springs.columns[-1].heading, springs.texts[0][-1]) == ("limit, N*m", "3000")
-
-
-def test_what_none_has_has_no_column() -> None:
     plain = "inertias: {a: 1, b: 2}\nshift_elements: {C: [a, b]}\n"
     assert len(_shift_elements(loads(plain)).columns) == 4
 

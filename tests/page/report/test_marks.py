@@ -10,7 +10,7 @@ from tests.commands import CASES, json_answer
 from tests.page.report.pages import Page
 from tests.shipped import shipped_results
 from tests.trains import random_train
-from vstatics import solve
+from vstatics import example, solve
 from vstatics.core.statics.solve import distribution_matrix
 from vstatics.core.tables.quantities import QUANTITIES
 from vstatics.core.tables.result_tables import of_results
@@ -66,3 +66,7 @@ def test_a_torque_is_of_the_links_where_the_matrix_has_its_device() -> None:
         for own, column in zip(devices, distribution_matrix(case).T, strict=True):
             assert {*np.flatnonzero(column).tolist()} <= {*own}
             assert len(own) <= 3
+    case = example("zf-8hp70")  # whose members have rows of their own
+    [grid] = [one for one in of_results(solve(case)) if one.key == "torques"]
+    marks = {row[0].text: row[0].marks["links"] for row in with_tool_marks(grid, case).cells}
+    assert marks["P1.carrier"] == str(case.link_names.index("carrier 1"))

@@ -69,16 +69,11 @@ def test_what_is_explained_has_the_minus_of_print_and_names_as_they_are() -> Non
     assert "i = w[sun 1-2]/w_carrier = 1 − u_D1" in said
     assert "w[sun 1-2] − u_D1 w_ring + (u_D1 − 1) w_carrier = 0" in said
     assert not re.search(r"(?<!\d)\.\d|-\d\.", said)
-
-
-def test_a_gear_without_a_ratio_is_explained_too() -> None:
-    """Nothing holds the set."""
-    [neutral] = explained(set_of(gears=[Gear([], name="N")]))
+    [neutral] = explained(set_of(gears=[Gear([], name="N")]))  # nothing holds the set
     assert "solution" in words(*neutral)
 
 
 def test_without_sympy_the_gears_say_nothing_of_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The page says once that there are no formulas."""
     monkeypatch.setattr(formula, "missing", lambda *_: "the formula needs the package sympy")
     monkeypatch.setattr(report_explained, "missing", lambda *_: "needs the package sympy")
     low, _ = explained(set_of())

@@ -21,10 +21,8 @@ SCENARIOS = [
 MOST_SHEETS = 10
 LEAST_LETTERS, ROUNDED = 7.0, 0.05
 """Of pictures. [pt]"""
-ON_THE_SCREEN = {
-    *("Lever diagram", "Equations", "Kinematic plan"),
-    *("Shifts", "Input", "Tables", "Conventions"),
-}
+ON_THE_SCREEN = {"Lever diagram", "Equations", "Kinematic plan", "Shifts", "Input", "Tables"}
+ON_THE_SCREEN |= {"Conventions"}
 """Sections that are not printed where nobody asks for them."""
 
 
@@ -46,20 +44,13 @@ def headings(text: str, *, paper: bool = True) -> list[str]:
     return [head for head, look in zip(heads, looks, strict=True) if not (paper and look)]
 
 
-@pytest.fixture(scope="module", params=[*SHIPPED, *SCENARIOS], ids=lambda file: file.name)
-def shipped(
-    request: pytest.FixtureRequest, browser: Any, tmp_path_factory: pytest.TempPathFactory
-) -> list[PrintedSheet]:
-    """The sheets of a case that comes with the program."""
-    return sheets(browser, tmp_path_factory.mktemp("print"), request.param)
-
-
 @pytest.mark.slow
+@pytest.mark.parametrize("case", [*SHIPPED, *SCENARIOS], ids=lambda file: file.name)
 def test_a_shipped_case_has_at_most_ten_sheets_that_can_be_read(
-    shipped: list[PrintedSheet],
+    browser: Any, tmp_path: Path, case: Path
 ) -> None:
+    shipped, least = sheets(browser, tmp_path, case), LEAST_LETTERS - ROUNDED
     assert 0 < len(shipped) <= MOST_SHEETS
-    least = LEAST_LETTERS - ROUNDED
     assert {one for sheet in shipped for one in sheet.letters if one[1] < least} == set()
 
 
@@ -96,9 +87,7 @@ def test_gears_cut_all_that_is_of_a_gear_and_change_no_number() -> None:
     for name in ("Ratios, steps", "Speeds of the links", "Largest slip and torque"):
         full = whole.table(name)
         for row, cells in cut.table(name).items():
-            assert {key: cell.text for key, cell in cells.items()}.items() <= {
-                key: cell.text for key, cell in full[row].items()
-            }.items()
+            assert all(full[row][key].text == cell.text for key, cell in cells.items())
     assert list(cut.table("Speeds of the links")["sun 1-2"]) == ["link", "3", "R"]
     assert {one.attributes.get("data-gear") for one in cut.all("div")} == {None, "3", "R"}
     choices = [one.attributes.get("data-choose") for one in cut.all("a") if "nav" in one.inside]
@@ -124,17 +113,16 @@ def test_a_stamp_stands_at_the_head_escaped_and_only_where_it_is_asked_for(tmp_p
 
 def test_wrong_options_are_told(tmp_path: Path) -> None:
     case = write(tmp_path, NASTY_CASE)
-    wrong: list[tuple[list[str], str]] = [
-        (["--sections", "flows"], "read `flows`, did you mean `flow`?"),
-        (["--sections", "x"], "read `x`, expected overview, run, gears"),
-        (["--gears", "9"], "9"),
-        (["--gears", "low <1>,,"], "''"),
-        (["--stamp", "author"], "expected NAME=TEXT"),
-        (["--stamp", "a=b,a=c"], "a is given twice"),
-        (["--all", "--sections", "flow"], "what it names is printed"),
-    ]
-    for options, why in wrong:
-        assert vstatics("report", case, "-o", "-", *options).is_wrong_use(why), options
+    for options, why in {
+        "--sections flows": "read `flows`, did you mean `flow`?",
+        "--sections x": "read `x`, expected overview, run, gears",
+        "--gears 9": "9",
+        "--gears=,,": "''",
+        "--stamp author": "expected NAME=TEXT",
+        "--stamp a=b,a=c": "a is given twice",
+        "--all --sections flow": "what it names is printed",
+    }.items():
+        assert vstatics("report", case, "-o", "-", *options.split()).is_wrong_use(why), options
 
 
 @pytest.mark.usefixtures("without_pictures")
@@ -160,13 +148,12 @@ def test_what_has_no_room_on_paper_is_told() -> None:
 
 
 def test_stick_diagrams_of_gears_are_printed_once() -> None:
-    """Small beside the table of gears, or large in the overview, where that is printed in full."""
-    results = shipped_results("simpson-th400.yaml")
+    results, both = shipped_results("simpson-th400.yaml"), ["overview", "gears"]
     for asked, is_large in (
-        (AskedPage(["overview", "gears"]), False),
-        (AskedPage(["overview"]), True),
-        (AskedPage(["overview", "gears"], prints_all=True), True),
+        (AskedPage(both), False),
         (AskedPage(), False),
+        (AskedPage(["overview"]), True),
+        (AskedPage(both, prints_all=True), True),
     ):
         found = pictures(results, asked)
         assert (found.bare_stick is None, bool(found.small_sticks)) == (is_large, not is_large)

@@ -13,17 +13,12 @@ from tests.page.serve.served import BOX
 from tests.page.serve.windows import Program, Window, looked_through
 
 pytestmark = pytest.mark.slow
-VIBRATING, DECK, SCENARIO = (
-    "moskvich412.yaml",
-    "mzkt7922.dat",
-    "scenarios/tarasik-set-lock.yaml",
-)
+SERVED = "moskvich412.yaml", "mzkt7922.dat", "scenarios/tarasik-set-lock.yaml"
 PHONE = {"width": 390, "height": 844}
 
 
-@pytest.fixture(params=[VIBRATING, DECK, SCENARIO])
+@pytest.fixture(params=SERVED)
 def shipped(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
-    """A shipped case, where it may be changed."""
     copy: Path = shutil.copytree(CASES, tmp_path / "cases") / request.param
     return copy
 
@@ -32,7 +27,6 @@ def shipped(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
 def test_a_served_page_has_no_serious_fault_whatever_it_shows(
     browser: Any, shipped: Path, scheme: str
 ) -> None:
-    """All its parts, numbers that are edited, a conflict, errors of the file."""
     here = Window(browser, Program(shipped), color_scheme=scheme)
     looked_through(here)
     assert not serious_faults(here.page)
@@ -54,7 +48,6 @@ def test_a_served_page_has_no_serious_fault_whatever_it_shows(
 
 
 def test_a_served_page_fits_a_telephone(browser: Any, shipped: Path) -> None:
-    """Also with long numbers and errors."""
     here = Window(browser, Program(shipped), viewport=PHONE)
     width = "document.documentElement.scrollWidth"
     looked_through(here)
@@ -66,7 +59,6 @@ def test_a_served_page_fits_a_telephone(browser: Any, shipped: Path) -> None:
 
 
 def test_all_can_be_done_by_keys(program: Program, window: Callable[[], Window]) -> None:
-    """A number by its slider, then Save, Undo, Revert; what has the focus is outlined."""
     here = window()
     keys = here.page.keyboard
 
@@ -99,6 +91,5 @@ def test_all_can_be_done_by_keys(program: Program, window: Callable[[], Window])
     here.until("document.getElementById('save').hidden")
     assert float(here.field("P1.efficiency")) == value
     program.file.write_text(BOX, "utf-8")
-    here.until(
-        "document.querySelector('input.field[data-path=\"P1.efficiency\"]').value === '0.97'"
-    )
+    field = "document.querySelector('input.field[data-path=\"P1.efficiency\"]')"
+    here.until(f"{field}.value === '0.97'")

@@ -5,7 +5,6 @@ from pathlib import Path
 import pytest
 
 from tests.commands import CASES
-from vstatics import Transmission
 from vstatics.core import readers
 from vstatics.core.readers.named.nodes import encoding_of
 from vstatics.page.serve.document_fields import documents_of, spots_of
@@ -38,10 +37,7 @@ def test_with_its_unit_a_number_is_the_same(path: Path) -> None:
     ]
     told, written = with_units(data, str(path), units[0])
     assert written >= 3
-    assert (
-        read_scenario(told, str(path)).with_case(reading).scenario
-        == document.with_case(reading).scenario
-    )
+    again = read_scenario(told, str(path)).with_case(reading)
+    assert again.scenario == document.with_case(reading).scenario
     case_told, _ = with_units(of_case, case_file, units[1])
-    again: Transmission = readers.read(case_told, case_file).case
-    assert again == reading.case
+    assert readers.read(case_told, case_file).case == reading.case

@@ -18,11 +18,10 @@ from tests.page.serve.served import BOX
 from tests.page.serve.windows import Program, Window, served
 
 pytestmark = pytest.mark.slow
+NewWindow = Callable[[], Window]
 
 
-def test_what_is_edited_is_seen_saved_and_undone(
-    program: Program, window: Callable[[], Window]
-) -> None:
+def test_what_is_edited_is_seen_saved_and_undone(program: Program, window: NewWindow) -> None:
     here = window()
     assert here.shows() == set()
     assert here.ratio() == pytest.approx(1 + 78 / 30)
@@ -50,11 +49,9 @@ def test_what_is_edited_is_seen_saved_and_undone(
 
 def test_a_slider_and_its_field_are_one_number(window: Callable[[], Window]) -> None:
     here = window()
-    slider = 'input.slider[data-path="P1.ratio"]'
     drag = "(one) => { for (const value of [-3, -3.5, -4]) { one.value = value; "
-    here.page.eval_on_selector(
-        slider, drag + "one.dispatchEvent(new Event('input', {bubbles: true})); } }"
-    )
+    drag += "one.dispatchEvent(new Event('input', {bubbles: true})); } }"
+    here.page.eval_on_selector('input.slider[data-path="P1.ratio"]', drag)
     here.has_ratio(5)
     assert float(here.field("P1.ratio")) == -4
     here.page.click("#undo")  # one step, however long somebody drags
@@ -154,9 +151,8 @@ def test_a_file_that_somebody_else_changed_meanwhile_loses_nothing(
     newer = BOX.replace("0.97", "0.9") + "# new\n"
     program.file.write_text(newer, "utf-8")
     here.state("conflict")
-    assert {"conflict", "keep-mine", "take-file"} <= here.shows(
-        "conflict", "keep-mine", "take-file"
-    )
+    shown = {"conflict", "keep-mine", "take-file"}
+    assert here.shows(*shown) == shown
     here.page.click("#save")  # is no way around
     here.page.wait_for_timeout(300)
     assert program.file.read_text("utf-8") == newer
@@ -185,9 +181,7 @@ def test_pictures_come_when_they_are_looked_at(window: Callable[[], Window]) -> 
     assert here.page.inner_html(flow) != old
 
 
-def test_a_page_whose_program_has_ended_says_so(
-    program: Program, window: Callable[[], Window]
-) -> None:
+def test_a_page_whose_program_has_ended_says_so(program: Program, window: NewWindow) -> None:
     here = window()
     assert not here.page.is_visible(".when-gone")
     here.type("P1.ratio", "-3")
@@ -199,7 +193,7 @@ def test_a_page_whose_program_has_ended_says_so(
 
 
 @pytest.mark.parametrize("seconds", [0, 0.1, 0.3, 0.5])
-def test_ctrl_c_ends_it_without_a_word_also_while_processes_start(
+def test_ctrl_c_ends_it_without_a_word_while_processes_start(
     program: Program, seconds: float
 ) -> None:
     time.sleep(seconds)
@@ -298,10 +292,8 @@ def test_units_and_the_link_stay_when_the_file_is_saved_and_the_page_loaded_agai
     here = window()
     here.page.select_option("#units", "si")
     here.page.fill("#links", "carrier")
-    cell = (
-        'document.querySelector(\'td[data-result="speeds"][data-row="carrier"][data-gear="low"]\')'
-    )
-    rest = "document.querySelector('td[data-result=\"speeds\"][data-row=\"sun\"]').closest('tr').hidden"
+    speed = "document.querySelector('td[data-result=speeds][data-row={}][data-gear=low]')"
+    cell, rest = speed.format("carrier"), speed.format("sun") + ".closest('tr').hidden"
     for ratio, load in ((-3, 3000), (-4, 1500)):
         text = BOX.replace("-78/30", str(ratio)).replace("3000 rpm", f"{load} rpm")
         program.file.write_text(text, "utf-8")

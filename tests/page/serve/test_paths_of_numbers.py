@@ -37,7 +37,6 @@ def scenario_of(case: Transmission, data: st.DataObject) -> bytes:
 
 
 def own(found: Target | CasePath, case: Transmission) -> float | None:
-    """Return a number as the case has it."""
     if isinstance(found, Target):
         return own_number(case, found.owner, found.quantity)
     return own_part_number(case, found.part) if found.part else own_number_at(found, case)
@@ -69,17 +68,14 @@ def test_a_path_of_the_page_is_that_of_sweep_solve_and_compare(
     data: st.DataObject, case: Transmission
 ) -> None:
     # paths of a sweep do not tell these apart: one name of two parts, a name in brackets from a unit
-    names = [one.name for one in case.shift_elements]
-    names += [one.name for one in case.mechanisms]
-    assume(
-        len({*names}) == len(names) and not any("[" in name for name in (*names, *case.link_names))
-    )
+    names = [one.name for one in case.shift_elements] + [one.name for one in case.mechanisms]
+    assume(len({*names}) == len(names))
+    assume(not any("[" in name for name in (*names, *case.link_names)))
     text = write_yaml(case).encode()
     case = readers.read(text, "box.yaml").case
     documents = documents_of({"box.yaml": text}, case)
-    varied = VariedScenario(
-        Document(scenario_of(case, data), "run.yaml"), Document(text, "box.yaml")
-    )
+    run = Document(scenario_of(case, data), "run.yaml")
+    varied = VariedScenario(run, Document(text, "box.yaml"))
     known = {**numbers_of(case), **part_numbers(case)}
     for path, (field, _, keys, _) in documents.numbers.items():
         found = number_of_case(path, case)

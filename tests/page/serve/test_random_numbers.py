@@ -21,6 +21,7 @@ from vstatics.sweep.variants.path_numbers import case_path
 from vstatics.sweep.variants.targets import OF_MECHANISM, target
 
 NUMBER = re.compile(r"[-+.0-9eE]*")
+Form = tuple[Callable[[Transmission], str], str, str]
 FORMS = st.tuples(
     st.sampled_from([write_yaml, write_json]),
     st.sampled_from(["\n", "\r\n", "\r"]),
@@ -56,16 +57,12 @@ def with_number(case: Transmission, path: str, value: float) -> Transmission:
     owner = varied.owner + len(case.shift_elements) * (varied.quantity in OF_MECHANISM)
     number = Damping(value) if varied.quantity == "damping" else value
     parts[owner] = replaced(parts[owner], varied.quantity, number)
-    elements, mechanisms = len(case.shift_elements), len(case.mechanisms)
-    return case.replace(
-        shift_elements=parts[:elements],
-        mechanisms=parts[elements : elements + mechanisms],
-        springs=parts[elements + mechanisms :],
-    )
+    ends = [len(case.shift_elements), len(case.shift_elements) + len(case.mechanisms)]
+    elements, mechanisms, springs = parts[: ends[0]], parts[ends[0] : ends[1]], parts[ends[1] :]
+    return case.replace(shift_elements=elements, mechanisms=mechanisms, springs=springs)
 
 
 def replaced(part: Any, quantity: str, number: object) -> Any:
-    """A part with another number."""
     change = dataclasses.replace if dataclasses.is_dataclass(part) else type(part)._replace
     return change(part, **{quantity: number})
 
@@ -82,10 +79,7 @@ def differing(one: str, other: str) -> tuple[str, str]:
 @settings(phases=[Phase.generate], max_examples=count(8, 120))
 @given(st.data(), transmissions(torsional=True), FORMS)
 def test_a_saved_number_is_that_of_a_sweep_and_all_else_of_the_file_stays(
-    served: ServedCase,
-    data: st.DataObject,
-    case: Transmission,
-    form: tuple[Callable[[Transmission], str], str, str],
+    served: ServedCase, data: st.DataObject, case: Transmission, form: Form
 ) -> None:
     write, line_end, encoding = form
     before = write(case).replace("\n", line_end).encode(encoding)

@@ -216,9 +216,7 @@ def test_a_file_behind_a_link_that_others_replace_is_followed(tmp_path: Path) ->
         until(lambda: served.ask("shown").told["state"] == "good")
 
 
-def test_a_file_that_can_not_be_written_says_so(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_no_room_for_a_file_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     def full(_file: str, **_: object) -> Any:
         raise OSError(28, "No space left on device")
 
@@ -230,17 +228,14 @@ def test_a_file_that_can_not_be_written_says_so(
 
 
 def test_numbers_on_one_anchor_say_so(tmp_path: Path) -> None:
-    """Each field names the paths of the others; a number of its own has no such line."""
     rng = seeded(13)
     for _ in range(count(4, 40)):
         names = [f"P{number}" for number in range(1, rng.randint(2, 5) + 1)]
         anchored = [name for name in names if rng.random() < 0.6] or names[:1]
         ratios = {name: "*u" if name in anchored[1:] else "-2.5" for name in names}
         ratios[anchored[0]] = "&u -2.5"
-        lines = [
-            f"  {name}: {{first: sun, second: ring, third: carrier, ratio: {ratio}}}\n"
-            for name, ratio in ratios.items()
-        ]
+        joined = "{{first: sun, second: ring, third: carrier, ratio: {}}}"
+        lines = [f"  {name}: {joined.format(ratio)}\n" for name, ratio in ratios.items()]
         text = f"{BOX[: BOX.index('  P1:')]}{''.join(lines)}gears: {{low: [B1]}}\n"
         numbers = documents_of({"a.yaml": text.encode()}, vstatics.loads(text)).numbers
         for name in names:

@@ -12,6 +12,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+PIPE = subprocess.PIPE
 SECONDS = 30
 """So long something may take."""
 
@@ -27,11 +28,7 @@ class Program:
         self.file = file
         command = [sys.executable, "-m", "vstatics", *(words or ["serve"]), str(file)]
         self.process = subprocess.Popen(
-            command,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            text=True,
-            start_new_session=True,
+            command, stdout=PIPE, stderr=PIPE, text=True, start_new_session=True
         )
         assert self.process.stdout is not None
         started.append(self)

@@ -25,23 +25,26 @@ OF_VIBRATION = [kind for kind, own in drawn_kinds().items() if own.shows == "vib
 
 
 def parsed(svg: bytes) -> ET.Element:
-    """Our own SVG."""
     return ET.fromstring(svg)  # noqa: S314 - from nowhere else
 
 
 def made(**how: Any) -> ET.Element:
-    """A picture of one text."""
     pen = blank(144.0, 72.0, STYLE)
     pen.text(72.0, 36.0, "sun <1>\nК & −2.5", **how)
     return parsed(written_as_svg(pen.canvas, "a <set>"))
 
 
 def test_texts_stay_texts_in_letters_that_other_machines_have() -> None:
-    root = made()
-    assert [one.text for one in root.iter(f"{SVG}text")] == ["sun <1>", "К & −2.5"]
+    root = made(title='P1: "sun" & <ring>', over=True)
+    assert [text.text for text in root.iter(f"{SVG}text")] == ["sun <1>", "К & −2.5"]
     assert "sans-serif" in root.attrib["font-family"]
-    assert root.find(f"{SVG}title") is not None
     assert root.findtext(f"{SVG}title") == "a <set>"
+    group = next(root.iter(f"{SVG}g"))
+    assert group.findtext(f"{SVG}title") == 'P1: "sun" & <ring>'
+    assert (group.attrib["paint-order"], group.attrib["stroke"]) == ("stroke", STYLE.paper)
+    pen = blank(72.0, 72.0, STYLE)  # for dots
+    pen.text(36.0, 36.0, "x", over=True)
+    assert figure_of(pen.canvas).texts[0].get_path_effects()
 
 
 def test_spaces_between_parts_of_a_text_stay() -> None:
@@ -52,29 +55,9 @@ def test_spaces_between_parts_of_a_text_stay() -> None:
     assert next(parsed(svg).iter(f"{SVG}text")).text == "mode 1    6.5 Hz"
 
 
-def test_what_an_artist_says_is_its_title_and_data() -> None:
-    root = made(title='P1: "sun" & <ring>')
-    group = next(root.iter(f"{SVG}g"))
-    assert group.findtext(f"{SVG}title") == 'P1: "sun" & <ring>'
-
-
-def test_a_halo_is_painted_below_letters_that_stay_letters() -> None:
-    root = made(over=True)
-    group = next(root.iter(f"{SVG}g"))
-    assert group.attrib["paint-order"] == "stroke"
-    assert group.attrib["stroke"] == STYLE.paper
-    assert len(list(root.iter(f"{SVG}text"))) == 2
-
-
-def test_a_halo_stays_for_pictures_of_dots() -> None:
-    pen = blank(72.0, 72.0, STYLE)
-    pen.text(36.0, 36.0, "x", over=True)
-    assert figure_of(pen.canvas).texts[0].get_path_effects()
-
-
 @pytest.mark.parametrize("dark", [False, True])
 @pytest.mark.parametrize("kind", KINDS)
-def test_small_texts_have_a_colour_of_enough_contrast(kind: str, dark: bool) -> None:
+def test_texts_of_every_kind_have_contrast_and_typeset_numbers(kind: str, dark: bool) -> None:
     style = Style(dark=dark)
     results = SPRINGS if kind in OF_VIBRATION else SET
     gears = (2,) if kind in OF_VIBRATION else ()
@@ -82,21 +65,13 @@ def test_small_texts_have_a_colour_of_enough_contrast(kind: str, dark: bool) -> 
     readable = {style.ink, style.soft, style.engaged, style.lost, style.circulating}
     texts = [*root.iter(f"{SVG}text")]
     assert texts
-    assert {one.attrib.get("fill", "#000000") for one in texts} <= readable | {style.paper}
-
-
-@pytest.mark.parametrize("kind", KINDS)
-def test_every_kind_says_what_it_shows_and_typesets_its_numbers(kind: str) -> None:
-    results = SPRINGS if kind in OF_VIBRATION else SET
-    gears = (2,) if kind in OF_VIBRATION else ()
-    root = parsed(render(results, kind, "svg", STYLE, gears))
+    assert {text.attrib.get("fill", "#000000") for text in texts} <= readable | {style.paper}
     assert len(root.findall(f".//{SVG}title")) > 4
-    for text in ("".join(one.itertext()) for one in root.iter(f"{SVG}text")):
-        assert not re.search(r"(?<![\w.)])-\.?\d|(?<![\w.])\.\d", text), text
+    for said in ("".join(text.itertext()) for text in texts):
+        assert not re.search(r"(?<![\w.)])-\.?\d|(?<![\w.])\.\d", said), said
 
 
 def test_what_belongs_together_is_one_group() -> None:
-    """Parts of two links drawn in turns stand by link, and their wires have their class."""
     pen = blank(50.0, 50.0, Style())
     for turn in range(2):
         for name in ("sun", "ring"):
@@ -104,7 +79,5 @@ def test_what_belongs_together_is_one_group() -> None:
             link.line((0.0, turn), (5.0, turn), kind="wire", color="#000000")
     root = parsed(written_as_svg(pen.canvas, ""))
     [scheme] = root.findall(".//*[@class='scheme']")
-    assert {link.get("data-name"): [part.get("class") for part in link] for link in scheme} == {
-        "sun": ["wire", "wire"],
-        "ring": ["wire", "wire"],
-    }
+    found = {link.get("data-name"): [part.get("class") for part in link] for link in scheme}
+    assert found == {"sun": ["wire", "wire"], "ring": ["wire", "wire"]}

@@ -23,10 +23,7 @@ def test_shares_of_losses_make_up_what_the_efficiency_lacks() -> None:
 
 def test_a_part_of_the_loss_has_its_name_and_says_what_it_takes() -> None:
     """Two pairs one after the other: .96 * .75, so .04 and .24 of the power that enters."""
-    pairs = [
-        Mechanism(1, 2, 0, ratio=-2.5, efficiency=0.96),
-        Mechanism(2, 3, 0, ratio=-1.5, efficiency=0.75),
-    ]
+    pairs = [Mechanism(1, 2, 0, -2.5, 0.96), Mechanism(2, 3, 0, -1.5, 0.75)]
     case = Transmission(3, [], pairs, [Gear()], output=3)
     figure = picture(solve(case), "efficiency", Style())
     parts = ["gear 1, D1: 4 %", "gear 1, D2: 24 %"]

@@ -54,14 +54,7 @@ def shown(flow: GearFlow) -> PowerFlow | None:
 
 
 def layouts(results: Results) -> list[tuple[PowerFlow, FlowLayout]]:
-    """Gears that have a flow."""
-    found = flows(results)
-    return [
-        (side, made)
-        for side, rows in zip(map(shown, found), placed(found, WIDE), strict=True)
-        for made in rows
-        if side is not None
-    ]
+    return [(side, row) for side, rows in in_rows(results, WIDE) for row in rows]
 
 
 def bands(figure: Figure) -> Iterator[tuple[str, PlotPath]]:
@@ -172,10 +165,7 @@ def recirculating(load: Load | None = None) -> Transmission:
     the power balance. The ring has 2/3 of it, 4, and with -1/4 gives back the power 1: twice
     the power that enters goes through the set, once the power that enters goes round.
     """
-    mechanisms = [
-        Mechanism(1, 2, 3, -2.0, name="set"),
-        Mechanism(1, 2, 0, -4.0, name="pair"),
-    ]
+    mechanisms = [Mechanism(1, 2, 3, -2.0, name="set"), Mechanism(1, 2, 0, -4.0, name="pair")]
     names = ("in", "side", "out")
     return Transmission(3, [], mechanisms, [Gear()], link_names=names, load=load)
 
@@ -188,7 +178,6 @@ def test_a_loop_tells_its_power_and_its_part_of_the_power_in() -> None:
 
 
 def test_a_loop_that_may_not_be_in_the_metal_says_so() -> None:
-    """Mechanisms that share planets, as the case says of itself."""
     said: dict[Literal["en", "ru"], str] = {
         "en": "may be an artefact of the model: D7 and D8 share sun 1 and carrier",
         "ru": "возможно, лишь в модели: у D7 и D8 общие sun 1 и carrier",

@@ -91,9 +91,7 @@ gears: {'1': [T-L3], '2': [T-L2]}
 """
 
 
-@pytest.mark.parametrize(
-    "source", [TWO_SPEED_AXLE, CHAIN, *SHIPPED], ids=lambda one: str(one)[-20:]
-)
+@pytest.mark.parametrize("source", [TWO_SPEED_AXLE, CHAIN, *SHIPPED], ids=lambda s: str(s)[-20:])
 def test_a_line_gives_on_what_it_gets_and_ends_at_the_output(source: Path | str) -> None:
     """What is behind the output would be a branch, as is an open brake of the axle's gear 2."""
     results = solve(loads(source) if isinstance(source, str) else load(source))

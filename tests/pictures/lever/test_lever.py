@@ -43,9 +43,8 @@ def test_positions_on_a_lever_follow_from_the_teeth() -> None:
     results = shipped_results("ravigneaux-aod.yaml")
     [lever] = levers(results.case)
     positions = {results.case.link_name(node.link): node.position for node in lever.nodes}
-    assert positions == pytest.approx(
-        {"reverse sun": -2, "carrier": 0, "ring": 1, "forward sun": 2.4}
-    )
+    expected = {"reverse sun": -2, "carrier": 0, "ring": 1, "forward sun": 2.4}
+    assert positions == pytest.approx(expected)
 
 
 def test_the_mark_of_an_output_stands_over_that_of_a_point_at_the_same_place() -> None:
@@ -78,11 +77,8 @@ def test_torques_on_a_lever_are_in_balance_like_forces(name: str, merged: bool) 
     drawn = levers(results.case, merged=merged)
     for number in range(1, len(results.case.gears) + 1):
         for lever, torques in zip(drawn, in_gear(results, number, drawn).torques, strict=True):
-            pairs = zip(torques, lever.nodes, strict=True)
-            assert sum(torques) == pytest.approx(0, abs=1e-9)
-            assert sum(torque * node.position for torque, node in pairs) == pytest.approx(
-                0, abs=1e-9
-            )
+            moment = np.dot(torques, [node.position for node in lever.nodes])
+            assert [sum(torques), moment] == pytest.approx([0, 0], abs=1e-9)
 
 
 def test_two_sets_with_two_common_links_are_one_lever() -> None:
@@ -95,9 +91,8 @@ def test_two_sets_with_two_common_links_are_one_lever() -> None:
     [lever] = levers(case, merged=True)
     positions = {case.link_name(node.link): node.position for node in lever.nodes}
     carrier = first / (1 - second)
-    assert positions == pytest.approx(
-        {"sun": first, "carrier 2": carrier, "output": 0, "ring 1": 1}
-    )
+    expected = {"sun": first, "carrier 2": carrier, "output": 0, "ring 1": 1}
+    assert positions == pytest.approx(expected)
     assert len(levers(case)) == 2
 
 
@@ -200,7 +195,6 @@ def crossed(figure: Figure) -> Iterator[str]:
 
 @pytest.mark.parametrize("name", MOSTLY_SLOW)
 def test_points_stand_at_their_ratios(name: str) -> None:
-    """On a lever heights go with positions, in one direction or the other."""
     for cell in page(name).cells:
         if cell.lever.ratio is None and len(cell.rows) > 2:
             (low, first), *others, (high, last) = sorted(cell.rows.items())
@@ -212,7 +206,6 @@ def test_points_stand_at_their_ratios(name: str) -> None:
 
 
 def page(name: str) -> LeverPage:
-    """Where the levers of a shipped case stand."""
     found = page_of(shipped_results(name).case, Style())
     assert found is not None
     return found
@@ -227,14 +220,11 @@ def routes_of(name: str) -> Iterator[list[LeverRoute]]:
 
 @pytest.mark.parametrize("name", MOSTLY_SLOW)
 def test_what_rises_between_levers_has_a_place_of_its_own(name: str) -> None:
-    """In no gear are two lines upright at one place."""
     for found in routes_of(name):
         pieces = [pairwise(piece) for route in found for piece in route.pieces]
+        lines = [line for piece in pieces for line in piece]
         upright = [
-            (band, round(x, 6))
-            for piece in pieces
-            for (band, (x, y)), (_, (x2, y2)) in piece
-            if x == x2 and y != y2
+            (n, round(x, 6)) for (n, (x, y)), (_, end) in lines if x == end[0] and y != end[1]
         ]
         assert len(set(upright)) == len(upright)
 
@@ -312,10 +302,8 @@ def test_the_input_stands_left_of_the_output_and_joints_are_short() -> None:
     driveline = shipped_results("driveline-8hp70.yaml").case
     drawn = levers(driveline)
     first, *_, last = ordered(driveline, [*drawn, *shafts(driveline, drawn)])
-    assert [driveline.link_name(one.nodes[0].link) for one in (first, last)] == [
-        "engine",
-        "vehicle",
-    ]
+    ends = [driveline.link_name(lever.nodes[0].link) for lever in (first, last)]
+    assert ends == ["engine", "vehicle"]
 
 
 TWO_CLUTCHES = """\

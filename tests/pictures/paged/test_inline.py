@@ -16,9 +16,6 @@ def test_a_look_of_many_is_said_once() -> None:
     page, rules = shared(Markup(f"<svg>{LINE * 3}</svg>"))
     assert page == f"<svg>{SHORT * 3}</svg>"
     assert rules == ".l0{fill:none;stroke:var(--ink)}"
-
-
-def test_a_look_of_one_stays_where_it_is() -> None:
     assert shared(Markup(LINE)) == (LINE, "")
 
 
@@ -49,9 +46,7 @@ def points_of(path: str) -> list[float]:
         size = {"Q": 4, "C": 6}.get(letter.upper(), 2)
         for at in range(0, len(numbers), size):  # an equal letter can be omitted
             base = (x, y) if letter.islower() else (0.0, 0.0)
-            points = [
-                number + base[place % 2] for place, number in enumerate(numbers[at : at + size])
-            ]
+            points = [n + base[place % 2] for place, n in enumerate(numbers[at : at + size])]
             found += points
             x, y = points[-2:]
         start = (x, y) if letter in "Mm" else start
@@ -65,10 +60,8 @@ def test_a_short_path_goes_through_the_same_points() -> None:
         path = ""
         for letter in "M" + "".join(chance.choices("LLLQCM", k=20)):
             count = {"Q": 2, "C": 3}.get(letter, 1)
-            places = (
-                f"{chance.choice((10.0, chance.uniform(-2, 99))):.2f}" for _ in range(2 * count)
-            )
-            numbers = [*places]
+            places = [chance.choice((10.0, chance.uniform(-2, 99))) for _ in range(2 * count)]
+            numbers = [f"{place:.2f}" for place in places]
             pairs = (" ".join(numbers[at : at + 2]) for at in range(0, 2 * count, 2))
             path += letter + " ".join(pairs) + "z" * (chance.random() < 0.1)
         assert points_of(short_path(path)) == pytest.approx(points_of(path), abs=0.0501)

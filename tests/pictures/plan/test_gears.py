@@ -11,6 +11,7 @@ from xml.etree import ElementTree as ET
 
 import pytest
 
+from tests.chance import with_slow
 from tests.commands import CASES, SHIPPED, json_answer
 from tests.pictures.drawn import WITHOUT_PLAN, WITHOUT_TWO_GEARS
 from tests.shipped import shipped_results
@@ -52,7 +53,6 @@ def panels(results: Results) -> tuple[list[tuple[list[str], list[str]]], list[st
 
 
 def told_panels(made: Sequence[bytes]) -> tuple[list[tuple[list[str], list[str]]], list[str]]:
-    """The same of some pages."""
     roots = [ET.fromstring(one) for one in made]  # noqa: S314 - our own
     found = [
         (json.loads(one.attrib["data-gears"]), json.loads(one.attrib["data-engaged"]))
@@ -83,7 +83,6 @@ def carrying(case: str) -> dict[str, dict[str, frozenset[str]]]:
 
 @pytest.mark.parametrize("name", MOSTLY_SLOW)
 def test_every_gear_is_on_a_panel_or_named(name: str) -> None:
-    """A panel has two gears of different ratios at least."""
     results = shipped_results(name)
     found, left_out = panels(results)
     shown = {gear for gears, _ in found for gear in gears}
@@ -95,14 +94,10 @@ def test_every_gear_is_on_a_panel_or_named(name: str) -> None:
         assert max(ratios) - min(ratios) > 1e-9
 
 
-@pytest.mark.parametrize(
-    "name",
-    [
-        pytest.param(name, marks=[pytest.mark.slow] * (name != "allison-6speed.yaml"))
-        for name in NAMES
-        if "8hp70" in name or "speed" in name
-    ],
-)
+SPEEDS = [name for name in NAMES if "8hp70" in name or ("speed" in name and "allison" not in name)]
+
+
+@pytest.mark.parametrize("name", with_slow(["allison-6speed.yaml"], SPEEDS))
 def test_gears_that_one_element_tells_apart_are_on_a_panel(name: str) -> None:
     """Boxes whose elements all carry torque where they are engaged, by the JSON."""
     found, _ = panels(shipped_results(name))

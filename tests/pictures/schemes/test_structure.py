@@ -31,20 +31,12 @@ from vstatics.pictures import picture, render
 from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.schemes.scheme import Device, Scheme, scheme_of
 
-FEW = {"mzkt7922.dat", "umdm.yaml", "wheel-hub.yaml", "power-split.yaml", "moskvich-start.yaml"}
+FEW = ["mzkt7922.dat", "umdm.yaml", "wheel-hub.yaml", "power-split.yaml", "moskvich-start.yaml"]
 """Cases of each kind for the fast tests: a deck, shared planets, held links, axes, springs."""
 ONE_ROW = Style(width=inf)
-every_case = pytest.mark.parametrize(
-    "path",
-    [
-        pytest.param(path, id=path.name, marks=[] if path.name in FEW else pytest.mark.slow)
-        for path in SHIPPED
-    ],
-)
 
 
 def coloured_wires(root: ET.Element) -> Iterator[tuple[str, Line, str]]:
-    """Return the lines of links with their colours."""
     for group in root.iter(f"{SVG}g"):
         if group.get("class") == "link" and group.attrib["data-name"] != "housing":
             for path in group.iter(f"{SVG}path"):
@@ -134,9 +126,9 @@ def random_case(chance: Random) -> Transmission:
         return random_case(chance)
 
 
-@every_case
-def test_a_structure_joins_what_its_case_joins(path: Path) -> None:
-    check(vstatics.load(path))
+@pytest.mark.parametrize("name", with_slow(FEW, [p.name for p in SHIPPED if p.name not in FEW]))
+def test_a_structure_joins_what_its_case_joins(name: str) -> None:
+    check(shipped_results(name).case)
 
 
 @pytest.mark.parametrize(
@@ -192,9 +184,8 @@ def torques_of(results: Results, gear: int) -> list[dict[int, list[float]]]:
             found[-1].setdefault(member.link, []).append(plain(torques[member.name]))
     for shift, torque in zip(case.shift_elements, values, strict=False):
         found.append({shift.first: [torque], shift.second: [torque]})
-    for spring, torque in zip(
-        case.springs, values[: -len(case.springs) - 2 : -1][::-1], strict=False
-    ):
+    of_springs = values[: -len(case.springs) - 2 : -1][::-1]
+    for spring, torque in zip(case.springs, of_springs, strict=False):
         found.append({link: [torque] for link in (0, *spring.form)})
     return found
 

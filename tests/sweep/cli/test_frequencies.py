@@ -19,7 +19,6 @@ OMEGA = "omega[1,1],omega[2,1]/omega[1,1]"
 
 @pytest.fixture(autouse=True)
 def _case(folder: Path) -> None:
-    """A folder, the current one, with three masses."""
     (folder / "box.yaml").write_text(CASE, "utf-8")
 
 
@@ -30,23 +29,6 @@ def test_the_numbers_are_those_of_torsion_modes() -> None:
     row = vstatics("sweep", "box.yaml", *asked, "-f", "jsonl").json
     assert row["omega[1,1]"] == pytest.approx(low, rel=1e-11)
     assert row["omega[2,1]/omega[1,1]"] == pytest.approx(high / low, rel=1e-11)
-
-
-@needs("torsion")
-def test_a_table_of_variants_and_a_sweep_file() -> None:
-    Path("own.csv").write_text("wheel.inertia,shaft.stiffness\n1.5,9e3\n2,1e4\n", "utf-8")
-    table = vstatics("sweep", "box.yaml", "--variants", "own.csv", "--out", "omega[1]")
-    Path("sweep.yaml").write_text(
-        "case: box.yaml\nzip: true\nout: omega[1]\n"
-        "vary: {wheel.inertia: [1.5, 2], shaft.stiffness: [9e3, 1e4]}\n",
-        "utf-8",
-    )
-    file = vstatics("sweep", "--file", "sweep.yaml")
-    assert table.out == file.out
-    assert len(table.out.splitlines()) == 3
-    Path("own.csv").write_text("wheel.inertai\n1.5\n", "utf-8")
-    wrong = vstatics("sweep", "box.yaml", "--variants", "own.csv", "--out", "omega[1]")
-    assert wrong.fails("own.csv:1:7: error: read `inertai`, expected `inertia`")
 
 
 HELD = """\

@@ -24,7 +24,6 @@ def folder(tmp_path: Path) -> Path:
 
 @pytest.fixture(scope="module")
 def whole(tmp_path_factory: pytest.TempPathFactory) -> bytes:
-    """The output of an undisturbed sweep."""
     folder = tmp_path_factory.mktemp("whole")
     (folder / "box.yaml").write_text(CASE_TEXT, "utf-8")
     assert end(begin(*SWEEP, "-o", "out.csv", "-j", 2, cwd=folder))[0] == 0
@@ -57,7 +56,6 @@ def test_an_interrupted_sweep_says_where_it_stopped_and_goes_on(
 
 
 def most_memory(process: int) -> int:
-    """The most memory that a process has had so far [kB]."""
     text = Path(f"/proc/{process}/status").read_text("utf-8")
     return next(int(line.split()[1]) for line in text.splitlines() if line.startswith("VmHWM"))
 

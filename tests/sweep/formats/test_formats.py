@@ -75,13 +75,11 @@ def test_json_lines_are_read_back_by_the_standard_library(rows: list[Row]) -> No
 
 @given(st.binary(max_size=300), st.binary(max_size=70000))
 def test_check_sums_are_combined_as_zlib_does_it(first: bytes, second: bytes) -> None:
-    assert combined_crc(zlib.crc32(first), zlib.crc32(second), len(second)) == zlib.crc32(
-        first + second
-    )
+    whole = zlib.crc32(first + second)
+    assert combined_crc(zlib.crc32(first), zlib.crc32(second), len(second)) == whole
 
 
 def output(path: Path, *vary: str, **more: Any) -> Path:
-    """The output of a sweep in pieces of 8 variants."""
     form = format_of(path.name, FORMATS)
     assert form is not None
     made = plan(*vary, piece=8, **more)
@@ -148,7 +146,6 @@ def test_the_best_come_sorted_and_the_non_dominated_in_order(suffix: str, tmp_pa
 
 
 def numbers(path: Path, name: str) -> list[float]:
-    """A column of an output."""
     if path.suffix == ".npz":
         return list(np.load(path)[name])
     if path.suffix == ".parquet":

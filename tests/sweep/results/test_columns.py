@@ -9,7 +9,7 @@ from tests.chance import count
 from tests.commands import MZKT
 from tests.shipped import PRINTED
 from tests.strategies import transmissions
-from tests.sweep.asked import RESULTS, SET, VALUES, VARIED, marked, problem, value
+from tests.sweep.asked import SET, VARIED, marked, problem
 from vstatics import Gear, Mechanism, ReadError, Transmission, load, solve
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.readers.named.nodes import MOST_PROBLEMS
@@ -65,24 +65,13 @@ def test_all_problems_of_the_columns_are_told_up_to_a_limit() -> None:
     text = "ratio, rato, speeds[in,'x,y'], max(1,efficency)"
     with pytest.raises(ReadError) as caught:
         read_columns(text, SET, VARIED)
-    places = [told.place for told in caught.value.problems]
-    assert [text[place.column - 1 :] for place in places if place] == [
-        "rato, speeds[in,'x,y'], max(1,efficency)",
-        "'x,y'], max(1,efficency)",
-        "efficency)",
-    ]
+    places = [problem.place for problem in caught.value.problems]
+    begins = [text[place.column - 1 :].partition(",")[0] for place in places if place]
+    assert begins == ["rato", "'x", "efficency)"]
     assert marked("ratio,", "--out") == ""
     with pytest.raises(ReadError) as caught:
         read_columns("a," * 10**6, SET, VARIED)
     assert len(caught.value.problems) == MOST_PROBLEMS
-
-
-def test_columns_hold_what_their_headings_say() -> None:
-    columns = read_columns("speeds,max(ratio),ratio[2],torques[Mx],D1.ratio", SET, VARIED)
-    made = columns(RESULTS, VALUES)
-    assert made.shape == (3, len(columns.headings))
-    for heading, column in zip(columns.headings, made.T, strict=True):
-        np.testing.assert_array_equal(column, value(heading))
 
 
 @settings(max_examples=count(8, 60))

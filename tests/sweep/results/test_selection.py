@@ -30,7 +30,6 @@ LOW = 'ratio["1R"]'
 
 
 def passed(text: str) -> list[int]:
-    """Whether each variant passes a condition."""
     made: list[int] = read_where(text, SET, VARIED).passed(RESULTS, VALUES, NONE)[0].tolist()
     return made
 

@@ -59,7 +59,6 @@ def spooled(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
 
 
 def test_a_table_as_people_write_it() -> None:
-    """The same rows with other ends of lines, separators, quotes, blanks, and a note."""
     for text in (
         "D1.ratio,D1.efficiency\n-2.5,.96\n-3,0.97\n",
         "D1.ratio,D1.efficiency\n-2.5,.96\n-3,0.97",
@@ -90,7 +89,6 @@ def test_what_is_wrong_is_told_with_its_place() -> None:
     unknown = "D1.ratio: read `x`, expected a number or a calculation such as -96/39"
     for text, line, column, words in (
         ("", 1, 1, "read an empty line, expected names such as D1.ratio"),
-        ("  ", 1, 1, "read an empty line, expected names such as D1.ratio"),
         ("\n1\n", 2, 1, "expected a mechanism"),
         ("D1.ratio\n", 0, 0, "the table has no variant, expected a line of numbers"),
         ("D1.ratio\n\n \n", 0, 0, "the table has no variant"),
@@ -103,7 +101,6 @@ def test_what_is_wrong_is_told_with_its_place() -> None:
         ("D1.ratio,\n1,2\n", 2, 3, "read 2 cells, expected 1, as the headings"),
         ("D1.ratio,,1.ratio\n1,,2\n", 1, 10, "read nothing, expected a mechanism"),
         ("D1.ratio,#1.ratio\n1,2\n", 1, 10, "D1.ratio already has a column"),
-        ("12\n34\n", 1, 1, "expected a mechanism"),
         ("D1.ratio,1.ratio\n1,2\n3, x\n", 3, 4, "1.ratio: read `x`, expected a number"),
         ("D1.ratio,1.ratio\n1,\n", 2, 3, "1.ratio: read nothing, expected a number"),
         ("D1.ratio,1.ratio\n1,2\n3\n", 3, 2, "read 1 cell, expected 2, as the headings"),
@@ -142,7 +139,6 @@ def test_all_that_is_wrong_is_told_up_to_a_limit(monkeypatch: pytest.MonkeyPatch
 
 @pytest.mark.parametrize("suffix", ["csv", "parquet", "xlsx", "npz", "jsonl"])
 def test_what_a_sweep_wrote_are_the_variants_of_the_next(tmp_path: Path, suffix: str) -> None:
-    """In every format, with the same numbers; so is what pandas writes."""
     file = str(tmp_path / f"own.{suffix}")
     case = CASES / "zf-8hp70.yaml"
     asked = ("--vary", "P1.teeth.sun=47,48", "--vary", "P1.efficiency=.9,1.5", "--out", "ratio[5]")
@@ -167,9 +163,7 @@ def test_rows_that_pandas_numbers_and_a_note(tmp_path: Path) -> None:
         assert read_back.block(0, 2).tolist() == [[-2.5], [-3.0]], suffix
     frame["note"] = ["first", "second"]
     frame.to_parquet(tmp_path / "own.parquet")
-    with pytest.raises(
-        ReadError, match=r"read `note`.*leave out columns that are not numbers of the case"
-    ):
+    with pytest.raises(ReadError, match=r"read `note`.*leave out columns that are not numbers of"):
         load_table(str(tmp_path / "own.parquet"), CASE)
 
 
@@ -248,10 +242,8 @@ def test_the_file_goes_with_the_process(tmp_path: Path) -> None:
         "print(spool.take(4, 5))"
     )
     own = {"PYTHONPATH": os.pathsep.join(sys.path), "TMPDIR": str(tmp_path)}
-    said = subprocess.run(
-        [sys.executable, "-c", program], capture_output=True, check=True, env={**os.environ, **own}
-    )
-    assert said.stdout == b"[[1.]]\n"
+    said = subprocess.check_output([sys.executable, "-c", program], env={**os.environ, **own})
+    assert said == b"[[1.]]\n"
     assert not list(tmp_path.iterdir())
 
 

@@ -14,10 +14,7 @@ from vstatics.sweep.variants.targets import target
 CASE = Transmission(
     4,
     [ShiftElement(2, 3, name="C", stiffness=5e4), ShiftElement(3, 0, name="B")],
-    [
-        Mechanism(2, 3, 4, -2.5, name="P"),
-        Mechanism(1, 2, 0, -2.0, name="1", stiffness=9e4),
-    ],
+    [Mechanism(2, 3, 4, -2.5, name="P"), Mechanism(1, 2, 0, -2.0, name="1", stiffness=9e4)],
     [Gear([1])],
     springs=[
         Spring({1: 1, 4: -1}, compliance=84e-5, damping=3.2, name="input shaft"),

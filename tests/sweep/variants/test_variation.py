@@ -80,9 +80,7 @@ def test_values() -> None:
 def test_what_is_wrong_is_told_with_its_column() -> None:
     for text, column, words in (
         ("D9.ratio=1", 1, "no mechanism `D9`, expected one of D1, D.2=x, 1"),
-        ("D11.ratio=1", 1, "expected one of D1, D.2=x, 1; did you mean `D1`?"),
         ("  #4.ratio=1", 3, "expected the number of a mechanism, #1 to #3"),
-        ("#0.ratio=1", 1, "#1 to #3"),
         ("D1.ratoi=1", 4, "expected `ratio` or `efficiency`; did you mean `ratio`?"),
         ("D1ratio=1", 1, "did you mean `D1.ratio`?"),
         (".ratio=1", 1, "expected a mechanism"),
@@ -92,7 +90,6 @@ def test_what_is_wrong_is_told_with_its_column() -> None:
         ("D1.ratio=1,x,3", 12, "read `x`, expected a number or a calculation"),
         ("D1.ratio=1, 1_0,3", 13, "read `1_0`"),
         ("D1.ratio=1,,3", 12, "read nothing, expected a number"),
-        ("D1.ratio=1,", 12, "read nothing"),
         ("D1.ratio=+-nan", 10, "read `+-nan`"),
         ("D1.ratio=1/0", 10, "a denominator other than 0"),
         ("D1.ratio=0,7:0,9:3", 10, "with a decimal point"),
@@ -123,7 +120,6 @@ def test_every_wrong_number_of_a_list_is_told_up_to_a_limit() -> None:
 
 
 def test_a_text_may_stand_elsewhere() -> None:
-    """In a sweep file, say."""
     with pytest.raises(ReadError) as caught:
         read_variation("D1.ratio=1,x", CASE, Place("sweep.yaml", 7, 5, "  - D1.ratio=1,x"))
     assert caught.value.problems[0].place == Place("sweep.yaml", 7, 16, "  - D1.ratio=1,x")

@@ -5,7 +5,6 @@ from functools import cache
 from itertools import permutations
 from typing import Any
 
-import numpy as np
 import pytest
 from jsonschema import Draft202012Validator
 
@@ -26,9 +25,8 @@ from vstatics.synthesis import StructureSearch, schemes
 from vstatics.synthesis.boxes.batches.found import found_in
 from vstatics.synthesis.boxes.box import HELD, BoxSearch, FoundBox
 from vstatics.synthesis.boxes.choice import BoxFilter, BoxList, RankedBox, ranked
-from vstatics.synthesis.boxes.figures.by_box import LIMITED, PARETO
+from vstatics.synthesis.boxes.figures.by_box import LIMITED
 from vstatics.synthesis.boxes.figures.measured import MeasuredBox, measured
-from vstatics.synthesis.boxes.grouping import pareto
 from vstatics.synthesis.boxes.least_form import identity, least_box
 from vstatics.synthesis.boxes.listing import BoxListing, listed_box, wanted_of
 from vstatics.synthesis.boxes.reading import listing_of
@@ -84,18 +82,14 @@ def test_codes_and_ports_are_those_of_the_list_of_schemes() -> None:
     for seed, one in enumerate([*schemes(StructureSearch(3, "sets", ports=True))][::200]):
         source, sink = one.input or 0, one.output or 0
         scheme = SetScheme.of_code(one.code)
-        least = least_box(
-            renamed(FoundBox(scheme, None, source, sink, (), (-2.0,) * 3, (), 0.0), seed)
-        )
+        box = FoundBox(scheme, None, source, sink, (), (-2.0,) * 3, (), 0.0)
+        least = least_box(renamed(box, seed))
         assert (least.scheme.code, least.input, least.output) == (one.code, source, sink)
 
 
 def test_meshed_sets_and_held_links_tell_boxes_apart() -> None:
-    least = least_box(ZF_6HP)
-    for other in (
-        ZF_6HP._replace(ratios=(-71 / 37, 85 / 31, -85 / 38)),
-        ZF_6HP._replace(held=None),
-    ):
+    least, exchanged = least_box(ZF_6HP), (-71 / 37, 85 / 31, -85 / 38)
+    for other in (ZF_6HP._replace(ratios=exchanged), ZF_6HP._replace(held=None)):
         assert identity(least_box(other)) != identity(least)
     # a clutch to what is held is a brake
     clutch = ZF_6HP._replace(elements=(*ZF_6HP.elements[:3], (1, 4), (5, HELD)))
@@ -112,9 +106,8 @@ def with_figures(found: MeasuredBox, number: int, **figures: Any) -> MeasuredBox
 def test_families_have_equal_ratios_in_all_gears() -> None:
     """Equal but for parts of the tolerance."""
     boxes = []
-    for number, parts in enumerate(
-        [(0, 0, 0, 0), (0, 0, 0, 5), (0.3, 0, -0.3, 0), (0, 5, 0, 5), (0, 0, 0, 5.3)]
-    ):
+    off = [(0, 0, 0, 0), (0, 0, 0, 5), (0.3, 0, -0.3, 0), (0, 5, 0, 5), (0, 0, 0, 5.3)]
+    for number, parts in enumerate(off):
         factors = [1 + SAME_FITTED_RATIO * part for part in parts]
         pairs = zip(FAST.gears, factors, strict=True)
         gears = tuple(gear._replace(ratio=gear.ratio * factor) for gear, factor in pairs)
@@ -147,35 +140,20 @@ def test_what_is_found_twice_is_told_once() -> None:
         assert found.found.figures.error == best
 
 
-def test_pareto_list_is_that_of_all_pairs() -> None:
-    figures = np.random.default_rng(15).integers(0, 6, (300, 4)).astype(float)
-    no_worse = (figures[:, None] <= figures).all(axis=2)
-    better = (figures[:, None] < figures).any(axis=2)
-    assert pareto(figures).tolist() == (~(no_worse & better).any(axis=0)).tolist()
-    assert PARETO == ("loss", "planet_speed", "torque", "clutches")
-
-
-@pytest.mark.parametrize(
-    ("wanted", "stays"),
-    [
+def test_filters() -> None:
+    for wanted, stays in (
         (BoxFilter(), True),
         (BoxFilter(single=True, planar=True, brakes=(2,), clutches=(1, 3)), True),
         (BoxFilter(brakes=(1, 3)), False),
         (BoxFilter(clutches=(2,)), False),
         *((BoxFilter(limits={name: EIGHT.figures.number(name)}), True) for name in LIMITED),
         *((BoxFilter(limits={name: EIGHT.figures.number(name) - 1e-3}), False) for name in LIMITED),
-    ],
-)
-def test_filters(wanted: BoxFilter, *, stays: bool) -> None:
-    assert len(ranked(ZF_8HP_SEARCH, [EIGHT], wanted)) == stays
-    assert wanted.before(EIGHT.box) or not stays
-    no = EIGHT._replace(figures=EIGHT.figures._replace(single=False, planar=False))
-    for each, lets in (
-        (BoxFilter(single=True), False),
-        (BoxFilter(planar=True), False),
-        (BoxFilter(), True),
     ):
-        assert each.lets(no) == lets
+        assert len(ranked(ZF_8HP_SEARCH, [EIGHT], wanted)) == stays
+        assert wanted.before(EIGHT.box) or not stays
+        no = EIGHT._replace(figures=EIGHT.figures._replace(single=False, planar=False))
+        filters = BoxFilter(single=True), BoxFilter(planar=True), BoxFilter()
+        assert [each.lets(no) for each in filters] == [False, False, True]
 
 
 def test_document_follows_the_schema_and_its_cases_are_cases() -> None:

@@ -3,7 +3,6 @@
 import math
 import pickle
 from itertools import pairwise, permutations, product
-from pathlib import Path
 
 import pytest
 
@@ -20,7 +19,7 @@ from tests.synthesis.boxes.hand_boxes import (
     ZF_8HP,
     ZF_8HP_SEARCH,
 )
-from vstatics import load, solve
+from vstatics import solve
 from vstatics.core.explain.bodies import on_own_links
 from vstatics.core.readers import read
 from vstatics.core.writers import deck
@@ -76,12 +75,8 @@ def test_figures_are_those_of_exact_fractions(name: str) -> None:
                 slips.append(abs(slip))  # type: ignore[arg-type]
     assert figures.slip == pytest.approx(float(max(slips)), rel=1e-9)
     assert figures.torque == pytest.approx(float(max(torques)), rel=1e-9)
-    elements = (len(box.brakes), len(box.clutches))
-    assert (figures.brakes, figures.clutches, figures.single, figures.planar) == (
-        *elements,
-        True,
-        True,
-    )
+    assert (figures.brakes, figures.clutches) == (len(box.brakes), len(box.clutches))
+    assert (figures.single, figures.planar) == (True, True)
 
 
 def test_no_figure_without_what_it_is_of() -> None:
@@ -144,10 +139,9 @@ def test_ratios_of_all_sets_are_those_of_the_solver() -> None:
     found = set_ratios(ZF_8HP, sets)
     case = measured(ZF_8HP_SEARCH, ZF_8HP, 1.0).case
     of_gear = dict(zip(ZF_8HP.gears, solve(case).ratio.tolist(), strict=True))
-    for one, ratio in zip(sets, found.tolist(), strict=True):
-        expected = of_gear.get(tuple(sorted(one)))
-        if expected is not None:
-            assert ratio == pytest.approx(expected, rel=1e-12)
+    for own, ratio in zip(sets, found.tolist(), strict=True):
+        if (gear := tuple(sorted(own))) in of_gear:
+            assert ratio == pytest.approx(of_gear[gear], rel=1e-12)
     assert [len(one) for one in equal_sets(ZF_8HP)] == [1] * 9
 
 
@@ -162,12 +156,6 @@ def test_what_is_crowded_is_not_planar() -> None:
         left = [one for one in case.shift_elements if one != gone]
         joins_ports = {*gone.links} == {case.input, case.output}
         assert box_is_planar(case.replace(shift_elements=left, gears=gears)) != joins_ports
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("path", sorted(Path("cases").glob("*.yaml")), ids=lambda path: path.stem)
-def test_shipped_gearboxes_are_planar(path: Path) -> None:
-    assert box_is_planar(load(path))
 
 
 @pytest.mark.parametrize(("held", "key"), [(0, "first"), (1, "third"), (2, "second")])
@@ -187,10 +175,10 @@ def test_a_held_member_is_kept_in_files_and_for_teeth(
     assert layout.element.link(("sun", "carrier", "ring")[held]) == 0
 
 
-@pytest.mark.parametrize(("third", "is_set"), [("", False), (", third: housing", True)])
-def test_a_pair_has_no_third_link(third: str, is_set: bool) -> None:
-    pair = f"{{g: {{first: 1, second: 2{third}, ratio: 2}}}}"
-    case = read(f"links: 2\nmechanisms: {pair}\ngears: {{1: {{}}}}".encode(), "a.yaml").case
-    assert case.mechanisms[0].is_set is is_set
-    assert ("third" in mapping(case)["mechanisms"]["g"]) is is_set
-    assert ("third: housing of mechanism g" in deck.lost(case)) is is_set
+def test_a_pair_has_no_third_link() -> None:
+    for third, is_set in (("", False), (", third: housing", True)):
+        pair = f"{{g: {{first: 1, second: 2{third}, ratio: 2}}}}"
+        case = read(f"links: 2\nmechanisms: {pair}\ngears: {{1: {{}}}}".encode(), "a.yaml").case
+        assert case.mechanisms[0].is_set is is_set
+        assert ("third" in mapping(case)["mechanisms"]["g"]) is is_set
+        assert ("third: housing of mechanism g" in deck.lost(case)) is is_set

@@ -70,7 +70,6 @@ def refused(text: bytes) -> ReadError:
 
 
 def test_what_is_wrong_is_told_where_it_is() -> None:
-    """At its box, in the wish, or in a text that is no document of boxes."""
     documents: dict[str, Any] = {}
     for said, change in WRONG.items():
         documents[said] = many(3)
@@ -112,6 +111,10 @@ def test_what_was_edited_in_a_box_or_in_its_case_alone_is_named(document: Any) -
     """A ratio of a set by a random part, engaged elements of a gear, the name of a gear."""
     original = document()
     assert not [*read(original).boxes[0].contradictions()]
+    other = copy.deepcopy(original)
+    other["boxes"][0]["gears"]["2"]["ratio"] = 1.5
+    [told] = read(other).boxes[0].contradictions()
+    assert told.startswith("the ratio of gear 2 is 1.5, but ")
     rng = seeded(25)
     for _ in range(count(15, 200)):
         edited = copy.deepcopy(original)
@@ -137,10 +140,3 @@ def test_what_was_edited_in_a_box_or_in_its_case_alone_is_named(document: Any) -
                 said = "its gears are "
         told = [*read(edited).boxes[0].contradictions()]
         assert any(one.startswith(said) for one in told), (said, told)
-
-
-def test_a_ratio_of_a_gear_that_its_case_does_not_have_is_named() -> None:
-    edited = simpson()
-    edited["boxes"][0]["gears"]["2"]["ratio"] = 1.5
-    [told] = read(edited).boxes[0].contradictions()
-    assert told == "the ratio of gear 2 is 1.5, but 1.47945205 in its `case`"

@@ -49,15 +49,6 @@ def test_a_list_has_a_line_for_each_scheme_and_a_matrix_a_one_for_each_member(
         assert one["matrix"] == [[int(link == member) for member in code] for link in links]
 
 
-def test_ports_are_links_of_the_code() -> None:
-    """Two sets with one sun: the sets may be exchanged, so 10 of 20 pairs are left."""
-    found = structures("--sets", 2, "--classes", "sets", "--ports", "-f", "json")
-    assert len(found) == 201
-    ports = [(x["input"], x["output"]) for x in found if x["code"] == "0-1-2-0-3-4"]
-    from_1 = [(1, 0), (1, 2), (1, 3), (1, 4)]
-    assert ports == [(0, 1), (0, 2), *from_1, (2, 0), (2, 1), (2, 3), (2, 4)]
-
-
 def test_a_count_is_a_document() -> None:
     said = vstatics("synth", "structures", "--sets", 3, "--all", "--count")
     by_links = {"5": 1242, "6": 864, "7": 189}
@@ -68,15 +59,10 @@ def test_a_count_is_a_document() -> None:
         assert found == {"sets": 3, "count": 1269, "by_links": {"5": 1080, "7": 189}}
 
 
-def test_a_file_holds_what_stdout_would() -> None:
-    said = vstatics("synth", "structures", "--sets", 2, "-o", "two.jsonl")
-    assert said.is_silent()
-    printed = vstatics("synth", "structures", "--sets", 2).out
-    assert Path("two.jsonl").read_text("utf-8") == printed
-
-
 def test_a_dry_run_tells_how_many_how_large_how_long(monkeypatch: pytest.MonkeyPatch) -> None:
-    size = len(vstatics("synth", "structures", "--sets", 2).out)
+    assert vstatics("synth", "structures", "--sets", 2, "-o", "two.jsonl").is_silent()
+    size = Path("two.jsonl").stat().st_size
+    Path("two.jsonl").unlink()
     shown = vstatics("synth", "structures", "--sets", 2, "--dry-run").out
     rows = [line.split(None, 1)[0] for line in shown.splitlines()]
     assert rows == ["schemes", "4", "5", "size", "time"]
@@ -127,10 +113,8 @@ def test_a_case_in_every_format() -> None:
 def test_ratios_that_are_not_given_and_sets_that_turn_as_one_body_are_told() -> None:
     """Sets 1 and 2 share three links; the case is one of `--all`."""
     said = vstatics("synth", "case", "0-1-2-0-3-1", "--input", "L0", "--output", "L1")
-    assert (said.status, said.err) == (
-        0,
-        "no ratios are given, so the gear sets have -2 and -2.1\n",
-    )
+    assert said.status == 0
+    assert said.err == "no ratios are given, so the gear sets have -2 and -2.1\n"
     code = structures("--sets", 3, "--all", "--links", 5)[0]["code"]
     assert code == "0-1-2-0-1-2-0-3-4"
     call = ("--input", "L0", "--output", "L3", "--ratios", "-2,-3,-4", "-o", "locked.yaml")
@@ -152,35 +136,25 @@ def with_ratios(ratios: str) -> tuple[str, ...]:
     return (*TWO, *PORTS, "--ratios", ratios)
 
 
-@pytest.mark.parametrize(
-    ("words", "message"),
-    [
+def test_wrong_use() -> None:
+    for words, message in (
         (("structures", "--sets", 0), "'--sets': 0 is not in the range 1<=x<=10."),
-        (("structures", "--sets", 11), "'--sets': 11 is not in the range 1<=x<=10."),
         (("structures", "--sets", 2, "--links", 6), "--links: read 6 links, but 2 sets have"),
         (("structures", "--sets", 2, "--links", "4,,"), "'--links': read ``, expected a"),
         (("structures", "--sets", 2, "--links", "-4"), "'--links': read `-4`, expected a"),
         (("structures", "--sets", 2, "--classes", "set"), "'--classes': 'set' is not one of"),
         (("structures", "--sets", 2, "--matrix", "--count"), "--matrix is of a list: expected it"),
         (with_code(""), "read nothing in the code, expected numbers of links joined by `-`"),
-        (with_code("0-1-2-"), "read nothing in the code"),
         (with_code("0-1-x"), "read `x` in the code"),
         (with_code("0-1-\u0662"), "read `\u0662` in the code"),
         (with_code("0-1-2-0"), "read 4 links in the code, expected three for each set: sun, carr"),
-        (
-            with_code("0-1-2-0-3-5"),
-            "no set has link 4, but the greatest is 5; expected 0, 1, 2, ..",
-        ),
+        (with_code("0-1-2-0-3-5"), "no set has link 4, but the greatest is 5; expected 0, 1, 2"),
         (with_code("0-1-2-0-3-999999999999"), "no set has link 4, 5, 6, ..., but the greatest is"),
         (with_code("0-1-2-3-0-3"), "sun and ring of set 2 are both link 3; expected three links"),
         (with_code("0-1-2-3-4-5"), "its sets share no link: these are several gearboxes, expected"),
-        (
-            with_code("0-1-2-2-1-0"),
-            "2 sets with 3 links turn as one body; expected 4 links or more",
-        ),
+        (with_code("0-1-2-2-1-0"), "2 sets with 3 links turn as one body; expected 4 links or"),
         (with_code("-".join(["0"] * 99)), "read `0-0-0-0-0-"),
         ((*TWO, "--input", "L5", *PORTS[2:]), "--input: read `L5`, but the scheme has L0 to L3"),
-        ((*TWO, "--input", "housing", *PORTS[2:]), "--input: read `housing`, but the scheme has"),
         ((*TWO, *PORTS[:2], "--output", "0"), "--output: read L0, which is the input"),
         (with_ratios("-2"), "--ratios: P2 without a ratio, expected 2, one for each set"),
         (with_ratios("-2,-3,-4"), "--ratios: read 3 ratios, expected 2, one for each set"),
@@ -190,7 +164,5 @@ def with_ratios(ratios: str) -> tuple[str, ...]:
         (with_ratios("-2,0"), "--ratios: P2: "),
         (with_ratios("-2,nan"), "--ratios: read `nan`"),
         (with_ratios("-2,1e999"), "--ratios: read `1e999`"),
-    ],
-)
-def test_wrong_use(words: tuple[object, ...], message: str) -> None:
-    assert message in refused(*words)
+    ):
+        assert message in refused(*words)

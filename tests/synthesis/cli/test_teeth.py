@@ -63,9 +63,8 @@ def test_one_module_of_all_gears_is_given_once() -> None:
     assert ("2.5" in printed, "sun 2.5" in printed) == (True, False)
 
 
-@pytest.mark.parametrize(
-    ("options", "message"),
-    [
+def test_wrong_use() -> None:
+    for options, message in (
         (("--ratios", "9=3"), "no gear or gear set `9`; gears are 1, 2"),
         (("--ratios", "2=-4"), "expected a ratio above 0"),
         (("--ratios", "P1=2.03"), "did you mean -2.03?"),
@@ -78,11 +77,9 @@ def test_one_module_of_all_gears_is_given_once() -> None:
         (("--shift", "3"), "expected 0 to 2 teeth"),
         (("--modules", "2,,3"), "read `2,,3`"),
         (("--clearance", "-1"), "0 or more"),
-    ],
-)
-def test_wrong_use(options: tuple[str, ...], message: str) -> None:
-    answer = said(*options)
-    assert answer.is_wrong_use(message)
+    ):
+        answer = said(*options)
+        assert answer.is_wrong_use(message)
 
 
 def test_no_teeth_and_what_excludes_most() -> None:

@@ -46,12 +46,7 @@ def test_belaz_7516_as_published() -> None:
         assert one.ratio == pytest.approx(ratio, rel=1e-12) if ratio else one.ratio != one.ratio
 
 
-RATIOS_OF_UMDM = {
-    "T-carrier": 37 / 14,
-    "T-ring 6": 111 / 65,
-    "T-sun 4": 1147 / 756,
-    "T-ring 7": -37 / 9,
-}
+RATIOS_OF_UMDM = {"carrier": 37 / 14, "ring 6": 111 / 65, "sun 4": 1147 / 756, "ring 7": -37 / 9}
 """Voloshko, Salakhov and others; the ratios of `umdm-reduced.yaml` by Willis."""
 
 
@@ -60,11 +55,9 @@ def test_all_elements_of_umdm(file: str) -> None:
     """Any pair of its six links locks it, four brakes give gears; drawn, planets are links."""
     case = load(CASES / file)
     own = {e.links: e.name for e in case.shift_elements}
-    expected = {
-        own.get((case.link_number(name[2:]), 0), name): ratio
-        for name, ratio in RATIOS_OF_UMDM.items()
-    }
-    names = [own.get((link, 0), f"T-{case.link_name(link)}") for link in range(2, 6)]
+    brakes = {n: own.get((n, 0), f"T-{case.link_name(n)}") for n in range(1, case.links + 1)}
+    expected = {brakes[case.link_number(name)]: ratio for name, ratio in RATIOS_OF_UMDM.items()}
+    names = [brakes[link] for link in range(2, 6)]
     found = combinations(case, elements="auto")
     assert [one.kind for one in found] == ["direct"] * 15 + ["gear"] * 4
     assert [one.engaged for one in found[15:]] == [[name] for name in names]
@@ -142,9 +135,8 @@ def test_all_elements_have_names_by_their_links() -> None:
     assert names(case) == expected
     some = belaz().replace(shift_elements=CombinationSearch(belaz(), elements=["auto"]).elements)
     assert names(some) == names(belaz())
-    assert {"F-1-7", "F-2-3", "T-4"} < {
-        *names(some.replace(shift_elements=some.shift_elements[5:9]))
-    }
+    fewer = some.replace(shift_elements=some.shift_elements[5:9])
+    assert {"F-1-7", "F-2-3", "T-4"} < {*names(fewer)}
     found = combinations(belaz(), [1], ["T2", "F1", "3"])
     assert [one.engaged for one in found] == [["F1"], ["T1"], ["T2"]]
 
@@ -269,7 +261,6 @@ def test_many_combinations_of_a_scheme_are_all_tried() -> None:
 
 @pytest.mark.parametrize("code", ["0-1-2-0-3-4-5-2-6-7-8-1", "0-1-2-3-4-1-2-5-6"])
 def test_every_speed_is_determined_in_a_gear_of_a_scheme(code: str) -> None:
-    """No link turns as it likes, and nothing is engaged in excess."""
     scheme = SetScheme.of_code(code)
     case = scheme_case(scheme, scheme.links - 1, scheme.links - 3, [-2.0] * len(scheme.sets))
     assert solve(case).calculable.all()

@@ -31,7 +31,6 @@ def asked(space: Space) -> BoxSearch:
 
 
 def ports_of(search: BoxSearch, frame: Frame) -> PortSearch:
-    """The search in the scheme of a frame."""
     scheme = SetScheme(tuple(triples(frame.code)))  # type: ignore[arg-type]
     held = None if frame.held == HELD else frame.held
     return PortSearch(search, BoxScheme(scheme, frame.meshed, held, ()))

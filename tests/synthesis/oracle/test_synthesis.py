@@ -51,7 +51,6 @@ def random_case(chance: random.Random) -> Transmission:
 
 
 def train_of(case: Transmission) -> Train:
-    """The same in exact fractions."""
     return Train(
         [mechanism.links for mechanism in case.mechanisms],
         [Fraction(repr(mechanism.ratio)) for mechanism in case.mechanisms],

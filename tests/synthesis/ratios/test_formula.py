@@ -61,9 +61,8 @@ def test_sensitivities_of_the_belaz_are_those_of_its_formulas() -> None:
     }
     found = formulas(load(CASES / "belaz7516.yaml"))
     arrays = ratio_arrays([found[name] for name in expected], 4)
-    assert arrays.sensitivities(np.array([ratios]))[0] == pytest.approx(
-        np.array([*expected.values()]), abs=1e-14
-    )
+    by_hand = pytest.approx(np.array([*expected.values()]), abs=1e-14)
+    assert arrays.sensitivities(np.array([ratios]))[0] == by_hand
 
 
 @pytest.mark.parametrize("file", FILES, ids=lambda path: path.name)
@@ -89,13 +88,10 @@ def test_every_shipped_gear_has_the_ratio_of_the_solver(file: Path) -> None:
 
 
 def test_kinds_of_gears_without_a_ratio() -> None:
-    case = Transmission(
-        4,
-        [ShiftElement(2), ShiftElement(1, 2), ShiftElement(3), ShiftElement(1)],
-        [Mechanism(1, 2, 3, -2.5), Mechanism(3, 4, 0, -1.5)],
-        [Gear([1]), Gear([2]), Gear([3]), Gear([]), Gear([4]), Gear([1, 2])],
-        output=3,
-    )
+    elements = [ShiftElement(2), ShiftElement(1, 2), ShiftElement(3), ShiftElement(1)]
+    sets = [Mechanism(1, 2, 3, -2.5), Mechanism(3, 4, 0, -1.5)]
+    gears = [Gear(engaged) for engaged in ([1], [2], [3], [], [4], [1, 2])]
+    case = Transmission(4, elements, sets, gears, output=3)
     kinds = [one.kind for one in formulas(case).values()]
     assert kinds == ["ratio", "constant", "output stands", "open", "tied up", "tied up"]
 

@@ -12,20 +12,6 @@ from vstatics.vehicle.case.vehicle import Vehicle
 from vstatics.vehicle.operation.traction import performance
 
 
-@pytest.mark.parametrize(
-    ("inertias", "told"),
-    [({2: 6.75}, True), ({2: 3.4}, True), ({2: 0.3}, False), ({1: 6.75}, False), ({}, False)],
-)
-def test_the_mass_of_a_vehicle_is_not_among_the_inertias(
-    inertias: dict[int, float], told: bool
-) -> None:
-    """1200 kg on wheels of .3 m behind a final drive of 4 are 6.75 kg*m^2 at the output."""
-    car = Vehicle(1200, 0.3, final_drive=4)
-    pair = Mechanism(1, 2, 0, -3.0)
-    case = Transmission(2, [], [pair], [Gear()], inertias=inertias, vehicle=car)
-    assert [one.id for one in doubts(case)] == ["W202"] * told
-
-
 @pytest.mark.parametrize("output", [2, 3])
 @pytest.mark.parametrize("link", [2, 3])
 @pytest.mark.parametrize("part", [0.45, 0.55])
@@ -42,15 +28,15 @@ def test_the_mass_of_a_vehicle_may_stand_behind_its_tyre(
     assert ["N607"] * (not has_mass) == [one.id for one in hints(case)]
 
 
-@pytest.mark.parametrize("names", ["open", "locked", "open locked", "locked both"])
-def test_a_converter_that_every_gear_bypasses_has_no_speed_ratio_to_stay_at(names: str) -> None:
+def test_a_converter_that_every_gear_bypasses_has_no_speed_ratio_to_stay_at() -> None:
     engaged: dict[str, list[int]] = {"open": [], "locked": [1], "both": [1, 2]}
     converter = Mechanism(1, 2, 0, 0.8, kind="converter", points=((0, 2), (1, 1)))
     sets = [converter, Mechanism(2, 3, 0, 1.0)]
-    gears = [Gear(engaged[name]) for name in names.split()]
     elements = [ShiftElement(1, 2), ShiftElement(2, 3)]
-    case = Transmission(3, elements, sets, gears, vehicle=Vehicle(1200, 0.3))
-    assert [one.id for one in doubts(case)] == ["W891"] * ("open" in names)
+    for names in ("open", "locked", "open locked", "locked both"):
+        gears = [Gear(engaged[name]) for name in names.split()]
+        case = Transmission(3, elements, sets, gears, vehicle=Vehicle(1200, 0.3))
+        assert [doubt.id for doubt in doubts(case)] == ["W891"] * ("open" in names)
 
 
 def test_a_speed_ratio_that_the_load_determines_is_not_given() -> None:
@@ -65,23 +51,21 @@ def test_a_speed_ratio_that_the_load_determines_is_not_given() -> None:
 
 
 @pytest.mark.parametrize(("link", "speed"), [(4, 1 / 4), (5, 1 / 16), (1, 3.0)])
-@pytest.mark.parametrize("part", [0.45, 0.55])
-def test_nor_among_those_of_what_is_geared_to_the_output(
-    link: int, speed: float, part: float
-) -> None:
+def test_nor_among_those_of_what_is_geared_to_the_output(link: int, speed: float) -> None:
     """Behind the output: a pair of 4, then a hub of a held ring whose carrier is 1/(1 + 3).
 
     Before it a flywheel may have as much by that speed: nobody knows better.
     """
     behind = [Mechanism(2, 4, 0, 4.0), Mechanism(4, 0, 5, -3.0)]
     sets = [Mechanism(1, 2, 0, 3.0), Mechanism(3, 2, 0, -2.0), *behind]
-    own = part * 1200 * (0.3 / 16) ** 2
     car = Vehicle(1200, 0.3, final_drive=16)
     case = Transmission(5, [], sets, [Gear()], output=2, vehicle=car)
-    told = [one.message for one in doubts(case.replace(inertias={link: own / speed**2}))]
-    assert len(told) == (part > 0.5 and link != 1)
-    for text in told:
-        assert text.startswith(f"{link} has {own:.4g} kg*m^2 by the speed of the output")
+    for part in (0.45, 0.55):
+        own = part * 1200 * (0.3 / 16) ** 2
+        told = [doubt.message for doubt in doubts(case.replace(inertias={link: own / speed**2}))]
+        assert len(told) == (part > 0.5 and link != 1)
+        for text in told:
+            assert text.startswith(f"{link} has {own:.4g} kg*m^2 by the speed of the output")
 
 
 def test_a_number_without_its_unit_is_told_where_no_part_is_as_large() -> None:
@@ -91,14 +75,12 @@ def test_a_number_without_its_unit_is_told_where_no_part_is_as_large() -> None:
         "radius: 300": ["read 300 m, more than a wheel can have"],
         "radius: 300 mm": [],
         "radius: 1.8": [],
-        "radius: 0.3, engine: [[1000, 100], [6000, 120]]": [
-            "read 6000 rad/s, more than an engine can have"
-        ],
-        "radius: 0.3, engine: [[1000 rpm, 100], [20000 rpm, 120]]": [],
+        "radius: 0.3, engine: [[6000, 120]]": ["read 6000 rad/s, more than an engine can have"],
+        "radius: 0.3, engine: [[20000 rpm, 120]]": [],
     }.items():
         case = loads(f"{text}vehicle: {{mass: 1200, {vehicle}}}\n", format="yaml")
-        said = [one.message for one in doubts(case) if one.id == "N205"]
-        assert [one.split(":")[0] for one in said] == told
+        said = [doubt.message for doubt in doubts(case) if doubt.id == "N205"]
+        assert [text.split(":")[0] for text in said] == told
 
 
 @pytest.mark.parametrize(

@@ -12,59 +12,45 @@ from vstatics.vehicle.damage.resize import resized, resized_by_ratio
 STEEL = Fatigue(100e6, 3, 4e6)
 
 
-@pytest.mark.parametrize(
-    ("exponent", "integral", "life"), [(3, 3.6191919, 51167.55), (6, 47.915922, 17892.57)]
-)
-def test_the_example_of_the_book(exponent: float, integral: float, life: float) -> None:
+def test_the_example_of_the_book() -> None:
     """Tsitovich and Algin, after (4.40), print 3.62 and 51 000 km; the digits are by quadrature."""
-    made = rayleigh_life(STEEL._replace(exponent=exponent), 60e6, 100)
-    assert made.integral == pytest.approx(integral, rel=1e-7)
-    assert made.life == pytest.approx(life, rel=3e-7)
+    for exponent, integral, life in (
+        (3, 3.6191919, 51167.55),
+        (6, 47.915922, 17892.57),
+    ):
+        made = rayleigh_life(STEEL._replace(exponent=exponent), 60e6, 100)
+        assert made.integral == pytest.approx(integral, rel=1e-7)
+        assert made.life == pytest.approx(life, rel=3e-7)
 
 
-@pytest.mark.parametrize("exponent", [0.5, 1, 2.7, 9, 12.5])
+@pytest.mark.parametrize("exponent", [0.5, 2.7, 12.5])
 @pytest.mark.parametrize("threshold", [0.0, 0.3, 2.0])
 def test_the_integral_by_a_sum(exponent: float, threshold: float) -> None:
-    """The trapezoidal rule over x^(m+1) exp(-x^2/2)."""
+    """The trapezoidal rule over x^(m+1) exp(-x^2/2); (4.40): N = a cycles r^m/integral."""
     x = np.linspace(threshold / 0.6, 40, 400_001)
     y = x ** (exponent + 1) * np.exp(-x * x / 2)
     expected = (y.sum() - (y[0] + y[-1]) / 2) * (x[1] - x[0])
-    made = rayleigh_life(STEEL._replace(exponent=exponent, threshold=threshold), 60e6)
-    assert made.integral == pytest.approx(expected, rel=1e-6)
+    strength = STEEL._replace(exponent=exponent, threshold=threshold, sum=0.7)
+    found = rayleigh_life(strength, 60e6)
+    assert found.integral == pytest.approx(expected, rel=1e-6)
+    assert found.life == pytest.approx(0.7 * 4e6 / 0.6**exponent / expected, rel=1e-6)
+    for deviation in (1e5, 1e-300):  # never reaches the threshold
+        assert rayleigh_life(STEEL, deviation)[:2] == (0.0, None)
 
 
-def test_all_cycles_of_an_exponent_of_2_are_the_variance() -> None:
-    """Without a threshold the mean of s^2 is 2 D: life = cycles endurance^2/(2 D)."""
-    made = rayleigh_life(Fatigue(80e6, 2, 1e6, threshold=0, sum=0.7), 50e6)
-    assert made.integral == pytest.approx(2.0)
-    assert made.life == pytest.approx(0.7e6 * 1.6**2 / 2)
-
-
-def test_what_never_reaches_the_threshold_lives_for_ever() -> None:
-    assert rayleigh_life(STEEL, 1e5)[:2] == (0.0, None)
-    assert rayleigh_life(STEEL, 1e-300)[:2] == (0.0, None)
-
-
-@pytest.mark.parametrize(("logarithm", "is_told"), [(699.99, True), (700.01, False)])
-def test_a_life_is_told_up_to_a_logarithm_of_700(logarithm: float, is_told: bool) -> None:
-    """Exponent 2 without a threshold: life = (endurance/deviation)^2/2, see above."""
-    strength = Fatigue(math.sqrt(2) * math.exp(logarithm / 2), 2, 1.0, threshold=0.0)
-    if is_told:
-        assert math.log(rayleigh_life(strength, 1.0).life or 0.0) == pytest.approx(logarithm)
-    else:
-        with pytest.raises(ValueError, match="too large"):
-            rayleigh_life(strength, 1.0)
-
-
-def test_numbers_too_large() -> None:
+def test_a_life_is_told_up_to_a_logarithm_of_700() -> None:
+    """Without a threshold the mean of s^2 is 2 D: of exponent 2, life = (endurance/D)^2/2."""
+    below, above = (
+        Fatigue(math.sqrt(2) * math.exp(logarithm / 2), 2, 1.0, threshold=0.0)
+        for logarithm in (699.99, 700.01)
+    )
+    assert math.log(rayleigh_life(below, 1.0).life or 0.0) == pytest.approx(699.99)
+    assert math.isfinite(rayleigh_life(STEEL._replace(exponent=100), 60e6).life or math.nan)
+    large = STEEL._replace(exponent=1e4, threshold=0)
     strong = STEEL._replace(endurance=1e300, threshold=0)
-    for strength, deviation in (
-        (STEEL._replace(exponent=1e4, threshold=0), 60e6),
-        (strong, 1e-300),
-    ):
+    for strength, deviation in ((above, 1.0), (large, 60e6), (strong, 1e-300)):
         with pytest.raises(ValueError, match="too large"):
             rayleigh_life(strength, deviation)
-    assert math.isfinite(rayleigh_life(STEEL._replace(exponent=100), 60e6).life or math.nan)
 
 
 def test_the_half_shaft_of_the_book_resized() -> None:

@@ -146,10 +146,8 @@ def train(seed: int, *, is_split: bool = False) -> Train:
     size = 230.0 / float(random.uniform(110, 260)) ** 2 * (0.3 if is_split else before[0] ** 3)
     factors = size * random.uniform(0.5, 1.3, 6)
     factors[-1] = 0.0
-    points = [
-        (i, 1 + 1.1 * max(0.0, 1 - i / 0.85), float(f))
-        for i, f in zip(ratios, factors, strict=True)
-    ]
+    torque_ratios = [1 + 1.1 * max(0.0, 1 - i / 0.85) for i in ratios]
+    points = list(zip(ratios, torque_ratios, factors.tolist(), strict=True))
     if seed % 2:
         points.append((1.5, 1.0, -float(factors[-2])))
     return Train(points, car, before, float(random.uniform(1.0, 4.0)), is_split, seed % MAPPED == 1)
@@ -224,9 +222,7 @@ def random_trace(seed: int) -> Trace:
     random = generator(seed, 7)
     speeds = np.concatenate([[0, 0.3], random.uniform(0, 18, 8), [0.2, 0, 0]])
     times = np.cumsum(random.uniform(3, 9, len(speeds)))
-    rows = [
-        f"{time!r},{speed!r}" for time, speed in zip(times.tolist(), speeds.tolist(), strict=True)
-    ]
+    rows = [f"{row[0]!r},{row[1]!r}" for row in np.transpose([times, speeds]).tolist()]
     return read_trace("\n".join(["time [s],speed [m/s]", *rows]).encode(), "t.csv")
 
 
@@ -291,6 +287,7 @@ def test_the_slope_is_the_slope_at_stall() -> None:
     assert pull.engine_speeds(0, np.zeros(1)) == pytest.approx(math.sqrt(200 / 0.002), rel=1e-9)
     slope = 2 * 200 * 4 * 0.9 * 1.5 / 0.5 / (2000 * GRAVITY)
     assert performance(case).gears["1"].slope == pytest.approx(slope, rel=1e-9)
+    assert [*doubts(case)] == []
 
 
 SIMPSON = """
@@ -382,41 +379,24 @@ def test_a_split_at_full_load_is_between_the_ends_of_the_points() -> None:
     assert math.isnan(performance(case).time_to_100)
 
 
-@pytest.mark.parametrize(("force", "fits"), [(20, True), (23, False), (1000, False)])
-def test_a_force_that_a_split_cannot_give_is_an_error(force: float, *, fits: bool) -> None:
+@pytest.mark.parametrize("force", [20, 23, 1000])
+def test_a_force_that_a_split_cannot_give_is_an_error(force: float) -> None:
     """At 20 rad/s the pump turns at 30 at most (i = 0), so the output gets 3 K lambda 30^2 = 21.6.
 
-    Beyond i = 1, where the converter would gain power, it gives nothing.
+    Beyond i = 1, where the converter would gain power, it gives nothing. With w_T - 2.4 w_P = -1.4w
+    the turbine turns the output backward: the brakes would have to push at any torque.
     """
     table = f"time [s],speed [m/s]\n0,{20 - force / 2000}\n1,{20 + force / 2000}\n"
     trace = read_trace(table.encode(), "t.csv")
-    if fits:
+    if force < 21.6:
         energy = drive(loads(BY_TURBINE), trace, GearChoice()).energy
         assert energy.wheels == pytest.approx(20 * force)
         assert energy.brakes == 0
-        return
-    with pytest.raises(CaseError, match="no speed ratio of TC") as error:
-        drive(loads(BY_TURBINE), trace, GearChoice())
-    assert [(p.id, p.path) for p in error.value.problems] == [("E424", (0,))]
-
-
-def test_a_turbine_that_turns_the_output_backward_drives_nothing() -> None:
-    """With w_T - 2.4 w_P = -1.4 w, the brakes would have to push at any torque of the engine."""
-    case = loads(BY_TURBINE.replace("-2}", "2.4}").replace(", [1.5, 0.95, -2e-3]", ""))
-    trace = read_trace(b"time [s],speed [m/s]\n0,100\n1,100.1\n", "t.csv")
-    with pytest.raises(CaseError, match="no speed ratio of TC"):
-        drive(case, trace, GearChoice())
-
-
-def test_a_converter_beside_the_path_of_power_is_an_error_in_its_gear() -> None:
-    parts = [
-        Mechanism(1, 3, 0, math.nan, name="TC", kind="converter", points=STALL),
-        Mechanism(1, 2, 0, 4.0),
-    ]
-    case = automatic().replace(mechanisms=parts, output=2)
-    with pytest.raises(CaseError, match="does not depend on TC") as error:
-        performance(case)
-    assert [(p.id, p.path) for p in error.value.problems] == [("E429", ("gears", 1))]
+    backward = BY_TURBINE.replace("-2}", "2.4}").replace(", [1.5, 0.95, -2e-3]", "")
+    for text in [BY_TURBINE, backward] if force > 21.6 else []:
+        with pytest.raises(CaseError, match="no speed ratio of TC") as error:
+            drive(loads(text), trace, GearChoice())
+        assert [(p.id, p.path) for p in error.value.problems] == [("E424", (0,))]
 
 
 def test_a_gear_with_a_slip_beside_the_converter_is_omitted() -> None:
@@ -431,10 +411,6 @@ def test_a_gear_with_a_slip_beside_the_converter_is_omitted() -> None:
     with pytest.raises(CaseError, match="a slip beside a converter that finds its") as error:
         drive(case, trace, GearChoice())
     assert [(p.id, p.path) for p in error.value.problems] == [("E428", (1,))]
-
-
-def test_a_converter_that_finds_its_ratio_gives_no_warning() -> None:
-    assert [doubt.id for doubt in doubts(automatic())] == []
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,5 @@
 """The traction chart: forces and speeds in closed form, and those of `vstatics summary`."""
 
-import math
 from pathlib import Path
 
 import numpy as np
@@ -116,9 +115,3 @@ def test_what_is_missing_is_told(car: object, id_: str, said: str, kind: str) ->
     with pytest.raises(CaseError, match=said) as caught:
         picture(box([2.0], vehicle=car), kind, Style())  # type: ignore[arg-type]
     assert caught.value.problems[0].id == id_
-
-
-def test_percent_of_a_slope_is_rise_over_run() -> None:
-    from vstatics.vehicle.pictures.traction import sine
-
-    assert sine(100) == pytest.approx(math.sqrt(0.5))

@@ -2,7 +2,7 @@
 
 import random
 import re
-from typing import NamedTuple
+from typing import Any, NamedTuple
 from xml.etree import ElementTree as ET
 
 from vstatics import Gear, ShiftElement, Transmission, loads
@@ -43,9 +43,8 @@ def countershaft_box(chance: random.Random) -> Transmission:
         pair(f"f{number}", shaft, 2)
     gears = [Gear([number]) for number in range(1, len(dogs) + 1)]
     drawing = Drawing(len(names), elements)
-    return transmission(
-        drawing, shift_elements=dogs, link_names=names, gears=gears, input=1, output=2
-    )
+    joined: dict[str, Any] = {"shift_elements": dogs, "link_names": names, "gears": gears}
+    return transmission(drawing, **joined, input=1, output=2)
 
 
 PAIRS = {
@@ -66,51 +65,33 @@ def one_pair(kind: str) -> Transmission:
     links = {first: 2, second: 3}
     drive = Element("drive", kind, links, PAIRS[kind])
     shifts = [ShiftElement(1, 2, "K"), ShiftElement(3, 4, "d", "dog_clutch")]
-    return transmission(
-        Drawing(4, [drive]),
-        shift_elements=shifts,
-        link_names=["motor", "shaft", "wheel", "out"],
-        gears=[Gear([1, 2])],
-        input=1,
-        output=4,
-    )
+    names, gears = ["motor", "shaft", "wheel", "out"], [Gear([1, 2])]
+    joined: dict[str, Any] = {"shift_elements": shifts, "link_names": names, "gears": gears}
+    return transmission(Drawing(4, [drive]), **joined, input=1, output=4)
 
 
 SIX_SPEED = """
 links: [engine, input, counter, output, w1, w2, w3, w4, w6, idler, wr, diff]
 output: diff
-shift_elements: {{K: [engine, input], {dogs}}}
-elements: {{{pairs}}}
-gears: {{{gears}}}
+shift_elements: {K: [engine, input]%s}
+elements: {%s}
+gears: {%s}
 """
+SIX_PAIRS = """\
+constant: input counter 20 43, p1: counter w1 15 38, p2: counter w2 22 34, p3: counter w3 29 31, \
+p4: counter w4 35 27, p6: counter w6 45 20, r1: counter idler 14 20, r2: idler wr 20 36, \
+final: output diff 17 67"""
+"""Links and teeth."""
 
 
 def six_speed() -> Transmission:
     """A manual box: a constant pair, five for gears, two for reverse, a final drive."""
-    pairs = {
-        "constant": ("input", "counter", 20, 43),
-        "p1": ("counter", "w1", 15, 38),
-        "p2": ("counter", "w2", 22, 34),
-        "p3": ("counter", "w3", 29, 31),
-        "p4": ("counter", "w4", 35, 27),
-        "p6": ("counter", "w6", 45, 20),
-        "r1": ("counter", "idler", 14, 20),
-        "r2": ("idler", "wr", 20, 36),
-        "final": ("output", "diff", 17, 67),
-    }
-    kind, dog = "kind: gear_pair", "kind: dog_clutch"
-    text = SIX_SPEED.format(
-        dogs=", ".join(
-            f"s{place}: {{{dog}, links: [{link}, output]}}"
-            for place, link in enumerate(("w1", "w2", "w3", "w4", "input", "w6", "wr"), 1)
-        ),
-        pairs=", ".join(
-            f"{name}: {{{kind}, first: {one}, second: {two}, teeth: {{first: {z}, second: {z2}}}}}"
-            for name, (one, two, z, z2) in pairs.items()
-        ),
-        gears=", ".join(f'"{place}": [K, s{place}]' for place in range(1, 8)),
-    )
-    return loads(text)
+    pair = r"{kind: gear_pair, first: \1, second: \2, teeth: {first: \3, second: \4}}"
+    pairs = re.sub(r"(\w+) (\w+) (\d+) (\d+)", pair, SIX_PAIRS)
+    dogged = enumerate(("w1", "w2", "w3", "w4", "input", "w6", "wr"), 1)
+    dogs = [f", s{n}: {{kind: dog_clutch, links: [{link}, output]}}" for n, link in dogged]
+    gears = ", ".join(f'"{n}": [K, s{n}]' for n in range(1, 8))
+    return loads(SIX_SPEED % ("".join(dogs), pairs, gears))
 
 
 class PlacedWheel(NamedTuple):
@@ -124,7 +105,6 @@ class PlacedWheel(NamedTuple):
 
 
 def svg_of(case: Transmission, gears: tuple[int, ...] = ()) -> ET.Element:
-    """The stick diagram of a case."""
     return ET.fromstring(render(solve(case), "stick", "svg", Style(), gears))  # noqa: S314
 
 
@@ -142,12 +122,10 @@ def points(path: ET.Element) -> list[tuple[float, float]]:
 
 
 def of_class(root: ET.Element, kind: str) -> list[ET.Element]:
-    """All elements of a class."""
     return [one for one in root.iter() if one.get("class") == kind]
 
 
 def wheels(root: ET.Element) -> list[PlacedWheel]:
-    """All wheels of pairs."""
     found = []
     for group in of_class(root, "wheel"):
         places = [at for path in group.iter(f"{SVG}path") for at in points(path)]

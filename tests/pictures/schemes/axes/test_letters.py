@@ -25,8 +25,6 @@ def load(name: str) -> Transmission:
 
 LEAST = 7 - 1e-6
 """The size of the least letters. [pt]"""
-
-
 NARROW = 100 / 25.4 * 72
 """A page of 100 mm. [pt]"""
 

@@ -7,12 +7,10 @@ from collections import Counter
 
 import pytest
 
-from tests.chance import seeded
+from tests.chance import seeded, with_slow
 from tests.oracle.boxes import HELD, Frame, Space, all_frames, names
-from vstatics import example
 from vstatics.synthesis.boxes.batches.cut import ranges
 from vstatics.synthesis.boxes.box import BoxSearch
-from vstatics.synthesis.boxes.modified import kept_search
 from vstatics.synthesis.boxes.schemes.choices import BoxScheme
 from vstatics.synthesis.boxes.schemes.stems import UNIT, box_schemes, stems
 
@@ -40,53 +38,26 @@ def named(one: BoxScheme, shafts: int = 0) -> list[Frame]:
     return [min(names(Frame(code, one.meshed, held, *ports, shafts), ()))[0] for ports in one.ports]
 
 
-def in_pieces(search: BoxSearch, count: int) -> Counter[Frame]:
-    return Counter(
-        frame
-        for piece in range(count)
-        for one in ranges(search, piece, count)
-        for frame in named(one, search.shafts)
-    )
-
-
-def check_all_are_there_once(space: Space, count: int) -> None:
+@pytest.mark.parametrize("name", with_slow(SMALL, LARGER))
+def test_every_choice_is_in_one_piece(name: str) -> None:
+    space, count = (SMALL | LARGER)[name], seeded(3).randrange(2, 50 if name in SMALL else 500)
     search = BoxSearch(**{key: value for key, value in space._asdict().items() if key != "cells"})
     every = Counter(min(names(frame, ()))[0] for frame in all_frames(space))
-    assert in_pieces(search, count) == every
+    schemes = [one for piece in range(count) for one in ranges(search, piece, count)]
+    assert Counter(frame for one in schemes for frame in named(one, search.shafts)) == every
     assert {*every.values()} == {1}
     assert sum(len(one.ports) for one in box_schemes(search)) == len(every)
 
 
-@pytest.mark.parametrize(
-    ("sets", "engaged", "schemes", "ports"),
-    [(2, 1, 12, 111), (2, 2, 6, 90), (3, 1, 190, 3656), (3, 2, 155, 4428), (3, 3, 37, 1350)],
-)
-def test_all_schemes_have_all_choices_of_ports(
-    sets: int, engaged: int, schemes: int, ports: int
-) -> None:
+def test_all_schemes_have_all_choices_of_ports() -> None:
     """Classes of sound schemes with ordered input and output, by Burnside's lemma.
 
     tests/oracle/schemes.py counts those of `vstatics synth structures --ports` apart.
     """
-    found = list(box_schemes(BoxSearch(sets, 4, engaged, (2.0,))))
-    assert (len(found), sum(len(one.ports) for one in found)) == (schemes, ports)
-
-
-@pytest.mark.parametrize("space", SMALL.values(), ids=SMALL)
-def test_every_choice_is_in_one_piece(space: Space) -> None:
-    check_all_are_there_once(space, seeded(3).randrange(2, 50))
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("space", LARGER.values(), ids=LARGER)
-def test_every_choice_of_three_sets_is_in_one_piece(space: Space) -> None:
-    check_all_are_there_once(space, seeded(4).randrange(2, 500))
-
-
-def test_what_is_kept_is_one_choice() -> None:
-    search = kept_search(example("simpson"), 1, (2.8, 1.5, 1.0, -2.2))
-    found = [one for piece in range(3) for one in ranges(search, piece, 3)]
-    assert [one.ports for one in found] == [((4, 3),)]
+    counts = {(2, 1): (12, 111), (2, 2): (6, 90), (3, 1): (190, 3656), (3, 2): (155, 4428)}
+    for (sets, engaged), counted in (counts | {(3, 3): (37, 1350)}).items():
+        found = list(box_schemes(BoxSearch(sets, 4, engaged, (2.0,))))
+        assert (len(found), sum(len(one.ports) for one in found)) == counted
 
 
 @pytest.mark.slow

@@ -26,7 +26,6 @@ class RandomBox(NamedTuple):
 
 
 def numbered_box(_: object) -> str:
-    """The name of an example, to which a number is added."""
     return "box"
 
 
@@ -52,13 +51,10 @@ def random_boxes(count: int, seed: int) -> Iterator[RandomBox]:
         moving = [link for link in links if link != held]
         engaged = len(moving) - len(scheme.sets) - 1
         there = [(link, HELD) for link in inner if link != held] + [*combinations(moving, 2)]
-        elements = sorted(
-            rng.sample(there, min(len(there), engaged + rng.choice([1, 2, 3]))),
-            key=lambda pair: pair[1] != HELD,
-        )
-        ratios = tuple(
-            (1 if rng.random() < 0.3 else -1) * rng.uniform(1.4, 4.5) for _ in scheme.sets
-        )
+        size = min(len(there), engaged + rng.choice([1, 2, 3]))
+        elements = sorted(rng.sample(there, size), key=lambda pair: pair[1] != HELD)
+        signs = [1 if rng.random() < 0.3 else -1 for _ in scheme.sets]
+        ratios = tuple(sign * rng.uniform(1.4, 4.5) for sign in signs)
         box = FoundBox(scheme, held, source, one.output, tuple(elements), ratios, ((0,),), 0.0)
         if engaged < 1 or len(elements) <= engaged:
             continue

@@ -27,20 +27,17 @@ def test_figures_of_gears_are_those_of_the_solved_case(one: RandomBox) -> None:
     found = one.measured()
     case, results = found.case, solve(found.case)
     names = [element.name for element in case.shift_elements]
-    turning = [
-        planet.name.removesuffix(".planet") for one in case.own_devices for planet in one.planets
-    ]
+    planets_of = [planet.name for device in case.own_devices for planet in device.planets]
+    turning = [name.removesuffix(".planet") for name in planets_of]
     rows = zip(found.gears, case.gears, flows(results), strict=True)
     for row, (gear, own, flow) in enumerate(rows):
         figures = gear.figures
         engaged = {names[number - 1] for number in own.engaged}
-        assert {*figures.torques} == {*gear.engaged} == engaged
-        assert {*figures.slips} == {*names} - engaged
-        for name, torque, slip in zip(
-            names, results.torques[row], results.slip_speeds[row], strict=False
-        ):
-            told, solved = (figures.torques, torque) if name in engaged else (figures.slips, slip)
-            assert told[name] == near(solved)
+        assert {*gear.engaged} == engaged
+        torques = dict(zip(names, results.torques[row], strict=False))  # sets follow
+        slips = dict(zip(names, results.slip_speeds[row], strict=True))
+        assert figures.torques == {name: near(torques[name]) for name in engaged}
+        assert figures.slips == {name: near(slips[name]) for name in {*names} - engaged}
         lost = dict(zip([one.name for one in case.own_devices], results.losses[row], strict=True))
         planets = dict(zip(turning, results.planet_speeds[row], strict=True))
         speeds = dict(zip(case.link_names, results.speeds[row], strict=True))
@@ -92,12 +89,8 @@ def test_ratios_beyond_are_the_other_combinations_of_one_motion(one: RandomBox) 
 def test_shifts_that_skip_gears_and_elements_that_reverse(one: RandomBox) -> None:
     found = one.measured()
     sets = [set(gear.engaged) for gear in found.gears if gear.target > 0]
-    skipped = [
-        (one, other)
-        for one, other in pairs_of(range(len(sets)), 2)
-        if other > one + 1 and len(sets[one] - sets[other]) == len(sets[other] - sets[one]) == 1
-    ]
-    assert found.figures.skip_shifts == len(skipped)
+    far = [(sets[a], sets[b]) for a, b in pairs_of(range(len(sets)), 2) if b > a + 1]
+    assert found.figures.skip_shifts == sum(len(a - b) == len(b - a) == 1 for a, b in far)
     signs: dict[str, set[bool]] = {name: set() for name in found.elements}
     for gear in found.gears:
         for name, torque in gear.figures.torques.items():
@@ -119,10 +112,8 @@ def test_a_one_way_clutch_does_what_its_brake_did(one: RandomBox) -> None:
         if not torques or not all(torques):  # nothing tells which way it is to hold
             assert name not in found.figures.one_way
             continue
-        same = [
-            solve(case).ratio.tolist() == pytest.approx(ratios, rel=1e-9, nan_ok=False)
-            for case in _with_freewheels(found, name)
-        ]
+        expected = pytest.approx(ratios, rel=1e-9, nan_ok=False)
+        same = [solve(case).ratio.tolist() == expected for case in _with_freewheels(found, name)]
         assert any(same) == (name in found.figures.one_way)
 
 
@@ -131,10 +122,8 @@ def _with_freewheels(found: MeasuredBox, name: str) -> list[Transmission]:
     case = found.case
     place = [element.name for element in case.shift_elements].index(name)
     link = case.shift_elements[place].first
-    gears = [
-        gear._replace(engaged=tuple(number for number in gear.engaged if number != place + 1))
-        for gear in case.gears
-    ]
+    engaged = [tuple(n for n in gear.engaged if n != place + 1) for gear in case.gears]
+    gears = [gear._replace(engaged=own) for gear, own in zip(case.gears, engaged, strict=True)]
     made = []
     for links in ((link, 0), (0, link)):
         elements = [*case.shift_elements]

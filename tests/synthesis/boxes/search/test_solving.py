@@ -19,14 +19,12 @@ PAIRS = sorted(combinations(range(SIZE), ENGAGED), key=lambda one: one[::-1])
 
 
 def weights(points: Floats) -> Floats:
-    """How the four corners weigh at ratios of two sets."""
     part = (points - LOW) / (HIGH - LOW)
     bits = (np.arange(4)[:, None] >> np.arange(2)) & 1
     return np.asarray(np.where(bits, part[:, None], 1 - part[:, None]).prod(axis=2))
 
 
 def values(parts: Floats, points: Floats) -> Floats:
-    """What the ratios are at some points, shape (points, ratios)."""
     own = weights(points)
     return np.asarray((own @ parts[:, 0].T) / (own @ parts[:, 1].T))
 

@@ -66,7 +66,6 @@ def test_a_search_that_is_killed_loses_no_piece(tmp_path: Path) -> None:
 
 @pytest.fixture
 def cluster(tmp_path: Path) -> Iterator[Cluster]:
-    """A scheduler with two workers, one of two threads."""
     made = Cluster(tmp_path)
     made.workers.append(made.worker())
     yield made
