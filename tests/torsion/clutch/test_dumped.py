@@ -197,13 +197,3 @@ def test_numbers_of_any_size_give_no_nan(name: str) -> None:
             assert "too large or too small" in str(error)  # noqa: PT017
         else:
             assert all(math.isfinite(one) for one in made[1:6])
-
-
-def test_an_engagement_is_added_where_it_is_asked_for() -> None:
-    given = TABLE_3_8[3].given
-    assert dump(given).engagement is None
-    engaged = dump(given, rate=50).engagement
-    assert engaged is not None
-    assert 1 < engaged.factor < 2
-    with pytest.raises(CaseError, match="rate"):
-        dump(given, rate=0)

@@ -62,21 +62,15 @@ def test_random_chains_agree_with_an_iteration_of_dampers() -> None:
         friction = chance.uniform(0.1, 3, size) * (chance.random(size) < 0.6)
         friction[0] = friction[0] or 0.5
         forms = np.eye(size) - np.eye(size, k=1)  # link n against link n + 1, the last to housing
+        twists = [{n + 1: float(part) for n, part in enumerate(row) if part} for row in forms]
         springs = [
-            Spring(
-                {link + 1: float(part) for link, part in enumerate(form) if part},
-                stiffness=rate,
-                damping=damping,
-                friction=dry,
-                name=f"s{n}",
-            )
-            for n, (form, rate, damping, dry) in enumerate(
-                zip(forms, rates, dampings, friction, strict=True)
+            Spring(twist, stiffness=rate, damping=damping, friction=dry, name=f"s{n}")
+            for n, (twist, rate, damping, dry) in enumerate(
+                zip(twists, rates, dampings, friction, strict=True)
             )
         ]
-        case = Transmission(
-            size, [], [], [], springs=springs, inertias=dict(enumerate(inertias.tolist(), 1))
-        )
+        own = dict(enumerate(inertias.tolist(), 1))
+        case = Transmission(size, [], [], [], springs=springs, inertias=own)
         amplitude = float(chance.uniform(2, 20))
         [gear] = response(case, 1, [Harmonic(1.0, amplitude)], chance.uniform(20, 600, 4))
         q = np.array(list(gear.orders[0].amplitudes.values()))
@@ -86,8 +80,7 @@ def test_random_chains_agree_with_an_iteration_of_dampers() -> None:
         force = amplitude * np.eye(size)[0]
         for w, column in zip(RAD_PER_RPM * gear.speeds, q.T, strict=True):
             expected = equivalent(matrices, forms[dry], 4 / np.pi * friction[dry], force, w)
-            twists = np.abs(forms[dry] @ expected)
-            stuck += int((twists < 1e-8).sum())
+            stuck += int((np.abs(forms[dry] @ expected) < 1e-8).sum())
             compared += 1
             np.testing.assert_allclose(column, expected, atol=1e-6 * np.abs(expected).max())
     assert compared >= 100

@@ -92,18 +92,6 @@ def test_a_link_that_stands_in_a_mode_does_not_excite_it() -> None:
     assert told[antiphase] == pytest.approx(1.0)
 
 
-def test_the_largest_amplitude_is_that_at_a_resonance_between_two_speeds() -> None:
-    """A mass on a mount: ``1/(d w)`` at its frequency, far above its neighbours."""
-    speeds = np.array([500.0, 300.0, 500.0])
-    case = one_mass(0.1)
-    [gear] = response(case, 1, [Harmonic(1.0)], speeds)
-    hit = 40.0 / RAD_PER_RPM
-    assert gear.speeds == pytest.approx([500.0, hit, 300.0, hit, 500.0])
-    sizes = np.abs(gear.orders[0].amplitudes["1"])
-    assert sizes.max() == pytest.approx(1 / (0.1 * 40))
-    assert sizes.max() > 70 * sizes[[0, 2, 4]].max()
-
-
 @pytest.mark.slow
 @each_seed(40)
 def test_no_peak_of_a_random_chain_is_missed(seed: int) -> None:
@@ -174,14 +162,11 @@ def test_many_speeds_are_solved_piece_by_piece(monkeypatch: pytest.MonkeyPatch) 
 
 
 @pytest.mark.filterwarnings("error")
-@pytest.mark.parametrize("speed", [1e-300, 1e300])
-def test_absurd_speeds_have_no_value(speed: float) -> None:
-    [gear, _] = response(with_planetary_set(), 1, [Harmonic(speed)], [speed])
-    assert np.isnan(gear.orders[0].amplitudes["1"]).all()
-
-
-def test_an_order_so_small_that_no_speed_meets_a_mode_has_no_resonance() -> None:
+def test_absurd_speeds_have_no_value_and_absurd_orders_no_resonance() -> None:
     """It would be at 40 rad/s/1e-309, beyond any float."""
+    for speed in (1e-300, 1e300):
+        [gear, _] = response(with_planetary_set(), 1, [Harmonic(speed)], [speed])
+        assert np.isnan(gear.orders[0].amplitudes["1"]).all()
     [gear] = response(one_mass(6.0), 1, [Harmonic(1e-309)], SPEEDS)
     assert gear.resonances == []
 

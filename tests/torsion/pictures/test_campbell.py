@@ -217,17 +217,7 @@ def test_many_orders_make_several_tables_no_wider_than_the_page() -> None:
 
 
 def test_wrong_use(tmp_path: Path) -> None:
-    spans = [
-        "1500:500",
-        "500",
-        "-5:600",
-        "500 Hz:900 Hz",
-        "1:2:3",
-        "abc",
-        "500:3000:9",
-        "5 kg:500",
-        "a:500",
-    ]
+    spans = ("1500:500", "500", "-5:600", "500 Hz:900 Hz", "1:2:3", "5 kg:500", "a:500")
     for kind, *options, why in (
         ("modes", "--orders", "2", "only campbell and response have orders"),
         ("campbell", "--at", "engine", "only a response is that of a link"),

@@ -10,7 +10,7 @@ from scipy.integrate import quad, quad_vec
 
 from tests.chance import count, each_seed, seeded
 from tests.installed import needs
-from tests.torsion.systems import Array, matrices, mounted
+from tests.torsion.systems import Array, chain, matrices, mounted
 from vstatics import Damping, Gear, Load, Mechanism, Spring, Transmission
 from vstatics.core.model.converters import Converter
 from vstatics.torsion import modes, random_vibration
@@ -129,9 +129,8 @@ def by_quadrature(
     case: Transmission, at: int, by_motion: bool, spectrum: Spectrum, order: float
 ) -> Array:
     """2 int S |w^order H|^2 of every twist, by Gauss's rule in many pieces of log w."""
-    twists = np.array(
-        [[one.form.get(n, 0.0) for n in range(1, case.links + 1)] for one in case.springs]
-    )
+    links = range(1, case.links + 1)
+    twists = np.array([[one.form.get(n, 0.0) for n in links] for one in case.springs])
     in_band = isinstance(spectrum, SpectrumPoints)
     edges = [2.0, 9.0, 30.0, 60.0] if in_band else [1e-6, 1e-2, 1e5, 1e9]
     nodes, weights = np.polynomial.legendre.leggauss(16)
@@ -250,13 +249,8 @@ def test_accelerations_of_masses_in_a_row_on_a_road(seed: int) -> None:
     tyre = random.choice([0.0, 1.0])
     dampings[-1] *= tyre
     size = len(masses)
-    springs = [
-        Spring({n: 1, n + 1: -1}, stiffness=c, damping=d)
-        for n, (c, d) in enumerate(zip(rates, dampings, strict=True), 1)
-    ]
-    case = Transmission(
-        size + 1, [], [], [], springs=springs, masses=dict(enumerate(masses, 1)), output=size
-    )
+    bare = chain([*masses, 0.0], rates, dampings)
+    case = bare.replace(inertias={}, masses=dict(enumerate(masses, 1)), output=size)
     alpha, b = random.uniform(0.2, 2), random.choice([0.0, 0.7])
     road = Correlation(2e-4, ((1.0, alpha, b),), random.uniform(5, 25))
     [gear] = random_vibration(case, size + 1, road, by="motion")

@@ -230,14 +230,3 @@ def test_freewheels_hold_as_they_do_at_mean_speeds(coast: bool) -> None:
     (made,) = sweep(geared(-2.5), {"P.ratio": ratios}, out="omega[1,1]", coast=coast)
     expected = [alone(geared(ratio), coast=coast)[0] for ratio in ratios]
     assert made.columns[:, 0].tolist() == pytest.approx(expected, rel=1e-9, nan_ok=True)
-
-
-def test_blocks_of_variants_give_what_one_gives() -> None:
-    """70,000 variants go through blocks and pieces; a few are calculated alone."""
-    chunks = list(sweep(NAMED, "damper.stiffness=500:50000:70000", out="omega[1,1]"))
-    found = np.concatenate([one.columns[:, 0] for one in chunks])
-    assert (np.diff(found) > 0).all()
-    for variant in (0, 20_000, 65_535, 65_536, 69_999):
-        value = 500 + 49_500 * variant / 69_999
-        expected = alone(with_spring(NAMED, "damper", value))[0]
-        assert found[variant] == pytest.approx(expected, rel=1e-10)
