@@ -31,14 +31,8 @@ def links(
     *inertias: float, elements: tuple[ShiftElement, ...] = (), springs: tuple[Spring, ...] = ()
 ) -> Transmission:
     """Links with inertias (0: none), joined by elements and springs alone."""
-    return Transmission(
-        len(inertias),
-        elements,
-        [],
-        [Gear()],
-        springs=springs,
-        inertias={n: inertia for n, inertia in enumerate(inertias, 1) if inertia},
-    )
+    own = {n: inertia for n, inertia in enumerate(inertias, 1) if inertia}
+    return Transmission(len(inertias), elements, [], [Gear()], springs=springs, inertias=own)
 
 
 def run(  # noqa: PLR0913 - what a scenario has
@@ -53,16 +47,9 @@ def run(  # noqa: PLR0913 - what a scenario has
     targets: dict[int, tuple[float, ...]] | None = None,
 ) -> Motion:
     """A motion whose energy closes."""
-    scenario = Scenario(
-        case,
-        duration,
-        Start(speeds=speeds, engaged=engaged),
-        {} if controls is None else controls,
-        torques,
-        converters,
-        targets=targets or {},
-    )
-    motion = simulate(scenario)
+    start, controlled = Start(speeds=speeds, engaged=engaged), controls or {}
+    scenario = Scenario(case, duration, start, controlled, torques, converters)
+    motion = simulate(scenario._replace(targets=targets or {}))
     assert motion.stopped is None
     assert motion.time[-1] == duration
     assert closes(motion)
@@ -158,11 +145,8 @@ def test_shaft_that_saturates() -> None:
 
 def test_clutch_on_a_link_without_inertia_is_a_limit_of_the_shaft() -> None:
     """The disc between clutch and shaft takes the speed at which they balance."""
-    case = links(
-        *(0.4, 0.0, 0.6),
-        elements=(ShiftElement(1, 2, "C"),),
-        springs=(Spring(between(2, 3), 5000.0),),
-    )
+    clutch, shaft = ShiftElement(1, 2, "C"), Spring(between(2, 3), 5000.0)
+    case = links(0.4, 0.0, 0.6, elements=(clutch,), springs=(shaft,))
     motion = run(case, 0.2, {1: 5.0, 3: 0.0}, controls={1: held(100)}, engaged=(1,))
     heat = REDUCED * (25 - 100**2 / (5000 * REDUCED)) / 2
     assert motion.energy.heat["C"] == pytest.approx(heat, rel=EXACT)
@@ -218,9 +202,8 @@ def test_redundant_clutches_share_what_they_hold() -> None:
 def test_two_lock_at_one_instant() -> None:
     """Two brakes on links that are alike."""
     pair = (ShiftElement(1, 0, "A"), ShiftElement(2, 0, "B"))
-    motion = run(
-        links(1.0, 1.0, elements=pair), 3.0, {1: 10.0, 2: 10.0}, controls={1: held(5), 2: held(5)}
-    )
+    controls: dict[int, Control] = {1: held(5), 2: held(5)}
+    motion = run(links(1.0, 1.0, elements=pair), 3.0, {1: 10.0, 2: 10.0}, controls=controls)
     assert [one[1] for one in happened(motion)] == ["locks", "locks"]
     assert [one[2] for one in happened(motion)] == pytest.approx([2, 2], abs=EXACT)
 
@@ -231,20 +214,15 @@ def test_capacity_that_returns() -> None:
     control = capacity((0, 50), (1, 50), (1, 0), (1.5, 0), (1.5, 50))
     motion = run(case, 3.0, {1: 0.0}, ((1, constant(10)),), {1: control}, engaged=(1,))
     # free from 1 to 1.5 s: 5 rad/s, then -40 rad/s^2
-    assert happened(motion) == [
-        ("B", "slips", pytest.approx(1, abs=1e-12)),
-        ("B", "locks", pytest.approx(1.625, abs=EXACT)),
-    ]
+    slips, locks = pytest.approx(1, abs=1e-12), pytest.approx(1.625, abs=EXACT)
+    assert happened(motion) == [("B", "slips", slips), ("B", "locks", locks)]
 
 
 @pytest.mark.parametrize("step", [0.0371, 0.0037])
 def test_heat_up_to_each_step(step: float) -> None:
     """Between the points of integration, too: capacity by the angle of slip, (w0^2 - w^2) J/2."""
-    case = links(
-        *(0.5, 1.0),
-        elements=(ShiftElement(1, 0, "B"),),
-        springs=(Spring(between(2), 4e4, damping=2.0),),
-    )
+    brake, spring = ShiftElement(1, 0, "B"), Spring(between(2), 4e4, damping=2.0)
+    case = links(0.5, 1.0, elements=(brake,), springs=(spring,))
     start = Start(speeds={1: 100.0, 2: 1.0})
     motion = simulate(Scenario(case, 0.5, start, {1: held(60)}), step=step)
     expected = 0.25 * (100**2 - motion.speeds[:, 0] ** 2)

@@ -9,7 +9,7 @@ import pytest
 from scipy.integrate import quad, solve_ivp
 from scipy.optimize import brentq
 
-from tests.chance import each_seed, generator
+from tests.chance import each_seed, generator, with_slow
 from tests.simulation.control.written import simulated
 from tests.simulation.test_closed_forms import links
 from vstatics import CaseError, Spring, Transmission
@@ -26,14 +26,12 @@ def gas_force(strut: Strut, z: float) -> float:
     """``P(0) - P(z)`` by (4.16) as it is printed."""
 
     def force(z: float) -> float:
-        above: float = (
-            strut.pressure * strut.area * (strut.length / (strut.length + z)) ** strut.exponent
-        )
+        ratio = strut.length / (strut.length + z)
+        above = strut.pressure * strut.area * ratio**strut.exponent
         if strut.counter_length is None:
-            return above
-        below = strut.counter_pressure * strut.counter_area
-        ratio: float = strut.counter_length / (strut.counter_length - z)
-        return float(above - below * ratio**strut.exponent)
+            return float(above)
+        ratio = strut.counter_length / (strut.counter_length - z)
+        return float(above - strut.counter_pressure * strut.counter_area * ratio**strut.exponent)
 
     return force(0.0) - force(z)
 
@@ -103,10 +101,8 @@ def test_any_strut_moves_as_its_gas(seed: int) -> None:
 
 
 def test_a_strut_without_counter_chamber_never_gives_more_than_its_rest() -> None:
-    case = on_strut(1000.0, Strut(1e6, 0.01, 0.1, 1.1))
-    scenario = Scenario(
-        case, 0.1, Start(speeds={1: 0.0}, settled=True), torques=((1, constant(1.1e4)),)
-    )
+    case, start = on_strut(1000.0, Strut(1e6, 0.01, 0.1, 1.1)), Start(speeds={1: 0.0}, settled=True)
+    scenario = Scenario(case, 0.1, start, torques=((1, constant(1.1e4)),))
     with pytest.raises(CaseError, match=r"strut never reaches its torque of 11000 N\*m") as caught:
         simulate(scenario)
     assert caught.value.problems[0].id == "E694"
@@ -170,18 +166,16 @@ def test_grip_follows_the_load_of_the_wheel() -> None:
         assert abs(motion.energy.balance) < 1e-6
 
 
-@pytest.mark.parametrize(
-    "rear",
-    [
-        Spring(between(3), 8e5, name="rear"),
-        pytest.param(Spring(between(3), strut=GAS, name="rear"), marks=pytest.mark.slow),
-        Spring(between(3), points=[(0, 0), (0.01, 500), (0.02, 4000)], name="rear"),
-        pytest.param(Spring(between(3), 8e5, damping=2e3, name="rear"), marks=pytest.mark.slow),
-    ],
-    ids=["straight", "strut", "points", "damped"],
-)
-def test_grip_follows_what_bends_and_comes_back_from_nothing(rear: Spring) -> None:
+REAR: list[dict[str, Any]] = [
+    {"stiffness": 8e5}, {"points": [(0, 0), (0.01, 500), (0.02, 4000)]}, {"strut": GAS},
+    {"stiffness": 8e5, "damping": 2e3},
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("given", with_slow(REAR[:2], REAR[2:]))
+def test_grip_follows_what_bends_and_comes_back_from_nothing(given: dict[str, Any]) -> None:
     """No torque beyond the limit, which falls to 0 and rises again; energy closes."""
+    rear = Spring(between(3), name="rear", **given)
     tyre = Spring({1: 1, 2: -1}, 900.0, name="tyre", limit=SpringLimit(20.0, "rear", 0.01))
     case = Transmission(3, [], [], [], springs=[rear, tyre], inertias={1: 1, 2: 3}, masses={3: 500})
     motion = simulate(Scenario(case, 0.3, Start(speeds={1: 9.0, 2: 0.0, 3: -0.3})))

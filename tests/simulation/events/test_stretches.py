@@ -29,11 +29,8 @@ STIFFNESS, DAMPING, INERTIA = 1e4, 1.0, 0.1
 def chain(count: int) -> Scenario:
     """Links on springs, those before a clutch in the middle faster than those behind."""
     middle = count // 2
-    springs = tuple(
-        Spring(between(link, link + 1), STIFFNESS, damping=DAMPING)
-        for link in range(1, count)
-        if link != middle
-    )
+    sprung = [between(link, link + 1) for link in range(1, count) if link != middle]
+    springs = tuple(Spring(twist, STIFFNESS, damping=DAMPING) for twist in sprung)
     clutch = ShiftElement(middle, middle + 1, "C")
     case = links(*[INERTIA] * count, elements=(clutch,), springs=springs)
     speeds = {link: 50.0 if link <= middle else 0.0 for link in range(1, count + 1)}

@@ -48,13 +48,9 @@ FREEWHEEL = f"{BRAKE}, {FREE}"
 def drag(random: Random) -> str:
     """Drag as a case gives it: a number, a formula of the slip, points of it."""
     size = random.uniform(0.2, 6)
-    laws = (
-        f", drag: {size:.3f} N*m",
-        f', drag: "{size:.3f} + 2e-3*w"',
-        f', drag: "{size / 200:.5f}*w"',
-        f", drag: [[0, {size:.3f}], [300, {2 * size:.3f}]]",
-    )
-    return random.choice(laws)
+    laws = f"{size:.3f} N*m", f'"{size:.3f} + 2e-3*w"', f'"{size / 200:.5f}*w"'
+    points = f"[[0, {size:.3f}], [300, {2 * size:.3f}]]"
+    return f", drag: {random.choice([*laws, points])}"
 
 
 class Texts(NamedTuple):

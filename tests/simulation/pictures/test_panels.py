@@ -133,14 +133,10 @@ def test_capacities_stand_behind_torques(shown: Shown) -> None:
 
 def colours(group: ET.Element) -> set[str]:
     """The colours of the lines and areas of a group but paper."""
-    found = set()
+    found = set[str]()
     for one in group.iter():
-        for key in ("stroke", "fill"):
-            colour = re.search(rf"{key}: (#\w+)", one.get("style", "")) or re.match(
-                r"()?(#\w+)", one.get(key, "")
-            )
-            if colour:
-                found.add(colour[colour.lastindex or 1])
+        texts = (f"{key}: {one.get(key, '')}; {one.get('style', '')}" for key in ("stroke", "fill"))
+        found.update(*(re.findall(r"(?:stroke|fill): (#\w+)", text) for text in texts))
     return found - {Style().paper}
 
 

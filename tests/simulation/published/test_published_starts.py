@@ -12,6 +12,7 @@ import pytest
 
 from tests.commands import json_file
 from tests.simulation.boxes import RPM, held
+from tests.simulation.test_closed_forms import links
 from tests.simulation.test_golden import closes
 from tests.torsion.table_3_8 import TABLE_3_8, Line
 from vstatics import Gear, ShiftElement, Spring, Transmission
@@ -25,14 +26,9 @@ TABLE_3_9: dict[str, Any] = json_file(PUBLISHED)
 def one_spring(line: Line) -> Scenario:
     """The scheme of table 3.8: clutch, one spring, grip; the clutch slips with 0.8 M_C0."""
     j1, j2, j3, j4, j5, compliance, clutch, grip, speed = line.given[:9]
-    case = Transmission(
-        4,
-        [ShiftElement(1, 2, "clutch", static=1.25), ShiftElement(3, 4, "grip")],
-        [],
-        [Gear()],
-        inertias={1: j1, 2: j2 + j3, 3: j4, 4: j5},
-        springs=[Spring(between(2, 3), compliance=compliance)],
-    )
+    elements = ShiftElement(1, 2, "clutch", static=1.25), ShiftElement(3, 4, "grip")
+    spring = Spring(between(2, 3), compliance=compliance)
+    case = links(j1, j2 + j3, j4, j5, elements=elements, springs=(spring,))
     start = Start(speeds={1: speed, 2: 0.0, 3: 0.0, 4: 0.0}, engaged=(2,))
     # until the spring has swung back
     return Scenario(case, 0.25, start, {1: held(0.8 * clutch), 2: held(grip)})
@@ -137,27 +133,35 @@ TABLE_3_11 = [
 ]  # fmt: skip
 
 
+class Row(NamedTuple):
+    """Masses in a row behind a clutch, without damping and without the reaction of the axle."""
+
+    inertias: tuple[float, ...]
+    compliances: tuple[float, ...]
+    """In units of 1e-5 rad/(N*m)."""
+    grip: float
+    """[N*m]"""
+
+    def scenario(self, clutch: str, static: float, rpm: float, duration: float) -> Scenario:
+        """The clutch that is dumped at a speed of the engine."""
+        springs = [
+            Spring(between(n, n + 1), compliance=compliance * 1e-5, name=f"Y{n - 1}{n}")
+            for n, compliance in enumerate(self.compliances, 2)
+        ]
+        springs[-1] = springs[-1]._replace(limit=self.grip)
+        element = ShiftElement(1, 2, "clutch", static=static)
+        case = links(*self.inertias, elements=(element,), springs=tuple(springs))
+        start = Start(speeds={1: rpm * RPM} | dict.fromkeys(range(2, 8), 0.0))
+        return Scenario(case, duration, start, {1: Capacity(Formula(clutch))})
+
+
 def chain_of(row: Dumped, clutch: float = 1300, rpm: float = 1800) -> Scenario:
-    """No damping, no reaction of the axle; torque of the clutch, speed of the engine, 150 1/s."""
-    key = (row.vehicle, row.gear)
-    springs = [
-        Spring(between(n, n + 1), compliance=compliance * 1e-5, name=f"Y{n - 1}{n}")
-        for n, compliance in enumerate(COMPLIANCES[key], 2)
-    ]
-    springs[-1] = springs[-1]._replace(limit=GRIPS[row.gear])
-    slipping = 1.0 if row.gear == 1 else 0.8
-    inertias = (37, 0.87, *INERTIAS[key])
-    case = Transmission(
-        7,
-        [ShiftElement(1, 2, "clutch", static=1 / slipping)],
-        [],
-        [Gear()],
-        inertias={n: inertia / 10 for n, inertia in enumerate(inertias, 1)},
-        springs=springs,
-    )
-    control = Capacity(Formula(f"{slipping}*{clutch}*(1 - exp(-150*t))"))
-    start = Start(speeds={1: rpm * RPM} | dict.fromkeys(range(2, 8), 0.0))
-    return Scenario(case, 0.16 if row.gear <= 2 else 0.08, start, {1: control})
+    """Torque of the clutch, speed of the engine; 150 1/s."""
+    key, slipping = (row.vehicle, row.gear), 1.0 if row.gear == 1 else 0.8
+    inertias = tuple(inertia / 10 for inertia in (37, 0.87, *INERTIAS[key]))
+    given = Row(inertias, COMPLIANCES[key], GRIPS[row.gear])
+    control, duration = f"{slipping}*{clutch}*(1 - exp(-150*t))", 0.16 if row.gear <= 2 else 0.08
+    return given.scenario(control, 1 / slipping, rpm, duration)
 
 
 @pytest.mark.slow
@@ -173,23 +177,15 @@ def test_dumps_of_table_3_11(row: Dumped) -> None:
         assert times[0] == pytest.approx(time, abs=3.5e-3), (element, event)
 
 
-GAZ = ((0.499, 0.0209, 0.00468, 0.00229, 0.000358, 0.018, 0.802), (2.51, 24.1, 204, 3230, 546))
-"""ГАЗ-53А in gear 1, tables 2.7 and 2.8: inertias, compliances."""
+INERTIAS_OF_GAZ = 0.499, 0.0209, 0.00468, 0.00229, 0.000358, 0.018, 0.802
+GAZ = Row(INERTIAS_OF_GAZ, (2.51, 24.1, 204, 3230, 546), 401.0)
+"""ГАЗ-53А in gear 1, tables 2.7 and 2.8."""
 
 
 def half_shaft_of_gaz(clutch: float, rise: float, speed: float) -> float:
     """The largest forward torque of a half-shaft [kN*m]: clutch by 580 N*m, time of its rise."""
-    springs = [
-        Spring(between(n, n + 1), compliance=compliance * 1e-5, name=f"Y{n - 1}{n}")
-        for n, compliance in enumerate(GAZ[1], 2)
-    ]
-    springs[-1] = springs[-1]._replace(limit=401.0)
-    element = ShiftElement(1, 2, "clutch", static=1.25)
-    inertias = dict(enumerate(GAZ[0], 1))
-    case = Transmission(7, [element], [], [Gear()], inertias=inertias, springs=springs)
-    control = Capacity(Formula(f"0.8*580*{clutch}*(1 - exp(-{3 / rise}*t))"))
-    start = Start(speeds={1: speed * 2700 * RPM} | dict.fromkeys(range(2, 8), 0.0))
-    motion = simulate(Scenario(case, 0.6, start, {1: control}))
+    control = f"0.8*580*{clutch}*(1 - exp(-{3 / rise}*t))"
+    motion = simulate(GAZ.scenario(control, 1.25, speed * 2700, 0.6))
     torque = float(motion.torques[:, motion.devices.index("Y45")].max())
     return torque * 6.55 * 6.83 / 2 / 1000
 

@@ -65,21 +65,17 @@ def test_a_clutch_holds_more_than_it_carries_when_it_slips() -> None:
 
 @pytest.mark.parametrize(
     ("name", "by"),
-    [("tarasik-set-lock", {"set": 2.5}), ("tarasik-box", {"set 2": 4.0, "set 3": 3.04})],
-)
-def test_the_output_gets_what_its_sets_give(name: str, by: dict[str, float]) -> None:
+    [
+        ("tarasik-set-lock", {"set": 2.5}), ("tarasik-box", {"set 2": 4.0, "set 3": 3.04}),
+        ("moskvich-start", {"tyres": 1.0}),
+    ],
+)  # fmt: skip
+def test_the_output_gets_what_its_sets_or_springs_give(name: str, by: dict[str, float]) -> None:
     """A carrier takes 1 - u of the torque on the sun, u = -1.5, -3, -2.04."""
     motion = motion_of(name)
-    expected = sum(
-        part * motion.torques[:, motion.devices.index(device)] for device, part in by.items()
-    )
-    assert motion.beside["output_torque"][""] == pytest.approx(expected)
-
-
-def test_the_output_of_springs_gets_their_torque() -> None:
-    motion = motion_of("moskvich-start")
-    tyres = motion.torques[:, motion.devices.index("tyres")]
-    assert motion.beside["output_torque"][""] == pytest.approx(tyres, abs=1e-9)
+    given = {name: motion.torques[:, motion.devices.index(name)] for name in by}
+    expected = sum(part * given[name] for name, part in by.items())
+    assert motion.beside["output_torque"][""] == pytest.approx(expected, abs=1e-9)
 
 
 def test_a_vehicle_is_as_fast_as_its_acceleration_makes_it() -> None:
