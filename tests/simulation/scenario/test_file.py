@@ -212,12 +212,6 @@ def test_the_case_is_found_beside_the_scenario_or_given(tmp_path: Path) -> None:
     assert load_scenario(file).case.gears[0].name == "low"
     with pytest.raises(ReadError, match="expected the name of a gear"):
         load_scenario(file, tmp_path / "other.yaml")
-    file.write_text("{case: bax.yaml, duration: 6, start: {gear: low}}")
-    with pytest.raises(ReadError, match=r"shift.yaml:1:8: error: .*bax.yaml cannot be read"):
-        load_scenario(file)
-    file.write_text("{duration: 6, start: {gear: low}}")
-    with pytest.raises(ReadError, match="`case` is missing: give the file of the case"):
-        load_scenario(file)
 
 
 def test_names_of_a_drawn_case() -> None:

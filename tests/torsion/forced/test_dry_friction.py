@@ -4,8 +4,6 @@ import math
 from pathlib import Path
 
 import numpy as np
-import pytest
-from scipy.integrate import solve_ivp
 
 from tests.chance import count, generator
 from tests.commands import json_answer, vstatics
@@ -85,24 +83,6 @@ def test_random_chains_agree_with_an_iteration_of_dampers() -> None:
             np.testing.assert_allclose(column, expected, atol=1e-6 * np.abs(expected).max())
     assert compared >= 100
     assert stuck > 5
-
-
-def test_the_motion_in_time_has_nearly_this_amplitude() -> None:
-    """Damped, near resonance: integrated with a steep tanh for the sign; 1 % of the first harmonic."""
-    friction, force, damping, w = 1.0, 5.0, 4.0, 36.0
-    [gear] = response(one_mass(friction, damping), 1, [Harmonic(1.0, force)], [w / RAD_PER_RPM])
-    expected = float(np.abs(gear.orders[0].amplitudes["1"][0]))
-
-    def motion(t: float, state: Floats) -> list[float]:
-        angle, speed = state
-        resisting = 800 * angle + damping * speed + friction * math.tanh(speed / 1e-3)
-        return [speed, (force * math.cos(w * t) - resisting) / 0.5]
-
-    period = 2 * math.pi / w
-    times = np.linspace(30 * period, 31 * period, 400, endpoint=False)
-    run = solve_ivp(motion, (0, times[-1]), [0.0, 0.0], t_eval=times, rtol=1e-7, method="LSODA")
-    first = 2 * np.mean(run.y[0] * np.exp(-1j * w * times))
-    assert abs(first) == pytest.approx(expected, rel=0.01)
 
 
 def test_notes_say_how_friction_counts_and_what_is_stuck(folder: Path) -> None:
