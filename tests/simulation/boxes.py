@@ -43,7 +43,6 @@ def of_set(
     torques: tuple[float, float],
     duration: float = 1.0,
 ) -> Scenario:
-    """Constant torques on input and output of the set, elements of constant capacity."""
     loads = ((1, constant(torques[0])), (2, constant(-torques[1])))
     return Scenario(case, duration, Start(speeds=speeds), controls, loads)
 

@@ -55,14 +55,12 @@ sequences:
 
 
 def _scenario(data: bytes) -> object:
-    """Read a scenario of a shipped case, and the formulas in it."""
     made = read_scenario(data, "shift.yaml").with_case(_box()).scenario
     laws = [law for _, law in made.torques if isinstance(law, Formula)]
     return [law.function(1.0, -2.0, 3.0, *[0.5] * len(law.seen)) for law in laws]
 
 
 def _formula(data: bytes) -> float:
-    """Read a formula of its own link alone, and calculate it."""
     return read_formula(Excerpt(text_of(data), "f")).function(0.5, -3.0, 1e9)
 
 

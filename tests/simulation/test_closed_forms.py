@@ -205,7 +205,6 @@ def test_redundant_clutches_share_what_they_hold() -> None:
 
 
 def test_two_lock_at_one_instant() -> None:
-    """Two brakes on links that are alike."""
     pair = (ShiftElement(1, 0, "A"), ShiftElement(2, 0, "B"))
     controls: dict[int, Control] = {1: held(5), 2: held(5)}
     motion = run(links(1.0, 1.0, elements=pair), 3.0, {1: 10.0, 2: 10.0}, controls=controls)

@@ -92,7 +92,6 @@ def random_texts(rng: Random) -> tuple[str, str]:
 
 
 def floats(value: Any) -> Iterator[float]:
-    """All numbers in a document, NaN for null."""
     if isinstance(value, dict):
         for key, one in value.items():
             yield from floats(one) if key != "stopped" else ()

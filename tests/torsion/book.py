@@ -40,5 +40,4 @@ def scheme(
 
 
 def percent(found: float, printed: float) -> float:
-    """How far a number is from a printed one. [%]."""
     return abs(found / printed - 1) * 100

@@ -41,7 +41,6 @@ def wheels(propshaft: float = 70.0, damping: float = 0.0, **others: Any) -> Tran
 def mounted(
     damping: Damping | float, stiffness: float = 100.0, inertia: float = 1.0
 ) -> Transmission:
-    """One mass on a spring to the housing."""
     spring = Spring({1: 1}, stiffness=stiffness, damping=damping, name="mount")
     return Transmission(1, [], [], [], springs=[spring], inertias={1: inertia})
 

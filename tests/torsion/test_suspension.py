@@ -117,7 +117,6 @@ def test_orders_belong_to_what_turns_and_tables_tell_both_units() -> None:
 
 
 def test_what_moves_straight_is_written_as_it_is_read() -> None:
-    """Each key of a suspension survives YAML; so does a limit that follows another spring."""
     text = STRUT.format(**BELAZ_540A, at=4.2)
     text += "  tyre: {links: [body], stiffness: 3 kN/m, limit: {base: 20 N, of: strut, times: .3}}"
     case = readers.loads(text)

@@ -40,7 +40,6 @@ def test_statistics_fit_a_terminal_and_json_has_them() -> None:
 
 
 def test_the_runs_are_written_and_give_the_same_statistics() -> None:
-    """Against NumPy on what the file holds."""
     options = ("--seed", 3, "--out", "locks[brake]")
     found = json.loads(samples(*options, "-f", "json"))["results"]["locks[brake]"]
     shown = samples(*options, "-o", "runs.npz")

@@ -69,12 +69,7 @@ def test_columns_that_are_asked_for_are_in_all_files_or_refused_at_once() -> Non
     )
 
 
-def test_tables_for_people_fit_a_terminal_and_json_has_all_of_them() -> None:
-    said = vstatics("simulate", "lock.yaml")
-    assert said.is_without_messages()
-    assert max(map(len, said.out.splitlines())) <= 80
-    assert "0.410054006  brake          locks" in said.out
-    assert "  brake     858.815" in said.out
+def test_json_has_all_of_it() -> None:
     found = document("--time-step", "0.25")
     parts = ["work", "heat", "losses", "kinetic", "elastic", "impact", "balance"]
     assert list(found["energy"]) == parts

@@ -44,7 +44,6 @@ SINE = 800 / 3 * (1 - math.cos(3 * SINE_CUT)) + 200 * (PERIOD / 2 - 2 * SINE_CUT
 
 
 def test_a_control_is_cut_at_0_and_at_the_capacity_whatever_it_follows_from() -> None:
-    """The impulse of the clutch, a closed form, changes both speeds."""
     for control, impulse, cut in (
         ('"400*sin(3*t)"', SINE, SINE_CUT),
         ("[[0, -100], [1, 300]]", 0.5 * 200 * 0.5 + 200 * (PERIOD - 0.75), 0.75),

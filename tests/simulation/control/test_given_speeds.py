@@ -111,7 +111,6 @@ def run(x: float, gear: str, out: float) -> Motion:
 @pytest.mark.parametrize("gear", ["a", "b"])
 @pytest.mark.parametrize("x", [-0.2, 0.7])
 def test_at_the_torques_of_statics_speeds_stay(gear: str, x: float) -> None:
-    """The load that statics tells with losses holds the speed."""
     case = loads(STATIC.format(x=x))
     number = case.gear_number(gear) - 1
     results = solve(case)

@@ -105,7 +105,6 @@ JUMPS_OF_LIMITS = [
 
 @pytest.mark.parametrize("text", JUMPS_OF_LIMITS)
 def test_an_undamped_limit_that_jumps_with_its_own_motion_is_reported(text: str) -> None:
-    """On each side of the jump, the twist goes to the other side at once."""
     case = """inertias: {wheel: 1.2, road: 40}
 springs: {tyre: {links: [wheel, road], stiffness: 20000}}
 """

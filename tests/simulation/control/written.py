@@ -25,7 +25,6 @@ def written(scenario: str, case: str = TWO_WHEELS) -> Scenario:
 
 
 def simulated(scenario: str, case: str = TWO_WHEELS) -> Motion:
-    """Its motion, which closes."""
     motion = simulate(written(scenario, case))
     assert motion.stopped is None, motion.stopped
     return motion

@@ -31,7 +31,6 @@ class Set(NamedTuple):
 
 
 def cascade(sets: Sequence[Set], inertias: Mapping[int, float]) -> Transmission:
-    """Sets in series, each with a brake on its ring."""
     count = len(sets)
     rings, gear = range(count + 2, 2 * count + 2), Gear([*range(1, count + 1)], name="1")
     brakes = [ShiftElement(ring, 0) for ring in rings]
@@ -89,7 +88,6 @@ def test_a_wheel_slips_for_less_than_a_nanosecond(torque: float) -> None:
 
 
 def some_sets(random: Random) -> list[Set]:
-    """Two to ten sets with ratios that can be built."""
     ranges, sets = ((-4, -1.3), (1.3, 4), (0.25, 0.8)), []
     for _ in range(random.randint(2, 10)):
         ratio, efficiency = random.uniform(*random.choice(ranges)), random.uniform(0.85, 0.99)

@@ -31,14 +31,12 @@ ROUNDING = 1e-6
 
 
 def driven(case: Transmission, gear: Gear, torques: dict[int, float], speed: float) -> Motion:
-    """One second of a gear under constant torques."""
     laws = tuple((link, constant(torque)) for link, torque in torques.items())
     start = Start(gear=gear.name, speed=speed, settled=True)
     return simulate(Scenario(case, 1.0, start, None, laws))
 
 
 def ran(motion: Motion) -> bool:
-    """Whether it came to its end, and its energy closes."""
     return motion.stopped is None or abs(motion.energy.balance) < ROUNDING
 
 
@@ -106,7 +104,6 @@ def may_jam(one: Mechanism) -> bool:
 
 
 def agrees(seed: int) -> bool:
-    """Whether a random gear ends with a speed that it may have."""
     case, gear, torques, speed = random_gear(seed)
     motion = driven(case, gear, torques, speed)
     ends = [*PlainGear(case, gear, torques).ends(speed, 1.0)]

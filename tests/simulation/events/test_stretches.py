@@ -59,7 +59,6 @@ def test_a_chain_whose_clutch_slips_moves_as_by_a_plain_integrator() -> None:
 
 
 def test_a_firing_torque_on_stiff_shafts_moves_as_by_a_plain_integrator() -> None:
-    """Stretches are many and joined into steps; a torque over the angle bends in each."""
     stiffness, damping, inertias = np.array([1500.0, 3e4]), np.array([0.0, 0.5]), (0.15, 0.01, 2.0)
     twist = np.array([[1.0, -1.0, 0.0], [0.0, 1.0, -1.0]])
 

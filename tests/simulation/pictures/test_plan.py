@@ -17,7 +17,6 @@ from vstatics.simulation.record.motion import Energy
 
 
 def pages_of(picture: Path) -> list[bytes]:
-    """A file and its further pages, in their order."""
     further = picture.parent.glob(f"{picture.stem}-*.svg")
     ordered = sorted(further, key=lambda one: (len(one.name), one.name))
     return [one.read_bytes() for one in (picture, *ordered)]

@@ -68,7 +68,6 @@ def test_panels_have_what_moves(results: Results) -> None:
 
 
 def test_columns_that_are_asked_for_have_panels_of_their_own(results: Results) -> None:
-    """Heat once: no second line of what has one. Links look as everywhere."""
     heat = {"brake": run().heat[:, 0], "carrier": run().heat[:, 1]}
     asked = {"slip_power": {"brake": run().slips[:, 0] * -120.0}, "heat": heat}
     found = panels(results.case, run()._replace(asked=asked))

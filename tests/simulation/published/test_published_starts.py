@@ -19,8 +19,8 @@ from vstatics import Gear, ShiftElement, Spring, Transmission
 from vstatics.core.model.springs import between
 from vstatics.simulation import Capacity, Formula, Scenario, Start, simulate
 
-PUBLISHED = Path(__file__).with_name("tsitovich-table-3-9.json")
-TABLE_3_9: dict[str, Any] = json_file(PUBLISHED)
+FOLDER = Path(__file__).parent
+TABLE_3_9: dict[str, Any] = json_file(FOLDER / "tsitovich-table-3-9.json")
 
 
 def one_spring(line: Line) -> Scenario:
@@ -64,7 +64,6 @@ def reduced_chain(row: dict[str, Any]) -> Scenario:
 
 
 def of_table_3_9(row: dict[str, Any]) -> dict[str, float]:
-    """What the table prints of a start."""
     motion = simulate(reduced_chain(row))
     assert closes(motion)
     shaft = motion.peaks["input shaft"]
@@ -86,51 +85,18 @@ def test_moskvich_starts(row: dict[str, Any]) -> None:
 
 
 class Dumped(NamedTuple):
-    """What is legible of a row of table 3.11, torques on the input shaft [kN*m], times [s]."""
+    """What is legible of a row of table 3.11."""
 
     vehicle: str
     gear: int
+    inertias: list[float]
+    compliances: list[float]
+    grip: float
     peaks: dict[str, float]
-    changes: tuple[tuple[str, str, float], ...] = ()
+    changes: list[tuple[str, str, float]]
 
 
-INERTIAS = {
-    ("500", 1): (0.821, 0.0532, 0.0311, 0.483, 17.8),  # .532 is printed, .0532 for "200"
-    ("200", 1): (0.821, 0.0533, 0.028, 0.483, 17.8),
-    ("500", 2): (0.849, 0.221, 0.103, 1.58, 58.7),
-    ("200", 2): (0.849, 0.221, 0.0922, 1.58, 58.7),
-    ("500", 3): (0.88, 0.932, 0.378, 5.72, 212),
-    ("200", 3): (0.88, 0.932, 0.333, 5.72, 212),
-    ("500", 4): (0.92, 3.15, 1.19, 18.3, 679),
-    ("200", 4): (0.92, 3.15, 1.06, 18.3, 679),
-}
-"""Of table 2.7, J_2 to J_6 in units of .1 kg*m^2; J_1 is split into 37 and .87."""
-COMPLIANCES = {
-    ("500", 1): (1.26, 14.7, 52.7, 510, 271),
-    ("200", 1): (1.26, 14.7, 50.4, 1330, 271),
-    ("500", 2): (1.26, 7.41, 16, 155, 82.2),
-    ("200", 2): (1.26, 7.41, 15.3, 400, 82.2),
-    ("500", 3): (1.27, 2.74, 4.74, 42.9, 22.8),
-    ("200", 3): (1.27, 2.74, 4.55, 112, 22.8),
-    ("500", 4): (1.26, 0.747, 1.49, 13.4, 7.11),
-    ("200", 4): (1.26, 0.747, 1.43, 34.7, 7.11),
-}
-"""Of table 2.8, E_12 to E_56 in units of 1e-5 rad/(N*m)."""
-GRIPS = {1: 870.0, 2: 1580.0, 3: 2990.0, 4: 5750.0}
-"""Y_phi of table 3.11 [N*m]; of gear 3 by the ratios, as it is not legible."""
-TABLE_3_11 = [
-    Dumped("500", 1, {"Y23": 1.21, "Y34": 1.19, "Y45": 1.15, "Y56": 0.87},
-           (("clutch", "locks", 0.034), ("Y56", "slips", 0.057), ("clutch", "slips", 0.071))),
-    Dumped("200", 1, {"Y23": 1.14, "Y34": 1.12, "Y45": 1.09, "Y56": 0.87},
-           (("clutch", "locks", 0.032), ("clutch", "slips", 0.095))),
-    Dumped("500", 2, {"Y12": 1.38, "Y56": 1.58}, (("Y56", "slips", 0.054),)),
-    Dumped("200", 2, {"Y12": 1.45, "Y23": 1.79, "Y34": 1.87, "Y45": 1.85, "Y56": 1.58},
-           (("Y56", "slips", 0.075),)),
-    Dumped("500", 3, {"Y12": 1.26, "Y23": 1.42, "Y34": 1.48}),
-    Dumped("200", 3, {"Y12": 1.37, "Y23": 1.64, "Y34": 1.82, "Y45": 1.87}),
-    Dumped("500", 4, {"Y12": 1.22, "Y23": 1.32}),
-    Dumped("200", 4, {"Y12": 1.26, "Y23": 1.42}),
-]  # fmt: skip
+TABLE_3_11 = [Dumped(**row) for row in json_file(FOLDER / "tsitovich-table-3-11.json")["rows"]]
 
 
 class Row(NamedTuple):
@@ -157,9 +123,9 @@ class Row(NamedTuple):
 
 def chain_of(row: Dumped, clutch: float = 1300, rpm: float = 1800) -> Scenario:
     """Torque of the clutch, speed of the engine; 150 1/s."""
-    key, slipping = (row.vehicle, row.gear), 1.0 if row.gear == 1 else 0.8
-    inertias = tuple(inertia / 10 for inertia in (37, 0.87, *INERTIAS[key]))
-    given = Row(inertias, COMPLIANCES[key], GRIPS[row.gear])
+    slipping = 1.0 if row.gear == 1 else 0.8
+    inertias = tuple(inertia / 10 for inertia in (37, 0.87, *row.inertias))
+    given = Row(inertias, tuple(row.compliances), row.grip)
     control, duration = f"{slipping}*{clutch}*(1 - exp(-150*t))", 0.16 if row.gear <= 2 else 0.08
     return given.scenario(control, 1 / slipping, rpm, duration)
 

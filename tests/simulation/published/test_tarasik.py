@@ -99,7 +99,6 @@ def test_lock_of_the_box() -> None:
 
 
 def test_shift_at_once() -> None:
-    """The brake lets go, the lock-up clutch takes over: one clutch at a time."""
     controls = {1: capacity((0, 300), (0.5, 300), (0.5, 0)), 2: capacity((0.5, 0), (0.5, 300))}
     loads = ((1, constant(40)), (2, constant(-60)))
     motion = tarasik(Scenario(planetary_set(), 1.5, Start("1", 50.0), controls, loads))
@@ -141,7 +140,6 @@ def test_two_clutches_stop_it() -> None:
 
 
 def test_what_it_does_not_know() -> None:
-    """Each is an error that says where."""
     case = planetary_set().replace(springs=[Spring(between(2), 100.0)])
     converter = Converter("TC", 1, 2, ((0.0, 2.0, 1e-3), (1.0, 1.0, 0.0)))
     base = first_gear()

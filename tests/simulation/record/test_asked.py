@@ -190,7 +190,6 @@ shift_elements:
 
 
 def test_a_column_without_values_gets_a_warning() -> None:
-    """Of two brakes one has an area; a column of the other is NaN throughout."""
     scenario = "duration: 1\nstart: {speeds: {o: 9}}\ncontrols: {A: 3, B: 1000 Pa}"
 
     def said(*columns: str, case: str = PACK) -> list[tuple[str, str]]:

@@ -85,7 +85,6 @@ def extreme(values: Floats) -> float:
 
 
 def check_chain(scenario: Scenario) -> None:
-    """Of a motion of springs: its extremes, its peaks, and how near its chords come."""
     motion = simulate(scenario)
     times = np.linspace(0.0, scenario.duration, 20_001)
     expected = of_modes(scenario, times)

@@ -22,13 +22,11 @@ TORQUE = Points((0.0, 7.0, 7.0), (3.0, 3.0, 4.0))
 
 
 def swing(duration: float, until: float = np.inf, step: float | None = None) -> Motion:
-    """The run, which somebody may stop at a time."""
     scenario = Scenario(CASE, duration, START, BRAKE, ((2, TORQUE),))
     return simulate(scenario, step=step, watch=lambda at: "enough" if at >= until else "")
 
 
 def is_the_swing(motion: Motion) -> None:
-    """Instants, extremes, and the jumps are those of the closed form."""
     times = motion.time
     assert motion.speeds[:, 0] == pytest.approx(np.cos(10 * times), abs=1e-6)
     assert motion.torques[:, 1] == pytest.approx(10 * np.sin(10 * times), abs=1e-5)

@@ -28,7 +28,6 @@ def test_a_run_has_its_events_energy_and_torques() -> None:
 
 
 def test_large_energies_are_in_kj_and_what_does_not_exist_stays_so() -> None:
-    """The column of names has a heading; a table without rows is as it was."""
     rows: list[Row] = [["work", exact(474894.33)], ["brake", exact(None)], ["elastic", exact(0.0)]]
     made = in_figures(Grid("Energy", [text(""), Column("energy [J]")], rows))
     assert [column.heading for column in made.columns] == ["part", "energy [kJ]"]
@@ -66,7 +65,6 @@ def test_a_page_of_a_run_has_both_pictures() -> None:
 
 @pytest.mark.usefixtures("without_pictures")
 def test_what_a_scenario_says_of_itself_stands_at_the_top() -> None:
-    """And leads to the run."""
     material = gather(
         shipped_results("tarasik-set.yaml"), motion=run(), naming=Naming("Lock <up>", "To 2 & back")
     )

@@ -17,7 +17,6 @@ SCENARIO = CASES / "scenarios" / "tarasik-set-upshift.yaml"
 
 
 def test_an_event_goes_by_what_happens_whenever_it_is() -> None:
-    """Of the closed form of the shift, once with a second lock."""
     first = run()
     [locks] = first.events
     later = first._replace(events=(locks._replace(time=LOCK / 2), locks._replace(time=0.9)))

@@ -20,6 +20,7 @@ def test_values() -> None:
         ("-2^2 + 2**3^2 + 2^-1", -4 + 2**9 + 0.5),
         ("speed^2^0.5", math.nan),
         ("2^2^0.5*sign(speed)", -(2 ** math.sqrt(2))),
+        ("sign(t) + 2*sign(t - t) + 4*sign(speed/100)", 1 - 4),
         ("abs(speed)^1.5", 7**1.5),
         ("min(t, speed, angle) + max(3) - sqrt(16)", -8.0),
         ("sin(2*pi*t) + cos(angle)", math.sin(math.pi) + math.cos(3)),
@@ -106,7 +107,6 @@ def test_jumps_over_the_speed() -> None:
 
 
 def test_between_jumps_a_formula_is_what_it_is_there() -> None:
-    """And goes on so beyond, where steps of an integration may ask for it."""
     for low, high, speed in ((-9e9, -300, -400), (-300, 300, 8), (300, 9e9, 301)):
         whole = Formula("t*speed*(abs(speed) < 300) - 7*sign(speed + 300)")
         piece = whole.between("speed", low, high)

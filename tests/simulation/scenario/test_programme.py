@@ -114,7 +114,6 @@ def test_what_no_start_engages_or_a_control_of_0_opens_is_open() -> None:
 
 @pytest.mark.parametrize("last", ["odd", "open"])
 def test_of_shifts_at_one_time_the_last_that_is_written_holds(last: str) -> None:
-    """Whatever their names: by these `even` would come first."""
     first = "open" if last == "odd" else "odd"
     shifts = Shift(0.5, "even"), Shift(0.5, first), Shift(0.5, last)
     motion = driven(Start("odd", 50.0), shifts=shifts)

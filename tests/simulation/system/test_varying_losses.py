@@ -23,7 +23,6 @@ FALLING = PointLaw([(0, 0.99), (100, 0.2)], "torque")
 
 
 def some_efficiency(random: Random) -> float:
-    """Return a map, points over torque or speed, a formula, or a number."""
     values = sorted(random.uniform(0.8, 0.99) for _ in range(9))
     torques = sorted(random.uniform(0, 150) for _ in range(3))
     speeds = sorted(random.uniform(0, 90) for _ in range(3))

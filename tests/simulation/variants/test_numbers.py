@@ -93,7 +93,6 @@ def test_a_unit_may_stand_behind_some_values_and_holds_for_all() -> None:
 
 
 def test_a_key_that_a_document_cannot_have_is_told_before_anything_is_calculated() -> None:
-    """A number that is not written may be added where the document may have it."""
     for name, known in (("controls.brake.scal", "scale"), ("start.speeds.sum", "sun")):
         with pytest.raises(ReadError, match=f"did you mean `{known}`"):
             build.plan(subject(), SweepOptions.of(vary=[f"{name}=1,2"]))

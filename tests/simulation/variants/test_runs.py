@@ -167,7 +167,6 @@ def test_tables_have_a_row_for_all_that_a_run_tells(name: str) -> None:
 
 
 def drawn(scenario: bytes, count: int, **more: Any) -> tuple[Floats, Floats]:
-    """The numbers that are drawn, and the heat of the brake."""
     options = SweepOptions.of(sample=count, **{"out": "heat[brake]", **more})
     plan = sample_plan(subject(scenario), options)
     return plan.variants.block(0, count), calculate(plan, 0, min(count, 4)).columns

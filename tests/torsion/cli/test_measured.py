@@ -28,7 +28,6 @@ def test_identify_in_json_has_what_the_library_has() -> None:
 
 
 def test_damping_in_json_has_what_the_library_has() -> None:
-    """Names with commas have quotes, those with blanks need none."""
     expected = damping(loads(DRIVELINE), "4", {"prop, shaft": 0.03, "tyre": 0.2}, 83.3)
     for written in ('"prop, shaft"=.03,tyre=.2', '  tyre = 2e-1 , "prop, shaft" = 0.03 '):
         made = said("damping", "--omega", "83.3", "--decrements", written, "-f", "json").json
@@ -37,13 +36,6 @@ def test_damping_in_json_has_what_the_library_has() -> None:
         assert made["messages"] == []
     made = said("damping", "--decrements", "final drive=.1", "-f", "json").json
     assert made["dampings"].keys() == {"final drive"}
-
-
-def test_tables_for_people() -> None:
-    answer = said("identify", "--omega", "41.4", "--decrement", ".554")
-    assert "measured 41.4" in answer.out
-    assert "damping [N*m*s/rad]" in answer.out
-    assert "\nmode " in said("damping", "--decrements", "tyre=.2").out
 
 
 WRONG = [

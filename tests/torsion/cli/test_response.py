@@ -34,7 +34,6 @@ def _files(folder: Path) -> None:
 
 
 def test_json_has_what_the_library_has() -> None:
-    """A table gives orders, amplitudes and phases, of which some may be chosen, each once."""
     speeds = [600.0, 700.0, 800.0, 900.0, 1000.0]
     six = Harmonic(6.0, 8.0, -math.pi / 4)
     two, four = Harmonic(2.0, 80.0), Harmonic(4.0, 25.0, math.pi / 2)
@@ -62,8 +61,6 @@ def test_json_has_what_the_library_has() -> None:
 
 
 def test_speeds_are_a_range_or_a_list_and_may_fall() -> None:
-    """Each with the resonance between them."""
-
     def speeds(written: str) -> list[float]:
         made = document("response", *AT, "--orders", "2", "--speed", written, text=GOOD)
         told: list[float] = made["gears"][0]["speeds"]
@@ -189,7 +186,6 @@ def test_wrong_use(option: str) -> None:
 
 
 def test_without_a_link_the_torque_acts_on_the_input() -> None:
-    """As in the picture; gears with inputs of their own need a link."""
     made = document("response", "--orders", "2", *SPEED, text=GOOD)
     assert made == document("response", *AT, "--orders", "2", *SPEED, text=GOOD)
     two = MASS.replace("[mass]", "[mass, other, out]").replace("output: mass", "output: out") + (

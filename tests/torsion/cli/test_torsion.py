@@ -50,7 +50,6 @@ def _files(folder: Path) -> None:
 
 
 def with_lost(text: str) -> str:
-    """With a link that nothing moves or holds."""
     return text.replace("casing]\noutput", "casing, lost]\noutput")
 
 
@@ -88,7 +87,6 @@ SCHEMAS = {
 
 @each_call
 def test_json_fits_its_schema_and_has_null_but_no_nan(call: tuple[str, ...]) -> None:
-    """Of gears without results, of links without values; no key is free or may be left out."""
     command, *options = call
     schema = validator(SCHEMAS[command])
     more = {
@@ -119,7 +117,6 @@ def test_tables_for_people_fit_a_terminal() -> None:
 
 @each_call
 def test_files_that_cannot_be_read_or_written(call: tuple[str, ...]) -> None:
-    """Nothing is written, and outputs that are none are refused before anything is read."""
     Path("old.json").write_text("old", "utf-8")
     command, *options = call
     wrong = said(*call, "-o", "old.json", text=BOX.replace("474", "-474"))
@@ -167,7 +164,6 @@ def test_a_gear_in_which_nothing_can_move_does_not_stop_the_others() -> None:
 
 @pytest.mark.parametrize("command", STANDS)
 def test_a_gear_that_has_no_answer_does_not_stop_the_others(command: str) -> None:
-    """CSV of a response has values alone; an error is printed whoever is quiet."""
     answer = asked(command, "-f", "json")
     low, direct, tied, neutral = answer.json["gears"]
     assert answer.status == 1
@@ -195,7 +191,6 @@ def test_a_gear_that_is_not_there_is_wrong_use(call: tuple[str, ...]) -> None:
 
 @pytest.mark.parametrize("call", ONE_GEAR, ids=lambda call: call[0])
 def test_where_there_is_one_gear_it_need_not_be_named(call: tuple[str, ...]) -> None:
-    """That of a case without gears, too; one of several must be."""
     without = said(*call, "-f", "json", text=CHAIN)
     assert without.is_without_messages()
     assert without.json["gear"] == "1"

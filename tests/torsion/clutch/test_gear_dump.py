@@ -61,7 +61,6 @@ def only(text: str, gear: str = "1") -> GearDump:
 
 
 def answer(text: str, gear: str = "1") -> tuple[Dump, DumpTorque]:
-    """Reduced numbers and torques of a gear that has them."""
     found = only(text, gear)
     assert found.given is not None
     assert found.made is not None

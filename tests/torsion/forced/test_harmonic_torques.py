@@ -119,7 +119,6 @@ def test_an_undamped_system_that_is_hit_exactly_has_no_value() -> None:
 
 
 def test_a_part_without_damping_that_is_hit_exactly_has_no_value() -> None:
-    """Two pairs of masses apart from each other, of which one is damped."""
     shafts = [
         Spring({1: 1, 2: -1}, stiffness=150.0, name="s"),
         Spring({3: 1, 4: -1}, stiffness=50.0, damping=0.1, name="t"),
@@ -144,7 +143,6 @@ def test_a_link_that_nothing_resists_has_no_value_and_its_device_no_torque() -> 
 
 
 def test_an_open_element_has_a_torque_of_0_at_every_speed() -> None:
-    """Also where it is the only device."""
     case = Transmission(2, [ShiftElement(1, 2, name="C")], [], [Gear()], inertias={1: 1.0, 2: 1.0})
     [gear] = response(case, 1, [Harmonic(2.0)], SPEEDS)
     assert gear.orders[0].torques["C"].tolist() == [0, 0, 0]

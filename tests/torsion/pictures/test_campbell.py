@@ -166,7 +166,6 @@ def test_modes_of_gears_that_are_alike_are_one_line(tmp_path: Path) -> None:
 
 @needs("vehicle")
 def test_the_range_is_from_the_least_to_the_largest_speed_that_the_case_tells() -> None:
-    """Resonances within it are bold in the table."""
     from vstatics.vehicle.case.vehicle import Vehicle
 
     engine = [(100.0, 50.0), (400.0, 80.0)]  # rad/s: 955 to 3820 rpm

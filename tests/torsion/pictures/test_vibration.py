@@ -28,7 +28,6 @@ SHIPPED = ("moskvich412.yaml", "driveline-8hp70.yaml")
 
 
 def chain(count: int, name: str = "m", stiffness: float = 1e4) -> Results:
-    """Equal masses on equal shafts."""
     links = range(1, count + 1)
     springs = [Spring({k: 1, k + 1: -1}, stiffness, name=f"s{k}") for k in links[:-1]]
     inertias, names = dict.fromkeys(links, 0.1), [f"{name} {link}" for link in links]
@@ -68,7 +67,6 @@ def test_no_label_covers_another(name: str, kind: str) -> None:
 
 @pytest.mark.parametrize("language", ["en", "ru"])
 def test_what_is_said_of_a_mode_keeps_clear_of_its_bars(language: Language) -> None:
-    """On a page, and on one so narrow that it stands in lines above them."""
     results = shipped_results("moskvich412.yaml")
     for width in (PAGE_WIDTH, 0.7 * PAGE_WIDTH, 0.5 * PAGE_WIDTH):
         assert overlaps(results, "modes", Style(width=width, language=language)) == []

@@ -82,5 +82,4 @@ def appendices() -> Iterator[Cell]:
 
 
 def cells() -> dict[tuple[str, str], float]:
-    """All of them by table and cell."""
     return dict([*moskvich(), *vehicles(), *appendices()])

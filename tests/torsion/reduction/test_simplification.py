@@ -134,7 +134,6 @@ def test_an_end_stays_an_end_where_three_springs_met() -> None:
 
 
 def problems(given: TorsionScheme, count: int, rule: str | None = None, *remove: str) -> list[str]:
-    """What is said where a simplification is refused."""
     with pytest.raises(CaseError) as error:
         simplify(given, count, rule, remove)  # type: ignore[arg-type]
     return [problem.message for problem in error.value.problems]
@@ -220,7 +219,6 @@ def test_where_only_ends_are_left_no_rule_goes_on() -> None:
 @pytest.mark.parametrize("rule", SIMPLIFICATION_RULES[1:])
 @pytest.mark.parametrize("count", [1, 2, 3, 4])
 def test_what_is_left_is_a_scheme(count: int, rule: str) -> None:
-    """Its springs have the stiffness of the last step, and every mass has inertia."""
     found = simplify(PRINTED[1], count, rule)  # type: ignore[arg-type]
     last = found.steps[-1]
     assert found.scheme.inertias == last.inertias
@@ -232,7 +230,6 @@ def test_what_is_left_is_a_scheme(count: int, rule: str) -> None:
 
 
 def test_masses_without_inertia_go_before_the_first_step() -> None:
-    """A shaft in two pieces is one chain, and the order of its ends stays."""
     ends = {"s": (0, 1, 0.75), "t": (1, 2, 0.25), "u": (2, 3, 0.25)}
     springs = tuple(SchemeSpring(name, {a: 1, b: -1}, e) for name, (a, b, e) in ends.items())
     cut = TorsionScheme(("a", "joint", "b", "c"), (4.0, 0.0, 1.0, 4.0), springs)

@@ -97,7 +97,6 @@ def test_slopes_are_differences_of_the_torques(reverse: int) -> None:
 
 
 def with_converter(random: Random) -> Transmission:
-    """Two chains of two or three masses, some of them damped, a converter between them."""
     sizes = random.randint(2, 3), random.randint(2, 3)
     links = sum(sizes)
     joints = [n for n in range(1, links) if n != sizes[0]]

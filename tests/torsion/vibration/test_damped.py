@@ -126,7 +126,6 @@ def test_massless_links_whose_dampings_differ_by_many_powers_of_ten() -> None:
 
 @pytest.mark.parametrize("damping", [2.0, Damping(loss_factor=0.1)])
 def test_a_damper_between_a_mass_that_is_free_and_a_link_without(damping: Damping | float) -> None:
-    """There is no mode, and nothing that moves: the link is behind the device alone."""
     spring = Spring({1: 1, 2: -1}, stiffness=8.0, damping=damping)
     gear = only(Transmission(2, [], [], [], springs=[spring], inertias={1: 1.0}))
     assert gear.modes == []
@@ -152,7 +151,6 @@ def with_dampers_alone(seed: int) -> Transmission:
 
 @each_seed(40, 1000)
 def test_eigenvalues_with_dampers_alone(seed: int) -> None:
-    """Zeros are left out: the program tells rigid motions apart."""
     case = with_dampers_alone(seed)
     wanted = eigenvalues(*matrices(case))
     size = np.abs(wanted).max()

@@ -251,7 +251,6 @@ def test_sensitivities_are_differences_of_the_frequencies() -> None:
 
 
 def told(gear: GearModes) -> list[list[str]]:
-    """Where most of the energy is, without the shares."""
     energy = next(one for one in modes_grids([gear]) if one.key == "energy")
     return [[cell if isinstance(cell, str) else cell.text for cell in row] for row in energy.rows]
 

@@ -40,7 +40,6 @@ def frequencies(
 def alone(
     system: TorsionalSystem, stiffnesses: Mapping[int, Array], inertias: Mapping[int, Array]
 ) -> Array:
-    """The same, one by one, by the modes of a single case."""
     rows = []
     for variant in range(VARIANTS):
         devices, bodies = list(system.devices), list(system.bodies)
@@ -111,7 +110,6 @@ WHOLE = st.integers(-3, 3).map(float)
 
 @st.composite
 def small_equations(draw: st.DrawFn) -> Array:
-    """Small whole numbers, so that ranks differ often."""
     shape = draw(st.integers(1, 4)), draw(st.integers(0, 4)), draw(st.integers(1, 5))
     count = shape[0] * shape[1] * shape[2]
     numbers = draw(st.lists(WHOLE, min_size=count, max_size=count))
@@ -121,7 +119,6 @@ def small_equations(draw: st.DrawFn) -> Array:
 @settings(max_examples=count(80, 600))
 @given(small_equations())
 def test_a_variant_is_safe_if_its_rank_is_that_of_the_first(equations: Array) -> None:
-    """Never where it is another; where it is safe its motions solve all equations."""
     unknowns = equations.shape[2]
     counts = [
         free_motions([dict(enumerate(row)) for row in one], unknowns).shape[1] for one in equations

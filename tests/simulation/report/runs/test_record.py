@@ -25,7 +25,6 @@ from vstatics.simulation.report.runs.section import moving_run
 
 
 def numbers(text: str) -> Floats:
-    """What is packed in a text."""
     parts = np.frombuffer(base64.b64decode(text), np.uint8)
     return np.frombuffer(parts.reshape(8, -1).T.tobytes(), "<f8")
 
@@ -113,7 +112,6 @@ def test_events_and_states_stay_as_they_were(name: str) -> None:
 
 
 def test_names_end_nothing_of_the_page() -> None:
-    """They stand in an attribute as JSON, and as texts."""
     case = load(CASES / "tarasik-set.yaml")
     nasty = '</div>"<script>'
     motion = run()._replace(elements=(nasty, "lock-up"), devices=(nasty, "lock-up", "set"))
