@@ -153,6 +153,7 @@ FAULTS = [
     ("rolling: {over: speed, points: []}", "read no point, expected at least one"),
     ("rolling: {over: time, points: [[0, .01]]}", "read 'time', expected `speed`"),
     ("rolling: {points: [[0, .01]]}", "`over` is missing"),
+    ("rolling: {over: speed, points: [[0, .01, 3]]}", "speed, coefficient"),
     ("rolling: {over: speed, points: [[1 kg, .01]]}", "a velocity"),
     ("rolling: much", "expected a number"),
     ("radius: {free: .48, by_torque: -1}", "by_torque: read -1"),

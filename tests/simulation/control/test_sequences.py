@@ -161,6 +161,8 @@ def test_a_mistake_is_told_with_its_place() -> None:
          "6:49 tables.q.rows[2]: read 0 after 1"),
         ("tables: {q: {columns: [0, 1], rows: [[0, 1, 2], [1, 2]]}}",
          "6:49 tables.q.rows[2]: read 2 numbers, expected 3"),
+        ("tables: {q: {columns: [0, 1], rows: []}}", "read no rows"),
+        ("tables: {q: {columns: [], rows: [[1, 2, 3]]}}", "read 3 numbers, expected 2"),
         ("tables: {q: []}", "read no rows"),
     ):  # fmt: skip
         told = faults(REST + text + "\n")

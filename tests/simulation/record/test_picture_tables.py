@@ -8,8 +8,10 @@ import pytest
 
 from tests.chance import with_slow
 from tests.commands import CASES
+from tests.simulation.test_closed_forms import links, run
+from tests.simulation.test_friction import FALLING, PRESSURE
 from tests.simulation.test_roads import CASE, ROAD
-from vstatics import load_scenario
+from vstatics import ShiftElement, load_scenario
 from vstatics.simulation import Motion, Road, Scenario, Start, simulate
 
 QUICK = ("8l90-shifts", "gf4a-upshifts", "moskvich-start", "tarasik-box", "tarasik-set-lock")
@@ -52,6 +54,14 @@ def test_capacities_are_those_of_the_controls() -> None:
     """Of tarasik-box.yaml at 6 s, bare numbers of its controls."""
     ends = {name: one[-1] for name, one in motion_of("tarasik-box").beside["capacities"].items()}
     assert ends == {"FH": 3000, "FB": 0, "F1": 0, "F2": 6000, "F3": 0, "FR": 0}
+
+
+def test_the_capacity_of_a_pack_follows_its_slip() -> None:
+    """8 surfaces of 0.006 m^2 on 0.1 m at 1e4 Pa, with mu = 0.1 - slip/200 up to 10 rad/s."""
+    case = links(1.0, 1.0, elements=(ShiftElement(1, 2, "C", friction=FALLING),))
+    motion = run(case, 0.1, {1: 9.0, 2: 0.0}, controls=PRESSURE)
+    expected = 8 * 0.006 * 0.1 * 1e4 * (0.1 - motion.slips[:, 0] / 200)
+    assert motion.beside["capacities"]["C"] == pytest.approx(expected)
 
 
 def test_a_clutch_holds_more_than_it_carries_when_it_slips() -> None:

@@ -42,6 +42,7 @@ def test_values() -> None:
 def test_what_it_has() -> None:
     assert Formula("sin(angle)*t + pi").variables == {"t", "angle"}
     assert Formula("3").variables == frozenset()
+    assert read_formula(Excerpt(" 3*t ", "FH"), ["t"]) == Formula("3*t")
     assert pickle.loads(pickle.dumps(Formula("t"))) == Formula("t")  # noqa: S301
     assert len({Formula("t"), Formula("t")}) == 1
 

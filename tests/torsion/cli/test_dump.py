@@ -11,6 +11,7 @@ from tests.core.cli.test_schemas import validator
 from tests.torsion.clutch.test_file import GOOD
 from tests.torsion.clutch.test_gear_dump import car
 from vstatics import loads
+from vstatics.core.writers import named
 from vstatics.torsion.clutch.dumped import dump
 from vstatics.torsion.clutch.gear_dump import gear_dumps
 
@@ -35,6 +36,8 @@ def test_one_gear_is_as_a_file_of_numbers() -> None:
     numbers = said("-f", "json", text=json.dumps(made["reduced"])).json
     assert numbers["max_torque"] == made["max_torque"] == dump(expected.given).max_torque
     assert "engagement" not in numbers
+    tabbed = named.write_json(loads(VAZ)).replace("\n ", "\n\t")  # which YAML does not take
+    assert said("--gear", "2", "-f", "json", text=tabbed).json["reduced"] == made["reduced"]
 
 
 def test_without_a_gear_all_are_told_also_those_without_such_a_torque() -> None:

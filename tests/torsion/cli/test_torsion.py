@@ -229,6 +229,7 @@ def test_the_help_of_the_group_imports_no_command() -> None:
 
 
 def test_a_case_without_inertias_or_without_springs_has_no_modes() -> None:
+    assert said("modes", text=CHAIN).out.startswith("<stdin>\n")  # it has no name
     answer = said("modes", text=CHAIN.partition("\n")[2])
     assert answer.gives_nothing("<stdin>", "inertias: nothing has an inertia, so nothing vibrates")
     answer = said("modes", "-f", "json", text=NEUTRAL + "inertias: {1: 1, 2: 2, 3: 3}\n")

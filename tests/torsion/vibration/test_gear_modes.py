@@ -264,5 +264,8 @@ def test_of_two_equal_shares_the_first_is_named_on_any_processor(side: str) -> N
     def moved(shares: dict[str, float]) -> dict[str, float]:
         return {n: math.nextafter(part, part + n.startswith(side)) for n, part in shares.items()}
 
-    swung = [each._replace(elastic=moved(dict(each.elastic))) for each in gear.modes]
-    assert told(gear._replace(modes=swung)) == told(gear)
+    other = []
+    for each in gear.modes:
+        elastic, kinetic = moved(dict(each.elastic)), moved(dict(each.kinetic))
+        other.append(each._replace(elastic=elastic, kinetic=kinetic))
+    assert told(gear._replace(modes=other)) == told(gear)
