@@ -37,6 +37,16 @@ def asked(
     return motion, [motion.asked[table][row] for table, row in names]
 
 
+def test_a_ramp_has_a_jerk_that_ends_with_it() -> None:
+    """T = 10 t on 2 kg*m^2: 5 rad/s^3 up to the instant of its end, then nothing."""
+    text = f'duration: 2\n{AT_REST}\ntorques: {{o: "min(10*t, 10)"}}'
+    motion, [acceleration, jerk] = asked(text, WHEEL, "accelerations[o]", "jerks[o]")
+    assert acceleration == pytest.approx(np.minimum(5 * motion.time, 5.0), abs=1e-9)
+    [end] = np.flatnonzero(np.diff(motion.time) == 0)
+    assert motion.time[end] == pytest.approx(1.0, abs=1e-9)
+    assert jerk == pytest.approx(5.0 * (np.arange(len(jerk)) <= end), abs=1e-7)
+
+
 def test_a_vibration_is_told_at_its_extremes_though_no_point_lies_there() -> None:
     """Speed cos 10 t: -10 sin 10 t, -100 cos 10 t, and of the link between two thirds of that."""
     columns = ("accelerations[o]", "jerks[o]", "accelerations[m]", "jerks[m]", "powers[hard]")

@@ -123,7 +123,14 @@ def test_a_switch_of_which_no_jump_is_known() -> None:
 
 
 def test_given_speeds_of_logarithm_and_arc_tangent_need_the_torques_of_their_derivatives() -> None:
-    for text, last in (("log(1 + t)", 1 / 3), ("atan(t)", 1 / 5)):
+    """As torques their integrals from 0 to 2 are 3 log 3 - 2 and 2 atan 2 - log(5)/2."""
+    start = "duration: 2\nstart: {speeds: {a: 0}}\n"
+    for text, last, integral in (
+        ("log(1 + t)", 1 / 3, 3 * math.log(3) - 2),
+        ("atan(t)", 1 / 5, 2 * math.atan(2) - math.log(5) / 2),
+    ):
+        driven = simulated(f'{start}torques: {{a: "{text}"}}\n', "inertias: {a: 1}")
+        assert driven.speeds[-1, 0] == pytest.approx(integral, rel=1e-9)
         motion = simulated(f'duration: 2\nspeeds: {{a: "{text}"}}\n', "inertias: {a: 1}")
         torques = motion.torques[:, motion.devices.index("a")]
         assert (torques[0], torques[-1]) == pytest.approx((1, last), rel=1e-9)

@@ -72,7 +72,7 @@ def test_a_file_holds_what_stdout_would(command: str) -> None:
         assert (written.status, written.all, names()) == (0, "", ["box.yaml", f"new.{suffix}"])
         assert Path(f"new.{suffix}").read_text("utf-8") == printed.out
         Path(f"new.{suffix}").unlink()
-    vstatics(*call, "-o", "new.xlsx")
+    assert asked(command, "-o", "new.xlsx").status in (0, 1)  # with gears without results
     book = openpyxl.load_workbook("new.xlsx")
     assert len(book.sheetnames) < 10
     cells = [cell for sheet in book for row in sheet.iter_rows(values_only=True) for cell in row]
@@ -162,22 +162,21 @@ def test_a_gear_in_which_nothing_can_move_does_not_stop_the_others() -> None:
         assert said(*call, "--gear", "stuck", "-f", "json", text=STUCK).gives_nothing(told)
 
 
-@pytest.mark.parametrize("command", STANDS)
-def test_a_gear_that_has_no_answer_does_not_stop_the_others(command: str) -> None:
-    answer = asked(command, "-f", "json")
-    low, direct, tied, neutral = answer.json["gears"]
-    assert answer.status == 1
-    assert tied.keys() == {"name", "error"}
-    assert tied["error"] == STANDS[command]
-    assert not any("error" in gear for gear in (low, direct, neutral))
-    assert f"<stdin>:20:3: error: gear tied: {STANDS[command]}" in answer.err
-    assert asked(command, "--gear", "low", "--gear", "N").status == 0
-    for form in ("text", "csv", "markdown"):
-        shown = asked(command, "-f", form)
-        assert shown.status == 1
-        is_bare = (command, form) == ("response", "csv")
-        assert STANDS[command] in (shown.err if is_bare else shown.out)
-    assert asked(command, "-q").fails(STANDS[command])
+def test_a_gear_that_has_no_answer_does_not_stop_the_others() -> None:
+    for command, why in STANDS.items():
+        answer = asked(command, "-f", "json")
+        low, direct, tied, neutral = answer.json["gears"]
+        assert answer.status == 1
+        assert tied == {"name": "tied", "error": why}
+        assert not any("error" in gear for gear in (low, direct, neutral))
+        assert f"<stdin>:20:3: error: gear tied: {why}" in answer.err
+        assert asked(command, "--gear", "low", "--gear", "N").status == 0
+        for form in ("text", "csv", "markdown"):
+            shown = asked(command, "-f", form)
+            assert shown.status == 1
+            is_bare = (command, form) == ("response", "csv")
+            assert why in (shown.err if is_bare else shown.out)
+        assert asked(command, "-q").fails(why)
 
 
 @each_call

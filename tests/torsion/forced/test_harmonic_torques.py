@@ -92,6 +92,14 @@ def test_a_link_that_stands_in_a_mode_does_not_excite_it() -> None:
     assert told[antiphase] == pytest.approx(1.0)
 
 
+def test_speeds_that_fall_and_rise_pass_a_resonance_each_time() -> None:
+    """A mass on a mount: ``1/(d w)`` at its frequency."""
+    hit = 40.0 / RAD_PER_RPM
+    [gear] = response(one_mass(0.1), 1, [Harmonic(1.0)], [500.0, 300.0, 500.0])
+    assert gear.speeds == pytest.approx([500.0, hit, 300.0, hit, 500.0])
+    assert np.abs(gear.orders[0].amplitudes["1"]).max() == pytest.approx(1 / (0.1 * 40))
+
+
 @pytest.mark.slow
 @each_seed(40)
 def test_no_peak_of_a_random_chain_is_missed(seed: int) -> None:

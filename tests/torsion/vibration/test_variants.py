@@ -76,6 +76,13 @@ def test_any_stiffnesses_and_inertias(case: Transmission, data: st.DataObject) -
         np.testing.assert_allclose(frequencies(system, stiff, heavy), expected, rtol=1e-9)
 
 
+def test_a_shaft_that_ends_without_inertia_carries_no_torque() -> None:
+    system = system_of(chain([0.2, 0.8, 0.0], [500.0, 300.0]))
+    found = frequencies(system, {1: np.array([1.0, 1e3, 1e9])})
+    np.testing.assert_allclose(found[:, 0], math.sqrt(500 * (1 / 0.2 + 1 / 0.8)), rtol=1e-13)
+    assert np.isnan(found[:, 1:]).all()
+
+
 def test_a_soft_support_keeps_its_digits_beside_stiff_shafts() -> None:
     """A body of 1 + 1 on a support: ``omega^2 = c/2``, twelve decades below the shaft."""
     twists = {1: 1, 2: -1}, {2: 1}
