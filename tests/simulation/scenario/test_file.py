@@ -216,6 +216,13 @@ def test_the_case_is_found_beside_the_scenario_or_given(tmp_path: Path) -> None:
     assert load_scenario(file).case.gears[0].name == "low"
     with pytest.raises(ReadError, match="expected the name of a gear"):
         load_scenario(file, tmp_path / "other.yaml")
+    for case, message in (
+        ("case: bax.yaml, ", r"shift.yaml:1:8: error: .*bax.yaml cannot be read"),
+        ("", "`case` is missing: give the file of the case"),
+    ):
+        file.write_text(f"{{{case}duration: 6, start: {{gear: low}}}}")
+        with pytest.raises(ReadError, match=message):
+            load_scenario(file)
 
 
 def test_names_of_a_drawn_case() -> None:

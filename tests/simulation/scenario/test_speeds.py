@@ -105,8 +105,8 @@ def test_a_condition_is_met_when_the_vehicle_has_its_speed(seed: int, tmp_path: 
     radius, unit = rng.uniform(0.2, 0.6), rng.choice(list(UNITS))
     speed = rng.randint(1, 40)
     forms = (
-        "speed('wheel') > {0} {1}; {0}{1} < speed('wheel'); -speed('wheel') < -{0} {1}; "
-        "abs(speed('wheel')) >= {0} {1} and t > 0"
+        "speed('wheel') > {0} {1}; {0}{1} < speed('wheel'); "
+        "abs(speed('wheel')) >= {0} {1} and t > 0; -speed('wheel') < -{0} {1}"
     )
     when = rng.choice(forms.format(speed, unit).split("; "))
     run = simulate(load_scenario(scenario(tmp_path, when, radius)))
