@@ -8,7 +8,6 @@ from collections.abc import Mapping
 
 from vstatics import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.simulation import Capacity, Formula, Points, Scenario, Start, constant
-from vstatics.simulation.scenario.laws import TorqueLaw
 
 K1 = -67 / 33
 RPM = 0.10471975511965977
@@ -31,15 +30,10 @@ def held(value: float) -> Capacity:
 def planetary_set(efficiency: float = 1.0, **inertias: float) -> Transmission:
     """The set of figure 1: sun a in, carrier h out, ring b; brake F1, lock-up clutch F2."""
     given = {"a": 0.5, "h": 0.8, "b": 0.7} | inertias
-    return Transmission(
-        3,
-        [ShiftElement(3, 0, "F1"), ShiftElement(1, 3, "F2")],
-        [Mechanism(1, 3, 2, -1.5, efficiency)],
-        [Gear([1], name="1"), Gear([2], name="2")],
-        output=2,
-        link_names=["a", "h", "b"],
-        inertias={n: given[name] for n, name in enumerate(("a", "h", "b"), 1)},
-    )
+    elements = [ShiftElement(3, 0, "F1"), ShiftElement(1, 3, "F2")]
+    gears, sets = [Gear([1], name="1"), Gear([2], name="2")], [Mechanism(1, 3, 2, -1.5, efficiency)]
+    own = dict(enumerate(given.values(), 1))
+    return Transmission(3, elements, sets, gears, output=2, link_names=[*given], inertias=own)
 
 
 def of_set(
@@ -49,7 +43,6 @@ def of_set(
     torques: tuple[float, float],
     duration: float = 1.0,
 ) -> Scenario:
-    """Constant torques on input and output of the set, elements of constant capacity."""
     loads = ((1, constant(torques[0])), (2, constant(-torques[1])))
     return Scenario(case, duration, Start(speeds=speeds), controls, loads)
 
@@ -76,24 +69,14 @@ def box(efficiency: float = 1.0) -> Transmission:
 
     Links: in = h0, x = b0 = a1 = a2, a0, b1, h1 = b2 = a3, b3, out = h2 = h3.
     """
-    elements = [
-        ShiftElement(1, 3, "FH"),
-        ShiftElement(3, 0, "FB"),
-        ShiftElement(5, 0, "F1"),
-        ShiftElement(4, 0, "F2"),
-        ShiftElement(2, 5, "F3"),
-        ShiftElement(6, 0, "FR"),
-    ]
-    numbers = {element.name: number for number, element in enumerate(elements, 1)}
+    names = ["FH", "FB", "F1", "F2", "F3", "FR"]
+    ends = ((1, 3), (3, 0), (5, 0), (4, 0), (2, 5), (6, 0))
+    elements = [ShiftElement(*two, name) for two, name in zip(ends, names, strict=True)]
     members = ((3, 2, 1, K1), (2, 4, 5, K1), (2, 5, 7, -3.0), (5, 6, 7, -2.04))
-    return Transmission(
-        7,
-        elements,
-        [Mechanism(*one, efficiency) for one in members],
-        [Gear([numbers[name] for name in gear.split()], name=gear) for gear in BOX_GEARS],
-        link_names=["in", "x", "a0", "b1", "h1", "b3", "out"],
-        inertias=dict(enumerate(BOX_INERTIAS, 1)),
-    )
+    sets = [Mechanism(*one, efficiency) for one in members]
+    gears = [Gear([names.index(one) + 1 for one in gear.split()], name=gear) for gear in BOX_GEARS]
+    links, inertias = ["in", "x", "a0", "b1", "h1", "b3", "out"], dict(enumerate(BOX_INERTIAS, 1))
+    return Transmission(7, elements, sets, gears, link_names=links, inertias=inertias)
 
 
 def run_of_box(efficiency: float = 1.0, duration: float = 6.0) -> Scenario:
@@ -104,9 +87,6 @@ def run_of_box(efficiency: float = 1.0, duration: float = 6.0) -> Scenario:
         3: capacity((0, 0), (0.4, 9000), (4.05, 9000), (4.05, 0)),
         4: capacity((3.9, 0), (4.3, 6000)),
     }
-    loads: tuple[tuple[int, TorqueLaw], ...] = (
-        (1, constant(1500)),
-        (7, Formula("-1200*tanh(speed/0.05)")),
-    )
+    loads = (1, constant(1500)), (7, Formula("-1200*tanh(speed/0.05)"))
     start = Start(speeds={1: 60.0, 7: 0.0}, engaged=(1,))
     return Scenario(box(efficiency), duration, start, controls, loads)

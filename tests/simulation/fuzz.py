@@ -55,15 +55,17 @@ sequences:
 
 
 def _scenario(data: bytes) -> object:
-    """Read a scenario of a shipped case, and the formulas in it."""
     made = read_scenario(data, "shift.yaml").with_case(_box()).scenario
     laws = [law for _, law in made.torques if isinstance(law, Formula)]
     return [law.function(1.0, -2.0, 3.0, *[0.5] * len(law.seen)) for law in laws]
 
 
 def _formula(data: bytes) -> float:
-    """Read a formula of its own link alone, and calculate it."""
-    return read_formula(Excerpt(data.decode(errors="replace"), "f")).function(0.5, -3.0, 1e9)
+    return read_formula(Excerpt(text_of(data), "f")).function(0.5, -3.0, 1e9)
+
+
+def text_of(data: bytes) -> str:
+    return data.decode(errors="replace")
 
 
 @cache
@@ -81,37 +83,22 @@ def _varied() -> VariedScenario:
 
 
 def kinds_of_scenarios() -> dict[str, Kind]:
+    shipped = [one.read_text("utf-8") for one in sorted(CASES.glob("scenarios/tarasik-box*"))]
+    formulas = "-1200*tanh(speed/0.05)^3", "182*(1 - exp(-60*t)) + 1/(0 < angle <= 1 or not t)"
+    varied = (
+        *("controls.FH.2.1=0:2:5", "controls.FB.scale=.9,1.1", "in.inertia=1,2"),
+        *('start.speeds."in"=60 rad/s:90 rad/s:3', "mechanisms.'set 1'.ratio=-2,-3"),
+        "duration=1 s:6:step=.5",
+    )
+    columns = (
+        "heat[F2], max(abs(slips[F2] - slips[F1])), last(speeds[out])",
+        "locks[F1] - controls.F1.2.1, sum(losses)/work, time*(speeds > 3)",
+    )
     return {
-        "scenario": Kind(
-            (
-                SCENARIO,
-                CONTROLLED,
-                *(one.read_text("utf-8") for one in sorted(CASES.glob("scenarios/tarasik-box*"))),
-            ),
-            _scenario,
-        ),
-        "formula": Kind(
-            ("-1200*tanh(speed/0.05)^3", "182*(1 - exp(-60*t)) + 1/(0 < angle <= 1 or not t)"),
-            _formula,
-        ),
+        "scenario": Kind((SCENARIO, CONTROLLED, *shipped), _scenario),
+        "formula": Kind(formulas, _formula),
         "scenario sweep": Kind(
-            (
-                "controls.FH.2.1=0:2:5",
-                "controls.FB.scale=.9,1.1",
-                'start.speeds."in"=60 rad/s:90 rad/s:3',
-                "in.inertia=1,2",
-                "mechanisms.'set 1'.ratio=-2,-3",
-                "duration=1 s:6:step=.5",
-            ),
-            lambda data: build.plan(
-                _varied(), SweepOptions.of(vary=[data.decode(errors="replace")])
-            ),
+            varied, lambda data: build.plan(_varied(), SweepOptions.of(vary=[text_of(data)]))
         ),
-        "run columns": Kind(
-            (
-                "heat[F2], max(abs(slips[F2] - slips[F1])), last(speeds[out])",
-                "locks[F1] - controls.F1.2.1, sum(losses)/work, time*(speeds > 3)",
-            ),
-            lambda data: read_columns(data.decode(errors="replace"), _varied(), []),
-        ),
+        "run columns": Kind(columns, lambda data: read_columns(text_of(data), _varied(), [])),
     }

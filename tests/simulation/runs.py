@@ -101,16 +101,10 @@ def renumbered(scenario: Scenario, order: list[int]) -> Scenario:
         one._replace(first=new[one.first], second=new[one.second], third=new[one.third])
         for one in case.mechanisms
     ]
-    moved = Transmission(
-        case.links,
-        elements,
-        mechanisms,
-        [Gear()],
-        input=new[case.input],
-        output=new[case.output],
-        link_names=[case.link_name(new.index(n)) for n in range(1, case.links + 1)],
-        inertias={new[link]: value for link, value in case.inertias.items()},
-    )
+    names = [case.link_name(new.index(n)) for n in range(1, case.links + 1)]
+    inertias = {new[link]: value for link, value in case.inertias.items()}
+    moved = case.replace(shift_elements=elements, mechanisms=mechanisms, inertias=inertias)
+    moved = moved.replace(input=new[case.input], output=new[case.output], link_names=names)
     start = Start(speeds={new[link]: speed for link, speed in scenario.start.speeds.items()})
     torques = tuple((new[link], law) for link, law in scenario.torques)
     return scenario._replace(case=moved, start=start, torques=torques)

@@ -1,16 +1,21 @@
 """Motions that have a solution on paper: each test derives its numbers where it stands."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
+from tests.chance import each_seed, seeded
 from tests.simulation.boxes import capacity, held, points
 from tests.simulation.test_golden import closes, happened
-from vstatics import Gear, ShiftElement, Spring, Transmission
+from vstatics import CaseError, Gear, Load, ShiftElement, Spring, Transmission
 from vstatics.core.model.converters import Converter
+from vstatics.core.model.laws import PointLaw
+from vstatics.core.model.parts import Law
 from vstatics.core.model.springs import between
 from vstatics.core.readers import loads
+from vstatics.core.readers.named.law_formulas import DragFormula
 from vstatics.simulation import (
     Formula,
     Motion,
@@ -31,14 +36,8 @@ def links(
     *inertias: float, elements: tuple[ShiftElement, ...] = (), springs: tuple[Spring, ...] = ()
 ) -> Transmission:
     """Links with inertias (0: none), joined by elements and springs alone."""
-    return Transmission(
-        len(inertias),
-        elements,
-        [],
-        [Gear()],
-        springs=springs,
-        inertias={n: inertia for n, inertia in enumerate(inertias, 1) if inertia},
-    )
+    own = {n: inertia for n, inertia in enumerate(inertias, 1) if inertia}
+    return Transmission(len(inertias), elements, [], [Gear()], springs=springs, inertias=own)
 
 
 def run(  # noqa: PLR0913 - what a scenario has
@@ -53,16 +52,9 @@ def run(  # noqa: PLR0913 - what a scenario has
     targets: dict[int, tuple[float, ...]] | None = None,
 ) -> Motion:
     """A motion whose energy closes."""
-    scenario = Scenario(
-        case,
-        duration,
-        Start(speeds=speeds, engaged=engaged),
-        {} if controls is None else controls,
-        torques,
-        converters,
-        targets=targets or {},
-    )
-    motion = simulate(scenario)
+    start, controlled = Start(speeds=speeds, engaged=engaged), controls or {}
+    scenario = Scenario(case, duration, start, controlled, torques, converters)
+    motion = simulate(scenario._replace(targets=targets or {}))
     assert motion.stopped is None
     assert motion.time[-1] == duration
     assert closes(motion)
@@ -158,11 +150,8 @@ def test_shaft_that_saturates() -> None:
 
 def test_clutch_on_a_link_without_inertia_is_a_limit_of_the_shaft() -> None:
     """The disc between clutch and shaft takes the speed at which they balance."""
-    case = links(
-        *(0.4, 0.0, 0.6),
-        elements=(ShiftElement(1, 2, "C"),),
-        springs=(Spring(between(2, 3), 5000.0),),
-    )
+    clutch, shaft = ShiftElement(1, 2, "C"), Spring(between(2, 3), 5000.0)
+    case = links(0.4, 0.0, 0.6, elements=(clutch,), springs=(shaft,))
     motion = run(case, 0.2, {1: 5.0, 3: 0.0}, controls={1: held(100)}, engaged=(1,))
     heat = REDUCED * (25 - 100**2 / (5000 * REDUCED)) / 2
     assert motion.energy.heat["C"] == pytest.approx(heat, rel=EXACT)
@@ -216,11 +205,9 @@ def test_redundant_clutches_share_what_they_hold() -> None:
 
 
 def test_two_lock_at_one_instant() -> None:
-    """Two brakes on links that are alike."""
     pair = (ShiftElement(1, 0, "A"), ShiftElement(2, 0, "B"))
-    motion = run(
-        links(1.0, 1.0, elements=pair), 3.0, {1: 10.0, 2: 10.0}, controls={1: held(5), 2: held(5)}
-    )
+    controls: dict[int, Control] = {1: held(5), 2: held(5)}
+    motion = run(links(1.0, 1.0, elements=pair), 3.0, {1: 10.0, 2: 10.0}, controls=controls)
     assert [one[1] for one in happened(motion)] == ["locks", "locks"]
     assert [one[2] for one in happened(motion)] == pytest.approx([2, 2], abs=EXACT)
 
@@ -231,22 +218,105 @@ def test_capacity_that_returns() -> None:
     control = capacity((0, 50), (1, 50), (1, 0), (1.5, 0), (1.5, 50))
     motion = run(case, 3.0, {1: 0.0}, ((1, constant(10)),), {1: control}, engaged=(1,))
     # free from 1 to 1.5 s: 5 rad/s, then -40 rad/s^2
-    assert happened(motion) == [
-        ("B", "slips", pytest.approx(1, abs=1e-12)),
-        ("B", "locks", pytest.approx(1.625, abs=EXACT)),
-    ]
+    slips, locks = pytest.approx(1, abs=1e-12), pytest.approx(1.625, abs=EXACT)
+    assert happened(motion) == [("B", "slips", slips), ("B", "locks", locks)]
 
 
 @pytest.mark.parametrize("step", [0.0371, 0.0037])
 def test_heat_up_to_each_step(step: float) -> None:
     """Between the points of integration, too: capacity by the angle of slip, (w0^2 - w^2) J/2."""
-    case = links(
-        *(0.5, 1.0),
-        elements=(ShiftElement(1, 0, "B"),),
-        springs=(Spring(between(2), 4e4, damping=2.0),),
-    )
+    brake, spring = ShiftElement(1, 0, "B"), Spring(between(2), 4e4, damping=2.0)
+    case = links(0.5, 1.0, elements=(brake,), springs=(spring,))
     start = Start(speeds={1: 100.0, 2: 1.0})
     motion = simulate(Scenario(case, 0.5, start, {1: held(60)}), step=step)
     expected = 0.25 * (100**2 - motion.speeds[:, 0] ** 2)
     assert motion.heat[:, 0] == pytest.approx(expected, abs=1e-7)
     assert len(motion.time) > 0.5 / step
+
+
+LOAD = Load(100, 20)
+
+
+def dragged_link(law: Law, inertia: float = 0.5) -> Transmission:
+    return replace(links(inertia), gears=[Gear(drag={1: law})], load=LOAD)
+
+
+def joined(element: ShiftElement, *inertias: float) -> Transmission:
+    return replace(links(*inertias), shift_elements=[element], load=LOAD)
+
+
+@each_seed(6)
+def test_coast_down_by_a_constant_and_a_slope(seed: int) -> None:
+    """J dw/dt = -a - b w: w + a/b = (w0 + a/b) exp(-b t/J) until it rests, backward as forward."""
+    random = seeded(seed)
+    a, b, inertia, w0 = (random.uniform(*ends) for ends in ((1, 5), (0.1, 0.5), (0.5, 2), (20, 90)))
+    rest = inertia / b * math.log(1 + b * w0 / a)
+    steep = PointLaw([(0, a), (100, a + 100 * b)])
+    for law in (steep, DragFormula(f"{a!r} + {b!r}*w")):
+        for way in (1, -1):
+            motion = run(dragged_link(law, inertia), rest * 1.5, {1: way * w0})
+            moving = motion.time < rest
+            expected = (w0 + a / b) * np.exp(-b * motion.time[moving] / inertia) - a / b
+            np.testing.assert_allclose(
+                motion.speeds[moving, 0] * way, expected, atol=w0 * EXACT, rtol=0
+            )
+            assert motion.speeds[-1, 0] == 0
+            assert sum(motion.energy.losses.values()) == pytest.approx(inertia * w0**2 / 2)
+
+
+def test_a_drag_that_begins_with_the_speed_holds_nothing_at_rest() -> None:
+    """J dw/dt = T - b w from rest: w = T/b (1 - exp(-b t/J))."""
+    for law in (PointLaw([(0, 0), (100, 20)]), DragFormula("0.2*w")):
+        motion = run(dragged_link(law), 4.0, {1: 0.0}, ((1, constant(5)),))
+        assert motion.speeds[-1, 0] == pytest.approx(25 * (1 - math.exp(-0.4 * 4)), rel=EXACT)
+        assert run(dragged_link(law), 4.0, {1: 0.0}).speeds[-1, 0] == 0
+        # -9 rad/s and 5 N*m: through 0 to +25 rad/s in the end
+        through = run(dragged_link(law), 4.0, {1: -9.0}, ((1, constant(5)),)).speeds[-1, 0]
+        assert through == pytest.approx(25 - 34 * math.exp(-0.4 * 4), rel=EXACT)
+
+
+def test_a_link_is_held_up_to_its_drag_at_rest() -> None:
+    """1.2 N*m holds 1 N*m, and 1.5 N*m turn the link with what is left."""
+    case = dragged_link(DragFormula("1.2 + 0.02*w"))
+    assert run(case, 4.0, {1: 0.0}, ((1, constant(1)),)).speeds[-1, 0] == 0
+    turned = run(case, 4.0, {1: 0.0}, ((1, constant(1.5)),)).speeds[-1, 0]
+    assert turned == pytest.approx(15 * (1 - math.exp(-0.02 * 4 / 0.5)), rel=EXACT)
+
+
+def test_an_open_clutch_drags_by_points_of_its_slip() -> None:
+    """Two links, s' = -T(s)/J with J = 1/(1/J1 + 1/J2): 4 N*m above 40 rad/s, to 6 at 20, to 0.
+
+    From 50 to 40 rad/s: 10 J/4 s; to 20, where T = 8 - s/10: 10 J ln(6/4); then exp(-0.3 t/J).
+    """
+    drag = PointLaw([(0, 0), (20, 6), (40, 4)])
+    case = joined(ShiftElement(1, 2, "C", drag=drag), 0.5, 0.2)
+    motion = run(case, 3.0, {1: 50.0, 2: 0.0})
+    together = 1 / (1 / 0.5 + 1 / 0.2)
+    at_20 = together * (2.5 + 10 * math.log(1.5))
+    left = 20 * math.exp(-0.3 * (3 - at_20) / together)
+    assert motion.speeds[-1, 0] - motion.speeds[-1, 1] == pytest.approx(left, rel=1e-7)
+    # no torque acts from outside
+    assert 0.5 * motion.speeds[-1, 0] + 0.2 * motion.speeds[-1, 1] == pytest.approx(25, rel=EXACT)
+    assert motion.energy.losses["C"] == pytest.approx(together * (50**2 - left**2) / 2, rel=1e-7)
+
+
+def test_a_clutch_that_closes_drags_no_more() -> None:
+    """It drags with w/10 N*m for a second, then brakes with 30 N*m: heat is no loss."""
+    drag = DragFormula("w/10")
+    case = joined(ShiftElement(1, 0, "B", drag=drag), 0.5)
+    motion = run(case, 3.0, {1: 60.0}, controls={1: capacity((1, 0), (1, 30))})
+    after = 60 * math.exp(-0.2)
+    [(name, what, time)] = happened(motion)
+    assert (name, what) == ("B", "locks")
+    assert time == pytest.approx(1 + 0.5 * after / 30, abs=1e-7)
+    assert motion.energy.heat["B"] == pytest.approx(0.5 * after**2 / 2, rel=1e-7)
+
+
+def test_drag_that_turns_below_0_or_that_a_freewheel_cannot_have_is_refused() -> None:
+    said = r"the drag torque of 1 is -0\.\d+ N\*m, expected 0 or more"
+    with pytest.raises(CaseError, match=said):
+        run(dragged_link(DragFormula("1 - w/30")), 30.0, {1: 50.0})
+    wheel = ShiftElement(1, 0, "F", kind="freewheel", drag=DragFormula("w/10"))
+    with pytest.raises(CaseError, match="the drag of F depends on speed") as caught:
+        run(joined(wheel, 0.5), 1.0, {1: 50.0})
+    assert caught.value.problems[0].path == ("case", "shift_elements", 1, "drag")

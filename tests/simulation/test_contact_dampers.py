@@ -71,13 +71,12 @@ class Gap(NamedTuple):
 
 
 def random_gap(rng: Random) -> Gap:
-    return Gap(
+    ratio, corners = (
         rng.choice((-1, 1)) * rng.uniform(0.5, 3),
-        sorted(rng.uniform(-0.1, 0.1) for _ in range(2)),
-        10 ** rng.uniform(2.5, 4.5),
-        10 ** rng.uniform(0, 1.8),
-        rng.uniform(-0.12, 0.12),
+        [rng.uniform(-0.1, 0.1) for _ in "12"],
     )
+    stiffness, damping = 10 ** rng.uniform(2.5, 4.5), 10 ** rng.uniform(0, 1.8)
+    return Gap(ratio, sorted(corners), stiffness, damping, rng.uniform(-0.12, 0.12))
 
 
 class Chain(NamedTuple):
@@ -91,12 +90,10 @@ class Chain(NamedTuple):
 
     def contacts(self, state: Floats) -> list[tuple[Gap, float, float]]:
         """Return each gap with its twist [rad] and the rate of that [rad/s]."""
-        speeds, twists = np.split(state[:-1], [len(self.inertias)])
-        rates = [
-            float(one - gap.ratio * other)
-            for one, other, gap in zip(speeds, speeds[1:], self.gaps, strict=False)
-        ]
-        return list(zip(self.gaps, twists.tolist(), rates, strict=True))
+        speeds, twists = (part.tolist() for part in np.split(state[:-1], [len(self.inertias)]))
+        ends = zip(self.gaps, speeds, speeds[1:], strict=False)
+        rates = [one - gap.ratio * other for gap, one, other in ends]
+        return list(zip(self.gaps, twists, rates, strict=True))
 
     def change(self, time: float, state: Floats, modes: list[Mode]) -> Floats:
         """Of speeds, twists, and what dampers take."""
@@ -162,14 +159,10 @@ class Chain(NamedTuple):
 
 
 def random_chain(rng: Random) -> Chain:
-    number = rng.randint(1, 3)
-    return Chain(
-        [rng.uniform(0.2, 3) for _ in range(number + 1)],
-        [random_gap(rng) for _ in range(number)],
-        [rng.uniform(-5, 5) for _ in range(number + 1)],
-        (rng.uniform(-60, 60), rng.uniform(-60, 60)),
-        0.4,
-    )
+    gaps = [random_gap(rng) for _ in range(rng.randint(1, 3))]
+    inertias = [rng.uniform(0.2, 3) for _ in range(len(gaps) + 1)]
+    speeds = [rng.uniform(-5, 5) for _ in inertias]
+    return Chain(inertias, gaps, speeds, (rng.uniform(-60, 60), rng.uniform(-60, 60)), 0.4)
 
 
 @seeds_with_slow(4, 60, 600)
@@ -221,11 +214,8 @@ springs:
   pad: {links: [block], points: [[-1, -4000], [0, 0], [1, 0]], damping: 30}
   grip: {links: [belt], stiffness: 5e4, limit: {base: 0, of: pad, times: -0.5}}
 """
-    motion = simulated(
-        "duration: 0.25\nstart: {speeds: {block: -1, belt: 60}, twists: {pad: 0.02}}\n"
-        "torques: {block: -29.43}\n",
-        case,
-    )
+    start = "start: {speeds: {block: -1, belt: 60}, twists: {pad: 0.02}}"
+    motion = simulated(f"duration: 0.25\n{start}\ntorques: {{block: -29.43}}\n", case)
 
     def change(_: float, state: Floats) -> list[float]:
         rate, place, turning = state.tolist()
@@ -249,21 +239,17 @@ def test_a_damper_alone_slows_what_turns_otherwise(seed: int, written_as: str) -
     rng = seeded(seed)
     first, second, damping, torque = (10 ** rng.uniform(-1, 1) for _ in range(4))
     speeds = [rng.uniform(-50, 50) for _ in range(2)]
+    start = f"start: {{speeds: {{a: {speeds[0]!r}, b: {speeds[1]!r}}}}}"
     case = DAMPER % (first, second, written_as % damping)
-    motion = simulated(
-        f"duration: 0.7\nstart: {{speeds: {{a: {speeds[0]!r}, b: {speeds[1]!r}}}}}\n"
-        f"torques: {{a: {torque!r}}}\n",
-        case,
-    )
+    motion = simulated(f"duration: 0.7\n{start}\ntorques: {{a: {torque!r}}}\n", case)
     rate = damping * (1 / first + 1 / second)
     steady = torque / first / rate
     slip = steady + (speeds[0] - speeds[1] - steady) * math.exp(-0.7 * rate)
     momentum = first * speeds[0] + second * speeds[1] + 0.7 * torque
     second_speed = (momentum - first * slip) / (first + second)
     assert motion.speeds[-1] == pytest.approx([second_speed + slip, second_speed], abs=1e-7)
-    assert motion.energy.losses["visc"] == pytest.approx(
-        motion.energy.work - motion.energy.kinetic, abs=1e-7
-    )
+    lost = motion.energy.work - motion.energy.kinetic
+    assert motion.energy.losses["visc"] == pytest.approx(lost, abs=1e-7)
     assert motion.energy.elastic == 0
 
 

@@ -84,20 +84,14 @@ def random_texts(rng: Random) -> tuple[str, str]:
         *(number(0.1, 5), number(0.1, 5), number(1.2, 3), rng.choice(["1", "0.97"])),
         *(number(50, 500), number(100, 5000), damping),
     )
-    moves = rng.choice(
-        [
-            "",
-            f"controls: {{B: 20, C: [[0, 0], [{number(0.1, 0.5)}, {number(10, 50)}]]}}",
-            f"shifts: [{{at: {number(0.05, 0.2)}, to: high, overlap: {number(0.05, 0.2)}}}]",
-        ]
-    )
-    gear = rng.choice(["low", "high"])
+    slips = f"controls: {{B: 20, C: [[0, 0], [{number(0.1, 0.5)}, {number(10, 50)}]]}}"
+    shifts = f"shifts: [{{at: {number(0.05, 0.2)}, to: high, overlap: {number(0.05, 0.2)}}}]"
+    moves, gear = rng.choice(["", slips, shifts]), rng.choice(["low", "high"])
     laws = random_law(rng, number), random_law(rng, number)
     return case, SCENARIO.format(number(0.2, 1), gear, number(10, 300), moves, *laws)
 
 
 def floats(value: Any) -> Iterator[float]:
-    """All numbers in a document, NaN for null."""
     if isinstance(value, dict):
         for key, one in value.items():
             yield from floats(one) if key != "stopped" else ()

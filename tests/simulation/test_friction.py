@@ -41,10 +41,8 @@ PRESSURE: dict[int, Control] = {1: Capacity(constant(1e4))}
 
 
 def test_an_elastic_clutch_slips_at_the_torque_of_its_pack_which_is_one() -> None:
-    clutch, speeds = (
-        ShiftElement(1, 2, name="C", stiffness=1000.0, friction=PACK),
-        {1: 10.0, 2: 0.0},
-    )
+    clutch = ShiftElement(1, 2, name="C", stiffness=1000.0, friction=PACK)
+    speeds = {1: 10.0, 2: 0.0}
     motion = run(links(1.0, 1.0, elements=(clutch,)), 0.1, speeds, controls=PRESSURE)
     assert motion.peaks["C"].torque == pytest.approx(4.8)
     assert motion.energy.heat_per_area["C"] == motion.energy.heat["C"] / (0.006 * 8)
@@ -58,9 +56,8 @@ def test_a_shift_engages_the_capacity_of_the_case_whatever_the_pack() -> None:
     clutch = ShiftElement(1, 2, name="C", friction=FALLING, capacity=OfLoad(50.0, 100.0))
     case = links(1.0, 1.0, elements=(clutch,))
     case = case.replace(gears=[Gear(name="open"), Gear([1], name="joined")])
-    motion = simulate(
-        Scenario(case, 0.01, Start(speeds={1: 20.0, 2: 0.0}), shifts=(Shift(0.0, "joined"),))
-    )
+    start, shift = Start(speeds={1: 20.0, 2: 0.0}), Shift(0.0, "joined")
+    motion = simulate(Scenario(case, 0.01, start, shifts=(shift,)))
     assert motion.torques[-1, 0] == pytest.approx(25.0)
 
 
@@ -89,13 +86,9 @@ def test_either_of_two_clutches_could_break_away(factor: float) -> None:
     J_1 + J_3 take 200 t, so what is between carries 3/4 of it, up to 1.2*50 N*m.
     """
     pair = ShiftElement(1, 2, "C1", static=1.2 * factor), ShiftElement(2, 3, "C2", static=1.2)
-    motion = run(
-        links(1.0, 0.0, 3.0, elements=pair),
-        0.6,
-        {1: 10.0, 2: 10.0, 3: 10.0},
-        ((1, Points((0.0, 1.0), (0.0, 200.0), "time")),),
-        {1: Capacity(constant(50.0)), 2: Capacity(constant(50.0))},
-    )
+    case, ramp = links(1.0, 0.0, 3.0, elements=pair), Points((0.0, 1.0), (0.0, 200.0), "time")
+    controls: dict[int, Control] = dict.fromkeys((1, 2), Capacity(constant(50.0)))
+    motion = run(case, 0.6, dict.fromkeys((1, 2, 3), 10.0), ((1, ramp),), controls)
     [event] = motion.events
     assert event.time == pytest.approx(60 / 150, rel=1e-9)
     either = [str(one) for one in motion.messages if "more than one set of slipping" in str(one)]
@@ -182,13 +175,11 @@ def test_random_tables_agree_with_an_independent_integrator(seed: int) -> None:
     rng = seeded(seed)
     columns, rows = random_table(rng)
     cooling = rng.choice((0.0, rng.uniform(10, 300)))
+    of_heat = f"heat_capacity: 900, cooling: {cooling}"
     made = simulated(
         "duration: 1\nstart: {speeds: {e: 300, o: 0}}\ntorques: {e: 50}\n"
         "controls: {C: [[0, 1 bar], [1, 4 bar]]}\n",
-        case(
-            f"{{columns: {columns}, rows: {rows}}}",
-            of_heat=f"heat_capacity: 900, cooling: {cooling}",
-        ),
+        case(f"{{columns: {columns}, rows: {rows}}}", of_heat=of_heat),
     )
     assert not made.events
     assert made.speeds[-1] == pytest.approx(integrated(columns, rows, cooling), rel=1e-7)
@@ -205,7 +196,6 @@ FAULTS = [
     ("{columns: [30], rows: []}", "read no points, expected at least one"),
     ("{columns: [9, 9], rows: [[0, 1, 1]]}", "read 9 after 9, expected"),
     ("{columns: [9], rows: [[0, 1, 1]]}", "read 3 numbers, expected 2"),
-    ("{columns: [9], rows: [[]]}", "read 0 numbers, expected 2"),
     ("{columns: [9], rows: [[0, -1]]}", "expected a coefficient above 0"),
     ("{columns: [9]}", "`rows` is missing"),
     ("{columns: [.nan], rows: [[0, 1]]}", "read '.nan', expected a number"),
@@ -221,11 +211,15 @@ def test_mistakes_are_told_where_they_stand() -> None:
 
 
 def test_the_published_method_refuses_it() -> None:
-    scenario = written(
-        "duration: 1\nstart: {speeds: {e: 300, o: 0}}\ncontrols: {C: 1 bar}\n", case(FADING)
-    )
+    text = "duration: 1\nstart: {speeds: {e: 300, o: 0}}\ncontrols: {C: 1 bar}\n"
     with pytest.raises(CaseError, match="C depends on more than its slip and the time"):
-        tarasik(scenario)
+        tarasik(written(text, case(FADING)))
+
+
+PULLED = (
+    "duration: 2\nstart: {{speeds: {{a: {0}, b: {0}}}}}\n"
+    "torques: {{a: [[0, 0], [1, 10], [2, -10]]}}\n"
+)
 
 
 def by_slip(power: float, factor: float, inertias: tuple[float, float]) -> list[float]:
@@ -256,14 +250,8 @@ def test_a_slip_leaves_rest_by_a_law_of_any_steepness(
 ) -> None:
     """The torque is 0 at the start, so the slip grows with the square of the time or slower."""
     case = f"links: [a, b]\ninertias: {{a: {first}, b: {second}}}\nshift_elements: {{L: [a, b]}}\n"
-    motion = simulated(
-        f"""duration: 2
-start: {{speeds: {{a: {start}, b: {start}}}}}
-torques: {{a: [[0, 0], [1, 10], [2, -10]]}}
-controls: {{L: "5*abs(slip('L'))^{power}"}}
-""",
-        case,
-    )
+    control = f"controls: {{L: \"5*abs(slip('L'))^{power}\"}}\n"
+    motion = simulated(f"{PULLED.format(start)}{control}", case)
     speeds = by_slip(power, 5, (first, second))
     assert motion.speeds[-1] - start == pytest.approx(speeds, abs=1e-6)
     assert [one.event for one in motion.events if one.time > 1e-3] == ["reverses"]
@@ -272,14 +260,9 @@ controls: {{L: "5*abs(slip('L'))^{power}"}}
 @pytest.mark.parametrize("power", [pytest.param(0.5, marks=pytest.mark.slow), 0.8, 1.0, 1.5])
 def test_a_link_without_inertia_slips_between_two_laws(power: float) -> None:
     """T = 4 x^p = 8 y^p, so y = x/2^(1/p), and T = 4 (s/(1 + 2^(-1/p)))^p of s = x + y."""
-    motion = simulated(
-        f"""duration: 2
-start: {{speeds: {{a: 0, b: 0}}}}
-torques: {{a: [[0, 0], [1, 10], [2, -10]]}}
-controls: {{L: "4*abs(slip('L'))^{power}", K: "8*abs(slip('K'))^{power}"}}
-""",
-        "links: [a, m, b]\ninertias: {a: 1, b: 2}\nshift_elements: {L: [a, m], K: [m, b]}\n",
-    )
+    case = "links: [a, m, b]\ninertias: {a: 1, b: 2}\nshift_elements: {L: [a, m], K: [m, b]}\n"
+    control = f"{{L: \"4*abs(slip('L'))^{power}\", K: \"8*abs(slip('K'))^{power}\"}}"
+    motion = simulated(f"{PULLED.format(0)}controls: {control}\n", case)
     factor = 4 / (1 + 0.5 ** (1 / power)) ** power
     assert motion.speeds[-1][[0, 2]] == pytest.approx(by_slip(power, factor, (1, 2)), abs=1e-6)
     assert {one.event for one in motion.events if one.time < 1.5} <= {"reverses"}

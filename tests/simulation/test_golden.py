@@ -31,11 +31,10 @@ def happened(motion: Motion) -> list[tuple[str, str, Any]]:
 
 def closes(motion: Motion, part: float = 1e-8) -> bool:
     energy = motion.energy
-    largest = max(
-        abs(energy.work), sum(energy.heat.values()), abs(energy.kinetic), abs(energy.elastic)
-    )
-    parts = (*energy.heat.values(), *energy.losses.values())
-    left = energy.work - math.fsum(parts) - energy.kinetic - energy.elastic - energy.impact
+    heat, given = sum(energy.heat.values()), (energy.work, energy.kinetic, energy.elastic)
+    largest = max(heat, *map(abs, given))
+    parts = (*energy.heat.values(), *energy.losses.values(), energy.impact)
+    left = energy.work - math.fsum(parts) - energy.kinetic - energy.elastic
     return abs(energy.balance) <= part * largest and abs(left) <= part * largest
 
 
@@ -68,10 +67,8 @@ def test_lock_up() -> None:
 
 
 def test_dog_brake_joins_at_once() -> None:
-    case = planetary_set()
-    speeds = {1: 500 * RPM, 2: 0.0}
-    controls = {1: Dog(((0.5, True),))}
-    motion = simulate(Scenario(case, 1.0, Start(speeds=speeds), controls))
+    start, controls = Start(speeds={1: 500 * RPM, 2: 0.0}), {1: Dog(((0.5, True),))}
+    motion = simulate(Scenario(planetary_set(), 1.0, start, controls))
     [event] = motion.events
     assert (event.time, event.element, event.event) == (0.5, "F1", "impact")
     assert event.energy == pytest.approx(566.161548, abs=6e-7)
@@ -138,13 +135,10 @@ def test_run_of_the_box() -> None:
     assert motion.energy.work == pytest.approx(2196239.208, abs=6e-3)
     assert sum(motion.energy.heat.values()) == pytest.approx(261390.573, abs=6e-4)
     assert motion.energy.kinetic == pytest.approx(1934848.635, abs=6e-3)
-    for time, speed_in, speed_out in (
-        (1.0, 209.5976, 52.3994),
-        (3.0, 388.0379, 144.7903),
-        (6.0, 513.4905, 255.4615),
-    ):
+    expected = {1.0: [209.5976, 52.3994], 3.0: [388.0379, 144.7903], 6.0: [513.4905, 255.4615]}
+    for time, speeds in expected.items():
         row = motion.speeds[np.searchsorted(motion.time, time)]
-        assert row[[0, 6]] == pytest.approx([speed_in, speed_out], abs=6e-5)
+        assert row[[0, 6]] == pytest.approx(speeds, abs=6e-5)
     assert closes(motion)
 
 

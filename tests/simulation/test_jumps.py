@@ -50,13 +50,10 @@ def test_a_limiter_keeps_its_speed_with_the_torque_of_the_load(limiter: str | Po
 
 def test_a_limiter_can_name_its_own_link() -> None:
     """J = 2 kg*m^2, 100 N*m: 300 rad/s after 6 s."""
-    text = """duration: 20
-start: {speeds: {e: 0, o: 0}}
-controls: {C: 0}
-torques: {e: "100*(speed('e') < 300)"}
-targets: {e: [300]}
-"""
-    motion = simulated(text)
+    torque = "torques: {e: \"100*(speed('e') < 300)\"}\ntargets: {e: [300]}\n"
+    motion = simulated(
+        f"duration: 20\nstart: {{speeds: {{e: 0, o: 0}}}}\ncontrols: {{C: 0}}\n{torque}"
+    )
     assert motion.speeds[-1].tolist() == pytest.approx([300, 0])
     assert motion.reached[0].time == pytest.approx(6)
 
@@ -95,11 +92,9 @@ def test_a_jump_holds_up_to_its_torques() -> None:
 
 def test_a_jump_over_the_angle_is_passed() -> None:
     """100 N*m over 30 rad, then -50: J w^2/2 is 3000 J there, and 0 after 60 rad more."""
-    for law in (
-        Points((0.0, 30.0, 30.0), (100.0, 100.0, -50.0), "angle"),
-        Formula("100*(angle < 30) - 50*(angle >= 30)"),
-    ):
-        there, back = math.sqrt(2 * 30 * 2 / 100), math.sqrt(3000.0) / 25
+    points_over = Points((0.0, 30.0, 30.0), (100.0, 100.0, -50.0), "angle")
+    there, back = math.sqrt(2 * 30 * 2 / 100), math.sqrt(3000.0) / 25
+    for law in (points_over, Formula("100*(angle < 30) - 50*(angle >= 30)")):
         start = Start(speeds={1: 0.0})
         motion = simulate(Scenario(links(2.0), there + back, start, torques=((1, law),)))
         assert motion.stopped is None
@@ -169,11 +164,8 @@ def test_two_limiters_that_cross() -> None:
 def test_what_leads_a_ring_gives_what_the_set_and_its_inertias_leave() -> None:
     """Torques on the members balance, whatever a set loses: T1 + T2 + T3 = sum J dw/dt."""
     case = planetary_set(0.96)
-    laws: Laws = (
-        (1, constant(40.0)),
-        (2, constant(-60.0)),
-        (3, Formula("-300*sign(speed - 20*t)")),
-    )
+    led = Formula("-300*sign(speed - 20*t)")
+    laws: Laws = ((1, constant(40.0)), (2, constant(-60.0)), (3, led))
     motion = run(case, 1.0, {1: 50.0, 2: 20.0}, laws)
     first, last = motion.speeds[[0, -1]]
     assert last[2] == pytest.approx(20.0, rel=EXACT)
@@ -185,20 +177,15 @@ def test_what_leads_a_ring_gives_what_the_set_and_its_inertias_leave() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    ("law", "identity"),
-    [
-        ("-100*sign(speed*angle - 1)", "E607"),
-        ("-100*sign(speed^3 + speed - t)", "E607"),
-        ("-1e9*tanh(speed/1e-6)", "E608"),
-        ("-1e12*speed", "E608"),
-    ],
-)
-def test_a_run_that_leads_nowhere_is_stopped_at_its_law(law: str, identity: str) -> None:
-    scenario = Scenario(links(2.0), 2.0, Start(speeds={1: 3.0}), torques=((1, Formula(law)),))
-    stopped = simulate(scenario, watch=wall_limit(20.0)).stopped
-    assert stopped is not None
-    assert (stopped.id, stopped.path) == (identity, ("torques", "1"))
+def test_a_run_that_leads_nowhere_is_stopped_at_its_law() -> None:
+    for law, identity in (
+        ("-100*sign(speed*angle - 1)", "E607"), ("-100*sign(speed^3 + speed - t)", "E607"),
+        ("-1e9*tanh(speed/1e-6)", "E608"), ("-1e12*speed", "E608"),
+    ):  # fmt: skip
+        scenario = Scenario(links(2.0), 2.0, Start(speeds={1: 3.0}), torques=((1, Formula(law)),))
+        stopped = simulate(scenario, watch=wall_limit(20.0)).stopped
+        assert stopped is not None
+        assert (stopped.id, stopped.path) == (identity, ("torques", "1"))
 
 
 SWITCHES = [
@@ -245,9 +232,8 @@ def test_slides_are_what_a_smooth_switch_tends_to(seed: int) -> None:
     spring = Spring(between(1, 2), stiffness=stiffness, damping=damping)
     first, second = random_switch(rng), random_switch(rng)
     start = [rng.uniform(-10, 10) for _ in range(2)]
-    laws = tuple(
-        (link, one.formula(rng.choice(SWITCHES))) for link, one in ((1, first), (2, second))
-    )
+    one, other = (each.formula(rng.choice(SWITCHES)) for each in (first, second))
+    laws: Laws = ((1, one), (2, other))
     motion = run(links(*inertias, springs=(spring,)), 2.0, {1: start[0], 2: start[1]}, laws)
 
     def change(t: float, state: Floats) -> list[float]:

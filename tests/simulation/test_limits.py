@@ -17,6 +17,7 @@ from vstatics.core.numerics.arrays import Floats
 
 WHEEL = "{links: [w], inertias: {w: 2}, springs: {S: {links: [w, housing], stiffness: 3000%s}}}"
 """A wheel on a spring to the housing, J = 2 and k = 3000: under T it carries T (1 - cos(q t))."""
+PULLED = "duration: 0.4\nstart: {speeds: {w: 0}}\ntorques: {w: 500}\n"
 Q = math.sqrt(3000 / 2)
 
 
@@ -28,11 +29,7 @@ def begins(limit: Callable[[float], float], torque: float) -> float:
 @pytest.mark.parametrize("limit", ["[[0, 100], [0.4, 180]]", '"100 + 200*t"'])
 def test_a_limit_that_rises_with_time_takes_what_it_is(limit: str) -> None:
     """``J dw/dt = T - L(t)`` from when it slips on, ``L (w - dL/dt/k)`` is heat."""
-    made = simulated(
-        "duration: 0.4\nstart: {speeds: {w: 0}}\ntorques: {w: 500}\n"
-        f"limits: {{S: {limit}}}\n",
-        WHEEL % "",
-    )
+    made = simulated(f"{PULLED}limits: {{S: {limit}}}\n", WHEEL % "")
     t0 = begins(lambda t: 100 + 200 * t, 500)
     w0 = 500 / (2 * Q) * math.sin(Q * t0)
 
@@ -51,11 +48,8 @@ def test_a_limit_that_rises_with_time_takes_what_it_is(limit: str) -> None:
 
 @pytest.mark.parametrize("after", [40.0, 0.0])
 def test_what_a_limit_that_drops_no_longer_holds_is_heat(after: float) -> None:
-    made = simulated(
-        "duration: 0.4\nstart: {speeds: {w: 0}}\ntorques: {w: 500}\n"
-        f"limits: {{S: [[0, 100], [0.2, 100], [0.2, {after}]]}}\n",
-        WHEEL % "",
-    )
+    limit = f"limits: {{S: [[0, 100], [0.2, 100], [0.2, {after}]]}}\n"
+    made = simulated(PULLED + limit, WHEEL % "")
     t0 = begins(lambda _: 100, 500)
     w1 = 500 / (2 * Q) * math.sin(Q * t0) + 200 * (0.2 - t0)
     assert made.speeds[-1, 0] == pytest.approx(w1 + (500 - after) / 2 * 0.2, rel=1e-9)
@@ -64,9 +58,8 @@ def test_what_a_limit_that_drops_no_longer_holds_is_heat(after: float) -> None:
 
 
 def test_the_limit_of_the_case_counts_where_the_scenario_has_none() -> None:
-    text = "duration: 0.3\nstart: {speeds: {w: 0}}\ntorques: {w: 500}\n"
-    own = simulated(text, WHEEL % ", limit: 90")
-    given = simulated(text + "limits: {S: 90 N*m}\n", WHEEL % ", limit: 200")
+    own = simulated(PULLED, WHEEL % ", limit: 90")
+    given = simulated(PULLED + "limits: {S: 90 N*m}\n", WHEEL % ", limit: 200")
     assert given.speeds[-1] == pytest.approx(own.speeds[-1], rel=1e-12)
     assert given.events == own.events
 
@@ -180,12 +173,9 @@ def integrated(tyre: Tyre, duration: float) -> tuple[Floats, int]:
 
 
 def random_tyre(rng: Random) -> Tyre:
-    return Tyre(
-        (rng.uniform(0.5, 3), rng.uniform(5, 40)),
-        rng.uniform(500, 5000),
-        (rng.uniform(40, 90), rng.uniform(-0.3, 0.3), rng.uniform(-3, 3)),
-        (rng.uniform(100, 300), rng.uniform(5, 15)),
-    )
+    masses, stiffness = (rng.uniform(0.5, 3), rng.uniform(5, 40)), rng.uniform(500, 5000)
+    limit = rng.uniform(40, 90), rng.uniform(-0.3, 0.3), rng.uniform(-3, 3)
+    return Tyre(masses, stiffness, limit, (rng.uniform(100, 300), rng.uniform(5, 15)))
 
 
 @each_seed(6, 60)

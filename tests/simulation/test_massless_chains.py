@@ -30,14 +30,11 @@ def random_chain(rng: Random) -> Scenario:
             joint = between(link, link + 1)
             springs.append(Spring(joint, stiffness, damping=damping, name=f"s{link}", limit=limit))
             continue
-        bends = rng.random() < 0.55
-        elements.append(
-            ShiftElement(link, link + 1, name=f"C{link}", stiffness=stiffness if bends else None)
-        )
+        bends = stiffness if rng.random() < 0.55 else None
+        elements.append(ShiftElement(link, link + 1, name=f"C{link}", stiffness=bends))
         controls[len(elements)] = Capacity(random_capacity(rng))
-    laws = tuple(
-        (link, random_torque(rng, rests=True)) for link in rng.sample(range(1, count + 1), 3)
-    )
+    driven = rng.sample(range(1, count + 1), 3)
+    laws = tuple((link, random_torque(rng, rests=True)) for link in driven)
     speeds = {link: rng.uniform(-100, 100) for link, one in enumerate(inertias, 1) if one}
     case = links(*inertias, elements=tuple(elements), springs=tuple(springs))
     return Scenario(case, 0.8, Start(speeds=speeds), controls, laws)

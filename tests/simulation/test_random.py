@@ -6,8 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.chance import count, seeded
-from tests.simulation.boxes import run_of_box
-from tests.simulation.reference import element_column, mechanism_column, smoothed, start_speeds
+from tests.simulation.reference import element_column, mechanism_column, smoothed
 from tests.simulation.runs import random_run, renumbered
 from tests.simulation.test_golden import closes, happened
 from vstatics.simulation import simulate
@@ -51,15 +50,6 @@ def test_smoothed_friction_tends_to_the_events(seed: int) -> None:
         apart.append(float(np.abs(speeds - motion.speeds[-1]).max()) / size)
     assert apart[-1] < 2e-5
     assert apart[-1] < 0.5 * apart[0] or apart[0] < 1e-6
-
-
-def test_smoothed_friction_tends_to_the_run_of_the_box() -> None:
-    scenario = run_of_box()
-    motion = simulate(scenario)
-    start = start_speeds(scenario.case, {1: 60.0, 7: 0.0}, [1])
-    speeds, heat = smoothed(scenario, start, 1e-4)
-    assert motion.speeds[-1] == pytest.approx(speeds, rel=1e-6, abs=1e-4)
-    assert [*motion.energy.heat.values()] == pytest.approx(heat, rel=3e-5, abs=0.1)
 
 
 @pytest.mark.slow

@@ -52,10 +52,9 @@ def test_energy_that_is_lost_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(Record, "motion", with_a_leak)
     torques = ((1, constant(100.0)), (1, constant(-100.0)))
     motion = simulate(Scenario(links(2.0), 1.0, Start(speeds={1: 50.0}), torques=torques))
+    told = "the energy balance does not close: 0.005 J of 1e+04 J are left"
     assert motion.stopped is not None
-    assert motion.stopped.message.startswith(
-        "the energy balance does not close: 0.005 J of 1e+04 J are left"
-    )
+    assert motion.stopped.message.startswith(told)
 
 
 NAMES = sorted(path.stem for path in (CASES / "scenarios").glob("*.yaml"))
@@ -73,13 +72,10 @@ def speed(motion: Motion, link: str) -> np.ndarray:
 
 
 SHIFTS = {
-    "8hp70-upshift": ["A slips", "C locks"],
-    "8hp70-downshift": ["C slips", "A locks"],
-    "8l90-shifts": ["A slips", "C locks", "C slips", "A locks"],
-    "gf4a-upshifts": [
-        *("one-way clutch 2 slips", "2-4 band locks", "2-4 band slips", "3-4 clutch locks"),
-    ],
-}
+    "8hp70-upshift": "A slips, C locks", "8hp70-downshift": "C slips, A locks",
+    "8l90-shifts": "A slips, C locks, C slips, A locks",
+    "gf4a-upshifts": "one-way clutch 2 slips, 2-4 band locks, 2-4 band slips, 3-4 clutch locks",
+}  # fmt: skip
 """First events of automatics: what is released slips, then what is engaged locks."""
 
 
@@ -90,8 +86,7 @@ def test_a_scenario_runs_to_its_end_and_its_energy_closes(name: str) -> None:
     assert motion.stopped is None
     events = [f"{one.element} {one.event}" for one in motion.events if one.event != "step"]
     assert events
-    expected = SHIFTS.get(name, [])
-    assert events[: len(expected)] == expected
+    assert ", ".join(events).startswith(SHIFTS.get(name, ""))
 
 
 @pytest.mark.slow

@@ -45,15 +45,11 @@ def test_dry_friction_takes_as_much_of_the_swing_each_time() -> None:
     assert closes(motion, 9.0)
 
 
-def test_the_torque_of_a_spring_has_its_damper_and_its_friction_too() -> None:
+def test_in_its_play_a_spring_has_the_torque_of_its_friction_which_can_hold_a_link() -> None:
     spring = Spring(between(1), points=PLAY, damping=4.0, friction=14.0, name="S")
     motion = run(links(2.0, springs=(spring,)), 0.01, {1: 3.0})
-    assert torque(motion) == pytest.approx(14.0)  # in its play
+    assert torque(motion) == pytest.approx(14.0)
     assert motion.energy.heat["S"] == pytest.approx(9.0 - motion.speeds[-1, 0] ** 2)
-
-
-def test_friction_in_play_holds_a_link() -> None:
-    spring = Spring(between(1), points=PLAY, friction=14.0, name="S")
     motion = run(links(2.0, springs=(spring,)), 1.0, {1: 0.0}, ((1, constant(13.9)),))
     assert not motion.speeds.any()
     assert torque(motion) == pytest.approx(13.9)
@@ -74,12 +70,8 @@ def test_settled_springs_stand_where_their_points_carry_the_torque(given: float)
 
 def test_a_torque_that_points_do_not_reach_is_told() -> None:
     flat = Spring(between(1), points=[(0, 0), (0.1, 8), (0.3, 8)], name="S")
-    scenario = Scenario(
-        links(2.0, springs=(flat,)),
-        1.0,
-        Start(speeds={1: 0.0}, settled=True),
-        torques=((1, constant(9.0)),),
-    )
+    case, start = links(2.0, springs=(flat,)), Start(speeds={1: 0.0}, settled=True)
+    scenario = Scenario(case, 1.0, start, torques=((1, constant(9.0)),))
     with pytest.raises(CaseError, match=r"S never reaches its torque of 9 N\*m"):
         simulate(scenario)
 
@@ -90,16 +82,9 @@ def test_a_link_without_inertia_between_springs_passes_their_corners() -> None:
     second: Line = [(-0.1, -30), (0.1, 30), (0.2, 90)]
     # of both at -30, -20, 20, 30, 90 N*m
     both: Line = [(-0.25, -30), (-0.1 - 0.2 / 3, -20), (0.1 + 0.2 / 3, 20), (0.21, 30), (0.37, 90)]
-    row = links(
-        2.0,
-        0.0,
-        3.0,
-        springs=(
-            Spring(between(1, 2), points=first, name="S"),
-            Spring(between(2, 3), points=second, name="Z"),
-        ),
-    )
-    one = links(2.0, 3.0, springs=(Spring(between(1, 2), points=both, name="S"),))
+    pair = Spring(between(1, 2), points=first), Spring(between(2, 3), points=second)
+    row = links(2.0, 0.0, 3.0, springs=pair)
+    one = links(2.0, 3.0, springs=(Spring(between(1, 2), points=both),))
     made = run(row, 0.6, {1: 5.0, 2: 2.0, 3: 0.0})
     expected = run(one, 0.6, {1: 5.0, 2: 0.0})
     assert made.speeds[-1, [0, 2]] == pytest.approx(expected.speeds[-1], rel=1e-8)
@@ -154,11 +139,8 @@ def random_chain(rng: Random) -> tuple[Scenario, list[Line]]:
 def _random_damping(rng: Random, line: Line) -> float:
     """None beside a play, in whose contact an integrator without events would have it pull."""
     damping = rng.choice((0.0, rng.uniform(0, 5)))
-    return (
-        0.0
-        if sum(torque == 0 for _, torque in line) > 1 or line[0][0] == line[1][1] == 0
-        else damping
-    )
+    has_play = sum(torque == 0 for _, torque in line) > 1 or line[0][0] == line[1][1] == 0
+    return 0.0 if has_play else damping
 
 
 def integrated(scenario: Scenario, lines: list[Line]) -> Floats:
@@ -211,12 +193,9 @@ def test_the_energy_of_random_chains_with_friction_closes(seed: int) -> None:
     if case.links > 2 and rng.random() < 0.3:
         del inertias[2]
         springs[0] = springs[0]._replace(friction=20.0)
-    case = case.replace(
-        springs=springs, inertias=inertias, shift_elements=[ShiftElement(case.links, name="C")]
-    )
-    start = scenario.start
-    capacity = {1: Capacity(Points((0.0, 0.3), (0.0, 60.0)))}
-    motion = simulate(scenario._replace(case=case, start=start, controls=capacity))
+    clutch, capacity = ShiftElement(case.links, name="C"), Points((0.0, 0.3), (0.0, 60.0))
+    case = case.replace(springs=springs, inertias=inertias, shift_elements=[clutch])
+    motion = simulate(scenario._replace(case=case, controls={1: Capacity(capacity)}))
     assert motion.stopped is None
     assert {event.element for event in motion.events} <= {"C"}
 

@@ -73,9 +73,8 @@ def test_a_brake_behind_freewheels_stops_a_shaft_in_one_direction(seed: int, by:
         for n, (first, second) in enumerate(zip(chain, races, strict=False))
     )
     inertia, capacity = rng.uniform(0.1, 5), rng.uniform(20, 200)
-    case = BEHIND_FREEWHEEL.format(
-        races=", ".join(races), last=races[-1], freewheels=freewheels, inertia=inertia
-    )
+    given = {"races": ", ".join(races), "last": races[-1], "inertia": inertia}
+    case = BEHIND_FREEWHEEL.format(freewheels=freewheels, **given)
     begin, torque, at = rng.uniform(-80, 80), rng.uniform(-15, 15), rng.uniform(0.05, 0.5)
     start = "{gear: '1', speed: %r}" if by == "gear" else "{speeds: {shaft: %r}}"
     motion = simulated(

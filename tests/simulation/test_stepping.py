@@ -63,18 +63,14 @@ def test_the_duration_ends_nothing() -> None:
     assert run.speeds == pytest.approx({"e": 80.0, "o": 80.0}, rel=1e-9)
 
 
-@pytest.mark.parametrize(
-    ("torque", "impulse"),
-    [("[[0, 30], [10, 30], [10, 0]]", 300.0), ("30*(sin(t) > 0.5)", 30 * 4 * math.pi / 3)],
-)
-def test_what_jumps_behind_the_duration_is_met_exactly(torque: str, impulse: float) -> None:
+def test_what_jumps_behind_the_duration_is_met_exactly() -> None:
     """The momentum of an engine of 2 kg*m^2 by 30 N*m until 10 s, or in two pulses before 13 s."""
-    run = begin(
-        written(LAG + f"torques: {{e: {torque!r}}}\n".replace("'[", "[").replace("]'", "]"))
-    )
-    run.advance(4)
-    run.advance(9)
-    assert run.speeds["e"] == pytest.approx(200 + impulse / 2, rel=1e-12)
+    pulses = "30*(sin(t) > 0.5)", 30 * 4 * math.pi / 3
+    for torque, impulse in (("[[0, 30], [10, 30], [10, 0]]", 300.0), pulses):
+        run = begin(written(f"{LAG}torques: {{e: {torque}}}\n"))
+        run.advance(4)
+        run.advance(9)
+        assert run.speeds["e"] == pytest.approx(200 + impulse / 2, rel=1e-12)
 
 
 def test_back_again() -> None:
@@ -133,9 +129,8 @@ def test_a_state_is_one_that_a_run_was_in() -> None:
 
 def test_a_run_that_has_no_way_on_stays_where_it_was() -> None:
     """The condition of a step that must be true within 0.5 s never is."""
-    run = begin(
-        written(LAG + 'sequences: {s: [{when: "target < 10", within: 0.5, set: {p: 1}}]}\n')
-    )
+    step = '{when: "target < 10", within: 0.5, set: {p: 1}}'
+    run = begin(written(f"{LAG}sequences: {{s: [{step}]}}\n"))
     run.advance(0.4)
     with pytest.raises(CaseError, match="did not become true within"):
         run.advance(0.2)

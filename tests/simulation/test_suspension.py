@@ -1,4 +1,4 @@
-"""Suspensions in motion: what moves straight, struts, grip that follows the load of a wheel."""
+"""Suspensions in motion: what moves straight, struts, grip by load and by slip, a rough road."""
 
 import math
 from functools import partial
@@ -9,7 +9,7 @@ import pytest
 from scipy.integrate import quad, solve_ivp
 from scipy.optimize import brentq
 
-from tests.chance import each_seed, generator
+from tests.chance import each_seed, generator, with_slow
 from tests.simulation.control.written import simulated
 from tests.simulation.test_closed_forms import links
 from vstatics import CaseError, Spring, Transmission
@@ -26,14 +26,12 @@ def gas_force(strut: Strut, z: float) -> float:
     """``P(0) - P(z)`` by (4.16) as it is printed."""
 
     def force(z: float) -> float:
-        above: float = (
-            strut.pressure * strut.area * (strut.length / (strut.length + z)) ** strut.exponent
-        )
+        ratio = strut.length / (strut.length + z)
+        above = strut.pressure * strut.area * ratio**strut.exponent
         if strut.counter_length is None:
-            return above
-        below = strut.counter_pressure * strut.counter_area
-        ratio: float = strut.counter_length / (strut.counter_length - z)
-        return float(above - below * ratio**strut.exponent)
+            return float(above)
+        ratio = strut.counter_length / (strut.counter_length - z)
+        return float(above - strut.counter_pressure * strut.counter_area * ratio**strut.exponent)
 
     return force(0.0) - force(z)
 
@@ -103,10 +101,8 @@ def test_any_strut_moves_as_its_gas(seed: int) -> None:
 
 
 def test_a_strut_without_counter_chamber_never_gives_more_than_its_rest() -> None:
-    case = on_strut(1000.0, Strut(1e6, 0.01, 0.1, 1.1))
-    scenario = Scenario(
-        case, 0.1, Start(speeds={1: 0.0}, settled=True), torques=((1, constant(1.1e4)),)
-    )
+    case, start = on_strut(1000.0, Strut(1e6, 0.01, 0.1, 1.1)), Start(speeds={1: 0.0}, settled=True)
+    scenario = Scenario(case, 0.1, start, torques=((1, constant(1.1e4)),))
     with pytest.raises(CaseError, match=r"strut never reaches its torque of 11000 N\*m") as caught:
         simulate(scenario)
     assert caught.value.problems[0].id == "E694"
@@ -170,18 +166,16 @@ def test_grip_follows_the_load_of_the_wheel() -> None:
         assert abs(motion.energy.balance) < 1e-6
 
 
-@pytest.mark.parametrize(
-    "rear",
-    [
-        Spring(between(3), 8e5, name="rear"),
-        pytest.param(Spring(between(3), strut=GAS, name="rear"), marks=pytest.mark.slow),
-        Spring(between(3), points=[(0, 0), (0.01, 500), (0.02, 4000)], name="rear"),
-        pytest.param(Spring(between(3), 8e5, damping=2e3, name="rear"), marks=pytest.mark.slow),
-    ],
-    ids=["straight", "strut", "points", "damped"],
-)
-def test_grip_follows_what_bends_and_comes_back_from_nothing(rear: Spring) -> None:
+REAR: list[dict[str, Any]] = [
+    {"stiffness": 8e5}, {"points": [(0, 0), (0.01, 500), (0.02, 4000)]}, {"strut": GAS},
+    {"stiffness": 8e5, "damping": 2e3},
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("given", with_slow(REAR[:2], REAR[2:]))
+def test_grip_follows_what_bends_and_comes_back_from_nothing(given: dict[str, Any]) -> None:
     """No torque beyond the limit, which falls to 0 and rises again; energy closes."""
+    rear = Spring(between(3), name="rear", **given)
     tyre = Spring({1: 1, 2: -1}, 900.0, name="tyre", limit=SpringLimit(20.0, "rear", 0.01))
     case = Transmission(3, [], [], [], springs=[rear, tyre], inertias={1: 1, 2: 3}, masses={3: 500})
     motion = simulate(Scenario(case, 0.3, Start(speeds={1: 9.0, 2: 0.0, 3: -0.3})))
@@ -197,3 +191,104 @@ def test_masses_take_forces_and_velocities() -> None:
     text = "duration: 2\nstart: {speeds: {body: 18 km/h}}\ntorques: {body: 3 kN}\n"
     motion = simulated(text, "masses: {body: 1 t}")
     assert motion.speeds[-1, 0] == pytest.approx(5 + 3000 * 2 / 1000)
+
+
+CASE = """
+links: [z, x, pitch, z2, z3, x2, x3, road1, road2]
+masses: {{z: 5000, x: 5000, z2: 400, z3: 800, x2: 400, x3: 800, road1: 0, road2: 0}}
+inertias: {{pitch: 7000}}
+springs:
+  front: {{twist: {{z: 1, pitch: 1.5, z2: -1}}, stiffness: 2e5, damping: 6e3, friction: {front}}}
+  rear: {{twist: {{z: 1, pitch: -2.1, z3: -1}}, stiffness: 3e5, damping: 8e3, friction: {rear}}}
+  tyre1: {{links: [z2, road1], stiffness: 9e5}}
+  tyre2: {{links: [z3, road2], stiffness: 1.6e6}}
+  along1: {{twist: {{x2: 1, x: -1, pitch: -.8}}, stiffness: 4e6, damping: 9e3}}
+  along2: {{twist: {{x3: 1, x: -1, pitch: -.7}}, stiffness: 5e6, damping: 9e3}}
+  drive: {{twist: {{x: 1, pitch: .9}}, stiffness: 2.5e5, damping: 4e3}}
+gears: {{"1": []}}
+"""
+SCENARIO = """duration: 0.8
+start: {speeds: {z: 0, x: 0, pitch: 0, z2: 0, z3: 0, x2: 0, x3: 0}}
+speeds: {road1: "0.24*sin(12*t)", road2: "0.24*sin(9*t)"}
+torques:
+  x2: "-(28e3 - 9e5*twist('tyre1'))*0.24*sin(12*t)/(20 + speed('x')) + 9e5*twist('tyre1')*.015"
+"""
+ROWS = np.array(
+    [  # of z, x, pitch, z2, z3, x2, x3
+        [1, 0, 1.5, -1, 0, 0, 0],
+        [1, 0, -2.1, 0, -1, 0, 0],
+        [0, 0, 0, 1, 0, 0, 0],
+        [0, 0, 0, 0, 1, 0, 0],
+        [0, -1, -0.8, 0, 0, 1, 0],
+        [0, -1, -0.7, 0, 0, 0, 1],
+        [0, 1, 0.9, 0, 0, 0, 0],
+    ]
+)
+HEAVY = np.array([5000, 5000, 7000, 400, 800, 400, 800])
+STIFFNESS = np.array([2e5, 3e5, 9e5, 1.6e6, 4e6, 5e6, 2.5e5])
+DAMPING = np.array([6e3, 8e3, 0, 0, 9e3, 9e3, 4e3])
+
+
+def on_rough_road(leaves: tuple[float, float]) -> Floats:
+    """(5.1) after .8 s, by an integrator; the friction of the leaves is smoothed."""
+
+    def change(t: float, state: Floats) -> Floats:
+        speeds, twists = state[:7], state[7:]
+        slope = 0.24 * math.sin(12 * t)
+        rates = ROWS @ speeds
+        rates[2] -= slope
+        rates[3] -= 0.24 * math.sin(9 * t)
+        forces = STIFFNESS * twists + DAMPING * rates
+        forces[:2] += np.array(leaves) * np.tanh(rates[:2] / 1e-5)
+        load = -9e5 * twists[2]
+        pushed = np.zeros(7)
+        pushed[5] = -(load + 28e3) * slope / (20 + speeds[1]) - load * 0.015
+        return np.concatenate([(pushed - ROWS.T @ forces) / HEAVY, rates])
+
+    method = "LSODA" if any(leaves) else "DOP853"
+    exact: Any = {"method": method, "rtol": 1e-10, "atol": 1e-12}
+    made = solve_ivp(change, (0, 0.8), np.zeros(14), **exact)
+    end: Floats = made.y[:7, -1]
+    return end
+
+
+@pytest.mark.parametrize(("leaves", "near"), [((0, 0), 1e-9), ((900, 1500), 2e-5)])
+def test_a_rough_road_pushes_along(leaves: tuple[float, float], near: float) -> None:
+    """(5.1): compliance along, friction of leaves, the push ``(Y + P) q'/(v + x')``."""
+    motion = simulated(SCENARIO, CASE.format(front=leaves[0], rear=leaves[1]))
+    assert motion.speeds[-1, :7] == pytest.approx(on_rough_road(leaves), abs=near)
+    assert abs(motion.energy.balance) < 1e-6
+    assert (sum(motion.energy.heat.values()) > 0) == any(leaves)
+
+
+TAKING_OFF = """duration: 1
+start: {speeds: {wheel: 20, car: 2}}
+tables: {grip: [[0, 0], [.1, .8], [1, .6]]}
+torques: {wheel: "900 - 300*t"}
+limits: {tyre: "3000*grip(max(0, (speed('wheel')*.4 - speed('car'))/(speed('wheel')*.4)))"}
+"""
+
+
+def test_grip_follows_the_slip_of_the_wheel() -> None:
+    """Table 1.1: ``X <= G phi(delta)``, ``delta = (w r - v)/(w r)``; once it slips."""
+    motion = simulated(
+        TAKING_OFF,
+        "{masses: {car: 300}, inertias: {wheel: 5},"
+        " springs: {tyre: {twist: {wheel: .4, car: -1}, stiffness: 2e5}}}",
+    )
+
+    def force(speeds: Floats) -> float:
+        slip = (speeds[0] * 0.4 - speeds[1]) / (speeds[0] * 0.4)
+        return float(3000 * np.interp(slip, [0, 0.1, 1], [0, 0.8, 0.6]))
+
+    def change(t: float, speeds: Floats) -> list[float]:
+        pushed = force(speeds)
+        return [(900 - 300 * t - 0.4 * pushed) / 5, pushed / 300]
+
+    gripped = next(event.time for event in motion.events if event.event == "slips")
+    at = int(np.searchsorted(motion.time, gripped, side="right")) - 1
+    by_name = [motion.links.index(name) for name in ("wheel", "car")]
+    exact: Any = {"rtol": 1e-11, "atol": 1e-12, "max_step": 0.01}
+    made = solve_ivp(change, (gripped, 1), motion.speeds[at, by_name], "DOP853", **exact)
+    assert motion.speeds[-1, by_name] == pytest.approx(made.y[:, -1], abs=1e-8)
+    assert abs(motion.energy.balance) < 1e-6

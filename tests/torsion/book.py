@@ -30,20 +30,14 @@ def scheme(
     inertias: Sequence[float], springs: Sequence[Mapping[str, Any]], unit: float
 ) -> TorsionScheme:
     """A scheme with inertias [kg*m^2], and twists by numbers of masses from 1."""
-    return TorsionScheme(
-        tuple(str(number) for number, _ in enumerate(inertias, 1)),
-        tuple(inertias),
-        tuple(
-            SchemeSpring(
-                f"s{number}",
-                {int(mass) - 1: a for mass, a in spring["twist"].items()},
-                spring["compliance"] * unit,
-            )
-            for number, spring in enumerate(springs, 1)
-        ),
-    )
+    names = tuple(str(number) for number, _ in enumerate(inertias, 1))
+    twists = [{int(mass) - 1: a for mass, a in spring["twist"].items()} for spring in springs]
+    made = [
+        SchemeSpring(f"s{number}", twist, spring["compliance"] * unit)
+        for number, (twist, spring) in enumerate(zip(twists, springs, strict=True), 1)
+    ]
+    return TorsionScheme(names, tuple(inertias), tuple(made))
 
 
 def percent(found: float, printed: float) -> float:
-    """How far a number is from a printed one. [%]."""
     return abs(found / printed - 1) * 100

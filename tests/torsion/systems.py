@@ -41,7 +41,6 @@ def wheels(propshaft: float = 70.0, damping: float = 0.0, **others: Any) -> Tran
 def mounted(
     damping: Damping | float, stiffness: float = 100.0, inertia: float = 1.0
 ) -> Transmission:
-    """One mass on a spring to the housing."""
     spring = Spring({1: 1}, stiffness=stiffness, damping=damping, name="mount")
     return Transmission(1, [], [], [], springs=[spring], inertias={1: inertia})
 
@@ -83,10 +82,9 @@ def branched(draw: st.DrawFn, *, damped: bool = False) -> Transmission:
         Spring({n: 1, draw(st.integers(1, n - 1)): -1}, stiffness=draw(size), name=f"tree {n}")
         for n in range(2, links + 1)
     ]
+    parts = st.sampled_from((-1.5, -1, 0.5, 1))
     for number in range(draw(st.integers(0, 3))):
-        members = draw(
-            st.dictionaries(st.integers(1, links), st.sampled_from((-1.5, -1, 0.5, 1)), min_size=1)
-        )
+        members = draw(st.dictionaries(st.integers(1, links), parts, min_size=1))
         springs.append(Spring(members, stiffness=draw(size), name=f"form {number}"))
     if damped:
         springs = [one._replace(damping=draw(st.floats(0.0, 0.3))) for one in springs]
@@ -97,17 +95,12 @@ def branched(draw: st.DrawFn, *, damped: bool = False) -> Transmission:
 
 def with_planetary_set(**others: Any) -> Transmission:
     """Engine, elastic shaft, sun; the ring on a spring to the housing; carrier, shaft, vehicle."""
+    own = {"in": ({1: 1, 2: -1}, 900.0), "ring mount": ({3: 1}, 4e3), "out": ({4: 1, 5: -1}, 2.5e3)}
     given: Mapping[str, Any] = {
         "shift_elements": [ShiftElement(2, 3, name="C")],
         "mechanisms": [Mechanism(2, 3, 4, ratio=-2.5, name="P")],
         "gears": [Gear([], name="low"), Gear([1], name="direct")],
-        "springs": [
-            Spring({1: 1, 2: -1}, stiffness=900.0, name="in"),
-            Spring({3: 1}, stiffness=4000.0, name="ring mount"),
-            Spring({4: 1, 5: -1}, stiffness=2500.0, name="out"),
-        ],
+        "springs": [Spring(twist, rate, name=name) for name, (twist, rate) in own.items()],
         "inertias": {1: 0.2, 2: 0.01, 3: 0.05, 4: 0.03, 5: 4.0},
-        "output": 5,
-        **others,
     }
-    return Transmission(5, **given)
+    return Transmission(5, **{**given, "output": 5, **others})

@@ -4,6 +4,7 @@ Tsitovich, Algin, Vehicle dynamics (1981), tables 2.1 to 2.3 and 2.5, in table_2
 """
 
 import math
+from collections.abc import Iterator
 from typing import Any
 
 import pytest
@@ -62,20 +63,25 @@ def test_frequencies_of_table_2_5_from_own_values(
     assert sum(one <= 0.2 for one in off.values()) >= 30
 
 
-def test_frequencies_of_table_2_5_from_the_scheme_of_table_2_2(printed: Any) -> None:
-    off = {}
-    for state, first in printed["scheme"]["E1"].items():
-        for number, gear in enumerate(GEARS):
-            inertias = [one * TENTH for one in printed["scheme"]["J"][number]]
-            compliances = [first, *printed["scheme"]["E"][number]]
+def omegas_of_table_2_2() -> Iterator[tuple[str, int, tuple[float, ...]]]:
+    """State of the damper, gear from 0, frequencies."""
+    given = table("table_2_5")["scheme"]
+    for state, first in given["E1"].items():
+        for gear, (inertias, behind) in enumerate(zip(given["J"], given["E"], strict=True)):
             springs = [
                 {"twist": twist, "compliance": compliance}
-                for twist, compliance in zip(TWISTS, compliances, strict=True)
+                for twist, compliance in zip(TWISTS, [first, *behind], strict=True)
             ]
-            found = natural_frequencies(scheme(inertias, springs, 1e-5))
-            pairs = zip(found, printed["omega"][state][number], strict=True)
-            for place, (omega, expected) in enumerate(pairs, 1):
-                off[gear, state, place] = percent(omega, expected)
+            masses = [inertia * TENTH for inertia in inertias]
+            yield state, gear, natural_frequencies(scheme(masses, springs, 1e-5))
+
+
+def test_frequencies_of_table_2_5_from_the_scheme_of_table_2_2(printed: Any) -> None:
+    off = {}
+    for state, gear, found in omegas_of_table_2_2():
+        pairs = zip(found, printed["omega"][state][gear], strict=True)
+        for place, (omega, expected) in enumerate(pairs, 1):
+            off[GEARS[gear], state, place] = percent(omega, expected)
     assert len(off) == 48
     assert {cell for cell, one in off.items() if one > 1.4} == {SLIP}
     assert sum(one <= 0.2 for one in off.values()) >= 35

@@ -66,7 +66,6 @@ def cells_of_p1_2() -> Iterator[tuple[tuple[str, str, int, int], float, float]]:
 
 
 def test_frequencies_of_table_p1_2() -> None:
-    """All three rules; the slips are named, and no other number is off."""
     cells = [*cells_of_p1_2()]
     off = {cell for cell, omega, printed in cells if percent(omega, printed) > 0.55}
     assert len(cells) == 2 * 6 + 3 * (5 + 4 + 3 + 2 + 1) + 3 * (5 + 4 + 3)

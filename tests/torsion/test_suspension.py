@@ -34,20 +34,14 @@ def omegas(case: Transmission) -> list[float]:
     return [mode.omega for mode in gear.modes]
 
 
-@pytest.mark.parametrize(
-    ("axle", "expected"),
-    [(GAZ_53A, [11.651, 59.723]), (ZIL_130, [11.487, 57.296])],
-    ids=["GAZ-53A", "ZIL-130"],
-)
-def test_a_front_axle_swings_as_its_two_masses_do(
-    axle: dict[str, float], expected: list[float]
-) -> None:
+def test_a_front_axle_swings_as_its_two_masses_do() -> None:
     """By hand: ``det(c - omega^2 m) = 0``; (4.10) is within half a percent of it."""
-    found = omegas(readers.loads(AXLE.format(**axle)))
-    assert found == pytest.approx(expected, abs=6e-4)
-    leaves, tyres = axle["leaves"] * 1e3, axle["tyres"] * 1e3
-    body = math.sqrt(leaves * tyres / (leaves + tyres) / axle["body"])
-    assert found == pytest.approx([body, math.sqrt((leaves + tyres) / axle["axle"])], rel=5e-3)
+    for axle, expected in ((GAZ_53A, [11.651, 59.723]), (ZIL_130, [11.487, 57.296])):
+        found = omegas(readers.loads(AXLE.format(**axle)))
+        assert found == pytest.approx(expected, abs=6e-4)
+        leaves, tyres = axle["leaves"] * 1e3, axle["tyres"] * 1e3
+        body = math.sqrt(leaves * tyres / (leaves + tyres) / axle["body"])
+        assert found == pytest.approx([body, math.sqrt((leaves + tyres) / axle["axle"])], rel=5e-3)
 
 
 STRUT = """
@@ -60,31 +54,24 @@ springs:
 """
 
 
-@pytest.mark.parametrize(
-    ("gas", "at", "expected"),
-    [
-        ((6620, 38, 208.9, 11, 17, 77, 16), 0, 8037),
-        ((6620, 38, 208.9, 11, 17, 77, 16), 4.2, 5270),
-        ((9642, 53, 208.9, 10, 19, 77, 25), 0, 11660),
-        ((9642, 53, 208.9, 10, 19, 77, 25), 12.5, 4527),
-    ],
-    ids=["540A front", "540A front unladen", "548A rear", "548A rear unladen"],
-)
-def test_struts_are_as_stiff_as_table_4_2_has_them(
-    gas: tuple[float, ...], at: float, expected: float
-) -> None:
-    """Slope of (4.16) in N/cm by hand; printed are 8150, 5400, 11680, 4550."""
-    load, p, area, length, q, counter, other = gas
-    keys = {"load": load, "p": p, "area": area, "l": length, "q": q, "counter": counter, "m": other}
-    [omega] = omegas(readers.loads(STRUT.format(**keys, at=at)))
-    assert omega**2 * load / 100 == pytest.approx(expected, abs=0.5)
+BELAZ_540A = {"load": 6620, "p": 38, "area": 208.9, "l": 11, "q": 17, "counter": 77, "m": 16}
+BELAZ_548A = {"load": 9642, "p": 53, "area": 208.9, "l": 10, "q": 19, "counter": 77, "m": 25}
+"""Front and rear."""
+
+
+def test_struts_are_as_stiff_as_table_4_2_has_them() -> None:
+    """Slope of (4.16) in N/cm by hand, laden and not; printed are 8150, 5400, 11680, 4550."""
+    for gas, at, expected in (
+        *((BELAZ_540A, 0, 8037), (BELAZ_540A, 4.2, 5270)),
+        *((BELAZ_548A, 0, 11660), (BELAZ_548A, 12.5, 4527)),
+    ):
+        [omega] = omegas(readers.loads(STRUT.format(**gas, at=at)))
+        assert omega**2 * gas["load"] / 100 == pytest.approx(expected, abs=0.5)
 
 
 def test_a_counter_chamber_without_pressure_pushes_nothing() -> None:
     """By hand c = n p A/l of one chamber."""
-    case = readers.loads(
-        STRUT.format(load=6620, p=38, area=208.9, l=11, q=0, counter=77, m=16, at=0)
-    )
+    case = readers.loads(STRUT.format(**{**BELAZ_540A, "q": 0}, at=0))
     [omega] = omegas(case)
     assert omega**2 * 6620 == pytest.approx(1.02 * 38 * 98066.5 * 208.9e-4 / 0.11, rel=1e-12)
     assert readers.loads(write_yaml(case)) == case
@@ -130,8 +117,7 @@ def test_orders_belong_to_what_turns_and_tables_tell_both_units() -> None:
 
 
 def test_what_moves_straight_is_written_as_it_is_read() -> None:
-    """Each key of a suspension survives YAML; so does a limit that follows another spring."""
-    text = STRUT.format(load=6620, p=38, area=208.9, l=11, q=17, counter=77, m=16, at=4.2)
+    text = STRUT.format(**BELAZ_540A, at=4.2)
     text += "  tyre: {links: [body], stiffness: 3 kN/m, limit: {base: 20 N, of: strut, times: .3}}"
     case = readers.loads(text)
     assert readers.loads(write_yaml(case)) == case

@@ -114,18 +114,17 @@ def test_what_is_needed_follows_from_the_pace(monkeypatch: pytest.MonkeyPatch) -
     assert pace.needed == pytest.approx(50)
 
 
-def test_waiting_for_the_processor_is_no_pace(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_waiting_for_the_processor_is_no_pace_and_what_ended_needs_no_more(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     """An hour passes by the clock between two of the first steps."""
+    pace = bounds.Pace(2, 600)
+    assert simulate(load_scenario("short.yaml"), watch=pace).stopped is None
+    assert pace.needed == 0
     hours = iter(range(9))
     monkeypatch.setattr(time, "monotonic", lambda: 3600.0 * next(hours))
     pace = bounds.Pace(1, 1)
     assert [pace(at) for at in (0.0, 1e-12, 2e-12)] == ["", "", ""]
-    assert pace.needed == 0
-
-
-def test_a_run_that_ended_needs_no_more() -> None:
-    pace = bounds.Pace(2, 600)
-    assert simulate(load_scenario("short.yaml"), watch=pace).stopped is None
     assert pace.needed == 0
 
 

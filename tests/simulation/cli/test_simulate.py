@@ -15,6 +15,7 @@ from tests.commands import CASES, json_answer, vstatics
 from tests.core.cli.test_schemas import validator
 from tests.processes import names
 from vstatics import Problem
+from vstatics.simulation import load_scenario
 from vstatics.simulation import run as module
 
 CASE = """\
@@ -48,7 +49,7 @@ def document(*options: str) -> Any:
     return found
 
 
-def test_columns_that_are_asked_for_are_in_all_files() -> None:
+def test_columns_that_are_asked_for_are_in_all_files_or_refused_at_once() -> None:
     out = 'accelerations[ring], heat[brake], powers["out, too"]'
     found = document("--out", out)
     assert [*found["accelerations"], *found["powers"]] == ["ring", "out, too"]
@@ -60,23 +61,12 @@ def test_columns_that_are_asked_for_are_in_all_files() -> None:
         assert [float(one[f"{table}[{name}]"]) for one in rows] == column
     vstatics("simulate", "lock.yaml", "-o", "out.npz", "--out", out)
     assert np.load("out.npz")["heat[brake]"].tolist() == found["heat"]["brake"]
-
-
-def test_columns_that_there_are_not_are_told_at_once() -> None:
     said = vstatics("simulate", "lock.yaml", "-f", "csv", "--out", "jerk[in], jerks[inn], work")
     assert said.gives_nothing(
         "--out:1:1: error: read `jerk[in]`, expected columns of accelerations",
         "--out:1:17: error: there is no link `inn`",
         "--out:1:23: error: read `work`",
     )
-
-
-def test_tables_for_people_fit_a_terminal() -> None:
-    said = vstatics("simulate", "lock.yaml")
-    assert said.is_without_messages()
-    assert max(map(len, said.out.splitlines())) <= 80
-    assert "0.410054006  brake          locks" in said.out
-    assert "  brake     858.815" in said.out
 
 
 def test_json_has_all_of_it() -> None:
@@ -87,10 +77,8 @@ def test_json_has_all_of_it() -> None:
     [event] = found["events"]
     assert event.pop("time") == pytest.approx(LOCKS, abs=1e-8)
     assert event == {"element": "brake", "event": "locks", "energy": 0, "word": "locks"}
-    assert set(found["speeds"]) == {"in", "ring", "out, too"}
     assert {0.0, 0.25, 0.5, 0.75, 1.0} <= set(found["time"])
-    assert found["time"][-1] == 1.0
-    assert found["stopped"] is None
+    assert (found["time"][-1], found["stopped"]) == (1.0, None)
 
 
 @pytest.mark.parametrize("form", ["csv", "npz", "parquet"])
@@ -174,11 +162,9 @@ def test_a_run_that_stops_leaves_what_it_has_with_a_mark(
 
 
 def test_wrong_use() -> None:
-    for options in (
-        *(["lock.yaml", "-o", name] for name in ("box.yaml", "out.svg")),
-        *(["lock.yaml", "--time-step", step] for step in ("0", "nan", "1e-9")),
-        ["-", "-"],
-    ):
+    files = (["lock.yaml", "-o", name] for name in ("box.yaml", "out.svg"))
+    steps = (["lock.yaml", "--time-step", step] for step in ("0", "nan", "1e-9"))
+    for options in (*files, *steps, ["-", "-"]):
         assert vstatics("simulate", *options).status == 2, options
     said = vstatics("simulate", "box.yaml")
     assert said.gives_nothing("this is a case, expected a scenario")
@@ -200,13 +186,10 @@ def test_a_scenario_is_checked_with_its_case() -> None:
 
 
 def test_shipped_scenarios_fit_their_schema() -> None:
-    from vstatics.core.readers.named.nodes import decode
-    from vstatics.simulation.scenario.file import load_scenario
-
     yaml = pytest.importorskip("yaml")
     files = sorted((CASES / "scenarios").glob("*.yaml"))
     assert files
     for file in files:
-        data = yaml.safe_load(decode(file.read_bytes(), file.name).text)
+        data = yaml.safe_load(file.read_text("utf-8"))
         assert list(validator("scenario").iter_errors(data)) == [], file.name
         load_scenario(file)

@@ -6,6 +6,7 @@ as well. Friction is ``capacity tanh(slip/e)`` there, so speeds differ from thos
 a few e.
 """
 
+import json
 import math
 import re
 from collections.abc import Callable, Mapping, Sequence
@@ -68,7 +69,7 @@ class Smooth(NamedTuple):
     torques: dict[str, str]
     commands: list[tuple[float, dict[str, float]]]
     """Numbers that are set, with the time from which on they are; the first ones at 0."""
-    sequences: dict[str, str]
+    sequences: dict[str, list[dict[str, Any]]]
     """Steps that set them."""
     elements: Mapping[str, tuple[str, str]] = BETWEEN
     springs: Mapping[str, RowSpring] = {}
@@ -81,39 +82,35 @@ class Smooth(NamedTuple):
     @property
     def case(self) -> str:
         """The case, as it is written."""
-        inertias = ", ".join(map("{}: {}".format, self.links, self.inertias))
-        lines = [f"links: [{', '.join(self.links)}]", f"inertias: {{{inertias}}}"]
-        lines.append("shift_elements:")
-        for name, (first, second) in self.elements.items():
-            ends = f"{first}, {second or 'housing'}"
-            lines.append(f"  {name}: {{links: [{ends}], capacity: {CAPACITY} N*m}}")
-        if self.springs:
-            lines.append("springs:")
-        for name, (first, second, stiffness, damping) in self.springs.items():
-            numbers = f"stiffness: {stiffness}, damping: {damping}"
-            lines.append(f"  {name}: {{links: [{first}, {second}], {numbers}}}")
-        return "\n".join(lines) + "\n"
+        elements = {
+            name: {"links": [first, second or "housing"], "capacity": f"{CAPACITY} N*m"}
+            for name, (first, second) in self.elements.items()
+        }
+        springs = {
+            name: {"links": one[:2], "stiffness": one.stiffness, "damping": one.damping}
+            for name, one in self.springs.items()
+        }
+        inertias = dict(zip(self.links, self.inertias, strict=True))
+        given = {"links": [*self.links], "inertias": inertias, "shift_elements": elements}
+        return written({**given, "springs": springs})
 
     @property
     def scenario(self) -> str:
         """The scenario, as it is written, but for its case."""
-        speeds = ", ".join(map("{}: {}".format, self.links, self.start))
-        lines = [f"duration: {self.duration}", f"start: {{speeds: {{{speeds}}}}}"]
-        _, first = self.commands[0]
-        lines.append(f"set: {{{', '.join(f'{name}: {one}' for name, one in first.items())}}}")
-        if self.tables:
-            lines += ["tables:", *(f"  {name}: {one}" for name, one in self.tables.items())]
-        lines.append("states:" if self.states else "states: {}")
+        states = {}
         for name, (rate, start, least, most) in self.states.items():
-            limits = f", min: {least}" * math.isfinite(least)
-            limits += f", max: {most}" * math.isfinite(most)
-            lines.append(f'  {name}: {{rate: "{rate}", start: {start}{limits}}}')
-        for key, texts in (("controls", self.controls), ("torques", self.torques)):
-            lines.append(f"{key}:")
-            lines += [f'  {name}: "{text}"' for name, text in texts.items()]
-        lines.append("sequences:")
-        lines += [f"  {name}: {steps}" for name, steps in self.sequences.items()]
-        return "\n".join(lines) + "\n"
+            limits = {"min": least, "max": most}
+            finite = {key: limit for key, limit in limits.items() if math.isfinite(limit)}
+            states[name] = {"rate": rate, "start": start, **finite}
+        speeds = dict(zip(self.links, self.start, strict=True))
+        given = {"duration": self.duration, "start": {"speeds": speeds}, "set": self.commands[0][1]}
+        given |= {"tables": self.tables, "states": states, "sequences": self.sequences}
+        return written({**given, "controls": self.controls, "torques": self.torques})
+
+
+def written(given: Mapping[str, Any]) -> str:
+    """A line for each key that is not empty."""
+    return "".join(f"{key}: {json.dumps(one)}\n" for key, one in given.items() if one)
 
 
 def smooth(rng: Random) -> Smooth:
@@ -127,7 +124,7 @@ def smooth(rng: Random) -> Smooth:
     inertias = round(rng.uniform(0.3, 3), 2), round(rng.uniform(0.3, 5), 2)
     time, command = round(rng.uniform(0.1, 0.5), 2), float(rng.choice([1, 3, 50]))
     commands = [(0.0, {"command": 0.0}), (time, {"command": command})]
-    steps = {"go": f'[{{when: "t >= {time}", set: {{command: {command}}}}}]'}
+    steps = {"go": [{"when": f"t >= {time}", "set": {"command": command}}]}
     return Smooth(0.6, inertias, start, states, tables, controls, torques, commands, steps)
 
 

@@ -5,6 +5,7 @@ They are written and integrated as those of two links, see `smooth`.
 
 from itertools import combinations, pairwise
 from random import Random
+from typing import Any
 
 from tests.simulation.control.smooth import RowSpring, Smooth, Writer
 
@@ -43,14 +44,12 @@ def smooth_row(rng: Random) -> Smooth:
     states["clock"] = ("1", 0.0, *NO_LIMITS)
     names = ["second", "third"][: rng.randrange(3)]
     many.names += names
-    steps = {
-        "go": f'[{{when: "t >= {time}", set: {{command: {value}}}}}, '
-        f"{{wait: {again}, set: {{command: {later}}}}}]"
-    }
+    go: dict[str, Any] = {"when": f"t >= {time}", "set": {"command": value}}
+    steps = {"go": [go, {"wait": again, "set": {"command": later}}]}
     first_values, then = dict.fromkeys(["command", *names], 0.0), {"command": value}
     for name, when in zip(names, (f"clock >= {time}", "command > 0.5"), strict=False):
         then[name] = many.number(0.1, 1)
-        steps[f"and_{name}"] = f'[{{when: "{when}", set: {{{name}: {then[name]}}}}}]'
+        steps[f"and_{name}"] = [{"when": when, "set": {name: then[name]}}]
     commands = [(0.0, first_values), (time, then), (time + again, {"command": later})]
     controls, torques = {}, {}
     for name in elements:
@@ -95,7 +94,7 @@ def smooth_loop(rng: Random) -> Smooth:
     inertias = tuple(many.number(0.3, 4) for _ in links)
     start = rng.choice([0.0, 0.0, 10.0])
     commands = [(0.0, {"command": 0.0}), (0.2, {"command": 1.0})]
-    steps = {"go": '[{when: "t >= 0.2", set: {command: 1}}]'}
+    steps: dict[str, Any] = {"go": [{"when": "t >= 0.2", "set": {"command": 1}}]}
     return Smooth(
         0.6, inertias, (start,) * len(links), states, {}, controls, torques, commands, steps,
         elements,

@@ -44,7 +44,6 @@ SINE = 800 / 3 * (1 - math.cos(3 * SINE_CUT)) + 200 * (PERIOD / 2 - 2 * SINE_CUT
 
 
 def test_a_control_is_cut_at_0_and_at_the_capacity_whatever_it_follows_from() -> None:
-    """The impulse of the clutch, a closed form, changes both speeds."""
     for control, impulse, cut in (
         ('"400*sin(3*t)"', SINE, SINE_CUT),
         ("[[0, -100], [1, 300]]", 0.5 * 200 * 0.5 + 200 * (PERIOD - 0.75), 0.75),
@@ -64,21 +63,14 @@ controls: {{C: {control}}}
         assert motion.speeds[-1] == pytest.approx([900 - impulse / 2, impulse / 3], rel=1e-10)
         assert motion.peaks["C"].torque == pytest.approx(200.0, rel=1e-12)
         [note] = [one.text for one in motion.messages if one.id == "N605"]
-        assert note.startswith(
-            f"at {cut:.6g} s the control of C is above the capacity in the case, 200"
-        )
+        assert note.startswith(f"at {cut:.6g} s the control of C is above the capacity")
 
 
 def test_where_a_control_is_cut_its_clutch_slips_at_the_exact_instant() -> None:
     """It sticks while 1.2 of it is above 225 N*m, 3/5 of 375; from pi/6 on it is open."""
-    motion = simulated(
-        """duration: 1.5
-start: {speeds: {e: 100, o: 100}}
-controls: {C: "400*cos(3*t)"}
-torques: {e: 375}
-""",
-        CUT.replace("200 N*m", "900 N*m, static: 1.2"),
-    )
+    start = "duration: 1.5\nstart: {speeds: {e: 100, o: 100}}\n"
+    scenario = f'{start}controls: {{C: "400*cos(3*t)"}}\ntorques: {{e: 375}}\n'
+    motion = simulated(scenario, CUT.replace("200 N*m", "900 N*m, static: 1.2"))
     [slips] = motion.events
     slipped, open_at = math.acos(225 / 480) / 3, math.pi / 6
     assert slips.time == pytest.approx(slipped, abs=1e-9)
@@ -227,22 +219,13 @@ def independent(given: dict[str, float]) -> tuple[float, float, np.ndarray]:
 @seeds_with_slow(1, 6, 60)
 def test_random_closed_loops_agree_with_other_solvers(seed: int) -> None:
     random = seeded(seed)
-    given = {
-        "duration": 12.0,
-        "engine": random.uniform(150, 300),
-        "output": random.uniform(0, 80),
-        "command": random.uniform(60, 90),
-        "later": random.uniform(150, 300),
-        "lag": random.uniform(0.03, 0.2),
-        "integral": random.uniform(0.5, 4),
-        "target": random.uniform(5, 20),
-        "least": -random.uniform(5, 20),
-        "most": random.uniform(5, 40),
-        "pull": random.uniform(20, 60),
-        "fade": random.uniform(0.02, 0.1),
-        "load": random.uniform(0.05, 0.2),
-        "near": random.uniform(21, 40),
-    }
+    ranges = {
+        "engine": (150, 300), "output": (0, 80), "command": (60, 90), "later": (150, 300),
+        "lag": (0.03, 0.2), "integral": (0.5, 4), "target": (5, 20), "least": (-20, -5),
+        "most": (5, 40), "pull": (20, 60), "fade": (0.02, 0.1), "load": (0.05, 0.2),
+        "near": (21, 40),
+    }  # fmt: skip
+    given = {"duration": 12.0} | {name: random.uniform(*ends) for name, ends in ranges.items()}
     near, joins, end = independent(given)
     motion = simulated(LOOP.format(**given))
     [(_, step)] = steps_of(motion)

@@ -14,12 +14,8 @@ from vstatics.simulation import Motion, simulate
 
 def test_a_ramp_takes_the_torque_of_its_inertia_besides_that_of_the_clutch() -> None:
     """From 0 to 2 s: -25 rad/s^2 on 2 kg*m^2, 40 N*m of the clutch, 7 N*m that are there."""
-    motion = simulated("""duration: 2
-start: {speeds: {o: 0}}
-speeds: {e: [[0, 100], [2, 50]]}
-controls: {C: 40}
-torques: {e: 7}
-""")
+    speeds = "start: {speeds: {o: 0}}\nspeeds: {e: [[0, 100], [2, 50]]}"
+    motion = simulated(f"duration: 2\n{speeds}\ncontrols: {{C: 40}}\ntorques: {{e: 7}}\n")
     place = motion.devices.index("e")
     assert motion.torques[:, place].tolist() == pytest.approx([-2 * 25 + 40 - 7] * len(motion.time))
     assert motion.speeds[-1].tolist() == pytest.approx([50.0, 40 * 2 / 3])
@@ -84,14 +80,10 @@ def test_a_variator_with_losses_under_load_agrees_with_an_independent_solver(see
         return [(pull - taken * torque) / 2]
 
     exact = solve_ivp(change, (0, 2), [50.0], rtol=1e-11, atol=1e-10, max_step=1e-2).y[0, -1]
-    motion = simulated(
-        f"""duration: 2
-start: {{speeds: {{a: 50}}}}
-speed_ratios: {{hydro: [[0, {begin!r}], [2, {end!r}]]}}
-torques: {{a: {pull!r}, b: "-{load!r}*speed"}}
-""".replace("--", "+"),
-        HYDRO.format(eta=eta),
-    )
+    given = f"speed_ratios: {{hydro: [[0, {begin!r}], [2, {end!r}]]}}"
+    torques = f'torques: {{a: {pull!r}, b: "{-load!r}*speed"}}'
+    text = f"duration: 2\nstart: {{speeds: {{a: 50}}}}\n{given}\n{torques}\n"
+    motion = simulated(text, HYDRO.format(eta=eta))
     assert motion.speeds[-1, 0] == pytest.approx(exact, rel=1e-7, abs=1e-6)
     assert motion.energy.losses["hydro"] >= -1e-6
     assert math.isfinite(motion.energy.balance)
@@ -119,7 +111,6 @@ def run(x: float, gear: str, out: float) -> Motion:
 @pytest.mark.parametrize("gear", ["a", "b"])
 @pytest.mark.parametrize("x", [-0.2, 0.7])
 def test_at_the_torques_of_statics_speeds_stay(gear: str, x: float) -> None:
-    """The load that statics tells with losses holds the speed."""
     case = loads(STATIC.format(x=x))
     number = case.gear_number(gear) - 1
     results = solve(case)

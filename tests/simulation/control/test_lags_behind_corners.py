@@ -21,14 +21,9 @@ CASE = "links: [a, b]\ninertias: {a: 0.3, b: 0.6}\nshift_elements: {C: {links: [
 @pytest.mark.parametrize("jump", ["t > 1", "t >= 1"])
 def test_a_rate_that_jumps_by_the_time_fills_a_clutch_as_a_root(jump: str) -> None:
     """The slip is 100 - (1/0.3 + 1/0.6) 40 (2/3) (t - 1)^(3/2) from 1 s on."""
-    motion = simulated(
-        f"""duration: 2
-start: {{speeds: {{a: 100, b: 0}}}}
-states: {{q: {{rate: "({jump})"}}}}
-controls: {{C: "40*sqrt(q)"}}
-""",
-        CASE,
-    )
+    start = "duration: 2\nstart: {speeds: {a: 100, b: 0}}\n"
+    states = f'states: {{q: {{rate: "({jump})"}}}}\n'
+    motion = simulated(f'{start}{states}controls: {{C: "40*sqrt(q)"}}\n', CASE)
     [locks] = motion.events
     assert locks.time == pytest.approx(1 + 0.75 ** (2 / 3), abs=1e-9)
 
@@ -45,15 +40,11 @@ class Chain(NamedTuple):
     def scenario(self, duration: float) -> str:
         """The scenario, as it is written."""
         lines = [f'  {n}: {{rate: "{rate}", start: {x}}}' for n, (rate, x) in self.states.items()]
+        head = f"duration: {duration!r}\nstart: {{speeds: {{a: 50, b: 0}}}}"
+        torques = f'torques: {{a: "{self.torque}", b: "2 - speed"}}'
+        control = f'controls: {{C: "{self.control}"}}'
         return "\n".join(
-            [
-                f"duration: {duration!r}\nstart: {{speeds: {{a: 50, b: 0}}}}",
-                f"tables: {{fill: {self.table}}}",
-                "states:",
-                *lines,
-                f'controls: {{C: "{self.control}"}}',
-                f'torques: {{a: "{self.torque}", b: "2 - speed"}}',
-            ]
+            [head, f"tables: {{fill: {self.table}}}", "states:", *lines, control, torques]
         )
 
     def integrated(self) -> tuple[float, np.ndarray]:

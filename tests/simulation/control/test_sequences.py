@@ -39,6 +39,7 @@ def test_steps_are_done_in_their_order_and_time() -> None:
     for sequences, expected in TIMED:
         motion = simulated(f"{REST}set: {{a: 0, b: 0}}\nsequences:\n  {sequences}\n")
         assert [(one.element, one.step) for one in motion.events] == [one[:2] for one in expected]
+        assert {(one.event, one.word) for one in motion.events} == {("step", "step")}
         times = [one[2] for one in expected]
         assert [one.time for one in motion.events] == pytest.approx(times, abs=1e-9)
 
@@ -103,60 +104,37 @@ gears: {"1": [L], "2": [C]}
 
 def test_a_dog_clutch_closes_and_opens_by_steps() -> None:
     """Equal parts of the momentum, 2*90/5 rad/s, then the engine is alone again."""
-    motion = simulated(
-        """duration: 3
-start: {speeds: {e: 80, o: 0}}
-torques: {e: 20}
-sequences:
-  join: [{when: "speed('e') > 90", dog: {D: closed}}, {wait: 1, dog: {D: open}}]
-""",
-        DOG,
-    )
+    steps = "[{when: \"speed('e') > 90\", dog: {D: closed}}, {wait: 1, dog: {D: open}}]"
+    start = "duration: 3\nstart: {speeds: {e: 80, o: 0}}\ntorques: {e: 20}\n"
+    motion = simulated(f"{start}sequences: {{join: {steps}}}\n", DOG)
     joined = 2 * 90 / 5
     assert motion.energy.impact == pytest.approx(0.5 * 2 * 90**2 - 0.5 * 5 * joined**2)
     assert motion.speeds[-1].tolist() == pytest.approx([joined + 4 + 10, joined + 4])
 
 
-@pytest.mark.parametrize(
-    ("when", "at"),  # the speed is 10 t, closed form
-    [
-        ("abs(speed('e') - 20) < 0.5", 1.95),
-        ("min(speed('e'), 10) >= 10", 1.0),
-        ("max(speed('e'), 25) > 25", 2.5),
-        ("sqrt(20 - speed('e')) < 1", 1.9),
-        ("sqrt(abs(speed('e') - 20)) < 1", 1.9),
-        ("abs(t - 2) < 0.001", 1.999),
-        ("min(t, 1) >= 1", 1.0),
-        ("sqrt(1.5 - t) < 0.1", 1.49),
-        ("(t > 0.5) + (t > 1.5) >= 2", 1.5),
-        ("(t > 0.7) - 0.5 > 0", 0.7),
-        ("t == 1.2", 1.2),
-        ("exp(t) == 3", math.log(3)),
-        ("speed('e') == 20", 2.0),
-        ("not speed('e') != 20", 2.0),
-        ("abs(speed('e') - 20) == 0", 2.0),
-        ("t == 1.2 and sin(t) > 0.5", 1.2),
+def test_a_condition_that_bends_is_true_when_it_is_first() -> None:
+    """The speed is 10 t, closed form."""
+    for when, at in (
+        ("abs(speed('e') - 20) < 0.5", 1.95), ("min(speed('e'), 10) >= 10", 1.0),
+        ("max(speed('e'), 25) > 25", 2.5), ("sqrt(20 - speed('e')) < 1", 1.9),
+        ("sqrt(abs(speed('e') - 20)) < 1", 1.9), ("abs(t - 2) < 0.001", 1.999),
+        ("min(t, 1) >= 1", 1.0), ("sqrt(1.5 - t) < 0.1", 1.49),
+        ("(t > 0.5) + (t > 1.5) >= 2", 1.5), ("(t > 0.7) - 0.5 > 0", 0.7), ("t == 1.2", 1.2),
+        ("exp(t) == 3", math.log(3)), ("speed('e') == 20", 2.0), ("not speed('e') != 20", 2.0),
+        ("abs(speed('e') - 20) == 0", 2.0), ("t == 1.2 and sin(t) > 0.5", 1.2),
         ("min(sin(t), 0.5) == 0.5", math.asin(0.5)),
-        ("sin(100*t) > 0.99999999", math.asin(0.99999999) / 100),
-        ("1/(t - 1) > 5", 1.0),
-        ("1/t < 1", 1.0),
-        ("1/t < speed('e')", math.sqrt(0.1)),
+        ("sin(100*t) > 0.99999999", math.asin(0.99999999) / 100), ("1/(t - 1) > 5", 1.0),
+        ("1/t < 1", 1.0), ("1/t < speed('e')", math.sqrt(0.1)),
         ("1e3*(sin(500*t) - 0.99999) > abs(speed('o'))", math.asin(0.99999) / 500),
-        ("t != 1.2", 0.0),
-        ("not t == 0", 0.0),
-        ("not speed('e') == 0", 0.0),
-    ],
-)
-def test_a_condition_that_bends_is_true_when_it_is_first(when: str, at: float) -> None:
-    motion = simulated(
-        REST + f'set: {{a: 0}}\nsequences: {{s: [{{when: "{when}", set: {{a: 1}}}}]}}\n'
-    )
-    assert steps_of(motion) == [(1, pytest.approx(at, abs=1e-9))]
+        ("t != 1.2", 0.0), ("not t == 0", 0.0), ("not speed('e') == 0", 0.0),
+    ):  # fmt: skip
+        step = f'{{when: "{when}", set: {{a: 1}}}}'
+        motion = simulated(f"{REST}set: {{a: 0}}\nsequences: {{s: [{step}]}}\n")
+        assert steps_of(motion) == [(1, pytest.approx(at, abs=1e-9))], when
 
 
-@pytest.mark.parametrize(
-    ("text", "fault"),
-    [
+def test_a_mistake_is_told_with_its_place() -> None:
+    for text, fault in (
         ('set: {a: 0}\nsequences:\n  s: [{when: "t > 1"}]',
          "8:7 sequences.s[1]: read a step with nothing"),
         ("sequences:\n  s: [{set: {b: 1}}]", "sequences.s[1].set.b: read `b`"),
@@ -186,21 +164,16 @@ def test_a_condition_that_bends_is_true_when_it_is_first(when: str, at: float) -
         ("tables: {q: {columns: [0, 1], rows: []}}", "read no rows"),
         ("tables: {q: {columns: [], rows: [[1, 2, 3]]}}", "read 3 numbers, expected 2"),
         ("tables: {q: []}", "read no rows"),
-    ],
-)  # fmt: skip
-def test_a_mistake_is_told_with_its_place(text: str, fault: str) -> None:
-    assert any(fault in one for one in faults(REST + text + "\n")), faults(REST + text + "\n")
-
-
-def test_a_torque_that_would_see_itself_is_told_as_a_loop() -> None:
+    ):  # fmt: skip
+        told = faults(REST + text + "\n")
+        assert any(fault in one for one in told), told
     [fault] = faults(REST.replace("{C: 0}", "{C: \"torque('C')\"}"))
     assert fault.startswith("4:16")
     assert "stands in `rate` and `when` alone" in fault
 
 
-@pytest.mark.parametrize(
-    ("text", "identity", "path"),
-    [
+def test_what_is_no_number_stops_the_run_and_is_named() -> None:
+    for text, identity, path in (
         ('set: {a: 0}\nsequences: {s: [{when: "t > 1", set: {a: 1/a}}]}',
          "E677", "sequences.s[1].set.a"),
         ("set: {a: 0}\nsequences: "
@@ -210,24 +183,19 @@ def test_a_torque_that_would_see_itself_is_told_as_a_loop() -> None:
         ('states: {p: {rate: "sqrt(1 - t)"}}', "E700", "states.p.rate"),
         ('speeds: {o: "sqrt(1 - t) - 1"}', "E700", "speeds.o"),
         ("controls: {C: \"sqrt(20 - speed('e'))\"}", "E700", "controls.C"),
-    ],
-)  # fmt: skip
-def test_what_is_no_number_stops_the_run_and_is_named(text: str, identity: str, path: str) -> None:
-    rest = REST.replace("controls: {C: 0}\n", "") if "controls" in text else REST
-    stopped = simulate(written(f"{rest}{text}\n")).stopped
-    assert stopped is not None
-    assert stopped.id == identity
-    assert path_text(stopped.path) == path
+    ):  # fmt: skip
+        rest = REST.replace("controls: {C: 0}\n", "") if "controls" in text else REST
+        stopped = simulate(written(f"{rest}{text}\n")).stopped
+        assert stopped is not None
+        assert (stopped.id, path_text(stopped.path)) == (identity, path)
 
 
 def test_a_state_that_a_formula_sets_beyond_its_limits_is_told_once() -> None:
     """From -1, its min, on it rises with the time: 20 N*m for 3 s, then t - 4 for 1 s."""
-    motion = simulated(
-        REST.replace("20", "p")
-        + """states: {p: {start: 20, rate: 0, min: -1}}
-sequences: {s: {repeat: true, steps: [{when: "t >= 3", wait: 0.5, set: {p: "-10*t"}}]}}
-"""
-    )
+    step = '{when: "t >= 3", wait: 0.5, set: {p: "-10*t"}}'
+    states = "states: {p: {start: 20, rate: 0, min: -1}}\n"
+    repeats = f"sequences: {{s: {{repeat: true, steps: [{step}]}}}}\n"
+    motion = simulated(REST.replace("20", "p") + states + repeats)
     [note] = [one.text for one in motion.messages if one.id == "N611"]
     assert note.startswith("at 3.5 s p is set beyond its limits: read -35, expected at least -1")
     assert motion.speeds[-1, 0] == pytest.approx((20 * 3.5 - 0.5) / 2)

@@ -17,6 +17,7 @@ from tests.simulation.control.smooth_rows import smooth_loop, smooth_row
 from tests.simulation.control.written import simulated, written
 from vstatics.simulation import simulate
 
+START = "duration: 1\nstart: {speeds: {a: 50, b: 10}}\n"
 ONE_TO_FIVE = "links: [a, b]\ninertias: {a: 1, b: 5}\nshift_elements: {C: {links: [a, b]}}\n"
 
 
@@ -35,17 +36,9 @@ def test_a_control_leaves_zero_as_any_power_of_time(
     states = [f"x1: {{rate: 't >= {begin}', start: 0{least}}}"]
     states += [f"x{n}: {{rate: 'x{n - 1}', start: 0{least}}}" for n in range(2, order + 1)]
     control = form.replace("{}", f"x{order}")
-    motion = simulated(
-        f"""duration: 1
-start: {{speeds: {{a: 50, b: 10}}}}
-tables:
-  line: [[0, 0], [2, 2]]
-  map: {{columns: [0, 9], rows: [[0, 0, 0], [2, 2, 2]]}}
-states: {{{", ".join(states)}}}
-controls: {{C: "7*{control}"}}
-""",
-        ONE_TO_FIVE,
-    )
+    tables = "{line: [[0, 0], [2, 2]], map: {columns: [0, 9], rows: [[0, 0, 0], [2, 2, 2]]}}"
+    states_and_control = f'states: {{{", ".join(states)}}}\ncontrols: {{C: "7*{control}"}}\n'
+    motion = simulated(f"{START}tables: {tables}\n{states_and_control}", ONE_TO_FIVE)
     impulse = 7 * (1 - begin) ** (order + 1) / math.factorial(order + 1)
     assert motion.speeds[-1] == pytest.approx([50 - impulse, 10 + impulse / 5], rel=1e-9)
 
@@ -53,14 +46,10 @@ controls: {{C: "7*{control}"}}
 @pytest.mark.parametrize(("power", "sign"), [(2, 1), (2, -1), (3, 1), (4, 1), (4, -1)])
 def test_a_corner_that_is_touched_or_passed_with_zero_slope(power: int, sign: int) -> None:
     """The state is sign (t - 0.4)^power, so the control is its positive part."""
-    motion = simulated(
-        f"""duration: 1
-start: {{speeds: {{a: 50, b: 10}}}}
-states: {{x: {{start: {sign * (-0.4) ** power}, rate: "{sign * power}*(t - 0.4)^{power - 1}"}}}}
-controls: {{C: "30*max(x, 0) + 20*abs(x)"}}
-""",
-        ONE_TO_FIVE,
-    )
+    rate, start = f"{sign * power}*(t - 0.4)^{power - 1}", sign * (-0.4) ** power
+    states = f'states: {{x: {{start: {start}, rate: "{rate}"}}}}\n'
+    control = 'controls: {C: "30*max(x, 0) + 20*abs(x)"}\n'
+    motion = simulated(START + states + control, ONE_TO_FIVE)
 
     def capacity(t: float) -> float:
         x = sign * (t - 0.4) ** power
@@ -85,18 +74,10 @@ OVER = [*product(TABLES, ["speed"], [0, 2, 50]), *product(TABLES, ["angle", "tim
 def test_a_table_is_the_same_as_points(points: Any, over: str, start: float) -> None:
     """A clutch begins to drive a link that rests on a point, or is on one at the start."""
     word = "t" if over == "time" else over
-    first, second = (
-        simulated(
-            f"""duration: 1
-start: {{speeds: {{a: 100, b: {start}}}}}
-tables: {{m: {points}}}
-controls: {{C: [[0, 0], [1, 300]]}}
-torques: {{b: {law}}}
-""",
-            ONE_TO_FIVE,
-        )
-        for law in (f'"m({word})"', f"{{over: {over}, points: {points}}}")
-    )
+    given = START.replace("a: 50, b: 10", f"a: 100, b: {start}") + f"tables: {{m: {points}}}\n"
+    given += "controls: {C: [[0, 0], [1, 300]]}\n"
+    laws = f'"m({word})"', f"{{over: {over}, points: {points}}}"
+    first, second = (simulated(f"{given}torques: {{b: {law}}}\n", ONE_TO_FIVE) for law in laws)
     assert first.speeds[-1] == pytest.approx(second.speeds[-1], rel=1e-8)
     events = [[(one.event, one.time) for one in motion.events] for motion in (first, second)]
     assert [one for one, _ in events[0]] == [one for one, _ in events[1]]
@@ -124,7 +105,6 @@ JUMPS_OF_LIMITS = [
 
 @pytest.mark.parametrize("text", JUMPS_OF_LIMITS)
 def test_an_undamped_limit_that_jumps_with_its_own_motion_is_reported(text: str) -> None:
-    """On each side of the jump, the twist goes to the other side at once."""
     case = """inertias: {wheel: 1.2, road: 40}
 springs: {tyre: {links: [wheel, road], stiffness: 20000}}
 """
@@ -155,17 +135,12 @@ torques: {a: 50}
 @pytest.mark.slow
 def test_a_relay_of_constant_period_goes_on() -> None:
     """A state with x'' = 60 - 120 (x > 0) moves along parabolas of equal length."""
-    motion = simulated(
-        """duration: 4
-start: {speeds: {a: 40, b: 10}}
-states: {v: {rate: "60 - 120*(x > 0)"}, x: {start: 0.012, rate: v}}
-controls: {C: "5 + 2*(x > 0)"}
-""",
-        ONE_TO_FIVE,
-    )
+    states = 'states: {v: {rate: "60 - 120*(x > 0)"}, x: {start: 0.012, rate: v}}\n'
+    given = START.replace("duration: 1", "duration: 4") + states
+    motion = simulated(f'{given}controls: {{C: "5 + 2*(x > 0)"}}\n', ONE_TO_FIVE)
     # from a crest to the zero 60 q^2/2 = 0.012, so q = 0.02; x > 0 in half of 50 periods 4 q
     impulse = 4 * 6
-    assert motion.speeds[-1] == pytest.approx([40 - impulse, 10 + impulse / 5], rel=1e-7)
+    assert motion.speeds[-1] == pytest.approx([50 - impulse, 10 + impulse / 5], rel=1e-7)
 
 
 def test_a_clutch_of_a_loop_has_no_events_while_its_links_are_held_together() -> None:
@@ -174,15 +149,11 @@ def test_a_clutch_of_a_loop_has_no_events_while_its_links_are_held_together() ->
     Of the torque 30 t on c, the other links take three quarters, which H passes on up to 3 N*m.
     """
     motion = simulated(
-        """duration: 0.5
-start: {speeds: {a: 5, b: 5, c: 5, d: 5}}
-controls: {C: 50, D: "40 + t", E: "abs(slip('H'))", F: "20*abs(slip('E'))", H: 3}
-torques: {c: [[0, 0], [1, 30]]}
-""",
-        """links: [a, b, c, d]
-inertias: {a: 1, b: 1, c: 1, d: 1}
-shift_elements: {C: [a, b], D: [b, d], E: [a, d], F: [a, c], H: [c, d]}
-""",
+        "duration: 0.5\nstart: {speeds: {a: 5, b: 5, c: 5, d: 5}}\n"
+        'controls: {C: 50, D: "40 + t", E: "abs(slip(\'H\'))", F: "20*abs(slip(\'E\'))", H: 3}\n'
+        "torques: {c: [[0, 0], [1, 30]]}\n",
+        "links: [a, b, c, d]\ninertias: {a: 1, b: 1, c: 1, d: 1}\n"
+        "shift_elements: {C: [a, b], D: [b, d], E: [a, d], F: [a, c], H: [c, d]}\n",
     )
     begin, end = 3 / 0.75 / 30, 0.5
     others = 15 * begin**2 / 4 + 3 / 3 * (end - begin)
@@ -216,13 +187,8 @@ def test_random_scenarios_that_start_on_corners_agree_with_an_implicit_solver(
 )
 def test_a_run_of_many_years_goes_on_as_a_short_one(duration: float) -> None:
     """It is stopped after 60 s: steady swings of 2 dw/dt = 20 sin 3t - w, a closed form."""
-    scenario = written(
-        f"""duration: {duration}
-start: {{speeds: {{e: 0, o: 0}}}}
-controls: {{C: 0}}
-torques: {{e: "20*sin(3*t) - speed"}}
-"""
-    )
+    start = f"duration: {duration}\nstart: {{speeds: {{e: 0, o: 0}}}}\ncontrols: {{C: 0}}\n"
+    scenario = written(f'{start}torques: {{e: "20*sin(3*t) - speed"}}\n')
     motion = simulate(scenario, watch=lambda time: "enough" if time > 60 else "")
     assert motion.stopped is not None
     assert motion.stopped.id == "E604"

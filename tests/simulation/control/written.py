@@ -25,7 +25,6 @@ def written(scenario: str, case: str = TWO_WHEELS) -> Scenario:
 
 
 def simulated(scenario: str, case: str = TWO_WHEELS) -> Motion:
-    """Its motion, which closes."""
     motion = simulate(written(scenario, case))
     assert motion.stopped is None, motion.stopped
     return motion
@@ -40,8 +39,5 @@ def faults(scenario: str, case: str = TWO_WHEELS) -> list[str]:
     """Line, column and words of what is wrong with a scenario; its own keys begin on line 2."""
     with pytest.raises(ReadError) as caught:
         written(scenario, case)
-    return [
-        f"{one.place.line}:{one.place.column} {one.message}"
-        for one in caught.value.problems
-        if one.place is not None
-    ]
+    located = [(one.place, one.message) for one in caught.value.problems if one.place]
+    return [f"{place.line}:{place.column} {message}" for place, message in located]

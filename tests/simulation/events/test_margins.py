@@ -74,14 +74,9 @@ class Block(NamedTuple):
             rows += [-sign * (friction + loss * torque), sign * (friction - back * torque)]
         for place, limit in enumerate(limits):
             rows += [way * np.eye(size)[place] - limit * np.eye(size)[-1] for way in (1, -1)]
-        found = linprog(
-            np.eye(size)[-1],
-            A_ub=np.array(rows),
-            b_ub=np.zeros(len(rows)),
-            A_eq=np.column_stack([*columns, np.zeros(case.links)]),
-            b_eq=load,
-            bounds=[(None, None)] * (size - 1) + [(0, None)],
-        )
+        equal = np.column_stack([*columns, np.zeros(case.links)]), load
+        bounds = [(None, None)] * (size - 1) + [(0, None)]
+        found = linprog(np.eye(size)[-1], np.array(rows), np.zeros(len(rows)), *equal, bounds)
         return float(found.x[-1]) if found.x is not None else np.inf
 
     def breaks_away(self) -> float:
@@ -112,16 +107,10 @@ def random_block(rng: Random) -> Block:
             break
     elements = []
     for name in "AB":
-        one, other = rng.sample(links, 2)
-        elements.append(ShiftElement(one, other, name, static=rng.uniform(1.1, 1.6)))
-    case = Transmission(
-        len(links),
-        elements,
-        sets,
-        [Gear()],
-        output=len(links),
-        inertias={link: rng.uniform(0.1, 2) for link in links},
-    )
+        first, second = rng.sample(links, 2)
+        elements.append(ShiftElement(first, second, name, static=rng.uniform(1.1, 1.6)))
+    inertias = {link: rng.uniform(0.1, 2) for link in links}
+    case = Transmission(len(links), elements, sets, [Gear()], output=len(links), inertias=inertias)
     most, later = (rng.uniform(20, 150) for _ in "AB")
     end = (1.2, 0.0) if rng.random() < 0.4 else (DURATION, most)
     held = ((0.0, most), (1.0, most), end), ((0.0, 0.0), (0.2, 0.0), (0.5, later))
@@ -146,14 +135,9 @@ def test_a_clutch_that_grips_at_slip_0_holds_up_to_its_static_capacity() -> None
 
     ``T = B + M``, ``A + B = 1.5 eta M`` at the limits of A, B and the mesh.
     """
-    case = Transmission(
-        3,
-        [ShiftElement(3, 2, "A", static=1.4), ShiftElement(1, 3, "B", static=1.25)],
-        [Mechanism(1, 3, 2, -1.5, 0.95, name="P")],
-        [Gear()],
-        output=2,
-        inertias={1: 0.5, 2: 0.8, 3: 0.7},
-    )
+    clutches = [ShiftElement(3, 2, "A", static=1.4), ShiftElement(1, 3, "B", static=1.25)]
+    sets, inertias = [Mechanism(1, 3, 2, -1.5, 0.95, name="P")], {1: 0.5, 2: 0.8, 3: 0.7}
+    case = Transmission(3, clutches, sets, [Gear()], output=2, inertias=inertias)
     held = ((0.0, 40.0), (DURATION, 40.0)), ((0.0, 0.0), (0.2, 0.0), (0.5, 30.0))
     block = Block(case, held, ((1, 20.0, 200.0), (2, -20.0, -200.0)))
     first, second = 1.4 * 40, 1.25 * 30
@@ -167,8 +151,7 @@ OTHER_SIDE = (9, 10, 27, 38)
 
 
 @pytest.mark.parametrize(
-    "seed",
-    with_slow([10], sorted({*OTHER_SIDE, *range(count(8, 100))} - {10})),
+    "seed", with_slow([10], sorted({*OTHER_SIDE, *range(count(8, 100))} - {10}))
 )
 def test_a_block_of_lossy_sets_holds_as_long_as_any_split_fits(seed: int) -> None:
     block = random_block(seeded(seed))

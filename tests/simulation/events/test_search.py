@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from tests.chance import seeded, seeds_with_slow
+from tests.chance import seeded, seeds_with_slow, with_slow
 from tests.simulation.boxes import capacity
 from tests.simulation.test_closed_forms import links, run
 from tests.simulation.test_golden import closes
@@ -31,20 +31,15 @@ class Set(NamedTuple):
 
 
 def cascade(sets: Sequence[Set], inertias: Mapping[int, float]) -> Transmission:
-    """Sets in series, each with a brake on its ring."""
     count = len(sets)
-    rings = range(count + 2, 2 * count + 2)
-    return Transmission(
-        2 * count + 1,
-        [ShiftElement(ring, 0) for ring in rings],
-        [
-            Mechanism(number, ring, number + 1, one.ratio, one.efficiency)
-            for number, (ring, one) in enumerate(zip(rings, sets, strict=True), 1)
-        ],
-        [Gear([*range(1, count + 1)], name="1")],
-        output=count + 1,
-        inertias=inertias,
-    )
+    rings, gear = range(count + 2, 2 * count + 2), Gear([*range(1, count + 1)], name="1")
+    brakes = [ShiftElement(ring, 0) for ring in rings]
+    mechanisms = [
+        Mechanism(number, ring, number + 1, one.ratio, one.efficiency)
+        for number, (ring, one) in enumerate(zip(rings, sets, strict=True), 1)
+    ]
+    links, output = 2 * count + 1, count + 1
+    return Transmission(links, brakes, mechanisms, [gear], output=output, inertias=inertias)
 
 
 def closing(sets: Sequence[Set], inertias: Mapping[int, float], *torques: float) -> Motion:
@@ -65,19 +60,11 @@ def runs(motion: Motion, sets: Sequence[Set]) -> bool:
     return motion.stopped is None and closes(motion) and bool((over <= 1e-6 * limits.max()).all())
 
 
-@pytest.mark.parametrize(
-    ("count", "ratio", "torques"),
-    [
-        (4, -2.0, (100.0, 0.0)),
-        pytest.param(8, 0.6, (-100.0, -1e4), marks=pytest.mark.slow),
-        pytest.param(10, 0.6, (-100.0, -1e4), marks=pytest.mark.slow),
-        pytest.param(10, -2.0, (100.0, 0.0), marks=pytest.mark.slow),
-    ],
-)
-def test_a_cascade_whose_brakes_close_starts_within_seconds(
-    count: int, ratio: float, torques: tuple[float, float]
-) -> None:
+@pytest.mark.parametrize("given", with_slow([(4, -2.0)], [(8, 0.6), (10, 0.6), (10, -2.0)]))
+def test_a_cascade_whose_brakes_close_starts_within_seconds(given: tuple[int, float]) -> None:
     """All rings stand in the end: each set turns by i = 1 - u."""
+    count, ratio = given
+    torques = (-100.0, -1e4) if ratio > 0 else (100.0, 0.0)
     sets = count * [Set(ratio, 0.9, 1e6)]
     begin = process_time()
     motion = closing(sets, {1: 0.1, count + 1: 1.0}, *torques)
@@ -101,16 +88,11 @@ def test_a_wheel_slips_for_less_than_a_nanosecond(torque: float) -> None:
 
 
 def some_sets(random: Random) -> list[Set]:
-    """Two to ten sets with ratios that can be built."""
-    ranges = ((-4, -1.3), (1.3, 4), (0.25, 0.8))
-    return [
-        Set(
-            random.uniform(*random.choice(ranges)),
-            random.uniform(0.85, 0.99),
-            10 ** random.uniform(1.5, 5),
-        )
-        for _ in range(random.randint(2, 10))
-    ]
+    ranges, sets = ((-4, -1.3), (1.3, 4), (0.25, 0.8)), []
+    for _ in range(random.randint(2, 10)):
+        ratio, efficiency = random.uniform(*random.choice(ranges)), random.uniform(0.85, 0.99)
+        sets.append(Set(ratio, efficiency, 10 ** random.uniform(1.5, 5)))
+    return sets
 
 
 @seeds_with_slow(2, 20, 300)
@@ -118,11 +100,8 @@ def test_any_cascade_runs(seed: int) -> None:
     random = seeded(seed)
     sets = some_sets(random)
     end = len(sets) + 1
-    inertias = {
-        link: 10 ** random.uniform(-2.5, -0.5)
-        for link in range(2, 2 * end)
-        if random.random() < 0.4
-    }
+    heavy = [link for link in range(2, 2 * end) if random.random() < 0.4]
+    inertias = {link: 10 ** random.uniform(-2.5, -0.5) for link in heavy}
     inertias |= {1: 10 ** random.uniform(-1, 0), end: 10 ** random.uniform(-1, 1)}
     torques = random.choice([-1, 1]) * random.uniform(20, 200), random.uniform(-2000, 2000)
     assert runs(closing(sets, inertias, *torques), sets)

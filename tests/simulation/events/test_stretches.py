@@ -29,11 +29,8 @@ STIFFNESS, DAMPING, INERTIA = 1e4, 1.0, 0.1
 def chain(count: int) -> Scenario:
     """Links on springs, those before a clutch in the middle faster than those behind."""
     middle = count // 2
-    springs = tuple(
-        Spring(between(link, link + 1), STIFFNESS, damping=DAMPING)
-        for link in range(1, count)
-        if link != middle
-    )
+    sprung = [between(link, link + 1) for link in range(1, count) if link != middle]
+    springs = tuple(Spring(twist, STIFFNESS, damping=DAMPING) for twist in sprung)
     clutch = ShiftElement(middle, middle + 1, "C")
     case = links(*[INERTIA] * count, elements=(clutch,), springs=springs)
     speeds = {link: 50.0 if link <= middle else 0.0 for link in range(1, count + 1)}
@@ -62,7 +59,6 @@ def test_a_chain_whose_clutch_slips_moves_as_by_a_plain_integrator() -> None:
 
 
 def test_a_firing_torque_on_stiff_shafts_moves_as_by_a_plain_integrator() -> None:
-    """Stretches are many and joined into steps; a torque over the angle bends in each."""
     stiffness, damping, inertias = np.array([1500.0, 3e4]), np.array([0.0, 0.5]), (0.15, 0.01, 2.0)
     twist = np.array([[1.0, -1.0, 0.0], [0.0, 1.0, -1.0]])
 

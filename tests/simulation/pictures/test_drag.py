@@ -48,13 +48,9 @@ FREEWHEEL = f"{BRAKE}, {FREE}"
 def drag(random: Random) -> str:
     """Drag as a case gives it: a number, a formula of the slip, points of it."""
     size = random.uniform(0.2, 6)
-    laws = (
-        f", drag: {size:.3f} N*m",
-        f', drag: "{size:.3f} + 2e-3*w"',
-        f', drag: "{size / 200:.5f}*w"',
-        f", drag: [[0, {size:.3f}], [300, {2 * size:.3f}]]",
-    )
-    return random.choice(laws)
+    laws = f"{size:.3f} N*m", f'"{size:.3f} + 2e-3*w"', f'"{size / 200:.5f}*w"'
+    points = f"[[0, {size:.3f}], [300, {2 * size:.3f}]]"
+    return f", drag: {random.choice([*laws, points])}"
 
 
 class Texts(NamedTuple):
@@ -67,7 +63,6 @@ class Texts(NamedTuple):
 
 
 def shift(random: Random, *, with_drag: bool) -> Texts:
-    """A random power-on upshift, or a downshift under brake, as case and scenario."""
     is_up, is_freewheel = random.random() < 0.6, random.random() < 0.3
     is_freewheel = is_freewheel and is_up
     given: dict[str, Any] = {
@@ -100,7 +95,6 @@ def shown(results: Results, motion: Motion) -> list[ShiftPhase]:
 
 
 def expected(motion: Motion, texts: Texts) -> list[tuple[str, float, float]]:
-    """Phases by the events of the run, and by the controls of the shift."""
     gone, locked = [event for event in motion.events if event.element in {"B", "C"}][:2]
     assert (gone.event, locked.event) == ("slips", "locks")
     found = [("torque", texts.begins, gone.time), ("inertia", gone.time, locked.time)]

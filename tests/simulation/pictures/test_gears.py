@@ -43,7 +43,6 @@ def test_between_two_gears_are_a_torque_phase_and_an_inertia_phase() -> None:
 
 
 def test_of_gears_within_one_another_the_one_with_more_elements_holds() -> None:
-    """A gear of one clutch beside those that need it and a second one."""
     pieces = gear_pieces({"0": frozenset("A"), **GEARS}, shifting())
     assert [(one.gear, one.start, one.end) for one in pieces] == [
         ("1", 0.0, 2.0), ("0", 2.0, 3.0), ("2", 3.0, 4.0),

@@ -48,10 +48,8 @@ def test_words_of_a_row_stand_apart_and_near_their_events(seed: int) -> None:
     room = float(rng.uniform(100.0, 400.0))
     places = np.sort(rng.uniform(0.0, room, int(rng.integers(1, 40))))
     kinds = rng.choice(["locks", "slips", "reverses", "impact"], len(places))
-    events = [
-        (Event(n, "C", kind), float(at))
-        for n, (kind, at) in enumerate(zip(kinds, places, strict=True))
-    ]
+    pairs = enumerate(zip(kinds, places, strict=True))
+    events = [(Event(n, "C", kind), float(at)) for n, (kind, at) in pairs]
     words = placed_words(events, room, Style())
     assert words
     edges = [(one.middle - width(one.text) / 2, one.middle + width(one.text) / 2) for one in words]

@@ -119,7 +119,6 @@ def test_vehicle_or_output_is_a_panel_and_none_has_more_than_six_lines(shown: Sh
 
 
 def test_capacities_stand_behind_torques(shown: Shown) -> None:
-    """Of elements alone, and none below what is carried at the end."""
     for panel in shown.panels("torque"):
         lines = {g.get("data-name"): g for g in panel.findall(f"{SVG}g[@class='line']")}
         for group in panel.findall(f"{SVG}g[@class='capacity']"):
@@ -132,15 +131,10 @@ def test_capacities_stand_behind_torques(shown: Shown) -> None:
 
 
 def colours(group: ET.Element) -> set[str]:
-    """The colours of the lines and areas of a group but paper."""
-    found = set()
+    found = set[str]()
     for one in group.iter():
-        for key in ("stroke", "fill"):
-            colour = re.search(rf"{key}: (#\w+)", one.get("style", "")) or re.match(
-                r"()?(#\w+)", one.get(key, "")
-            )
-            if colour:
-                found.add(colour[colour.lastindex or 1])
+        texts = (f"{key}: {one.get(key, '')}; {one.get('style', '')}" for key in ("stroke", "fill"))
+        found.update(*(re.findall(r"(?:stroke|fill): (#\w+)", text) for text in texts))
     return found - {Style().paper}
 
 

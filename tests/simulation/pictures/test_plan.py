@@ -17,11 +17,9 @@ from vstatics.simulation.record.motion import Energy
 
 
 def pages_of(picture: Path) -> list[bytes]:
-    """A file and its further pages, in their order."""
-    further = sorted(
-        picture.parent.glob(f"{picture.stem}-*.svg"), key=lambda one: (len(one.name), one.name)
-    )
-    return [one.read_bytes() for one in (picture, *further)]
+    further = picture.parent.glob(f"{picture.stem}-*.svg")
+    ordered = sorted(further, key=lambda one: (len(one.name), one.name))
+    return [one.read_bytes() for one in (picture, *ordered)]
 
 
 @pytest.mark.slow
@@ -55,17 +53,8 @@ def test_a_run_on_no_plan_says_so() -> None:
     case = loads(DCT)
     speeds = np.tile(np.arange(1.0, 1 + case.own_links), (3, 1))
     names = tuple(map(case.link_name, range(1, 1 + case.own_links)))
-    motion = MOTION._replace(links=names, speeds=speeds)
+    none = np.zeros((3, 0))
+    energy = Energy(0.0, {}, {}, {}, 0.0, 0.0, 0.0, 0.0)
+    motion = Motion(np.arange(3.0), names, (), (), speeds, none, none, none, (), energy, {})
     drawn = picture(solve(case), "plan", Style(), motion=motion)
     assert "the run is on no plan" in texts(drawn)
-
-
-MOTION = Motion(
-    np.array([0.0, 1.0, 2.0]),
-    *((),) * 3,
-    *(np.zeros((3, 0)),) * 4,
-    (),
-    Energy(0.0, {}, {}, {}, 0.0, 0.0, 0.0, 0.0),
-    {},
-)
-"""A run of no links, elements and devices."""

@@ -42,19 +42,12 @@ def run(count: int = 20) -> Motion:
     brake = np.r_[np.full(count, -120.0), np.full(count, -60.5)]
     heat = np.r_[858.815102 * (1 - (1 - before / LOCK) ** 2), np.full(count, 858.815102)]
     none = np.zeros_like(time)
-    return Motion(
-        time,
-        ("sun", "ring", "carrier"),
-        ("brake", "lock-up"),
-        ("brake", "lock-up", "set"),
-        np.stack([sun, ring, carrier], axis=1),
-        np.stack([ring, sun - ring], axis=1),
-        np.stack([brake, none, brake / 1.5], axis=1),
-        np.stack([heat, none], axis=1),
-        (Event(LOCK, "brake", "locks"),),
-        Energy(1163.48, {"brake": 858.815102}, {}, {}, 304.665, 0.0, 0.0, 0.0),
-        {"brake": Peak(-120.0, 0.0)},
-    )
+    names = ("sun", "ring", "carrier"), ("brake", "lock-up"), ("brake", "lock-up", "set")
+    tables = [sun, ring, carrier], [ring, sun - ring], [brake, none, brake / 1.5], [heat, none]
+    speeds, slips, torques, heats = (np.stack(table, axis=1) for table in tables)
+    energy = Energy(1163.48, {"brake": 858.815102}, {}, {}, 304.665, 0.0, 0.0, 0.0)
+    events, peaks = (Event(LOCK, "brake", "locks"),), {"brake": Peak(-120.0, 0.0)}
+    return Motion(time, *names, speeds, slips, torques, heats, events, energy, peaks)
 
 
 def test_an_element_slips_until_it_locks_and_what_never_carries_is_left_out() -> None:
@@ -69,20 +62,14 @@ def test_panels_have_what_moves(results: Results) -> None:
         panel.text: [name for line in panel.lines for name in line.names]
         for panel in panels(results.case, run())
     }
-    assert shown == {
-        "speed, rpm": ["sun", "carrier", "ring"],
-        "slip, rpm": ["brake"],
-        "torque of shift elements, N·m": ["brake"],
-        "heat, kJ": ["brake"],
-    }
+    of_brake = "slip, rpm", "torque of shift elements, N·m", "heat, kJ"
+    assert shown.pop("speed, rpm") == ["sun", "carrier", "ring"]
+    assert shown == {name: ["brake"] for name in of_brake}
 
 
 def test_columns_that_are_asked_for_have_panels_of_their_own(results: Results) -> None:
-    """Heat once: no second line of what has one. Links look as everywhere."""
-    asked = {
-        "slip_power": {"brake": run().slips[:, 0] * -120.0},
-        "heat": {"brake": run().heat[:, 0], "carrier": run().heat[:, 1]},
-    }
+    heat = {"brake": run().heat[:, 0], "carrier": run().heat[:, 1]}
+    asked = {"slip_power": {"brake": run().slips[:, 0] * -120.0}, "heat": heat}
     found = panels(results.case, run()._replace(asked=asked))
     kinds = [(panel.kind, [name for one in panel.lines for name in one.names]) for panel in found]
     assert kinds[-3:] == [("heat", ["brake"]), ("slip_power", ["brake"]), ("heat", ["carrier"])]

@@ -9,14 +9,14 @@ from tests.simulation.boxes import RPM
 from tests.simulation.published.test_published_starts import (
     TABLE_3_9,
     TABLE_3_11,
-    Dumped,
     chain_of,
     of_table_3_9,
     one_spring,
 )
+from tests.simulation.test_closed_forms import links
 from tests.torsion.table_3_8 import TABLE_3_8
 from tests.torsion.test_simplification_tables import GEARS
-from vstatics import Gear, ShiftElement, Spring, Transmission
+from vstatics import ShiftElement, Spring
 from vstatics.core.model.springs import between
 from vstatics.simulation import Capacity, Formula, Scenario, Start, simulate
 from vstatics.torsion.clutch.dumped import dump
@@ -50,7 +50,8 @@ def test_measured_torques_of_a_truck_with_many_masses() -> None:
     """MAZ-504, table 3.2: 1780 rpm, a clutch of 1.2 kN*m."""
     for row in rows("vehicle-dynamics", "Largest torques that were measured", 1):
         gear = GEARS.index(row["gear"])
-        motion = simulate(chain_of(Dumped("500", gear + 1, {}), 1200, 1780))
+        [of] = [one for one in TABLE_3_11 if (one.vehicle, one.gear) == ("500", gear + 1)]
+        motion = simulate(chain_of(of, 1200, 1780))
         peak = motion.peaks["Y34"].torque * MAZ_RATIOS[gear] / 1000
         assert rounded(peak, "0.00") == row["simulate"]
 
@@ -68,17 +69,10 @@ def test_starts_of_a_car(row: Row, monkeypatch: pytest.MonkeyPatch) -> None:
     damping = "2" if variant in {"1.7", "1.10"} else "1"
     monkeypatch.setitem(TABLE_3_9["scheme"], "K", DAMPING[damping])
     rate, speed = float(row["K [1/s]"]), 607 if variant in {"1.6", "1.7", "1.12", "2.5"} else 262
-    found = of_table_3_9(
-        {
-            "params": {
-                "MC0": {"1": 182, "2": 130}[variant[0]],
-                "Mphi": 1e4 if variant in {"1.8", "1.9", "1.10", "1.11", "1.12"} else 130,
-                "w0": speed,
-                "K": rate,
-                "T": 0.6 if rate < 10 else 0.45 if speed < 300 else 0.3,
-            }
-        }
-    )
+    grip = 1e4 if variant in {"1.8", "1.9", "1.10", "1.11", "1.12"} else 130
+    duration = 0.6 if rate < 10 else 0.45 if speed < 300 else 0.3
+    params = {"MC0": {"1": 182, "2": 130}[variant[0]], "Mphi": grip, "w0": speed, "K": rate}
+    found = of_table_3_9({"params": {**params, "T": duration}})
     known = {one["variant"]: one["published"] for one in TABLE_3_9["cases"]}
     for shaft, key in (("input shaft", "M_PV"), ("half-shafts", "Y_po")):
         printed, here = row[shaft].split("/")
@@ -127,17 +121,12 @@ def torque_of_an_axle(column: str, gear: int) -> float:
     wheels, first, tyres, grip, final = AXLES[column[: column.index(",")]]
     ratio = RATIOS[gear]
     inertias = (5.29 * ratio**2, FIRST_MASSES[column][gear] / 10, wheels, 44e3 * 0.51**2 / final**2)
-    case = Transmission(
-        4,
-        [ShiftElement(1, 2, "clutch", static=1.25)],
-        [],
-        [Gear()],
-        inertias=dict(enumerate(inertias, 1)),
-        springs=[
-            Spring(between(2, 3), compliance=first, name="T"),
-            Spring(between(3, 4), compliance=tyres, name="K", limit=grip),
-        ],
+    springs = (
+        Spring(between(2, 3), compliance=first, name="T"),
+        Spring(between(3, 4), compliance=tyres, name="K", limit=grip),
     )
+    clutch = ShiftElement(1, 2, "clutch", static=1.25)
+    case = links(*inertias, elements=(clutch,), springs=springs)
     control = Capacity(Formula(f"0.8*2500*{ratio}*(1 - exp(-150*t))"))
     start = Start(speeds={1: 2100 / ratio * RPM, 2: 0.0, 3: 0.0, 4: 0.0})
     return simulate(Scenario(case, 0.5, start, {1: control})).peaks["T"].torque / 2000

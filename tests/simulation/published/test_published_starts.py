@@ -12,27 +12,23 @@ import pytest
 
 from tests.commands import json_file
 from tests.simulation.boxes import RPM, held
+from tests.simulation.test_closed_forms import links
 from tests.simulation.test_golden import closes
 from tests.torsion.table_3_8 import TABLE_3_8, Line
 from vstatics import Gear, ShiftElement, Spring, Transmission
 from vstatics.core.model.springs import between
 from vstatics.simulation import Capacity, Formula, Scenario, Start, simulate
 
-PUBLISHED = Path(__file__).with_name("tsitovich-table-3-9.json")
-TABLE_3_9: dict[str, Any] = json_file(PUBLISHED)
+FOLDER = Path(__file__).parent
+TABLE_3_9: dict[str, Any] = json_file(FOLDER / "tsitovich-table-3-9.json")
 
 
 def one_spring(line: Line) -> Scenario:
     """The scheme of table 3.8: clutch, one spring, grip; the clutch slips with 0.8 M_C0."""
     j1, j2, j3, j4, j5, compliance, clutch, grip, speed = line.given[:9]
-    case = Transmission(
-        4,
-        [ShiftElement(1, 2, "clutch", static=1.25), ShiftElement(3, 4, "grip")],
-        [],
-        [Gear()],
-        inertias={1: j1, 2: j2 + j3, 3: j4, 4: j5},
-        springs=[Spring(between(2, 3), compliance=compliance)],
-    )
+    elements = ShiftElement(1, 2, "clutch", static=1.25), ShiftElement(3, 4, "grip")
+    spring = Spring(between(2, 3), compliance=compliance)
+    case = links(j1, j2 + j3, j4, j5, elements=elements, springs=(spring,))
     start = Start(speeds={1: speed, 2: 0.0, 3: 0.0, 4: 0.0}, engaged=(2,))
     # until the spring has swung back
     return Scenario(case, 0.25, start, {1: held(0.8 * clutch), 2: held(grip)})
@@ -68,7 +64,6 @@ def reduced_chain(row: dict[str, Any]) -> Scenario:
 
 
 def of_table_3_9(row: dict[str, Any]) -> dict[str, float]:
-    """What the table prints of a start."""
     motion = simulate(reduced_chain(row))
     assert closes(motion)
     shaft = motion.peaks["input shaft"]
@@ -90,74 +85,49 @@ def test_moskvich_starts(row: dict[str, Any]) -> None:
 
 
 class Dumped(NamedTuple):
-    """What is legible of a row of table 3.11, torques on the input shaft [kN*m], times [s]."""
+    """What is legible of a row of table 3.11."""
 
     vehicle: str
     gear: int
+    inertias: list[float]
+    compliances: list[float]
+    grip: float
     peaks: dict[str, float]
-    changes: tuple[tuple[str, str, float], ...] = ()
+    changes: list[tuple[str, str, float]]
 
 
-INERTIAS = {
-    ("500", 1): (0.821, 0.0532, 0.0311, 0.483, 17.8),  # .532 is printed, .0532 for "200"
-    ("200", 1): (0.821, 0.0533, 0.028, 0.483, 17.8),
-    ("500", 2): (0.849, 0.221, 0.103, 1.58, 58.7),
-    ("200", 2): (0.849, 0.221, 0.0922, 1.58, 58.7),
-    ("500", 3): (0.88, 0.932, 0.378, 5.72, 212),
-    ("200", 3): (0.88, 0.932, 0.333, 5.72, 212),
-    ("500", 4): (0.92, 3.15, 1.19, 18.3, 679),
-    ("200", 4): (0.92, 3.15, 1.06, 18.3, 679),
-}
-"""Of table 2.7, J_2 to J_6 in units of .1 kg*m^2; J_1 is split into 37 and .87."""
-COMPLIANCES = {
-    ("500", 1): (1.26, 14.7, 52.7, 510, 271),
-    ("200", 1): (1.26, 14.7, 50.4, 1330, 271),
-    ("500", 2): (1.26, 7.41, 16, 155, 82.2),
-    ("200", 2): (1.26, 7.41, 15.3, 400, 82.2),
-    ("500", 3): (1.27, 2.74, 4.74, 42.9, 22.8),
-    ("200", 3): (1.27, 2.74, 4.55, 112, 22.8),
-    ("500", 4): (1.26, 0.747, 1.49, 13.4, 7.11),
-    ("200", 4): (1.26, 0.747, 1.43, 34.7, 7.11),
-}
-"""Of table 2.8, E_12 to E_56 in units of 1e-5 rad/(N*m)."""
-GRIPS = {1: 870.0, 2: 1580.0, 3: 2990.0, 4: 5750.0}
-"""Y_phi of table 3.11 [N*m]; of gear 3 by the ratios, as it is not legible."""
-TABLE_3_11 = [
-    Dumped("500", 1, {"Y23": 1.21, "Y34": 1.19, "Y45": 1.15, "Y56": 0.87},
-           (("clutch", "locks", 0.034), ("Y56", "slips", 0.057), ("clutch", "slips", 0.071))),
-    Dumped("200", 1, {"Y23": 1.14, "Y34": 1.12, "Y45": 1.09, "Y56": 0.87},
-           (("clutch", "locks", 0.032), ("clutch", "slips", 0.095))),
-    Dumped("500", 2, {"Y12": 1.38, "Y56": 1.58}, (("Y56", "slips", 0.054),)),
-    Dumped("200", 2, {"Y12": 1.45, "Y23": 1.79, "Y34": 1.87, "Y45": 1.85, "Y56": 1.58},
-           (("Y56", "slips", 0.075),)),
-    Dumped("500", 3, {"Y12": 1.26, "Y23": 1.42, "Y34": 1.48}),
-    Dumped("200", 3, {"Y12": 1.37, "Y23": 1.64, "Y34": 1.82, "Y45": 1.87}),
-    Dumped("500", 4, {"Y12": 1.22, "Y23": 1.32}),
-    Dumped("200", 4, {"Y12": 1.26, "Y23": 1.42}),
-]  # fmt: skip
+TABLE_3_11 = [Dumped(**row) for row in json_file(FOLDER / "tsitovich-table-3-11.json")["rows"]]
+
+
+class Row(NamedTuple):
+    """Masses in a row behind a clutch, without damping and without the reaction of the axle."""
+
+    inertias: tuple[float, ...]
+    compliances: tuple[float, ...]
+    """In units of 1e-5 rad/(N*m)."""
+    grip: float
+    """[N*m]"""
+
+    def scenario(self, clutch: str, static: float, rpm: float, duration: float) -> Scenario:
+        """The clutch that is dumped at a speed of the engine."""
+        springs = [
+            Spring(between(n, n + 1), compliance=compliance * 1e-5, name=f"Y{n - 1}{n}")
+            for n, compliance in enumerate(self.compliances, 2)
+        ]
+        springs[-1] = springs[-1]._replace(limit=self.grip)
+        element = ShiftElement(1, 2, "clutch", static=static)
+        case = links(*self.inertias, elements=(element,), springs=tuple(springs))
+        start = Start(speeds={1: rpm * RPM} | dict.fromkeys(range(2, 8), 0.0))
+        return Scenario(case, duration, start, {1: Capacity(Formula(clutch))})
 
 
 def chain_of(row: Dumped, clutch: float = 1300, rpm: float = 1800) -> Scenario:
-    """No damping, no reaction of the axle; torque of the clutch, speed of the engine, 150 1/s."""
-    key = (row.vehicle, row.gear)
-    springs = [
-        Spring(between(n, n + 1), compliance=compliance * 1e-5, name=f"Y{n - 1}{n}")
-        for n, compliance in enumerate(COMPLIANCES[key], 2)
-    ]
-    springs[-1] = springs[-1]._replace(limit=GRIPS[row.gear])
+    """Torque of the clutch, speed of the engine; 150 1/s."""
     slipping = 1.0 if row.gear == 1 else 0.8
-    inertias = (37, 0.87, *INERTIAS[key])
-    case = Transmission(
-        7,
-        [ShiftElement(1, 2, "clutch", static=1 / slipping)],
-        [],
-        [Gear()],
-        inertias={n: inertia / 10 for n, inertia in enumerate(inertias, 1)},
-        springs=springs,
-    )
-    control = Capacity(Formula(f"{slipping}*{clutch}*(1 - exp(-150*t))"))
-    start = Start(speeds={1: rpm * RPM} | dict.fromkeys(range(2, 8), 0.0))
-    return Scenario(case, 0.16 if row.gear <= 2 else 0.08, start, {1: control})
+    inertias = tuple(inertia / 10 for inertia in (37, 0.87, *row.inertias))
+    given = Row(inertias, tuple(row.compliances), row.grip)
+    control, duration = f"{slipping}*{clutch}*(1 - exp(-150*t))", 0.16 if row.gear <= 2 else 0.08
+    return given.scenario(control, 1 / slipping, rpm, duration)
 
 
 @pytest.mark.slow
@@ -173,23 +143,15 @@ def test_dumps_of_table_3_11(row: Dumped) -> None:
         assert times[0] == pytest.approx(time, abs=3.5e-3), (element, event)
 
 
-GAZ = ((0.499, 0.0209, 0.00468, 0.00229, 0.000358, 0.018, 0.802), (2.51, 24.1, 204, 3230, 546))
-"""ГАЗ-53А in gear 1, tables 2.7 and 2.8: inertias, compliances."""
+INERTIAS_OF_GAZ = 0.499, 0.0209, 0.00468, 0.00229, 0.000358, 0.018, 0.802
+GAZ = Row(INERTIAS_OF_GAZ, (2.51, 24.1, 204, 3230, 546), 401.0)
+"""ГАЗ-53А in gear 1, tables 2.7 and 2.8."""
 
 
 def half_shaft_of_gaz(clutch: float, rise: float, speed: float) -> float:
     """The largest forward torque of a half-shaft [kN*m]: clutch by 580 N*m, time of its rise."""
-    springs = [
-        Spring(between(n, n + 1), compliance=compliance * 1e-5, name=f"Y{n - 1}{n}")
-        for n, compliance in enumerate(GAZ[1], 2)
-    ]
-    springs[-1] = springs[-1]._replace(limit=401.0)
-    element = ShiftElement(1, 2, "clutch", static=1.25)
-    inertias = dict(enumerate(GAZ[0], 1))
-    case = Transmission(7, [element], [], [Gear()], inertias=inertias, springs=springs)
-    control = Capacity(Formula(f"0.8*580*{clutch}*(1 - exp(-{3 / rise}*t))"))
-    start = Start(speeds={1: speed * 2700 * RPM} | dict.fromkeys(range(2, 8), 0.0))
-    motion = simulate(Scenario(case, 0.6, start, {1: control}))
+    control = f"0.8*580*{clutch}*(1 - exp(-{3 / rise}*t))"
+    motion = simulate(GAZ.scenario(control, 1.25, speed * 2700, 0.6))
     torque = float(motion.torques[:, motion.devices.index("Y45")].max())
     return torque * 6.55 * 6.83 / 2 / 1000
 

@@ -48,9 +48,8 @@ def of_modes(scenario: Scenario, times: Floats) -> dict[str, Floats]:
     rates = np.array([spring.rate for spring in case.springs])
     mass = np.diag([case.inertias[link] for link in range(1, case.links + 1)])
     squares, shapes = eigh(rows.T @ (rates[:, None] * rows), mass)
-    forces = shapes.T @ np.array(
-        [law.y[0] for _, law in scenario.torques if isinstance(law, Points)]
-    )
+    loads = [law.y[0] for _, law in scenario.torques if isinstance(law, Points)]
+    forces = shapes.T @ np.array(loads)
     started = np.array([scenario.start.speeds[n] for n in range(1, case.links + 1)])
     speeds = shapes.T @ mass @ started
     turned, moved = np.zeros((2, case.links, len(times)))
@@ -86,7 +85,6 @@ def extreme(values: Floats) -> float:
 
 
 def check_chain(scenario: Scenario) -> None:
-    """Of a motion of springs: its extremes, its peaks, and how near its chords come."""
     motion = simulate(scenario)
     times = np.linspace(0.0, scenario.duration, 20_001)
     expected = of_modes(scenario, times)
@@ -106,9 +104,8 @@ def check_friction(scenario: Scenario) -> None:
     """Calculated again at 501 instants nothing is larger, and chords come near to all of it."""
     motion, fine = simulate(scenario), simulate(scenario, step=scenario.duration / 500)
     known = columns(motion)
-    largest = {
-        kind: np.abs(getattr(fine, kind)).max(initial=0.0) for kind in ("speeds", "torques", "heat")
-    }
+    kinds = "speeds", "torques", "heat"
+    largest = {kind: np.abs(getattr(fine, kind)).max(initial=0.0) for kind in kinds}
     twice = fine.time[1:][np.diff(fine.time) == 0]
     jumps = (np.abs(fine.time[:, None] - twice) < 1e-9).any(axis=1)
     for name, values in columns(fine).items():

@@ -10,30 +10,23 @@ import tracemalloc
 import numpy as np
 import pytest
 
-from vstatics import Gear, ShiftElement, Spring, Transmission
+from tests.simulation.test_closed_forms import links
+from vstatics import ShiftElement, Spring
 from vstatics.simulation import Capacity, Motion, Points, Scenario, Start, constant, simulate
 from vstatics.simulation.record import drawn, record
 
-CASE = Transmission(
-    2,
-    [ShiftElement(2, name="B")],
-    [],
-    [Gear()],
-    inertias={1: 1.0, 2: 1.0},
-    springs=[Spring({1: 1}, 100.0, name="s")],
-)
+SPRING = Spring({1: 1}, 100.0, name="s")
+CASE = links(1.0, 1.0, elements=(ShiftElement(2, name="B"),), springs=(SPRING,))
 START, BRAKE = Start(speeds={1: 1.0, 2: 10.0}), {1: Capacity(constant(5.0))}
 TORQUE = Points((0.0, 7.0, 7.0), (3.0, 3.0, 4.0))
 
 
 def swing(duration: float, until: float = np.inf, step: float | None = None) -> Motion:
-    """The run, which somebody may stop at a time."""
     scenario = Scenario(CASE, duration, START, BRAKE, ((2, TORQUE),))
     return simulate(scenario, step=step, watch=lambda at: "enough" if at >= until else "")
 
 
 def is_the_swing(motion: Motion) -> None:
-    """Instants, extremes, and the jumps are those of the closed form."""
     times = motion.time
     assert motion.speeds[:, 0] == pytest.approx(np.cos(10 * times), abs=1e-6)
     assert motion.torques[:, 1] == pytest.approx(10 * np.sin(10 * times), abs=1e-5)

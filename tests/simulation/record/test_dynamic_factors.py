@@ -47,15 +47,13 @@ def test_factors_are_largest_torques_divided_by_torques_of_statics(tmp_path: Pat
         assert motion.dynamic_factors["D"] is None
 
 
-@pytest.mark.parametrize(
-    "start", ['{gear: "1"}', "{speeds: {in: 0, out: 0}}", "{speeds: {in: 9, out: 0}}"]
-)
-def test_the_speeds_of_a_start_need_not_belong_to_a_gear(tmp_path: Path, start: str) -> None:
+def test_the_speeds_of_a_start_need_not_belong_to_a_gear(tmp_path: Path) -> None:
     """A constant efficiency needs no speed: 150*3*0.96 at the spring."""
-    text = SCENARIO.replace('{gear: "1", speed: 100}', start)
-    motion = simulate(load_scenario(scenario_of(tmp_path, text)))
-    factor = abs(motion.peaks["half"].torque) / 432
-    assert motion.dynamic_factors["half"] == pytest.approx(factor, rel=1e-12)
+    for start in ('{gear: "1"}', "{speeds: {in: 0, out: 0}}", "{speeds: {in: 9, out: 0}}"):
+        text = SCENARIO.replace('{gear: "1", speed: 100}', start)
+        motion = simulate(load_scenario(scenario_of(tmp_path, text)))
+        factor = abs(motion.peaks["half"].torque) / 432
+        assert motion.dynamic_factors["half"] == pytest.approx(factor, rel=1e-12)
 
 
 def test_commands_report_factors(tmp_path: Path) -> None:
@@ -73,15 +71,12 @@ def test_commands_report_factors(tmp_path: Path) -> None:
     assert "dynamic_factor[half]" in sampled
 
 
-@pytest.mark.parametrize(
-    ("static", "what"),
-    [
+def test_a_static_torque_that_cannot_be_is_refused(tmp_path: Path) -> None:
+    for static, what in (
         ('{gear: "9", torque: 150}', "read `9`, expected the name of a gear"),
         ('{gear: "1", torque: 0}', "read 0, expected a torque other than 0"),
         ('{gear: "1"}', "`torque` is missing"),
-    ],
-)
-def test_a_static_torque_that_cannot_be_is_refused(tmp_path: Path, static: str, what: str) -> None:
-    text = SCENARIO.replace('{gear: "1", torque: 150 N*m}', static)
-    with pytest.raises(ReadError, match=what):
-        load_scenario(scenario_of(tmp_path, text))
+    ):
+        text = SCENARIO.replace('{gear: "1", torque: 150 N*m}', static)
+        with pytest.raises(ReadError, match=what):
+            load_scenario(scenario_of(tmp_path, text))

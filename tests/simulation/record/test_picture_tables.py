@@ -8,8 +8,10 @@ import pytest
 
 from tests.chance import with_slow
 from tests.commands import CASES
+from tests.simulation.test_closed_forms import links, run
+from tests.simulation.test_friction import FALLING, PRESSURE
 from tests.simulation.test_roads import CASE, ROAD
-from vstatics import load_scenario
+from vstatics import ShiftElement, load_scenario
 from vstatics.simulation import Motion, Road, Scenario, Start, simulate
 
 QUICK = ("8l90-shifts", "gf4a-upshifts", "moskvich-start", "tarasik-box", "tarasik-set-lock")
@@ -54,6 +56,14 @@ def test_capacities_are_those_of_the_controls() -> None:
     assert ends == {"FH": 3000, "FB": 0, "F1": 0, "F2": 6000, "F3": 0, "FR": 0}
 
 
+def test_the_capacity_of_a_pack_follows_its_slip() -> None:
+    """8 surfaces of 0.006 m^2 on 0.1 m at 1e4 Pa, with mu = 0.1 - slip/200 up to 10 rad/s."""
+    case = links(1.0, 1.0, elements=(ShiftElement(1, 2, "C", friction=FALLING),))
+    motion = run(case, 0.1, {1: 9.0, 2: 0.0}, controls=PRESSURE)
+    expected = 8 * 0.006 * 0.1 * 1e4 * (0.1 - motion.slips[:, 0] / 200)
+    assert motion.beside["capacities"]["C"] == pytest.approx(expected)
+
+
 def test_a_clutch_holds_more_than_it_carries_when_it_slips() -> None:
     """Moskvich: 0.8*182*(1 - exp(-60 t)) N*m while it slips, 1/0.8 of it once it sticks."""
     motion = motion_of("moskvich-start")
@@ -65,21 +75,17 @@ def test_a_clutch_holds_more_than_it_carries_when_it_slips() -> None:
 
 @pytest.mark.parametrize(
     ("name", "by"),
-    [("tarasik-set-lock", {"set": 2.5}), ("tarasik-box", {"set 2": 4.0, "set 3": 3.04})],
-)
-def test_the_output_gets_what_its_sets_give(name: str, by: dict[str, float]) -> None:
+    [
+        ("tarasik-set-lock", {"set": 2.5}), ("tarasik-box", {"set 2": 4.0, "set 3": 3.04}),
+        ("moskvich-start", {"tyres": 1.0}),
+    ],
+)  # fmt: skip
+def test_the_output_gets_what_its_sets_or_springs_give(name: str, by: dict[str, float]) -> None:
     """A carrier takes 1 - u of the torque on the sun, u = -1.5, -3, -2.04."""
     motion = motion_of(name)
-    expected = sum(
-        part * motion.torques[:, motion.devices.index(device)] for device, part in by.items()
-    )
-    assert motion.beside["output_torque"][""] == pytest.approx(expected)
-
-
-def test_the_output_of_springs_gets_their_torque() -> None:
-    motion = motion_of("moskvich-start")
-    tyres = motion.torques[:, motion.devices.index("tyres")]
-    assert motion.beside["output_torque"][""] == pytest.approx(tyres, abs=1e-9)
+    given = {name: motion.torques[:, motion.devices.index(name)] for name in by}
+    expected = sum(part * given[name] for name, part in by.items())
+    assert motion.beside["output_torque"][""] == pytest.approx(expected, abs=1e-9)
 
 
 def test_a_vehicle_is_as_fast_as_its_acceleration_makes_it() -> None:

@@ -136,14 +136,6 @@ def test_a_slip_that_leaves_0_slips_and_reverses_only_through_0(seed: int) -> No
     assert [one.time for one in told[1:]] == pytest.approx(crossings, abs=1e-3)
 
 
-def test_a_step_of_a_sequence_has_a_word_as_all_events() -> None:
-    motion = simulated(
-        "duration: 1\nstart: {gear: g}\nset: {q: 1}\n"
-        'sequences: {s: [{when: "t > 0.5", set: {q: 2}}]}\n'
-    )
-    assert [(one.event, one.word, one.step) for one in motion.events] == [("step", "step", 1)]
-
-
 AXLE = """inertias: {{in: 1, out: 5}}
 mechanisms: {{g: {{first: in, second: out, ratio: {ratio!r}}}}}
 """

@@ -28,7 +28,6 @@ def test_a_run_has_its_events_energy_and_torques() -> None:
 
 
 def test_large_energies_are_in_kj_and_what_does_not_exist_stays_so() -> None:
-    """The column of names has a heading; a table without rows is as it was."""
     rows: list[Row] = [["work", exact(474894.33)], ["brake", exact(None)], ["elastic", exact(0.0)]]
     made = in_figures(Grid("Energy", [text(""), Column("energy [J]")], rows))
     assert [column.heading for column in made.columns] == ["part", "energy [kJ]"]
@@ -66,11 +65,8 @@ def test_a_page_of_a_run_has_both_pictures() -> None:
 
 @pytest.mark.usefixtures("without_pictures")
 def test_what_a_scenario_says_of_itself_stands_at_the_top() -> None:
-    """And leads to the run."""
     material = gather(
-        shipped_results("tarasik-set.yaml"),
-        motion=run(),
-        naming=Naming("Lock <up>", "To 2 & back"),
+        shipped_results("tarasik-set.yaml"), motion=run(), naming=Naming("Lock <up>", "To 2 & back")
     )
     shown = Page(page(material))
     assert shown.all("title")[0].text == f"Lock <up>, {material.results.case.name}"
@@ -117,24 +113,16 @@ def test_other_commands_say_that_it_is_a_scenario() -> None:
         assert said.err.count("error:") == 1
 
 
-def test_a_run_has_no_single_gear(tmp_path: Path) -> None:
-    said = vstatics("plot", SCENARIO, "--kind", "shift", "--gear", "2", "-o", tmp_path / "a.svg")
-    assert said.is_wrong_use("--gear: a run goes through all gears")
-
-
-def test_what_is_wrong_with_a_scenario_is_told_at_its_place(tmp_path: Path) -> None:
-    text = SCENARIO.read_text("utf-8")
+def test_what_is_wrong_with_a_scenario_is_told_at_its_place_and_a_run_has_no_single_gear(
+    tmp_path: Path,
+) -> None:
+    text, file = SCENARIO.read_text("utf-8"), tmp_path / "run.yaml"
     case = (CASES / "tarasik-set.yaml").as_posix()
-    wrong = {
-        "missing.yaml": (text, ":2:7: error: "),
-        "speeds.yaml": (
-            text.replace("../tarasik-set.yaml", case).replace(", carrier: 0", ""),
-            ":4:",
-        ),
-        "none.yaml": ("duration: 3\n", "`case` is missing"),
-    }
-    for name, (written, place) in wrong.items():
-        (tmp_path / name).write_text(written, "utf-8")
-        said = vstatics("plot", tmp_path / name, "--kind", "shift", "-o", tmp_path / "out.svg")
+    undetermined = text.replace("../tarasik-set.yaml", case).replace(", carrier: 0", "")
+    for written, place in ((text, ":2:7: error: "), (undetermined, ":4:")):
+        file.write_text(written, "utf-8")
+        said = vstatics("plot", file, "--kind", "shift", "-o", tmp_path / "out.svg")
         assert (said.status, place in said.err) == (1, True), said.err
         assert not (tmp_path / "out.svg").exists()
+    said = vstatics("plot", SCENARIO, "--kind", "shift", "--gear", "2", "-o", tmp_path / "a.svg")
+    assert said.is_wrong_use("--gear: a run goes through all gears")

@@ -17,7 +17,6 @@ SCENARIO = CASES / "scenarios" / "tarasik-set-upshift.yaml"
 
 
 def test_an_event_goes_by_what_happens_whenever_it_is() -> None:
-    """Of the closed form of the shift, once with a second lock."""
     first = run()
     [locks] = first.events
     later = first._replace(events=(locks._replace(time=LOCK / 2), locks._replace(time=0.9)))
@@ -25,13 +24,8 @@ def test_an_event_goes_by_what_happens_whenever_it_is() -> None:
     times = [[row[1].value for row in grid.cells] for grid in events if grid]
     assert times == [[LOCK], [LOCK / 2, 0.9]]
     rows = merged([grid for grid in events if grid], "AB").texts
-    assert [row[:2] for row in rows] == [
-        ["brake locks", "A"],
-        ["brake locks", "B"],
-        ["change", ""],
-        ["brake locks", "B"],
-        ["not in A", ""],
-    ]
+    common = [["brake locks", "A"], ["brake locks", "B"], ["change", ""]]
+    assert [row[:2] for row in rows] == [*common, ["brake locks", "B"], ["not in A", ""]]
 
 
 def test_energies_are_in_one_unit_and_without_a_run_there_are_none() -> None:
@@ -67,10 +61,9 @@ def test_the_page_has_both_runs(tmp_path: Path) -> None:
     page = Page(made.read_text("utf-8"))
     for label, file in (("A", SCENARIO), ("B", other)):
         told = json_answer("simulate", file)
-        cells = [
-            one.attributes for one in page.all("td") if one.attributes.get("data-case") == label
-        ]
-        shown = {float(one["data-number"] or "nan") for one in cells if "data-number" in one}
+        cells = [one.attributes for one in page.all("td")]
+        cells = [one for one in cells if one.get("data-case") == label and "data-number" in one]
+        shown = {float(one["data-number"] or "nan") for one in cells}
         wanted = [told["events"][0]["time"], *told["energy"]["heat"].values()]
         for number in filter(None, wanted):
             assert any(abs(one - number) < 1e-9 * number for one in shown), number

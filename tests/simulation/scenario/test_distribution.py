@@ -21,15 +21,13 @@ def test_a_normal_one_has_the_quantiles_of_the_normal_distribution() -> None:
 
 
 def test_mean_and_deviation() -> None:
+    # the mean of a lognormal is exp(m + s^2/2), its deviation that times sqrt(exp(s^2) - 1)
+    mean_of_lognormal, part = math.exp(-0.78 + 0.25**2 / 2), math.sqrt(math.expm1(0.25**2))
+    lognormal = Distribution(lognormal=(-0.78, 0.25))
     for one, mean, deviation in (
         (Distribution(normal=(262.0, 6.0)), 262.0, 6.0),
         (Distribution(uniform=(1.0, 3.0)), 2.0, 2 / math.sqrt(12)),
-        # the mean of a lognormal is exp(m + s^2/2), its deviation that times sqrt(exp(s^2) - 1)
-        (
-            Distribution(lognormal=(-0.78, 0.25)),
-            math.exp(-0.78 + 0.25**2 / 2),
-            math.exp(-0.78 + 0.25**2 / 2) * math.sqrt(math.expm1(0.25**2)),
-        ),
+        (lognormal, mean_of_lognormal, mean_of_lognormal * part),
     ):
         numbers = one.quantiles(PARTS)
         assert numbers.mean() == pytest.approx(mean, rel=1e-4)

@@ -65,15 +65,10 @@ def test_all_forms_of_controls() -> None:
         2: Capacity(Formula("182*(1 - exp(-60*t))"), 0.9),
         3: Capacity(Points((0.0, 1.0), (2e5, 84e-5))),
     }
-    assert scenario("controls: {B: 200 N*m, lock up: t}").controls == {
-        1: Capacity(constant(200.0)),
-        2: Capacity(Formula("t")),
-    }
+    read = scenario("controls: {B: 200 N*m, lock up: t}")
+    assert read.controls == {1: Capacity(constant(200.0)), 2: Capacity(Formula("t"))}
     read = scenario("controls: {B: {dog: [[1.5, closed], [2, open]]}, P: {formula: 1 MPa}}")
-    assert read.controls == {
-        1: Dog(((1.5, True), (2.0, False))),
-        3: Capacity(constant(1e6)),
-    }
+    assert read.controls == {1: Dog(((1.5, True), (2.0, False))), 3: Capacity(constant(1e6))}
 
 
 def test_all_forms_of_torques() -> None:
@@ -144,6 +139,7 @@ FAULTS = [
     ("controls: {B: {dog: [[1, shut]]}}", "4:26", "expected `open` or `closed`"),
     ("controls: {B: {dog: [[1, open], [0, closed]]}}", "4:33", "expected times in their order"),
     ("controls: {B: []}", "4:12", "expected at least one point"),
+    ("controls: [3]", "4:11", "expected a mapping: a number for each shift element"),
     ("controls: {B: 3 bar}", "4:12", "read a number in Pa, expected a number in N*m, since B has"),
     ("controls: {P: [[0, 3 N*m]]}", "4:20", "expected a number in Pa, since P has `friction`"),
     ("controls: {B: 3 kg}", "4:15", "expected a number in N*m or Pa, bare or with its unit"),
@@ -152,7 +148,6 @@ FAULTS = [
     ("controls: {B: sqrt(1 - t)}", "4:12", "is nan at 1.0"),
     ("controls: {B: .nan}", "4:15", "read `.`, expected a number, t, or"),
     ("controls: {W: 3}", "4:12", "read a control of a freewheel, which holds without a control"),
-    ("controls: [3]", "4:11", "expected a mapping: a number for each shift element"),
     ("torques: {wheels: 3}", "4:11", "did you mean `wheel`?"),
     ("torques: {housing: 3}", "4:10", "read the housing, expected a link that can rotate"),
     ('torques: {in: "1 + tt"}', "4:20", "read `tt`, expected a formula of t, speed and angle"),
@@ -161,14 +156,10 @@ FAULTS = [
     ("torques: {in: {over: speed, resistance: 1}}", "4:15", "read `over` with `resistance`"),
     ("torques: {in: {over: speed, points: [[1 s, 2]]}}", "4:39", "the points are over speed"),
     ("torques: {in: {road: {mass: 1}}}", "4:22", "`radius` is missing"),
-    ("torques: {in: {road: {mass: 1, radius: 0}}}", "4:40", "read 0, expected a radius above 0"),
     ("torques: {in: {road: {mass: 1, radius: 1, slope: 3}}}", "4:50", "the sine of an angle"),
     ("converters: {B: {links: [in, wheel], points: [[0, 1, 1]]}}", "4:14", "of another component"),
     ("converters: {T: {links: [in, in], points: [[0, 1, 1]]}}", "4:25", "two different links"),
-    ("converters: {T: {links: [in, weel], points: [[0, 1, 1]]}}", "4:30", "did you mean `wheel`"),
     ("converters: {T: {links: [in, housing], points: [[0, 1, 1]]}}", "4:30", "a link number from"),
-    ("converters: {T: {links: [in, wheel], points: []}}", "4:46", "read no points"),
-    ("converters: {T: {links: [in, wheel], points: [[1, 1, 1], [0, 1, 1]]}}", "4:59", "ascend"),
     ("converters: {T: {links: [in, wheel], points: [[0, 1, -1]]}}", "4:54", "lambda of 0 or more"),
     ("shifts: [{at: 1, to: hih}]", "4:22", "expected the name of a gear; did you mean `high`?"),
     ("shifts: [{at: 2, to: low}, {at: 1, to: high}]", "4:33", "expected shifts in the order of"),
@@ -181,19 +172,18 @@ FAULTS = [
 ]
 
 
-@pytest.mark.parametrize(("text", "place", "message"), FAULTS)
-def test_a_fault_is_told_once_at_its_place(text: str, place: str, message: str) -> None:
-    with pytest.raises(ReadError) as caught:
-        scenario(text)
-    [problem] = caught.value.problems
-    assert message in problem.message
-    assert str(problem).startswith(f"shift.yaml:{place}: error: ")
+def test_a_fault_is_told_once_at_its_place() -> None:
+    for text, place, message in FAULTS:
+        with pytest.raises(ReadError) as caught:
+            scenario(text)
+        [problem] = caught.value.problems
+        assert message in problem.message, text
+        assert str(problem).startswith(f"shift.yaml:{place}: error: "), text
 
 
 NO_SCENARIOS = [
     ("{case: box.yaml, duration: 6}", "expected `gear`, or `speeds`"),
     ("{case: box.yaml, duration: 0, start: {gear: low}}", "read 0, expected a time above 0"),
-    ("{case: box.yaml, duration: 6, start: {}}", "expected `gear`, or `speeds` that determine"),
     ("{duration: 6, start: {gear: low, speeds: {in: 3}}}", "read `gear` together with `speeds`"),
     ("{duration: 6, start: {speed: 3, speeds: {in: 3}}}", "read `speed` without `gear`"),
     ("{duration: 6, start: {gear: slow}}", "did you mean `low`?"),
@@ -204,12 +194,12 @@ NO_SCENARIOS = [
 ]
 
 
-@pytest.mark.parametrize(("text", "message"), NO_SCENARIOS)
-def test_what_is_no_scenario(text: str, message: str) -> None:
-    with pytest.raises(ReadError) as caught:
-        read_scenario(text.encode(), "x.yaml").with_case(readers.read(CASE, "box.yaml"))
-    [problem] = caught.value.problems
-    assert message in problem.message
+def test_what_is_no_scenario() -> None:
+    for text, message in NO_SCENARIOS:
+        with pytest.raises(ReadError) as caught:
+            read_scenario(text.encode(), "x.yaml").with_case(readers.read(CASE, "box.yaml"))
+        [problem] = caught.value.problems
+        assert message in problem.message, text
 
 
 def test_all_faults_are_told_together() -> None:
@@ -226,12 +216,13 @@ def test_the_case_is_found_beside_the_scenario_or_given(tmp_path: Path) -> None:
     assert load_scenario(file).case.gears[0].name == "low"
     with pytest.raises(ReadError, match="expected the name of a gear"):
         load_scenario(file, tmp_path / "other.yaml")
-    file.write_text("{case: bax.yaml, duration: 6, start: {gear: low}}")
-    with pytest.raises(ReadError, match=r"shift.yaml:1:8: error: .*bax.yaml cannot be read"):
-        load_scenario(file)
-    file.write_text("{duration: 6, start: {gear: low}}")
-    with pytest.raises(ReadError, match="`case` is missing: give the file of the case"):
-        load_scenario(file)
+    for case, message in (
+        ("case: bax.yaml, ", r"shift.yaml:1:8: error: .*bax.yaml cannot be read"),
+        ("", "`case` is missing: give the file of the case"),
+    ):
+        file.write_text(f"{{{case}duration: 6, start: {{gear: low}}}}")
+        with pytest.raises(ReadError, match=message):
+            load_scenario(file)
 
 
 def test_names_of_a_drawn_case() -> None:
@@ -262,11 +253,8 @@ gears: {"1": {engaged: [C]}}
     for one in (read, written):
         assert newton_metres(one.shift_elements[0].capacity, one) == 20
         assert [drag.torque for drag in drags(one, None)] == [2]
-        [told] = [str(one) for one in solve(one).messages if "drag" in str(one)]
-        assert told == (
-            "warning: the drag of C has a unit, but the case has no operating point, so this drag "
-            "is ignored; give a `load` with a torque [W401]"
-        )
+        [told] = [each.text for each in solve(one).messages if each.id == "W401"]
+        assert told.startswith("the drag of C has a unit, but the case has no operating point")
 
 
 def test_a_dog_clutch_takes_no_capacity() -> None:
@@ -279,10 +267,8 @@ def test_a_scenario_without_converters_has_those_of_the_case() -> None:
     reading = readers.read(CONVERTERS.encode(), "case.yaml")
     scenario = b"{case: case.yaml, duration: 1, start: {speeds: {engine: 1, turbine: 1}}%s}"
     own = b", converters: {C2: {links: [engine, out], points: [[0, 1, 1]]}}"
-    without, other = (
-        read_scenario(scenario % more, "s.yaml").with_case(reading).scenario.converters
-        for more in (b"", own)
-    )
+    files = [read_scenario(scenario % more, "s.yaml") for more in (b"", own)]
+    without, other = (file.with_case(reading).scenario.converters for file in files)
     assert without == reading.case.converters
     assert other == (Converter("C2", 1, 3, ((0.0, 1.0, 1.0),)),)
 

@@ -20,6 +20,7 @@ def test_values() -> None:
         ("-2^2 + 2**3^2 + 2^-1", -4 + 2**9 + 0.5),
         ("speed^2^0.5", math.nan),
         ("2^2^0.5*sign(speed)", -(2 ** math.sqrt(2))),
+        ("sign(t) + 2*sign(t - t) + 4*sign(speed/100)", 1 - 4),
         ("abs(speed)^1.5", 7**1.5),
         ("min(t, speed, angle) + max(3) - sqrt(16)", -8.0),
         ("sin(2*pi*t) + cos(angle)", math.sin(math.pi) + math.cos(3)),
@@ -41,6 +42,7 @@ def test_values() -> None:
 def test_what_it_has() -> None:
     assert Formula("sin(angle)*t + pi").variables == {"t", "angle"}
     assert Formula("3").variables == frozenset()
+    assert read_formula(Excerpt(" 3*t ", "FH"), ["t"]) == Formula("3*t")
     assert pickle.loads(pickle.dumps(Formula("t"))) == Formula("t")  # noqa: S301
     assert len({Formula("t"), Formula("t")}) == 1
 
@@ -84,12 +86,6 @@ def test_mistakes() -> None:
         assert problem.place.column == column
 
 
-def test_a_control_is_a_formula_of_time_alone() -> None:
-    with pytest.raises(ReadError, match="read `speed`, expected a formula of t"):
-        read_formula(Excerpt("3*speed", "FH"), ["t"])
-    assert read_formula(Excerpt(" 3*t ", "FH"), ["t"]) == Formula("3*t")
-
-
 def test_jumps_over_the_speed() -> None:
     for text, jumps in (
         ("-100*sign(speed)", (0.0,)),
@@ -112,7 +108,6 @@ def test_jumps_over_the_speed() -> None:
 
 
 def test_between_jumps_a_formula_is_what_it_is_there() -> None:
-    """And goes on so beyond, where steps of an integration may ask for it."""
     for low, high, speed in ((-9e9, -300, -400), (-300, 300, 8), (300, 9e9, 301)):
         whole = Formula("t*speed*(abs(speed) < 300) - 7*sign(speed + 300)")
         piece = whole.between("speed", low, high)
@@ -122,28 +117,20 @@ def test_between_jumps_a_formula_is_what_it_is_there() -> None:
         assert slope == (2000.0 if low == -300 else 0.0)
 
 
-@pytest.mark.parametrize(
-    ("text", "switches"),
-    [("100*(speed < 3*t)", True), ("sign(speed^2 - 4)", True), ("100*(t < 1)*speed", False)],
-)
-def test_a_switch_of_which_no_jump_is_known(text: str, switches: bool) -> None:
-    assert Formula(text).switches == switches
-
-
-def test_torques_of_logarithm_and_arc_tangent_bring_up_a_drum() -> None:
-    """The integrals from 0 to 2 are 3 log 3 - 2 and 2 atan 2 - log(5)/2."""
-    case = "inertias: {a: 1}"
-    start = "duration: 2\nstart: {speeds: {a: 0}}\ntorques: {a: "
-    for text, expected in (
-        ("log(1 + t)", 3 * math.log(3) - 2),
-        ("atan(t)", 2 * math.atan(2) - math.log(5) / 2),
-    ):
-        motion = simulated(f'{start}"{text}"}}\n', case)
-        assert motion.speeds[-1, 0] == pytest.approx(expected, rel=1e-9)
+def test_a_switch_of_which_no_jump_is_known() -> None:
+    texts = "100*(speed < 3*t)", "sign(speed^2 - 4)", "100*(t < 1)*speed"
+    assert [Formula(text).switches for text in texts] == [True, True, False]
 
 
 def test_given_speeds_of_logarithm_and_arc_tangent_need_the_torques_of_their_derivatives() -> None:
-    for text, last in (("log(1 + t)", 1 / 3), ("atan(t)", 1 / 5)):
+    """As torques their integrals from 0 to 2 are 3 log 3 - 2 and 2 atan 2 - log(5)/2."""
+    start = "duration: 2\nstart: {speeds: {a: 0}}\n"
+    for text, last, integral in (
+        ("log(1 + t)", 1 / 3, 3 * math.log(3) - 2),
+        ("atan(t)", 1 / 5, 2 * math.atan(2) - math.log(5) / 2),
+    ):
+        driven = simulated(f'{start}torques: {{a: "{text}"}}\n', "inertias: {a: 1}")
+        assert driven.speeds[-1, 0] == pytest.approx(integral, rel=1e-9)
         motion = simulated(f'duration: 2\nspeeds: {{a: "{text}"}}\n', "inertias: {a: 1}")
         torques = motion.torques[:, motion.devices.index("a")]
         assert (torques[0], torques[-1]) == pytest.approx((1, last), rel=1e-9)

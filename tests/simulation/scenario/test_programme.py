@@ -42,20 +42,15 @@ def test_a_brake_of_40_newton_metres_stops_a_wheel(capacity: str, load: str) -> 
     assert motion.energy.heat["B"] == pytest.approx(100, rel=1e-12)
 
 
-def test_a_note_says_that_a_capacity_without_a_unit_is_in_newton_metres() -> None:
+def test_a_note_says_that_a_capacity_without_a_unit_is_in_newton_metres(folder: Path) -> None:
     held = Start("held", 0.0)
     [told] = simulate(Scenario(wheel("40"), 1.0, held)).messages
     assert (told.severity, "N*m (B)" in told.text) == ("note", True)
     for case in (wheel("40 N*m"), wheel("2", "load: {torque: 20 N*m}")):
         assert simulate(Scenario(case, 1.0, held)).messages == ()
-
-
-@pytest.mark.usefixtures("folder")
-def test_check_tells_it_where_the_capacity_stands() -> None:
-    text = WHEEL.format(capacity="40", load="")
-    Path("wheel.yaml").write_text(text, "utf-8")
+    (folder / "wheel.yaml").write_text(WHEEL.format(capacity="40", load=""), "utf-8")
     scenario = "{case: wheel.yaml, duration: 1, start: {gear: held, speed: 0}}"
-    Path("stop.yaml").write_text(scenario, "utf-8")
+    (folder / "stop.yaml").write_text(scenario, "utf-8")
     said = vstatics("check", "stop.yaml")
     assert said.status == 0
     assert said.err.startswith("wheel.yaml:3:57: note: shift_elements.B.capacity: the case has no")
@@ -100,15 +95,13 @@ def driven(start: Start, controls: Any = None, shifts: Any = None) -> Motion:
     return simulate(Scenario(dual_clutch(), 1.0, start, controls, torques, shifts=shifts))
 
 
-@pytest.mark.parametrize(
-    "start", [Start("odd", 50.0), Start(speeds={1: 50.0}, engaged=(1,))], ids=["gear", "engaged"]
-)
-def test_an_element_of_the_start_stays_where_no_control_moves_it(start: Start) -> None:
+def test_an_element_of_the_start_stays_where_no_control_moves_it() -> None:
     """All turns as one, with the capacity of the case: 100 N*m on 5 kg*m^2 for 1 s."""
-    motion = driven(start, {2: held(0)})
-    assert not motion.events
-    assert motion.speeds[-1] == pytest.approx([70.0, 70.0], rel=1e-12)
-    assert motion.peaks["A"].torque == pytest.approx(100 * 4.5 / 5)
+    for start in (Start("odd", 50.0), Start(speeds={1: 50.0}, engaged=(1,))):
+        motion = driven(start, {2: held(0)})
+        assert not motion.events
+        assert motion.speeds[-1] == pytest.approx([70.0, 70.0], rel=1e-12)
+        assert motion.peaks["A"].torque == pytest.approx(100 * 4.5 / 5)
 
 
 def test_what_no_start_engages_or_a_control_of_0_opens_is_open() -> None:
@@ -121,7 +114,6 @@ def test_what_no_start_engages_or_a_control_of_0_opens_is_open() -> None:
 
 @pytest.mark.parametrize("last", ["odd", "open"])
 def test_of_shifts_at_one_time_the_last_that_is_written_holds(last: str) -> None:
-    """Whatever their names: by these `even` would come first."""
     first = "open" if last == "odd" else "odd"
     shifts = Shift(0.5, "even"), Shift(0.5, first), Shift(0.5, last)
     motion = driven(Start("odd", 50.0), shifts=shifts)
@@ -134,7 +126,5 @@ def test_of_shifts_at_one_time_the_last_that_is_written_holds(last: str) -> None
 def test_a_shift_that_begins_at_the_end_or_later_is_doubtful() -> None:
     shifts = Shift(0.5, "even"), Shift(1.0, "odd"), Shift(2.0, "open")
     scenario = Scenario(dual_clutch(), 1.0, Start("odd"), shifts=shifts)
-    assert [str(one) for one in scenario_doubts(scenario)] == [
-        "shifts[2].at: begins at 1 s, but the scenario ends at 1 s: it never happens [W603]",
-        "shifts[3].at: begins at 2 s, but the scenario ends at 1 s: it never happens [W603]",
-    ]
+    told = [(one.id, one.path) for one in scenario_doubts(scenario)]
+    assert told == [("W603", ("shifts", number, "at")) for number in (2, 3)]

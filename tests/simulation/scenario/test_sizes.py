@@ -37,43 +37,34 @@ def said(folder: Path) -> Change:
     return answer
 
 
-@pytest.mark.parametrize(
-    ("old", "new", "read"),
-    [
-        ("in: 1,", "in: 1e20,", "1e+20"),
-        ("out: 2}", "out: 1e-40}", "1e-40"),
-        ("capacity: 60", "capacity: 6e60", "6e+60"),
-        ("stiffness: 1e3", "stiffness: 1e98", "1e+98"),
-        ("damping: 0.1", "damping: 1e-98", "1e-98"),
-        ("duration: 1", "duration: 1e-90", "1e-90"),
-        ("in: 30", "in: 3e30", "3e+30"),
-        ("[.5, 20]", "[.5, 1e-30]", "1e-30"),
-        ("in: 15", "in: 15e90", "1.5e+91"),
-        ("radius: .3", "radius: 3e16", "3e+16"),
+def test_a_number_that_nothing_has(said: Change) -> None:
+    """Told at its key or right there."""
+    for old, new, read in (
+        ("in: 1,", "in: 1e20,", "1e+20"), ("out: 2}", "out: 1e-40}", "1e-40"),
+        ("capacity: 60", "capacity: 6e60", "6e+60"), ("duration: 1", "duration: 1e-90", "1e-90"),
+        ("stiffness: 1e3", "stiffness: 1e98", "1e+98"), ("in: 15", "in: 15e90", "1.5e+91"),
+        ("damping: 0.1", "damping: 1e-98", "1e-98"), ("radius: .3", "radius: 3e16", "3e+16"),
+        ("in: 30", "in: 3e30", "3e+30"), ("[.5, 20]", "[.5, 1e-30]", "1e-30"),
         ("in: 15", 'in: "1e20*(t > 1)"', "1e+20"),
         ("in: 15", 'in: "-15*sign(speed - 1e-200)"', "1e-200"),
         ("C: [[0, 10], [.5, 20]]", 'C: "10 + 1e-40*t"', "1e-40"),
-    ],
-)
-def test_a_number_that_nothing_has(said: Change, old: str, new: str, read: str) -> None:
-    """Told at its key or right there."""
-    shown = said(old, new)
-    assert shown.status == 1
-    [first, *_] = shown.err.splitlines()
-    file, line, column, *_ = first.split(":")
-    at = Path(file).read_text().splitlines()[int(line) - 1].index(new)
-    assert int(column) - 1 in (at, at + new.index(" ") + 1)
-    assert f"read {read}, expected " in first
+    ):  # fmt: skip
+        shown = said(old, new)
+        assert shown.status == 1
+        [first, *_] = shown.err.splitlines()
+        file, line, column, *_ = first.split(":")
+        at = Path(file).read_text().splitlines()[int(line) - 1].index(new)
+        assert int(column) - 1 in (at, at + new.index(" ") + 1)
+        assert f"read {read}, expected " in first
 
 
 TORQUE, CAPACITY = "scenario.yaml:5:11: error: torques.in: ", "scenario.yaml:4:12: error: controls."
 LARGEST = "expected 1e+15 at most"
 
 
-@pytest.mark.parametrize(
-    ("old", "new", "place", "told"),
-    [
-        # 1e-13 of the largest: its speed would have no certain digit
+def test_what_is_no_number_or_too_large(said: Change) -> None:
+    """With 1e-13 of the largest inertia a speed would have no certain digit."""
+    for old, new, place, told in (
         ("in: 1,", "in: 1e-13,", "case.yaml:1:12: error: inertias.in: read 1e-13, expected at",
          "the largest inertia, 2: leave it out"),
         *(("in: 15", f"in: {law}", TORQUE, ", expected a number")
@@ -82,21 +73,13 @@ LARGEST = "expected 1e+15 at most"
           for law in ("10^20*(t > .5)", "exp(100*t)", "1/(.5 - t)^9")),
         *(("[[0, 10], [.5, 20]]", law, CAPACITY, "")
           for law in ('"1/0"', '"0/0"', '"1e300*1e300"', '"10^20*t"')),
-    ],
-)  # fmt: skip
-def test_what_is_no_number_or_too_large(
-    said: Change, old: str, new: str, place: str, told: str
-) -> None:
-    assert said(old, new).fails(place, told)
-
-
-def test_check_tells_a_constant_that_is_no_number(said: Change) -> None:
+    ):  # fmt: skip
+        assert said(old, new).fails(place, told), new
     shown = said("in: 15", 'in: "15/(1 - 1)"', "check")
     assert "read `15/(1 - 1)`, which is inf" in shown.all
 
 
-@pytest.mark.parametrize("speed", [-2.9e-16, 5e-324, -1e-300])
-def test_a_start_speed_may_be_0_but_for_rounding(said: Change, speed: float) -> None:
+def test_a_start_speed_may_be_0_but_for_rounding(said: Change) -> None:
     """At rest, 15 N*m are above the 10 of the clutch: it speeds up."""
-    shown = said("in: 30", f"in: {speed}")
-    assert shown.is_without_messages()
+    for speed in (-2.9e-16, 5e-324, -1e-300):
+        assert said("in: 30", f"in: {speed}").is_without_messages()

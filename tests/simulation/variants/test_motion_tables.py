@@ -8,7 +8,7 @@ import pytest
 from tests.simulation.variants.scenarios import SCENARIO, subject
 from vstatics import ReadError
 from vstatics.simulation import Motion
-from vstatics.simulation.record.motion import Energy, Event, Peak, Reached
+from vstatics.simulation.record.motion import Energy, Event, EventKind, Peak, Reached
 from vstatics.simulation.variants.motion_tables import MotionTables
 from vstatics.sweep.build import plan
 from vstatics.sweep.options import SweepOptions
@@ -17,6 +17,7 @@ from vstatics.sweep.results.expressions import read_expression
 from vstatics.sweep.runs import calculate
 
 SUBJECT = subject()
+CHANGES: list[tuple[float, EventKind]] = [(0.4, "locks"), (0.5, "slips"), (0.55, "locks")]
 MOTION = Motion(
     np.array([0.0, 0.3, 0.6]),
     ("sun", "ring", "carrier"),
@@ -26,12 +27,7 @@ MOTION = Motion(
     np.array([[-30.0, 80.0], [-5.0, 50.0], [0.0, 60.0]]),
     np.array([[-120.0, 0.0, 40.0], [-120.0, 0.0, 50.0], [-20.0, 0.0, 45.0]]),
     np.zeros((3, 2)),
-    (
-        Event(0.4, "brake", "locks"),
-        Event(0.5, "brake", "slips"),
-        Event(0.55, "brake", "locks"),
-        Event(0.2, "lock-up", "impact", 7.0),
-    ),
+    (*(Event(at, "brake", kind) for at, kind in CHANGES), Event(0.2, "lock-up", "impact", 7.0)),
     Energy(600.0, {"brake": 850.0}, {"brake": 2.5e5}, {"set": 3.0}, -260.0, 0.0, 7.0, 1e-9),
     {"brake": Peak(-120.0, 0.1), "set": Peak(50.0, 0.3)},
     (Reached("carrier", 10.0, 0.2, 1.0, 5.0), Reached("carrier", 20.0, 0.5, 4.0, math.nan)),
@@ -86,15 +82,8 @@ def test_expressions_speak_of_a_run() -> None:
 def test_a_table_has_a_column_for_each_row() -> None:
     columns = read_columns("speeds, heat, abs(peaks), work", SUBJECT, [])
     assert columns.headings == (
-        "speeds[sun]",
-        "speeds[ring]",
-        "speeds[carrier]",
-        "heat[brake]",
-        'heat["lock-up"]',
-        "abs(peaks)[brake]",
-        'abs(peaks)["lock-up"]',
-        "abs(peaks)[set]",
-        "work",
+        *("speeds[sun]", "speeds[ring]", "speeds[carrier]", "heat[brake]", 'heat["lock-up"]'),
+        *("abs(peaks)[brake]", 'abs(peaks)["lock-up"]', "abs(peaks)[set]", "work"),
     )
     made = columns(MotionTables(MOTION, SUBJECT.rows), VALUES)
     expected = [60, 0, 24, 850, 0, 120, math.nan, 50, 600]

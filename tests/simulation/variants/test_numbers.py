@@ -2,6 +2,7 @@
 
 import pytest
 
+from tests.commands import MZKT
 from tests.simulation.variants.scenarios import CASE, subject
 from vstatics import ReadError, VariedScenario, loads
 from vstatics.core.writers.workbook import write
@@ -36,14 +37,9 @@ def test_a_path_names_a_number_of_the_scenario_or_its_case() -> None:
 
 def test_a_variant_is_the_documents_with_other_numbers() -> None:
     varied = subject()
-    changed = {
-        "duration": 2.0,
-        "controls.brake.1.2": 99.5,
-        "controls.lock-up.scale": 0.5,
-        "shift_elements.brake.static": 1.25,
-        "ring.inertia": 0.1,
-        "start.speeds.sun [rpm]": 30.0,
-    }
+    changed = {"duration": 2.0, "controls.brake.1.2": 99.5, "controls.lock-up.scale": 0.5}
+    changed |= {"shift_elements.brake.static": 1.25, "ring.inertia": 0.1}
+    changed["start.speeds.sun [rpm]"] = 30.0
     made = varied.variant([*map(varied.target, changed)], [*changed.values()]).scenario
     assert made.duration == 2.0
     assert made.controls is not None
@@ -97,7 +93,6 @@ def test_a_unit_may_stand_behind_some_values_and_holds_for_all() -> None:
 
 
 def test_a_key_that_a_document_cannot_have_is_told_before_anything_is_calculated() -> None:
-    """A number that is not written may be added where the document may have it."""
     for name, known in (("controls.brake.scal", "scale"), ("start.speeds.sum", "sun")):
         with pytest.raises(ReadError, match=f"did you mean `{known}`"):
             build.plan(subject(), SweepOptions.of(vary=[f"{name}=1,2"]))
@@ -122,17 +117,11 @@ def test_no_number_varies_twice_whatever_it_is_called() -> None:
 
 
 def test_of_a_deck_no_numbers_vary() -> None:
-    from tests.commands import MZKT
-
-    data = MZKT.read_bytes()
-    varied = subject(b"{case: x, duration: 1, start: {gear: '1'}}", data)
-    varied = type(varied)(varied.scenario, varied.case._replace(file="mzkt.dat"))
+    scenario = subject(b"{case: x, duration: 1, start: {gear: '1'}}").scenario
+    varied = VariedScenario(scenario, Document(MZKT.read_bytes(), "mzkt.dat"))
     assert varied.trees.case is None
-    with pytest.raises(
-        ReadError, match="has no key `D1`; to vary numbers of a deck, convert it to YAML"
-    ):
+    with pytest.raises(ReadError, match="has no key `D1`; to vary numbers of a deck, convert it"):
         varied.target("D1.ratio")
-    assert subject(case=CASE).trees.case is not None
 
 
 def test_numbers_of_a_workbook_vary_as_those_of_yaml() -> None:
@@ -144,11 +133,8 @@ def test_numbers_of_a_workbook_vary_as_those_of_yaml() -> None:
     of_yaml = subject(case=text)
     of_book = VariedScenario(of_yaml.scenario, Document(write(loads(text.decode())), "set.xlsx"))
     for name, value in (
-        ("elements.set.teeth.ring", 84.0),
-        ("set.teeth.sun", 26.0),
-        ("shift_elements.brake.capacity", 75.0),
-        ("ring.inertia", 0.9),
-        ("torques.sun", 30.0),
+        *(("elements.set.teeth.ring", 84.0), ("set.teeth.sun", 26.0), ("ring.inertia", 0.9)),
+        *(("shift_elements.brake.capacity", 75.0), ("torques.sun", 30.0)),
     ):
         one, other = (
             varied.variant([varied.target(name)], [value]).scenario for varied in (of_yaml, of_book)

@@ -12,6 +12,7 @@ import pytest
 import vstatics
 from tests.commands import CASES
 from tests.simulation.variants.scenarios import CASE, SCENARIO, subject
+from tests.simulation.variants.states import write_scenario
 from vstatics import Chunk, ReadError, VariedScenario, load_varied
 from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation import simulate
@@ -40,13 +41,8 @@ def lock_time(torque: float) -> float:
     By the exact matrix of tarasik.md, section 4: without friction the ring gains
     dw = -(w_sun'/1.5) + (2.5/1.5) w_carrier'.
     """
-    inertia = np.array(
-        [
-            [0.5 + 0.7 / 1.5**2, -0.7 * 2.5 / 1.5**2],
-            [-0.7 * 2.5 / 1.5**2, 0.8 + 0.7 * (2.5 / 1.5) ** 2],
-        ]
-    )
     ring = np.array([-1 / 1.5, 2.5 / 1.5])
+    inertia = np.diag([0.5, 0.8]) + 0.7 * np.outer(ring, ring)
     acceleration = np.linalg.solve(inertia, np.array([40.0, -60.0]) + ring * torque)
     return SLIP / float(ring @ acceleration)
 
@@ -58,10 +54,8 @@ def test_teeth_that_do_not_go_together_are_told_and_the_run_stands() -> None:
         b"elements: {set: {kind: planetary, sun: sun, ring: ring, carrier: carrier, planets: 3,"
         b" efficiency: 1, teeth: {sun: 40, ring: 60}}}",
     )
-    options = SweepOptions.of(
-        vary=["set.teeth.ring=60:66:7"], out="locks[brake], set.ratio, set.efficiency"
-    )
-    made = calculate(build.plan(subject(case=case), options), 0, 7)
+    vary, out = ["set.teeth.ring=60:66:7"], "locks[brake], set.ratio, set.efficiency"
+    made = calculate(build.plan(subject(case=case), SweepOptions.of(vary=vary, out=out)), 0, 7)
     for ring, status in zip(made.values[:, 0].tolist(), made.status, strict=True):
         fits = (ring - 40) % 2 == 0 and (ring + 40) % 3 == 0
         assert STATUS[status] == ("ok" if fits else "not assembled")
@@ -149,8 +143,7 @@ def test_pieces_depend_on_the_points_beside_the_case(tmp_path: Path) -> None:
 
 
 def test_a_scenario_is_swept_from_python(tmp_path: Path) -> None:
-    (tmp_path / "set.yaml").write_bytes(CASE)
-    (tmp_path / "lock.yaml").write_bytes(SCENARIO)
+    write_scenario(tmp_path)
     varied = load_varied(str(tmp_path / "lock.yaml"))
     (made,) = vstatics.sweep(varied, {"controls.brake.1.2": [100.0, 140.0]}, out="locks[brake]")
     expected = [[lock_time(100.0)], [lock_time(140.0)]]
@@ -174,7 +167,6 @@ def test_tables_have_a_row_for_all_that_a_run_tells(name: str) -> None:
 
 
 def drawn(scenario: bytes, count: int, **more: Any) -> tuple[Floats, Floats]:
-    """The numbers that are drawn, and the heat of the brake."""
     options = SweepOptions.of(sample=count, **{"out": "heat[brake]", **more})
     plan = sample_plan(subject(scenario), options)
     return plan.variants.block(0, count), calculate(plan, 0, min(count, 4)).columns
@@ -201,18 +193,15 @@ def test_samples_of_a_number_with_a_unit_are_in_si() -> None:
     """A bare capacity of a case is relative to its load: 3 kN*m is not 3000 bare."""
     case = CASE.replace(b"brake: [ring, housing]", b"brake: {links: [ring], capacity: 3 kN*m}")
     case += b"load: {torque: 100 N*m}\n"
-    for given, name in (
-        (b"shift_elements.brake.capacity: {normal: [3000, 0]}", "shift_elements.brake.capacity"),
-        (b"shift_elements.brake.capacity: {normal: [3 kN*m, 0]}", "shift_elements.brake.capacity"),
-        (b"shift_elements.lock-up.capacity: {normal: [3 kN*m, 0]}", ""),
-    ):
-        varied = subject(SCENARIO.partition(b"samples")[0] + b"samples: {" + given + b"}\n", case)
+    for element, mean in ((b"brake", b"3000"), (b"brake", b"3 kN*m"), (b"lock-up", b"3 kN*m")):
+        given = b"samples: {shift_elements.%s.capacity: {normal: [%s, 0]}}\n" % (element, mean)
+        varied = subject(SCENARIO.partition(b"samples")[0] + given, case)
         plan = sample_plan(varied, SweepOptions.of(sample=1))
         (path,) = plan.variants.targets
         assert isinstance(path, NumberPath)
         assert path.unit == "N*m"
-        if name:
-            assert path.name == f"{name} [N*m]"
+        assert path.name == f"shift_elements.{element.decode()}.capacity [N*m]"
+        if element == b"brake":
             made = varied.variant([path], plan.variants.block(0, 1)[0].tolist())
             assert made.scenario.case.shift_elements == varied.own.scenario.case.shift_elements
 

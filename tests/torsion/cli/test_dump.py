@@ -1,7 +1,6 @@
 """`vstatics torsion dump` of a case, or of a file of numbers."""
 
 import json
-import re
 from pathlib import Path
 from typing import Any
 
@@ -37,19 +36,16 @@ def test_one_gear_is_as_a_file_of_numbers() -> None:
     numbers = said("-f", "json", text=json.dumps(made["reduced"])).json
     assert numbers["max_torque"] == made["max_torque"] == dump(expected.given).max_torque
     assert "engagement" not in numbers
+    tabbed = named.write_json(loads(VAZ)).replace("\n ", "\n\t")  # which YAML does not take
+    assert said("--gear", "2", "-f", "json", text=tabbed).json["reduced"] == made["reduced"]
 
 
-def test_without_a_gear_all_are_told() -> None:
-    answer = said("-f", "json", "--rate", "50", text=FOUR)
-    told = [(one["name"], one["case"], one["engagement"]["rate"]) for one in answer.json["gears"]]
-    expected = zip("1234", ("A3", "A3", "A2", "A2"), strict=True)
-    assert told == [(*one, 50) for one in expected]
-
-
-def test_gears_without_such_a_torque_are_told() -> None:
-    answer = said("-f", "json")
+def test_without_a_gear_all_are_told_also_those_without_such_a_torque() -> None:
+    answer = said("-f", "json", "--rate", "50")
     assert answer.status == 1
-    *_, neutral, loose = answer.json["gears"]
+    *four, neutral, loose = answer.json["gears"]
+    told = [(one["name"], one["case"], one["engagement"]["rate"]) for one in four]
+    assert told == [("1", "A3", 50), ("2", "A3", 50), ("3", "A2", 50), ("4", "A2", 50)]
     assert neutral.keys() == {"name", "error"}
     assert loose["error"].startswith("engine of J1 does not rotate with propshaft")
     assert "error: gear N: engine of J1 does not rotate with propshaft" in answer.err
@@ -95,20 +91,10 @@ def test_tables_for_people() -> None:
     text = said(text=FOUR).out
     assert "Clutch dump, on propshaft\n" in text
     assert "Reduced to propshaft\n" in text
-    for row in (
-        "the clutch breaks away at [N*m]", "the wheels break away at [N*m]",
-        "the clutch grabs below a speed of [rad/s]",
-    ):  # fmt: skip
-        assert row in text
-    one = said("--gear", "1").out
-    assert "Clutch dump: the clutch slips, the wheels break away\n" in one
-    assert "\nomega1 [rad/s]   156" in one
+    assert "the clutch grabs below a speed of [rad/s]" in text
+    assert "\nomega1 [rad/s]   156" in said("--gear", "1").out
     assert "engaged at the rate" in said("--rate", "50", text=FOUR).out
-    numbers = said(text=GOOD)
-    assert numbers.status == 0
-    assert re.search("^largest torque +5878.944  as M_C0$", numbers.out, re.MULTILINE)
-    assert "case V2 is on the safe side, by 17 to 23 %" in numbers.out
-    assert "compared with a measurement by 42 %" in numbers.out
+    assert "compared with a measurement by 42 %" in said(text=GOOD).out
 
 
 @pytest.mark.parametrize("suffix", ["csv", "md", "tex", "xlsx", "jsonl"])
@@ -117,15 +103,6 @@ def test_every_format_can_be_written(suffix: str, tmp_path: Path) -> None:
         file = tmp_path / f"{name}.{suffix}"
         assert said("-o", str(file), text=text).status == 0
         assert file.stat().st_size > 0
-
-
-def test_a_case_in_json(tmp_path: Path) -> None:
-    file = tmp_path / "case.json"
-    text = named.write_json(loads(VAZ))
-    file.write_text(text, "utf-8")
-    assert vstatics("torsion", "dump", file, "--gear", "1").out
-    spaced = text.replace("\n ", "\n\t")  # a tab, which YAML does not take
-    assert said("--gear", "1", text=spaced).status == 0
 
 
 def test_a_case_without_a_dump_is_told(tmp_path: Path) -> None:
@@ -152,5 +129,3 @@ def test_wrong_use() -> None:
         assert said("--rate", rate, text=GOOD).is_wrong_use(), rate
     answer = said("--gear", "1", text="{J1: 1, J2: 1}")
     assert answer.is_wrong_use("--gear is for a case, but <stdin> has numbers alone")
-    answer = vstatics("torsion", "dmup", "dump.yaml")
-    assert answer.is_wrong_use("there is no command `dmup`; did you mean `dump`?")

@@ -34,7 +34,6 @@ def _files(folder: Path) -> None:
 
 
 def test_json_has_what_the_library_has() -> None:
-    """A table gives orders, amplitudes and phases, of which some may be chosen, each once."""
     speeds = [600.0, 700.0, 800.0, 900.0, 1000.0]
     six = Harmonic(6.0, 8.0, -math.pi / 4)
     two, four = Harmonic(2.0, 80.0), Harmonic(4.0, 25.0, math.pi / 2)
@@ -62,8 +61,6 @@ def test_json_has_what_the_library_has() -> None:
 
 
 def test_speeds_are_a_range_or_a_list_and_may_fall() -> None:
-    """Each with the resonance between them."""
-
     def speeds(written: str) -> list[float]:
         made = document("response", *AT, "--orders", "2", "--speed", written, text=GOOD)
         told: list[float] = made["gears"][0]["speeds"]
@@ -134,15 +131,12 @@ def test_an_undamped_system_that_is_hit_exactly_has_null() -> None:
     assert order["amplitudes"]["mass"][0] is order["torques"]["mount"][0] is None
     assert gear["sum"]["torques"]["mount"]["largest"][0] is None
     assert order["amplitudes"]["mass"][1] is not None
-    shown = said(*call, f"{HIT!r},100", text=MASS).out
-    assert "100.0" in shown.partition("largest amplitudes")[2]
     only_hit = said(*call, repr(HIT), text=MASS)
     assert (only_hit.status, "mass        -           -\n" in only_hit.out) == (0, True)
     heading = "Resonances\ngear  order  mode  speed [rpm]  participation\n"
     assert f"{heading}1         1     1        382.0          1.000\n" in only_hit.out
     rows = csv.reader(io.StringIO(said(*call, repr(HIT), "-f", "csv", text=MASS).out))
-    heads, resonance, *others = rows
-    assert heads == CSV
+    _, resonance, *others = rows
     assert resonance[:4] == ["resonance", "1", "1.0", "1"]
     assert [row[-1] for row in others] == ["", ""]
 
@@ -165,15 +159,6 @@ def test_the_table_is_not_written_over_and_case_and_table_can_not_both_be_stdin(
     assert answer.is_wrong_use("standard input (-) can be read once")
     answer = said(*call, "--orders", "2,3", text=GOOD)
     assert answer.is_wrong_use("engine.csv has no order 3; it has 2, 4, 6")
-
-
-def test_a_link_that_stands_still_has_no_response_and_others_are_named_that_have_one() -> None:
-    text = GOOD.replace("direct: {engaged: [C, D]}", "held: {engaged: [A]}")
-    text = text.replace("output: vehicle\n", "output: vehicle\ninput: disc\n")
-    answer = said("response", *AT, "--orders", "2", *SPEED, text=text)
-    assert answer.fails("gear held: link engine stands still: expected another, such as ")
-    other = answer.err.partition("such as ")[2].split()[0].strip(",")
-    assert said("response", "--at", other, "--orders", "2", *SPEED, text=text).status == 0
 
 
 WRONG = {
@@ -201,7 +186,6 @@ def test_wrong_use(option: str) -> None:
 
 
 def test_without_a_link_the_torque_acts_on_the_input() -> None:
-    """As in the picture; gears with inputs of their own need a link."""
     made = document("response", "--orders", "2", *SPEED, text=GOOD)
     assert made == document("response", *AT, "--orders", "2", *SPEED, text=GOOD)
     two = MASS.replace("[mass]", "[mass, other, out]").replace("output: mass", "output: out") + (

@@ -55,11 +55,13 @@ def test_steps_as_tables() -> None:
     assert [line for line in shown.splitlines() if line in titles] == titles
 
 
+OF_TEETH = (CASES / "moskvich412.yaml").read_text("utf-8")
 WRITTEN = [
     (CHAIN, OF_CHAIN), (CHAIN, (*OF_CHAIN, "--remove", "c")), (GOOD, OF_GOOD),
     (GOOD, ("--gear", "direct", "--links", "4")),
     *((GOOD, (*OF_GOOD, "--rule", rule)) for rule in "rbu"),
     (GOOD, (*OF_GOOD, "--remove", "casing, disc")),
+    (OF_TEETH, ("--gear", "1", "--links", "3")),
 ]  # fmt: skip
 
 
@@ -78,19 +80,6 @@ def test_the_written_case_runs_and_vibrates_as_told(text: str, options: tuple[st
         assert ran.is_without_messages()
         assert vstatics("check", output, "--strict").status == 0
         Path(output).unlink()
-
-
-def test_a_simplified_case_and_a_case_of_teeth_can_be_simplified() -> None:
-    """The driveline that is shipped: every gear that has a scheme loses a mass."""
-    said("simplify", "--gear", "direct", "--links", "3", "-o", "one.yaml", text=GOOD)
-    vstatics("torsion", "simplify", "one.yaml", *OF_GOOD, "-o", "two.yaml")
-    said("simplify", *OF_GOOD, "-o", "at-once.yaml", text=GOOD)
-    one, other = load("two.yaml"), load("at-once.yaml")
-    assert one.inertias == pytest.approx(other.inertias)
-    assert one.link_names == other.link_names
-    call = ("simplify", CASES / "moskvich412.yaml", "--gear", "1", "--links", "3")
-    assert vstatics("torsion", *call, "-o", "new.yaml").status == 0
-    assert len(json_answer("torsion", "modes", "new.yaml")["gears"]) == 1
 
 
 def test_the_name_of_a_mass_may_have_commas() -> None:

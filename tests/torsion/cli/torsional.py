@@ -58,12 +58,10 @@ OF_GEARS = ("modes", "reduce", "response")
 
 
 def said(command: str, *options: object, text: str = BOX) -> Said:
-    """Call a command on a case that comes through a pipe."""
     return vstatics("torsion", command, "-", *options, stdin=text.encode())
 
 
 def asked(command: str, *options: object, text: str = BOX) -> Said:
-    """The same, with what the command must be asked for."""
     return said(command, *ASKED[command], *options, text=text)
 
 
@@ -72,7 +70,6 @@ def document(command: str, *options: object, text: str = BOX) -> Any:
 
 
 def tables(text: str) -> dict[str, list[list[str]]]:
-    """The rows of each table of a CSV, with their headings."""
     found: dict[str, list[list[str]]] = {}
     heading: list[str] = []
     for name, *row in csv.reader(text.splitlines()):

@@ -9,7 +9,7 @@ import yaml
 from jsonschema import Draft202012Validator
 
 from tests.commands import ROOT, json_file
-from vstatics import ClutchDump, ReadError, Transmission, loads, solve
+from vstatics import ClutchDump, ReadError, Transmission, loads
 from vstatics.core.writers import named
 from vstatics.core.writers.deck import lost
 
@@ -53,6 +53,8 @@ def test_it_comes_back_from_what_is_written() -> None:
             assert loads(text) == case
             assert "inf" not in text.lower()
         assert Transmission.from_dict(named.mapping(case)) == case
+        assert "dump" in lost(case)
+        assert "dump" not in lost(case.replace(dump=None))
 
 
 def test_the_schema_takes_what_is_read_and_written() -> None:
@@ -66,14 +68,6 @@ def test_the_schema_takes_what_is_read_and_written() -> None:
     assert not validator.is_valid(yaml.safe_load(CASE.replace("M_C0: 142, ", "")))
 
 
-def test_no_result_depends_on_it_and_a_deck_tells_that_it_loses_it() -> None:
-    case = loads(CASE)
-    without = case.replace(dump=None)
-    assert solve(case).ratio == solve(without).ratio
-    assert "dump" in lost(case)
-    assert "dump" not in lost(without)
-
-
 def test_what_is_wrong_is_told_with_its_place() -> None:
     for old, new, at, message in (
         (f"{{{DUMP}}}", "[1]", "[1]", "dump: read a list, expected a mapping with `J1`, `J2`"),
@@ -81,23 +75,19 @@ def test_what_is_wrong_is_told_with_its_place() -> None:
         ("[engine]", "[housing]", "hous", "dump.J1[1]: read 0 (the housing), expected a link"),
         ("[engine]", "engine", "engine", "dump.J1: read 'engine', expected a list of links"),
         ("[engine]", "[]", "[]", "dump.J1: read no link, expected at least one"),
-        ("[vehicle]", "[]", "[]", "dump.J5: read no link, expected at least one"),
         ("[shaft]", "[shaft, disc]", "disc], J4", "dump.J3[2]: link disc is already in J2, "),
         ("[shaft]", "[shaft, shaft]", "shaft], J4", "dump.J3[2]: link shaft is already in J3"),
         ("J1: [engine], ", "", "{J2", "`J1` is missing"),
-        ("M_C0: 142, ", "", "{J1", "`M_C0` is missing"),
         ("M_C0", "M_C", "M_C:", "unknown key `M_C`; did you mean `M_C0`?"),
         ("142", "0", "0, M", "dump.M_C0: read 0, expected a number above 0"),
-        ("142", "-1", "-1", "dump.M_C0: read -1, expected a number above 0"),
-        ("142", ".nan", ".nan", "dump.M_C0: read '.nan', expected a torque in N*m"),
         ("142", ".inf", ".inf", "dump.M_C0: read '.inf', expected a torque in N*m"),
         ("142", "142 rpm", "142 rpm", "dump.M_C0: read '142 rpm', expected a torque in N*m, bare"),
         ("1.4 kN*m", "-.inf", "-.inf", "dump.M_phi: read '-.inf', expected a torque in N*m"),
         ("1.4 kN*m", "0", "0, omega1", "dump.M_phi: read 0, expected a number above 0"),
         ("586", "-5", "-5", "dump.omega1: read -5, expected a number above 0"),
+        ("to: shaft", "E: 0", "0}", "dump.E: read 0, expected a number above 0"),
         ("to: shaft", "to: shift", "shift", "dump.to: read 'shift', expected the name of a link"),
         ("to: shaft", "to: 0", "0}", "dump.to: read 0 (the housing), expected a link number from"),
-        ("to: shaft", "E: 0", "0}", "dump.E: read 0, expected a number above 0"),
         ("to: shaft", "E: 1 N*m/rad", "1 N", "dump.E: read '1 N*m/rad', expected a compliance in"),
     ):
         start = CASE.index("dump:")

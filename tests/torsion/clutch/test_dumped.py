@@ -6,6 +6,7 @@ import math
 import pytest
 
 from tests.chance import count, seeded
+from tests.torsion.book import table
 from tests.torsion.stick_slip import Contacts, first_peak
 from tests.torsion.table_3_8 import TABLE_3_8, Line
 from vstatics.core.errors import CaseError
@@ -38,18 +39,7 @@ def test_table_3_8() -> None:
     assert sum(torque == pytest.approx(printed, rel=0.2e-2) for torque, printed in pairs) == 73
 
 
-TABLE_3_16 = {
-    "ВАЗ-2101": ((30.8, 0.387, 1.47, 91.6), (0.786, 1.39), (1.60, 1.33, 1.57)),
-    "Москвич-412": ((39.7, 0.468, 2.21, 170), (0.720, 1.25), (1.65, 1.44, 1.65)),
-    "ГАЗ-24": ((42.9, 0.674, 1.47, 108), (0.475, 0.78), (1.39, 1.36, 1.52)),
-    "ГАЗ-53А": ((23.9, 0.349, 0.834, 38.0), (0.865, 0.464), (1.20, 1.20, 1.42)),
-    "ЗИЛ-130": ((30.8, 1.01, 0.768, 32.9), (0.770, 0.459), (1.11, None, 1.30)),
-    "МАЗ-500А": ((42.5, 1.18, 0.906, 33.5), (0.933, 0.663), (1.50, 1.24, 1.32)),
-}
-"""Tsitovich, Algin (1981). From table 3.15 J1, J3, J4, J5 by J2 in gear I, and the own M_phi by M_C
-and omega1 by the boundary speed; the last is .633 there, .663 in table 3.16. Then dynamic factors
-with the own M_phi and omega1, with those of ГАЗ-53А, of Москвич-412. Print has ЗИЛ-130 a column too
-early: 1.30 where those of ГАЗ-53А are taken, then 1.45."""
+TABLE_3_16 = table("table_3_16")["vehicles"]
 
 
 @pytest.mark.parametrize("vehicle", TABLE_3_16)
@@ -197,13 +187,3 @@ def test_numbers_of_any_size_give_no_nan(name: str) -> None:
             assert "too large or too small" in str(error)  # noqa: PT017
         else:
             assert all(math.isfinite(one) for one in made[1:6])
-
-
-def test_an_engagement_is_added_where_it_is_asked_for() -> None:
-    given = TABLE_3_8[3].given
-    assert dump(given).engagement is None
-    engaged = dump(given, rate=50).engagement
-    assert engaged is not None
-    assert 1 < engaged.factor < 2
-    with pytest.raises(CaseError, match="rate"):
-        dump(given, rate=0)

@@ -10,10 +10,7 @@ from vstatics.torsion.clutch.dumped import DumpTorque, dump
 from vstatics.torsion.clutch.gear_dump import GearDump, gear_dumps
 from vstatics.torsion.clutch.given import Dump
 
-CARS = {
-    "ВАЗ-2101": ("[3.75, 2.30, 1.493, 1]", 4.3),
-    "Москвич-412": ("[3.49, 2.04, 1.33, 1]", 4.22),
-}
+CARS = {"ВАЗ-2101": ("[3.75, 2.30, 1.493, 1]", 4.3), "Москвич-412": ("[3.49, 2.04, 1.33, 1]", 4.22)}
 """Ratios of the gearbox, as those of omega1 in table 3.7, and of the final drive."""
 
 
@@ -64,7 +61,6 @@ def only(text: str, gear: str = "1") -> GearDump:
 
 
 def answer(text: str, gear: str = "1") -> tuple[Dump, DumpTorque]:
-    """Reduced numbers and torques of a gear that has them."""
     found = only(text, gear)
     assert found.given is not None
     assert found.made is not None
@@ -100,12 +96,9 @@ def test_the_link_changes_torques_by_its_ratio() -> None:
     assert (given.M_C0, given.omega1) == (142, 586)
 
 
-def test_a_given_compliance_is_on_the_link() -> None:
+def test_a_given_compliance_is_on_the_link_and_without_grip_tyres_always_grip() -> None:
     text = car("ВАЗ-2101").replace("to: propshaft", "to: propshaft, E: 0.005")
     assert [answer(text, gear)[0].E for gear in ("1", "4")] == [0.005, 0.005]
-
-
-def test_tyres_that_always_grip() -> None:
     text = car("ВАЗ-2101")
     given, made = answer(text[: text.index("M_phi")] + text[text.index("omega1") :])
     assert (given.M_phi, made.case) == (math.inf, "A2")

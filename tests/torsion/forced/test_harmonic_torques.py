@@ -101,16 +101,12 @@ def test_a_link_that_stands_in_a_mode_does_not_excite_it() -> None:
     assert told[antiphase] == pytest.approx(1.0)
 
 
-def test_the_largest_amplitude_is_that_at_a_resonance_between_two_speeds() -> None:
-    """A mass on a mount: ``1/(d w)`` at its frequency, far above its neighbours."""
-    speeds = np.array([500.0, 300.0, 500.0])
-    case = one_mass(0.1)
-    [gear] = response(case, 1, [Harmonic(1.0)], speeds)
+def test_speeds_that_fall_and_rise_pass_a_resonance_each_time() -> None:
+    """A mass on a mount: ``1/(d w)`` at its frequency."""
     hit = 40.0 / RAD_PER_RPM
+    [gear] = response(one_mass(0.1), 1, [Harmonic(1.0)], [500.0, 300.0, 500.0])
     assert gear.speeds == pytest.approx([500.0, hit, 300.0, hit, 500.0])
-    sizes = np.abs(gear.orders[0].amplitudes["1"])
-    assert sizes.max() == pytest.approx(1 / (0.1 * 40))
-    assert sizes.max() > 70 * sizes[[0, 2, 4]].max()
+    assert np.abs(gear.orders[0].amplitudes["1"]).max() == pytest.approx(1 / (0.1 * 40))
 
 
 @pytest.mark.slow
@@ -140,7 +136,6 @@ def test_an_undamped_system_that_is_hit_exactly_has_no_value() -> None:
 
 
 def test_a_part_without_damping_that_is_hit_exactly_has_no_value() -> None:
-    """Two pairs of masses apart from each other, of which one is damped."""
     shafts = [
         Spring({1: 1, 2: -1}, stiffness=150.0, name="s"),
         Spring({3: 1, 4: -1}, stiffness=50.0, damping=0.1, name="t"),
@@ -165,7 +160,6 @@ def test_a_link_that_nothing_resists_has_no_value_and_its_device_no_torque() -> 
 
 
 def test_an_open_element_has_a_torque_of_0_at_every_speed() -> None:
-    """Also where it is the only device."""
     case = Transmission(2, [ShiftElement(1, 2, name="C")], [], [Gear()], inertias={1: 1.0, 2: 1.0})
     [gear] = response(case, 1, [Harmonic(2.0)], SPEEDS)
     assert gear.orders[0].torques["C"].tolist() == [0, 0, 0]
@@ -183,14 +177,11 @@ def test_many_speeds_are_solved_piece_by_piece(monkeypatch: pytest.MonkeyPatch) 
 
 
 @pytest.mark.filterwarnings("error")
-@pytest.mark.parametrize("speed", [1e-300, 1e300])
-def test_absurd_speeds_have_no_value(speed: float) -> None:
-    [gear, _] = response(with_planetary_set(), 1, [Harmonic(speed)], [speed])
-    assert np.isnan(gear.orders[0].amplitudes["1"]).all()
-
-
-def test_an_order_so_small_that_no_speed_meets_a_mode_has_no_resonance() -> None:
+def test_absurd_speeds_have_no_value_and_absurd_orders_no_resonance() -> None:
     """It would be at 40 rad/s/1e-309, beyond any float."""
+    for speed in (1e-300, 1e300):
+        [gear, _] = response(with_planetary_set(), 1, [Harmonic(speed)], [speed])
+        assert np.isnan(gear.orders[0].amplitudes["1"]).all()
     [gear] = response(one_mass(6.0), 1, [Harmonic(1e-309)], SPEEDS)
     assert gear.resonances == []
 

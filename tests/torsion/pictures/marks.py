@@ -51,7 +51,6 @@ def tree(svg: bytes) -> ET.Element:
 
 
 def marks(svg: bytes, kind: str) -> list[Mark]:
-    """All groups of a class, in their order."""
     return [
         Mark({key[5:]: value for key, value in one.attrib.items() if key.startswith("data-")}, one)
         for one in tree(svg).iter(f"{{{SVG}}}g")

@@ -59,7 +59,6 @@ def driveline(random: Random, ratios: list[float]) -> tuple[Transmission, list[t
 
 
 def own_rows(matrices: tuple[Array, ...], fastest: float) -> list[Row]:
-    """The rows of a gear."""
     mass, stiffness, damping, links = matrices
     squares, shapes = np.linalg.eig(np.linalg.solve(mass, stiffness))
     order = np.argsort(squares.real)[1:]  # the first turns as one

@@ -74,7 +74,6 @@ def test_there_is_a_panel_for_each_gear_and_a_line_for_each_order(tmp_path: Path
 
 
 def test_each_gear_is_excited_at_its_own_input() -> None:
-    """Two gears alike, each with the input at a wheel of its own."""
     springs = [Spring({1: 1, 2: -1}, stiffness=3000.0, name="shaft")]
     gears = [Gear(), Gear(input=2, output=1, load=Load(speed=900.0))]
     twins = solve(Transmission(2, [], [], gears, springs=springs, inertias={1: 0.1, 2: 0.3}))

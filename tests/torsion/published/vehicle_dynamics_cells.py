@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator, Sequence
 
 from tests.torsion.book import TENTH, chain, scheme, table
-from tests.torsion.test_book_vehicles import PUBLISHED, truck
+from tests.torsion.test_book_vehicles import PUBLISHED, omegas_of_table_2_2, truck
 from tests.torsion.test_simplification_tables import GEARS, cells_of_p1_2
 from tests.torsion.vibration.test_decrements import TABLE_P2_1
 from tests.torsion.vibration.test_gear_modes import omegas, only
@@ -45,14 +45,9 @@ def numbered(name: str, cell: str, omegas: Sequence[float]) -> Iterator[Cell]:
 
 def moskvich() -> Iterator[Cell]:
     """Tables 2.5 and 2.6."""
-    printed, links = table("table_2_5")["scheme"], table("table_2_6")
-    for state, first in printed["E1"].items():
-        for name, inertias, rest in zip(GEARS[:4], printed["J"], printed["E"], strict=True):
-            *chained, casing, wheels, vehicle = inertias
-            to_wheels, springs, tyres = rest[2:]
-            compliances = [first, *rest[:2], to_wheels, tyres, springs]
-            found = axle([*chained, wheels, vehicle, casing], compliances)
-            yield from numbered("2.5", f"{state} {name}", found)
+    for state, gear, found in omegas_of_table_2_2():
+        yield from numbered("2.5", f"{state} {GEARS[gear]}", found)
+    links = table("table_2_6")
     for state, first in links["damper"].items():
         for name, inertias, rest in zip(
             GEARS, links["inertias"], links["compliances"], strict=False
@@ -87,5 +82,4 @@ def appendices() -> Iterator[Cell]:
 
 
 def cells() -> dict[tuple[str, str], float]:
-    """All of them by table and cell."""
     return dict([*moskvich(), *vehicles(), *appendices()])

@@ -54,7 +54,10 @@ def test_a_fault_is_told_at_its_place() -> None:
 
 
 def test_a_road_in_numbers() -> None:
-    """Rms of the twist .013981935 m; its rate has no variance, as the damper passes jumps."""
+    """Rms of the twist .013981935 m; its rate has no variance, as the damper passes jumps.
+
+    The road itself has the root of its variance, 0.01 m.
+    """
     asked = ("torsion", "random", "case.yaml", "--at", "road", "--by", "motion")
     said = vstatics(*asked, "--input", "road.yaml", "--omega", "1:5:2", "-f", "json")
     [gear] = said.json["gears"]
@@ -62,6 +65,7 @@ def test_a_road_in_numbers() -> None:
     assert gear["devices"]["strut"]["twist_rate_rms"] is None
     assert gear["spectrum"]["omega"] == [1, 5]
     assert [*gear["links"]] == ["road", "mass"]
+    assert gear["links"]["road"]["rms"] == pytest.approx(0.01, rel=1e-12)
     for form in ("text", "csv", "markdown"):
         assert vstatics(*asked, "--input", "road.yaml", "-f", form).status == 0
 

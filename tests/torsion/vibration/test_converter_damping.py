@@ -77,9 +77,8 @@ def test_slopes_are_differences_of_the_torques(reverse: int) -> None:
         ratios = sorted(random.uniform(-0.3, 1.2) for _ in range(5))
         rows = [(i, random.uniform(0, 3), random.uniform(0.001, 0.01)) for i in ratios]
         ratio, pump = random.uniform(-0.4, 1.3), reverse * random.uniform(20, 300)
-        case = two_masses(
-            converters=[Converter("TC", 1, 2, tuple(rows))], load=Load(speed=pump / RPM)
-        )
+        converter = Converter("TC", 1, 2, tuple(rows))
+        case = two_masses(converters=[converter], load=Load(speed=pump / RPM))
         [gear] = modes(case, speed_ratios={"TC": ratio})
         assert gear.converters
         one, points, turbine = gear.converters["TC"], np.array(rows), ratio * pump
@@ -98,21 +97,16 @@ def test_slopes_are_differences_of_the_torques(reverse: int) -> None:
 
 
 def with_converter(random: Random) -> Transmission:
-    """Two chains of two or three masses, some of them damped, a converter between them."""
     sizes = random.randint(2, 3), random.randint(2, 3)
     links = sum(sizes)
     joints = [n for n in range(1, links) if n != sizes[0]]
-    springs = [
-        Spring(
-            {n: 1, n + 1: -1}, name=f"c{n}", stiffness=10 ** random.uniform(1, 4),
-            damping=random.choice([0.0, random.uniform(0.1, 3)]),
-        )
-        for n in joints
-    ]  # fmt: skip
+    springs = []
+    for n in joints:
+        rate, damping = 10 ** random.uniform(1, 4), random.choice([0.0, random.uniform(0.1, 3)])
+        springs.append(Spring({n: 1, n + 1: -1}, rate, damping=damping, name=f"c{n}"))
     inertias = {n: 10 ** random.uniform(-2, 0.5) for n in range(1, links + 1)}
-    converter = Converter(
-        "TC", random.randint(1, sizes[0]), random.randint(sizes[0] + 1, links), POINTS
-    )
+    ends = random.randint(1, sizes[0]), random.randint(sizes[0] + 1, links)
+    converter = Converter("TC", *ends, POINTS)
     return Transmission(
         links, [], [], [Gear(speed_ratios={1: random.uniform(0, 1)})], inertias=inertias,
         springs=springs, converters=[converter], load=Load(speed=random.uniform(500, 4000)),
@@ -190,11 +184,9 @@ def test_locked_up_a_converter_takes_no_part() -> None:
 def test_without_a_working_point_there_is_an_error() -> None:
     """A torque of 0 has one: at i = 1 alone, and no piece is above it."""
     for load, why in (
-        (None, "give `speed_ratios` in the gear"),
-        (Load(torque=94), "give `speed_ratios` in the gear"),
+        *((load, "give `speed_ratios` in the gear") for load in (None, Load(torque=94))),
         (Load(speed=1900), "a `load` with speed and torque would"),
-        (Load(speed=1900, torque=-94), "at no speed ratio up to 1 it takes the torque"),
-        (Load(speed=1900, torque=1e4), "at no speed ratio up to 1 it takes the torque"),
+        *((Load(1900, torque), "at no speed ratio up to 1 it takes") for torque in (-94, 1e4)),
     ):
         with pytest.raises(CaseError, match=why):
             only(two_masses(load=load))

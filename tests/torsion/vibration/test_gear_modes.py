@@ -1,12 +1,10 @@
 """Natural modes: what holds of every system, and what is known in closed form."""
 
 import math
-from random import Random
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
-from hypothesis import strategies as st
 from scipy import linalg
 
 from tests.chance import count
@@ -68,22 +66,6 @@ def test_every_system_of_springs(case: Transmission) -> None:
     twists = [[one.form.get(n, 0.0) for n in range(1, case.links + 1)] for one in case.springs]
     rank = np.linalg.matrix_rank(np.array(twists))
     assert (len(gear.modes), gear.rigid_modes) == (rank, case.links - rank)
-
-
-@settings(max_examples=count(12, 90))
-@given(branched(), st.randoms(use_true_random=False))
-def test_renumbering_links_changes_nothing(case: Transmission, random: Random) -> None:
-    order = list(range(1, case.links + 1))
-    random.shuffle(order)
-    new = dict(enumerate(order, 1))
-    springs = [
-        spring._replace(twist={new[link]: part for link, part in spring.form.items()})
-        for spring in case.springs
-    ]
-    inertias = {new[link]: value for link, value in case.inertias.items()}
-    ends = {"input": new[case.input], "output": new[case.output]}
-    other = case.replace(inertias=inertias, springs=springs, **ends)
-    assert omegas(only(other)) == pytest.approx(omegas(only(case)), rel=1e-10, abs=1e-10)
 
 
 def test_a_planetary_set_agrees_with_a_model_made_by_hand() -> None:
@@ -232,10 +214,11 @@ def test_a_gear_whose_input_is_held_vibrates(case: Transmission) -> None:
 
 def test_so_many_modes_as_are_asked_for_of_gears_called_as_elsewhere() -> None:
     case = chain([1.0] * 60, [10.0] * 59)
-    assert len(only(case).modes) == 20
     assert len(only(case, count=59).modes) == 59
-    assert omegas(only(case, count=3)) == pytest.approx(omegas(only(case))[:3])
     assert len(only(chain([1.0] * 50, [10.0] * 49)).modes) == 49
+    own = omegas(only(case))
+    assert len(own) == 20
+    assert omegas(only(case, count=3)) == pytest.approx(own[:3])
     shipped = load(CASES / "moskvich412.yaml")
     assert [gear.name for gear in modes(shipped, ["4", "#5"])] == ["4", "1 at stop"]
     with pytest.raises(ValueError, match="no gear '5'"):
@@ -268,7 +251,6 @@ def test_sensitivities_are_differences_of_the_frequencies() -> None:
 
 
 def told(gear: GearModes) -> list[list[str]]:
-    """Where most of the energy is, without the shares."""
     energy = next(one for one in modes_grids([gear]) if one.key == "energy")
     return [[cell if isinstance(cell, str) else cell.text for cell in row] for row in energy.rows]
 
@@ -277,16 +259,13 @@ def told(gear: GearModes) -> list[list[str]]:
 def test_of_two_equal_shares_the_first_is_named_on_any_processor(side: str) -> None:
     """Both tyres of the driveline swing with the same energy; rounding makes one larger."""
     [gear, *_] = modes(load(CASES / "driveline-8hp70.yaml"))
-    even = [number for number, row in enumerate(told(gear)) if row[2] == "left tyre"]
-    assert even
+    assert "left tyre" in [row[2] for row in told(gear)]
 
     def moved(shares: dict[str, float]) -> dict[str, float]:
         return {n: math.nextafter(part, part + n.startswith(side)) for n, part in shares.items()}
 
-    other = gear._replace(
-        modes=[
-            one._replace(elastic=moved(dict(one.elastic)), kinetic=moved(dict(one.kinetic)))
-            for one in gear.modes
-        ]
-    )
-    assert told(other) == told(gear)
+    other = []
+    for each in gear.modes:
+        elastic, kinetic = moved(dict(each.elastic)), moved(dict(each.kinetic))
+        other.append(each._replace(elastic=elastic, kinetic=kinetic))
+    assert told(gear._replace(modes=other)) == told(gear)

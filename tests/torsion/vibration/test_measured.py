@@ -111,13 +111,14 @@ def test_dampings_give_the_decrement_back() -> None:
 
 
 def test_dampings_of_the_case_are_told() -> None:
-    """That of a loss factor adds ``pi * loss factor`` by its share."""
-    text = DRIVELINE.replace("84e-5", "84e-5, damping: {loss_factor: 0.1}")
-    made = damping(loads(text), "4", {"tyre": 0.2})
-    share = mode(loads(DRIVELINE), "4").elastic["damper"]
-    assert made.decrement == 0.2 * made.shares["tyre"]
-    told = f"by its damping in the case damper adds {math.pi * 0.1 * share:.4g} to the decrement"
-    assert made.notes == [told]
+    """A loss factor adds ``pi * loss factor`` by its share, a damping K ``pi E omega K``, (П2.3)."""
+    own = mode(loads(DRIVELINE), "4")
+    for written, added in (("{loss_factor: 0.1}", 0.1), ("0.3", 84e-5 * own.omega * 0.3)):
+        text = DRIVELINE.replace("84e-5", f"84e-5, damping: {written}")
+        made = damping(loads(text), "4", {"tyre": 0.2})
+        assert made.decrement == 0.2 * made.shares["tyre"]
+        whole = f"{math.pi * added * own.elastic['damper']:.4g}"
+        assert made.notes == [f"by its damping in the case damper adds {whole} to the decrement"]
 
 
 def test_what_can_be_no_decrement() -> None:

@@ -87,8 +87,7 @@ def test_a_body_that_moves_with_two_masses_leaves_no_chain(seed: int) -> None:
     third_row = np.array([1, -ratio, 0]) / (1 - ratio)  # w1 - i w2 = (1 - i) w4
     rows = np.array([[1, -1, 0], [0, 1, -1]])
     _, shapes = linalg.eigh(
-        rows.T @ np.diag(rates) @ rows,
-        np.diag(masses) + third * np.outer(third_row, third_row),
+        rows.T @ np.diag(rates) @ rows, np.diag(masses) + third * np.outer(third_row, third_row)
     )
     expected = [int(np.sum(one[:-1] * one[1:] < 0)) for one in shapes.T[1:]]
     assert [mode.nodes for mode in only(case).modes] == expected

@@ -104,7 +104,6 @@ class Driveline(NamedTuple):
 
 
 def random_driveline(number: int) -> Driveline:
-    """Planets weigh from hardly anything to more than all else."""
     rng = seeded(number)
 
     def size(low: float, high: float) -> float:
@@ -131,7 +130,6 @@ def check_rows(found: dict[str, complex], expected: dict[str, complex], size: fl
 
 
 def check_modes(driveline: Driveline) -> None:
-    """Frequencies, and rows of members, are those of planets as coordinates of their own."""
     mass, own, stiffness = driveline.matrices()
     free = linalg.null_space(driveline.meshes())
     gear = only(driveline.case())

@@ -51,7 +51,6 @@ def answer() -> dict[str, Any]:
 
 @pytest.fixture(scope="module")
 def table() -> dict[str, list[float]]:
-    """All columns of the same run as CSV."""
     told = vstatics("simulate", str(SCENARIO), "--time-step", str(STEP), "-f", "csv", "-q")
     head, *rows = csv.reader(io.StringIO(told.out))
     return dict(zip(head, (list(map(float, one)) for one in zip(*rows, strict=True)), strict=True))
