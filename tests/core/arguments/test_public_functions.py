@@ -43,13 +43,10 @@ WRONG = {
     "number": 4,
     "half": 0.5,
     "mapping": {},
-    "numbers": (2, 4, 2),
     "rows": [None],
-    "bytes": b"x",
     "thing": object(),
     "results": RESULTS,
     "case": CASE,
-    "class": vstatics.Transmission,
     "array": np.ones(3),
 }
 

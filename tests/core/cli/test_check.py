@@ -7,7 +7,7 @@ import pytest
 from jsonschema import Draft202012Validator
 
 import vstatics as library
-from tests.commands import BAD, CASES, MZKT, NEUTRAL, json_answer, vstatics
+from tests.commands import BAD, MZKT, NEUTRAL, json_answer, vstatics
 from tests.core.cli.conftest import OPEN
 from vstatics.core.cli.schemas import schemas
 
@@ -21,20 +21,17 @@ mechanisms: {pair: {first: in, second: out, ratio: 2}}
 
 @pytest.mark.usefixtures("files")
 def test_check_speaks_like_a_compiler() -> None:
-    place, _, rest = vstatics("check", "bad.yaml").err.partition(": error: ")
-    message, line, caret = rest.splitlines()[:3]
+    place, _, words = vstatics("check", "bad.yaml").err.partition(": error: ")
+    message, line, caret = words.splitlines()[:3]
     assert place == f"bad.yaml:3:{COLUMN}"
     assert message.endswith("did you mean `ratio`?")
     assert line == "  " + BAD.splitlines()[2]
     assert caret.index("^") == line.index("ratoi")
-
-
-def test_check_shows_the_part_of_a_long_line_around_the_place() -> None:
     deck = MZKT.read_text("utf-8").replace("1 1 4\n", "1 1" + " " * 500 + "9\n", 1)
     place, line, caret = vstatics("check", "-", stdin=deck.encode()).err.splitlines()
     assert place.startswith("<stdin>:10:")
     assert line[caret.index("^")] == "9"
-    assert len(line) <= 80
+    assert len(line) <= 80  # the part of a long line around the place
 
 
 @pytest.mark.usefixtures("files")
@@ -152,47 +149,24 @@ def test_a_gear_that_cannot_drive_fails_the_check_at_its_place() -> None:
         assert vstatics(command, "-", stdin=stdin).status == 0
 
 
-OPEN_DECK = b"""KJG= 3 KL= 1 KG= 1 NP= 1
-NZF(I,1): 2
-NZF(I,2): 0
-NZD(I,1): 1
-NZD(I,2): 2
-NZD(I,3): 3
-IAB(I): -1
-ETAI(I): 1
-KFRI(I): 0
-KWZ(I): 0
-KMZ(I): 0
-"""
-
-
 def test_a_deck_is_told_its_fields_instead_of_keys() -> None:
-    said = vstatics("check", "-", stdin=OPEN_DECK).err
+    text = NEUTRAL.replace("-2.5", "2.5").encode()
+    deck = vstatics("convert", "-", "-", "--to", "deck", stdin=text).out.encode()
+    said = vstatics("check", "-", stdin=deck).err
     assert "shift element, or `--allow W414`" in said
     assert "without `UAQ`" in said
 
 
 def test_a_neutral_gear_that_is_meant_passes_also_strictly() -> None:
+    """Its constraints say so: three links and a set leave two degrees of freedom less the input."""
     loaded = f"{MEANT}load: {{speed: 2000 rpm, torque: 90 N*m}}\n"
     for text in (MEANT, loaded, f"{OPEN_GEAR}allow: [W414]\n"):
-        said = vstatics("check", "-", "--strict", stdin=text.encode())
-        assert said.is_without_messages()
+        assert vstatics("check", "-", "--strict", stdin=text.encode()).is_without_messages()
         assert library.check(io.StringIO(text)) == []
     assert vstatics("check", "-", "--strict", "--allow", "W414", stdin=OPEN_GEAR.encode()).err == ""
-
-
-def test_the_constraints_of_a_neutral_gear_say_that_it_is_meant() -> None:
-    """Three links and a gear set leave two degrees of freedom, of which the input fixes one."""
     for text, words in ((MEANT, "1 missing, neutral"), (OPEN_GEAR, "1 missing")):
         said = vstatics("check", "-", stdin=text.encode()).out
         assert f"gear N       1 of 2 constraints: {words} (engaged: nothing)" in said
-
-
-@pytest.mark.parametrize("case", ["driveline-8hp70.yaml", "ravigneaux-gf4a.yaml"])
-def test_no_line_of_constraints_is_wider_than_a_terminal(case: str) -> None:
-    said = vstatics("check", str(CASES / case)).out.splitlines()
-    assert said[1].startswith("    ")
-    assert max(map(len, said)) <= 80
 
 
 def test_many_engaged_shift_elements_continue_on_a_line_of_their_own() -> None:

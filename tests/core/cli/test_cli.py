@@ -37,11 +37,6 @@ def test_status_is_that_of_the_case(case: str, run: int, check: int, words: str)
         assert bool(said.err) == bool(words)
 
 
-def test_a_folder_instead_of_a_case_names_the_pattern_of_its_cases(folder: Path) -> None:
-    (folder / "a.dat").touch()
-    assert "expected a file, or for several files './**/*.dat'" in vstatics("run", ".").err
-
-
 @pytest.mark.usefixtures("files")
 def test_a_gear_tied_up_does_not_stop_the_others() -> None:
     """In its low gear the differential has the ratio 1 - u = 3.5."""
@@ -78,34 +73,29 @@ def test_coasting_turns_the_reverse_gears_of_the_published_train() -> None:
     driven = json_answer("run", MZKT, "--coast")
     assert driven["efficiency"][4:] == pytest.approx([0.9014, 0.9212], abs=5e-5)
     assert driven["case"]["coast"] is True
-    said = vstatics("run", CASES / "self-locking.yaml", "--coast", "-f", "json")
-    assert said.json["locked"][0] is True
+    assert json_answer("run", CASES / "self-locking.yaml", "--coast")["locked"][0] is True
     case = LOCKED.replace("links: 3", "links: 3\ncoast: true").encode()
     assert json_answer("run", "-", stdin=case)["locked"] == [False]
-    said = vstatics("run", "-", "--drive", "-f", "json", stdin=case)
-    assert said.json["locked"] == [True]
+    assert json_answer("run", "-", "--drive", stdin=case)["locked"] == [True]
 
 
 def test_idle_convention_is_overridden() -> None:
     """D3 turns as one piece in gears 3, 4 and 6; `exact` has 0 there."""
     for idle, signs in (("published", PRINTED["IX"][2]), ("exact", [1, 1, 0, 0, 1, 0])):
-        said = vstatics("run", MZKT, "--unloaded", idle, "-f", "json")
-        assert said.json["power_sign"][2] == signs
+        assert json_answer("run", MZKT, "--unloaded", idle)["power_sign"][2] == signs
 
 
 WRONG = dict.fromkeys(
     [
         *("nonsense", "run", "check", "convert", "convert one.yaml", "compare one.json"),
         *("run - -", "check - -", "compare - -", "run a.dat --format xml", "run a.dat --lang fr"),
-        *("run a.dat --from xml", "run a.dat --unloaded never", "run a.dat --nonsense"),
-        *("check a.dat --coast", "convert a.dat b.txt", "convert a.dat b", "convert a.dat -"),
-        *("convert a.dat b.dat --to csv", "compare a b --atol -1", "compare a b --rtol nothing"),
+        *("run a.dat --from xml", "run a.dat --unloaded never", "check a.dat --coast"),
+        *("convert a.dat b.txt", "convert a.dat -", "convert a.dat b.dat --to csv"),
     ],
     "",
 ) | {
     "summary - -": "standard input",
     "rnu box.yaml": "there is no command `rnu`; did you mean `run`?",
-    "sumary box.yaml": "there is no command `sumary`; did you mean `summary`?",
     f"run {DIFFERENTIAL} --gear 1": "flow, explain and plot have it",
     f"report {DIFFERENTIAL} --gears 9 -o a.html": "Invalid value for --gears: no gear '9'",
     f"flow {DIFFERENTIAL} --gear 9": "Invalid value for --gear: no gear '9'",

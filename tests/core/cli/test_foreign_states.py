@@ -53,12 +53,7 @@ FILES: dict[Callable[[Path], None], str] = {
     os.mkdir: "is a folder",
     bind_socket: "is a socket",
 }
-FOLDERS: dict[Callable[[Path], None], str] = {
-    **LINKS,
-    os.mkfifo: "is a named pipe (FIFO)",
-    Path.touch: "is a file",
-    bind_socket: "is a socket",
-}
+FOLDERS = {**LINKS, os.mkfifo: FILES[os.mkfifo], Path.touch: "is a file"}
 if os.geteuid() == 0:
     FILES |= {make_device: "is a device", of_another(Path.touch): "has another owner"}
     FOLDERS[of_another(Path.mkdir)] = "has another owner"

@@ -84,13 +84,6 @@ def test_an_import_that_is_stopped_leaves_no_trace(module: str, said: bytes) -> 
     assert (process.returncode, ended) == (130, (b"", said))
 
 
-def test_ctrl_c_is_left_alone_where_the_package_is_a_library() -> None:
-    program = "import signal, vstatics; print(signal.getsignal(2) is signal.default_int_handler)"
-    line = [sys.executable, "-c", program]
-    done = subprocess.run(line, capture_output=True, check=False, env=environment())
-    assert done.stdout == b"True\n"
-
-
 @pytest.mark.slow
 def test_ctrl_c_at_any_moment_of_the_start_shows_nothing_of_the_package() -> None:
     """Before the package is reached it is Python that may show a trace, of its own modules."""
