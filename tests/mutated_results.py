@@ -1,18 +1,15 @@
-"""Damaged results for the commands that read them: `python -m tests.mutated_results 100000`.
+"""Damaged results for the commands that read them; `tests/core/cli/test_mutated_results.py`.
 
 Trees, cells, arrays and bytes of each format are changed at random. A command ends in an answer or
 in a message that names the file, without a warning of Python or NumPy.
 """
 
-import argparse
 import copy
 import io
 import json
-import sys
 import tempfile
 import traceback
 import warnings
-from collections import Counter
 from collections.abc import Callable, Sequence
 from functools import cache
 from pathlib import Path
@@ -28,23 +25,8 @@ from tests.installed import HERE, missing
 
 VALUES: tuple[Any, ...] = (
     *(0, -1, 1, 2.5, 1e300, -1e300, 5e-324, 1e-9, 10**400, float("nan"), float("inf")),
-    *(
-        "",
-        "x",
-        "1e999",
-        "-",
-        "*",
-        "ratio",
-        "\u2028",
-        "0",
-        True,
-        None,
-        [],
-        {},
-        [[]],
-        [1, 2],
-        {"a": 1},
-    ),
+    *("", "x", "1e999", "-", "*", "ratio", "\u2028", "0", True, None, [], {}, [[]], [1, 2]),
+    {"a": 1},
 )
 CELLS = ("", "0", "-1", "1e300", "1e999", "nan", "inf", "x", "ratio", "1,5", '"', "\0", "9" * 400)
 OUTPUTS = ("compare", "reversed", "map", "curves", "histogram", "variants")
@@ -324,24 +306,3 @@ def tried(number: int) -> tuple[str, str]:
         except ValueError as error:
             return name, f"{about}\n{error}"
     return f"{name} {said.status}", ""
-
-
-def main() -> int:
-    """Try as many as asked; the exit status is 1 if one failed."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("count", type=int)
-    parser.add_argument("--from", dest="first", type=int, default=0)
-    asked = parser.parse_args()
-    counts, failed = Counter[str](), 0
-    for number in range(asked.first, asked.first + asked.count):
-        outcome, fault = tried(number)
-        counts[outcome] += 1
-        failed += bool(fault)
-        if fault:
-            print(fault, flush=True)  # noqa: T201
-    print(dict(counts), f"{failed} faults")  # noqa: T201
-    return 1 if failed else 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -69,8 +69,3 @@ def test_a_fault_of_a_result_has_its_line(
     assert problem.place is not None
     assert (problem.place.line, column or problem.place.column) == (line, problem.place.column)
     assert problem.message.startswith(words)
-
-
-def test_empty_lines_before_and_between_json_lines_are_nothing() -> None:
-    read = read_results(f"\n{GOOD}\n \n{GOOD}\n\n".encode(), "file")
-    assert [one.tables["ratio"][0][0].value for one in read] == [1.5, 1.5]

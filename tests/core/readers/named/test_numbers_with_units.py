@@ -1,8 +1,6 @@
 """Numbers with a unit, or relative to the input: how they are read and refused."""
 
 import re
-import subprocess
-import sys
 import time
 
 import pytest
@@ -81,28 +79,3 @@ def test_any_text_is_read_or_refused_in_bounded_time(text: str) -> None:
             continue
         assert re.match(QUANTITY, text)
     assert time.process_time() - begin < 0.5
-
-
-PLAIN = """
-links: [engine, generator, motor, axle]
-mechanisms:
-  split: {first: generator, second: axle, third: engine, ratio: -78/30, efficiency: 0.98}
-  motor gear: {first: motor, second: axle, ratio: -58/22, efficiency: 0.98}
-gears: {cruise: {speeds: {generator: 1.2}, torques: {motor: -0.1}}}
-"""
-WITH_UNITS = "load: {power: 120 PS, speed: 3000 1/min}" + PLAIN.replace(
-    "generator: 1.2", "generator: 1.2*3000 rpm"
-).replace("-0.1", "-30 lb-ft")
-
-
-def test_units_need_no_module_of_others() -> None:
-    code = f"""
-import sys, vstatics
-from vstatics.core.tables.values import tables
-tables(vstatics.solve(vstatics.core.readers.read({PLAIN.encode()!r}, "plain.yaml").case))
-before = set(sys.modules)
-tables(vstatics.solve(vstatics.core.readers.read({WITH_UNITS.encode()!r}, "units.yaml").case))
-print(*[name for name in set(sys.modules) - before if not name.startswith("vstatics.")])
-"""
-    done = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True)
-    assert done.stdout == "\n"
