@@ -39,16 +39,8 @@ PIECES = (
     *("9" * 400, "6*0", "1000000000*0", ".", ",", " ", "\n", "\t", "\r", "\0", "\x1b[2J", "\u202e"),
     *("(", ")", "=", ":", "[", "]", "{", "}", "- ", "&a ", "*a", "'", '"', "#", "**", "^3^3^3"),
     *("housing", "KJG= 3", "NAME P1: x", "!!int ", "<<: ", "---", "null", "true", "~", "|", ">"),
-    *(
-        "400 Nm",
-        "3000 1/min",
-        "120 kW",
-        "1.05*FL",
-        "link 3",
-        "kind: point",
-        "input_turns: backward",
-    ),
-    *("ratio", "speeds[1]", "abs(", "max(", "and", "not", "<=", "1:2:3", "-3:-2:5", "1e9:0:1"),
+    *("400 Nm", "3000 1/min", "120 kW", "1.05*FL", "link 3", "kind: point", "1:2:3", "1e9:0:1"),
+    *("input_turns: backward", "ratio", "speeds[1]", "abs(", "max(", "and", "not", "<=", "-3:-2:5"),
 )
 TOKEN = re.compile(r"[A-Za-z_]+|[-+.0-9eE]+|\s+|.", re.DOTALL)
 

@@ -58,7 +58,8 @@ def good() -> list[GoodFile]:
         form = {"lst": "listing"}.get(suffix, suffix)
         said = vstatics("run", *cases, "-o", here / f"run.{suffix}", "-f", form, "-q")
         assert said.status == 0, said
-        files.append(GoodFile(f"run.{suffix}", _written(f"run.{suffix}"), ("compare", "reversed")))
+        written = (here / f"run.{suffix}").read_bytes()
+        files.append(GoodFile(f"run.{suffix}", written, ("compare", "reversed")))
     if "sweep" in HERE:
         files += _sweeps(here)
     if not missing(["synthesis", "pictures"]):
@@ -71,20 +72,12 @@ def good() -> list[GoodFile]:
 def _sweeps(here: Path) -> list[GoodFile]:
     files = []
     varied = ["--vary", "P1.ratio=-3:-2:4", "--vary", "P2.ratio=-3:-2:3", "--out", "ratio,ETA"]
-    for suffix in ("csv", "jsonl", "npz", "parquet", "xlsx"):
-        words = ["--by", "gear"] if suffix == "npz" else []
-        for name, more in {f"sweep.{suffix}": [], f"gears.{suffix}": words}.items():
-            if name.startswith("sweep") or more:
-                said = vstatics(
-                    "sweep", here / "case.yaml", *varied, *more, "-q", "-o", here / name
-                )
-                assert said.status == 0, said
-                files.append(GoodFile(name, _written(name), OUTPUTS))
+    written = {f"sweep.{suffix}": () for suffix in ("csv", "jsonl", "npz", "parquet", "xlsx")}
+    for name, more in {**written, "gears.npz": ("--by", "gear")}.items():
+        said = vstatics("sweep", here / "case.yaml", *varied, *more, "-q", "-o", here / name)
+        assert said.status == 0, said
+        files.append(GoodFile(name, (here / name).read_bytes(), OUTPUTS))
     return files
-
-
-def _written(name: str) -> bytes:
-    return (folder() / name).read_bytes()
 
 
 def command(file: GoodFile, name: str, mutated: Path) -> list[object]:
@@ -118,19 +111,16 @@ def mutated(rng: Random, file: GoodFile) -> bytes:
         return structural[suffix](rng, data)
     for _ in range(rng.choice((1, 1, 2, 8))):
         place, size = rng.randrange(len(data)), rng.choice((1, 1, 2, 40))
+        before, at, after = data[:place], data[place : place + size], data[place + size :]
         match rng.randrange(4):
             case 0:
-                data = (
-                    data[:place]
-                    + bytes([data[place] ^ (1 << rng.randrange(8))])
-                    + data[place + 1 :]
-                )
+                data = before + bytes([at[0] ^ (1 << rng.randrange(8))]) + data[place + 1 :]
             case 1:
-                data = data[:place] + data[place + size :]
+                data = before + after
             case 2:
-                data = data[:place] + data[place : place + size] * 2 + data[place + size :]
+                data = before + at * 2 + after
             case _:
-                data = data[:place] if rng.random() < 0.3 else data[:place] + rng.randbytes(size)
+                data = before if rng.random() < 0.3 else before + rng.randbytes(size)
         data = data or b"\n"
     return data
 

@@ -84,21 +84,16 @@ def test_of_a_file_of_other_matters_nothing_is_told(line: str) -> None:
     assert "user1" not in commands.vstatics("simulate", "run.yaml").err
 
 
-@pytest.mark.parametrize(
-    ("changes", "why"),
-    [
-        ({"gears": "abc"}, "`gears` is str 'abc', expected a sequence of a Gear"),
-        ({"name": 5}, "`name` is int 5, expected a text"),
-        ({"outputs": 3}, "`outputs` is int 3, expected a sequence of a whole number"),
-        pytest.param(
-            {"vehicle": 4}, "`vehicle` is int 4, expected a Vehicle", marks=needs("vehicle")
-        ),
-        ({"shift_elements": [1]}, "expected a sequence of a ShiftElement"),
-    ],
-)
-def test_a_transmission_says_what_it_takes(changes: dict[str, Any], why: str) -> None:
-    with pytest.raises(TypeError, match=re.escape(why)):
-        vstatics.loads(NEUTRAL).replace(**changes)
+def test_a_transmission_says_what_it_takes() -> None:
+    wrong: dict[str, dict[str, Any]] = {
+        "`gears` is str 'abc', expected a sequence of a Gear": {"gears": "abc"},
+        "`name` is int 5, expected a text": {"name": 5},
+        "`outputs` is int 3, expected a sequence of a whole number": {"outputs": 3},
+        "expected a sequence of a ShiftElement": {"shift_elements": [1]},
+    }
+    for why, changes in wrong.items():
+        with pytest.raises(TypeError, match=re.escape(why)):
+            vstatics.loads(NEUTRAL).replace(**changes)
 
 
 def test_check_allows_as_the_command_does() -> None:
@@ -145,10 +140,7 @@ for call in (
     ("text", "words"),
     [
         ("", 'pip install ".['),
-        (
-            "import no_such_part",
-            "is installed, but cannot be imported: ModuleNotFoundError: No module",
-        ),
+        ("import no_such_part", "is installed, but cannot be imported: ModuleNotFoundError: No"),
     ],
 )
 def test_a_missing_or_broken_package_is_told_as_commands_tell_it(text: str, words: str) -> None:
@@ -270,7 +262,5 @@ def test_an_exercise_is_refused_as_by_the_command() -> None:
     results = vstatics.solve(vstatics.example("simpson"))
     with pytest.raises(ValueError, match="seed is -1, expected 0 or more"):
         vstatics.exercise(results, "1", seed=-1)
-    with pytest.raises(ValueError, match="no gear '9'"):
-        vstatics.exercise(results, "9")
     with pytest.raises(ValueError, match="expected 'text', 'markdown' or 'latex'; did you mean"):
         vstatics.exercise(results, "1").worksheet("markdwon")  # type: ignore[arg-type]

@@ -178,24 +178,11 @@ def test_many_engaged_shift_elements_continue_on_a_line_of_their_own() -> None:
     assert " ".join(names) in " ".join(" ".join(said).split())
 
 
-def test_a_gear_marked_as_neutral_that_drives_gets_a_warning() -> None:
-    """With C the set rotates as a block, so the ratio is 1."""
-    text = MEANT.replace("N: {engaged: []", "N: {engaged: [C]")
-    said = vstatics("check", "-", stdin=text.encode())
-    words = "gear N: marked `kind: neutral`, but drives with the ratio 1"
-    assert (said.status, words in said.err) == (0, True)
-
-
 def test_a_neutral_gear_is_not_part_of_steps_and_spread() -> None:
     """With the ring held, the Willis equation gives w_in = (1 - ratio)*w_carrier = 3 w_carrier."""
     made, other = (json_answer("summary", "-", stdin=t.encode()) for t in (MEANT, OPEN_GEAR))
     assert made["spread"] == other["spread"] == pytest.approx(3)
     assert [gear["ratio"] for gear in made["gears"]] == [pytest.approx(3), 1, None]
-
-
-def test_a_case_without_gears_that_only_moves_is_no_fault() -> None:
-    text = f"{TWO_SPEED}inertias: {{in: 0.1, ring: 0.1, carrier: 1}}\n"
-    assert [problem.id for problem in library.check(io.StringIO(text))] == ["N420"]
 
 
 def test_a_planet_without_teeth_gets_a_note() -> None:

@@ -67,12 +67,6 @@ def test_the_option_is_above_the_suffix(tmp_path: Path) -> None:
     assert library.load(back) == library.load(MZKT)
 
 
-def test_a_printed_report_is_converted_like_its_deck() -> None:
-    report = vstatics("run", MZKT).out.encode()
-    deck = vstatics("convert", MZKT, "-", "--to", "yaml")
-    assert vstatics("convert", "-", "-", "--to", "yaml", stdin=report) == deck
-
-
 def test_warnings_of_the_input_are_told_and_it_is_converted(folder: Path) -> None:
     """A planetary set with u > 0 and no planet ratio has no planet speed: a warning."""
     text = NEUTRAL.replace("-2.5", "2.5").encode()

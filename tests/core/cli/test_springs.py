@@ -147,17 +147,6 @@ def test_a_deck_is_refused_what_it_cannot_hold() -> None:
     assert said.err.splitlines() == ["-: not kept: source", "-: not kept: inertias"]
 
 
-def test_a_sweep_over_ratios_has_torques_of_springs() -> None:
-    """The casing holds 1 - u of the axle."""
-    out = "ratio[low],torques[mount,low]"
-    said = vstatics("sweep", "box.yaml", "--vary", "set.ratio=-2:-3:3", "--out", out)
-    rows = [line.split(",") for line in said.out.splitlines()[1:]]
-    u = 41 / 11
-    assert [[float(cell) for cell in row[-2:]] for row in rows] == [
-        pytest.approx([u * (1 - ratio), (1 - u) * (1 - ratio)]) for ratio in (-2, -2.5, -3)
-    ]
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["box", "four", "mass"])
 def test_a_report_has_tables_of_springs_and_inertias(name: str) -> None:

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from tests.chance import count
-from tests.commands import BAD, ID, MZKT, NEUTRAL, TIED_UP, json_answer, shell, vstatics
+from tests.commands import BAD, MZKT, NEUTRAL, TIED_UP, json_answer, vstatics
 from tests.processes import names
 from vstatics import solve
 from vstatics.core.model.transmission import Transmission
@@ -234,13 +234,6 @@ def test_jsonl_has_a_line_for_each_case_in_their_order(jobs: int) -> None:
 def test_processes_give_the_same_stream_and_the_same_messages(form: str) -> None:
     given = ("run", *ALL, "nowhere", *GOOD, "-f", form)
     assert vstatics(*given, "--jobs", 3) == vstatics(*given)
-
-
-def test_several_cases_go_to_a_device_as_to_stdout() -> None:
-    expected = vstatics("run", *GOOD, "-f", "csv")
-    line = f"cd {Path.cwd()}; vstatics run {' '.join(GOOD)} -f csv -o /dev/stdout | cat"
-    status, out, err = shell(line)
-    assert (status, out, ID.sub("", err.decode())) == (0, expected.out.encode(), expected.err)
 
 
 @pytest.mark.slow

@@ -2,7 +2,6 @@
 
 import csv
 import io
-import json
 import os
 import signal
 from pathlib import Path
@@ -10,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from tests.commands import BAD, MZKT, NEUTRAL, Said, vstatics
-from tests.core.cli.shared.test_many_stopped import ended, opened_for_reading, running
-from tests.processes import names
+from tests.core.cli.shared.test_many_stopped import ended, opened_for_reading
+from tests.processes import names, running
 from vstatics.core.cli.run import MANY
 from vstatics.core.cli.shared import many
 
@@ -52,15 +51,6 @@ def test_a_file_that_a_pattern_finds_is_there_once() -> None:
     assert cases_of(*named) == ["./drawer/deep/c.dat", "drawer/deep/b.dat", "drawer/a.dat"]
 
 
-def test_files_of_one_name_are_told_with_their_folders() -> None:
-    Path("drawer/deep/a.dat").write_text(BAD, "utf-8")
-    names = sorted([*NAMES, "drawer/deep/a.dat"])
-    array = vstatics("run", "drawer/**/*.dat", "-f", "json").json
-    lines = vstatics("run", "drawer/**/*.dat", "-f", "jsonl").out.splitlines()
-    assert [one["file"] for one in array] == names
-    assert [json.loads(line)["file"] for line in lines] == names
-
-
 def test_parquet_has_the_rows_of_csv() -> None:
     """Rows of conventions and of the program are metadata in Parquet."""
     parquet = pytest.importorskip("pyarrow.parquet")
@@ -92,7 +82,7 @@ def assert_goes_on(said: Said, form: str, cases: tuple[str, ...], count: str) ->
 def test_a_run_that_was_stopped_goes_on_and_gives_the_same(form: str) -> None:
     cases = ("drawer/a.dat", "neutral.yaml", "pipe.dat", NAMES[1])
     os.mkfifo("pipe.dat")
-    with running(*cases, "-o", f"all.{form}") as run:
+    with running("run", *cases, "-o", f"all.{form}") as run:
         pipe = opened_for_reading()
         run.send_signal(signal.SIGINT)
         status, lines = ended(run)

@@ -9,15 +9,13 @@ import os
 import re
 import signal
 import subprocess
-import sys
 import time
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
-from tests.commands import BAD, MZKT, environment, on_terminal, process
-from tests.processes import children, names, wait_for
+from tests.commands import BAD, MZKT, on_terminal, process
+from tests.processes import children, names, running, wait_for
 from vstatics.core.cli.shared import progress
 
 pytestmark = pytest.mark.slow
@@ -31,19 +29,6 @@ def _files(folder: Path) -> None:
         (folder / name).write_bytes(MZKT.read_bytes())
     (folder / "pipe.dat").unlink()
     os.mkfifo("pipe.dat")
-
-
-@contextlib.contextmanager
-def running(*arguments: str, jobs: int = 1) -> Iterator[subprocess.Popen[bytes]]:
-    """A run in the background; it is killed if the test fails."""
-    line = [sys.executable, "-m", "vstatics", "run", *arguments, "--jobs", str(jobs)]
-    with subprocess.Popen(
-        line, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment()
-    ) as run:
-        try:
-            yield run
-        finally:
-            run.kill()
 
 
 def ended(run: subprocess.Popen[bytes]) -> tuple[int, list[str]]:
@@ -62,18 +47,13 @@ def stopped_at_pipe(
     sent: signal.Signals, *arguments: str, jobs: int = 1
 ) -> tuple[int, list[str], list[int]]:
     """Send a signal to a run that waits at the pipe: its end, and its workers."""
-    with running(*arguments, jobs=jobs) as run:
+    with running("run", *arguments, "--jobs", str(jobs)) as run:
         pipe = opened_for_reading()
         found = children(run.pid)
         run.send_signal(sent)
         told = ended(run)
         os.close(pipe)
     return *told, found
-
-
-def mend_pipe() -> None:
-    Path("pipe.dat").unlink()
-    Path("pipe.dat").write_bytes(MZKT.read_bytes())
 
 
 def called(*arguments: str) -> tuple[int, bytes, bytes]:
@@ -125,7 +105,8 @@ def test_a_signal_leaves_what_is_finished(sent: signal.Signals, status: int) -> 
     told = stopped_at_pipe(sent, *TO_DIRECTORY)
     assert told[:2] == (status, [f"stopped after 2 of 5 cases; {KEPT}"])
     assert written() == ["a.json", "b.json"]
-    mend_pipe()
+    Path("pipe.dat").unlink()
+    Path("pipe.dat").write_bytes(MZKT.read_bytes())
     again = called(*TO_DIRECTORY, "--resume")
     assert again == (0, b"", b"5 of 5 cases calculated (2 of them before)\n")
     assert called(*TO_DIRECTORY)[0] == 0
@@ -142,7 +123,7 @@ def test_a_signal_ends_the_workers_too(sent: signal.Signals, status: int) -> Non
 
 
 def test_a_stream_of_lines_is_whole_lines_and_a_file_is_not_there() -> None:
-    with running(*CASES, "-f", "jsonl") as run:
+    with running("run", *CASES, "-f", "jsonl") as run:
         pipe = opened_for_reading()
         run.send_signal(signal.SIGINT)
         out, err = run.communicate(timeout=60)
@@ -167,7 +148,7 @@ def kill_the_reader(run: subprocess.Popen[bytes]) -> None:
 
 
 def test_a_case_at_which_two_workers_die_fails_and_the_others_go_on() -> None:
-    with running(*TO_DIRECTORY, jobs=2) as run:
+    with running("run", *TO_DIRECTORY, "--jobs", "2") as run:
         kill_the_reader(run)
         kill_the_reader(run)
         status, lines = ended(run)
@@ -222,7 +203,7 @@ def test_a_bar_tells_rate_and_time_left(
 
 def test_two_runs_do_not_write_one_directory() -> None:
     """Neither another one, nor one that would go on; other formats have a run of their own."""
-    with running(*TO_DIRECTORY) as run:
+    with running("run", *TO_DIRECTORY) as run:
         pipe = opened_for_reading()
         for more in (("--coast",), ("--resume",)):
             said = called("a.dat", "b.dat", *TO_DIRECTORY[5:], *more)
