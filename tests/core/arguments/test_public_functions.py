@@ -51,14 +51,6 @@ WRONG = {
 }
 
 
-def arguments_of(function: Any) -> list[str]:
-    return [
-        name
-        for name, one in inspect.signature(function).parameters.items()
-        if one.kind is not inspect.Parameter.VAR_KEYWORD
-    ]
-
-
 @pytest.mark.parametrize("wrong", WRONG.values(), ids=WRONG)
 @pytest.mark.parametrize("name", FUNCTIONS)
 def test_no_fault_of_python_leaves_a_function(name: str, wrong: Any) -> None:
@@ -76,7 +68,8 @@ def test_every_argument_of_every_function_is_of_a_type(name: str) -> None:
     if name == "plot":
         skip_without("sweep")
     function = FUNCTIONS[name]
-    first, *others = arguments_of(function)
+    parameters = inspect.signature(function).parameters.values()
+    first, *others = (one.name for one in parameters if one.kind is not one.VAR_KEYWORD)
     with pytest.raises(TypeError, match=rf"^{name} of <object .*expected"):
         function(object())
     for argument in others:

@@ -66,9 +66,8 @@ def test_a_reader_that_has_seen_enough_ends_the_program_quietly(command: str) ->
     assert (status, err) == (0, b"1\n")
 
 
-@pytest.mark.parametrize(
-    "command",
-    [
+def test_a_full_disk_is_told_in_one_line() -> None:
+    for command in (
         "run cases/mzkt7922.dat",
         "run cases/mzkt7922.dat cases/umdm.yaml -f jsonl",
         "check cases/differential.yaml",
@@ -76,11 +75,9 @@ def test_a_reader_that_has_seen_enough_ends_the_program_quietly(command: str) ->
         "compare tests/golden/umdm-reduced.yaml.lst tests/golden/mzkt7922.dat.lst",
         "--help",
         "--version",
-    ],
-)
-def test_a_full_disk_is_told_in_one_line(command: str) -> None:
-    full = b"<stdout>: error: cannot be written: No space left on device [E030]\n"
-    assert shell(f"vstatics {command} > /dev/full") == (1, b"", full)
+    ):
+        full = b"<stdout>: error: cannot be written: No space left on device [E030]\n"
+        assert shell(f"vstatics {command} > /dev/full") == (1, b"", full)
 
 
 def test_closed_streams_are_told_but_results_come_even_where_messages_cannot() -> None:
@@ -145,24 +142,19 @@ def test_shell_completion_is_produced() -> None:
         assert (status, words in out.decode()) == (0, True)
 
 
-@pytest.mark.parametrize(
-    ("words", "names"),
-    [
+def test_shell_completion_names_commands_templates_ids_and_tables() -> None:
+    for words, names in (
         ("", main.list_commands(click.Context(main))),
         ("new x.yaml -t zf-8", ["zf-8hp70"]),
         ("run --allow w41", ["W414"]),
         ("check --explain w201,E01", ["w201,E013"]),
         ("compare a.json b.json --leave-out los", ["losses"]),
-    ],
-)
-def test_shell_completion_names_commands_templates_ids_and_tables(
-    words: str, names: list[str]
-) -> None:
-    status, out, _ = process(
-        _VSTATICS_COMPLETE="bash_complete",
-        COMP_WORDS=f"vstatics {words}",
-        COMP_CWORD=str(words.count(" ") + 1),
-    )
-    found = re.findall(r"plain,([\w,-]+)", out.decode())
-    assert (status, {*names} <= {*found}) == (0, True)
-    assert words or found == names
+    ):
+        status, out, _ = process(
+            _VSTATICS_COMPLETE="bash_complete",
+            COMP_WORDS=f"vstatics {words}",
+            COMP_CWORD=str(words.count(" ") + 1),
+        )
+        found = re.findall(r"plain,([\w,-]+)", out.decode())
+        assert (status, {*names} <= {*found}) == (0, True)
+        assert words or found == names

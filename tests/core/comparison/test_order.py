@@ -156,10 +156,20 @@ def test_a_link_that_becomes_the_input_by_its_place_is_a_change_of_the_case(tmp_
     assert not changed(data, tmp_path, input=first, output=last).case
 
 
-def test_renamed_clutches_between_other_links_are_matched_in_order() -> None:
-    new, old = (
-        Transmission(4, [ShiftElement(a, b, name) for name, a, b in clutches], [], [Gear()])
-        for clutches in ([("X", 1, 3), ("Y", 2, 4)], [("A", 1, 2), ("B", 3, 4)])
+def test_renamed_clutches_are_matched_in_order_or_by_the_gears_that_engage_them() -> None:
+    old, new, parallel, swapped = (
+        Transmission(
+            4,
+            [ShiftElement(*ends, name) for ends, name in clutches],
+            [],
+            [Gear([first], name="low"), Gear([3 - first], name="high")],
+        )
+        for clutches, first in (
+            ([((1, 2), "A"), ((3, 4), "B")], 1),
+            ([((1, 3), "X"), ((2, 4), "Y")], 1),
+            ([((1, 2), "A"), ((1, 2), "B")], 1),
+            ([((1, 2), "X"), ((1, 2), "Y")], 2),
+        )
     )
-    _, parts = row_names_of(new, old)
-    assert parts == {"X": "A", "Y": "B"}
+    assert row_names_of(new, old)[1] == {"X": "A", "Y": "B"}
+    assert row_names_of(swapped, parallel)[1] == {"X": "B", "Y": "A"}

@@ -54,7 +54,7 @@ def test_links_turn_together_by_structure_and_not_by_coincidence() -> None:
 def test_a_locked_set_turns_as_one_piece_and_a_braked_link_stands() -> None:
     direct = explained("differential.yaml", "1")
     assert [body.links for body in direct.together] == [["1", "2", "3"]]
-    assert direct.one_piece == ["D"]
+    assert (direct.engaged, direct.not_engaged, direct.one_piece) == (["F"], ["T"], ["D"])
     [body] = explained("differential.yaml", "2").together
     assert (body.links, body.stands, body.elements) == (["2"], True, ["T"])
 

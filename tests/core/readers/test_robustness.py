@@ -20,13 +20,6 @@ MEMORY = 500 * 2**20
 """Address space; numpy and its threads reserve most of it."""
 
 
-def laughs(levels: int) -> str:
-    """Aliases that would make 9**levels values."""
-    lines = ["links: 3", "a0: &a0 [x, x]"]
-    lines += [f"a{n}: &a{n} [{', '.join([f'*a{n - 1}'] * 9)}]" for n in range(1, levels)]
-    return "\n".join(lines)
-
-
 def shared(number: int) -> str:
     """As many gears as shift elements, each of which engages all of them by an alias."""
     elements = "".join(f"  e{n}: [1, 0]\n" for n in range(number))
@@ -53,16 +46,11 @@ HOSTILE: dict[str, tuple[str, str | bytes]] = {
     "fraction of huge numbers": ("yaml", YAML.replace("-2.5", "9" * 10**5 + "/3")),
     "a spring of many links": ("yaml", ISSUE.replace("[wheel, vehicle]", f"[{'a, ' * 10**5}]")),
     "a unit of a spring without end": ("yaml", ISSUE.replace("474", f"8 {'N*' * 10**5}m")),
-    "powers of powers": ("yaml", f'load: {{torque: "1 N*m^3^3^3^3"}}\n{YAML}'),
     "a unit without end": ("yaml", f"load: {{speed: 1 {'N*' * 10**6}m}}\n{YAML}"),
-    "brackets in a number": ("yaml", YAML.replace("-2.5", f"'{'(' * 10**6}1'")),
     "a link without end": ("yaml", YAML.replace("[F]", f"[F], speeds: {{2: {'1*' * 10**6}x}}")),
     "a long line in YAML": ("yaml", "description: " + "x" * 9_900_000),
     "a long line in JSON": ("json", '{"description": "' + "x" * 9_900_000),
     "a long line in a deck": ("deck", "KJG= " + "9" * 9_900_000),
-    "aliases that blow up": ("yaml", laughs(40)),
-    "brackets in YAML": ("yaml", "[" * 200_000),
-    "objects in JSON": ("json", '{"a":' * 200_000),
     "engaged by all gears": ("yaml", shared(5_000)),
     "unknown keys": ("yaml", "".join(f"key{n}: 1\n" for n in range(20_000))),
     "unknown elements": ("yaml", f"links: 2\nmechanisms: {{}}\ngears: {{1: [{MANY}]}}"),

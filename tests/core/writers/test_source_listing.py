@@ -260,9 +260,8 @@ def test_fields_of_decks_that_the_source_does_not_have() -> None:
     assert from_deck == source_listing("-q", "-", stdin=PORTS)
 
 
-@pytest.mark.parametrize(
-    ("options", "why"),
-    [
+def test_it_is_a_listing_only() -> None:
+    for options, why in (
         ("--lang source -f json", "--lang source is an alias of -f source, not of -f json"),
         ("-f source -o x.csv", "source is not the format of x.csv"),
         ("-f source --pretty", "--lang source"),
@@ -270,8 +269,6 @@ def test_fields_of_decks_that_the_source_does_not_have() -> None:
         ("--own-tables --lang ru", "--own-tables is for -f source"),
         ("-f source --coast", "--coast has no field"),
         ("-f source --unloaded exact", "-f source has the signs of --unloaded published"),
-    ],
-)
-def test_it_is_a_listing_only(options: str, why: str) -> None:
-    said = vstatics("run", MZKT, *options.split())
-    assert said.is_wrong_use(why)
+    ):
+        said = vstatics("run", MZKT, *options.split())
+        assert said.is_wrong_use(why)

@@ -50,20 +50,17 @@ def test_a_failing_run_leaves_the_old_file(folder: Path, monkeypatch: pytest.Mon
 
 
 @pytest.mark.usefixtures("folder")
-@pytest.mark.parametrize(
-    ("target", "reason"),
-    [
+def test_what_cannot_be_written_is_told() -> None:
+    for target, reason in (
         ("nowhere/deep/new", "there is no directory nowhere/deep; create it"),
         ("", "Is a directory"),
         ("file/new", "Not a directory"),
-    ],
-)
-def test_what_cannot_be_written_is_told(target: str, reason: str) -> None:
-    Path("file").touch()
-    for command in (["run", MZKT, "-o", target], ["convert", MZKT, target, "--to", "deck"]):
-        said = vstatics(*command)
-        assert said == (1, "", f"{target}: error: cannot be written: {reason}\n")
-    assert names(Path()) == ["file"]
+    ):
+        Path("file").touch()
+        for command in (["run", MZKT, "-o", target], ["convert", MZKT, target, "--to", "deck"]):
+            said = vstatics(*command)
+            assert said == (1, "", f"{target}: error: cannot be written: {reason}\n")
+        assert names(Path()) == ["file"]
 
 
 def test_a_link_stays_and_its_file_is_written(folder: Path) -> None:

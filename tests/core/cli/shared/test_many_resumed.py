@@ -60,16 +60,9 @@ def link_case(end: bytes) -> None:
     Path("mzkt.dat").symlink_to("other.dat")
 
 
-def write_result(text: str | None = None) -> None:
-    """As another program, another run without a record, or a power cut."""
-    result = Path("out/mzkt.json")
-    result.write_text(result.read_text("utf-8") if text is None else text, "utf-8")
-
-
-def add_strange_lines() -> None:
-    """The last one may have been cut; anybody may have written the others."""
-    with RECORD.open("a", encoding="utf-8") as record:
-        record.write('[[], "", "", [], false]\n{}\n7\n["a", {}, [], null, 0]\n["neutral.js')
+RESULT = Path("out/mzkt.json")
+STRANGE = '[[], "", "", [], false]\n{}\n7\n["a", {}, [], null, 0]\n["neutral.js'
+"""Lines of a record; the last one may have been cut, anybody may have written the others."""
 
 
 @pytest.mark.parametrize(
@@ -80,17 +73,20 @@ def add_strange_lines() -> None:
         (Path("mzkt.dat").touch, ["tied"]),
         (lambda: link_case(b""), ["tied"]),
         (lambda: link_case(b"\n"), ["mzkt", "tied"]),
-        (add_strange_lines, ["tied"]),
+        (lambda: RECORD.write_text(RECORD.read_text("utf-8") + STRANGE, "utf-8"), ["tied"]),
         (lambda: Path("tied.yaml").write_text(NEUTRAL), ["tied"]),
-        (write_result, ["mzkt", "tied"]),
-        (lambda: write_result(""), ["mzkt", "tied"]),
-        (Path("out/mzkt.json").unlink, ["mzkt", "tied"]),
+        (lambda: RESULT.write_text(RESULT.read_text("utf-8"), "utf-8"), ["mzkt", "tied"]),
+        (lambda: RESULT.write_text("", "utf-8"), ["mzkt", "tied"]),
+        (RESULT.unlink, ["mzkt", "tied"]),
     ],
 )
 def test_what_was_changed_is_calculated_again(
     disturb: Callable[[], object], again: list[str]
 ) -> None:
-    """A later time alone is no change; a case that is mended counts as done later."""
+    """A later time alone is no change; a case that is mended counts as done later.
+
+    A result may be written again by another program, by a run without a record, or by a power cut.
+    """
     disturb()
     assert resumed() == again
     is_mended = Path("tied.yaml").read_text() == NEUTRAL

@@ -11,9 +11,8 @@ from vstatics.core.readers.named.arithmetic import LONGEST_ARITHMETIC
 from vstatics.core.readers.named.units import QUANTITY, Quantity, WithUnit, quantity, relative
 
 
-@pytest.mark.parametrize(
-    ("text", "kind", "value"),
-    [
+def test_a_calculation_stands_before_the_unit() -> None:
+    numbers: tuple[tuple[str, Quantity, float], ...] = (
         ("400Nm", "torque", 400),
         ("1.3*400 Nm", "torque", 520),
         ("1.3*400*Nm", "torque", 520),
@@ -22,16 +21,14 @@ from vstatics.core.readers.named.units import QUANTITY, Quantity, WithUnit, quan
         ("3000/min", "speed", 3000),
         ("-60/2 U/min", "speed", -30),
         ("100 л.с.", "power", 73.549875),  # 75 kgf*m/s
-    ],
-)
-def test_a_calculation_stands_before_the_unit(text: str, kind: Quantity, value: float) -> None:
-    assert quantity(text, kind) == pytest.approx(value, rel=1e-15)
-    assert re.fullmatch(QUANTITY, text)
+    )
+    for text, kind, value in numbers:
+        assert quantity(text, kind) == pytest.approx(value, rel=1e-15)
+        assert re.fullmatch(QUANTITY, text)
 
 
-@pytest.mark.parametrize(
-    ("text", "kind", "words"),
-    [
+def test_what_is_no_such_quantity_is_told() -> None:
+    texts: tuple[tuple[str, Quantity, str], ...] = (
         ("2100", "speed", "expected a speed with its unit, such as `2100 rpm` or `220 rad/s`"),
         ("rpm", "speed", "expected a speed with its unit"),
         ("300 Nm", "speed", "such as `2100 rpm` or `220 rad/s`; this is a torque"),
@@ -48,11 +45,10 @@ def test_a_calculation_stands_before_the_unit(text: str, kind: Quantity, value: 
         ("90 °C", "power", "expected a power with its unit"),
         ("1e308 krpm", "speed", "expected a speed that is smaller"),
         ("1/0 rpm", "speed", "expected a denominator other than 0"),
-    ],
-)
-def test_what_is_no_such_quantity_is_told(text: str, kind: Quantity, words: str) -> None:
-    with pytest.raises(ValueError, match=re.escape(words)):
-        quantity(text, kind)
+    )
+    for text, kind, words in texts:
+        with pytest.raises(ValueError, match=re.escape(words)):
+            quantity(text, kind)
 
 
 def test_without_a_unit_a_number_is_relative_to_the_input() -> None:

@@ -142,25 +142,22 @@ def test_drag_of_a_case_without_gears_is_that_of_its_gear() -> None:
     assert [case.gear_drag(gear) for gear in case.gears] == [{2: 0.1}]
 
 
-@pytest.mark.parametrize(
-    ("written", "damping"),
-    [
+def test_damping_is_viscous_or_of_the_material() -> None:
+    for written, damping in (
         ("3.2 N*m*s/rad", Damping(3.2)),
         ("{viscous: 3200 N*mm*s/rad}", Damping(3.2)),
         ("{ratio: .02, viscous: 0}", Damping(loss_factor=0.04)),
         ("{loss_factor: 1/25}", Damping(loss_factor=0.04)),
         ("0", Damping()),
         ("{}", Damping()),
-    ],
-)
-def test_damping_is_viscous_or_of_the_material(written: str, damping: Damping) -> None:
-    case = loaded(f"springs: {{s: {{links: [a, b], stiffness: 8, damping: {written}}}}}")
-    assert case.springs[0].damping == damping
-    assert loaded(write_yaml(case)) == case
-    element = f"{{links: [1, 2], stiffness: 1e5, damping: {written}}}"
-    assert loaded(f"shift_elements: {{C: {element}}}\n{PAIR}").shift_elements == (
-        ShiftElement(1, 2, "C", stiffness=1e5, damping=damping),
-    )
+    ):
+        case = loaded(f"springs: {{s: {{links: [a, b], stiffness: 8, damping: {written}}}}}")
+        assert case.springs[0].damping == damping
+        assert loaded(write_yaml(case)) == case
+        element = f"{{links: [1, 2], stiffness: 1e5, damping: {written}}}"
+        assert loaded(f"shift_elements: {{C: {element}}}\n{PAIR}").shift_elements == (
+            ShiftElement(1, 2, "C", stiffness=1e5, damping=damping),
+        )
 
 
 FAULTS = {
