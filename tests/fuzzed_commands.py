@@ -22,6 +22,7 @@ from vstatics.core.writers import listing, result_json
 
 TIMED = "-f json --limit 30"
 """Limit of a run [s], long enough for a good input on a busy machine."""
+MEASURED = "--gear 1 --omega 27.4 --decrement .1"
 SHAFTS = """\
 links: [engine, gear, vehicle]
 inertias: {engine: 0.2, gear: 0.05, vehicle: 9.5}
@@ -155,28 +156,18 @@ def _command(file: str, *words: str) -> Callable[[bytes], object]:
     return reader
 
 
+RESPONSE = "torsion response shafts.yaml --at engine --speed 600,900 --torque t.csv -f json"
+TEETH = "synth teeth t.yaml --ratios low=3.2 --range sun=20:24,ring=40:60,planet=10:20 --planets 3"
 ROWS = (
     ("simulation", "driven", DRIVEN, "driven.yaml", f"simulate driven.yaml {TIMED}"),
     ("simulation", "driven case", PLANT, "warm.yaml", f"simulate warming.yaml {TIMED}"),
     ("torsion", "dump", DUMP, "dump.yaml", "torsion dump dump.yaml -f json"),
     ("torsion", "modes", SHAFTS, "m.yaml", "torsion modes m.yaml -f json"),
-    *(
-        ("torsion", name, text, file, f"torsion {words} -f json")
-        for name, text, file, words in (
-            ("measured", SHAFTS, "x.yaml", "identify x.yaml --gear 1 --omega 27.4 --decrement .1"),
-            (
-                *("harmonics", HARMONICS, "torque.csv"),
-                "response shafts.yaml --at engine --speed 600,900 --torque torque.csv",
-            ),
-        )
-    ),
+    ("torsion", "measured", SHAFTS, "x.yaml", f"torsion identify x.yaml {MEASURED} -f json"),
+    ("torsion", "harmonics", HARMONICS, "t.csv", RESPONSE),
     ("synthesis", "combinations", BOX, "c.yaml", "synth combinations c.yaml"),
     ("synthesis", "fit", BOX, "f.yaml", "synth fit f.yaml --ratios low=3.2 -f json"),
-    (
-        *("synthesis", "teeth", BOX, "t.yaml"),
-        "synth teeth t.yaml --ratios low=3.2 -f json --planets 3 "
-        "--range sun=20:24,ring=40:60,planet=10:20",
-    ),
+    ("synthesis", "teeth", BOX, "t.yaml", f"{TEETH} -f json"),
 )
 """Annex, kind, a good file, its name, and a command that reads it."""
 

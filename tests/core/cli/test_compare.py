@@ -97,10 +97,7 @@ def test_wrong_use_is_named(tmp_path: Path) -> None:
         (file, file, "--leave-out", "losses,ratio"): "give each name separately",
         (file, file, "--all", "--summary"): "--all and --summary exclude each other",
         (file, file, "--all", "-f", "json"): "json has all numbers",
-        (
-            sweep("a.csv"),
-            file,
-        ): "a.csv is a sweep, x.csv is not: expected two sweeps or two results",
+        (sweep("a.csv"), file): "a.csv is a sweep, x.csv is not: expected two sweeps or two",
     }
     for option, number in product(("--rtol", "--atol"), ("nan", "inf", "-1")):
         calls[file, file, option, number] = "0 or more"
