@@ -131,26 +131,19 @@ def test_a_command_in_one_language_names_those_in_several() -> None:
         assert said.is_wrong_use(f"and {installed(WITH_LANGUAGES)[-1]} have it.")
 
 
-FORMATS = ("deck", "yaml", "json")
-
-
 @pytest.mark.parametrize(
     "name", ["case.dat", "case.yaml", "case.yml", "case.JSON", "case", "c.txt"]
 )
 def test_format_is_told_by_suffix_then_by_content(name: str, folder: Path) -> None:
     path = folder / name
     suffix = {".dat": "deck", ".yml": "yaml"}.get(path.suffix, path.suffix.lower()[1:])
-    for kind in FORMATS:
+    for kind, word in {"deck": "KJG", "yaml": "YAML", "json": "not JSON"}.items():
         path.write_text(vstatics("convert", MZKT, "-", "--to", kind).out, "utf-8")
-        is_other = suffix in FORMATS and suffix != kind
+        is_other = suffix in ("deck", "yaml", "json") and suffix != kind
         is_readable = not is_other or (suffix, kind) == ("yaml", "json")  # JSON is YAML
         assert vstatics("check", path).status == (0 if is_readable else 1)
         assert vstatics("check", path, "--from", kind).status == 0
-
-
-def test_the_reader_asked_for_is_the_one_that_speaks() -> None:
-    for form, word in (("deck", "KJG"), ("yaml", "YAML"), ("json", "not JSON")):
-        assert vstatics("check", "-", "--from", form, stdin=b"{x y").fails(word)
+        assert vstatics("check", "-", "--from", kind, stdin=b"{x y").fails(word)
 
 
 def test_a_file_that_is_not_there_gets_the_nearest_of_its_folder(folder: Path) -> None:
