@@ -150,5 +150,7 @@ def test_a_file_that_is_not_there_gets_the_nearest_of_its_folder(folder: Path) -
     assert vstatics("run", MZKT.with_suffix(".dta")).fails("did you mean `mzkt7922.dat`?")
     far = vstatics("run", MZKT.with_name("gears.dat"))
     assert (far.status, "did you mean" in far.err) == (1, False)
+    (folder / "a.dat").touch()
+    assert "expected a file, or for several files './**/*.dat'" in vstatics("run", ".").err
     (folder / "box.yaml").symlink_to("gone.yaml")
     assert vstatics("check", "box.yaml").fails("it is a link to gone.yaml, which is not there")
