@@ -166,6 +166,9 @@ def test_a_neutral_gear_that_is_meant_passes_also_strictly() -> None:
     for text, words in ((MEANT, "1 missing, neutral"), (OPEN_GEAR, "1 missing")):
         said = vstatics("check", "-", stdin=text.encode()).out
         assert f"gear N       1 of 2 constraints: {words} (engaged: nothing)" in said
+    locked = MEANT.replace("N: {engaged: []", "N: {engaged: [C]")  # turns as a block: ratio 1
+    words = "gear N: marked `kind: neutral`, but drives with the ratio 1"
+    assert words in vstatics("check", "-", stdin=locked.encode()).err
 
 
 def test_many_engaged_shift_elements_continue_on_a_line_of_their_own() -> None:

@@ -96,6 +96,7 @@ WRONG = dict.fromkeys(
     f"run {DIFFERENTIAL} --gear 1": "flow, explain and plot have it",
     f"report {DIFFERENTIAL} --gears 9 -o a.html": "Invalid value for --gears: no gear '9'",
     f"flow {DIFFERENTIAL} --gear 9": "Invalid value for --gear: no gear '9'",
+    f"explain {DIFFERENTIAL} --gear 9": "Invalid value for --gear: no gear '9'",
     "synth box": "'--sets'. Expected --sets N, or --keep CASE instead.",
     f"report {DIFFERENTIAL}": "Expected --output FILE, or --watch instead.",
     "flow gears/*.yaml": "no file matches `gears/*.yaml`",

@@ -89,12 +89,14 @@ def test_gears_without_results_and_cases_in_error_fit(command: str, folder: Path
     assert written[1].keys() == {"file", "case", "errors"}
     for line in vstatics(command, "tied.yaml", "bad.yaml", "-f", "jsonl").out.splitlines():
         assert complaints(command, json.loads(line)) == []
-    if command == "summary":
-        (folder / "duty.yaml").write_text("energy: {'1': 1, '2': 2}\n", "utf-8")
-        asked = ("summary", CASES / "simpson.yaml", "--combinations", "--duty", "duty.yaml")
-        written = json_answer(*asked)
-        assert {"duty", "combinations"} <= written.keys()
-        assert complaints("summary", written) == []
+
+
+def test_what_a_summary_is_asked_for_fits(folder: Path) -> None:
+    (folder / "duty.yaml").write_text("energy: {'1': 1, '2': 2}\n", "utf-8")
+    asked = ("summary", CASES / "simpson.yaml", "--combinations", "--duty", "duty.yaml")
+    written = json_answer(*asked)
+    assert {"duty", "combinations"} <= written.keys()
+    assert complaints("summary", written) == []
 
 
 def test_solutions_of_exercises_fit() -> None:

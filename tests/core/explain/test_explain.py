@@ -4,6 +4,7 @@ import pytest
 
 from tests.commands import LOCKED, NEUTRAL, TIED_UP, vstatics
 from tests.core.explain.explained import explained
+from tests.shipped import shipped_results
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, exercise, solve
 from vstatics.core.explain import explain_gear
 from vstatics.core.explain.text import write
@@ -124,6 +125,13 @@ def test_torques_that_are_relative_to_nothing_are_in_newton_metres() -> None:
     assert f"Mx = -{2 / 0.98:.4f}\n  there is no efficiency\n" in said
     said = vstatics("flow", "-", "--from", "yaml", "--gear", "none", stdin=DRAGGED.encode()).out
     assert "1 is the power of 1 N*m" in said
+
+
+def test_every_gear_of_a_shipped_case_fits_80_columns() -> None:
+    for name in ("zf-9hp48.yaml", "toyota-p410.yaml", "ford-model-t.yaml", "ravigneaux-aod.yaml"):
+        results = shipped_results(name)
+        text = write(explain_gear(results, number + 1) for number in range(len(results.case.gears)))
+        assert max(map(len, text.splitlines())) <= 80
 
 
 def test_the_planet_without_teeth_is_named() -> None:

@@ -260,6 +260,12 @@ def test_fields_of_decks_that_the_source_does_not_have() -> None:
     assert from_deck == source_listing("-q", "-", stdin=PORTS)
 
 
+def test_several_cases_give_a_listing_each_where_they_can(tmp_path: Path) -> None:
+    said = vstatics("run", "-q", "-f", "source", CASES / "wheel-hub.yaml", MZKT, "-o", tmp_path)
+    assert said.fails("outputs of single gears: right")
+    assert [path.name for path in tmp_path.glob("*.lst")] == ["mzkt7922.lst"]
+
+
 def test_it_is_a_listing_only() -> None:
     for options, why in (
         ("--lang source -f json", "--lang source is an alias of -f source, not of -f json"),
