@@ -158,6 +158,17 @@ def test_a_case_at_which_two_workers_die_fails_and_the_others_go_on() -> None:
     assert written() == ["a.json", "b.json", "c.json", "d.json"]
 
 
+def test_workers_do_not_outlive_the_run() -> None:
+    with running("run", *TO_DIRECTORY, "--jobs", "2") as run:
+        pipe = opened_for_reading()
+        found = children(run.pid)
+        run.kill()
+        run.wait()
+        assert len(found) == 2
+        wait_for(lambda: not any(map(is_alive, found)))  # also the one that waits for its case
+        os.close(pipe)
+
+
 def plain(shown: str) -> str:
     """What stands on a terminal in the end, roughly: without the codes that draw."""
     return re.sub(r"\x1b\[[0-9;?]*[A-Za-z]", "", shown)
