@@ -206,22 +206,20 @@ def test_what_a_function_gives_has_a_public_name() -> None:
     assert GIVEN - {"None", "Any", "Floats", "Iterator"} <= {name for _, name in PUBLIC}
 
 
-@pytest.mark.parametrize(("module", "name"), PUBLIC)
-def test_what_is_public_tells_its_arguments_results_errors_and_an_example(
-    module: str, name: str
-) -> None:
+def test_what_is_public_tells_its_arguments_results_errors_and_an_example() -> None:
     """In the form of numpydoc."""
-    public = getattr(importlib.import_module(f"vstatics{module}"), name)
-    text = inspect.getdoc(public) or ""
-    if isinstance(public, type):
-        assert issubclass(public, Exception) or ">>>" in text or name in GIVEN
-        return
-    sections = set(re.findall(r"^(\w+)\n-+$", text, re.MULTILINE))
-    signature = inspect.signature(public)
-    assert signature.return_annotation in (None, "None") or "Returns" in sections
-    assert {"Raises", "Examples"} <= sections
-    for argument in signature.parameters:
-        assert re.search(rf"^\**([\w*]+, )*{argument}\b", text, re.MULTILINE), argument
+    for module, name in PUBLIC:
+        public = getattr(importlib.import_module(f"vstatics{module}"), name)
+        text = inspect.getdoc(public) or ""
+        if isinstance(public, type):
+            assert issubclass(public, Exception) or ">>>" in text or name in GIVEN, name
+            continue
+        sections = set(re.findall(r"^(\w+)\n-+$", text, re.MULTILINE))
+        signature = inspect.signature(public)
+        assert signature.return_annotation in (None, "None") or "Returns" in sections, name
+        assert {"Raises", "Examples"} <= sections, name
+        for argument in signature.parameters:
+            assert re.search(rf"^\**([\w*]+, )*{argument}\b", text, re.MULTILINE), (name, argument)
 
 
 def test_the_page_names_every_command() -> None:
