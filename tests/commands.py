@@ -123,28 +123,24 @@ def process(
 ) -> tuple[int, bytes, bytes]:
     """Call ``python -m vstatics`` as a process; exit status, stdout and stderr."""
     skip_without_command(*arguments)
-    done = subprocess.run(
-        [sys.executable, "-m", "vstatics", *map(str, arguments)],
-        input=stdin,
-        capture_output=True,
-        check=False,
-        cwd=cwd,
-        env=environment(**variables),
-        timeout=60,
-    )
-    return done.returncode, done.stdout, done.stderr
+    line = [sys.executable, "-m", "vstatics", *map(str, arguments)]
+    return _ended(line, stdin, cwd, **variables)
 
 
 def shell(command: str, **variables: str) -> tuple[int, bytes, bytes]:
     """Run a line of bash with `pipefail` in the repository; ``vstatics`` is this one."""
     skip_without(*used_in(command))
     line = f'set -o pipefail; vstatics() {{ "{sys.executable}" -m vstatics "$@"; }}; {command}'
+    return _ended(["bash", "-c", line], b"", ROOT, **variables)
+
+
+def _ended(line: list[str], stdin: bytes, cwd: Path, **variables: str) -> tuple[int, bytes, bytes]:
     done = subprocess.run(
-        ["bash", "-c", line],
-        stdin=subprocess.DEVNULL,
+        line,
+        input=stdin,
         capture_output=True,
         check=False,
-        cwd=ROOT,
+        cwd=cwd,
         env=environment(**variables),
         timeout=60,
     )

@@ -20,8 +20,9 @@ from tests.shipped import shipped_results
 from vstatics import VstaticsError
 from vstatics.core.writers import listing, result_json
 
-LIMIT_SECONDS = 30
-"""Limit of a run, long enough for a good input on a busy machine."""
+TIMED = "-f json --limit 30"
+"""Limit of a run [s], long enough for a good input on a busy machine."""
+MEASURED = "--gear 1 --omega 27.4 --decrement .1"
 SHAFTS = """\
 links: [engine, gear, vehicle]
 inertias: {engine: 0.2, gear: 0.05, vehicle: 9.5}
@@ -155,83 +156,41 @@ def _command(file: str, *words: str) -> Callable[[bytes], object]:
     return reader
 
 
+RESPONSE = "torsion response shafts.yaml --at engine --speed 600,900 --torque t.csv -f json"
+TEETH = "synth teeth t.yaml --ratios low=3.2 --range sun=20:24,ring=40:60,planet=10:20 --planets 3"
+ROWS = (
+    ("simulation", "driven", DRIVEN, "driven.yaml", f"simulate driven.yaml {TIMED}"),
+    ("simulation", "driven case", PLANT, "warm.yaml", f"simulate warming.yaml {TIMED}"),
+    ("torsion", "dump", DUMP, "dump.yaml", "torsion dump dump.yaml -f json"),
+    ("torsion", "modes", SHAFTS, "m.yaml", "torsion modes m.yaml -f json"),
+    ("torsion", "measured", SHAFTS, "x.yaml", f"torsion identify x.yaml {MEASURED} -f json"),
+    ("torsion", "harmonics", HARMONICS, "t.csv", RESPONSE),
+    ("synthesis", "combinations", BOX, "c.yaml", "synth combinations c.yaml"),
+    ("synthesis", "fit", BOX, "f.yaml", "synth fit f.yaml --ratios low=3.2 -f json"),
+    ("synthesis", "teeth", BOX, "t.yaml", f"{TEETH} -f json"),
+)
+"""Annex, kind, a good file, its name, and a command that reads it."""
+
+
 def commands() -> Mapping[str, Fuzzed]:
     """Return good files and what reads them, by what they are; of annexes that are installed."""
+    found: dict[str, Fuzzed] = {
+        name: ((text,), _command(file, *line.split()))
+        for annex, name, text, file, line in ROWS
+        if annex in HERE
+    }
+    if "simulation" in HERE:
+        from tests.simulation.variants.scenarios import SCENARIO
+
+        run = _command("run.yaml", "simulate", "run.yaml", *TIMED.split())
+        found["run"] = (SCENARIO.decode(), STICKS), run
+    if "synthesis" in HERE:
+        from tests.synthesis.boxes.listed_boxes import simpson
+
+        summary = _command("boxes.json", "summary", "boxes.json", "-f", "json")
+        found["boxes"] = (json.dumps(simpson()),), summary
     one = shipped_results("mzkt7922.yaml")
     written: list[str] = [json.dumps(result_json.document(one)), listing.write(one)]
-    made: dict[str, Fuzzed] = {}
-    if "simulation" in HERE:
-        made |= _of_simulation()
-    if "torsion" in HERE:
-        made |= _of_torsion()
-    if "synthesis" in HERE:
-        made |= _of_synthesis()
-    made["compared"] = (
-        (*written, vstatics("run", CASES / "mzkt7922.dat", "-f", "csv").out),
-        _command("result.json", "compare", "result.json", "result.json"),
-    )
-    return made
-
-
-def _of_simulation() -> dict[str, Fuzzed]:
-    from tests.simulation.variants.scenarios import SCENARIO
-
-    limit = ("--limit", str(LIMIT_SECONDS))
-    return {
-        "run": (
-            (SCENARIO.decode(), STICKS),
-            _command("run.yaml", "simulate", "run.yaml", "-f", "json", *limit),
-        ),
-        "driven": (
-            (DRIVEN,),
-            _command("driven.yaml", "simulate", "driven.yaml", "-f", "json", *limit),
-        ),
-        "driven case": (
-            (PLANT,),
-            _command("warm.yaml", "simulate", "warming.yaml", "-f", "json", *limit),
-        ),
-    }
-
-
-def _of_torsion() -> dict[str, Fuzzed]:
-    return {
-        "dump": ((DUMP,), _command("dump.yaml", "torsion", "dump", "dump.yaml", "-f", "json")),
-        "modes": ((SHAFTS,), _command("m.yaml", "torsion", "modes", "m.yaml", "-f", "json")),
-        "measured": (
-            (SHAFTS,),
-            _command(
-                *("measured.yaml", "torsion", "identify", "measured.yaml", "--gear", "1"),
-                *("--omega", "27.4", "--decrement", ".1", "-f", "json"),
-            ),
-        ),
-        "harmonics": (
-            (HARMONICS,),
-            _command(
-                *("torque.csv", "torsion", "response", "shafts.yaml", "--at", "engine"),
-                *("--speed", "600,900", "--torque", "torque.csv", "-f", "json"),
-            ),
-        ),
-    }
-
-
-def _of_synthesis() -> dict[str, Fuzzed]:
-    from tests.synthesis.boxes.listed_boxes import simpson
-
-    return {
-        "combinations": ((BOX,), _command("c.yaml", "synth", "combinations", "c.yaml")),
-        "fit": (
-            (BOX,),
-            _command("f.yaml", "synth", "fit", "f.yaml", "--ratios", "low=3.2", "-f", "json"),
-        ),
-        "teeth": (
-            (BOX,),
-            _command(
-                *("t.yaml", "synth", "teeth", "t.yaml", "--ratios", "low=3.2", "-f", "json"),
-                *("--range", "sun=20:24,ring=40:60,planet=10:20", "--planets", "3"),
-            ),
-        ),
-        "boxes": (
-            (json.dumps(simpson()),),
-            _command("boxes.json", "summary", "boxes.json", "-f", "json"),
-        ),
-    }
+    written += [vstatics("run", CASES / "mzkt7922.dat", "-f", "csv").out]
+    compared = _command("result.json", "compare", "result.json", "result.json")
+    return {**found, "compared": (tuple(written), compared)}

@@ -1,18 +1,15 @@
-"""Damaged results for the commands that read them: `python -m tests.mutated_results 100000`.
+"""Damaged results for the commands that read them; `tests/core/cli/test_mutated_results.py`.
 
 Trees, cells, arrays and bytes of each format are changed at random. A command ends in an answer or
 in a message that names the file, without a warning of Python or NumPy.
 """
 
-import argparse
 import copy
 import io
 import json
-import sys
 import tempfile
 import traceback
 import warnings
-from collections import Counter
 from collections.abc import Callable, Sequence
 from functools import cache
 from pathlib import Path
@@ -28,23 +25,8 @@ from tests.installed import HERE, missing
 
 VALUES: tuple[Any, ...] = (
     *(0, -1, 1, 2.5, 1e300, -1e300, 5e-324, 1e-9, 10**400, float("nan"), float("inf")),
-    *(
-        "",
-        "x",
-        "1e999",
-        "-",
-        "*",
-        "ratio",
-        "\u2028",
-        "0",
-        True,
-        None,
-        [],
-        {},
-        [[]],
-        [1, 2],
-        {"a": 1},
-    ),
+    *("", "x", "1e999", "-", "*", "ratio", "\u2028", "0", True, None, [], {}, [[]], [1, 2]),
+    {"a": 1},
 )
 CELLS = ("", "0", "-1", "1e300", "1e999", "nan", "inf", "x", "ratio", "1,5", '"', "\0", "9" * 400)
 OUTPUTS = ("compare", "reversed", "map", "curves", "histogram", "variants")
@@ -76,7 +58,8 @@ def good() -> list[GoodFile]:
         form = {"lst": "listing"}.get(suffix, suffix)
         said = vstatics("run", *cases, "-o", here / f"run.{suffix}", "-f", form, "-q")
         assert said.status == 0, said
-        files.append(GoodFile(f"run.{suffix}", _written(f"run.{suffix}"), ("compare", "reversed")))
+        written = (here / f"run.{suffix}").read_bytes()
+        files.append(GoodFile(f"run.{suffix}", written, ("compare", "reversed")))
     if "sweep" in HERE:
         files += _sweeps(here)
     if not missing(["synthesis", "pictures"]):
@@ -89,20 +72,12 @@ def good() -> list[GoodFile]:
 def _sweeps(here: Path) -> list[GoodFile]:
     files = []
     varied = ["--vary", "P1.ratio=-3:-2:4", "--vary", "P2.ratio=-3:-2:3", "--out", "ratio,ETA"]
-    for suffix in ("csv", "jsonl", "npz", "parquet", "xlsx"):
-        words = ["--by", "gear"] if suffix == "npz" else []
-        for name, more in {f"sweep.{suffix}": [], f"gears.{suffix}": words}.items():
-            if name.startswith("sweep") or more:
-                said = vstatics(
-                    "sweep", here / "case.yaml", *varied, *more, "-q", "-o", here / name
-                )
-                assert said.status == 0, said
-                files.append(GoodFile(name, _written(name), OUTPUTS))
+    written = {f"sweep.{suffix}": () for suffix in ("csv", "jsonl", "npz", "parquet", "xlsx")}
+    for name, more in {**written, "gears.npz": ("--by", "gear")}.items():
+        said = vstatics("sweep", here / "case.yaml", *varied, *more, "-q", "-o", here / name)
+        assert said.status == 0, said
+        files.append(GoodFile(name, (here / name).read_bytes(), OUTPUTS))
     return files
-
-
-def _written(name: str) -> bytes:
-    return (folder() / name).read_bytes()
 
 
 def command(file: GoodFile, name: str, mutated: Path) -> list[object]:
@@ -136,19 +111,16 @@ def mutated(rng: Random, file: GoodFile) -> bytes:
         return structural[suffix](rng, data)
     for _ in range(rng.choice((1, 1, 2, 8))):
         place, size = rng.randrange(len(data)), rng.choice((1, 1, 2, 40))
+        before, at, after = data[:place], data[place : place + size], data[place + size :]
         match rng.randrange(4):
             case 0:
-                data = (
-                    data[:place]
-                    + bytes([data[place] ^ (1 << rng.randrange(8))])
-                    + data[place + 1 :]
-                )
+                data = before + bytes([at[0] ^ (1 << rng.randrange(8))]) + data[place + 1 :]
             case 1:
-                data = data[:place] + data[place + size :]
+                data = before + after
             case 2:
-                data = data[:place] + data[place : place + size] * 2 + data[place + size :]
+                data = before + at * 2 + after
             case _:
-                data = data[:place] if rng.random() < 0.3 else data[:place] + rng.randbytes(size)
+                data = before if rng.random() < 0.3 else before + rng.randbytes(size)
         data = data or b"\n"
     return data
 
@@ -324,24 +296,3 @@ def tried(number: int) -> tuple[str, str]:
         except ValueError as error:
             return name, f"{about}\n{error}"
     return f"{name} {said.status}", ""
-
-
-def main() -> int:
-    """Try as many as asked; the exit status is 1 if one failed."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("count", type=int)
-    parser.add_argument("--from", dest="first", type=int, default=0)
-    asked = parser.parse_args()
-    counts, failed = Counter[str](), 0
-    for number in range(asked.first, asked.first + asked.count):
-        outcome, fault = tried(number)
-        counts[outcome] += 1
-        failed += bool(fault)
-        if fault:
-            print(fault, flush=True)  # noqa: T201
-    print(dict(counts), f"{failed} faults")  # noqa: T201
-    return 1 if failed else 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -1,17 +1,32 @@
 """Processes that tests start, watch and disturb, and the files that they leave."""
 
+import subprocess
+import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from tests.commands import ID
+from tests.commands import ID, environment
 
 
 def end(process: Any) -> tuple[int, str]:
     """Exit status, and stderr without ids."""
     said = ID.sub("", process.communicate(timeout=120)[1])
     return process.returncode, said
+
+
+@contextmanager
+def running(*arguments: str, **variables: str) -> Iterator[subprocess.Popen[bytes]]:
+    """A command in the background; it is killed if the test fails."""
+    line = [sys.executable, "-m", "vstatics", *arguments]
+    pipe, environ = subprocess.PIPE, environment(**variables)
+    with subprocess.Popen(line, stdout=pipe, stderr=pipe, env=environ) as process:
+        try:
+            yield process
+        finally:
+            process.kill()
 
 
 def names(folder: Path = Path()) -> list[str]:

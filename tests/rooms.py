@@ -18,32 +18,14 @@ import vstatics
 TESTS = Path(__file__).parent
 PACKAGE = Path(vstatics.__file__).parent
 ROOMS = (
-    *(
-        "core.start",
-        "core.annexes",
-        "core.record",
-        "core.errors",
-        "core.messages",
-        "core.suggestions",
-        "core.extras",
-        "core.arguments",
-        "core.texts",
-    ),
-    *("core.numerics", "core.model", "core.statics", "core.elements", "core.jobs"),
-    *("core.tables", "core.readers", "core.examples", "core.checking"),
-    *("sweep", "torsion", "simulation", "core.writers", "core.flow"),
-    *(
-        "core.summary",
-        "core.comparison",
-        "core.explain",
-        "synthesis",
-        "vehicle",
-        "pictures",
-        "page.report",
-        "page.serve",
-    ),
-    *("core.cli", "__init__", "__main__"),
-)
+    "core.start", "core.annexes", "core.record", "core.errors", "core.messages",
+    "core.suggestions", "core.extras", "core.arguments", "core.texts",
+    "core.numerics", "core.model", "core.statics", "core.elements", "core.jobs",
+    "core.tables", "core.readers", "core.examples", "core.checking",
+    "sweep", "torsion", "simulation", "core.writers", "core.flow",
+    "core.summary", "core.comparison", "core.explain", "synthesis", "vehicle", "pictures",
+    "page.report", "page.serve", "core.cli", "__init__", "__main__",
+)  # fmt: skip
 """The order of the rooms; docs/architecture.md shows it."""
 STANDING_ELSEWHERE = {
     **{f"{annex}.pictures": "pictures" for annex in ("torsion", "simulation", "sweep")},

@@ -123,24 +123,16 @@ def test_an_example_tells_its_message(one: ExplainedMessage) -> None:
     assert severities == {one.severity}
 
 
-def test_an_id_is_explained_without_a_case() -> None:
-    said = vstatics("check", "--explain", "W201")
-    assert said.status == 0
-    warning = explained("W201")
+def test_ids_are_explained_without_a_case() -> None:
+    said, warning = vstatics("check", "--explain", "W201"), explained("W201")
     assert said.out.startswith("W201 (warning)\nCause: ")
     assert " ".join(said.out.split()).startswith(
         f"W201 (warning) Cause: {warning.cause} Remedy: {warning.remedy} Example: "
     )
     assert "    links: [a, b, c]\n" in said.out
-
-
-@pytest.mark.parametrize("option", [("--explain", "all"), ("--explain",)])
-def test_all_ids_are_explained(option: tuple[str, ...]) -> None:
-    said = vstatics("check", *option)
-    assert (
-        re.findall(r"^([EWN]\d{3}) \((?:error|warning|note)\)$", said.out, re.MULTILINE)
-        == known_ids()
-    )
+    heading = r"(?m)^([EWN]\d{3}) \((?:error|warning|note)\)$"
+    for option in (("--explain", "all"), ("--explain",)):
+        assert re.findall(heading, vstatics("check", *option).out) == known_ids()
 
 
 def test_all_ids_are_an_array_in_json() -> None:
@@ -154,19 +146,15 @@ def test_all_ids_are_an_array_in_json() -> None:
     assert (one["severity"], one["example"]) == ("error", None)
 
 
-@pytest.mark.parametrize(
-    ("options", "why"),
-    [
-        (("--explain", "W999"), "there is no message `W999`"),
-        (("--explain", "w2011"), "did you mean `W201`?"),
-        (("--explain", "W201", "box.yaml"), "--explain takes no case"),
-        (("--explain", "W201", "-f", "sarif"), "--explain gives text or json, not sarif"),
-        ((), "Missing argument 'CASE...'"),
-    ],
-)
-def test_what_cannot_be_explained_is_wrong_use(options: tuple[str, ...], why: str) -> None:
-    said = vstatics("check", *options)
-    assert said.is_wrong_use(why)
+def test_what_cannot_be_explained_is_wrong_use() -> None:
+    for options, why in {
+        "--explain W999": "there is no message `W999`",
+        "--explain w2011": "did you mean `W201`?",
+        "--explain W201 box.yaml": "--explain takes no case",
+        "--explain W201 -f sarif": "--explain gives text or json, not sarif",
+        "": "Missing argument 'CASE...'",
+    }.items():
+        assert vstatics("check", *options.split()).is_wrong_use(why)
 
 
 def test_no_two_ids_have_the_same_cause() -> None:
@@ -190,14 +178,15 @@ def test_a_message_ends_with_its_id() -> None:
 
 @pytest.mark.parametrize("command", ["run", "check", "summary", "flow", "explain"])
 def test_a_warning_is_allowed_by_option_and_by_key(command: str) -> None:
-    def said(*options: str) -> str:
-        return CliRunner().invoke(main, [command, "box.yaml", *options]).stderr
+    def ids(*options: str) -> list[str]:
+        said = CliRunner().invoke(main, [command, "box.yaml", *options]).stderr
+        return re.findall(r"warning: .*\[(W\d+)\]", said)
 
-    assert "[W201]" in said()
-    assert "[W201]" not in said("--allow", "W201")
-    assert said("--allow", "W201", "--allow", "W414") == ""
+    assert ids() == ["W201", "W414"]
+    assert ids("--allow", "W201") == ["W414"]
+    assert ids("--allow", "W201", "--allow", "W414") == []
     Path("box.yaml").write_text(f"{CASE}allow: [W201, W414]\n", "utf-8")
-    assert said("--strict") == ""
+    assert ids("--strict") == []
 
 
 def test_an_allowed_message_is_in_no_document_and_makes_nothing_fail() -> None:
@@ -216,33 +205,25 @@ def test_conversion_keeps_what_is_allowed() -> None:
     assert "allow" in vstatics("convert", "box.yaml", "other.dat").err
 
 
-@pytest.mark.parametrize(
-    ("identity", "why"),
-    [
-        ("W999", "there is no message `W999`"),
-        ("E201", "`E201` is an error, expected a warning or a note"),
-        ("W201B", "there is no message `W201B`; did you mean `W201`?"),
-    ],
-)
-def test_what_cannot_be_allowed_is_wrong_use_and_in_the_case_an_error(
-    identity: str, why: str
-) -> None:
-    said = vstatics("run", "box.yaml", "--allow", identity)
-    assert said.is_wrong_use(f"Invalid value for '--allow': {why}")
-    Path("box.yaml").write_text(f"{CASE}allow: [W201, {identity}]\n", "utf-8")
-    said = vstatics("run", "box.yaml")
-    assert said.status == 1
-    assert said.err.startswith(f"box.yaml:6:15: error: allow[2]: {why}")
+def test_what_cannot_be_allowed_is_wrong_use_and_in_the_case_an_error() -> None:
+    for identity, why in {
+        "W999": "there is no message `W999`",
+        "E201": "`E201` is an error, expected a warning or a note",
+        "W201B": "there is no message `W201B`; did you mean `W201`?",
+    }.items():
+        said = vstatics("run", "box.yaml", "--allow", identity)
+        assert said.is_wrong_use(f"Invalid value for '--allow': {why}")
+        Path("other.yaml").write_text(f"{CASE}allow: [W201, {identity}]\n", "utf-8")
+        assert vstatics("run", "other.yaml").fails(f"other.yaml:6:15: error: allow[2]: {why}")
 
 
-@pytest.mark.parametrize("kind", ["belt", "chain"])
-def test_a_belt_without_an_efficiency_is_told_by_check_alone(kind: str) -> None:
-    sizes = "diameters" if kind == "belt" else "teeth"
-    element = f"{{kind: {kind}, first: a, second: b, {sizes}: {{first: 20, second: 40}}}}"
-    text = f"input: a\noutput: b\nelements: {{E: {element}}}\ngears: {{1: []}}\n"
-    Path("drive.yaml").write_text(text, "utf-8")
-    said = vstatics("check", "drive.yaml").err
-    assert said.startswith("drive.yaml:3:12: note: elements.E: `efficiency` is missing: belts")
-    assert vstatics("run", "drive.yaml").err == ""
-    Path("drive.yaml").write_text(text.replace("second: 40}", "second: 40}, efficiency: .97"))
-    assert vstatics("check", "drive.yaml").err == ""
+def test_a_belt_without_an_efficiency_is_told_by_check_alone() -> None:
+    for kind, sizes in (("belt", "diameters"), ("chain", "teeth")):
+        element = f"{{kind: {kind}, first: a, second: b, {sizes}: {{first: 20, second: 40}}"
+        text = f"input: a\noutput: b\nelements: {{E: {element}}}}}\ngears: {{1: []}}\n"
+        Path("drive.yaml").write_text(text, "utf-8")
+        said = vstatics("check", "drive.yaml").err
+        assert said.startswith("drive.yaml:3:12: note: elements.E: `efficiency` is missing: belts")
+        assert vstatics("run", "drive.yaml").err == ""
+        Path("drive.yaml").write_text(text.replace(element, f"{element}, efficiency: .97"))
+        assert vstatics("check", "drive.yaml").err == ""

@@ -18,12 +18,10 @@ from tests.installed import skip_without, used_in
 NOTEBOOK = ROOT / "docs" / "notebook.ipynb"
 TAG = re.compile(r"<style.*?</style>|<[^>]*>", re.DOTALL)
 """Of HTML: pandas writes others from version to version."""
-SHOWN = {
-    "text/html": "_repr_html_",
-    "image/svg+xml": "_repr_svg_",
-}
+SHOWN = {"text/html": "_repr_html_", "image/svg+xml": "_repr_svg_"}
 
 
+@pytest.mark.slow
 def test_the_notebook_shows_what_it_says(folder: Path, request: pytest.FixtureRequest) -> None:
     skip_without(*used_in(NOTEBOOK.read_text("utf-8")))
     for extra in ("matplotlib", "pandas", "sympy", "xarray", "scipy", "numba"):
@@ -43,9 +41,6 @@ def test_the_notebook_shows_what_it_says(folder: Path, request: pytest.FixtureRe
     if request.config.getoption("--regenerate"):
         written = json.dumps(document, indent=1, ensure_ascii=False) + "\n"
         NOTEBOOK.write_text(written, "utf-8")
-
-
-test_the_notebook_shows_what_it_says = pytest.mark.slow(test_the_notebook_shows_what_it_says)
 
 
 def outputs(source: str, names: dict[str, Any], number: int) -> list[dict[str, Any]]:

@@ -71,15 +71,6 @@ def test_a_text_is_checked_as_its_file_is_and_opens_none() -> None:
     )
 
 
-def test_the_first_problem_of_a_case_that_cannot_be_is_an_error() -> None:
-    """Not a note on teeth that stand before it."""
-    text = (CASES / "allison-6speed.yaml").read_text("utf-8")
-    with pytest.raises(vstatics.ReadError) as told:
-        vstatics.loads(text.replace("[C1, C5]", "[C1, Q]"))
-    kinds = [one.severity for one in told.value.problems]
-    assert kinds == ["error", "note"]
-
-
 @needs("simulation")
 @pytest.mark.parametrize("line", ["user{}:*:::\n", "user{}:x:0:0::/home:/bin/sh\n"])
 def test_of_a_file_of_other_matters_nothing_is_told(line: str) -> None:
@@ -93,21 +84,16 @@ def test_of_a_file_of_other_matters_nothing_is_told(line: str) -> None:
     assert "user1" not in commands.vstatics("simulate", "run.yaml").err
 
 
-@pytest.mark.parametrize(
-    ("changes", "why"),
-    [
-        ({"gears": "abc"}, "`gears` is str 'abc', expected a sequence of a Gear"),
-        ({"name": 5}, "`name` is int 5, expected a text"),
-        ({"outputs": 3}, "`outputs` is int 3, expected a sequence of a whole number"),
-        pytest.param(
-            {"vehicle": 4}, "`vehicle` is int 4, expected a Vehicle", marks=needs("vehicle")
-        ),
-        ({"shift_elements": [1]}, "expected a sequence of a ShiftElement"),
-    ],
-)
-def test_a_transmission_says_what_it_takes(changes: dict[str, Any], why: str) -> None:
-    with pytest.raises(TypeError, match=re.escape(why)):
-        vstatics.loads(NEUTRAL).replace(**changes)
+def test_a_transmission_says_what_it_takes() -> None:
+    wrong: dict[str, dict[str, Any]] = {
+        "`gears` is str 'abc', expected a sequence of a Gear": {"gears": "abc"},
+        "`name` is int 5, expected a text": {"name": 5},
+        "`outputs` is int 3, expected a sequence of a whole number": {"outputs": 3},
+        "expected a sequence of a ShiftElement": {"shift_elements": [1]},
+    }
+    for why, changes in wrong.items():
+        with pytest.raises(TypeError, match=re.escape(why)):
+            vstatics.loads(NEUTRAL).replace(**changes)
 
 
 def test_check_allows_as_the_command_does() -> None:
@@ -154,10 +140,7 @@ for call in (
     ("text", "words"),
     [
         ("", 'pip install ".['),
-        (
-            "import no_such_part",
-            "is installed, but cannot be imported: ModuleNotFoundError: No module",
-        ),
+        ("import no_such_part", "is installed, but cannot be imported: ModuleNotFoundError: No"),
     ],
 )
 def test_a_missing_or_broken_package_is_told_as_commands_tell_it(text: str, words: str) -> None:
@@ -179,15 +162,13 @@ def test_compare_tells_what_the_command_tells() -> None:
         Path(name).mkdir()
         vstatics.save(one, f"{name}.yaml")
         assert commands.vstatics("run", f"{name}.yaml", "-o", f"{name}/{WRITTEN}").status == 0
-    told = commands.json_answer("compare", "new", "old")
+    [told] = commands.json_answer("compare", "new", "old")["cases"]
     found = vstatics.compare("new", "old")
     assert (found.same, found.changed, found.added, found.gone) == (0, 1, 0, 0)
-    assert [one.path for one in found.cases[0].case] == [
-        one["path"] for one in told["cases"][0]["case"]
-    ]
+    assert [one.path for one in found.cases[0].case] == [one["path"] for one in told["case"]]
     files = vstatics.compare(f"new/{WRITTEN}", f"old/{WRITTEN}").cases[0]
     results = vstatics.compare(vstatics.solve(other), vstatics.solve(case)).cases[0]
-    assert len(files.numbers) == len(told["cases"][0]["numbers"]) > 0
+    assert len(files.numbers) == len(told["numbers"]) > 0
     assert list(results.numbers) == list(files.numbers) == list(found.cases[0].numbers)
 
 
@@ -197,17 +178,8 @@ def test_save_writes_what_convert_writes(suffix: str) -> None:
     assert commands.vstatics("convert", source, f"told{suffix}").status in (0, 1)
     vstatics.save(vstatics.load(source), f"own{suffix}")
     assert Path(f"own{suffix}").read_bytes() == Path(f"told{suffix}").read_bytes()
-
-
-def test_another_suffix_is_refused() -> None:
     with pytest.raises(ValueError, match=r"box.xls: expected one of the suffixes .dat"):
-        vstatics.save(vstatics.example("simpson"), "box.xls")
-
-
-@needs("vehicle")
-def test_a_cycle_needs_a_vehicle() -> None:
-    with pytest.raises(vstatics.CaseError, match="the case has no `vehicle`"):
-        vstatics.cycle(vstatics.example("simpson"), "trace.csv")
+        vstatics.save(vstatics.load(source), "box.xls")
 
 
 WITH_NAMES = ("torsion", "simulation", "synthesis")
@@ -234,22 +206,20 @@ def test_what_a_function_gives_has_a_public_name() -> None:
     assert GIVEN - {"None", "Any", "Floats", "Iterator"} <= {name for _, name in PUBLIC}
 
 
-@pytest.mark.parametrize(("module", "name"), PUBLIC)
-def test_what_is_public_tells_its_arguments_results_errors_and_an_example(
-    module: str, name: str
-) -> None:
+def test_what_is_public_tells_its_arguments_results_errors_and_an_example() -> None:
     """In the form of numpydoc."""
-    public = getattr(importlib.import_module(f"vstatics{module}"), name)
-    text = inspect.getdoc(public) or ""
-    if isinstance(public, type):
-        assert issubclass(public, Exception) or ">>>" in text or name in GIVEN
-        return
-    sections = set(re.findall(r"^(\w+)\n-+$", text, re.MULTILINE))
-    signature = inspect.signature(public)
-    assert signature.return_annotation in (None, "None") or "Returns" in sections
-    assert {"Raises", "Examples"} <= sections
-    for argument in signature.parameters:
-        assert re.search(rf"^\**([\w*]+, )*{argument}\b", text, re.MULTILINE), argument
+    for module, name in PUBLIC:
+        public = getattr(importlib.import_module(f"vstatics{module}"), name)
+        text = inspect.getdoc(public) or ""
+        if isinstance(public, type):
+            assert issubclass(public, Exception) or ">>>" in text or name in GIVEN, name
+            continue
+        sections = set(re.findall(r"^(\w+)\n-+$", text, re.MULTILINE))
+        signature = inspect.signature(public)
+        assert signature.return_annotation in (None, "None") or "Returns" in sections, name
+        assert {"Raises", "Examples"} <= sections, name
+        for argument in signature.parameters:
+            assert re.search(rf"^\**([\w*]+, )*{argument}\b", text, re.MULTILINE), (name, argument)
 
 
 def test_the_page_names_every_command() -> None:
@@ -290,7 +260,5 @@ def test_an_exercise_is_refused_as_by_the_command() -> None:
     results = vstatics.solve(vstatics.example("simpson"))
     with pytest.raises(ValueError, match="seed is -1, expected 0 or more"):
         vstatics.exercise(results, "1", seed=-1)
-    with pytest.raises(ValueError, match="no gear '9'"):
-        vstatics.exercise(results, "9")
     with pytest.raises(ValueError, match="expected 'text', 'markdown' or 'latex'; did you mean"):
         vstatics.exercise(results, "1").worksheet("markdwon")  # type: ignore[arg-type]

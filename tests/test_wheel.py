@@ -28,23 +28,21 @@ PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
 DUMPED = "{J1: 3, J2: .06, J3: .4, J4: .4, J5: 12, E: 71e-5, M_C0: 1020, M_phi: 1080, omega1: 135}"
 """A clutch."""
 
+
+METHOD = " --method lhs"
+
 WORKS = (
     "vstatics --version",
     "vstatics new case.yaml",
-    "vstatics run case.yaml",
     "vstatics run case.yaml --pretty",
     "vstatics new box.yaml -t zf-8hp70 && vstatics run box.yaml",
     "@ vstatics.solve(vstatics.example('zf-8hp70')) and vstatics.example('scenarios/tarasik-box')",
-    "vstatics run case.yaml -f csv",
-    "vstatics run case.yaml -f jsonl",
+    *(f"vstatics run case.yaml -f {form}" for form in ("listing", "csv", "jsonl")),
     "vstatics run case.yaml -f json -o result.json",
     "vstatics compare result.json result.json",
     "vstatics check case.yaml",
-    "vstatics summary case.yaml",
-    "vstatics flow case.yaml",
     "vstatics summary case.yaml -o out.csv && vstatics flow case.yaml -o out.md",
     "vstatics convert case.yaml case.json",
-    "vstatics sweep case.yaml --vary P1.ratio=-3:-2:3",
     "vstatics sweep case.yaml --vary P1.ratio=-3:-2 --sample 4 --method random",
     "vstatics sweep case.yaml --vary P1.ratio=-3:-2:3 -o out.npz",
     "python -m vstatics run result.json",
@@ -56,17 +54,22 @@ WORKS = (
 )
 """What everybody does, in a folder of its own and in this order."""
 
+IN_TORSION = (
+    *("modes case.yaml", "modes nowhere.yaml -f json -o out.json", "reduce case.yaml --to 1"),
+    "simplify case.yaml --gear low --links 2 -o out.yaml",
+    "response case.yaml --at 1 --orders 2 --speed 600:3000:9",
+    "identify case.yaml --gear low --omega 20",
+    "damping case.yaml --gear low --decrements shaft=.1",
+)
+BOXES = "vstatics synth box --sets 1 --shift-elements 2 --engaged 1 --ratios 3,1"
+SWEEP = "vstatics sweep case.yaml --vary P1.ratio=-3,-2"
 REFUSED = {
     "sample": (
-        "vstatics sweep case.yaml --vary P1.ratio=-3:-2 --sample 4",
-        "vstatics sweep case.yaml --vary P1.ratio=-3:-2 --sample 4 --method lhs",
+        *(f"vstatics sweep case.yaml --vary P1.ratio=-3:-2 --sample 4{m}" for m in ("", METHOD)),
         "@ vstatics.sweep(case, {'P1.ratio': '-3:-2'}, sample=4)",
     ),
-    "parquet": (
-        "vstatics run case.yaml -o out.parquet",
-        "vstatics sweep case.yaml --vary P1.ratio=-3,-2 -o out.parquet",
-    ),
-    "dask": ("vstatics sweep case.yaml --vary P1.ratio=-3,-2 --scheduler tcp://127.0.0.1:9",),
+    "parquet": ("vstatics run case.yaml -o out.parquet", f"{SWEEP} -o out.parquet"),
+    "dask": (f"{SWEEP} --scheduler tcp://127.0.0.1:9",),
     "pandas": (
         "@ vstatics.solve(case).to_dataframe()",
         "@ next(iter(vstatics.sweep(case, {'P1.ratio': [-3]}))).to_dataframe()",
@@ -86,36 +89,23 @@ REFUSED = {
         "@ vstatics.solve(case).plot('lever')",
     ),
     "torsion": (
-        "vstatics sweep case.yaml --vary P1.ratio=-3,-2 --out 'omega[1,low]'",
+        f"{SWEEP} --out 'omega[1,low]'",
         "vstatics damage rayleigh --endurance 2 --deviation 1 --exponent 3 --cycles 1e6",
-        *(
-            f"vstatics torsion {command}"
-            for command in (
-                "modes case.yaml",
-                "modes nowhere.yaml -f json -o out.json",
-                "reduce case.yaml --to 1",
-                "simplify case.yaml --gear low --links 2 -o out.yaml",
-                "response case.yaml --at 1 --orders 2 --speed 600:3000:9",
-                "identify case.yaml --gear low --omega 20",
-                "damping case.yaml --gear low --decrements shaft=.1",
-            )
-        ),
+        *(f"vstatics torsion {command}" for command in IN_TORSION),
     ),
     "simulation": (
         "vstatics simulate case.yaml",
         "vstatics simulate nowhere.yaml -o out.csv",
     ),
     "boxes": (
-        "vstatics synth box --sets 1 --shift-elements 2 --engaged 1 --ratios 3,1",
-        "vstatics synth box --sets 1 --shift-elements 2 --engaged 1 --ratios 3,1 --dry-run",
-        "vstatics synth box --sets 1 --shift-elements 2 --engaged 1 --ratios 3,1 -o found/",
+        *(f"{BOXES}{more}" for more in ("", " --dry-run", " -o found/")),
         "@ from vstatics import synthesis as own; own.find_boxes(own.BoxSearch(1, 2, 1, (3.0, 1.0)))",
     ),
     "xlsx": (
         "vstatics convert case.yaml box.xlsx",
         *(
-            f"vstatics {command} case.yaml -o out.xlsx"
-            for command in ("run", "summary", "flow", "explain")
+            f"vstatics {word} case.yaml -o out.xlsx"
+            for word in ("run", "summary", "flow", "explain")
         ),
     ),
 }

@@ -15,6 +15,7 @@ from hypothesis import strategies as st
 from tests.oracle.systems import Speeds
 from vstatics.core.model.springs import Spring
 from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, SpeedOf, Transmission
+from vstatics.core.writers.named import write_yaml
 
 Links = tuple[int, int, int]
 EASY = (-1.0, -2.0, -3.0, -0.5, -1.5, 2.0, 0.5, 3.0, 1.5)
@@ -258,30 +259,5 @@ def on_springs(case: Transmission, chosen: Container[int] | None = None) -> Tran
 
 
 def shown(case: Transmission) -> str:
-    """The call that makes this train, without names; for messages and reports."""
-    elements = ", ".join(f"ShiftElement({e.first}, {e.second})" for e in case.shift_elements)
-    mechanisms = ", ".join(_mechanism_text(m) for m in case.mechanisms)
-    gears = ", ".join(_gear_text(g) for g in case.gears)
-    coast = ", coast=True" if case.coast else ""
-    return (
-        f"Transmission({case.links}, [{elements}], [{mechanisms}], [{gears}], "
-        f"input={case.input}, output={case.output}, idle={case.idle!r}{coast})"
-    )
-
-
-def _mechanism_text(one: Mechanism) -> str:
-    planet = "" if one.planet_ratio is None else f", {one.planet_ratio}"
-    planet += f", kind={one.kind!r}" if one.kind else ""
-    first, second, third = one.links
-    return f"Mechanism({first}, {second}, {third}, {one.ratio}, {one.efficiency}{planet})"
-
-
-def _gear_text(gear: Gear) -> str:
-    parts = [str(list(gear.engaged))]
-    if gear.speeds:
-        parts.append(f"speeds={dict(gear.speeds)}")
-    if gear.torques:
-        parts.append(f"torques={dict(gear.torques)}")
-    if gear.input is not None or gear.output is not None:
-        parts.append(f"input={gear.input}, output={gear.output}")
-    return f"Gear({', '.join(parts)})"
+    """The train as a file, for messages and reports."""
+    return write_yaml(case)

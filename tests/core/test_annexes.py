@@ -2,8 +2,6 @@
 
 import io
 import shutil
-import subprocess
-import sys
 from importlib import import_module
 from pathlib import Path
 
@@ -99,21 +97,17 @@ def without_vehicle(monkeypatch: pytest.MonkeyPatch) -> None:
     remove("vehicle", monkeypatch)
 
 
-@pytest.mark.parametrize(
-    ("missing", "line", "message"),
-    [
+def test_a_part_of_a_missing_annex_has_a_plain_message(monkeypatch: pytest.MonkeyPatch) -> None:
+    for missing, line, message in (
         ("simulation", "check", "scenario belongs to vstatics.simulation, which is not"),
         ("simulation", "run", "scenario belongs to vstatics.simulation, which is not"),
         ("simulation", "sweep --vary duration=1,2", "scenario belongs to vstatics.sim"),
         ("torsion", "sweep --vary inertias.1=1,2 --out omega", "omega belongs to"),
-    ],
-)
-def test_a_part_of_a_missing_annex_has_a_plain_message(
-    missing: str, line: str, message: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    remove(missing, monkeypatch)
-    file = "scenarios/tarasik-box" if missing == "simulation" else "tarasik-box"
-    assert commands.vstatics(*line.split(), CASES / f"{file}.yaml").fails(message)
+    ):
+        file = "scenarios/tarasik-box" if missing == "simulation" else "tarasik-box"
+        with monkeypatch.context() as patch:
+            remove(missing, patch)
+            assert commands.vstatics(*line.split(), CASES / f"{file}.yaml").fails(message)
 
 
 @pytest.mark.usefixtures("without_vehicle")
@@ -160,16 +154,10 @@ def test_commands_work_in_a_tree_without_the_annex(folder: Path) -> None:
     left_out = shutil.ignore_patterns("vehicle", "__pycache__")
     shutil.copytree(ROOT / "vstatics", folder / "vstatics", ignore=left_out)
     (folder / "case.yaml").write_text(CASE)
-
-    def call(*words: str) -> tuple[int, str]:
-        line = [sys.executable, "-m", "vstatics", *words]
-        done = subprocess.run(line, capture_output=True, text=True, check=False)
-        return done.returncode, done.stdout + done.stderr
-
     for command in ("check", "run", "summary"):
-        status, said = call(command, "case.yaml")
-        assert status == 0, said
-        assert f"case.yaml:4:1: warning: {MESSAGE} [W807]" in said
-    status, said = call("cycle", "case.yaml", "trace.csv")
-    assert (status, MESSAGE.replace("vehicle", "cycle", 1) in said) == (2, True)
-    assert "Traceback" not in said
+        call = commands.process(command, "case.yaml", cwd=folder, PYTHONPATH=str(folder))
+        assert call[0] == 0
+        assert f"case.yaml:4:1: warning: {MESSAGE} [W807]" in call[2].decode()
+    call = commands.process("cycle", "case.yaml", "x.csv", cwd=folder, PYTHONPATH=str(folder))
+    assert (call[0], MESSAGE.replace("vehicle", "cycle", 1) in call[2].decode()) == (2, True)
+    assert b"Traceback" not in call[2]

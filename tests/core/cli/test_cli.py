@@ -16,9 +16,8 @@ IS_DIRECTORY = (
 
 
 @pytest.mark.usefixtures("files")
-@pytest.mark.parametrize(
-    ("case", "run", "check", "words"),
-    [
+def test_status_is_that_of_the_case() -> None:
+    for case, run, check, words in (
         (DIFFERENTIAL, 0, 0, ""),
         ("neutral.yaml", 0, 1, "gear N: neutral: one more shift element must be engaged"),
         ("open.yaml", 0, 0, "A and B impose the same constraint"),
@@ -27,19 +26,12 @@ IS_DIRECTORY = (
         ("bad.yaml", 1, 1, "did you mean `ratio`?"),
         ("nowhere.yaml", 1, 1, "nowhere.yaml: error: cannot be read: No such file"),
         (".", 1, 1, IS_DIRECTORY),
-    ],
-)
-def test_status_is_that_of_the_case(case: str, run: int, check: int, words: str) -> None:
-    for command, status in (("run", run), ("check", check)):
-        said = vstatics(command, case)
-        assert said.status == status
-        assert words in said.err
-        assert bool(said.err) == bool(words)
-
-
-def test_a_folder_instead_of_a_case_names_the_pattern_of_its_cases(folder: Path) -> None:
-    (folder / "a.dat").touch()
-    assert "expected a file, or for several files './**/*.dat'" in vstatics("run", ".").err
+    ):
+        for command, status in (("run", run), ("check", check)):
+            said = vstatics(command, case)
+            assert said.status == status
+            assert words in said.err
+            assert bool(said.err) == bool(words)
 
 
 @pytest.mark.usefixtures("files")
@@ -78,28 +70,24 @@ def test_coasting_turns_the_reverse_gears_of_the_published_train() -> None:
     driven = json_answer("run", MZKT, "--coast")
     assert driven["efficiency"][4:] == pytest.approx([0.9014, 0.9212], abs=5e-5)
     assert driven["case"]["coast"] is True
-    said = vstatics("run", CASES / "self-locking.yaml", "--coast", "-f", "json")
-    assert said.json["locked"][0] is True
+    assert json_answer("run", CASES / "self-locking.yaml", "--coast")["locked"][0] is True
     case = LOCKED.replace("links: 3", "links: 3\ncoast: true").encode()
     assert json_answer("run", "-", stdin=case)["locked"] == [False]
-    said = vstatics("run", "-", "--drive", "-f", "json", stdin=case)
-    assert said.json["locked"] == [True]
+    assert json_answer("run", "-", "--drive", stdin=case)["locked"] == [True]
 
 
 def test_idle_convention_is_overridden() -> None:
     """D3 turns as one piece in gears 3, 4 and 6; `exact` has 0 there."""
     for idle, signs in (("published", PRINTED["IX"][2]), ("exact", [1, 1, 0, 0, 1, 0])):
-        said = vstatics("run", MZKT, "--unloaded", idle, "-f", "json")
-        assert said.json["power_sign"][2] == signs
+        assert json_answer("run", MZKT, "--unloaded", idle)["power_sign"][2] == signs
 
 
 WRONG = dict.fromkeys(
     [
         *("nonsense", "run", "check", "convert", "convert one.yaml", "compare one.json"),
         *("run - -", "check - -", "compare - -", "run a.dat --format xml", "run a.dat --lang fr"),
-        *("run a.dat --from xml", "run a.dat --unloaded never", "run a.dat --nonsense"),
-        *("check a.dat --coast", "convert a.dat b.txt", "convert a.dat b", "convert a.dat -"),
-        *("convert a.dat b.dat --to csv", "compare a b --atol -1", "compare a b --rtol nothing"),
+        *("run a.dat --from xml", "run a.dat --unloaded never", "check a.dat --coast"),
+        *("convert a.dat b.txt", "convert a.dat -", "convert a.dat b.dat --to csv"),
     ],
     "",
 ) | {
@@ -107,21 +95,21 @@ WRONG = dict.fromkeys(
     "rnu box.yaml": "there is no command `rnu`; did you mean `run`?",
     "box.yaml": "there is no command `box.yaml`; expected a command before a file; commands are new, ",
     "new zf-8hp70": "zf-8hp70 is a template, not a file: expected --template zf-8hp70",
-    "sumary box.yaml": "there is no command `sumary`; did you mean `summary`?",
     f"run {DIFFERENTIAL} --gear 1": "flow, explain and plot have it",
     f"report {DIFFERENTIAL} --gears 9 -o a.html": "Invalid value for --gears: no gear '9'",
     f"flow {DIFFERENTIAL} --gear 9": "Invalid value for --gear: no gear '9'",
+    f"explain {DIFFERENTIAL} --gear 9": "Invalid value for --gear: no gear '9'",
     "synth box": "'--sets'. Expected --sets N, or --keep CASE instead.",
     f"report {DIFFERENTIAL}": "Expected --output FILE, or --watch instead.",
     "flow gears/*.yaml": "no file matches `gears/*.yaml`",
 }
 
 
-@pytest.mark.parametrize("line", WRONG)
-def test_wrong_use_is_2_and_says_how(line: str) -> None:
-    said = vstatics(*line.split())
-    assert said.is_wrong_use(WRONG[line], "\nError: ")
-    assert said.err.startswith("Usage: ")
+def test_wrong_use_is_2_and_says_how() -> None:
+    for line in WRONG:
+        said = vstatics(*line.split())
+        assert said.is_wrong_use(WRONG[line], "\nError: ")
+        assert said.err.startswith("Usage: ")
 
 
 @pytest.mark.parametrize("group", [[], ["torsion"], ["damage"], ["synth"]])
@@ -146,31 +134,26 @@ def test_a_command_in_one_language_names_those_in_several() -> None:
         assert said.is_wrong_use(f"and {installed(WITH_LANGUAGES)[-1]} have it.")
 
 
-FORMATS = ("deck", "yaml", "json")
-
-
 @pytest.mark.parametrize(
     "name", ["case.dat", "case.yaml", "case.yml", "case.JSON", "case", "c.txt"]
 )
 def test_format_is_told_by_suffix_then_by_content(name: str, folder: Path) -> None:
     path = folder / name
     suffix = {".dat": "deck", ".yml": "yaml"}.get(path.suffix, path.suffix.lower()[1:])
-    for kind in FORMATS:
+    for kind, word in {"deck": "KJG", "yaml": "YAML", "json": "not JSON"}.items():
         path.write_text(vstatics("convert", MZKT, "-", "--to", kind).out, "utf-8")
-        is_other = suffix in FORMATS and suffix != kind
+        is_other = suffix in ("deck", "yaml", "json") and suffix != kind
         is_readable = not is_other or (suffix, kind) == ("yaml", "json")  # JSON is YAML
         assert vstatics("check", path).status == (0 if is_readable else 1)
         assert vstatics("check", path, "--from", kind).status == 0
-
-
-def test_the_reader_asked_for_is_the_one_that_speaks() -> None:
-    for form, word in (("deck", "KJG"), ("yaml", "YAML"), ("json", "not JSON")):
-        assert vstatics("check", "-", "--from", form, stdin=b"{x y").fails(word)
+        assert vstatics("check", "-", "--from", kind, stdin=b"{x y").fails(word)
 
 
 def test_a_file_that_is_not_there_gets_the_nearest_of_its_folder(folder: Path) -> None:
     assert vstatics("run", MZKT.with_suffix(".dta")).fails("did you mean `mzkt7922.dat`?")
     far = vstatics("run", MZKT.with_name("gears.dat"))
     assert (far.status, "did you mean" in far.err) == (1, False)
+    (folder / "a.dat").touch()
+    assert "expected a file, or for several files './**/*.dat'" in vstatics("run", ".").err
     (folder / "box.yaml").symlink_to("gone.yaml")
     assert vstatics("check", "box.yaml").fails("it is a link to gone.yaml, which is not there")

@@ -3,8 +3,6 @@
 import os
 import re
 import shutil
-import subprocess
-import sys
 from pathlib import Path
 
 import click
@@ -15,7 +13,6 @@ from tests.commands import (
     MZKT,
     NEUTRAL,
     ROOT,
-    environment,
     on_terminal,
     process,
     shell,
@@ -49,11 +46,6 @@ def test_a_build_is_told_by_the_files_of_the_package(tmp_path: Path) -> None:
     assert told() != process("--version")[1]
 
 
-@pytest.mark.parametrize("form", ["listing", "json", "csv", "jsonl"])
-def test_no_result_tells_a_build(form: str) -> None:
-    assert build() not in vstatics("run", MZKT, "-f", form).out
-
-
 def test_a_case_comes_through_a_pipe() -> None:
     golden = "tests/golden/mzkt7922.dat.json"
     for line, out in {
@@ -70,33 +62,22 @@ def test_a_case_comes_through_a_pipe() -> None:
 def test_a_reader_that_has_seen_enough_ends_the_program_quietly(command: str) -> None:
     status, out, err = shell(f"vstatics {command} | head -n 1")
     assert (status in (0, 1), err, out.count(b"\n")) == (True, b"", 1)
-    read, write = os.pipe()
-    os.close(read)
-    line = [sys.executable, "-m", "vstatics", *command.split()]
-    with os.fdopen(write, "wb") as closed:
-        done = subprocess.run(
-            line, stdout=closed, stderr=subprocess.PIPE, check=False, cwd=ROOT, env=environment()
-        )
-    assert (done.returncode, done.stderr) == (1, b"")
+    status, _, err = shell(f"set +o pipefail; (sleep .5; vstatics {command}; echo $? >&2) | true")
+    assert (status, err) == (0, b"1\n")
 
 
-@pytest.mark.parametrize(
-    "command",
-    [
+def test_a_full_disk_is_told_in_one_line() -> None:
+    for command in (
         "run cases/mzkt7922.dat",
-        "run cases/mzkt7922.dat cases/umdm.yaml -f json",
         "run cases/mzkt7922.dat cases/umdm.yaml -f jsonl",
         "check cases/differential.yaml",
         "convert cases/mzkt7922.dat - --to yaml",
         "compare tests/golden/umdm-reduced.yaml.lst tests/golden/mzkt7922.dat.lst",
         "--help",
         "--version",
-        "run --help",
-    ],
-)
-def test_a_full_disk_is_told_in_one_line(command: str) -> None:
-    full = b"<stdout>: error: cannot be written: No space left on device [E030]\n"
-    assert shell(f"vstatics {command} > /dev/full") == (1, b"", full)
+    ):
+        full = b"<stdout>: error: cannot be written: No space left on device [E030]\n"
+        assert shell(f"vstatics {command} > /dev/full") == (1, b"", full)
 
 
 def test_closed_streams_are_told_but_results_come_even_where_messages_cannot() -> None:
@@ -115,20 +96,18 @@ def test_closed_streams_are_told_but_results_come_even_where_messages_cannot() -
 
 
 @pytest.mark.parametrize("encoding", ["ascii", "cp1251"])
-def test_results_are_utf_8_whatever_python_is_told(encoding: str, tmp_path: Path) -> None:
-    (tmp_path / "ru.yaml").write_text(RUSSIAN, "utf-8")
-    for arguments in (["run", "--lang", "ru"], ["run", "-f", "json"], ["run", "-f", "csv"]):
-        _, out, err = process(*arguments, "ru.yaml", cwd=tmp_path, PYTHONIOENCODING=encoding)
+def test_results_are_utf_8_whatever_python_is_told(encoding: str, folder: Path) -> None:
+    (folder / "ru.yaml").write_text(RUSSIAN, "utf-8")
+    assert vstatics("run", "ru.yaml", "-f", "json", "-o", "a.json").status == 0
+    text = Path("a.json").read_text("utf-8").replace("[null, 3.5]", "[null, 3]")
+    Path("b.json").write_text(text, "utf-8")
+    for line in (
+        *("run ru.yaml --lang ru", "run ru.yaml -f json", "run ru.yaml -f csv", "check ru.yaml"),
+        "compare a.json b.json",
+    ):
+        _, out, err = process(*line.split(), cwd=folder, PYTHONIOENCODING=encoding)
         assert "низшая" in out.decode()
         assert b"Traceback" not in err
-    _, out, _ = process("check", "ru.yaml", cwd=tmp_path, PYTHONIOENCODING=encoding)
-    assert "gear низшая" in out.decode()
-    process("run", "ru.yaml", "-f", "json", "-o", "a.json", cwd=tmp_path)
-    text = (tmp_path / "a.json").read_text("utf-8")
-    (tmp_path / "b.json").write_text(text.replace("[null, 3.5]", "[null, 3]"), "utf-8")
-    status, out, _ = process("compare", "a.json", "b.json", cwd=tmp_path, PYTHONIOENCODING=encoding)
-    assert status == 1
-    assert any(one.split()[:2] == ["ratio", "низшая"] for one in out.decode().splitlines())
 
 
 def test_a_name_of_a_file_may_be_any_bytes(tmp_path: Path) -> None:
@@ -143,19 +122,14 @@ def test_a_name_of_a_file_may_be_any_bytes(tmp_path: Path) -> None:
     assert b"\\udcff.yaml" in (tmp_path / "all.parquet").read_bytes()
 
 
-@pytest.mark.parametrize("variables", [{}, {"NO_COLOR": "1"}], ids=["colour", "NO_COLOR"])
-def test_a_terminal_shows_what_a_pipe_gets(variables: dict[str, str]) -> None:
-    assert on_terminal("run", "cases/mzkt7922.dat", cwd=ROOT, **variables) == LISTING.decode()
-    shown = on_terminal("check", "tests/bad/key-unknown.yaml", cwd=ROOT, **variables)
-    assert "did you mean" in shown
-    assert "\x1b" not in shown
-
-
-@pytest.mark.parametrize("command", ["", "run", "torsion modes"])
-def test_help_fits_a_terminal_without_colours(command: str) -> None:
-    shown = on_terminal(*command.split(), "--help")
-    assert max(map(len, shown.splitlines())) <= 80
-    assert "\x1b" not in shown
+def test_a_terminal_shows_what_a_pipe_gets() -> None:
+    assert on_terminal("run", "cases/mzkt7922.dat", cwd=ROOT) == LISTING.decode()
+    shown = on_terminal("check", "tests/bad/key-unknown.yaml", cwd=ROOT)
+    assert ("did you mean" in shown, "\x1b" in shown) == (True, False)
+    for command in ("", "run", "torsion modes"):
+        shown = on_terminal(*command.split(), "--help")
+        assert max(map(len, shown.splitlines())) <= 80
+        assert "\x1b" not in shown
 
 
 def test_shell_completion_is_produced() -> None:
@@ -168,24 +142,19 @@ def test_shell_completion_is_produced() -> None:
         assert (status, words in out.decode()) == (0, True)
 
 
-@pytest.mark.parametrize(
-    ("words", "names"),
-    [
+def test_shell_completion_names_commands_templates_ids_and_tables() -> None:
+    for words, names in (
         ("", main.list_commands(click.Context(main))),
         ("new x.yaml -t zf-8", ["zf-8hp70"]),
         ("run --allow w41", ["W414"]),
         ("check --explain w201,E01", ["w201,E013"]),
         ("compare a.json b.json --leave-out los", ["losses"]),
-    ],
-)
-def test_shell_completion_names_commands_templates_ids_and_tables(
-    words: str, names: list[str]
-) -> None:
-    status, out, _ = process(
-        _VSTATICS_COMPLETE="bash_complete",
-        COMP_WORDS=f"vstatics {words}",
-        COMP_CWORD=str(words.count(" ") + 1),
-    )
-    found = re.findall(r"plain,([\w,-]+)", out.decode())
-    assert (status, {*names} <= {*found}) == (0, True)
-    assert words or found == names
+    ):
+        status, out, _ = process(
+            _VSTATICS_COMPLETE="bash_complete",
+            COMP_WORDS=f"vstatics {words}",
+            COMP_CWORD=str(words.count(" ") + 1),
+        )
+        found = re.findall(r"plain,([\w,-]+)", out.decode())
+        assert (status, {*names} <= {*found}) == (0, True)
+        assert words or found == names

@@ -58,27 +58,13 @@ def test_a_shipped_case_goes_round_all_formats(path: Path, tmp_path: Path) -> No
             assert library.load(second) == kept(library.load(target), again)
 
 
-@pytest.mark.parametrize("form", SUFFIXES)
-def test_a_stream_is_written_in_the_format_asked_for(form: str) -> None:
-    said = vstatics("convert", "-", "-", "--to", form, stdin=MZKT.read_bytes())
-    assert said.is_without_messages()
-    assert read(said.out.encode(), "", form).case == library.load(MZKT)  # type: ignore[arg-type]
-
-
 def test_the_option_is_above_the_suffix(tmp_path: Path) -> None:
-    target = tmp_path / "case.dat"
+    target, back = tmp_path / "case.dat", tmp_path / "back.dat"
     assert vstatics("convert", MZKT, target, "--to", "json").status == 0
     assert json_file(target)["links"] == 6
-    said = vstatics("convert", target, tmp_path / "back.dat")
-    assert said.fails("case.dat:1:1: error")
-    assert vstatics("convert", target, tmp_path / "back.dat", "--from", "json").status == 0
-    assert library.load(tmp_path / "back.dat") == library.load(MZKT)
-
-
-def test_a_printed_report_is_converted_like_its_deck() -> None:
-    report = vstatics("run", MZKT).out.encode()
-    deck = vstatics("convert", MZKT, "-", "--to", "yaml")
-    assert vstatics("convert", "-", "-", "--to", "yaml", stdin=report) == deck
+    assert vstatics("convert", target, back).fails("case.dat:1:1: error")
+    assert vstatics("convert", target, back, "--from", "json").status == 0
+    assert library.load(back) == library.load(MZKT)
 
 
 def test_warnings_of_the_input_are_told_and_it_is_converted(folder: Path) -> None:

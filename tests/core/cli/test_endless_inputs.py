@@ -31,9 +31,8 @@ BY_USER = (
     *("sweep hostile --vary pair.ratio=1,2 --out ratio", "sweep --file hostile", VARIANTS),
     *("summary box.yaml --duty hostile", "summary box.yaml --duty hostile.csv"),
     *("compare hostile box.yaml", "compare box.yaml hostile", "run --files-from hostile"),
-    *("cycle box.yaml hostile", "run hostile.xlsx"),
-    *("torsion modes hostile", "torsion dump hostile"),
-    *("synth teeth hostile --ratios drive=2", "synth box --keep hostile --ratios 1,2"),
+    *("cycle box.yaml hostile", "run hostile.xlsx", "torsion dump hostile"),
+    "synth box --keep hostile --ratios 1,2",
 )
 BY_FILE = {
     "simulate doc.yaml": "{case: hostile, duration: 1}",

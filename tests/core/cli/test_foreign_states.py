@@ -3,6 +3,7 @@
 import os
 import socket
 from collections.abc import Callable, Iterable
+from functools import partial
 from itertools import product
 from pathlib import Path
 
@@ -24,17 +25,9 @@ def _canary(prepared: Path) -> None:
     Path("aviary").mkdir()
 
 
-def link_to(name: str) -> Callable[[Path], None]:
-    return lambda path: path.symlink_to(Path(name).absolute())
-
-
 def bind_socket(path: Path) -> None:
     with socket.socket(socket.AF_UNIX) as created:
         created.bind(str(path))
-
-
-def make_device(path: Path) -> None:
-    os.mknod(path, 0o20666, os.makedev(1, 3))
 
 
 def of_another(make: Callable[[Path], None]) -> Callable[[Path], None]:
@@ -45,7 +38,10 @@ def of_another(make: Callable[[Path], None]) -> Callable[[Path], None]:
     return made
 
 
-LINKS = {link_to(name): "is a link" for name in ("canary", "nothing", "aviary")}
+LINKS: dict[Callable[[Path], None], str] = {
+    partial(lambda name, path: path.symlink_to(Path(name).absolute()), name): "is a link"
+    for name in ("canary", "nothing", "aviary")
+}
 FILES: dict[Callable[[Path], None], str] = {
     **LINKS,
     lambda path: path.hardlink_to("canary"): "has a second name",
@@ -53,14 +49,11 @@ FILES: dict[Callable[[Path], None], str] = {
     os.mkdir: "is a folder",
     bind_socket: "is a socket",
 }
-FOLDERS: dict[Callable[[Path], None], str] = {
-    **LINKS,
-    os.mkfifo: "is a named pipe (FIFO)",
-    Path.touch: "is a file",
-    bind_socket: "is a socket",
-}
+FOLDERS = {**LINKS, os.mkfifo: FILES[os.mkfifo], Path.touch: "is a file"}
 if os.geteuid() == 0:
-    FILES |= {make_device: "is a device", of_another(Path.touch): "has another owner"}
+    null = os.makedev(1, 3)
+    FILES[lambda path: os.mknod(path, 0o20666, null)] = "is a device"
+    FILES[of_another(Path.touch)] = "has another owner"
     FOLDERS[of_another(Path.mkdir)] = "has another owner"
 
 

@@ -37,13 +37,9 @@ def judge(said: Said, command: StatedCommand) -> None:
     assert all(command.output.rstrip("/") in line for line in lines), said
     work = [file for file in command.state if file.name not in ("lock", "plan.json", "output")]
     results = command.written() if command.folder == "out" else {}
-    if results or any(is_work(file) for file in work):
+    # without work a file has only its first line, which says of what run it is
+    if results or any(one.name.isdigit() or one.read_bytes().count(b"\n") > 1 for one in work):
         assert "--resume" in said.err, (said, work)
-
-
-def is_work(file: Path) -> bool:
-    """Whether a file of a state has more than its first line, which says of what run it is."""
-    return file.name.isdigit() or file.read_bytes().count(b"\n") > 1
 
 
 def goes_on(command: StatedCommand, expected: dict[str, bytes]) -> None:

@@ -2,7 +2,6 @@
 
 import json
 import re
-from itertools import product
 from pathlib import Path
 
 import pytest
@@ -41,8 +40,6 @@ def told(*arguments: str, stdin: str = "") -> str:
 
 SWEEP = ("sweep", CASE, "--vary")
 RESPONSE = ("torsion", "response", CASE, "--at", "1", "--orders", "2", "--speed", "1")
-OF_PARTS = ("synth", "case", "0-1-2", "--input", "L0", "--output", "L1")
-FIT = ("synth", "fit", CASE, "--ratios", "low=2")
 LINES = (
     ("run", CASE, "-f", "json", "nowhere.yaml"),
     ("run", CASE, CASE, "-o", "out/"),
@@ -51,49 +48,24 @@ LINES = (
     ("run", "--files-from", ATTACK),
     ("check", f"nowhere{ATTACK}"),
     *(("summary", CASE, "box.yaml", "-f", form) for form in ("text", "markdown", "latex")),
-    ("summary", "box.yaml", "--duty", ATTACK),
     ("compare", CASE, "box.json"),
     ("convert", CASE, f"{ATTACK}.xyz"),
-    ("convert", CASE, CASE),
     ("plot", CASE, "--kind", ATTACK, "-o", "a.svg"),
-    ("plot", CASE, "--kind", "plan", "-o", f"a{ATTACK}"),
     ("report", CASE, "-o", f"a.{ATTACK}"),
     ("new", ATTACK, "--template", ATTACK),
-    (*SWEEP, ATTACK),
-    (*SWEEP, f"D.{ATTACK}=1:2:3"),
-    (*SWEEP, f"D.ratio={ATTACK}"),
-    (*SWEEP, "D.ratio=-3:-2:3", "--out", ATTACK),
-    (*SWEEP, "D.ratio=-3:-2:3", "--out", f"ratio[{ATTACK}]"),
-    (*SWEEP, "D.ratio=-3:-2:3", "--where", f"ratio['{ATTACK}']"),
-    (*SWEEP, "D.ratio=-3:-2:3", "--scheduler", ATTACK),
+    *((*SWEEP, asked) for asked in (ATTACK, f"D.{ATTACK}=1:2:3", f"D.ratio={ATTACK}")),
+    *((*SWEEP, "D.ratio=-3:-2:3", "--out", asked) for asked in (ATTACK, f"ratio[{ATTACK}]")),
     ("sweep", CASE, "--variants", ATTACK),
-    ("sweep", "--file", ATTACK),
     ("torsion", "modes", CASE, "--gear", ATTACK),
-    ("torsion", "reduce", CASE, "--to", ATTACK),
-    ("torsion", "simplify", CASE, "--gear", "low", "--links", "1", "--remove", ATTACK),
-    ("torsion", "simplify", CASE, "--gear", "low", "--links", "1", "-o", ATTACK),
     *((*RESPONSE, option, ATTACK) for option in ("--at", "--orders", "--speed", "--torque")),
-    ("torsion", "identify", CASE, "--gear", ATTACK, "--omega", "1"),
-    ("torsion", "damping", CASE, "--gear", "low", "--decrements", f"{ATTACK}=.1"),
     ("torsion", "dump", ATTACK),
-    ("synth", "structures", "--sets", "2", "--links", ATTACK),
     ("synth", "case", ATTACK, "--input", "L0", "--output", "L1"),
-    *((*OF_PARTS, *more) for more in (("--input", ATTACK), ("--ratios", ATTACK), ("-o", ATTACK))),
-    (*OF_PARTS, "--ratios", f"{ATTACK}=2"),
     ("synth", "combinations", CASE, "--engaged", ATTACK),
-    ("synth", "combinations", CASE, "--engaged", "0", "--write", "a.yaml"),
-    ("synth", "combinations", CASE, "--shift-elements", ATTACK),
-    *(("synth", "fit", CASE, "--ratios", one) for one in (ATTACK, f"{ATTACK}=2", f"low={ATTACK}")),
-    *((*FIT, option, f"{ATTACK}=-4:-1") for option in ("--bounds", "--weights", "--write")),
+    ("synth", "fit", CASE, "--ratios", f"{ATTACK}=2"),
     ("synth", "structures", "--sets", "2", "-o", NOWHERE),
-    ("torsion", "modes", CASE, "-o", NOWHERE),
-    *(
-        (one, CASE, "-o", NOWHERE)
-        for one in ["run", "flow", "convert", "plot", "report", "summary"]
-    ),
+    *((command, CASE, "-o", NOWHERE) for command in ("run", "flow", "convert", "plot", "report")),
     *((*group, ATTACK) for group in ((), ("torsion",), ("synth",))),
     *((command, f"--{ATTACK}") for command in COMMANDS),
-    *((command, CASE, "-o", "a.svg", "--from", ATTACK) for command in COMMANDS),
     *((command, CASE, "--gear", ATTACK) for command in COMMANDS),
 )
 
@@ -142,26 +114,18 @@ SWEEP_FILES = (
     f"{HOSTILE}: 1\n",
     f"case: {ATTACK}",
     f"case: {HOSTILE}\nvary: {{D.ratio: -3:-2:3}}\n",
-    f"case: box.yaml\nvariants: {HOSTILE}\n",
     f"case: box.yaml\nvary: {{{HOSTILE}: 1}}\n",
-    f"case: box.yaml\nvary: {{D.ratio: {HOSTILE}}}\n",
     *(
-        f"case: box.yaml\nvary: {{D.ratio: -3:-2:3}}\n{key}: {value}\n"
-        for key, value in product(
-            ("out", "where", "min", "output", "method"), (HOSTILE, f"[{HOSTILE}]")
-        )
+        f"case: box.yaml\nvary: {{D.ratio: -3:-2:3}}\n{key}: {HOSTILE}\n"
+        for key in ("out", "where", "min", "output", "method")
     ),
 )
 SPRING = "links: [a, b]\ninertias: {a: 1, b: 2}\nsprings: {s: {links: [a, b], stiffness: 9}}\n"
 VIBRATING = (
     SPRING.replace("s: {", f"{HOSTILE}: {{"),
-    SPRING.replace("a: 1", f"{HOSTILE}: 1"),
     SPRING.replace("a: 1", f"a: {HOSTILE}"),
-    SPRING.replace("[a, b], ", f"[a, {HOSTILE}], "),
     SPRING.replace("links: [a, b], ", f"twist: {{a: 1, {HOSTILE}: -1}}, "),
-    SPRING.replace("stiffness: 9", f"stiffness: {HOSTILE}"),
     SPRING.replace("stiffness: 9", f"{HOSTILE}: 9"),
-    SPRING.replace("stiffness: 9", f"stiffness: 9, damping: {{{HOSTILE}: 1}}"),
     f"{SPRING}gears: {{{HOSTILE}: {{}}}}\n",
 )
 READ = {
@@ -182,16 +146,10 @@ def test_another_document_is_told_escaped(command: tuple[str, ...]) -> None:
 
 @pytest.mark.parametrize("suffix", ["csv", "jsonl", "txt"])
 def test_a_table_is_told_escaped(suffix: str) -> None:
-    Path("shaft.yaml").write_text(SPRING, "utf-8")
-    response = ("torsion", "response", "shaft.yaml", "--at", "2", "--speed", "1", "--torque")
-    variants = ("sweep", "box.yaml", "--variants")
-    for call, texts in {
-        variants: (f"{ATTACK}\n1\n", f"D.ratio\n{ATTACK}\n", f'{{"{ATTACK}": 1}}'),
-        response: (f"{ATTACK}\n1\n", f"order,amplitude\n{ATTACK},1\n"),
-    }.items():
-        for text in texts:
-            Path(f"own.{suffix}").write_text(text, "utf-8")
-            assert "rror: " in told(*call, f"own.{suffix}"), text
+    variants = ("sweep", "box.yaml", "--variants", f"own.{suffix}")
+    for text in (f"{ATTACK}\n1\n", f"D.ratio\n{ATTACK}\n", f'{{"{ATTACK}": 1}}'):
+        Path(f"own.{suffix}").write_text(text, "utf-8")
+        assert "rror: " in told(*variants), text
 
 
 def test_rows_of_results_are_compared_escaped() -> None:
@@ -221,7 +179,7 @@ def test_a_case_keeps_its_description_escaped(text: str, form: str) -> None:
     assert json.loads(again)["description"] == text
 
 
-@pytest.mark.parametrize("form", ["csv", "json", "jsonl", "listing"])
+@pytest.mark.parametrize("form", ["csv", "json", "listing"])
 def test_a_terminal_gets_no_format_as_it_is(form: str) -> None:
     shown = on_terminal("run", CASE, "box.yaml", "nowhere.yaml", "-f", form, cwd=Path.cwd())
     assert "low" in shown

@@ -2,11 +2,7 @@
 
 import os
 import signal
-import subprocess
-import sys
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
@@ -15,7 +11,7 @@ import vstatics
 from tests.chance import seeded, with_slow
 from tests.commands import NEUTRAL, environment
 from tests.installed import skip_without_command
-from tests.processes import names, wait_for
+from tests.processes import names, running, wait_for
 
 COMMANDS = (
     *("run pipe", "run --pretty pipe", "run pipe -o out.lst", "check pipe", "flow pipe"),
@@ -31,18 +27,6 @@ def _files(folder: Path) -> None:
     """A case, and a pipe at which a command waits."""
     (folder / "box.yaml").write_text(NEUTRAL, "utf-8")
     os.mkfifo("pipe")
-
-
-@contextmanager
-def running(*arguments: str, **variables: str) -> Iterator[subprocess.Popen[bytes]]:
-    """A command in the background; it is killed if the test fails."""
-    line = [sys.executable, "-m", "vstatics", *arguments]
-    pipe, variables = subprocess.PIPE, environment(**variables)
-    with subprocess.Popen(line, stdout=pipe, stderr=pipe, env=variables) as process:
-        try:
-            yield process
-        finally:
-            process.kill()
 
 
 @pytest.mark.parametrize(("sent", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
@@ -82,13 +66,6 @@ def test_an_import_that_is_stopped_leaves_no_trace(module: str, said: bytes) -> 
         process.send_signal(signal.SIGINT)
         ended = process.communicate(timeout=60)
     assert (process.returncode, ended) == (130, (b"", said))
-
-
-def test_ctrl_c_is_left_alone_where_the_package_is_a_library() -> None:
-    program = "import signal, vstatics; print(signal.getsignal(2) is signal.default_int_handler)"
-    line = [sys.executable, "-c", program]
-    done = subprocess.run(line, capture_output=True, check=False, env=environment())
-    assert done.stdout == b"True\n"
 
 
 @pytest.mark.slow

@@ -90,22 +90,19 @@ def prepare(folder: Path) -> None:
     (folder / "list").write_text("".join(f"case{n}.dat\n" for n in range(CASES)), "utf-8")
 
 
-def begin(work: Work, folder: Path, *more: str) -> subprocess.Popen[bytes]:
-    return subprocess.Popen(
-        [sys.executable, "-m", "vstatics", *work.line.split(), "-o", work.output, *more],
-        cwd=folder,
-        env=environment(),
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.PIPE,
-        start_new_session=True,
-    )
-
-
 def end(process: subprocess.Popen[bytes]) -> tuple[int, str]:
     said = process.communicate(timeout=120)[1].decode()
     assert "Traceback" not in said
     assert "an error of vstatics" not in said
     return process.returncode, said
+
+
+def begin(work: Work, folder: Path, *more: str) -> subprocess.Popen[bytes]:
+    line = [sys.executable, "-m", "vstatics", *work.line.split(), "-o", work.output, *more]
+    none, pipe = subprocess.DEVNULL, subprocess.PIPE
+    return subprocess.Popen(
+        line, cwd=folder, env=environment(), stdout=none, stderr=pipe, start_new_session=True
+    )
 
 
 def made(work: Work, folder: Path) -> dict[str, bytes]:

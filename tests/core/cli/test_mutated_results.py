@@ -95,17 +95,6 @@ def test_arrays_and_columns_that_are_no_table_are_told(folder: Path) -> None:
     assert vstatics("compare", "a.parquet", "a.parquet").fails("the column `status` is missing")
 
 
-def test_results_and_boxes_nested_too_deeply_are_reported_so(folder: Path) -> None:
-    text = '{"searched": 1, "boxes": ' + "[" * 100_000
-    (folder / "deep.json").write_text(text, "utf-8")
-    for line, words in (
-        ("compare deep.json deep.json", "the file is not JSON that can be read"),
-        ("plot -k boxes deep.json -o a.svg", "the JSON cannot be read"),
-    ):
-        said = vstatics(*line.split())
-        assert said.fails(f"deep.json: error: {words}: nested too deeply")
-
-
 def test_tables_are_refused_by_the_size_that_they_declare(tmp_path: Path) -> None:
     large = tmp_path / "large.npz"
     arrays: Any = {"P1.ratio": np.zeros(30_000_000)}

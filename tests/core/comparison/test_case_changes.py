@@ -1,7 +1,5 @@
 """What is other in a case, by the paths that a sweep varies."""
 
-from pathlib import Path
-
 import pytest
 
 from tests.commands import SHIPPED
@@ -13,20 +11,16 @@ from vstatics.core.model.parts import Gear
 CASES = [path for path in SHIPPED if path.suffix == ".yaml"]
 
 
-@pytest.mark.parametrize("path", CASES, ids=lambda path: path.stem)
-def test_a_case_is_that_of_itself(path: Path) -> None:
-    case = readers.load(path)
-    renamed = case.replace(name="other", description="other", source="other")
-    assert list(case_changes(renamed, case)) == []
+def test_a_case_is_that_of_itself() -> None:
+    for case in map(readers.load, CASES):
+        renamed = case.replace(name="other", description="other", source="other")
+        assert list(case_changes(renamed, case)) == []
 
 
 def test_parts_and_gears_that_are_new_or_gone_are_one_path(zf: Transmission) -> None:
-    fewer = zf.replace(gears=zf.gears[1:])
-    [change] = case_changes(fewer, zf)
-    assert (change.path, change.actual) == ("gears.1", None)
-    assert change.expected == {"engaged": ["A", "B", "C"]}
-    [change] = case_changes(zf, fewer)
-    assert (change.path, change.expected) == ("gears.1", None)
+    fewer, gear = zf.replace(gears=zf.gears[1:]), {"engaged": ["A", "B", "C"]}
+    assert list(case_changes(fewer, zf)) == [("gears.1", gear, None)]
+    assert list(case_changes(zf, fewer)) == [("gears.1", None, gear)]
 
 
 def test_the_order_of_engaged_elements_is_no_change(zf: Transmission) -> None:

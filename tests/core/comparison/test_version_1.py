@@ -6,7 +6,6 @@ of that time and a case with every table stand for the files that users keep.
 
 import json
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -25,16 +24,11 @@ def assert_equal(*files: Path) -> None:
         assert said.is_silent()
 
 
-def keys(file: Path) -> dict[str, Any]:
-    document: dict[str, Any] = json_file(file)
-    return document
-
-
 @pytest.fixture
 def case(tmp_path: Path) -> Path:
     """Case with every quantity, as the old result contains it."""
     path = tmp_path / "everything.json"
-    path.write_text(json.dumps(keys(OLD / "everything.json")["case"]), "utf-8")
+    path.write_text(json.dumps(json_file(OLD / "everything.json")["case"]), "utf-8")
     return path
 
 
@@ -57,7 +51,7 @@ def test_every_table_agrees_in_every_format(suffix: str, case: Path) -> None:
 
 
 def test_the_old_result_has_every_table_under_its_old_name(case: Path) -> None:
-    old, new = keys(OLD / "everything.json"), keys(run(case, "new.json"))
+    old, new = json_file(OLD / "everything.json"), json_file(run(case, "new.json"))
     assert (old["version"], new["version"]) == (1, 2)
     later = {"gear_losses", "gear_losses_kW", "slip_losses", "slip_losses_kW"}
     then = [one for one in QUANTITIES if one.name not in later]
@@ -70,7 +64,7 @@ def test_the_old_result_has_every_table_under_its_old_name(case: Path) -> None:
 
 
 def test_a_change_is_found_under_the_new_name(case: Path) -> None:
-    changed = keys(OLD / "everything.json")
+    changed = json_file(OLD / "everything.json")
     changed["ETA"][0] *= 1.1
     files = run(case, "new.json"), case.with_name("old.json")
     files[1].write_text(json.dumps(changed), "utf-8")
@@ -96,7 +90,7 @@ def test_sweeps_agree_by_the_names_in_their_headings(case: Path) -> None:
 
 
 def test_the_program_that_wrote_a_result_is_not_compared(case: Path) -> None:
-    new = keys(run(case, "new.json"))
+    new = json_file(run(case, "new.json"))
     assert new["program"].startswith("vstatics ")
     new["program"] = "vstatics 99.0"
     other = case.with_name("other.json")

@@ -59,7 +59,7 @@ def rows_of(case: Any) -> dict[str, list[str]]:
 
 
 @pytest.mark.parametrize("case", SHOWN)
-@pytest.mark.parametrize("seed", [(), ("--seed", "5")])
+@pytest.mark.parametrize("seed", [("--seed", "5"), ()])
 def test_a_blank_has_the_value_that_run_gives(
     case: str, seed: tuple[str, ...], tmp_path: Path
 ) -> None:
@@ -80,10 +80,6 @@ def test_a_blank_has_the_value_that_run_gives(
         values = result[one["table"]]
         values = values if one["row"] is None else values[rows[one["table"]].index(one["row"])]
         assert values[place] == one["value"], one
-
-
-def test_even_a_pair_of_gears_has_ten_blanks() -> None:
-    assert len(exercise(solve(loads(PAIR)), "g").blanks) >= 10
 
 
 @pytest.mark.parametrize("form", ["text", "markdown", "latex"])
@@ -192,8 +188,10 @@ def test_elements_of_a_drawn_box_have_the_margins_of_the_given_one(given: Load |
 def test_an_exercise_is_of_one_gear_and_has_numbers() -> None:
     said = vstatics("explain", str(CASES / "simpson.yaml"), "--worksheet")
     assert said.is_wrong_use("of one gear, expected one of 1, 2, 3, R")
-    only = ("explain", str(CASES / "wolfrom.yaml"), "--solution")
-    assert vstatics(*only).out == vstatics(*only, "--gear", "drive").out != ""
+    only = ("explain", str(CASES / "wolfrom.yaml"), "--solution", "--seed", "3")
+    shown = vstatics(*only).out
+    assert shown.splitlines()[0].endswith("(--seed 3)")
+    assert vstatics(*only, "--gear", "drive").out == shown != vstatics(*only[:3]).out
     for options in ("--seed 3", "--gear 1 --worksheet -f json", "--gear 1 --worksheet --solution"):
         assert vstatics("explain", ZF, *options.split()).is_wrong_use()
     for form in ("csv", "xlsx"):
@@ -203,19 +201,3 @@ def test_an_exercise_is_of_one_gear_and_has_numbers() -> None:
     stdin = tied_up.replace("[]", "[A, B]").encode()
     said = vstatics("explain", "-", "--gear", "g", "--worksheet", stdin=stdin)
     assert said.fails("has no numbers to ask for")
-
-
-def test_sheet_and_solution_tell_their_seed_which_gives_the_same_again() -> None:
-    for which in ("--worksheet", "--solution"):
-        one, again, other = (
-            vstatics("explain", SHOWN[0], "--gear", "2", which, "--seed", seed).out
-            for seed in ("3", "3", "5")
-        )
-        assert one.splitlines()[0].endswith("(--seed 3)")
-        assert one == again != other
-
-
-def test_an_exercise_speaks_the_language() -> None:
-    text = vstatics("explain", ZF, "--gear", "1", "--worksheet", "--lang", "ru").out
-    assert "Скорости звеньев [speeds]" in text
-    assert "передаточное отношение" in text

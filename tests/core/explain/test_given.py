@@ -197,12 +197,8 @@ def test_a_sheet_tells_over_what_a_law_goes() -> None:
     """Those of efficiency and drag, each where the case has such; a belt has no teeth."""
     told = said_and_asked(loads(LAWFUL), 0)[0]
     plain = said_and_asked(load(CASES / "differential.yaml"), 0)[0]
-    for law in (
-        "depends on the torque on the first link with losses",
-        "in a formula w is the magnitude in rad/s",
-    ):
-        assert law in told
-        assert law not in plain
+    for law in ("on the torque on the first link with losses", "w is the magnitude in rad/s"):
+        assert (law in told, law in plain) == (True, False)
     belt = "{B: {kind: belt, first: in, second: out, diameters: {first: 120, second: 90}}}"
     told = said_and_asked(loads(f"links: [in, out]\nelements: {belt}\ngears: {{g: []}}\n"), 0)[0]
     assert "| B | belt | first: in, second: out | diameters: first 120, second 90 |" in told

@@ -42,13 +42,6 @@ def test_drag_decides_a_sign_where_nothing_else_loads_the_mechanism() -> None:
     assert (side.sign, side.why) == (1, "power enters by the first link")
 
 
-def test_an_efficiency_multiplies_or_divides_by_the_direction_of_power() -> None:
-    """Equation 4 of the source, u eta^x; all sets of the 8HP carry power in gear 5."""
-    for sign in explained("zf-8hp70.yaml", "5").signs:
-        assert sign.lossy_ratio == pytest.approx(sign.ratio * 0.98**sign.sign)
-        assert math.copysign(1, sign.power) == sign.sign
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("coast", [None, False, True])
 def test_the_rule_as_it_is_printed_gives_the_sign_of_every_shipped_gear(coast: bool | None) -> None:

@@ -76,20 +76,6 @@ def test_the_branches_of_a_coupled_differential_share_as_its_speeds_say(u: float
     assert [nodes for nodes, _ in around(ideal)] == ([] if 0 <= phi <= 1 else expected[phi > 1])
 
 
-def test_a_planetary_reduction_has_no_circulation() -> None:
-    """Sun in, ring held, carrier out, eta .97: the carrier gives (1 + 2.5 * .97)/3.5."""
-    reducer = Transmission(
-        3, [ShiftElement(2, 0, "B")], [Mechanism(1, 2, 3, -2.5, 0.97, name="set")], [Gear([1])]
-    )
-    ideal, lossy = sides(only(reducer))
-    out = (1 + 2.5 * 0.97) / 3.5
-    assert ideal.loops == lossy.loops == lossy.locked_in == ()
-    assert through(lossy) == pytest.approx(
-        {"1": 1, "2": 0, "3": out, "B": 0, "set": 1, "input": 1, "output": out}, abs=1e-12
-    )
-    assert lost(lossy) == pytest.approx({"set": 1 - out})
-
-
 def test_a_set_that_turns_as_one_piece_does_not_circulate() -> None:
     """Sun and carrier joined, ring out, by hand.
 

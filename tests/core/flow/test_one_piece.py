@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.commands import SHIPPED, json_answer
+from tests.commands import SHIPPED
 from tests.core.flow.worked import only, solved
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, load, solve
 from vstatics.core.flow.power import flows
@@ -53,18 +53,6 @@ def test_a_set_that_is_one_piece_by_coincidence_is_marked() -> None:
     pairs = [Mechanism(4, 1, 0, 2.0, 1.0, name="one"), Mechanism(4, 2, 0, 2.0, 1.0, name="other")]
     flow = only(Transmission(4, [], [SET, *pairs], [Gear()], 4, 3))
     assert "set" in marked(flow)
-
-
-def test_json_lists_what_a_convention_divides() -> None:
-    case = b"""\
-links: [sun, ring, carrier]
-shift_elements: {C: [sun, ring]}
-mechanisms: {set: {first: sun, second: ring, third: carrier, ratio: -2.5}}
-gears: {direct: {engaged: [C]}}
-"""
-    [gear] = json_answer("flow", "-", stdin=case)["gears"]
-    told = [(one["kind"], one["name"]) for one in gear["by_convention"]]
-    assert told == [("link", "ring"), ("element", "C"), ("mechanism", "set")]
 
 
 def differing(one: PowerFlow, other: PowerFlow) -> set[str]:

@@ -3,7 +3,7 @@
 import pytest
 from hypothesis import given
 
-from tests.core.flow.worked import around, only, sides, through
+from tests.core.flow.worked import only, sides, through
 from tests.trains import on_springs, trains
 from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission, solve
 from vstatics.core.flow.circulation import Node
@@ -59,15 +59,6 @@ def test_a_shaft_beside_an_engaged_clutch_is_one_piece() -> None:
     train = [ShiftElement(1, 2, "C")], [Mechanism(1, 2, 3, -2.0, 0.98, name="set")], [Gear([1])]
     ideal, _ = sides(only(Transmission(3, *train, springs=[SHAFT])))
     assert ideal.unknown
-
-
-def test_power_that_goes_round_through_a_spring_is_told() -> None:
-    """The set of the example of `flows`, its gear pair behind a shaft: half of 2 comes back."""
-    mechanisms = [Mechanism(1, 2, 3, -2.0, name="set"), Mechanism(1, 4, 0, -4.0, name="pair")]
-    shaft = Spring(between(2, 4), stiffness=1, name="shaft")
-    case = Transmission(4, [], mechanisms, [Gear()], output=3, springs=[shaft])
-    ideal, _ = sides(only(case))
-    assert around(ideal) == [("1 set 2 shaft 4 pair", pytest.approx(1))]
 
 
 def test_the_text_has_springs_between_mechanisms_and_shift_elements() -> None:

@@ -24,28 +24,14 @@ def teeth(side: PowerFlow) -> dict[str, float]:
     return {f"{one.device} {one.mesh}".strip(): one.power for one in side.teeth}
 
 
-def planetary(
-    *engaged: int, output: int, u: float = -2.5, efficiency: float = 0.96
-) -> Transmission:
-    """A set with the sun as input; brakes of ring and carrier, a clutch of sun and ring."""
-    elements = [ShiftElement(2, 0), ShiftElement(3, 0), ShiftElement(1, 2)]
-    mechanism = Mechanism(1, 2, 3, u, efficiency, name="set")
-    return Transmission(3, elements, [mechanism], [Gear(engaged)], output=output)
-
-
-def test_with_the_carrier_held_it_is_the_input_power_and_as_one_piece_nothing() -> None:
-    for engaged, output, power in ((2, 2, 1), (3, 3, 0)):
-        for side in sides(only(planetary(engaged, output=output))):
-            assert teeth(side) == pytest.approx({"set": power})
-
-
-@pytest.mark.parametrize("u", [-4.0, -2.5, -1.2, 2.0, 0.5])
+@pytest.mark.parametrize("u", [-4.0, -1.2, 2.0, 0.5])
 def test_with_the_ring_held_it_is_what_the_carrier_leaves(u: float) -> None:
     """The carrier turns at 1/(1 - u), the sun against it at -u/(1 - u), with the torque 1.
 
     For u of .5 the carrier is faster than the sun, and power enters the teeth by the ring.
     """
-    ideal, lossy = sides(only(planetary(1, output=3, u=u)))
+    sets = [Mechanism(1, 2, 3, u, 0.96, name="set")]
+    ideal, lossy = sides(only(Transmission(3, [ShiftElement(2)], sets, [Gear([1])])))
     assert teeth(ideal) == pytest.approx({"set": abs(u / (1 - u))})
     assert lossy.lost == pytest.approx(0.04 * teeth(lossy)["set"])
 

@@ -86,13 +86,13 @@ def wrong(_: str, item: int) -> int:
 @pytest.mark.parametrize("jobs", [1, 2])
 def test_an_error_names_the_item(jobs: int) -> None:
     own = r"^item 3: an error in vstatics, please report it: ZeroDivisionError: divided \[E002\]$"
-    for kind, said, items in (
-        (CaseError, own, range(10)),
-        (OSError, "No space left on device", range(10, 20)),
-        (CaseError, r"^no such gear \[E090\]$", range(20, 30)),
+    for kind, said, first in (
+        (CaseError, own, 0),
+        (OSError, "No space left on device", 10),
+        (CaseError, r"^no such gear \[E090\]$", 20),
     ):
         with pytest.raises(kind, match=said), called(jobs) as made:
-            list(made.each(wrong, items))
+            list(made.each(wrong, range(first, first + 10)))
 
 
 def dies_once(state: str, item: int) -> int:

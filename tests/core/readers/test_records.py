@@ -43,9 +43,8 @@ def test_a_column_that_is_missing_is_told_with_those_of_its_kind() -> None:
 GOOD = '{"ratio": [1.5]}'
 
 
-@pytest.mark.parametrize(
-    ("text", "line", "column", "words"),
-    [
+def test_a_fault_of_a_result_has_its_line() -> None:
+    for text, line, column, words in (
         (f"{GOOD}\n\n \n{GOOD[:-1]}\n{GOOD}\n", 4, 16, "the file is not JSON: "),
         (f"\n\n{GOOD}\n{GOOD}\n{{]\n", 5, 2, "the file is not JSON: "),
         (f"{GOOD[:-1]}\n{GOOD}\n", 1, 16, "the file is not JSON: "),
@@ -58,19 +57,10 @@ GOOD = '{"ratio": [1.5]}'
         # a carriage return alone ends a line of CSV; a cell has 131072 characters at most
         ("table,row,gear,value\nW,D\r,2,1\n", 2, None, "no row of a result"),
         (f"table,row,gear,value\nW,1,1,{'1' * 140_000}\n", 2, None, "no CSV: field larger"),
-    ],
-)
-def test_a_fault_of_a_result_has_its_line(
-    text: str, line: int, column: int | None, words: str
-) -> None:
-    with pytest.raises(ReadError) as caught:
-        read_results(text.encode(), "file")
-    (problem,) = caught.value.problems
-    assert problem.place is not None
-    assert (problem.place.line, column or problem.place.column) == (line, problem.place.column)
-    assert problem.message.startswith(words)
-
-
-def test_empty_lines_before_and_between_json_lines_are_nothing() -> None:
-    read = read_results(f"\n{GOOD}\n \n{GOOD}\n\n".encode(), "file")
-    assert [one.tables["ratio"][0][0].value for one in read] == [1.5, 1.5]
+    ):
+        with pytest.raises(ReadError) as caught:
+            read_results(text.encode(), "file")
+        (problem,) = caught.value.problems
+        assert problem.place is not None
+        assert (problem.place.line, column or problem.place.column) == (line, problem.place.column)
+        assert problem.message.startswith(words)

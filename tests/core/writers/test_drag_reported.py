@@ -3,8 +3,6 @@
 The expected power ``sum(c(w) w)`` is from `tests.dragging`, which shares nothing with the program.
 """
 
-import csv
-import io
 import json
 import math
 import re
@@ -97,17 +95,6 @@ def of_json(text: str, gears: list[str]) -> dict[str, Sums]:
     return {gear: Sums(*row) for gear, *row in zip(*rows, strict=True)}
 
 
-def of_csv(text: str, gears: list[str]) -> dict[str, Sums]:
-    """By gear: what `run -f csv` says."""
-    by_key: dict[tuple[str, str], list[float]] = {}
-    for row in csv.DictReader(io.StringIO(text)):
-        if row["table"].endswith("_kW"):
-            number = float(row["value"]) if row["value"] else math.nan
-            by_key.setdefault((row["table"], row["gear"]), []).append(number)
-    keys = "input_power_kW", "output_power_kW", "losses_kW", "drag_losses_kW"
-    return {gear: Sums(*(math.fsum(by_key[key, gear]) for key in keys)) for gear in gears}
-
-
 def of_listing(text: str, gears: list[str]) -> dict[str, Sums]:
     """By gear: what the listing says."""
     columns = {}
@@ -132,7 +119,6 @@ FORMATS: tuple[tuple[str, Callable[[str, list[str]], dict[str, Sums]]], ...] = (
     ("summary", ports_of_text),
     ("summary -f json", of_summary),
     ("run -f json", of_json),
-    ("run -f csv", of_csv),
     ("run --digits 9", of_listing),
     ("run", of_listing),
 )

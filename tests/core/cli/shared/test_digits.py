@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.commands import CASES, MZKT, vstatics
+from tests.commands import MZKT, vstatics
 
 STEP_UP = """\
 links: [in, out]
@@ -64,19 +64,3 @@ def test_whole_numbers_and_marks_have_no_digits() -> None:
     said = vstatics("run", MZKT, "-f", "markdown", "--digits", "5").out
     signs = said.split("[power\\_sign\\]**")[1].split("**")[0]
     assert re.findall(r"\.\d", signs) == []
-
-
-def test_results_tell_their_file_and_compare_skips_it() -> None:
-    Path("other.yaml").write_text(STEP_UP, "utf-8")
-    for name in ("up", "other"):
-        vstatics("run", f"{name}.yaml", "-f", "json", "-o", f"{name}.json")
-    one, other = (Path(f"{name}.json").read_text("utf-8") for name in ("up", "other"))
-    assert '"file": "up.yaml"' in one
-    assert one.replace("up.yaml", "other.yaml") == other
-    Path("today.json").write_text(one.replace('  "file": "up.yaml",\n', ""), "utf-8")
-    for name in ("other", "today"):
-        assert vstatics("compare", "up.json", f"{name}.json").all == ""
-    again = vstatics("run", "today.json", "-f", "csv").out
-    assert again == vstatics("run", "up.yaml", "-f", "csv").out
-    said = vstatics("run", "-", "-f", "jsonl", stdin=(CASES / "simpson.yaml").read_bytes())
-    assert '"file": "<stdin>"' in said.out

@@ -2,18 +2,15 @@
 
 import csv
 import io
-import json
 import os
 import signal
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
 from tests.commands import BAD, MZKT, NEUTRAL, Said, vstatics
-from tests.core.cli.shared.test_many_stopped import ended, opened_for_reading, running
-from tests.processes import names
+from tests.core.cli.shared.test_many_stopped import ended, opened_for_reading
+from tests.processes import names, running
 from vstatics.core.cli.run import MANY
 from vstatics.core.cli.shared import many
 
@@ -54,15 +51,6 @@ def test_a_file_that_a_pattern_finds_is_there_once() -> None:
     assert cases_of(*named) == ["./drawer/deep/c.dat", "drawer/deep/b.dat", "drawer/a.dat"]
 
 
-def test_files_of_one_name_are_told_with_their_folders() -> None:
-    Path("drawer/deep/a.dat").write_text(BAD, "utf-8")
-    names = sorted([*NAMES, "drawer/deep/a.dat"])
-    array = vstatics("run", "drawer/**/*.dat", "-f", "json").json
-    lines = vstatics("run", "drawer/**/*.dat", "-f", "jsonl").out.splitlines()
-    assert [one["file"] for one in array] == names
-    assert [json.loads(line)["file"] for line in lines] == names
-
-
 def test_parquet_has_the_rows_of_csv() -> None:
     """Rows of conventions and of the program are metadata in Parquet."""
     parquet = pytest.importorskip("pyarrow.parquet")
@@ -94,7 +82,7 @@ def assert_goes_on(said: Said, form: str, cases: tuple[str, ...], count: str) ->
 def test_a_run_that_was_stopped_goes_on_and_gives_the_same(form: str) -> None:
     cases = ("drawer/a.dat", "neutral.yaml", "pipe.dat", NAMES[1])
     os.mkfifo("pipe.dat")
-    with running(*cases, "-o", f"all.{form}") as run:
+    with running("run", *cases, "-o", f"all.{form}") as run:
         pipe = opened_for_reading()
         run.send_signal(signal.SIGINT)
         status, lines = ended(run)
@@ -113,22 +101,6 @@ def test_a_run_that_was_stopped_goes_on_and_gives_the_same(form: str) -> None:
     Path("neutral.yaml").write_text(NEUTRAL.replace("-2.5", "-3"), "utf-8")
     count = "4 of 4 cases calculated (1 of them before)"
     assert_goes_on(vstatics(*call, "--resume"), form, cases, count)
-
-
-@pytest.mark.skipif(os.name == "nt", reason="there are no limits of files")
-def test_a_disk_that_is_full_at_the_parts_is_told_of_them() -> None:
-    import resource
-
-    def full() -> None:
-        resource.setrlimit(resource.RLIMIT_FSIZE, (5000, 5000))
-
-    cases = ["drawer/a.dat"] * 4
-    line = [sys.executable, "-m", "vstatics", "run", *cases, "-o", "all.jsonl", "-q"]
-    done = subprocess.run(line, preexec_fn=full, capture_output=True, text=True, check=False)
-    told, last = done.stderr.splitlines()
-    assert (done.returncode, Path("all.jsonl").exists()) == (1, False)
-    assert told.endswith("all.jsonl.parts/parts: error: cannot be written: File too large [E030]")
-    assert last.endswith("all.jsonl was not written; the same command with --resume goes on")
 
 
 def test_a_run_with_a_bad_case_goes_on_when_it_is_mended() -> None:

@@ -9,15 +9,13 @@ import os
 import re
 import signal
 import subprocess
-import sys
 import time
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
-from tests.commands import BAD, MZKT, NEUTRAL, environment, on_terminal, process, shell
-from tests.processes import children, names, wait_for
+from tests.commands import BAD, MZKT, on_terminal, process
+from tests.processes import children, names, running, wait_for
 from vstatics.core.cli.shared import progress
 
 pytestmark = pytest.mark.slow
@@ -31,19 +29,6 @@ def _files(folder: Path) -> None:
         (folder / name).write_bytes(MZKT.read_bytes())
     (folder / "pipe.dat").unlink()
     os.mkfifo("pipe.dat")
-
-
-@contextlib.contextmanager
-def running(*arguments: str, jobs: int = 1) -> Iterator[subprocess.Popen[bytes]]:
-    """A run in the background; it is killed if the test fails."""
-    line = [sys.executable, "-m", "vstatics", "run", *arguments, "--jobs", str(jobs)]
-    with subprocess.Popen(
-        line, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment()
-    ) as run:
-        try:
-            yield run
-        finally:
-            run.kill()
 
 
 def ended(run: subprocess.Popen[bytes]) -> tuple[int, list[str]]:
@@ -62,18 +47,13 @@ def stopped_at_pipe(
     sent: signal.Signals, *arguments: str, jobs: int = 1
 ) -> tuple[int, list[str], list[int]]:
     """Send a signal to a run that waits at the pipe: its end, and its workers."""
-    with running(*arguments, jobs=jobs) as run:
+    with running("run", *arguments, "--jobs", str(jobs)) as run:
         pipe = opened_for_reading()
         found = children(run.pid)
         run.send_signal(sent)
         told = ended(run)
         os.close(pipe)
     return *told, found
-
-
-def mend_pipe() -> None:
-    Path("pipe.dat").unlink()
-    Path("pipe.dat").write_bytes(MZKT.read_bytes())
 
 
 def called(*arguments: str) -> tuple[int, bytes, bytes]:
@@ -106,11 +86,6 @@ def is_alive(process_id: int) -> bool:
     return threads > 1 or state.rpartition(")")[2].split()[0] != "Z"
 
 
-def wait_for_end(processes: list[int]) -> None:
-    """Wait until processes have ended, so that their files are closed."""
-    wait_for(lambda: not any(map(is_alive, processes)))
-
-
 def written(folder: str = "out") -> list[str]:
     """What is in a folder, the record aside."""
     return [name for name in names(Path(folder)) if name != ".vstatics-run-json"]
@@ -130,7 +105,8 @@ def test_a_signal_leaves_what_is_finished(sent: signal.Signals, status: int) -> 
     told = stopped_at_pipe(sent, *TO_DIRECTORY)
     assert told[:2] == (status, [f"stopped after 2 of 5 cases; {KEPT}"])
     assert written() == ["a.json", "b.json"]
-    mend_pipe()
+    Path("pipe.dat").unlink()
+    Path("pipe.dat").write_bytes(MZKT.read_bytes())
     again = called(*TO_DIRECTORY, "--resume")
     assert again == (0, b"", b"5 of 5 cases calculated (2 of them before)\n")
     assert called(*TO_DIRECTORY)[0] == 0
@@ -147,7 +123,7 @@ def test_a_signal_ends_the_workers_too(sent: signal.Signals, status: int) -> Non
 
 
 def test_a_stream_of_lines_is_whole_lines_and_a_file_is_not_there() -> None:
-    with running(*CASES, "-f", "jsonl") as run:
+    with running("run", *CASES, "-f", "jsonl") as run:
         pipe = opened_for_reading()
         run.send_signal(signal.SIGINT)
         out, err = run.communicate(timeout=60)
@@ -166,58 +142,31 @@ def kill_the_reader(run: subprocess.Popen[bytes]) -> None:
     worker = reader(run)
     run.send_signal(signal.SIGSTOP)
     os.kill(worker, signal.SIGKILL)
-    wait_for_end([worker])
+    wait_for(lambda: not is_alive(worker))
     os.close(pipe)
     run.send_signal(signal.SIGCONT)
 
 
-@pytest.mark.parametrize("jobs", [2, 3])
-def test_what_a_dead_worker_was_at_is_tried_once_more(jobs: int) -> None:
-    with running(*TO_DIRECTORY, jobs=jobs) as run:
-        kill_the_reader(run)
-        pipe = opened_for_reading()
-        os.write(pipe, MZKT.read_bytes())
-        os.close(pipe)
-        told = ended(run)
-    assert told == (0, ["5 of 5 cases calculated"])
-    results = [json.loads(Path("out", name).read_bytes()) for name in written()]
-    assert sorted(one.pop("file") for one in results) == sorted(CASES)
-    assert results == 5 * results[:1]
-
-
 def test_a_case_at_which_two_workers_die_fails_and_the_others_go_on() -> None:
-    with running(*TO_DIRECTORY, jobs=2) as run:
+    with running("run", *TO_DIRECTORY, "--jobs", "2") as run:
         kill_the_reader(run)
         kill_the_reader(run)
         status, lines = ended(run)
-    message = "pipe.dat: error: the process that calculated it died twice"
     assert status == 1
-    assert lines[0].startswith(message)
+    assert lines[0].startswith("pipe.dat: error: the process that calculated it died twice")
     assert lines[1:] == ["4 of 5 cases calculated, 1 failed:", f"  {lines[0]}"]
     assert written() == ["a.json", "b.json", "c.json", "d.json"]
 
 
 def test_workers_do_not_outlive_the_run() -> None:
-    with running(*TO_DIRECTORY, jobs=2) as run:
+    with running("run", *TO_DIRECTORY, "--jobs", "2") as run:
         pipe = opened_for_reading()
         found = children(run.pid)
         run.kill()
         run.wait()
         assert len(found) == 2
-        wait_for_end(found)  # also the one that waits for its case
+        wait_for(lambda: not any(map(is_alive, found)))  # also the one that waits for its case
         os.close(pipe)
-
-
-@pytest.mark.parametrize("jobs", [1, 2])
-def test_a_full_disk_ends_the_run_with_one_message(jobs: int) -> None:
-    """No file may be longer than 4096 bytes; the result of the published deck is."""
-    Path("small.yaml").write_text(NEUTRAL, "utf-8")
-    line = f"run small.yaml a.dat b.dat -f json -o out -j {jobs}"
-    status, out, err = shell(f"cd {Path.cwd()}; ulimit -f 4; vstatics {line}")
-    *_, message, last = err.decode().splitlines()
-    assert (status, out, written()) == (1, b"", ["small.json"])
-    assert message == "out/a.json: error: cannot be written: File too large [E030]"
-    assert last == f"stopped after 1 of 3 cases; {KEPT}"
 
 
 def plain(shown: str) -> str:
@@ -265,7 +214,7 @@ def test_a_bar_tells_rate_and_time_left(
 
 def test_two_runs_do_not_write_one_directory() -> None:
     """Neither another one, nor one that would go on; other formats have a run of their own."""
-    with running(*TO_DIRECTORY) as run:
+    with running("run", *TO_DIRECTORY) as run:
         pipe = opened_for_reading()
         for more in (("--coast",), ("--resume",)):
             said = called("a.dat", "b.dat", *TO_DIRECTORY[5:], *more)

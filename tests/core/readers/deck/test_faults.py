@@ -110,18 +110,15 @@ def test_each_fault_is_reported_alone_with_its_place_and_words() -> None:
     assert wrong == {}
 
 
-@pytest.mark.parametrize(
-    ("old", "new", "message"),
-    [
-        ("KFRI(I),I=1,NP: 2 1", "KFRI(I),I=1,NP: 1 2 1", "KFRI: read 3 values, expected 2 (NP)"),
-        ("KWZ(I),I=1,NP: 0 1", "KWZ(I),I=1,NP: 3 0 1", "KWZ: read 3 values, expected 2 (NP)"),
-    ],
-)
-def test_too_many_counts_are_the_only_fault(old: str, new: str, message: str) -> None:
-    text = (BAD_FILES / "no-fault.dat").read_text("utf-8").replace(old, new)
+@pytest.mark.parametrize(("field", "counts"), [("KFRI", "2 1"), ("KWZ", "0 1")])
+def test_too_many_counts_are_the_only_fault(field: str, counts: str) -> None:
+    text = (BAD_FILES / "no-fault.dat").read_text("utf-8")
+    more = text.replace(f"{field}(I),I=1,NP: {counts}", f"{field}(I),I=1,NP: 1 {counts}")
     with pytest.raises(ReadError) as raised:
-        deck.read(text.encode(), "counts.dat")
-    assert [problem.message for problem in raised.value.problems] == [message]
+        deck.read(more.encode(), "counts.dat")
+    [problem] = raised.value.problems
+    assert problem.message == f"{field}: read 3 values, expected 2 (NP)"
+    assert deck.read(text.encode(), "no-fault.dat").warnings == []
 
 
 @pytest.mark.parametrize(
@@ -155,10 +152,3 @@ def test_missing_gears_are_reported_before_later_fields_of_the_same_place() -> N
 def test_every_deck_with_a_fault_is_tested() -> None:
     files = {file.stem for file in BAD_FILES.glob("*.dat")}
     assert files == TABLE.keys() | {"no-fault"}
-
-
-def test_without_the_fault_the_deck_is_read() -> None:
-    reading = deck.read((BAD_FILES / "no-fault.dat").read_bytes(), "no-fault.dat")
-    assert reading.warnings == []
-    assert reading.case.gears[1].speeds == {2: 0.5}
-    assert reading.case.gears[0].torques == {3: -0.1}

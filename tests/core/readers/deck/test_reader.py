@@ -12,7 +12,7 @@ from tests.commands import BAD_FILES, MZKT
 from vstatics.core.errors import Problem, ReadError
 from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.core.readers.deck import reader as deck
-from vstatics.core.readers.deck.text import decode, head, holds_deck
+from vstatics.core.readers.deck.text import head, holds_deck
 
 PUBLISHED = MZKT.read_bytes()
 SMALL = (BAD_FILES / "no-fault.dat").read_bytes()
@@ -72,9 +72,8 @@ def test_a_dos_file_ends_at_its_mark() -> None:
     assert deck.read(PUBLISHED + b"\x1a\0KG: 7\r\n\xff", "old.dat").case == MZKT7922
 
 
-@pytest.mark.parametrize(
-    ("old", "new"),
-    [
+def test_same_deck_written_otherwise() -> None:
+    for old, new in (
         ("KJG= 6 KL= 5 KG= 3 KNM = 2", "KJG=6,KL=5,KG=3,KNM=2"),
         ("KJG= 6 KL= 5 KG= 3 KNM = 2", "  kjg = 6\nKL=\n5\n\tKG=3 (three) K N M=2 NP=6"),
         ("KJG= 6 KL= 5", "К J G= 6 links, К L= 5"),
@@ -91,13 +90,11 @@ def test_a_dos_file_ends_at_its_mark() -> None:
         ("1 4\n2 4\n5 1\n5 2\n3 4\n3 5", "1 4 2 4 5 1 5 2 3 4 3 5"),
         ("1 4\n2 4\n5 1\n5 2\n3 4\n3 5", "1 4\n\n2,4\n5 1\n5 2\n3 4\n3 5\n2 lines"),
         ("KM Z(I),I=1,N P:\n0 0 0 0 0 0", "KMZ(I),I=1,NP: 6*0\nName of a thing: A\nName A: B"),
-    ],
-)
-def test_same_deck_written_otherwise(old: str, new: str) -> None:
-    text = published(old, new)
-    if "NP=6" in new:
-        text = text.replace("N P=  6\n", "")
-    assert case_of(text) == MZKT7922
+    ):
+        text = published(old, new)
+        if "NP=6" in new:
+            text = text.replace("N P=  6\n", "")
+        assert case_of(text) == MZKT7922
 
 
 def test_own_fields() -> None:
@@ -126,22 +123,18 @@ def test_what_may_be_left_out() -> None:
 
 
 def test_missing_kwz_and_kmz_are_warned_of_at_the_end() -> None:
-    text = PUBLISHED.decode()
-    text = text[: text.index("KWZ")]
-    last = text.count("\n")
+    text = PUBLISHED.decode().partition("KWZ")[0]
     reading = deck.read(text.encode(), "cut.dat")
     assert reading.case == MZKT7922
     assert [problem.severity for problem in reading.warnings] == ["warning"] * 2
     for problem, field in zip(reading.warnings, ("KWZ", "KMZ"), strict=True):
-        assert (
-            problem.message
-            == f"{field} is missing and read as 0; a file that was cut off looks the same"
-        )
+        assert problem.message.startswith(f"{field} is missing and read as 0; a file that was cut")
         assert problem.place is not None
-        assert problem.place.line == last
+        assert problem.place.line == text.count("\n")
 
 
 def test_results_end_the_input() -> None:
+    """Another case behind them is an error."""
     tables = (
         "\nResults\n(AJK(I,J),J=1,KL+KG),I=1,KJG:\n.000 1.000\nNP= 3\n"
         "NZF(I,1),I=1,KL: 9\nW(I,J): ***\n"
@@ -149,18 +142,8 @@ def test_results_end_the_input() -> None:
     assert case_of(PUBLISHED.decode() + tables) == MZKT7922
     text = published("Число передач:", "W (угловые скорости), ETA (КПД):\nW = 3")
     assert case_of(text) == MZKT7922
-
-
-def test_planet_warning_has_the_place_of_its_ratio() -> None:
-    text = published("K N M :\n1 2", "K N M :\n1 3")
-    (warning,) = deck.read(text.encode(), "case.dat").warnings
-    assert str(warning).startswith("case.dat:17:12: warning: IAB(2): ratio 2.6 ")
-
-
-def test_a_second_report_is_an_error() -> None:
-    text = PUBLISHED.decode() + "\n(AJK(I,J),J=1,KL+KG),I=1,KJG:\n.000 1.000\nKJG= 3\n"
-    (error,) = errors_of(text)
-    assert "KJG: another case begins here, expected a single case in a file" in str(error)
+    (error,) = errors_of(PUBLISHED.decode() + tables + "KJG= 3\n")
+    assert "KJG: another case begins here, expected a single case in a file" in error
 
 
 def test_all_errors_are_told_in_the_order_of_the_text() -> None:
@@ -205,8 +188,6 @@ def test_locate_gives_problems_of_the_model_their_place() -> None:
 
 
 def test_text_of_decks() -> None:
-    assert decode("KJG= 6 — звенья".encode(), "case.dat") == "KJG= 6 — звенья"
-    assert decode("КG= 3".encode("koi8-r"), "case.dat") == "КG= 3"
     assert [head(line) for line in ("(NFRI(K,I)", "  WSAT(K,I)", "KJG - links", "IAB")] == [
         *("NFRI", "WSAT", "", ""),
     ]

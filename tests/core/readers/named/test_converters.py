@@ -35,26 +35,24 @@ def test_a_converter_is_read_with_its_ratio_and_written_as_it_was() -> None:
         check_deck(case)
 
 
-@pytest.mark.parametrize(
-    ("old", "new", "place", "message"),
-    [
-        ("[engine, turbine], p", "[engine, engine], p", "4:26", "two different links"),
-        ("[engine, turbine], p", "[engine, housing], p", "4:35", "a link number from 1 to 3"),
-        ("[engine, turbine], p", "[engine, turbin], p", "4:35", "did you mean `turbine`"),
-        ("[1, 1, 0]", "[0, 1, 0]", "4:76", "must ascend"),
-        ("[1, 1, 0]", "[1, -1, 0]", "4:79", "a torque ratio of 0 or more"),
-        ("[1, 1, 0]", "[.9, 1, -2]", "4:83", "a lambda of 0 or more up to i = 1"),
-        ("[1, 1, 0]", "[1, 1]", "4:75", "expected 3 numbers"),
-        ("converters: {TC", "converters: {pair", "4:14", "`pair` is also the name of a mechanism"),
-        ("{TC: 0.6}", "{TK: 0.6}", "5:30", "the name of a mechanism: pair, TC"),
-        ("{TC: 0.6}", "{TC: .inf}", "5:34", "expected a number"),
-    ],
-)
-def test_a_fault_is_told_at_its_place(old: str, new: str, place: str, message: str) -> None:
-    with pytest.raises(ReadError) as caught:
-        loaded(CASE.replace(old, new))
-    assert f"case.yaml:{place}: " in str(caught.value)
-    assert message in str(caught.value)
+FAULTS = {
+    ("[engine, turbine], p", "[engine, engine], p"): "4:26: .*two different links",
+    ("[engine, turbine], p", "[engine, housing], p"): "4:35: .*a link number from 1 to 3",
+    ("[engine, turbine], p", "[engine, turbin], p"): "4:35: .*did you mean `turbine`",
+    ("[1, 1, 0]", "[0, 1, 0]"): "4:76: .*must ascend",
+    ("[1, 1, 0]", "[1, -1, 0]"): "4:79: .*a torque ratio of 0 or more",
+    ("[1, 1, 0]", "[.9, 1, -2]"): "4:83: .*a lambda of 0 or more up to i = 1",
+    ("[1, 1, 0]", "[1, 1]"): "4:75: .*expected 3 numbers",
+    ("converters: {TC", "converters: {pair"): "4:14: .*`pair` is also the name of a mechanism",
+    ("{TC: 0.6}", "{TK: 0.6}"): "5:30: .*the name of a mechanism: pair, TC",
+    ("{TC: 0.6}", "{TC: .inf}"): "5:34: .*expected a number",
+}
+
+
+def test_a_fault_is_told_at_its_place() -> None:
+    for change, said in FAULTS.items():
+        with pytest.raises(ReadError, match=f"case.yaml:{said}"):
+            loaded(CASE.replace(*change))
 
 
 def test_a_mechanism_of_its_kind_with_lambda_is_one_of_them() -> None:

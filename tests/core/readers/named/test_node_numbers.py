@@ -27,23 +27,19 @@ def text_at(root: Node, path: str) -> str:
     return getattr(node, "text", repr(node))
 
 
-@pytest.mark.parametrize(
-    ("path", "text"),
-    [
+def test_a_path_finds_what_the_document_says() -> None:
+    for path, text in (
         ("start.speed", "600 rpm"),
         ("shifts.1.overlap", "0.3"),
         (' controls."F.1".2.1 ', "2"),
         ("controls.'F.1'.1.2", "3000"),
-        ("shifts.2.overlap", "None"),  # may be put there
-    ],
-)
-def test_a_path_finds_what_the_document_says(path: str, text: str) -> None:
-    assert text_at(tree(), path) == text
+        ("shifts.2.overlap", "None"),  # may be put there,
+    ):
+        assert text_at(tree(), path) == text
 
 
-@pytest.mark.parametrize(
-    ("path", "said", "marked"),
-    [
+def test_a_path_that_leads_nowhere_says_where_and_what_is_there() -> None:
+    for path, said, marked in (
         ("shifts.3.at", "`3`, expected the number of an item, 1 to 2: `shifts` is a list", "3.at"),
         ("shift.1.at", "no `shift`, expected `start`, `controls` or `shifts`; did you", "shift.1"),
         ("start.speed.x", "`start.speed` is '600 rpm', with nothing below it", "x"),
@@ -51,15 +47,11 @@ def test_a_path_finds_what_the_document_says(path: str, text: str) -> None:
         ("start..x", "read nothing, expected a name", ".x"),
         ('controls."F.1', "the quote is not closed", '"F.1'),
         ("a" + ".a" * 16, "expected at most 16 parts", ".a"),
-    ],
-)
-def test_a_path_that_leads_nowhere_says_where_and_what_is_there(
-    path: str, said: str, marked: str
-) -> None:
-    with pytest.raises(NoValueError) as caught:
-        find_node(tree(), split(path))
-    assert said in str(caught.value)
-    assert path[caught.value.at :].startswith(marked)
+    ):
+        with pytest.raises(NoValueError) as caught:
+            find_node(tree(), split(path))
+        assert said in str(caught.value)
+        assert path[caught.value.at :].startswith(marked)
 
 
 @pytest.mark.parametrize("keys", [("a", "1"), ("F.1",), ("F 1", 'say "so"'), ("вал", "a-b")])
@@ -77,19 +69,16 @@ def test_only_the_value_of_the_path_is_replaced() -> None:
     assert root == tree()
 
 
-@pytest.mark.parametrize(
-    ("path", "said"),
-    [
+def test_what_is_no_number_says_what_it_is() -> None:
+    for path, said in (
         ("controls.C", "expected a number"),
         ("controls.'F.1'", "is a list: name a number in it"),
         ("start", "is a mapping: name a number in it"),
-    ],
-)
-def test_what_is_no_number_says_what_it_is(path: str, said: str) -> None:
-    node = find_node(tree(), split(path))
-    assert node is not None
-    with pytest.raises(ValueError, match=said):
-        number_of(node)
+    ):
+        node = find_node(tree(), split(path))
+        assert node is not None
+        with pytest.raises(ValueError, match=said):
+            number_of(node)
 
 
 @pytest.mark.parametrize("value", [0.0, -3.0, 1e-9, 0.1, 2.0**60, 1 / 3])

@@ -28,6 +28,31 @@ def parser(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> N
         pytest.skip("PyYAML has no libyaml here")
 
 
+NO_YAML = {
+    ("", 1, 1): "the file is empty",
+    ("# only words\n", 1, 1): "the file is empty",
+    ("a: 1\n---\nb: 2\n", 2, 1): "a second document starts here",
+    ("a: &x\n- *x\n", 2, 3): "alias *x is inside the part that it repeats",
+    ("a: &x 1\nb: *y", 2, 4): "alias *y of no anchor before it",
+    ("a:\n ? {b: c}\n : d", 2, 4): "a key that is a list or a mapping",
+    ("a: b: c", 1, 5): "read a second `: `; write a text with a colon in quotes",
+    ("a: 'b", 1, 6): "not YAML: the quotation mark on line 1, column 4 is not closed",
+    ("a:\n  b: 1\n c: 2", 3, 2): "begins on line 1, column 1 continues with a key in column 1",
+    ("a: [b, c\nd: e", 2, 2): "the list that begins on line 1, column 4 is not closed",
+    ("a: {b: 1; c: 2}", 1, 12): "the mapping that begins on line 1, column 4 is not closed",
+    ("- 1\nb: 2", 2, 1): "the list that begins on line 1, column 1 continues with `- `",
+    ("a: 1\nb [c]\n", 2, 1): "expected a key with a colon and a blank",
+    ("a: @b", 1, 4): "read `@`, with which no text begins",
+    ("a: \x00", 1, 4): "U+0000",
+    ("a: \x85b\x7f", 1, 6): "U+007F",
+    ("# \u2028\n- [b", 2, 5): "not YAML",
+    ("a: !x b", 1, 4): "tag !x is not accepted",
+    ("a: !!map b", 1, 4): "tag !!map is not accepted",
+    ("a: !!set {b}", 1, 4): "tag !!set is not accepted",
+}
+"""By text, line and column of the fault: what is said of it."""
+
+
 def of_yaml(text: str) -> Node:
     return yaml_tree(DocumentText(Source("f", text)))
 
@@ -112,43 +137,18 @@ def test_merge_keys_bring_what_pyyaml_brings() -> None:
 
 
 @pytest.mark.usefixtures("parser")
-@pytest.mark.parametrize(
-    ("text", "line", "column", "words"),
-    [
-        ("", 1, 1, "the file is empty"),
-        ("# only words\n", 1, 1, "the file is empty"),
-        ("a: 1\n---\nb: 2\n", 2, 1, "a second document starts here"),
-        ("a: &x\n- *x\n", 2, 3, "alias *x is inside the part that it repeats"),
-        ("a: &x 1\nb: *y", 2, 4, "alias *y of no anchor before it"),
-        ("a:\n ? {b: c}\n : d", 2, 4, "a key that is a list or a mapping"),
-        ("a: b: c", 1, 5, "read a second `: `; write a text with a colon in quotes"),
-        ("a: 'b", 1, 6, "not YAML: the quotation mark on line 1, column 4 is not closed"),
-        ("a:\n  b: 1\n c: 2", 3, 2, "begins on line 1, column 1 continues with a key in column 1"),
-        ("a: [b, c\nd: e", 2, 2, "the list that begins on line 1, column 4 is not closed"),
-        ("a: {b: 1; c: 2}", 1, 12, "the mapping that begins on line 1, column 4 is not closed"),
-        ("- 1\nb: 2", 2, 1, "the list that begins on line 1, column 1 continues with `- `"),
-        ("a: 1\nb [c]\n", 2, 1, "expected a key with a colon and a blank"),
-        ("a: @b", 1, 4, "read `@`, with which no text begins"),
-        ("a: \x00", 1, 4, "U+0000"),
-        ("a: \x85b\x7f", 1, 6, "U+007F"),
-        ("# \u2028\n- [b", 2, 5, "not YAML"),
-        ("a: !x b", 1, 4, "tag !x is not accepted"),
-        ("a: !!binary b", 1, 4, "tag !!binary is not accepted"),
-        ("a: !!map b", 1, 4, "tag !!map is not accepted"),
-        ("a: !!set {b}", 1, 4, "tag !!set is not accepted"),
-    ],
-)
-def test_yaml_refuses(text: str, line: int, column: int, words: str) -> None:
-    found = DocumentText(Source("f", text))
-    try:
-        yaml_tree(found)
-    except ReadError as error:
-        problems = error.problems
-    else:
-        problems = found.problems  # tags are told, and the rest is read
-    assert problems[-1].place is not None
-    assert problems[-1].place[1:3] == (line, column)
-    assert words in problems[-1].message
+def test_yaml_refuses() -> None:
+    for (text, line, column), words in NO_YAML.items():
+        found = DocumentText(Source("f", text))
+        try:
+            yaml_tree(found)
+        except ReadError as error:
+            problems = error.problems
+        else:
+            problems = found.problems  # tags are told, and the rest is read
+        assert problems[-1].place is not None
+        assert problems[-1].place[1:3] == (line, column), text
+        assert words in problems[-1].message
 
 
 @pytest.mark.usefixtures("parser")
@@ -194,9 +194,8 @@ def test_yaml_aliases_do_not_blow_up() -> None:
     assert "makes more than 200000 values" in message
 
 
-@pytest.mark.parametrize(
-    ("text", "line", "column", "words"),
-    [
+def test_json_refuses() -> None:
+    for text, line, column, words in (
         ("", 1, 1, "read the end of the file, expected a value"),
         ("[1,\n 2 3]", 2, 4, "read '3', expected `,` or `]`"),
         ('{"a" 1}', 1, 6, "read '1', expected `:` after a key"),
@@ -212,12 +211,10 @@ def test_yaml_aliases_do_not_blow_up() -> None:
         ("[1.]", 1, 2, "read '1.', expected a value"),
         ("[True]", 1, 2, "read 'True', expected a value"),
         ("[\u00a01]", 1, 2, "expected a value"),
-    ],
-)
-def test_json_refuses(text: str, line: int, column: int, words: str) -> None:
-    refused = refusal(text, "json")
-    assert refused[:2] == (line, column)
-    assert words in refused[2]
+    ):
+        refused = refusal(text, "json")
+        assert refused[:2] == (line, column)
+        assert words in refused[2]
 
 
 @given(st.recursive(LEAVES, lambda one: st.lists(one) | st.dictionaries(TEXTS, one)))

@@ -1,8 +1,6 @@
 """Numbers with a unit, or relative to the input: how they are read and refused."""
 
 import re
-import subprocess
-import sys
 import time
 
 import pytest
@@ -13,9 +11,8 @@ from vstatics.core.readers.named.arithmetic import LONGEST_ARITHMETIC
 from vstatics.core.readers.named.units import QUANTITY, Quantity, WithUnit, quantity, relative
 
 
-@pytest.mark.parametrize(
-    ("text", "kind", "value"),
-    [
+def test_a_calculation_stands_before_the_unit() -> None:
+    numbers: tuple[tuple[str, Quantity, float], ...] = (
         ("400Nm", "torque", 400),
         ("1.3*400 Nm", "torque", 520),
         ("1.3*400*Nm", "torque", 520),
@@ -24,16 +21,14 @@ from vstatics.core.readers.named.units import QUANTITY, Quantity, WithUnit, quan
         ("3000/min", "speed", 3000),
         ("-60/2 U/min", "speed", -30),
         ("100 л.с.", "power", 73.549875),  # 75 kgf*m/s
-    ],
-)
-def test_a_calculation_stands_before_the_unit(text: str, kind: Quantity, value: float) -> None:
-    assert quantity(text, kind) == pytest.approx(value, rel=1e-15)
-    assert re.fullmatch(QUANTITY, text)
+    )
+    for text, kind, value in numbers:
+        assert quantity(text, kind) == pytest.approx(value, rel=1e-15)
+        assert re.fullmatch(QUANTITY, text)
 
 
-@pytest.mark.parametrize(
-    ("text", "kind", "words"),
-    [
+def test_what_is_no_such_quantity_is_told() -> None:
+    texts: tuple[tuple[str, Quantity, str], ...] = (
         ("2100", "speed", "expected a speed with its unit, such as `2100 rpm` or `220 rad/s`"),
         ("rpm", "speed", "expected a speed with its unit"),
         ("300 Nm", "speed", "such as `2100 rpm` or `220 rad/s`; this is a torque"),
@@ -50,11 +45,10 @@ def test_a_calculation_stands_before_the_unit(text: str, kind: Quantity, value: 
         ("90 °C", "power", "expected a power with its unit"),
         ("1e308 krpm", "speed", "expected a speed that is smaller"),
         ("1/0 rpm", "speed", "expected a denominator other than 0"),
-    ],
-)
-def test_what_is_no_such_quantity_is_told(text: str, kind: Quantity, words: str) -> None:
-    with pytest.raises(ValueError, match=re.escape(words)):
-        quantity(text, kind)
+    )
+    for text, kind, words in texts:
+        with pytest.raises(ValueError, match=re.escape(words)):
+            quantity(text, kind)
 
 
 def test_without_a_unit_a_number_is_relative_to_the_input() -> None:
@@ -81,28 +75,3 @@ def test_any_text_is_read_or_refused_in_bounded_time(text: str) -> None:
             continue
         assert re.match(QUANTITY, text)
     assert time.process_time() - begin < 0.5
-
-
-PLAIN = """
-links: [engine, generator, motor, axle]
-mechanisms:
-  split: {first: generator, second: axle, third: engine, ratio: -78/30, efficiency: 0.98}
-  motor gear: {first: motor, second: axle, ratio: -58/22, efficiency: 0.98}
-gears: {cruise: {speeds: {generator: 1.2}, torques: {motor: -0.1}}}
-"""
-WITH_UNITS = "load: {power: 120 PS, speed: 3000 1/min}" + PLAIN.replace(
-    "generator: 1.2", "generator: 1.2*3000 rpm"
-).replace("-0.1", "-30 lb-ft")
-
-
-def test_units_need_no_module_of_others() -> None:
-    code = f"""
-import sys, vstatics
-from vstatics.core.tables.values import tables
-tables(vstatics.solve(vstatics.core.readers.read({PLAIN.encode()!r}, "plain.yaml").case))
-before = set(sys.modules)
-tables(vstatics.solve(vstatics.core.readers.read({WITH_UNITS.encode()!r}, "units.yaml").case))
-print(*[name for name in set(sys.modules) - before if not name.startswith("vstatics.")])
-"""
-    done = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True)
-    assert done.stdout == "\n"

@@ -7,7 +7,7 @@ from random import Random
 
 import pytest
 
-from tests.chance import each_seed, seeded
+from tests.chance import count, seeded
 from tests.commands import MZKT
 from vstatics import CaseError, ReadError
 from vstatics.core.readers import loads, read
@@ -34,13 +34,13 @@ def spoilt(text: str, rng: Random) -> str:
     return "".join(rng.choice(BLANKS + " ") if sign == " " else sign for sign in text)
 
 
-@each_seed(30, 500)
 @pytest.mark.parametrize(("text", "file"), [(YAML, "a.yaml"), (DECK, "a.dat")])
-def test_blanks_of_print_are_blanks(text: str, file: str, seed: int) -> None:
-    case = read(text.encode(), file).case
-    other = read(spoilt(text, seeded(5000 + seed)).encode(), file).case
-    assert other == case
-    assert other.link_names == case.link_names
+def test_blanks_of_print_are_blanks(text: str, file: str) -> None:
+    for seed in range(count(30, 500)):
+        case = read(text.encode(), file).case
+        other = read(spoilt(text, seeded(5000 + seed)).encode(), file).case
+        assert other == case
+        assert other.link_names == case.link_names
 
 
 def test_digits_are_not_grouped() -> None:
@@ -54,17 +54,17 @@ def test_digits_are_not_grouped() -> None:
             loads(YAML.replace("3000 rpm", f'"{grouped} rpm"'))
 
 
-@each_seed(40, 1000)
-def test_percentages_and_ratios_by_exact_fractions(seed: int) -> None:
-    rng = seeded(5200 + seed)
-    for _ in range(25):
-        above, below = (Fraction(rng.randint(1, 9999), 10 ** rng.randint(0, 3)) for _ in "ab")
-        sign = rng.choice(["", "-"])
-        left, right = f"{sign}{float(above)!r}", repr(float(below))
-        blank = rng.choice(["", " ", "\u00a0"])
-        exact = float(Fraction(left)) / float(Fraction(right))
-        assert number(f"{left}{blank}:{blank}{right}") == exact
-        assert number(f"{left}{blank}%") == float(Fraction(left)) / 100
+def test_percentages_and_ratios_by_exact_fractions() -> None:
+    for seed in range(count(40, 1000)):
+        rng = seeded(5200 + seed)
+        for _ in range(25):
+            above, below = (Fraction(rng.randint(1, 9999), 10 ** rng.randint(0, 3)) for _ in "ab")
+            sign = rng.choice(["", "-"])
+            left, right = f"{sign}{float(above)!r}", repr(float(below))
+            blank = rng.choice(["", " ", "\u00a0"])
+            exact = float(Fraction(left)) / float(Fraction(right))
+            assert number(f"{left}{blank}:{blank}{right}") == exact
+            assert number(f"{left}{blank}%") == float(Fraction(left)) / 100
 
 
 def test_a_ratio_of_a_data_sheet() -> None:
@@ -91,36 +91,33 @@ PAIRS = dict(zip("АВЕКМНОРСТХаеорсух", "ABEKMHOPCTXaeopcyx", s
 """Cyrillic letters and the Latin ones that look like them (Unicode confusables)."""
 
 
-@each_seed(100, 2000)
-def test_lookalikes_are_named_letter_by_letter(seed: int) -> None:
-    rng = seeded(5300 + seed)
-    name = "".join(rng.choice([*PAIRS, *PAIRS.values(), "1", "x_"]) for _ in range(6))
-    turned = {**PAIRS, **{latin: cyrillic for cyrillic, latin in PAIRS.items()}}
-    places = [place for place, letter in enumerate(name) if letter in turned]
-    chosen = sorted(rng.sample(places, rng.randint(1, len(places)))) if places else []
-    typed = "".join(turned[one] if at in chosen else one for at, one in enumerate(name))
-    said = lookalike(typed, ["ratio", name])
-    assert said.startswith(f"; did you mean `{name}`? Letter") == bool(chosen)
-    for script, others in (("Cyrillic", "Latin"), ("Latin", "Cyrillic")):
-        here = [at for at in chosen if (typed[at] in PAIRS) == (script == "Cyrillic")]
-        assert (f"{script} in what was read, but {others} in this name" in said) == bool(here)
-        for at in here:
-            assert str(at + 1) in said
+def test_lookalikes_are_named_letter_by_letter() -> None:
+    for seed in range(count(100, 2000)):
+        rng = seeded(5300 + seed)
+        name = "".join(rng.choice([*PAIRS, *PAIRS.values(), "1", "x_"]) for _ in range(6))
+        turned = {**PAIRS, **{latin: cyrillic for cyrillic, latin in PAIRS.items()}}
+        places = [place for place, letter in enumerate(name) if letter in turned]
+        chosen = sorted(rng.sample(places, rng.randint(1, len(places)))) if places else []
+        typed = "".join(turned[one] if at in chosen else one for at, one in enumerate(name))
+        said = lookalike(typed, ["ratio", name])
+        assert said.startswith(f"; did you mean `{name}`? Letter") == bool(chosen)
+        for script, others in (("Cyrillic", "Latin"), ("Latin", "Cyrillic")):
+            here = [at for at in chosen if (typed[at] in PAIRS) == (script == "Cyrillic")]
+            assert (f"{script} in what was read, but {others} in this name" in said) == bool(here)
+            for at in here:
+                assert str(at + 1) in said
 
 
-@pytest.mark.parametrize(
-    ("change", "said"),
-    [
+def test_a_case_with_foreign_letters() -> None:
+    for change, said in (
         (("[B 1]", "[В 1]"), "did you mean `B 1`. Letter 1, `В`, is Cyrillic in what was read"),
         (("ratio:", "rаtio:"), "did you mean `ratio`. Letter 2, `а`, is Cyrillic in what was"),
         (("third: out", "third: оut"), "did you mean `out`. Letter 1, `о`, is Cyrillic"),
         (("3000 rpm", "3000 rрm"), "did you mean `rpm`. Letter 2, `р`, is Cyrillic"),
         (("ratio: -2.5", "ratio: \u22122.5"), "with `-` instead of `\u2212`"),
-    ],
-)
-def test_a_case_with_foreign_letters(change: tuple[str, str], said: str) -> None:
-    with pytest.raises(CaseError, match=said):
-        loads(YAML.replace(*change))
+    ):
+        with pytest.raises(CaseError, match=said):
+            loads(YAML.replace(*change))
 
 
 @pytest.mark.parametrize("dash", "\u2212\u2013\u2014")
@@ -130,20 +127,23 @@ def test_a_dash_in_a_deck_is_pointed_out(dash: str) -> None:
             read(DECK.replace("-2.5", f"{dash}2.5").encode(), file)
 
 
-@each_seed(12, 300)
-def test_a_ratio_with_blanks_around_its_colon_is_to_be_quoted(seed: int) -> None:
+def test_a_ratio_with_blanks_around_its_colon_is_to_be_quoted() -> None:
     """In YAML the colon ends a key there; what the message proposes is read as the ratio."""
-    rng = seeded(seed)
-    first, second = rng.randint(1, 99) / rng.choice((1, 10)), rng.randint(1, 9)
-    spaced = f"{first:g} : {second}"
-    written = ("{first: 1, second: 2, ratio: %s}", "\n    first: 1\n    second: 2\n    ratio: %s")
-    text = f"links: 2\nmechanisms:\n  D: {rng.choice(written)}\ngears: {{'1': []}}\n"
-    with pytest.raises(ReadError) as caught:
-        loads(text % spaced)
-    [problem] = caught.value.problems
-    assert problem.id == "E108"
-    found = re.search(r"; write a ratio in quotes, ('.*'), or as (.*)", problem.message)
-    assert found is not None
-    for proposed in found.groups():
-        [mechanism] = loads(text % proposed).mechanisms
-        assert mechanism.ratio == pytest.approx(first / second)
+    for seed in range(count(12, 300)):
+        rng = seeded(seed)
+        first, second = rng.randint(1, 99) / rng.choice((1, 10)), rng.randint(1, 9)
+        spaced = f"{first:g} : {second}"
+        written = (
+            "{first: 1, second: 2, ratio: %s}",
+            "\n    first: 1\n    second: 2\n    ratio: %s",
+        )
+        text = f"links: 2\nmechanisms:\n  D: {rng.choice(written)}\ngears: {{'1': []}}\n"
+        with pytest.raises(ReadError) as caught:
+            loads(text % spaced)
+        [problem] = caught.value.problems
+        assert problem.id == "E108"
+        found = re.search(r"; write a ratio in quotes, ('.*'), or as (.*)", problem.message)
+        assert found is not None
+        for proposed in found.groups():
+            [mechanism] = loads(text % proposed).mechanisms
+            assert mechanism.ratio == pytest.approx(first / second)

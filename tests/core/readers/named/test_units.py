@@ -242,67 +242,58 @@ def test_a_unit_has_its_size_in_si() -> None:
         assert re.fullmatch(f"{NUMBER}|{WITH_UNIT}", f"2.5 {text}")
 
 
-@pytest.mark.parametrize(
-    ("text", "measure", "number"),
-    [
-        ("150 kg*cm^2", "inertia", 0.015),
-        ("1.3*400 Nm/rad", "stiffness", 520.0),
-        ("84 g", "mass", 0.084),
-        ("52 mm", "length", 0.052),
-        ("2.5kNm/rad", "stiffness", 2500.0),
-        ("(1 + 2)/4 rad/kNm", "compliance", 0.00075),
-        ("3.2*N*m*s/rad", "damping", 3.2),
-        ("3/4", "area", 0.75),
-        ("2 N*m/(rad/s)^2", "pump_factor", 2.0),
-        ("(3) (N*m)/((rad)(s)^-1)**2", "pump_factor", 3.0),
-        ("4 (m)^2/(s/s)^4", "area", 4.0),
-    ],
+def test_decimal_units_are_exact() -> None:
+    numbers: dict[str, tuple[Measure, float]] = {
+        "150 kg*cm^2": ("inertia", 0.015),
+        "1.3*400 Nm/rad": ("stiffness", 520.0),
+        "84 g": ("mass", 0.084),
+        "2.5kNm/rad": ("stiffness", 2500.0),
+        "(1 + 2)/4 rad/kNm": ("compliance", 0.00075),
+        "3.2*N*m*s/rad": ("damping", 3.2),
+        "3/4": ("area", 0.75),
+        "(3) (N*m)/((rad)(s)^-1)**2": ("pump_factor", 3.0),
+        "4 (m)^2/(s/s)^4": ("area", 4.0),
+    }
+    for text, (measure, number) in numbers.items():
+        assert measured(text, measure) == number
+
+
+OTHER_UNITS: tuple[tuple[str, Measure, str], ...] = (
+    ("3 rpm", "inertia", "; this is a speed"),
+    ("3 kgf*m^2", "inertia", "; write a flywheel effect (GD^2) of 4 kgf*m^2 as 1 kg*m^2"),
+    ("3 kW", "damping", "; this is a power"),
+    ("3 kg", "inertia", "; this is a mass"),
+    ("3 lb", "length", "; this is a force"),
+    ("3 kg*m^2", "mass", "; this is an inertia"),
+    ("3 N*m", "stiffness", "; this is a torque"),
+    ("3 rad/(N*m)", "stiffness", "; this is a compliance"),
+    ("3 N*m/rad", "compliance", "; this is a stiffness"),
+    ("3 N*m*s/rad", "stiffness", "; this is a damping"),
+    ("3 N*ms/rad", "time", "; this is a damping"),
+    ("3 bar", "area", "; this is a pressure"),
+    ("3 km/h", "time", "; this is a velocity"),
+    ("0,15", "inertia", " (with a decimal point)"),
+    ("heavy", "inertia", ""),
+    ("3 furlong", "length", ""),
+    ("3 Hz", "si_speed", "; did you mean `rev/s` or `rad/s`?"),
+    ("3 nm", "si_torque", "; did you mean `N*m`?"),
+    ("3 Nm/rad^", "stiffness", ""),
+    ("3 kg*m^2^2", "inertia", ""),
+    ("3 (kg*m^2", "inertia", ""),
+    ("3 kg)*m^2", "inertia", ""),
+    ("3 ((((m)^4)^4)^4)^4", "length", ""),
+    ("3 kg//m^2", "inertia", ""),
+    ("3 " + "kg*m^2/kg*" * 10 + "kg", "inertia", ""),
 )
-def test_decimal_units_are_exact(text: str, measure: Measure, number: float) -> None:
-    assert measured(text, measure) == number
 
 
-IN = {
-    measure: f"expected {with_article(measure)} in {unit}, bare or with its unit"
-    for measure, unit in UNIT_OF.items()
-}
-
-
-@pytest.mark.parametrize(
-    ("text", "measure", "said"),
-    [
-        ("3 rpm", "inertia", "; this is a speed"),
-        ("3 kgf*m^2", "inertia", "; write a flywheel effect (GD^2) of 4 kgf*m^2 as 1 kg*m^2"),
-        ("3 kW", "damping", "; this is a power"),
-        ("3 kg", "inertia", "; this is a mass"),
-        ("3 lb", "length", "; this is a force"),
-        ("3 kg*m^2", "mass", "; this is an inertia"),
-        ("3 N*m", "stiffness", "; this is a torque"),
-        ("3 rad/(N*m)", "stiffness", "; this is a compliance"),
-        ("3 N*m/rad", "compliance", "; this is a stiffness"),
-        ("3 N*m*s/rad", "stiffness", "; this is a damping"),
-        ("3 N*ms/rad", "time", "; this is a damping"),
-        ("3 bar", "area", "; this is a pressure"),
-        ("3 km/h", "time", "; this is a velocity"),
-        ("0,15", "inertia", " (with a decimal point)"),
-        ("heavy", "inertia", ""),
-        (".inf", "length", ""),
-        ("", "inertia", ""),
-        ("3 furlong", "length", ""),
-        ("3 Hz", "si_speed", "; did you mean `rev/s` or `rad/s`?"),
-        ("3 nm", "si_torque", "; did you mean `N*m`?"),
-        ("3 Nm/rad^", "stiffness", ""),
-        ("3 kg*m^2^2", "inertia", ""),
-        ("3 (kg*m^2", "inertia", ""),
-        ("3 kg)*m^2", "inertia", ""),
-        ("3 ((((m)^4)^4)^4)^4", "length", ""),
-        ("3 kg//m^2", "inertia", ""),
-        ("3 " + "kg*m^2/kg*" * 10 + "kg", "inertia", ""),
-    ],
-)
-def test_another_unit_is_refused_with_what_it_is(text: str, measure: Measure, said: str) -> None:
-    with pytest.raises(ValueError, match=re.escape(IN[measure]) + re.escape(said) + "$"):
-        measured(text, measure)
+def test_another_unit_is_refused_with_what_it_is() -> None:
+    for text, measure, said in OTHER_UNITS:
+        words = (
+            f"expected {with_article(measure)} in {UNIT_OF[measure]}, bare or with its unit{said}"
+        )
+        with pytest.raises(ValueError, match=re.escape(words) + "$"):
+            measured(text, measure)
 
 
 def test_what_overflows_is_refused() -> None:

@@ -5,7 +5,6 @@ import io
 import time
 import tracemalloc
 import zipfile
-from collections.abc import Mapping
 from typing import Any
 
 import openpyxl
@@ -70,7 +69,6 @@ SHEET = "<worksheet><sheetData>{}</sheetData>{}</worksheet>"
 STYLES = "<styleSheet><fonts>{}</fonts><cellXfs><xf numFmtId='0'/></cellXfs></styleSheet>"
 HOSTILE: dict[str, tuple[str, str, str]] = {
     "styles": ("xl/styles.xml", STYLES.format("<font/>" * 2_000_000), ""),
-    "large styles": ("xl/styles.xml", STYLES.format("<font/>" * 9_000_000), ""),
     "cells": ("SHEET", SHEET.format("<row>" + "<c/>" * 3_000_000 + "</row>", ""), "at most"),
     "large": ("SHEET", SHEET.format("<row>" + "<c/>" * 300_000 + "</row>", ""), "500 columns"),
     "grid": ("SHEET", SHEET.format(("<row>" + "<c/>" * 400 + "</row>") * 2000, ""), "200000 cells"),
@@ -87,21 +85,19 @@ HOSTILE: dict[str, tuple[str, str, str]] = {
     "doctype": ("SHEET", "<!DOCTYPE a [<!ENTITY b 'c'>]><a>&b;</a>", "a document type"),
     "texts": ("xl/sharedStrings.xml", "<sst>" + "<si/>" * 1_900_000 + "</sst>", ""),
     "index": ("SHEET", SHEET.format('<row><c t="s"><v>-1</v></c></row>', ""), "no text or format"),
-    "number": ("SHEET", SHEET.format("<row><c><v>x</v></c></row>", ""), "expected a number"),
 }
 
 
 def _with_part(path: str, content: str) -> bytes:
     """A good workbook with another part."""
     made = io.BytesIO()
-    good = typed()
     with (
-        zipfile.ZipFile(io.BytesIO(good)) as old,
+        zipfile.ZipFile(io.BytesIO(typed())) as old,
         zipfile.ZipFile(made, "w", zipfile.ZIP_DEFLATED) as new,
     ):
-        sheet = next(one for one in old.namelist() if one.startswith("xl/worksheets/"))
-        path = sheet if path == "SHEET" else path
-        parts: Mapping[str, Any] = {one: old.read(one) for one in old.namelist()} | {path: content}
+        sheet = next(name for name in old.namelist() if name.startswith("xl/worksheets/"))
+        parts: dict[str, Any] = {name: old.read(name) for name in old.namelist()}
+        parts[sheet if path == "SHEET" else path] = content
         for name, part in parts.items():
             new.writestr(name, part)
     return made.getvalue()
@@ -110,36 +106,23 @@ def _with_part(path: str, content: str) -> bytes:
 @pytest.mark.parametrize("name", HOSTILE)
 def test_a_hostile_workbook_takes_little_time_and_memory(name: str) -> None:
     path, content, said = HOSTILE[name]
-    data = _with_part(path, content)
+    data, told = _with_part(path, content), ""
+    is_traced = name in ("texts", "merged")
+    if is_traced:
+        tracemalloc.start()
     begin = time.process_time()
-    told = ""
     try:
         read(data)
     except ReadError as error:
         told = str(error)
-    assert time.process_time() - begin < SECONDS
+    if is_traced:
+        assert tracemalloc.get_traced_memory()[1] < MEMORY
+        tracemalloc.stop()
+    else:
+        assert time.process_time() - begin < SECONDS
     assert said in told
     if path != "SHEET":
         assert not told or "MB, expected" in told
-    if name in ("texts", "merged"):
-        tracemalloc.start()
-        try:
-            read(data)
-        except ReadError:
-            pass
-        finally:
-            peak = tracemalloc.get_traced_memory()[1]
-            tracemalloc.stop()
-        assert peak < MEMORY
-
-
-def test_names_without_end_are_passed_over() -> None:
-    data = typed()
-    with zipfile.ZipFile(io.BytesIO(data)) as old:
-        book = old.read("xl/workbook.xml").decode()
-    names = "".join(f"<definedName name='n{n}'>x!#REF</definedName>" for n in range(150_000))
-    book = book.replace("</workbook>", f"<definedNames>{names}</definedNames></workbook>")
-    assert read(_with_part("xl/workbook.xml", book)) == read(data)
 
 
 @pytest.mark.slow

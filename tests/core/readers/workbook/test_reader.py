@@ -128,38 +128,40 @@ def test_other_sheets_and_empty_rows_do_not_matter() -> None:
     assert read(typed(more)) == library.loads(SAME)
 
 
-@pytest.mark.parametrize(
-    ("cells", "said"),
-    [
-        ({"mechanisms!E2": "much"}, "mechanisms!E2: error: mechanisms.set.ratio: read 'much'"),
-        ({"mechanisms!C3": "axel"}, "mechanisms!C3: error: mechanisms.pair.second: read 'axel'"),
-        ({"mechanisms!F1": "eficiency"}, "mechanisms!F1: error: unknown heading `eficiency`, "
-         "expected a key; did you mean `efficiency`?"),
-        ({"mechanisms!G1": "ratio"}, "mechanisms!G1: error: the heading `ratio` is there twice"),
-        ({"mechanisms!G2": 3}, "mechanisms!G2: error: read `3`, but its column has no heading"),
-        ({"mechanisms!A2": None}, "mechanisms!A2: error: the name is missing"),
-        ({"mechanisms!A3": "set"}, "mechanisms!A3: error: the name `set` is given twice"),
-        ({"mechanisms!E3": None}, "mechanisms!A3: error: mechanisms.pair: `ratio` is missing"),
-        ({"mechanisms!E3": dt.date(2026, 3, 2)}, "mechanisms!E3: error: read a date"),
-        ({"mechanisms!E3": "=78/30"}, "mechanisms!E3: error: a formula without its value"),
-        ({"mechanisms!E3": "#DIV/0!"}, "mechanisms!E3: error: read #DIV/0!"),
-        ({"mechanisms!E3": '"[1'}, "mechanisms!E3: error: not YAML"),
-        ({"gears!C1": "C3"}, "gears!C1: error: unknown heading `C3`, expected a key or the name "),
-        ({"gears!D3": "y"}, "gears!D3: error: read `y`, expected `x` or 1, nothing or 0"),
-        ({"links!A1": "name[" + "1" * 5000 + "]"}, "links!A1: error: "),
-        ({"gears!E1": "load.torqe"}, "gears!E2: error: gears.low.load: unknown key `torqe`"),
-        ({"links!B3": "sun"}, "links!B3: error: read `sun`, expected names of links alone"),
-        ({"links!A1": "names"}, "links!A1: error: expected the heading `name`"),
-        ({"case!A3": "lod.speed"}, "case!A3: error: unknown key `lod`; did you mean `load`?"),
-        ({"case!A3": "load..speed"}, "case!A3: error: `load..speed`: read nothing"),
-        ({"case!B3": None}, "case!A3: error: expected a path and a value"),
-        ({"case!D3": "mine"}, "case!D3: error: read `mine`, but the columns after path and value"),
-        ({"case!A3": "name"}, "case!A3: error: `name` is given twice"),
-        ({"case!A3": "name.x"}, "case!A3: error: `name` is given as a whole, too"),
-    ],
+FAULTS: tuple[tuple[str, Any, str], ...] = (
+    ("mechanisms!E2", "much", "mechanisms!E2: error: mechanisms.set.ratio: read 'much'"),
+    ("mechanisms!C3", "axel", "mechanisms!C3: error: mechanisms.pair.second: read 'axel'"),
+    ("mechanisms!F1", "eficiency", "mechanisms!F1: error: unknown heading `eficiency`, expected a "
+     "key; did you mean `efficiency`?"),
+    ("mechanisms!G1", "ratio", "mechanisms!G1: error: the heading `ratio` is there twice"),
+    ("mechanisms!G2", 3, "mechanisms!G2: error: read `3`, but its column has no heading"),
+    ("mechanisms!A2", None, "mechanisms!A2: error: the name is missing"),
+    ("mechanisms!A3", "set", "mechanisms!A3: error: the name `set` is given twice"),
+    ("mechanisms!E3", None, "mechanisms!A3: error: mechanisms.pair: `ratio` is missing"),
+    ("mechanisms!E3", dt.date(2026, 3, 2), "mechanisms!E3: error: read a date"),
+    ("mechanisms!E3", "=78/30", "mechanisms!E3: error: a formula without its value"),
+    ("mechanisms!E3", "#DIV/0!", "mechanisms!E3: error: read #DIV/0!"),
+    ("mechanisms!E3", '"[1', "mechanisms!E3: error: not YAML"),
+    ("gears!C1", "C3", "gears!C1: error: unknown heading `C3`, expected a key or the name "),
+    ("gears!D3", "y", "gears!D3: error: read `y`, expected `x` or 1, nothing or 0"),
+    ("gears!E1", "load.torqe", "gears!E2: error: gears.low.load: unknown key `torqe`"),
+    ("links!A1", "name[" + "1" * 5000 + "]", "links!A1: error: "),
+    ("links!A1", "names", "links!A1: error: expected the heading `name`"),
+    ("links!B3", "sun", "links!B3: error: read `sun`, expected names of links alone"),
+    ("case!A3", "lod.speed", "case!A3: error: unknown key `lod`; did you mean `load`?"),
+    ("case!A3", "load..speed", "case!A3: error: `load..speed`: read nothing"),
+    ("case!A3", "name", "case!A3: error: `name` is given twice"),
+    ("case!A3", "name.x", "case!A3: error: `name` is given as a whole, too"),
+    ("case!B3", None, "case!A3: error: expected a path and a value"),
+    ("case!D3", "mine", "case!D3: error: read `mine`, but the columns after path and value"),
 )  # fmt: skip
-def test_a_fault_is_told_at_its_cell(cells: dict[str, Any], said: str) -> None:
-    assert any(one.startswith(f"box.xlsx:{said}") for one in faults(with_cells(cells)))
+"""Cell, what is written there, place and words of the error."""
+
+
+def test_a_fault_is_told_at_its_cell() -> None:
+    for cell, value, said in FAULTS:
+        told = faults(with_cells({cell: value}))
+        assert any(one.startswith(f"box.xlsx:{said}") for one in told), told
 
 
 def test_all_faults_are_told_at_once_with_their_cells_in_json(tmp_path: Path) -> None:
