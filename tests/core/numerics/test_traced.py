@@ -3,6 +3,7 @@
 import math
 import operator
 from collections.abc import Callable
+from itertools import product
 
 import pytest
 
@@ -18,20 +19,20 @@ from vstatics.core.numerics.traced import (
 )
 
 
-@pytest.mark.parametrize("value", [2.5, -2.5])
-def test_signs_zeros_and_ones_cost_no_operation(value: float) -> None:
-    (a,) = traced(value)
-    assert (a < 0) == (value < 0)
-    for zero in (a * 0.0, 0.0 * a, 0.0 / a, a - a):
-        assert zero.__class__ is float
-        assert zero == 0
-    for itself in (a + 0.0, 0.0 + a, a - 0.0, a * 1.0, 1.0 * a, a / 1.0, (-1.0 * a) / -1.0, a * 1):
-        assert (on_tape(itself).sign, on_tape(itself).magnitude) == (a.sign, a.magnitude)
-    for other in (-a, 0.0 - a, -1.0 * a, a / -1.0, a * -1):
-        assert (on_tape(other).sign, on_tape(other).magnitude) == (-a.sign, a.magnitude)
-    assert (abs(a).sign, abs(a).magnitude) == (1, a.magnitude)
-    assert (a / a, a / -a) == (1.0, -1.0)
-    assert not noted(a)
+def test_signs_zeros_and_ones_cost_no_operation() -> None:
+    for value in (2.5, -2.5):
+        (a,) = traced(value)
+        assert (a < 0) == (value < 0)
+        for zero in (a * 0.0, 0.0 * a, 0.0 / a, a - a):
+            assert (zero.__class__, zero) == (float, 0)
+        alike = (a + 0.0, 0.0 + a, a - 0.0, a * 1.0, 1.0 * a, a / 1.0, (-1.0 * a) / -1.0, a * 1)
+        turned = (-a, 0.0 - a, -1.0 * a, a / -1.0, a * -1)
+        for same, others in ((1, alike), (-1, turned)):
+            for one in map(on_tape, others):
+                assert (one.sign, one.magnitude) == (same * a.sign, a.magnitude)
+        assert (abs(a).sign, abs(a).magnitude) == (1, a.magnitude)
+        assert (a / a, a / -a) == (1.0, -1.0)
+        assert not noted(a)
 
 
 def test_nan_and_infinity_are_compared_without_an_operation() -> None:
@@ -47,18 +48,16 @@ def test_nan_and_infinity_are_compared_without_an_operation() -> None:
         assert not noted(a)
 
 
-@pytest.mark.parametrize("swapped", [False, True])
-def test_bounds_and_signs_settle_a_comparison_without_a_guard(swapped: bool) -> None:
-    (a,) = traced(2.0, bounds=(1.5, 3.0))
-    small, large = (1.0, 4.0) if not swapped else (-4.0, -1.0)
-    a = -a if swapped else a
-    assert small < a < large
-    assert small <= a <= large
-    assert not any((a < small, a > large, a <= small, a >= large))
-    assert a not in (small, large)
-    assert -small > -a > -large
-    assert -a != a
-    assert not noted(a)
+def test_bounds_and_signs_settle_a_comparison_without_a_guard() -> None:
+    (one,) = traced(2.0, bounds=(1.5, 3.0))
+    for a, small, large in ((one, 1.0, 4.0), (-one, -4.0, -1.0)):
+        assert small < a < large
+        assert small <= a <= large
+        assert not any((a < small, a > large, a <= small, a >= large))
+        assert a not in (small, large)
+        assert -small > -a > -large
+        assert -a != a
+        assert not noted(a)
 
 
 def test_bounds_settle_nothing_within_their_own_rounding() -> None:
@@ -68,26 +67,21 @@ def test_bounds_settle_nothing_within_their_own_rounding() -> None:
     assert guards(a) == ["less", "less"]
 
 
-COMPARISONS: list[tuple[Callable[[Number, Number], bool], str, str]] = [
-    (operator.lt, "less", "less_equal"),
-    (operator.le, "less_equal", "less"),
-    (operator.eq, "equal", "not_equal"),
-]
-
-
-@pytest.mark.parametrize(("compare", "held", "denied"), COMPARISONS)
-def test_what_bounds_do_not_settle_leaves_a_guard(
-    compare: Callable[[Number, Number], bool], held: str, denied: str
-) -> None:
-    for value, its_value in ((2.0, 3.0), (3.0, 2.0), (2.0, 2.0)):
-        for sign in (1, -1):
-            a, b = traced(value, its_value)
-            outcome = compare(a * sign, b * sign)
-            assert outcome == compare(value * sign, its_value * sign)
-            assert guards(a) == [held if outcome else denied]
-            (a,) = traced(value)
-            assert compare(a * sign, its_value * sign) == outcome
-            assert guards(a) == [held if outcome else denied]
+def test_what_bounds_do_not_settle_leaves_a_guard() -> None:
+    comparisons: tuple[tuple[Callable[[Number, Number], bool], str, str], ...] = (
+        (operator.lt, "less", "less_equal"),
+        (operator.le, "less_equal", "less"),
+        (operator.eq, "equal", "not_equal"),
+    )
+    pairs = (2.0, 3.0), (3.0, 2.0), (2.0, 2.0)
+    for (compare, held, denied), values, sign in product(comparisons, pairs, (1, -1)):
+        a, b = traced(*values)
+        outcome = compare(a * sign, b * sign)
+        assert outcome == compare(values[0] * sign, values[1] * sign)
+        assert guards(a) == [held if outcome else denied]
+        (a,) = traced(values[0])
+        assert compare(a * sign, values[1] * sign) == outcome
+        assert guards(a) == [held if outcome else denied]
 
 
 def test_a_difference_is_guarded_to_keep_its_sign_and_a_sum_is_not() -> None:
@@ -141,16 +135,12 @@ def test_a_huge_or_tiny_first_variant_stands_for_no_other() -> None:
         with pytest.raises(Untraceable):
             traced(value)
     (a,) = traced(1e60)
-    operations: list[Callable[[], Number]] = [
-        lambda: a * a,
-        lambda: 1e-60 / a,
-        lambda: a + math.inf,
-        lambda: a / 0.0,
-        lambda: a / math.nan,
-    ]
-    for operation in operations:
+    many, mul, div = operator.add, operator.mul, operator.truediv
+    for operation, *numbers in ((mul, a, a), (div, 1e-60, a), (many, a, math.inf), (div, a, 0.0)):
         with pytest.raises(Untraceable):
-            operation()
+            operation(*numbers)
+    with pytest.raises(Untraceable):
+        a / math.nan
 
 
 def left_over(*numbers: Number) -> Residual:

@@ -166,14 +166,6 @@ def disagreements(
     return found
 
 
-def random_disagreements(case: Transmission, seed: int) -> list[str]:
-    """Where variants of random numbers, without losses and with them, are not what they are alone."""
-    numbers = generator(seed)
-    u = ratios(numbers, case, 12, KINDS[seed % len(KINDS)])
-    eta = efficiencies(numbers, case, 12, "any")
-    return [*disagreements(case, u, None, range(4)), *disagreements(case, u, eta, range(4))]
-
-
 def large_train(rng: Random, most: int = 12) -> Transmission:
     """A random train of 2-12 mechanisms, few of them with losses where there are many."""
     while True:

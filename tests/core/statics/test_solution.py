@@ -21,10 +21,8 @@ EXTREME = st.sampled_from(
 @given(st.data(), st.sampled_from(["zf-8hp70", "umdm", "two-stage"]), st.integers(1, 3))
 def test_extreme_ratios_end_in_results(data: st.DataObject, name: str, variants: int) -> None:
     case = vstatics.load(CASES / f"{name}.yaml")
-    ratios = data.draw(
-        st.lists(EXTREME, min_size=len(case.mechanisms), max_size=len(case.mechanisms))
-    )
-    results = solution(case, ratios=[ratios] * variants)
+    own = data.draw(st.lists(EXTREME, min_size=(n := len(case.mechanisms)), max_size=n))
+    results = solution(case, ratios=[own] * variants)
     assert not np.isinf(results.torques).any()
     assert results.speeds.shape == (variants, len(case.gears), case.own_links)
 

@@ -4,22 +4,20 @@
 """
 
 import copy
-import threading
 from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import fields, replace
-from itertools import product
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
 import vstatics
-from tests.chance import count, each_seed, generator, seeded, some
-from tests.commands import CASES, SHIPPED
+from tests.chance import count, each_seed, generator, ranges_with_slow, seeded
+from tests.commands import CASES
 from tests.core.statics.batches import (
     ARRAYS,
-    LOSSES,
+    KINDS,
     alike,
     chain,
     disagreements,
@@ -31,27 +29,18 @@ from tests.core.statics.batches import (
     same,
     with_numbers,
 )
+from tests.core.statics.test_against_oracle import with_ones
+from tests.core.statics.test_dragged import much_drag
+from tests.core.statics.test_efficiency import with_backs
+from tests.core.statics.test_freewheels import with_freewheels
+from tests.core.statics.test_springs import with_springs
 from tests.oracle.cases import NASTY
 from tests.trains import no_losses
 from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission, solve
 from vstatics.core.annexes import KEYS
 from vstatics.core.model.converters import Converter
 from vstatics.core.model.parts import Load
-from vstatics.core.model.transmission import IdleConvention
 from vstatics.core.statics import variants
-
-IDLE: tuple[IdleConvention, ...] = "exact", "published"
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("path", some(SHIPPED), ids=lambda path: path.name)
-def test_shipped_cases(path: Path) -> None:
-    case = vstatics.load(path)
-    rng = generator(1)
-    for number, (idle, coast) in enumerate(product(IDLE, (False, True))):
-        own = replace(case, coast=coast, idle=idle)
-        u = ratios(rng, own, 3, ("ordinary", "near 1", "coincidences", "extreme")[number])
-        assert not disagreements(own, u, efficiencies(rng, own, 3, LOSSES[number]))
 
 
 @pytest.mark.slow
@@ -103,13 +92,25 @@ def test_many_random_trains() -> None:
     check_random(range(1000, 1000 + count(24, 60)), most=30, largest=12)
 
 
-@pytest.mark.parametrize("count", [1, 2, 4, 5, 6, 9])
-def test_few_variants(count: int) -> None:
+def test_few_variants() -> None:
     case, _, _ = random_case(5)
     rng = generator(4)
-    for _ in range(8):
-        u = ratios(rng, case, count, "ordinary")
-        assert not disagreements(case, u, efficiencies(rng, case, count, "any"), [0])
+    for number in (1, 2, 4, 5, 6, 9):
+        for _ in range(count(3, 8)):
+            u = ratios(rng, case, number, "ordinary")
+            assert not disagreements(case, u, efficiencies(rng, case, number, "any"), [0])
+
+
+@ranges_with_slow(2, 12, 60)
+def test_trains_of_all_kinds(seeds: range) -> None:
+    """Of freewheels, drag, two efficiencies of a mechanism, springs, ratios of 1."""
+    for make in (with_freewheels, much_drag, with_backs, with_springs, with_ones):
+        for seed in seeds:
+            case, rng = make(seed), generator(seed)
+            u = ratios(rng, case, 12, KINDS[seed % len(KINDS)])
+            eta = efficiencies(rng, case, 12, "any")
+            assert not disagreements(case, u, None, range(4)), (make.__name__, seed)
+            assert not disagreements(case, u, eta, range(4)), (make.__name__, seed)
 
 
 @pytest.mark.slow
@@ -243,30 +244,19 @@ def test_threads_may_solve_at_the_same_time(monkeypatch: pytest.MonkeyPatch) -> 
     monkeypatch.setattr(variants, "REMEMBERED", 5)
     made = [random_case(seed) for seed in (31, 33, 35, 37, 39)]
     expected = [solve(case, ratios=u, efficiencies=eta) for case, u, eta in made]
-    wrong: list[str] = []
 
     def work(thread: int) -> None:
-        try:
-            for turn in range(8):
-                number = (thread + turn * turn) % len(made)
-                case, u, eta = made[number]
-                order = generator(thread, turn).permutation(len(u))
-                own = None if eta is None else eta[order]
-                results = solve(case, ratios=u[order], efficiencies=own)
-                wrong.extend(
-                    name
-                    for name in ARRAYS
-                    if not alike(getattr(results, name), getattr(expected[number], name)[order])
-                )
-        except Exception as error:  # noqa: BLE001 any failure is told below
-            wrong.append(repr(error))
+        for turn in range(8):
+            number = (thread + turn * turn) % len(made)
+            case, u, eta = made[number]
+            order = generator(thread, turn).permutation(len(u))
+            own = None if eta is None else eta[order]
+            results = solve(case, ratios=u[order], efficiencies=own)
+            for name in ARRAYS:
+                assert alike(getattr(results, name), getattr(expected[number], name)[order]), name
 
-    threads = [threading.Thread(target=work, args=(number,)) for number in range(6)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    assert not wrong
+    with ThreadPoolExecutor(6) as pool:
+        list(pool.map(work, range(6)))
 
 
 KEYED = Transmission(
@@ -307,12 +297,8 @@ OTHER: dict[str, object] = {
 }
 """Another value of fields that statics reads; what it does not read may be anything."""
 DRAG = {ShiftElement: 0.5, Gear: {1: 0.2}, Transmission: {3: 0.2}}
-PLACES: dict[Any, str] = {
-    ShiftElement: "shift_elements",
-    Mechanism: "mechanisms",
-    Spring: "springs",
-    Gear: "gears",
-}
+PLACES: dict[Any, str] = {ShiftElement: "shift_elements", Mechanism: "mechanisms"}
+PLACES |= {Spring: "springs", Gear: "gears"}
 ELSEWHERE = {*PLACES.values(), "drawing", "_lowered"}
 FIELDS = [(part, name) for part in PLACES for name in part._fields]
 FIELDS += [(Transmission, one.name) for one in fields(Transmission) if one.name not in ELSEWHERE]

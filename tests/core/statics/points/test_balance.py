@@ -1,6 +1,5 @@
 """The torque that balances a battery: an input split in closed form, none, two, all points."""
 
-import math
 from collections.abc import Sequence
 from itertools import product
 from random import Random
@@ -15,7 +14,6 @@ from vstatics import CaseError, ReadError, solve
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.readers import loads
 
-RPM = 30 / math.pi
 SPLIT = """\
 links: [MG1, axle, engine, MG2]
 input: engine
