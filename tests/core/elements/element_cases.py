@@ -50,7 +50,6 @@ class Held(NamedTuple):
 
 
 def all_held(members: Sequence[str]) -> list[Held]:
-    """Every way to use three of the links."""
     return [Held(*three) for three in permutations(members, 3)]
 
 
@@ -79,33 +78,27 @@ def pair_case(element: Document, first: str, second: str, **more: Any) -> dict[s
 
 
 def reading(document: Document) -> Reading:
-    """What the program reads out of a case."""
     text = yaml.safe_dump(dict(document), sort_keys=False, allow_unicode=True)
     return read(text.encode(), "case.yaml")
 
 
 def solved(document: Document) -> Results:
-    """What the program calculates of a case."""
     return vstatics.solve(reading(document).case)
 
 
 def gear_names(results: Results) -> list[str]:
-    """The gears in their order."""
     return [gear.name for gear in results.case.gears]
 
 
 def ratios(results: Results) -> dict[str, float]:
-    """The ratio of every gear by its name."""
     return dict(zip(gear_names(results), results.ratio.tolist(), strict=True))
 
 
 def efficiencies(results: Results) -> dict[str, float]:
-    """The efficiency of every gear by its name."""
     return dict(zip(gear_names(results), results.efficiency.tolist(), strict=True))
 
 
 def link_speeds(results: Results, gear: str) -> dict[str, float]:
-    """The speeds of a gear by link."""
     state = results.gear(gear_names(results).index(gear) + 1)
     return dict(zip(results.case.link_names, map(plain, state.speeds), strict=True))
 

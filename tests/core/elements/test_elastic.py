@@ -34,7 +34,6 @@ gears: {low: [B], high: [C]}
 
 
 def errors(text: str) -> list[str]:
-    """Problems but notes."""
     return [told for told in problems(text) if ": error: " in told]
 
 
@@ -153,7 +152,6 @@ def energy(element: Element, speeds: Speeds) -> float:
 
 
 def simple(speeds: Speeds) -> float:
-    """The energy of a set of -75/30 with four planets."""
     members, teeth = {"sun": 1, "ring": 2, "carrier": 3}, {"sun": 30, "ring": 75, "planet": 22}
     masses = {"planet": PlanetMass(0.002, 0.7, 0.05)}
     return energy(

@@ -71,7 +71,6 @@ def test_a_case_of_ten_elements_is_checked_at_once() -> None:
 
 @st.composite
 def two_wheels(draw: st.DrawFn) -> Element:
-    """A Ravigneaux set without one of its wheels."""
     teeth = dict(draw(toothed.ravigneaux()).teeth)
     del teeth[draw(st.sampled_from(("small_sun", "large_sun", "ring")))]
     return element("ravigneaux", None, **teeth)

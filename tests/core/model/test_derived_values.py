@@ -17,7 +17,6 @@ CASE = Transmission(
 
 
 def names_of_links(case: Transmission) -> list[str]:
-    """Return a value of a case that depends on no number."""
     return list(case.link_names)
 
 

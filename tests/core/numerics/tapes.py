@@ -20,7 +20,6 @@ def traced(*values: float, bounds: Bounds | None = None) -> list[Traced]:
 
 
 def noted(number: Traced | Residual) -> list[tuple[str, object, object]]:
-    """The operations on the tape of a number."""
     return [operation[:3] for operation in number.tape.operations]
 
 
@@ -33,6 +32,5 @@ def guards(number: Traced | Residual) -> list[str]:
 
 
 def on_tape(number: Number | Residual) -> Traced:
-    """A number that is a traced one."""
     assert isinstance(number, Traced)
     return number

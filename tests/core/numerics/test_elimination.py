@@ -21,7 +21,6 @@ from vstatics.core.numerics.traced import plain
 
 
 def rows(matrix: list[list[float]], right: list[float]) -> list[Equation]:
-    """Dense equations as sparse rows."""
     return [
         {**{j: value for j, value in enumerate(line) if value}, RIGHT: b}
         for line, b in zip(matrix, right, strict=True)

@@ -38,6 +38,7 @@ def test_what_any_sign_has_is_calculated_for_all_variants() -> None:
         lambda abc: [-(abc[0] - abc[1]) * 2, 1 / (abc[0] * -abc[2]), abc[0] - (3 - abc[1])],
         lambda abc: [abc[0] / abc[0], abc[0] / -abc[0], -abc[1] / abc[1], -abc[2] / -abc[2]],
         lambda abc: [absolute(abc[0] - abc[1]), sign(-abc[2]), sign(abc[0]) * abc[1]],
+        lambda abc: [sign(abc[0] / 9), absolute(abc[1] / 9), absolute(-abc[1] / 9)],
         choices,
     )
     for function in functions:

@@ -144,7 +144,6 @@ def test_a_huge_or_tiny_first_variant_stands_for_no_other() -> None:
 
 
 def left_over(*numbers: Number) -> Residual:
-    """A sum of traced numbers."""
     made = residual(numbers)
     assert isinstance(made, Residual)
     return made

@@ -44,7 +44,6 @@ def _in_pairs(rng: np.random.Generator, own: Floats) -> Floats:
 
 
 def _line(rng: np.random.Generator, own: Floats) -> Floats:
-    """One ratio of them varies."""
     u = own.copy()
     u[:, rng.integers(own.shape[1])] = np.linspace(-3, 3, len(own))
     return u

@@ -128,12 +128,6 @@ def test_a_singular_train_of_the_right_count_is_told_both() -> None:
     assert [*results.ratio, *results.output_torque] == pytest.approx([3, 3])
 
 
-def test_an_output_that_stands_still_has_no_ratio() -> None:
-    case = train([(3, 0)], Gear([1]))
-    assert "warning: the output, link 3, is at rest, so the gear has no ratio" in texts(solve(case))
-    assert status(case) == 0
-
-
 def test_an_output_of_which_nothing_is_given_is_told() -> None:
     """Where its speed is determined, by a brake here, only a torque can be given."""
     gears = [Gear([1]), Gear(speeds={2: SpeedOf(3)}), Gear()]

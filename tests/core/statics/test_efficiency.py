@@ -14,9 +14,7 @@ from tests.core.statics.batches import ARRAYS, large_train, plainly, same
 from tests.core.writers.again import is_read_again
 from tests.trains import random_train
 from vstatics import Gear, Mechanism, ReadError, ShiftElement, Transmission, solve
-from vstatics.core.numerics.traced import plain
 from vstatics.core.readers.named.reader import read_yaml
-from vstatics.core.statics.efficiency import Efficiency, is_possible, lossy_ratio
 from vstatics.core.writers import deck
 
 
@@ -109,20 +107,3 @@ def test_yaml_and_json_keep_it_and_a_deck_cannot() -> None:
     (problem,) = caught.value.problems
     assert problem.place is not None
     assert problem.place[1:3] == (3, TEXT.splitlines()[2].index("0.7") + 1)
-
-
-def test_a_ratio_with_losses_is_multiplied_or_divided() -> None:
-    """Forward u eta, u/back the other way, u where it is idle, nothing where it is open."""
-    both = Efficiency(0.9, 0.5)
-    assert lossy_ratio(-2.0, both, 1.0) == pytest.approx(-1.8)
-    assert lossy_ratio(-2.0, both, -1.0) == pytest.approx(-4)
-    assert lossy_ratio(-2.0, both, 0.0) == -2
-    assert np.isnan(plain(lossy_ratio(-2.0, both, float("nan"))))
-    assert np.isnan(plain(lossy_ratio(-2.0, Efficiency(0.9, 0.0), -1.0)))
-
-
-def test_no_power_flows_back_through_what_is_self_locking() -> None:
-    pair = [Efficiency(0.8, 0.0), Efficiency(0.9, 0.9)]
-    assert is_possible(pair, (1.0, -1.0))
-    assert not is_possible(pair, (-1.0, 1.0))
-    assert is_possible(pair, (0.0, 0.0))  # idle, so no power flows back

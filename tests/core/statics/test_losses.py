@@ -1,6 +1,5 @@
 """What losses take and leave: efficiencies of trains in closed form, the balance of power."""
 
-import math
 from itertools import product
 
 import pytest
@@ -9,7 +8,7 @@ from tests.core.statics.batches import chain
 from tests.core.statics.differential import train
 from vstatics import Gear, Mechanism, Transmission, solve
 from vstatics.core.numerics.traced import plain
-from vstatics.core.statics.losses import no_solution, torques_for_signs
+from vstatics.core.statics.losses import torques_for_signs
 
 
 def test_losses_of_mechanisms_in_series_multiply() -> None:
@@ -41,10 +40,3 @@ def test_wrong_signs_make_power_out_of_nothing() -> None:
     assert right.admissible
     assert not wrong.admissible
     assert plain(wrong.losses[0]) == pytest.approx(2 / 3 * (1 - 1 / 0.97))
-
-
-def test_where_there_is_no_solution_nothing_is_said() -> None:
-    lossy = no_solution(solve(train([(2, 0)], Gear([1]))).gear(1).ideal, (1.0,))
-    assert not lossy.admissible
-    assert math.isnan(plain(lossy.efficiency))
-    assert all(math.isnan(plain(one)) for one in lossy.torques.on_first_link)

@@ -74,13 +74,6 @@ def test_every_declared_unit_has_its_array() -> None:
             np.testing.assert_allclose(made[:, gear], expected, rtol=1e-15)
 
 
-def test_several_axes_of_variants() -> None:
-    results = solve(SET, ratios=np.array(RATIOS).reshape(3, 1, 1))
-    assert results.speeds_rpm.shape == (3, 1, 2, 3)
-    assert results.input_power_kW.shape == (3, 1, 2)
-    assert solve(SET, ratios=np.zeros((0, 1))).output_power_kW.shape == (0, 2)
-
-
 def test_what_enters_leaves_or_is_lost() -> None:
     """With drag of 6 N*m at the carrier, and a machine that gives 30 N*m to the ring."""
     gears = [

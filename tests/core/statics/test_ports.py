@@ -7,7 +7,7 @@ from hypothesis import given, settings
 
 from tests.chance import count
 from tests.trains import regular_trains
-from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
+from vstatics import Gear, Mechanism, Transmission, solve
 from vstatics.core.model.parts import SpeedOf
 from vstatics.core.statics.ports import ports
 
@@ -45,13 +45,6 @@ def test_a_brake_has_no_power_and_a_motor_adds_its_own() -> None:
     assert by_link[3].power == pytest.approx(1 / 6)
     # with losses: the sun gives -u eta = 1.92 to the ring, 2.92 to the carrier
     assert by_link[4].torque == pytest.approx(2.92 + 0.5)
-
-
-def test_when_coasting_power_enters_at_the_output() -> None:
-    case = Transmission(3, [ShiftElement(2)], [SET], [Gear([1])], coast=True)
-    first, last = ports(solve(case).gear(1)).ports
-    assert (first.way, last.way) == ("out", "in")
-    assert last.power > first.power == 1
 
 
 def test_torques_that_statics_leaves_open_have_no_power() -> None:

@@ -5,14 +5,13 @@ import math
 import numpy as np
 import pytest
 
-from tests.core.statics.differential import SET, train
+from tests.core.statics.differential import train
 from tests.shipped import shipped_results
 from vstatics import Gear, Load, Mechanism, ShiftElement, Spring, Transmission, solve
 from vstatics.core.model.laws import MapLaw
 from vstatics.core.model.parts import RAD_PER_RPM
 from vstatics.core.numerics.traced import plain
 from vstatics.core.statics.power import LinkPower, power
-from vstatics.core.statics.torques import port_torques
 
 
 def total(powers: list[LinkPower], *kinds: str) -> float:
@@ -74,16 +73,6 @@ def test_coasting_turns_the_powers_of_all_devices() -> None:
         powers = solve(case, coast=coast).gear(1).powers(lossy=False)
         (sun,) = [one for one in powers if (one.kind, one.member) == ("mechanism", "first")]
         assert sun.power == pytest.approx(entering)
-
-
-def test_all_external_torques_are_those_of_the_ports() -> None:
-    """Ring turned by a motor at 1/2: it is held by -u = 2, the carrier gives 1 - u = 3."""
-    case = train([], Gear(speeds={2: 0.5}))
-    state = solve(case).gear(1)
-    holding, output_torque = state.torques.holding, state.torques.on_first_link[-1]
-    found = port_torques(case, case.gears[0], holding, output_torque)
-    assert found == pytest.approx({1: 1, 2: -SET.ratio, 3: SET.ratio - 1})
-    assert sum(found.values()) == pytest.approx(0)  # equilibrium of the whole train
 
 
 def test_nothing_times_what_does_not_exist_is_nothing() -> None:

@@ -7,21 +7,13 @@ import numpy as np
 import pytest
 
 from tests.core.statics.batches import chain
-from tests.core.statics.differential import texts, train
+from tests.core.statics.differential import texts
 from tests.oracle import gears as oracle
 from tests.oracle.cases import NASTY
 from tests.shipped import shipped_results
 from vstatics import Gear, solve
-from vstatics.core.numerics.traced import is_nan
-from vstatics.core.statics.signs import ideal_signs
 
 TURNED = ", idle convention crosses u = 1"
-
-
-def test_a_gear_without_motion_has_no_signs() -> None:
-    signs = ideal_signs(solve(train([(2, 0)], Gear())).gear(1).ideal, moving=False)
-    assert all(is_nan(x) for x in signs.signs)
-    assert signs.idle == [False]
 
 
 @pytest.mark.parametrize("convention", ["", pytest.param(TURNED, marks=pytest.mark.slow)])

@@ -53,10 +53,3 @@ def test_leading_axes_are_those_of_what_is_given() -> None:
                 assert getattr(results, name).shape[: len(shape)] == shape
             assert results.ratio.shape == (*shape, len(case.gears))
     assert solution(case, ratios=own).ratio.shape == (len(case.gears),)
-
-
-def test_numbers_of_the_case_stand_where_nothing_is_given() -> None:
-    case, u, _ = random_case(3)
-    own = np.broadcast_to([m.efficiency for m in case.mechanisms], u.shape)
-    one, other = solution(case, ratios=u), solution(case, ratios=u, efficiencies=own)
-    assert all(same(getattr(one, name), getattr(other, name)) for name in ARRAYS)

@@ -69,16 +69,6 @@ def test_a_spring_of_any_row_is_the_loss_free_mechanism_of_that_row(
     assert_agree(on_springs(case, chosen), case)
 
 
-def test_a_spring_to_the_housing_is_a_support() -> None:
-    """The axle turns its casing by (u - 1) of the torque of its pinion, as a held link does."""
-    axle = Mechanism(1, 2, 3, 41 / 11, 0.97, name="axle")
-    mount = Spring(between(3), compliance=1.5e-2, name="mount")
-    sprung = Transmission(3, [], [axle], [Gear()], output=2, springs=[mount])
-    held = Mechanism(3, 0, 0, 1.0, name="mount")
-    assert_agree(sprung, replace(sprung, springs=(), mechanisms=[axle, held]))
-    assert by_device(solve(sprung), solve(sprung).torques)["mount"] == pytest.approx([1 - 41 / 11])
-
-
 def test_freewheels_find_their_state_beside_springs() -> None:
     elements = [ShiftElement(2, 0, "F", "freewheel"), SHAFT.shift_elements[1]]
     results = solve(replace(SHAFT, shift_elements=elements, gears=[Gear(), Gear([2])]))
@@ -126,7 +116,6 @@ def test_a_spring_that_ties_a_gear_up_is_named() -> None:
 
 
 def with_springs(seed: int) -> Transmission:
-    """A random train with springs in place of some mechanisms."""
     rng = seeded(seed)
     case = random_train(rng)
     numbers = range(len(case.mechanisms))

@@ -26,40 +26,20 @@ gears: {direct: [E, O]}
 
 
 def said(text: str) -> list[tuple[str, str]]:
-    """Gear and identifier of each message."""
     return [(message.gear or "", message.id) for message in solve(loads(text)).messages]
 
 
-def test_the_race_between_an_open_brake_and_a_freewheel_is_free_on_purpose() -> None:
-    [message] = solve(loads(OVERDRIVE)).messages
-    said = "link race turns freely and carries no torque"
-    assert (message.id, message.text) == ("N420", said)
-
-
-def test_an_engine_behind_an_open_clutch_takes_its_generator_along() -> None:
-    """The generator hangs on the engine by a gear pair, which carries no torque."""
-    text = """
+def test_what_hangs_behind_an_open_clutch_is_free_on_purpose() -> None:
+    """An engine takes its generator along by a gear pair, which carries no torque; a take-off."""
+    engine = """
 links: [engine, generator, motor, output]
 mechanisms: {pair: {first: engine, second: generator, ratio: -0.4}}
 inertias: {engine: 0.2, generator: 0.05}
 shift_elements: {C1: [engine, motor], C2: [motor, output]}
 gears: {electric: {input: motor, engaged: [C2]}, engine: [C1, C2], open: {input: motor}}
 """
-    assert said(text) == [("electric", "N420"), ("open", "W414")]
-
-
-def test_a_single_drag_brings_a_free_race_to_rest() -> None:
-    """It takes no power then; two drags may pull the race along, so their loss is unknown."""
-    for drag in ("2 N*m", '"0.1*w"', "[[0, 0], [100, 3]]"):
-        text = "load: {speed: 1000 rpm, torque: 100 N*m}\n" + OVERDRIVE
-        single = text.replace("D: [race, housing]", f"D: {{links: [race, housing], drag: {drag}}}")
-        assert said(single) == [("direct", "N420")]
-        double = single.replace("links: [sun, race]", f"links: [sun, race], drag: {drag}")
-        assert sorted(said(double)) == [("direct", "N420"), ("direct", "W412")]
-
-
-def test_a_take_off_behind_an_open_clutch_is_free_on_purpose() -> None:
-    text = """
+    assert said(engine) == [("electric", "N420"), ("open", "W414")]
+    take_off = """
 links: [engine, axle, stub, take-off]
 output: axle
 outputs: [axle, take-off]
@@ -69,7 +49,23 @@ mechanisms:
 shift_elements: {P: [engine, stub]}
 gears: {field: [P], road: []}
 """
-    assert said(text) == [("field", "W413"), ("road", "N420")]
+    assert said(take_off) == [("field", "W413"), ("road", "N420")]
+
+
+def test_a_single_drag_brings_a_free_race_to_rest() -> None:
+    """It takes no power then; two drags may pull the race along, so their loss is unknown.
+
+    Without drag the race between an open brake and a freewheel is free on purpose.
+    """
+    [message] = solve(loads(OVERDRIVE)).messages
+    told = "N420", "link race turns freely and carries no torque"
+    assert (message.id, message.text) == told
+    for drag in ("2 N*m", '"0.1*w"', "[[0, 0], [100, 3]]"):
+        text = "load: {speed: 1000 rpm, torque: 100 N*m}\n" + OVERDRIVE
+        single = text.replace("D: [race, housing]", f"D: {{links: [race, housing], drag: {drag}}}")
+        assert said(single) == [("direct", "N420")]
+        double = single.replace("links: [sun, race]", f"links: [sun, race], drag: {drag}")
+        assert sorted(said(double)) == [("direct", "N420"), ("direct", "W412")]
 
 
 def test_a_freewheel_the_wrong_way_round_is_named() -> None:

@@ -4,7 +4,6 @@
 """
 
 import copy
-from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import fields, replace
 from typing import Any
@@ -30,7 +29,7 @@ from tests.core.statics.batches import (
     with_numbers,
 )
 from tests.core.statics.test_against_oracle import with_ones
-from tests.core.statics.test_dragged import much_drag
+from tests.core.statics.test_drag import much_drag
 from tests.core.statics.test_efficiency import with_backs
 from tests.core.statics.test_freewheels import with_freewheels
 from tests.core.statics.test_springs import with_springs
@@ -76,20 +75,13 @@ def test_variants_that_do_not_go_alike_run_on_arrays(name: str) -> None:
     assert not disagreements(case, u, eta, [*searched[:4].tolist(), *range(4)])
 
 
-def check_random(seeds: Sequence[int], most: int, largest: int) -> None:
+@ranges_with_slow(4, 30, 60, start=1000)
+def test_random_trains(seeds: range) -> None:
+    most, largest = (30, 12) if seeds.start else (6, 6)
     for seed in seeds:
         case, u, eta = random_case(seed, largest)
         tried = generator(seed).permutation(len(u))[:most]
         assert not disagreements(case, u, eta, tried.tolist()), seed
-
-
-def test_random_trains() -> None:
-    check_random(range(4), most=6, largest=6)
-
-
-@pytest.mark.slow
-def test_many_random_trains() -> None:
-    check_random(range(1000, 1000 + count(24, 60)), most=30, largest=12)
 
 
 def test_few_variants() -> None:
@@ -111,30 +103,6 @@ def test_trains_of_all_kinds(seeds: range) -> None:
             eta = efficiencies(rng, case, 12, "any")
             assert not disagreements(case, u, None, range(4)), (make.__name__, seed)
             assert not disagreements(case, u, eta, range(4)), (make.__name__, seed)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("size", [5e-324, 1e-308, 1e-150, 1e-12, 1e12, 1e150, 1e308])
-def test_one_extreme_variant_harms_no_other(size: float) -> None:
-    case = vstatics.load(CASES / "two-stage.yaml")
-    rng = generator(8)
-    for place in (0, 3, 9):
-        u = ratios(rng, case, 10, "ordinary")
-        u[place] = np.copysign(size, u[place])
-        assert not disagreements(case, u)
-        u[place, 1:] = ratios(rng, case, 1, "ordinary")[0, 1:]
-        assert not disagreements(case, u)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("count", [3, 40])
-@pytest.mark.parametrize("coast", [False, True])
-def test_trains_of_many_mechanisms(count: int, coast: bool) -> None:
-    case = replace(chain(count), coast=coast)
-    rng = generator(9)
-    for kind in ("ordinary", "wide", "powers of ten"):
-        u = ratios(rng, case, 8, kind)
-        assert not disagreements(case, u, efficiencies(rng, case, 8, "any"))
 
 
 def test_a_product_that_overflows_in_some_variants_does_not_exist_there() -> None:

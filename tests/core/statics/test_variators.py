@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 
 from tests.chance import count, seeded
+from tests.core.writers.again import is_read_again
 from tests.trains import random_train
-from vstatics import CaseError, Gear, Load, Mechanism, ShiftElement, Transmission, solve
+from vstatics import CaseError, Gear, Load, Mechanism, ReadError, ShiftElement, Transmission, solve
 from vstatics.core.model.laws import PointLaw
 from vstatics.core.model.springs import Spring, between
 from vstatics.core.readers import loads
@@ -231,3 +232,38 @@ def test_a_link_that_is_none_is_told_beside_a_converter() -> None:
         with pytest.raises(CaseError) as caught:
             Transmission(2, elements, [converter], gears, springs=[spring])
         assert any(f"{wrong}" in one.message for one in caught.value.problems)
+
+
+COUPLINGS = """links: [engine, turbine, output]
+shift_elements: {L: [engine, turbine]}
+mechanisms:
+  TC: {kind: converter, first: engine, second: turbine, speed_ratio: 0.8, points: [[0, 2], [1, 1]]}
+  TD: {kind: converter, first: engine, second: output, speed_ratio: 0.5, points: [[0, 3], [1, 1]]}
+  pair: {first: turbine, second: output, ratio: 2}
+gears: {"1": {open: [TD]}, "2": {open: [TC]}, "3": {engaged: [L], open: [TD]}}
+"""
+
+
+def test_the_filled_one_of_two_couplings_drives() -> None:
+    """K = 1.2 at i = 0.8 before a pair of 2, and K = 2 at i = 0.5; what is open does nothing."""
+    case = loads(COUPLINGS)
+    results = solve(case)
+    assert results.ratio.tolist() == pytest.approx([2.5, 2, 2])
+    assert results.lossy_output_torque.tolist() == pytest.approx([2.4, 2, 2])
+    assert results.lossy_torques[:, 1:3].tolist() == [[1, 0], [0, 1], [0, 0]]
+    assert results.messages == ()
+    assert case.gears[0].open == (2,)
+    assert is_read_again(case)
+
+
+def test_only_converters_that_would_transmit_can_be_open() -> None:
+    for given, message in (
+        ("open: [pair]", "pair is not a converter"),
+        ("open: [L]", "the name of a mechanism: TC, TD, pair"),
+        ("open: [TC, TC]", "TC is listed twice"),
+        ("open: [TC], speed_ratios: {TC: 0.8}", "TC also has a speed ratio in this gear"),
+        ("engaged: [L], open: [TC]", "so it cannot be open"),
+        ("open: TC", "expected a list of converters"),
+    ):
+        with pytest.raises(ReadError, match=rf"gears\.1\.open.*{message}"):
+            loads(COUPLINGS.replace("open: [TD]", given, 1))

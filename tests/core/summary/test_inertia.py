@@ -57,7 +57,6 @@ def test_texts_have_the_table_of_one_case_and_of_several_if_there_is_one() -> No
 def of(
     mechanisms: list[Mechanism], *gears: Gear, links: int = 3, **more: object
 ) -> list[tuple[float, float]]:
-    """Inertia and acceleration of each gear."""
     case = Transmission(links, [], mechanisms, gears, **more)  # type: ignore[arg-type]
     return [(line.inertia, line.acceleration) for line in reduced_inertias(solve(case))]
 

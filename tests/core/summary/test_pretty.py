@@ -48,7 +48,6 @@ def gear_lines(text: str) -> list[str]:
 
 
 def rows(text: str) -> dict[str, list[str]]:
-    """The words of each gear."""
     lines = [line.split() for line in gear_lines(text) if line.startswith(" ")]
     return {words[0]: words for words in lines if words}
 

@@ -4,7 +4,6 @@ import math
 
 import pytest
 
-import vstatics as library
 from tests.core.elements.element_texts import SET, changed, loaded, problems, shown
 from vstatics.core.writers.named import mapping
 
@@ -39,16 +38,6 @@ def test_a_gear_has_a_load_of_its_own() -> None:
     assert not {"torques_Nm", "losses_kW", "input_power_kW"} & only.keys()
     alone = changed("low: {engaged: [B]}", "low: {speeds: {ring: 300 rpm}}")
     assert any("there is no input speed to relate it to" in told for told in problems(alone))
-
-
-def test_drag_in_newton_metres_is_related_to_the_torque_of_each_gear() -> None:
-    text = "load: {torque: 200 N*m}\ndrag: {carrier: 2 N*m}" + SET
-    text = changed(
-        "direct: {engaged: [C]}", "direct: {engaged: [C], load: {torque: 100 N*m}}", text
-    )
-    results = library.solve(loaded(text))
-    assert results.drag_losses == pytest.approx([0.01 / 3.5, 0.02])
-    assert results.efficiency[1] == pytest.approx(0.98)
 
 
 def test_power_enters_and_leaves_by_all_ports() -> None:
