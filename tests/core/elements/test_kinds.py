@@ -7,7 +7,6 @@ In the formulas a pair of wheels has the internal ratio k = (w_a - w_c)/(w_b - w
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from functools import partial
 from itertools import permutations
 from typing import Any
 
@@ -17,25 +16,14 @@ from hypothesis import strategies as st
 
 from tests.chance import count
 from tests.core.elements.element_cases import (
-    LETTERS,
-    LOSSES,
-    NO_LOSS,
-    PRECISION,
-    RAVIGNEAUX,
-    STEPPED,
     Held,
     all_held,
-    bevel_teeth,
-    double_teeth,
     efficiencies,
     link_speeds,
     pair_case,
     ratios,
-    ravigneaux_teeth,
     set_case,
-    simple_teeth,
     solved,
-    stepped_teeth,
     with_speeds_of_single_meshes,
 )
 from tests.oracle.single_meshes import ContradictionError, speeds
@@ -43,10 +31,26 @@ from vstatics import ReadError, loads, solve
 
 Teeth = Mapping[str, int]
 
+LOSSES = ("meshes", "reduced")
+PRECISION = 1e-12
+LETTERS = {"sun": "S", "ring": "R", "sun2": "S2", "ring2": "R2", "small_sun": "s", "large_sun": "S"}
+"""The link of each wheel in the small cases."""
+STEPPED = (
+    *(("sun", "sun2"), ("sun", "ring2"), ("ring", "ring2"), ("ring", "sun2")),
+    *(("sun", "ring", "ring2"), ("sun", "ring", "sun2"), ("sun", "sun2", "ring2")),
+    *(("ring", "sun2", "ring2"),),
+)
+RAVIGNEAUX = (
+    *(("small_sun", "large_sun"), ("small_sun", "ring"), ("large_sun", "ring")),
+    ("small_sun", "large_sun", "ring"),
+)
+"""Two or three wheels of a set."""
+
 EXTERNAL, INTERNAL = 0.98, 0.99
 """Efficiencies of meshes when nothing is said."""
 FAR_FROM_ONE = Fraction(1, 50)
 """An internal ratio of 1 makes one piece of a set; near it digits are lost."""
+NO_LOSS = {"external": 1, "internal": 1}
 WHEELS = st.integers(12, 90)
 
 EXAMPLES = settings(max_examples=count(4, 30))
@@ -118,12 +122,6 @@ def two_wheels(kind: str, teeth: Teeth) -> Set:
     return wheels_of(kind, ("sun", "ring"), teeth), internal
 
 
-def bevel(teeth: Teeth) -> Set:
-    """(w_left - w_c)/(w_right - w_c) = -z_right/z_left."""
-    element = {"kind": "bevel", "left": "L", "right": "R", "carrier": "C", "teeth": dict(teeth)}
-    return element, {"L": Fraction(1), "R": Fraction(-teeth["left"], teeth["right"])}
-
-
 def stepped(wheels: Sequence[str], teeth: Teeth) -> Set:
     """On a standing carrier the planet turns at 1: outer meshes turn round."""
     internal = {}
@@ -140,18 +138,6 @@ def ravigneaux(wheels: Sequence[str], teeth: Teeth) -> Set:
     used = {key: value for key, value in teeth.items() if key in (*wheels, "short", "long")}
     internal = {LETTERS[w]: Fraction(signs[w] * teeth["long"], teeth[w]) for w in wheels}
     return wheels_of("ravigneaux", wheels, used), internal
-
-
-@given(teeth=simple_teeth())
-@EXAMPLES
-def test_the_planet_of_a_planetary_set_that_is_one_mechanism(teeth: Teeth) -> None:
-    """Against the carrier it turns as z_s/z_p of the sun, backward."""
-    document = set_case(two_wheels("planetary", teeth)[0], "SRC", losses="reduced")
-    results = solved(document)
-    for number, gear in enumerate(results.case.gears):
-        exact = speeds(document, gear.name)
-        expected = float(exact["P.planet"] - exact["C"])
-        assert results.planet_speeds[number] == pytest.approx([expected], rel=PRECISION, abs=1e-11)
 
 
 def test_a_set_turns_without_teeth_of_its_planets() -> None:
@@ -205,30 +191,75 @@ def groups(draw: st.DrawFn) -> Set:
     return element, internal
 
 
-def of_wheels(
-    choices: Sequence[Sequence[str]],
-    teeth: Callable[[Sequence[str]], st.SearchStrategy[dict[str, int]]],
-    make: Callable[[Sequence[str], Teeth], Set],
-) -> st.SearchStrategy[Set]:
-    return st.sampled_from(choices).flatmap(
-        lambda wheels: teeth(wheels).map(lambda own: make(wheels, own))
-    )
+@st.composite
+def planetary_sets(draw: st.DrawFn) -> Set:
+    sun, planet = draw(st.integers(14, 60)), draw(st.integers(14, 40))
+    return two_wheels("planetary", {"sun": sun, "ring": sun + 2 * planet, "planet": planet})
+
+
+@st.composite
+def double_sets(draw: st.DrawFn) -> Set:
+    """Meshed planets that clear the wheels which they do not mesh with."""
+    sun, inner, outer = (draw(st.integers(14, 40)) for _ in range(3))
+    lowest, highest = sun + 2 * max(inner, outer) + 5, sun + 2 * inner + 2 * outer
+    ring = draw(st.integers(lowest, highest - 1))
+    return two_wheels("double_planet", {"sun": sun, "inner": inner, "outer": outer, "ring": ring})
+
+
+@st.composite
+def stepped_sets(draw: st.DrawFn, choices: Sequence[Sequence[str]]) -> Set:
+    """Rims of any modules, so that no sum of teeth has to agree."""
+    wheels, ranges = draw(st.sampled_from(choices)), {"sun": (14, 50), "ring": (60, 120)}
+    ends = {name: ranges.get(name.removesuffix("2"), (14, 45)) for name in wheels}
+    ends |= dict.fromkeys(("planet", "planet2"), (14, 45))
+    return stepped(wheels, {name: draw(st.integers(*limits)) for name, limits in ends.items()})
+
+
+@st.composite
+def ravigneaux_sets(draw: st.DrawFn) -> Set:
+    """The long planet meets large sun and ring, the short one reaches the small sun."""
+    large, long, short = (draw(st.integers(*ends)) for ends in ((24, 50), (14, 30), (14, 30)))
+    ring = large + 2 * long
+    small = draw(st.integers(max(14, large - 2 * short + 1), ring - 1))
+    teeth = {"small_sun": small, "large_sun": large, "ring": ring, "short": short, "long": long}
+    return ravigneaux(draw(st.sampled_from(RAVIGNEAUX)), teeth)
+
+
+@st.composite
+def bevel_sets(draw: st.DrawFn) -> Set:
+    """(w_left - w_c)/(w_right - w_c) = -z_right/z_left."""
+    left, right, planet = (draw(st.integers(*ends)) for ends in ((10, 40), (10, 40), (8, 20)))
+    own = {"teeth": {"left": left, "right": right, "planet": planet}}
+    element = {"kind": "bevel", "left": "L", "right": "R", "carrier": "C", **own}
+    return element, {"L": Fraction(1), "R": Fraction(-left, right)}
 
 
 SETS: dict[str, st.SearchStrategy[Set]] = {
-    "planetary": simple_teeth().map(partial(two_wheels, "planetary")),
-    "double_planet": double_teeth().map(partial(two_wheels, "double_planet")),
-    "stepped pair": of_wheels(STEPPED[:4], stepped_teeth, stepped),
-    "stepped": of_wheels(STEPPED[4:], stepped_teeth, stepped),
-    "ravigneaux": of_wheels(RAVIGNEAUX, lambda _: ravigneaux_teeth(), ravigneaux),
+    "planetary": planetary_sets(),
+    "double_planet": double_sets(),
+    "stepped pair": stepped_sets(STEPPED[:4]),
+    "stepped": stepped_sets(STEPPED[4:]),
+    "ravigneaux": ravigneaux_sets(),
     "group": groups(),
-    "bevel": bevel_teeth().map(bevel),
+    "bevel": bevel_sets(),
 }
 
 
 def is_far_from_one(drawn: Set) -> bool:
     """Whether no two wheels have nearly the same speed on a standing carrier."""
     return all(abs(1 - a / b) > FAR_FROM_ONE for a, b in permutations(drawn[1].values(), 2))
+
+
+@given(drawn=planetary_sets())
+@EXAMPLES
+def test_the_planet_of_a_planetary_set_that_is_one_mechanism(drawn: Set) -> None:
+    """Against the carrier it turns as z_s/z_p of the sun, backward."""
+    document = set_case(drawn[0], "SRC", losses="reduced")
+    results = solved(document)
+    for number, gear in enumerate(results.case.gears):
+        exact = speeds(document, gear.name)
+        expected = float(exact["P.planet"] - exact["C"])
+        assert results.planet_speeds[number] == pytest.approx([expected], rel=PRECISION, abs=1e-11)
 
 
 @given(data=st.data())

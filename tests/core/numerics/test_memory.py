@@ -65,21 +65,15 @@ def test_memory_that_nobody_looks_at_is_used_again_for_the_same_form() -> None:
 
 LOOKS: dict[str, Callable[[Array], object]] = {
     "the array": lambda array: array,
-    "a view": lambda array: array.view(),
-    "a slice": lambda array: array[1:, :, ::7],
     "a slice of a slice": lambda array: array[1:][0][0][3:],
     "a row, turned": lambda array: array.T[0],
-    "another shape": lambda array: array.reshape(-1),
     "another type": lambda array: array.view(np.uint8),
     "a broadcast": lambda array: np.broadcast_to(array, (3, *array.shape)),
-    "an asarray": np.asarray,
     "a subclass": lambda array: array.view(np.recarray),
     "an iterator": lambda array: array.flat,
-    "a memoryview": lambda array: array.data,
     "a slice of a memoryview": lambda array: array.data[1:],
     "through a buffer": lambda array: np.frombuffer(array.data.cast("B")),
     "one of a list": lambda array: [*array],
-    "an attribute": lambda array: array.real,
 }
 
 
@@ -133,16 +127,15 @@ def test_what_memory_holds_is_not_written_again(same: bool) -> None:
 
 def test_results_can_only_be_read_and_copies_written() -> None:
     for results in (sweep(-3), solve(CASE)):
-        for name in ARRAYS:
-            array = getattr(results, name)
+        for array in (getattr(results, name) for name in ARRAYS):
             with pytest.raises(ValueError, match="read-only"):
                 array[...] = 0
             if array.size and any(array.strides):  # one number shown for all is nobody's
                 with pytest.raises(ValueError, match="WRITEABLE"):
                     array.flags.writeable = True
-                while isinstance(array.base, np.ndarray):
-                    array = array.base
-                    assert not array.flags.writeable
+                base = array
+                while isinstance(base := base.base, np.ndarray):
+                    assert not base.flags.writeable
     results = sweep(-3)
     for copied in (copy.deepcopy(results), pickled(results)):
         copied.ratio[:] = 0

@@ -37,7 +37,6 @@ from tests.oracle.cases import NASTY
 from tests.trains import no_losses
 from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission, solve
 from vstatics.core.annexes import KEYS
-from vstatics.core.model.converters import Converter
 from vstatics.core.model.parts import Load
 from vstatics.core.statics import variants
 
@@ -239,31 +238,15 @@ KEYED = Transmission(
 
 
 OTHER: dict[str, object] = {
-    **dict.fromkeys(("first", "second", "third", "output"), 4),
-    "links": 5,
-    "input": 2,
-    "engaged": (),
-    "holding": (2,),
-    "input_turns": "backward",
-    "speeds": {4: 0.5},
-    "torques": {2: 0.25},
     "open_drag": {2: 0.3},
-    "speed_ratios": {1: 0.5},
-    "ratio": -3.0,
-    "efficiency": 0.5,
-    "planet_ratio": 0.25,
-    "back_efficiency": 0.5,
     "capacity": 2.0,
     "load": Load(100.0, 9.0),
-    "coast": True,
-    "idle": "published",
-    "converters": (Converter("TC", 1, 2, ((0.0, 2.0, 0.003), (1.0, 1.0, 0.0))),),
-    "link_names": ("a", "b", "c", "d"),
     "inertias": {1: 0.5},
     "masses": {2: 300.0},
+    "link_names": ("a", "b", "c", "d"),
     "balance": None,  # it acts as given torques, which are in the key
 }
-"""Another value of fields that statics reads; what it does not read may be anything."""
+"""Another value of fields that may not be anything."""
 DRAG = {ShiftElement: 0.5, Gear: {1: 0.2}, Transmission: {3: 0.2}}
 PLACES: dict[Any, str] = {ShiftElement: "shift_elements", Mechanism: "mechanisms"}
 PLACES |= {Spring: "springs", Gear: "gears"}
