@@ -94,8 +94,6 @@ MASSES = (
     ("mass: 500 g", "mass: -1", "elements.P1.planet.mass: read -1, expected a mass of 0 or more"),
     ("radius: 52 mm", "radius: -1", "planet.radius: read -1, expected a radius of 0 or more"),
     ("mass: 500 g", "mass: nan", "elements.P1.planet.mass: read 'nan'"),
-    ("mass: 500 g", "mass: 3 rpm", "expected a mass in kg, bare or with its unit; this is a speed"),
-    ("radius: 52 mm", "radius: 52 mm^2", "expected a length in m"),
     ("inertia: 84e-6", "inertia: 84 N*m", "expected an inertia in kg*m^2"),
     ("inertia: 84e-6", "inetria: 84e-6", "did you mean `inertia`?"),
     ("planets: 3", "planets: 3, stiffness: 9e4", "list the planet as a link"),
@@ -106,7 +104,6 @@ STIFFNESSES = (
     ("stiffness: 9e4", "stiffness: -9e4", "read -90000, expected a stiffness above 0"),
     ("stiffness: 9e4, ", "", "read a damping without `stiffness`"),
     ("damping: 12", "damping: -1", "P1.damping: read -1, expected a damping of 0 or more"),
-    ("stiffness: 9e4", "stiffness: 3 rpm", "expected a stiffness in N*m/rad"),
 )  # fmt: skip
 
 

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.core.numerics.tapes import on_tape, traced
+from tests.core.numerics.test_traced import on_tape, traced
 from vstatics.core.numerics.elimination import (
     RIGHT,
     Equation,

@@ -196,7 +196,6 @@ def test_a_note_says_that_the_own_input_of_a_gear_is_assumed_to_turn_forward() -
     for text, expected in (
         (M2, [note]),
         (M2.replace("freewheel", "brake"), []),
-        (M2.replace("input: m2", "input: m1"), []),
         (M2.replace("input: m2", "torques: {m2: 1}"), []),
         (M2.replace("input: m2", "input: m2, load: {torque: 3 N*m}"), []),
         (M2.replace("input: m2", "input: m2, input_turns: forward"), []),
@@ -317,10 +316,8 @@ def test_faults_are_located() -> None:
         (brake, "{kind: brake, links: [sun, output]}", 7, "against the"),
         (brake, "{kind: clutch, links: [sun]}", 7, "expected `brake`"),
         ("kind: brake", "kind: break", 7, "did you mean `brake`"),
-        ("[carrier 2]", "[]", 7, "or one: [first]"),
         ("[carrier 2]", "[carrier 2, sun, input]", 7, "read a list of 3"),
         ("[carrier 2]", "[carrier]", 7, "links[1]: read"),
-        ("[carrier 2]", "[sun, sun]", 7, "to itself"),
         (brake, "{kind: brake}", 7, "`links` is missing"),
         (brake, "brake", 7, "expected two links"),
     )
