@@ -104,6 +104,7 @@ def test_planets_can_be_assembled_where_turning_them_tooth_by_tooth_finds_a_way(
 
 def test_a_message_names_the_formula_that_is_not_whole() -> None:
     stepped = "sun 30 planet 20 planet2 25 ring2 95"  # 2650/5 = 530
+    own = "ravigneaux/3 ring 72 short 20 long 18"
     for text, formula in (
         ("planetary/3 sun 48 ring 96 planet 24", ""),
         ("planetary/3 sun 48 ring 97 planet 24", "(sun + ring)/planets = 145/3"),
@@ -111,15 +112,9 @@ def test_a_message_names_the_formula_that_is_not_whole() -> None:
         (f"stepped/2 {stepped}", ""),
         (f"stepped/5 {stepped}", ""),
         (f"stepped/4 {stepped}", "/(planets * gcd(planet, planet2)) = 2650/20"),
-        ("ravigneaux/3 small_sun 30 large_sun 36 ring 72 short 20 long 18", ""),
-        (
-            "ravigneaux/3 small_sun 31 large_sun 36 ring 72 short 20 long 18",
-            "(small_sun + large_sun)/planets = 67/3",
-        ),
-        (
-            "ravigneaux/3 large_sun 35 ring 72 short 20 long 18",
-            "(large_sun + ring)/planets = 107/3",
-        ),
+        (f"{own} small_sun 30 large_sun 36", ""),
+        (f"{own} small_sun 31 large_sun 36", "(small_sun + large_sun)/planets = 67/3"),
+        (f"{own} large_sun 35", "(large_sun + ring)/planets = 107/3"),
         ("bevel/4 left 16 right 16 planet 10", ""),
         ("bevel/3 left 16 right 16 planet 10", "(left + right)/planets = 32/3"),
     ):
@@ -149,51 +144,24 @@ def umdm_with(ring: int) -> Element:
 RAVIGNEAUX = "ravigneaux small_sun 30 large_sun 36 short 20 long 18 ring"
 LAYOUTS = (
     ("planetary sun 48 ring 96 planet 24", "ring 96 is not"),
-    (
-        "planetary sun 48 ring 98 planet 24",
-        "ring 98 is not sun + 2 planet = 96",
-        "note",
-        "ring",
-    ),
+    ("planetary sun 48 ring 98 planet 24", "ring 98 is not sun + 2 planet = 96", "note", "ring"),
     ("planetary sun 48 ring 98 planet 24", "shifted profiles", "note", "ring"),
     ("planetary sun 48 ring 99 planet 24", "is not sun + 2 planet = 96", "warning", "ring"),
     ("planetary sun 48 ring 96", "would need"),
     ("planetary sun 48 ring 97", "would need 24.5 teeth ((ring - sun)/2); its", "note", ""),
     (f"{RAVIGNEAUX} 72", "large_sun + 2 long"),
     (f"{RAVIGNEAUX} 80", "ring 80 is not large_sun + 2 long = 72", "warning", ""),
-    (
-        "ravigneaux small_sun 28 large_sun 32 ring 75",
-        "planet would need 21.5 teeth",
-        "note",
-        "",
-    ),
-    (
-        "ravigneaux small_sun 30 large_sun 36 ring 30",
-        "no planet `long` fits",
-        "warning",
-        "ring",
-    ),
+    ("ravigneaux small_sun 28 large_sun 32 ring 75", "planet would need 21.5 teeth", "note", ""),
+    ("ravigneaux small_sun 30 large_sun 36 ring 30", "no planet `long` fits", "warning", "ring"),
     ("stepped sun 30 planet 20 planet2 25 ring2 75", "module"),
     # 25 + 20 = 45 and 61 - 25 = 36; 45/36 = 1.25
-    (
-        "stepped sun 25 planet 20 planet2 25 ring2 61",
-        "the module of planet2 is 1.25 times the module of planet (5/4)",
-        *("note", "planet2"),
-    ),
+    ("stepped sun 25 planet 20 planet2 25 ring2 61", "planet2 is 1.25 times", "note", "planet2"),
     # 100 - 40 = 60 and 97 - 38 = 59
-    (
-        "stepped sun 20 ring 100 ring2 97 planet 40 planet2 38",
-        "coaxial with shifted profiles, or with different modules: "
-        "the module of planet2 is 1.0169 times the module of planet (60/59)",
-        *("note", ""),
-    ),
+    ("stepped sun 20 ring 100 ring2 97 planet 40 planet2 38", "coaxial with shifted", "note", ""),
+    ("stepped sun 20 ring 100 ring2 97 planet 40 planet2 38", "is 1.0169 times", "note", ""),
     ("double_planet sun 30 inner 20 outer 20 ring 90", "cannot mesh"),
     # radii (30 + 20)/2 = 25 and (120 - 20)/2 = 50 leave 25 between, planets make 20
-    (
-        "double_planet sun 30 inner 20 outer 20 ring 120",
-        "distance 20 would have to be between 25 and 75",
-        *("warning", "inner"),
-    ),
+    ("double_planet sun 30 inner 20 outer 20 ring 120", "between 25 and 75", "warning", "inner"),
     # tips of the inner planet reach to 30 + 28 + 28 + 2 = 88, twice the radius in modules;
     # tips of a ring of 90 stand at 88 too, those of one of 91 leave a gap
     ("double_planet sun 30 inner 28 outer 20 ring 90", "inner 28 and ring 90", "warning", ""),
@@ -205,10 +173,7 @@ LAYOUTS = (
     ("planetary/5 sun 20 ring 100 planet 40", "sin(180°/5) = 35.27, exp", "warning", ""),
     # 50 sin 60 = 43.3 of planet2, whose tips take 42; 50 sin 45 = 35.4
     ("stepped/3 sun 30 planet 20 planet2 40 ring2 90", "touch"),
-    (
-        "stepped/4 sun 30 planet 20 planet2 40 ring2 90",
-        *("expected more than planet2 + 2 = 42", "warning", ""),
-    ),
+    ("stepped/4 sun 30 planet 20 planet2 40 ring2 90", "than planet2 + 2 = 42", "warning", ""),
 )
 """An element, words about it, severity and place of the doubt if there is any."""
 

@@ -201,8 +201,5 @@ def groups(draw: st.DrawFn) -> Element:
 
 def suggestions(problem: Problem) -> list[dict[str, int]]:
     text = problem.message.partition("; nearest ")[2].partition(": ")[2]
-    return [
-        {name: int(count) for name, count in re.findall(r"(\w+) (\d+)", part.partition("(")[0])}
-        for part in text.split(" or ")
-        if part
-    ]
+    parts = [part.partition("(")[0] for part in text.split(" or ") if part]
+    return [{n: int(count) for n, count in re.findall(r"(\w+) (\d+)", part)} for part in parts]

@@ -5,7 +5,8 @@ ratio u = -73/35. With carrier 2 held the ratio is 2 - 1/u; with the sun held 1 
 """
 
 from dataclasses import replace
-from itertools import product
+from itertools import combinations, product
+from typing import Literal
 
 import numpy as np
 import pytest
@@ -26,6 +27,7 @@ from vstatics.core.readers.named.reader import read_yaml
 from vstatics.core.writers import deck, named
 
 U = -73 / 35
+WAYS: tuple[Literal["", "forward", "backward"], ...] = "", "", "forward", "backward"
 SIMPSON = """\
 links: [input, ring 1, sun, carrier 2, output]
 shift_elements:
@@ -148,15 +150,20 @@ def backward(case: Transmission) -> Transmission:
     return replace(case, gears=[gear._replace(input_turns="backward") for gear in case.gears])
 
 
+def turned_round(case: Transmission) -> Transmission:
+    """The train with its freewheels the other way."""
+    elements = [
+        one._replace(first=one.second, second=one.first) if one.is_freewheel else one
+        for one in case.shift_elements
+    ]
+    return replace(case, shift_elements=elements)
+
+
 def test_an_input_that_turns_backward_is_a_train_with_its_freewheels_the_other_way() -> None:
     """The image in a mirror: what turns forward there turns backward here."""
     for text, coast in product((SIMPSON, TWO, TWO_MOTORS), (False, True)):
         case = replace(simpson(text), coast=coast)
-        turned = [
-            one._replace(first=one.second, second=one.first) if one.is_freewheel else one
-            for one in case.shift_elements
-        ]
-        expected, found = solved(replace(case, shift_elements=turned)), solved(backward(case))
+        expected, found = solved(turned_round(case)), solved(backward(case))
         assert same(found.lossy_torques[:, -1], expected.lossy_torques[:, -1])
         for name in ("speeds", "efficiency", "holds", "conflict"):
             assert same(getattr(found, name), getattr(expected, name)), name
@@ -209,17 +216,14 @@ def with_freewheels(seed: int) -> Transmission:
     rng = seeded(seed)
     case = random_train(rng) if seed % 2 else large_train(rng, 6)
     made = [
-        element._replace(kind="freewheel", name="") if rng.random() < 0.4 else element
-        for element in case.shift_elements
+        one._replace(kind="freewheel", name="") if rng.random() < 0.4 else one
+        for one in case.shift_elements
     ]
-    free = {number for number, element in enumerate(made, 1) if element.is_freewheel}
-    gears = [
-        gear._replace(
-            engaged=[n for n in gear.engaged if n not in free],
-            input_turns=rng.choice(("", "", "forward", "backward")),
-        )
-        for gear in case.gears
-    ]
+    free = {number for number, one in enumerate(made, 1) if one.is_freewheel}
+    gears = []
+    for gear in case.gears:
+        engaged = [number for number in gear.engaged if number not in free]
+        gears.append(gear._replace(engaged=engaged, input_turns=rng.choice(WAYS)))
     return replace(case, shift_elements=made, gears=gears)
 
 
@@ -228,27 +232,22 @@ def states(case: Transmission, number: int) -> list[Results]:
 
     Here the freewheels are clutches and brakes, engaged where they hold.
     """
-    found = []
-    wheels = [element.is_freewheel for element in case.shift_elements]
+    possible, gear = [], case.gears[number]
+    wheels = [n for n, one in enumerate(case.shift_elements) if one.is_freewheel]
     plain = [element._replace(kind="") for element in case.shift_elements]
-    way = -1 if case.gears[number].input_turns == "backward" else 1
+    way = -1 if gear.input_turns == "backward" else 1
     turn = -way if case.coast else way
-    for mask in range(2 ** sum(wheels)):
-        bits = iter(range(sum(wheels)))
-        held = [n for n, is_one in enumerate(wheels) if is_one and mask >> next(bits) & 1]
-        gear = case.gears[number]
-        gear = gear._replace(engaged=[*gear.engaged, *(n + 1 for n in held)])
-        one = plainly(replace(case, shift_elements=plain, gears=[gear]))
-        lossy = one.lossy_torques[0, held]
-        torques = np.where(np.isnan(lossy), one.torques[0, held], lossy) * turn
-        others = [n for n, is_one in enumerate(wheels) if is_one and n not in held]
-        if (
-            not one.failed
-            and (torques <= 1e-9).all()
-            and not (one.slip_speeds[0, others] * way < -1e-9).any()
-        ):
-            found.append(one)
-    return found
+    for count in range(len(wheels) + 1):
+        for held in map(list, combinations(wheels, count)):
+            engaged = gear._replace(engaged=[*gear.engaged, *(n + 1 for n in held)])
+            one = plainly(replace(case, shift_elements=plain, gears=[engaged]))
+            lossy = one.lossy_torques[0, held]
+            torques = np.where(np.isnan(lossy), one.torques[0, held], lossy) * turn
+            others = [n for n in wheels if n not in held]
+            slips = one.slip_speeds[0, others] * way
+            if not one.failed and (torques <= 1e-9).all() and not (slips < -1e-9).any():
+                possible.append(one)
+    return possible
 
 
 def drives(one: Results) -> bool:
@@ -289,10 +288,8 @@ def test_the_state_of_random_trains_is_one_that_trying_them_all_finds(seeds: ran
 
 def test_yaml_and_json_keep_freewheels_and_a_deck_cannot() -> None:
     case = backward(simpson())
-    assert case.shift_elements[3:] == (
-        ShiftElement(4, 0, "D", "freewheel"),
-        ShiftElement(4, 0, "E", "brake"),
-    )
+    freewheel, brake = ShiftElement(4, 0, "D", "freewheel"), ShiftElement(4, 0, "E", "brake")
+    assert case.shift_elements[3:] == (freewheel, brake)
     assert is_read_again(case)
     written = named.mapping(case)["shift_elements"]
     assert written["A"] == ["input", "ring 1"]

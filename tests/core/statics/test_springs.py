@@ -88,12 +88,8 @@ def test_coefficients_need_not_add_to_0() -> None:
 
 
 def test_the_matrix_has_a_column_for_each_spring_behind_the_mechanisms() -> None:
-    assert distribution_matrix(SHAFT).tolist() == [
-        [0, 1, 1, 0],
-        [1, -1, 2.5, 0],
-        [0, 0, -3.5, 1],
-        [0, 0, 0, -1],
-    ]
+    columns = [[0, 1, 0, 0], [1, -1, 0, 0], [1, 2.5, -3.5, 0], [0, 0, 1, -1]]
+    assert distribution_matrix(SHAFT).T.tolist() == columns
 
 
 def test_two_springs_between_the_same_links_share_a_torque_that_is_not_known() -> None:
