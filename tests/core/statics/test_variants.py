@@ -112,34 +112,6 @@ def test_a_product_that_overflows_in_some_variants_does_not_exist_there() -> Non
     assert not disagreements(case, u, variants=[0, 3])
 
 
-def test_a_fixed_number_that_overflows_beside_others_that_vary() -> None:
-    """Ratios with losses are 1e320 and more, and what is made of them is no number."""
-    sets = [
-        Mechanism(5, 3, 1, -0.1, 1e-320, 2.95),
-        Mechanism(5, 4, 3, 1.9, 1e-100),
-        Mechanism(8, 1, 6, -2.1),
-        Mechanism(6, 0, 0, 2.1, 1e-12),
-        Mechanism(5, 8, 7, -1.0, 1.0, 1.51),
-        Mechanism(2, 7, 0, -2.1),
-    ]
-    gear = Gear(speeds={4: 1.0}, torques={1: -1.3, 2: 1.57})
-    case = Transmission(8, [], sets, [gear], idle="published")
-    u = np.tile([mechanism.ratio for mechanism in sets], (6, 1))
-    u[:, [2, 4, 5]] *= np.linspace(0.9, 1.1, 6)[:, None]
-    assert not disagreements(case, u)
-
-
-def test_open_torques_that_losses_determine() -> None:
-    """The balance of guesses is a rest, with which nothing can be done on a tape."""
-    sets = [Mechanism(1, 2, 4, -1.5, 0.99), Mechanism(3, 2, 0, 0.95, 0.991)]
-    sets += [Mechanism(1, 3, 4, -1.8, 0.99)]
-    case = Transmission(4, [], sets, [Gear(input=3, output=2)], coast=True)
-    u = np.full((6, 3), 1e6)
-    u[:, 1] = 1.0
-    eta = np.array([1.0, 0.456, 0.919]) ** np.linspace(1, 1.01, 6)[:, None]
-    assert not disagreements(case, u, eta)
-
-
 def test_numbers_of_other_types_are_those_of_floats() -> None:
     """A speed of class numpy.float64, and whole numbers above 2**53, which floats round."""
     sets = [Mechanism(1, 2, 3, 1e200), Mechanism(3, 0, 4, 1e200, 0.97)]
