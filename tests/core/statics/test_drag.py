@@ -153,7 +153,7 @@ def check_open(results: Results, number: int) -> None:
             assert torques[place] == pytest.approx(drag * sign * turn)
 
 
-@ranges_with_slow(range(55, 70), 100, 340)
+@ranges_with_slow(range(55, 70), 100, 340, start=70)
 def test_random_trains_agree_with_all_sets_of_signs(seeds: range) -> None:
     dragged, locked = map(sum, zip(*(checked(much_drag(seed)) for seed in seeds), strict=True))
     assert dragged > len(seeds) / 2
