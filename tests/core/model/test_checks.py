@@ -20,6 +20,7 @@ PAIR |= {"mechanisms": [Mechanism(1, 2, 0, 4)]}
 element: Any = ShiftElement
 gear: Any = Gear
 DOG = [ShiftElement(1, 2, kind="dog_clutch")]
+CONVERTER = [Mechanism(1, 2, 0, math.nan, kind="converter", points=((0.0, 2.0), (1.0, 1.0)))]
 
 
 def worm(back: float) -> Mechanism:
@@ -47,6 +48,7 @@ FAULTS: tuple[tuple[dict[str, Any], str, Any, str, str], ...] = (
     (PAIR, "gears", gear(drag={2: math.nan}), "drag 2", ""),
     (PAIR, "gears", gear(open_drag={2: 0.1}), "open_drag 2", ""),
     (PAIR | {"shift_elements": DOG}, "gears", gear(open_drag={1: 0.1}), "open_drag 1", ""),
+    (PAIR | {"mechanisms": CONVERTER}, "gears", gear(), "", "`speed_ratio` of converter 1 is"),
     *((PAIR, "cylinders", number, "cylinders", CYLINDERS) for number in (0, 49, 4.5)),
 )
 
@@ -57,7 +59,7 @@ def test_a_fault_is_told_with_its_path() -> None:
         with pytest.raises(CaseError) as caught:
             Transmission(**{**parts, key: [given] if one else given})
         problems = {" ".join(map(str, each.path)): each.message for each in caught.value.problems}
-        assert said in problems[f"{key} 1 {path}" if one else path]
+        assert said in problems[f"{key} 1 {path}".strip() if one else path]
 
 
 def test_there_may_be_no_more_than_eight_freewheels() -> None:
