@@ -101,6 +101,7 @@ def test_a_device_is_no_row_of_links_or_shift_elements() -> None:
         row_named("P1", "torques", case)
     with pytest.raises(ReadError, match="there is no shift element `P1`"):
         row_named("P1", "elements", case)
+    assert [row_named(name, "elements", case) for name in ("C1", "2", "#3")] == [0, 1, 2]
 
 
 def test_a_data_frame_has_the_units_of_the_load(everything: Transmission) -> None:
