@@ -12,7 +12,6 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 import yaml
-from hypothesis import strategies as st
 
 import vstatics
 from tests.oracle.single_meshes import Document, speeds
@@ -21,19 +20,7 @@ from vstatics.core.readers import read
 from vstatics.core.readers.reading import Reading
 from vstatics.core.statics.results import Results
 
-NO_LOSS = {"external": 1, "internal": 1}
-LOSSES = ("meshes", "reduced")
 PRECISION = 1e-12
-
-LETTERS = {
-    "sun": "S",
-    "ring": "R",
-    "sun2": "S2",
-    "ring2": "R2",
-    "small_sun": "s",
-    "large_sun": "S",
-}
-"""The link of each wheel in the small cases."""
 
 
 class Held(NamedTuple):
@@ -50,7 +37,6 @@ class Held(NamedTuple):
 
 
 def all_held(members: Sequence[str]) -> list[Held]:
-    """Every way to use three of the links."""
     return [Held(*three) for three in permutations(members, 3)]
 
 
@@ -79,33 +65,27 @@ def pair_case(element: Document, first: str, second: str, **more: Any) -> dict[s
 
 
 def reading(document: Document) -> Reading:
-    """What the program reads out of a case."""
     text = yaml.safe_dump(dict(document), sort_keys=False, allow_unicode=True)
     return read(text.encode(), "case.yaml")
 
 
 def solved(document: Document) -> Results:
-    """What the program calculates of a case."""
     return vstatics.solve(reading(document).case)
 
 
 def gear_names(results: Results) -> list[str]:
-    """The gears in their order."""
     return [gear.name for gear in results.case.gears]
 
 
 def ratios(results: Results) -> dict[str, float]:
-    """The ratio of every gear by its name."""
     return dict(zip(gear_names(results), results.ratio.tolist(), strict=True))
 
 
 def efficiencies(results: Results) -> dict[str, float]:
-    """The efficiency of every gear by its name."""
     return dict(zip(gear_names(results), results.efficiency.tolist(), strict=True))
 
 
 def link_speeds(results: Results, gear: str) -> dict[str, float]:
-    """The speeds of a gear by link."""
     state = results.gear(gear_names(results).index(gear) + 1)
     return dict(zip(results.case.link_names, map(plain, state.speeds), strict=True))
 
@@ -140,60 +120,3 @@ def with_speeds_of_single_meshes(document: Document) -> Results:
     results = solved(document)
     has_the_speeds_of_single_meshes(document, results)
     return results
-
-
-@st.composite
-def simple_teeth(draw: st.DrawFn) -> dict[str, int]:
-    """A sun, planets and a ring on one axis."""
-    sun, planet = draw(st.integers(14, 60)), draw(st.integers(14, 40))
-    return {"sun": sun, "ring": sun + 2 * planet, "planet": planet}
-
-
-@st.composite
-def double_teeth(draw: st.DrawFn) -> dict[str, int]:
-    """Meshed planets that clear the wheels which they do not mesh with."""
-    sun, inner, outer = (draw(st.integers(14, 40)) for _ in range(3))
-    lowest, highest = sun + 2 * max(inner, outer) + 5, sun + 2 * inner + 2 * outer
-    ring = draw(st.integers(lowest, highest - 1))
-    return {"sun": sun, "inner": inner, "outer": outer, "ring": ring}
-
-
-STEPPED = (
-    *(("sun", "sun2"), ("sun", "ring2"), ("ring", "ring2"), ("ring", "sun2")),
-    *(("sun", "ring", "ring2"), ("sun", "ring", "sun2"), ("sun", "sun2", "ring2")),
-    *(("ring", "sun2", "ring2"),),
-)
-"""Two or three wheels of a set with stepped planets."""
-
-RAVIGNEAUX = (
-    *(("small_sun", "large_sun"), ("small_sun", "ring"), ("large_sun", "ring")),
-    ("small_sun", "large_sun", "ring"),
-)
-"""Two or three wheels of a Ravigneaux set."""
-
-
-def stepped_teeth(wheels: Sequence[str]) -> st.SearchStrategy[dict[str, int]]:
-    """Rims of any modules, so that no sum of teeth has to agree."""
-    ranges = {
-        **dict.fromkeys(("sun", "sun2"), (14, 50)),
-        **dict.fromkeys(("ring", "ring2"), (60, 120)),
-        **dict.fromkeys(("planet", "planet2"), (14, 45)),
-    }
-    return st.fixed_dictionaries(
-        {wheel: st.integers(*ranges[wheel]) for wheel in ("planet", "planet2", *wheels)}
-    )
-
-
-@st.composite
-def ravigneaux_teeth(draw: st.DrawFn) -> dict[str, int]:
-    """The long planet meets large sun and ring, the short one reaches the small sun."""
-    large, long, short = (draw(st.integers(*ends)) for ends in ((24, 50), (14, 30), (14, 30)))
-    ring = large + 2 * long
-    small = draw(st.integers(max(14, large - 2 * short + 1), ring - 1))
-    return {"small_sun": small, "large_sun": large, "ring": ring, "short": short, "long": long}
-
-
-def bevel_teeth() -> st.SearchStrategy[dict[str, int]]:
-    """Side wheels may differ."""
-    side = st.integers(10, 40)
-    return st.fixed_dictionaries({"left": side, "right": side, "planet": st.integers(8, 20)})

@@ -36,7 +36,6 @@ def loaded(text: str) -> library.Transmission:
 
 
 def shown(text: str) -> dict[str, Table]:
-    """The tables of a case by their names."""
     return {table.quantity.name: table for table in tables(library.solve(loaded(text)))}
 
 

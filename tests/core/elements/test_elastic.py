@@ -34,7 +34,6 @@ gears: {low: [B], high: [C]}
 
 
 def errors(text: str) -> list[str]:
-    """Problems but notes."""
     return [told for told in problems(text) if ": error: " in told]
 
 
@@ -53,53 +52,38 @@ SIZES = {"sun": 30, "ring": 90, "small_sun": 24, "planet": 30, "worm": 2, "wheel
 TWO_WHEELS = {"ravigneaux": ("small_sun", "ring"), "stepped": ("sun", "ring")}
 
 
-@pytest.mark.parametrize("kind", [kind for kind in KINDS if kind != "planet_group"])
-def test_every_kind_of_one_row_may_be_elastic(kind: str) -> None:
+def test_every_kind_of_one_row_may_be_elastic() -> None:
     """A Ravigneaux set of two wheels has one row, too."""
-    members = TWO_WHEELS.get(kind, ())
-    left_out = set(getattr(KINDS[kind], "optional", ())).difference(members)
-    links = [member for member in KINDS[kind].members if member not in left_out]
-    teeth = [wheel for wheel in KINDS[kind].toothed if wheel not in left_out]
-    one = Element(
-        "E",
-        kind,
-        {member: number for number, member in enumerate(links, 1)},
-        {wheel: SIZES.get(wheel, 20) for wheel in teeth},
-        efficiency=1.0,
-        stiffness=1e5,
-        damping=3,
-    )
-    case = transmission(Drawing(max(len(links), 2), [one]), gears=[Gear()])
-    assert [mechanism.stiffness for mechanism in case.mechanisms] == [1e5]
-    assert [mechanism.damping for mechanism in case.mechanisms] == [Damping(3.0)]
+    for kind in KINDS.keys() - {"planet_group"}:
+        members = TWO_WHEELS.get(kind, ())
+        left_out = set(getattr(KINDS[kind], "optional", ())).difference(members)
+        links = [member for member in KINDS[kind].members if member not in left_out]
+        teeth = {w: SIZES.get(w, 20) for w in KINDS[kind].toothed if w not in left_out}
+        numbers = {member: number for number, member in enumerate(links, 1)}
+        one = Element("E", kind, numbers, teeth, efficiency=1.0, stiffness=1e5, damping=3)
+        [made] = transmission(Drawing(max(len(links), 2), [one]), gears=[Gear()]).mechanisms
+        assert (made.stiffness, made.damping) == (1e5, Damping(3.0)), kind
 
 
-@pytest.mark.parametrize(
-    "text",
-    [
-        WITH_PLANET,
-        ELASTIC,
-        changed("damping: 12", "damping: {ratio: .02}", ELASTIC),
-        RAVIGNEAUX
-        % ", planet: {short: {inertia: 1e-5}, long: {inertia: 2e-5, mass: .3, radius: .05}}",
-    ],
-)
-def test_what_is_written_reads_back_equal(text: str) -> None:
-    case = loaded(text)
-    for written, file in ((write_yaml(case), "case.yaml"), (write_json(case), "case.json")):
-        back = read(written.encode(), file).case
-        assert back == case
-        assert drawing_of(back) == drawing_of(case)
+def test_what_is_written_reads_back_equal() -> None:
+    planets = ", planet: {short: {inertia: 1e-5}, long: {inertia: 2e-5, mass: .3, radius: .05}}"
+    by_ratio = changed("damping: 12", "damping: {ratio: .02}", ELASTIC)
+    for text in (WITH_PLANET, ELASTIC, by_ratio, RAVIGNEAUX % planets):
+        case = loaded(text)
+        for written, file in ((write_yaml(case), "case.yaml"), (write_json(case), "case.json")):
+            back = read(written.encode(), file).case
+            assert back == case
+            assert drawing_of(back) == drawing_of(case)
 
 
 def test_masses_are_those_of_each_planet_by_its_name() -> None:
-    drawing = drawing_of(loaded(WITH_PLANET))
-    assert drawing is not None
-    assert drawing.elements[0].planet_masses == {"planet": PlanetMass(84e-6, 0.5, 0.052)}
-    text = RAVIGNEAUX % ", planet: {long: {inertia: 2e-5}}"
-    drawing = drawing_of(loaded(text))
-    assert drawing is not None
-    assert drawing.elements[0].planet_masses == {"long": PlanetMass(2e-5)}
+    for text, masses in (
+        (WITH_PLANET, {"planet": PlanetMass(84e-6, 0.5, 0.052)}),
+        (RAVIGNEAUX % ", planet: {long: {inertia: 2e-5}}", {"long": PlanetMass(2e-5)}),
+    ):
+        drawing = drawing_of(loaded(text))
+        assert drawing is not None
+        assert drawing.elements[0].planet_masses == masses
 
 
 MASSES = (
@@ -110,8 +94,6 @@ MASSES = (
     ("mass: 500 g", "mass: -1", "elements.P1.planet.mass: read -1, expected a mass of 0 or more"),
     ("radius: 52 mm", "radius: -1", "planet.radius: read -1, expected a radius of 0 or more"),
     ("mass: 500 g", "mass: nan", "elements.P1.planet.mass: read 'nan'"),
-    ("mass: 500 g", "mass: 3 rpm", "expected a mass in kg, bare or with its unit; this is a speed"),
-    ("radius: 52 mm", "radius: 52 mm^2", "expected a length in m"),
     ("inertia: 84e-6", "inertia: 84 N*m", "expected an inertia in kg*m^2"),
     ("inertia: 84e-6", "inetria: 84e-6", "did you mean `inertia`?"),
     ("planets: 3", "planets: 3, stiffness: 9e4", "list the planet as a link"),
@@ -122,7 +104,6 @@ STIFFNESSES = (
     ("stiffness: 9e4", "stiffness: -9e4", "read -90000, expected a stiffness above 0"),
     ("stiffness: 9e4, ", "", "read a damping without `stiffness`"),
     ("damping: 12", "damping: -1", "P1.damping: read -1, expected a damping of 0 or more"),
-    ("stiffness: 9e4", "stiffness: 3 rpm", "expected a stiffness in N*m/rad"),
 )  # fmt: skip
 
 
@@ -134,14 +115,12 @@ def test_masses_and_stiffnesses_that_cannot_be_are_told() -> None:
 
 
 def test_an_element_of_several_rows_has_no_stiffness() -> None:
-    [told] = problems(RAVIGNEAUX % ", stiffness: 9e4")
-    assert told.startswith(
-        "case.yaml:6:78: error: elements.R.stiffness: the gear set has 4 mechanisms"
-    )
+    text = RAVIGNEAUX % ", stiffness: 9e4"
+    [told] = problems(text)
+    assert told.startswith("case.yaml:6:78: error: elements.R.stiffness: the gear set has 4 mech")
     assert told.endswith("add springs to the links of the gear set [E317]")
-    reduced = "losses: reduced" + RAVIGNEAUX % ", stiffness: 9e4"
-    assert "the gear set has 2 mechanisms" in problems(reduced)[0]
-    assert "the gear set has 2 mechanisms" in problems("losses: meshes" + ELASTIC)[0]
+    for two in (f"losses: reduced{text}", f"losses: meshes{ELASTIC}"):
+        assert "the gear set has 2 mechanisms" in problems(two)[0]
 
 
 def test_planets_without_teeth_have_no_speed_and_so_no_inertia() -> None:
@@ -164,32 +143,25 @@ Speeds = dict[int, float]
 
 def energy(element: Element, speeds: Speeds) -> float:
     """The kinetic energy of the planets of an element [J], at speeds of its links [rad/s]."""
-    parts = planet_inertias(DrawingFields(9, [element]))
-    turning = [
-        (one.inertia, sum(part * speeds[link] for link, part in one.speed.items())) for one in parts
-    ]
-    return sum(inertia * speed**2 / 2 for inertia, speed in turning)
+    parts = [*planet_inertias(DrawingFields(9, [element]))]
+    turning = (sum(part * speeds[link] for link, part in one.speed.items()) for one in parts)
+    return sum(one.inertia * speed**2 / 2 for one, speed in zip(parts, turning, strict=True))
 
 
-def simple(**numbers: Any) -> Element:
-    """A set of -75/30."""
+def simple(speeds: Speeds) -> float:
     members, teeth = {"sun": 1, "ring": 2, "carrier": 3}, {"sun": 30, "ring": 75, "planet": 22}
-    return Element("P", "planetary", members, teeth, planets=4, **numbers)
-
-
-def test_planets_that_turn_as_one_piece_with_their_set_are_masses_on_a_circle() -> None:
-    """Steiner: 4 (J + m r^2) w^2/2."""
-    one = simple(planet_masses={"planet": PlanetMass(0.002, 0.7, 0.05)})
-    assert energy(one, dict.fromkeys((1, 2, 3), 10.0)) == pytest.approx(
-        4 * (0.002 + 0.7 * 0.05**2) * 10**2 / 2
+    masses = {"planet": PlanetMass(0.002, 0.7, 0.05)}
+    return energy(
+        Element("P", "planetary", members, teeth, planets=4, planet_masses=masses), speeds
     )
 
 
-def test_planets_of_a_carrier_that_stands_turn_by_their_teeth() -> None:
-    """30 teeth turn 22 by -30/22."""
-    one = simple(planet_masses={"planet": PlanetMass(0.002, 0.7, 0.05)})
-    speeds = {1: 22.0, 2: -22 * 30 / 75, 3: 0.0}
-    assert energy(one, speeds) == pytest.approx(4 * 0.002 * 30**2 / 2)
+def test_planets_turn_by_their_teeth_and_are_masses_on_a_circle() -> None:
+    """As one piece, Steiner: 4 (J + m r^2) w^2/2. Carrier held: 30 teeth turn 22 by -30/22."""
+    as_one = 4 * (0.002 + 0.7 * 0.05**2) * 10**2 / 2
+    assert simple({1: 10.0, 2: 10.0, 3: 10.0}) == pytest.approx(as_one)
+    held = simple({1: 22.0, 2: -22 * 30 / 75, 3: 0.0})
+    assert held == pytest.approx(4 * 0.002 * 30**2 / 2)
 
 
 def test_meshed_and_stepped_planets_turn_by_their_own_teeth() -> None:
@@ -198,22 +170,12 @@ def test_meshed_and_stepped_planets_turn_by_their_own_teeth() -> None:
     teeth = {"sun": 20, "ring": 60, "inner": 10, "outer": 12}
     masses = {"inner": PlanetMass(1.0), "outer": PlanetMass(10.0)}
     double = Element("D", "double_planet", members, teeth, planets=1, planet_masses=masses)
-    assert energy(double, {1: 1.0, 2: 20 / 60, 3: 0.0}) == pytest.approx(
-        (20 / 10) ** 2 / 2 + 10 * (20 / 12) ** 2 / 2
-    )
-    wheels = [
-        CentralWheel("s", 1, 28, internal=False, rim="A"),
-        CentralWheel("r", 2, 70, internal=True, rim="B"),
-    ]
-    stepped = Element(
-        "G",
-        "planet_group",
-        {"carrier": 3},
-        planets=2,
-        rims={"x": {"A": 14, "B": 28}},
-        wheels=wheels,
-        planet_masses={"x": PlanetMass(1.0)},
-    )
+    expected = (20 / 10) ** 2 / 2 + 10 * (20 / 12) ** 2 / 2
+    assert energy(double, {1: 1.0, 2: 20 / 60, 3: 0.0}) == pytest.approx(expected)
+    wheels = [CentralWheel("s", 1, 28, False, "A"), CentralWheel("r", 2, 70, True, "B")]
+    own: dict[str, Any] = {"rims": {"x": {"A": 14, "B": 28}}, "wheels": wheels, "planets": 2}
+    masses = {"x": PlanetMass(1.0)}
+    stepped = Element("G", "planet_group", {"carrier": 3}, planet_masses=masses, **own)
     assert energy(stepped, {1: 1.0, 2: -28 / 14 * 28 / 70, 3: 0.0}) == pytest.approx(2 * 2**2 / 2)
 
 

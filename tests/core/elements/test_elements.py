@@ -39,11 +39,8 @@ def test_a_bevel_set_without_teeth_has_two_meshes() -> None:
 
 
 def test_sets_that_seem_to_share_planets_get_a_hint() -> None:
-    two = changed(
-        "shift_elements:",
-        "  P2: {kind: double_planet, sun: sun2, ring: ring, carrier: carrier,"
-        " teeth: {sun: 27, ring: 75}}\nshift_elements:",
-    )
+    second = "  P2: {kind: double_planet, sun: sun2, ring: ring, carrier: carrier, teeth: "
+    two = changed("shift_elements:", second + "{sun: 27, ring: 75}}\nshift_elements:")
     told = [str(p) for p in read(two.encode(), "case.yaml").warnings if p.severity == "note"]
     assert sum("P2: shares a central gear and the carrier with P1" in one for one in told) == 1
 
@@ -72,11 +69,10 @@ def test_every_kind_has_a_template_or_a_case() -> None:
     assert unused == {"internal_pair", "belt"}
 
 
+P1 = SET[SET.index("  P1:") : SET.index("shift_el")]
 FAULTS = (
-    ("kind: planetary", "kind: planetery", "did you mean `planetary`?"),
     ("carrier: carrier", "carier: carrier", "did you mean `carrier`?"),
     (", carrier: carrier", "", "`carrier` is missing"),
-    ("kind: planetary, ", "", "`kind` is missing"),
     (", teeth: {sun: 30, ring: 75}", "", "`teeth` is missing"),
     (", ring: 75}", "}", "teeth of `ring` missing"),
     ("ring: 75}", "ring: 75.5}", "read '75.5', expected a whole number"),
@@ -86,46 +82,41 @@ FAULTS = (
     ("ring: ring", "ring: sun", "sun and ring are the same link"),
     ("input: sun\n", "", "`input` is missing"),
     ("input: sun", "losses: mesh\ninput: sun", "did you mean `meshes`?"),
-    ("input: sun", "load: {speed: 2100}\ninput: sun", "such as `2100 rpm`"),
-    ("input: sun", "load: {speed: '1,5 rpm'}\ninput: sun", "such as `2100 rpm`"),
     ("input: sun", "drag: {ring: 3 N*m}\ninput: sun", "no input torque to relate it to"),
-    ("input: sun", "load: {torque: 300 KNM}\ninput: sun", "did you mean `kN*m`?"),
-    ("input: sun", "load: {speed: 1 rpm*9^9^9}\ninput: sun", "such as `2100 "),
-    (
-        "input: sun",
-        "load: {torque: 9 N*m}\ndrag: {ring: -3 N*m}\ninput: sun",
-        ":3:8: error: drag.ring: read -3 N*m, expected a torque of 0 or more",
-    ),
-    (
-        "input: sun",
-        "drag: {housing: .1}\ninput: sun",
-        "drag.housing: the housing does not turn",
-    ),
+    ("input: sun", "load: {torque: 9 N*m}\ndrag: {ring: -3 N*m}\ninput: sun", ":3:8: error: drag"),
     ("output: carrier\n", "", "`output` is missing"),
-    (
-        SET[SET.index("  P1:") : SET.index("shift_el")],
-        "",
-        "elements: read nothing, expected a mapping: a name for each element",
-    ),
-    (
-        "ring: 75}}",
-        "ring: 75}, efficiency: .97, mesh_efficiency: {internal: 1}}",
-        "`efficiency` is the efficiency of the whole gear set",
-    ),
-    (
-        "ring: 75}}",
-        "ring: 9000000}}",
-        "read 9e+06, expected a number above 0 and below 1e+06",
-    ),
+    (P1, "", "elements: read nothing, expected a mapping: a name for each element"),
+    ("75}}", "75}, efficiency: .97, mesh_efficiency: {internal: 1}}", "of the whole gear set"),
+    ("ring: 75}}", "ring: 9000000}}", "read 9e+06, expected a number above 0 and below 1e+06"),
     ("kind: planetary", "kind: planet_group", "unknown key `sun`"),
+)
+GROUP_FAULTS = (
+    (
+        "rim: A1}]\n    rings",
+        "rim: A3}]\n    rings",
+        "suns[1].rim: read `A3`, expected the name of",
+    ),
+    ("[[A2, B1]]", "[[A2, B2]]", "read `B2`, expected the name of a planet gear: A1, A2, B1"),
+    ("[[A2, B1]]", "[[A2, A1]]", "are on the same planet"),
+    ("[[A2, B1]]", "[[A2, B1], [A1, B1]]", "block each other"),
+    ("    meshes: [[A2, B1]]\n", "", "is a mesh between planets missing?"),
+    ("B: {B1: 20}", "B: {A1: 20}", "the name `A1` appears twice"),
+    ("[[A2, B1]]", "[A2, B1]", "expected two: [rim, rim]"),
+    ("carrier: h", "carrier: h\n    efficiency: .9", "one efficiency for several power paths"),
+    ("link: b, teeth: 70", "link: h, teeth: 70", "is on the link of the carrier"),
+    ("link: b, teeth: 70", "link: b, teeth: 30", "expected more teeth than the 30 of a"),
+    ("link: b, teeth: 70", "link: a, teeth: 70", "would block them"),
+    ("link: b,", "link: 9,", "case.yaml:10:20: error: elements.G.rings[1].link: read '9'"),
+    ("teeth: 80", "teeth: 80000000", "expected fewer than 1000000 teeth"),
 )
 
 
-@pytest.mark.parametrize(("before", "after", "words"), FAULTS)
-def test_a_fault_is_told_with_its_place(before: str, after: str, words: str) -> None:
-    found = problems(changed(before, after))
-    assert any(words in problem for problem in found), found
-    assert all(problem.startswith("case.yaml:") for problem in found)
+def test_a_fault_is_told_with_its_place() -> None:
+    for text, faults in ((SET, FAULTS), (GROUP, GROUP_FAULTS)):
+        for before, after, words in faults:
+            found = problems(changed(before, after, text))
+            assert any(words in problem for problem in found), found
+            assert all(problem.startswith("case.yaml:") for problem in found)
 
 
 GROUP = """
@@ -141,36 +132,6 @@ elements:
     meshes: [[A2, B1]]
 gears: {all: {}}
 """
-
-
-GROUP_FAULTS = (
-    (
-        "rim: A1}]\n    rings",
-        "rim: A3}]\n    rings",
-        "elements.G.suns[1].rim: read `A3`, expected the name of a planet gear: A1, A2, B1",
-    ),
-    (
-        "meshes: [[A2, B1]]",
-        "meshes: [[A2, B2]]",
-        "read `B2`, expected the name of a planet gear: A1, A2, B1",
-    ),
-    ("meshes: [[A2, B1]]", "meshes: [[A2, A1]]", "are on the same planet"),
-    ("meshes: [[A2, B1]]", "meshes: [[A2, B1], [A1, B1]]", "block each other"),
-    ("    meshes: [[A2, B1]]\n", "", "is a mesh between planets missing?"),
-    ("B: {B1: 20}", "B: {A1: 20}", "the name `A1` appears twice"),
-    ("meshes: [[A2, B1]]", "meshes: [A2, B1]", "expected two: [rim, rim]"),
-    ("carrier: h", "carrier: h\n    efficiency: .9", "one efficiency for several power paths"),
-    ("link: b, teeth: 70", "link: h, teeth: 70", "is on the link of the carrier"),
-    ("link: b, teeth: 70", "link: b, teeth: 30", "expected more teeth than the 30 of a"),
-    ("link: b, teeth: 70", "link: a, teeth: 70", "would block them"),
-    ("teeth: 80", "teeth: 80000000", "expected fewer than 1000000 teeth"),
-)
-
-
-def test_a_fault_in_a_group_is_told() -> None:
-    for before, after, words in GROUP_FAULTS:
-        found = problems(changed(before, after, GROUP))
-        assert any(words in problem for problem in found), found
 
 
 NUMBERED = """
@@ -203,28 +164,13 @@ def test_a_planet_has_no_link_number() -> None:
 
 
 def test_the_housing_is_no_output() -> None:
+    said = "error: output: read the housing, expected the link that drives the load"
     for text in (
         changed("output: carrier", "output: X"),
         changed("output: 3", "output: X", NUMBERED),
     ):
         for given in ("housing", "0"):
-            told, *_ = problems(text.replace("output: X", f"output: {given}"))
-            assert "error: output: read the housing, expected the link that drives the load" in told
-
-
-def test_a_wheel_of_a_group_beyond_the_links_is_told() -> None:
-    [told] = problems("""
-links: 2
-elements:
-  G:
-    kind: planet_group
-    carrier: 2
-    rims: {A: {a: 20}}
-    suns: [{link: 1, teeth: 30, rim: a}]
-    rings: [{link: 3, teeth: 70, rim: a}]
-gears: {1: {}}
-""")
-    assert told.startswith("case.yaml:9:20: error: elements.G.rings[1].link: read '3'")
+            assert said in problems(text.replace("output: X", f"output: {given}"))[0]
 
 
 def test_a_wheel_with_teeth_but_no_link_is_told() -> None:
@@ -236,10 +182,8 @@ elements:
       teeth: {sun: 20, planet: 20, ring: 60, planet2: 18, ring2: 58}}
 gears: {1: {}}
 """
-    told = [str(one) for one in read(text.encode(), "case.yaml").warnings]
-    assert told[0].startswith(
-        "case.yaml:5:66: warning: elements.W.teeth.ring2: the gear is ignored"
-    )
+    told, *_ = map(str, read(text.encode(), "case.yaml").warnings)
+    assert told.startswith("case.yaml:5:66: warning: elements.W.teeth.ring2: the gear is ignored")
 
 
 def test_of_an_element_without_a_known_kind_the_kind_is_told_and_no_more() -> None:
@@ -258,15 +202,13 @@ def test_of_an_element_without_a_known_kind_the_kind_is_told_and_no_more() -> No
 
 def test_links_that_are_empty_and_given_again_are_given_twice() -> None:
     for links in ("[sun, ring, carrier]", "3", ""):
-        told = problems(f"links:{SET}links: {links}\n")
-        assert [text.split(": ", 2)[2] for text in told if ": error: " in text] == [
-            "key `links` is given twice, the first is on line 1, column 1 [E192]"
-        ]
+        [told] = [one for one in problems(f"links:{SET}links: {links}\n") if ": error: " in one]
+        assert told.endswith("`links` is given twice, the first is on line 1, column 1 [E192]")
 
 
 def test_where_no_link_is_named_no_port_is_told() -> None:
-    told = problems("input: 1\noutput: b\nelements: {H: {kind: held}}\ngears: {1: {}}\n")
-    assert [text.split(": ", 2)[2] for text in told] == ["elements.H: `link` is missing [E191]"]
+    [told] = problems("input: 1\noutput: b\nelements: {H: {kind: held}}\ngears: {1: {}}\n")
+    assert told.endswith("elements.H: `link` is missing [E191]")
 
 
 def test_a_merge_key_brings_the_kind() -> None:
@@ -290,11 +232,7 @@ def test_a_library_user_gets_all_faults_at_once() -> None:
     worse = Element("Q", "planetary", {"sun": 1, "ring": 2}, {"sun": 30})
     with pytest.raises(CaseError) as refused:
         transmission(Drawing(3, [bad, worse]), gears=[Gear()])
-    assert [problem.path[:2] for problem in refused.value.problems] == [
-        ("elements", 1),
-        ("elements", 2),
-        ("elements", 2),
-    ]
+    assert [problem.path[1] for problem in refused.value.problems] == [1, 2, 2]
 
 
 def drawn_with(case: library.Transmission, **teeth: float) -> Drawing:
@@ -320,23 +258,23 @@ def test_another_drawing_makes_another_case() -> None:
     assert back == other
 
 
-@pytest.mark.parametrize("more", [1, 2, 4])
-def test_another_drawing_may_have_more_links(more: int) -> None:
+def test_another_drawing_may_have_more_links() -> None:
     """Links of the case keep their names and numbers, planets come after the new ones."""
     case = loaded(AOD)
     drawing = drawing_of(case)
     assert drawing is not None
     ring = case.link_names.index("ring") + 1
-    pairs = [Mechanism(ring + n, ring + n + 1, 0, -2.0, name=f"pair {n}") for n in range(more)]
-    longer = replace(drawing, links=ring + more, mechanisms=pairs)
-    names = [*case.link_names[:ring], *map(str, range(ring + 1, ring + more + 1))]
-    for other in (case.replace(drawing=longer), replace(case, drawing=longer)):
-        assert list(other.link_names) == [*names, "set.short", "set.long"]
-        results = library.solve(other)
-        assert results.ratio == pytest.approx(library.solve(case).ratio)
-        by_ring = results.speeds[:, ring : ring + more] / results.speeds[:, [ring - 1]]
-        assert by_ring == pytest.approx(np.tile((-0.5) ** np.arange(1, more + 1), (5, 1)))
-        assert replace(other, drawing=drawing) == case
+    for more in (1, 2, 4):
+        pairs = [Mechanism(ring + n, ring + n + 1, 0, -2.0, name=f"pair {n}") for n in range(more)]
+        longer = replace(drawing, links=ring + more, mechanisms=pairs)
+        names = [*case.link_names[:ring], *map(str, range(ring + 1, ring + more + 1))]
+        for other in (case.replace(drawing=longer), replace(case, drawing=longer)):
+            assert list(other.link_names) == [*names, "set.short", "set.long"]
+            results = library.solve(other)
+            assert results.ratio == pytest.approx(library.solve(case).ratio)
+            by_ring = results.speeds[:, ring : ring + more] / results.speeds[:, [ring - 1]]
+            assert by_ring == pytest.approx(np.tile((-0.5) ** np.arange(1, more + 1), (5, 1)))
+            assert replace(other, drawing=drawing) == case
 
 
 def test_a_case_may_be_made_with_its_drawing_alone() -> None:

@@ -5,7 +5,7 @@ of every wheel and planet (`single_meshes`), and the textbook formulas by hand i
 In the formulas a pair of wheels has the internal ratio k = (w_a - w_c)/(w_b - w_c).
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import permutations
 from typing import Any
@@ -14,26 +14,16 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from tests.chance import count
 from tests.core.elements.element_cases import (
-    LETTERS,
-    LOSSES,
-    NO_LOSS,
-    PRECISION,
-    RAVIGNEAUX,
-    STEPPED,
     Held,
     all_held,
-    bevel_teeth,
-    double_teeth,
     efficiencies,
     link_speeds,
     pair_case,
     ratios,
-    ravigneaux_teeth,
     set_case,
-    simple_teeth,
     solved,
-    stepped_teeth,
     with_speeds_of_single_meshes,
 )
 from tests.oracle.single_meshes import ContradictionError, speeds
@@ -41,13 +31,29 @@ from vstatics import ReadError, loads, solve
 
 Teeth = Mapping[str, int]
 
+LOSSES = ("meshes", "reduced")
+PRECISION = 1e-12
+LETTERS = {"sun": "S", "ring": "R", "sun2": "S2", "ring2": "R2", "small_sun": "s", "large_sun": "S"}
+"""The link of each wheel in the small cases."""
+STEPPED = (
+    *(("sun", "sun2"), ("sun", "ring2"), ("ring", "ring2"), ("ring", "sun2")),
+    *(("sun", "ring", "ring2"), ("sun", "ring", "sun2"), ("sun", "sun2", "ring2")),
+    *(("ring", "sun2", "ring2"),),
+)
+RAVIGNEAUX = (
+    *(("small_sun", "large_sun"), ("small_sun", "ring"), ("large_sun", "ring")),
+    ("small_sun", "large_sun", "ring"),
+)
+"""Two or three wheels of a set."""
+
 EXTERNAL, INTERNAL = 0.98, 0.99
 """Efficiencies of meshes when nothing is said."""
 FAR_FROM_ONE = Fraction(1, 50)
 """An internal ratio of 1 makes one piece of a set; near it digits are lost."""
+NO_LOSS = {"external": 1, "internal": 1}
 WHEELS = st.integers(12, 90)
 
-EXAMPLES = settings(max_examples=4)
+EXAMPLES = settings(max_examples=count(4, 30))
 
 
 def willis(internal: Mapping[str, Fraction], gear: Held) -> Fraction:
@@ -71,17 +77,13 @@ def willis(internal: Mapping[str, Fraction], gear: Held) -> Fraction:
     )
 
 
-def far_from_one(internal: Mapping[str, Fraction]) -> bool:
-    """Whether no two wheels have nearly the same speed on a standing carrier."""
-    return all(abs(1 - a / b) > FAR_FROM_ONE for a, b in permutations(internal.values(), 2))
-
-
 def assert_turns_as_willis_says(
     element: Mapping[str, Any], internal: Mapping[str, Fraction]
 ) -> None:
     """Check a set with any link held, solved at its meshes and as three-link mechanisms.
 
-    `internal` are the speeds of its wheels on a standing carrier, see `willis`.
+    `internal` are the speeds of its wheels on a standing carrier, see `willis`. Without losses the
+    output torque is the ratio, and nothing is missing.
     """
     members = [*internal, "C"]
     for losses in LOSSES:
@@ -93,22 +95,19 @@ def assert_turns_as_willis_says(
             assert speeds(document, gear.name)[gear.output] == 1 / expected
             assert found[gear.name] == pytest.approx(float(expected), rel=PRECISION), gear.name
         assert found["direct"] == pytest.approx(1, rel=PRECISION)
-        assert link_speeds(results, "direct") == pytest.approx(
-            dict.fromkeys(results.case.link_names, 1), rel=PRECISION
-        )
-        ideal = {**element, "mesh_efficiency": NO_LOSS}
-        if element["kind"] == "bevel":  # one mechanism, with an efficiency of its own
-            ideal = {**element, "efficiency": 1}
-        _assert_power_is_conserved(set_case(ideal, members, losses=losses))
+        as_one = dict.fromkeys(results.case.link_names, 1)
+        assert link_speeds(results, "direct") == pytest.approx(as_one, rel=PRECISION)
+        # one mechanism, with an efficiency of its own
+        none = {"efficiency": 1} if element["kind"] == "bevel" else {"mesh_efficiency": NO_LOSS}
+        ideal = solved(set_case({**element, **none}, members, losses=losses))
+        assert ideal.efficiency == pytest.approx(1, rel=1e-11)
+        assert ideal.output_torque == pytest.approx(ideal.ratio, rel=1e-11)
+        assert ideal.lossy_torques[..., -1] == pytest.approx(ideal.ratio, rel=1e-11)
+        assert ideal.power_balance == pytest.approx(0, abs=1e-9)
 
 
-def _assert_power_is_conserved(document: Mapping[str, Any]) -> None:
-    """Without losses the output torque is the ratio, and nothing is missing."""
-    results = solved(document)
-    assert results.efficiency == pytest.approx(1, rel=1e-11)
-    assert results.output_torque == pytest.approx(results.ratio, rel=1e-11)
-    assert results.lossy_torques[..., -1] == pytest.approx(results.ratio, rel=1e-11)
-    assert results.power_balance == pytest.approx(0, abs=1e-9)
+Set = tuple[dict[str, Any], dict[str, Fraction]]
+"""An element, and the speeds of its wheels on a standing carrier."""
 
 
 def wheels_of(kind: str, wheels: Sequence[str], teeth: Teeth) -> dict[str, Any]:
@@ -116,113 +115,51 @@ def wheels_of(kind: str, wheels: Sequence[str], teeth: Teeth) -> dict[str, Any]:
     return {"kind": kind, **links, "carrier": "C", "teeth": dict(teeth)}
 
 
-def planetary(teeth: Teeth) -> dict[str, Any]:
-    return wheels_of("planetary", ("sun", "ring"), teeth)
+def two_wheels(kind: str, teeth: Teeth) -> Set:
+    """(w_s - w_c)/(w_r - w_c) = -z_r/z_s, with meshed planets +z_r/z_s."""
+    sign = 1 if kind == "double_planet" else -1
+    internal = {"S": Fraction(1), "R": Fraction(sign * teeth["sun"], teeth["ring"])}
+    return wheels_of(kind, ("sun", "ring"), teeth), internal
 
 
-def double_planet(teeth: Teeth) -> dict[str, Any]:
-    return wheels_of("double_planet", ("sun", "ring"), teeth)
+def stepped(wheels: Sequence[str], teeth: Teeth) -> Set:
+    """On a standing carrier the planet turns at 1: outer meshes turn round."""
+    internal = {}
+    for wheel in wheels:
+        rim = teeth["planet2" if wheel.endswith("2") else "planet"]
+        sign = 1 if wheel.startswith("ring") else -1
+        internal[LETTERS[wheel]] = Fraction(sign * rim, teeth[wheel])
+    return wheels_of("stepped", wheels, teeth), internal
 
 
-@given(teeth=simple_teeth())
-@EXAMPLES
-def test_planetary_set(teeth: Teeth) -> None:
-    """(w_s - w_c)/(w_r - w_c) = -z_r/z_s."""
-    assert_turns_as_willis_says(
-        planetary(teeth), {"S": Fraction(1), "R": Fraction(-teeth["sun"], teeth["ring"])}
-    )
-
-
-@given(teeth=simple_teeth())
-@EXAMPLES
-def test_the_planet_of_a_planetary_set_that_is_one_mechanism(teeth: Teeth) -> None:
-    """Against the carrier it turns as z_s/z_p of the sun, backward."""
-    document = set_case(planetary(teeth), "SRC", losses="reduced")
-    results = solved(document)
-    for number, gear in enumerate(results.case.gears):
-        exact = speeds(document, gear.name)
-        expected = float(exact["P.planet"] - exact["C"])
-        assert results.planet_speeds[number] == pytest.approx([expected], rel=PRECISION, abs=1e-11)
-
-
-@pytest.mark.parametrize(
-    ("kind", "teeth", "internal"),
-    [
-        ("planetary", {"sun": 48, "ring": 96}, {"S": 1, "R": -0.5}),
-        ("double_planet", {"sun": 30, "ring": 90}, {"S": 1, "R": Fraction(1, 3)}),
-        (
-            "ravigneaux",
-            {"small_sun": 30, "large_sun": 36, "ring": 72},
-            {"s": Fraction(1, 30), "S": Fraction(-1, 36), "R": Fraction(1, 72)},
-        ),
-        ("bevel", {}, {"L": 1, "R": -1}),
-    ],
-)
-def test_a_set_turns_without_teeth_of_its_planets(
-    kind: str, teeth: Teeth, internal: Mapping[str, Fraction]
-) -> None:
-    """A bevel differential without any is open: the carrier turns at the mean of both sides."""
-    members = {LETTERS[wheel]: wheel for wheel in teeth} or {"L": "left", "R": "right"}
-    element: dict[str, Any] = {"kind": kind, "carrier": "C"}
-    element |= {wheel: link for link, wheel in members.items()}
-    element |= {"teeth": teeth} if teeth else {}
-    for losses in LOSSES:
-        found = ratios(solved(set_case(element, [*members, "C"], losses=losses)))
-        for gear in all_held([*members, "C"]):
-            expected = pytest.approx(float(willis(internal, gear)), rel=PRECISION)
-            assert found[gear.name] == expected, gear.name
-
-
-@given(teeth=double_teeth())
-@EXAMPLES
-def test_set_with_meshed_planets(teeth: Teeth) -> None:
-    """(w_s - w_c)/(w_r - w_c) = +z_r/z_s."""
-    assert_turns_as_willis_says(
-        double_planet(teeth), {"S": Fraction(1), "R": Fraction(teeth["sun"], teeth["ring"])}
-    )
-
-
-def stepped_internal(wheels: Sequence[str], teeth: Teeth) -> dict[str, Fraction]:
-    """Speeds on a standing carrier when the planet turns at 1: outer meshes turn round."""
-    by_hand = {
-        "sun": lambda: Fraction(-teeth["planet"], teeth["sun"]),
-        "ring": lambda: Fraction(teeth["planet"], teeth["ring"]),
-        "sun2": lambda: Fraction(-teeth["planet2"], teeth["sun2"]),
-        "ring2": lambda: Fraction(teeth["planet2"], teeth["ring2"]),
-    }
-    return {LETTERS[wheel]: by_hand[wheel]() for wheel in wheels}
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("wheels", STEPPED, ids=" ".join)
-@given(data=st.data())
-@EXAMPLES
-def test_set_with_stepped_planets(wheels: Sequence[str], data: st.DataObject) -> None:
-    teeth = data.draw(stepped_teeth(wheels))
-    internal = stepped_internal(wheels, teeth)
-    assume(far_from_one(internal))
-    assert_turns_as_willis_says(wheels_of("stepped", wheels, teeth), internal)
-
-
-@pytest.mark.parametrize("wheels", RAVIGNEAUX, ids=" ".join)
-@given(data=st.data())
-@EXAMPLES
-def test_ravigneaux_set(wheels: Sequence[str], data: st.DataObject) -> None:
+def ravigneaux(wheels: Sequence[str], teeth: Teeth) -> Set:
     """On a standing carrier the large sun turns against the ring, the small one with it."""
-    teeth = data.draw(ravigneaux_teeth())
-    of_long_planet = {
-        "small_sun": Fraction(teeth["long"], teeth["small_sun"]),
-        "large_sun": Fraction(-teeth["long"], teeth["large_sun"]),
-        "ring": Fraction(teeth["long"], teeth["ring"]),
-    }
+    signs = {"small_sun": 1, "large_sun": -1, "ring": 1}
     used = {key: value for key, value in teeth.items() if key in (*wheels, "short", "long")}
-    internal = {LETTERS[wheel]: of_long_planet[wheel] for wheel in wheels}
-    assume(far_from_one(internal))
-    assert_turns_as_willis_says(wheels_of("ravigneaux", wheels, used), internal)
+    internal = {LETTERS[w]: Fraction(signs[w] * teeth["long"], teeth[w]) for w in wheels}
+    return wheels_of("ravigneaux", wheels, used), internal
+
+
+def test_a_set_turns_without_teeth_of_its_planets() -> None:
+    """A bevel differential without any is open: the carrier turns at the mean of both sides."""
+    three = {"small_sun": 30, "large_sun": 36, "ring": 72}
+    of_three, by_long = ravigneaux([*three], three | {"long": 1})
+    one = {"kind": "bevel", "left": "L", "right": "R", "carrier": "C"}
+    for element, internal in (
+        two_wheels("planetary", {"sun": 48, "ring": 96}),
+        two_wheels("double_planet", {"sun": 30, "ring": 90}),
+        (of_three | {"teeth": three}, by_long),
+        (one, {"L": Fraction(1), "R": Fraction(-1)}),
+    ):
+        for losses in LOSSES:
+            found = ratios(solved(set_case(element, [*internal, "C"], losses=losses)))
+            for gear in all_held([*internal, "C"]):
+                expected = pytest.approx(float(willis(internal, gear)), rel=PRECISION)
+                assert found[gear.name] == expected, gear.name
 
 
 @st.composite
-def groups(draw: st.DrawFn) -> tuple[dict[str, Any], dict[str, Fraction]]:
+def groups(draw: st.DrawFn) -> Set:
     """One to three planets in a chain, of one to three rims, with wheels on any of them.
 
     Drawn with the speeds of the wheels when the first planet turns at 1, carrier held.
@@ -242,80 +179,181 @@ def groups(draw: st.DrawFn) -> tuple[dict[str, Any], dict[str, Fraction]]:
         meshes.append([first, second])
         turned[planet] = -turned[before] * Fraction(rims[before][first], rims[planet][second])
     all_rims = [(planet, rim) for planet, of_planet in rims.items() for rim in of_planet]
-    wheels: dict[str, list[dict[str, Any]]] = {"suns": [], "rings": []}
+    element: dict[str, Any] = {"kind": "planet_group", "carrier": "C", "rims": rims}
+    element |= {"meshes": meshes} if meshes else {}
     internal: dict[str, Fraction] = {}
     for number in range(1, draw(st.integers(2, 4)) + 1):
         planet, rim = draw(st.sampled_from(all_rims))
-        kind = draw(st.sampled_from(["suns", "rings"]))
+        kind, sign = draw(st.sampled_from([("suns", -1), ("rings", 1)]))
         teeth = draw(st.integers(14, 50) if kind == "suns" else st.integers(60, 120))
-        wheels[kind].append({"link": f"L{number}", "teeth": teeth, "rim": rim})
-        sign = -1 if kind == "suns" else 1
+        element.setdefault(kind, []).append({"link": f"L{number}", "teeth": teeth, "rim": rim})
         internal[f"L{number}"] = sign * turned[planet] * Fraction(rims[planet][rim], teeth)
-    element = {
-        "kind": "planet_group",
-        "carrier": "C",
-        "rims": rims,
-        **{kind: found for kind, found in wheels.items() if found},
-        **({"meshes": meshes} if meshes else {}),
-    }
     return element, internal
 
 
-@given(group=groups())
-@EXAMPLES
-def test_group_of_planets(group: tuple[dict[str, Any], dict[str, Fraction]]) -> None:
-    element, internal = group
-    assume(far_from_one(internal))
-    assert_turns_as_willis_says(element, internal)
+@st.composite
+def planetary_sets(draw: st.DrawFn) -> Set:
+    sun, planet = draw(st.integers(14, 60)), draw(st.integers(14, 40))
+    return two_wheels("planetary", {"sun": sun, "ring": sun + 2 * planet, "planet": planet})
 
 
-@given(teeth=bevel_teeth())
-@EXAMPLES
-def test_bevel_differential(teeth: Teeth) -> None:
+@st.composite
+def double_sets(draw: st.DrawFn) -> Set:
+    """Meshed planets that clear the wheels which they do not mesh with."""
+    sun, inner, outer = (draw(st.integers(14, 40)) for _ in range(3))
+    lowest, highest = sun + 2 * max(inner, outer) + 5, sun + 2 * inner + 2 * outer
+    ring = draw(st.integers(lowest, highest - 1))
+    return two_wheels("double_planet", {"sun": sun, "inner": inner, "outer": outer, "ring": ring})
+
+
+@st.composite
+def stepped_sets(draw: st.DrawFn, choices: Sequence[Sequence[str]]) -> Set:
+    """Rims of any modules, so that no sum of teeth has to agree."""
+    wheels, ranges = draw(st.sampled_from(choices)), {"sun": (14, 50), "ring": (60, 120)}
+    ends = {name: ranges.get(name.removesuffix("2"), (14, 45)) for name in wheels}
+    ends |= dict.fromkeys(("planet", "planet2"), (14, 45))
+    return stepped(wheels, {name: draw(st.integers(*limits)) for name, limits in ends.items()})
+
+
+@st.composite
+def ravigneaux_sets(draw: st.DrawFn) -> Set:
+    """The long planet meets large sun and ring, the short one reaches the small sun."""
+    large, long, short = (draw(st.integers(*ends)) for ends in ((24, 50), (14, 30), (14, 30)))
+    ring = large + 2 * long
+    small = draw(st.integers(max(14, large - 2 * short + 1), ring - 1))
+    teeth = {"small_sun": small, "large_sun": large, "ring": ring, "short": short, "long": long}
+    return ravigneaux(draw(st.sampled_from(RAVIGNEAUX)), teeth)
+
+
+@st.composite
+def bevel_sets(draw: st.DrawFn) -> Set:
     """(w_left - w_c)/(w_right - w_c) = -z_right/z_left."""
-    element = {"kind": "bevel", "left": "L", "right": "R", "carrier": "C", "teeth": dict(teeth)}
-    assert_turns_as_willis_says(
-        element, {"L": Fraction(1), "R": Fraction(-teeth["left"], teeth["right"])}
-    )
+    left, right, planet = (draw(st.integers(*ends)) for ends in ((10, 40), (10, 40), (8, 20)))
+    own = {"teeth": {"left": left, "right": right, "planet": planet}}
+    element = {"kind": "bevel", "left": "L", "right": "R", "carrier": "C", **own}
+    return element, {"L": Fraction(1), "R": Fraction(-left, right)}
 
 
-@pytest.mark.parametrize("mode", [{}, *({"losses": losses} for losses in LOSSES)])
-@given(teeth=st.fixed_dictionaries({"first": WHEELS, "second": WHEELS}))
+SETS: dict[str, st.SearchStrategy[Set]] = {
+    "planetary": planetary_sets(),
+    "double_planet": double_sets(),
+    "stepped pair": stepped_sets(STEPPED[:4]),
+    "stepped": stepped_sets(STEPPED[4:]),
+    "ravigneaux": ravigneaux_sets(),
+    "group": groups(),
+    "bevel": bevel_sets(),
+}
+
+
+def is_far_from_one(drawn: Set) -> bool:
+    """Whether no two wheels have nearly the same speed on a standing carrier."""
+    return all(abs(1 - a / b) > FAR_FROM_ONE for a, b in permutations(drawn[1].values(), 2))
+
+
+@given(drawn=planetary_sets())
 @EXAMPLES
-def test_pairs_of_wheels(mode: dict[str, str], teeth: Teeth) -> None:
-    """Outer wheels turn against one another; a wheel in a ring, a chain and a belt do not."""
-    assume(teeth["first"] != teeth["second"])  # no wheel turns inside a ring of its own size
+def test_the_planet_of_a_planetary_set_that_is_one_mechanism(drawn: Set) -> None:
+    """Against the carrier it turns as z_s/z_p of the sun, backward."""
+    document = set_case(drawn[0], "SRC", losses="reduced")
+    results = solved(document)
+    for number, gear in enumerate(results.case.gears):
+        exact = speeds(document, gear.name)
+        expected = float(exact["P.planet"] - exact["C"])
+        assert results.planet_speeds[number] == pytest.approx([expected], rel=PRECISION, abs=1e-11)
+
+
+@given(data=st.data())
+@EXAMPLES
+def test_sets_turn_as_willis_says(data: st.DataObject) -> None:
+    for kind in SETS.values():
+        assert_turns_as_willis_says(*data.draw(kind.filter(is_far_from_one)))
+
+
+def pairs(draw: Callable[..., Any]) -> Iterator[tuple[dict[str, Any], float]]:
+    """Elements between two links, and their ratios.
+
+    Outer wheels turn against one another; a wheel in a ring, a chain and a belt do not. An idler
+    turns the sense and leaves the ratio; a worm turns once for each start of the wheel.
+    """
+    first, second, idler = draw(WHEELS), draw(WHEELS), draw(WHEELS)
+    assume(first != second)  # no wheel turns inside a ring of its own size
+    ends, teeth = {"first": "A", "second": "B"}, {"first": first, "second": second}
     signs = {"gear_pair": -1, "internal_pair": 1, "chain": 1, "belt": 1}
     for kind, sign in signs.items():
         sizes = "diameters" if kind == "belt" else "teeth"
-        element = {"kind": kind, "first": "A", "second": "B", sizes: dict(teeth)}
-        results = with_speeds_of_single_meshes(pair_case(element, "A", "B", **mode))
-        ratio = sign * teeth["second"] / teeth["first"]
-        expected = {"forth": ratio, "back": 1 / ratio}
-        assert ratios(results) == pytest.approx(expected, rel=PRECISION)
+        yield {"kind": kind, **ends, sizes: teeth}, sign * second / first
+    yield {"kind": "idler", **ends, "teeth": {**teeth, "idler": idler}}, second / first
+    worm = {"worm": draw(st.integers(1, 6)), "wheel": second}
+    own = {"teeth": worm, "efficiency": {"worm": 0.8, "wheel": 0.7}}
+    yield {"kind": "worm", "worm": "A", "wheel": "B", **own}, second / worm["worm"]
+    yield {"kind": "shaft", **ends, "efficiency": 0.97}, 1
 
 
-@given(teeth=st.fixed_dictionaries({"first": WHEELS, "idler": WHEELS, "second": WHEELS}))
+BOTH_WAYS = {
+    "gear_pair": EXTERNAL,
+    "internal_pair": INTERNAL,
+    "idler": EXTERNAL**2,
+    "shaft": 0.97,
+    "worm": 0.8,
+}
+"""Efficiencies of pairs by their meshes, or as they are given."""
+
+
+@given(data=st.data())
 @EXAMPLES
-def test_an_idler_turns_the_sense_and_leaves_the_ratio(teeth: Teeth) -> None:
-    element = {"kind": "idler", "first": "A", "second": "B", "teeth": dict(teeth)}
-    results = with_speeds_of_single_meshes(pair_case(element, "A", "B"))
-    assert ratios(results)["forth"] == pytest.approx(teeth["second"] / teeth["first"], rel=1e-12)
+def test_pairs_turn_by_their_teeth_and_lose_at_their_meshes(data: st.DataObject) -> None:
+    for mode in ({}, *({"losses": losses} for losses in LOSSES)):
+        for element, ratio in pairs(data.draw):
+            results = with_speeds_of_single_meshes(pair_case(element, "A", "B", **mode))
+            expected = {"forth": ratio, "back": 1 / ratio}
+            assert ratios(results) == pytest.approx(expected, rel=PRECISION)
+            forth = BOTH_WAYS.get(element["kind"])
+            if forth:
+                back = 0.7 if element["kind"] == "worm" else forth
+                found = efficiencies(results)
+                assert found == pytest.approx({"forth": forth, "back": back}, rel=1e-9)
 
 
-@given(threads=st.integers(1, 6), wheel=st.integers(20, 80))
-@EXAMPLES
-def test_a_worm_turns_once_for_each_start_of_the_wheel(threads: int, wheel: int) -> None:
-    element = {
-        "kind": "worm",
-        "worm": "A",
-        "wheel": "B",
-        "teeth": {"worm": threads, "wheel": wheel},
-        "efficiency": {"worm": 0.8, "wheel": 0.7},
-    }
-    results = with_speeds_of_single_meshes(pair_case(element, "A", "B"))
-    assert ratios(results)["forth"] == pytest.approx(wheel / threads, rel=PRECISION)
-    assert efficiencies(results) == pytest.approx({"forth": 0.8, "back": 0.7}, rel=1e-9)
+ALL_TEETH = {
+    "sun": 20,
+    "sun2": 33,
+    "ring": 97,
+    "ring2": 83,
+    "planet": 26,
+    "planet2": 31,
+    "small_sun": 30,
+    "large_sun": 36,
+    "short": 20,
+    "long": 18,
+}
+
+
+def test_carrier_held_a_set_loses_at_every_mesh() -> None:
+    """Of a Ravigneaux set: small sun, short planet, long planet, ring or large sun.
+
+    Three-link mechanisms cannot have it so for all pairs of three wheels at once.
+    """
+    mesh = {"S": EXTERNAL, "S2": EXTERNAL, "R": INTERNAL, "R2": INTERNAL}
+    plain, double = {"sun": 30, "ring": 78, "planet": 24}, {"sun": 30, "ring": 90, "inner": 20}
+    cases = [(two_wheels("planetary", plain), one, EXTERNAL * INTERNAL) for one in LOSSES]
+    meshed = two_wheels("double_planet", double | {"outer": 20})
+    cases += [(meshed, losses, EXTERNAL**2 * INTERNAL) for losses in LOSSES]
+    for (element, _), losses, expected in cases:
+        found = efficiencies(solved(set_case(element, "SRC", losses=losses)))
+        assert found["S to R, C held"] == pytest.approx(expected, rel=1e-9)
+        assert found["R to S, C held"] == pytest.approx(expected, rel=1e-9)
+    for wheels in STEPPED:
+        teeth = {wheel: ALL_TEETH[wheel] for wheel in (*wheels, "planet", "planet2")}
+        element, internal = stepped(wheels, teeth)
+        found = efficiencies(solved(set_case(element, [*internal, "C"], losses="meshes")))
+        for first, second in permutations(internal, 2):
+            expected = mesh[first] * mesh[second]
+            assert found[f"{first} to {second}, C held"] == pytest.approx(expected, rel=1e-9)
+    element, _ = ravigneaux(RAVIGNEAUX[-1], ALL_TEETH | {"ring": 72})
+    found = efficiencies(solved(set_case(element, ("s", "S", "R", "C"), losses="meshes")))
+    assert found["s to R, C held"] == pytest.approx(EXTERNAL**2 * INTERNAL, rel=1e-9)
+    assert found["S to R, C held"] == pytest.approx(EXTERNAL * INTERNAL, rel=1e-9)
+    assert found["s to S, C held"] == pytest.approx(EXTERNAL**3, rel=1e-9)
 
 
 def test_a_gear_set_can_lose_more_backward() -> None:
@@ -331,110 +369,31 @@ def test_a_gear_set_can_lose_more_backward() -> None:
         loads(case % "back_efficiency", format="yaml")
 
 
-def test_a_shaft_turns_both_ends_alike_and_loses_what_it_says() -> None:
-    element = {"kind": "shaft", "first": "A", "second": "B", "efficiency": 0.97}
-    results = with_speeds_of_single_meshes(pair_case(element, "A", "B"))
-    assert ratios(results) == pytest.approx({"forth": 1, "back": 1}, rel=PRECISION)
-    assert efficiencies(results) == pytest.approx({"forth": 0.97, "back": 0.97}, rel=PRECISION)
-
-
-@pytest.mark.parametrize("losses", LOSSES)
-def test_a_ring_that_stands_for_good(losses: str) -> None:
+def test_a_ring_that_stands_for_good() -> None:
     """Part of the housing, or held by an element: 1 + 78/30 = 3.6."""
-    ring = planetary({"sun": 30, "ring": 78, "planet": 24})
+    ring, _ = two_wheels("planetary", {"sun": 30, "ring": 78, "planet": 24})
     held = {"P": ring, "H": {"kind": "held", "link": "R"}}
     for links, elements in (("SRC", held), ("SC", {"P": ring | {"ring": "housing"}})):
         document = {"links": [*links], "elements": elements, "gears": {"only": {}}}
-        found = ratios(with_speeds_of_single_meshes(document | {"losses": losses}))
-        assert found["only"] == pytest.approx(3.6, rel=PRECISION)
+        for losses in LOSSES:
+            found = ratios(with_speeds_of_single_meshes(document | {"losses": losses}))
+            assert found["only"] == pytest.approx(3.6, rel=PRECISION)
 
 
-CHAINED = (
-    ("planetary", {"sun": 30, "ring": 78, "planet": 24}, EXTERNAL * INTERNAL),
-    ("double_planet", {"sun": 30, "inner": 20, "outer": 20, "ring": 90}, EXTERNAL**2 * INTERNAL),
-)
-
-
-@pytest.mark.parametrize(("kind", "teeth", "expected"), CHAINED)
-@pytest.mark.parametrize("losses", LOSSES)
-def test_carrier_held_a_set_loses_at_every_mesh(
-    kind: str, teeth: dict[str, int], expected: float, losses: str
-) -> None:
-    element = planetary(teeth) if kind == "planetary" else double_planet(teeth)
-    found = efficiencies(solved(set_case(element, "SRC", losses=losses)))
-    assert found["S to R, C held"] == pytest.approx(expected, rel=1e-9)
-    assert found["R to S, C held"] == pytest.approx(expected, rel=1e-9)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("wheels", STEPPED, ids=" ".join)
-def test_carrier_held_stepped_planets_lose_at_both_wheels(wheels: Sequence[str]) -> None:
-    teeth = {"sun": 20, "sun2": 33, "ring": 97, "ring2": 83, "planet": 26, "planet2": 31}
-    used = {wheel: teeth[wheel] for wheel in (*wheels, "planet", "planet2")}
-    links = [LETTERS[wheel] for wheel in wheels]
-    case = set_case(wheels_of("stepped", wheels, used), [*links, "C"], losses="meshes")
-    found = efficiencies(solved(case))
-    mesh = {"S": EXTERNAL, "S2": EXTERNAL, "R": INTERNAL, "R2": INTERNAL}
-    for first in links:
-        for second in links:
-            if first != second:
-                expected = pytest.approx(mesh[first] * mesh[second], rel=1e-9)
-                assert found[f"{first} to {second}, C held"] == expected
-
-
-def test_carrier_held_a_ravigneaux_set_loses_at_every_mesh_on_the_way() -> None:
-    """Small sun, short planet, long planet, ring or large sun.
-
-    Three-link mechanisms cannot have it so for all pairs of three wheels at once.
-    """
-    teeth = {"small_sun": 30, "large_sun": 36, "ring": 72, "short": 20, "long": 18}
-    element = wheels_of("ravigneaux", ("small_sun", "large_sun", "ring"), teeth)
-    found = efficiencies(solved(set_case(element, ("s", "S", "R", "C"), losses="meshes")))
-    expected = {
-        "s to R, C held": EXTERNAL**2 * INTERNAL,
-        "S to R, C held": EXTERNAL * INTERNAL,
-        "s to S, C held": EXTERNAL**3,
-    }
-    assert {gear: found[gear] for gear in expected} == pytest.approx(expected, rel=1e-9)
-
-
-@pytest.mark.parametrize("kind", ["planetary", "double_planet", "stepped"])
 @given(data=st.data())
 @EXAMPLES
-def test_a_set_of_two_wheels_loses_the_same_at_its_meshes_as_in_one(
-    kind: str, data: st.DataObject
-) -> None:
+def test_a_set_of_two_wheels_loses_the_same_at_its_meshes_as_in_one(data: st.DataObject) -> None:
     """All power of one wheel against the carrier goes through every mesh to the other one."""
-    if kind == "planetary":
-        element, members = planetary(data.draw(simple_teeth())), ["S", "R", "C"]
-    elif kind == "double_planet":
-        element, members = double_planet(data.draw(double_teeth())), ["S", "R", "C"]
-    else:
-        wheels = data.draw(st.sampled_from([pair for pair in STEPPED if len(pair) == 2]))
-        teeth = data.draw(stepped_teeth(wheels))
-        assume(far_from_one(stepped_internal(wheels, teeth)))
-        element = wheels_of("stepped", wheels, teeth)
-        members = [*(LETTERS[wheel] for wheel in wheels), "C"]
-    at_meshes, reduced = (
-        efficiencies(solved(set_case(element, members, losses=losses))) for losses in LOSSES
-    )
-    assert at_meshes == pytest.approx(reduced, rel=1e-9, nan_ok=True)
-
-
-@pytest.mark.parametrize(
-    ("kind", "expected"),
-    [("gear_pair", EXTERNAL), ("internal_pair", INTERNAL), ("idler", EXTERNAL**2)],
-)
-def test_a_pair_loses_at_its_meshes(kind: str, expected: float) -> None:
-    teeth = {"first": 20, "second": 41} | ({"idler": 17} if kind == "idler" else {})
-    element = {"kind": kind, "first": "A", "second": "B", "teeth": teeth}
-    found = efficiencies(solved(pair_case(element, "A", "B")))
-    assert found == pytest.approx({"forth": expected, "back": expected}, rel=1e-9)
+    for kind in ("planetary", "double_planet", "stepped pair"):
+        element, internal = data.draw(SETS[kind].filter(is_far_from_one))
+        cases = (set_case(element, [*internal, "C"], losses=losses) for losses in LOSSES)
+        at_meshes, reduced = (efficiencies(solved(case)) for case in cases)
+        assert at_meshes == pytest.approx(reduced, rel=1e-9, nan_ok=True)
 
 
 def test_single_meshes_leave_out_what_is_open_and_refuse_what_contradicts() -> None:
     """With nothing held a planetary set has no speed but the input's."""
-    document = set_case(planetary({"sun": 30, "ring": 78}), "SRC")
+    document = set_case(two_wheels("planetary", {"sun": 30, "ring": 78})[0], "SRC")
     document["gears"] |= {"free": {}, "blocked": {"engaged": ["brake S", "brake R"]}}
     assert speeds(document, "free") == {"S": 1}
     with pytest.raises(ContradictionError):

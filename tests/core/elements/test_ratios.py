@@ -48,18 +48,10 @@ def test_it_turns_as_one_with_such_teeth() -> None:
     assert own.planet_speeds == pytest.approx(toothed.planet_speeds, rel=1e-12, nan_ok=True)
 
 
-@pytest.mark.parametrize(
-    ("small", "large", "others"),
-    [
-        (2.0, -2.5, {}),
-        (-2.5, -2.0, {}),
-        (2.5, -0.5, {}),
-        (float("nan"), -2.0, {}),
-        (2.5, -2.0, {"efficiency": None}),
-        (2.5, -2.0, {"teeth": {"ring": 85}}),
-        (2.5, -2.0, {"stiffness": 1e5}),
-    ],
-)
-def test_what_is_no_such_set_is_told(small: float, large: float, others: dict[str, object]) -> None:
-    with pytest.raises(CaseError, match="E797"):
-        of_ratios(small, large, **others)
+def test_what_is_no_such_set_is_told() -> None:
+    others: tuple[dict[str, Any], ...]
+    others = {"efficiency": None}, {"teeth": {"ring": 85}}, {"stiffness": 1e5}
+    wrong = (2.0, -2.5), (-2.5, -2.0), (2.5, -0.5), (float("nan"), -2.0)
+    for small, large, other in (*((*one, {}) for one in wrong), *((2.5, -2.0, o) for o in others)):
+        with pytest.raises(CaseError, match="E797"):
+            of_ratios(small, large, **other)

@@ -39,6 +39,17 @@ def element(kind: str, planets: int | None = None, **teeth: float) -> Element:
     return Element("E", kind, members, teeth, planets=planets)
 
 
+def of(text: str) -> Element:
+    """An element by its kind, planets and teeth: `planetary/3 sun 48 ring 97`."""
+    head, *words = text.split()
+    kind, _, planets = head.partition("/")
+    teeth = {
+        name: float(n) if "." in n else int(n)
+        for name, n in zip(words[::2], words[1::2], strict=True)
+    }
+    return element(kind, int(planets) if planets else None, **teeth)
+
+
 def group(
     wheels: Wheels,
     rims: Mapping[str, Mapping[str, int]],
@@ -57,11 +68,8 @@ def group(
 
 UMDM = group(
     [
-        ("1", 36, False, "A1"),
-        ("4", 34, False, "B2"),
-        ("6", 72, True, "A1"),
-        ("7", 84, True, "B1"),
-        ("8", 74, True, "B2"),
+        *(("1", 36, False, "A1"), ("4", 34, False, "B2"), ("6", 72, True, "A1")),
+        *(("7", 84, True, "B1"), ("8", 74, True, "B2")),
     ],
     {"A": {"A1": 18, "A2": 21}, "B": {"B1": 30, "B2": 20}},
     [("A2", "B1")],
@@ -93,15 +101,10 @@ def goes_in(one: Element, planets: int) -> bool:
     """
     wheels, rims, meshes = parts(one)
     line = Fraction(1, 7)
-    return assembles(
-        Group(
-            rims,
-            {planet: number * line for number, planet in enumerate(rims)},
-            [Wheel(count, rim, internal) for _, count, internal, rim in wheels],
-            [Contact(first, second, line) for first, second in meshes],
-        ),
-        planets,
-    )
+    axes = {planet: number * line for number, planet in enumerate(rims)}
+    central = [Wheel(count, rim, internal) for _, count, internal, rim in wheels]
+    contacts = [Contact(first, second, line) for first, second in meshes]
+    return assembles(Group(rims, axes, central, contacts), planets)
 
 
 def parts(
@@ -135,11 +138,11 @@ def touching(one: Element, planets: int) -> bool:
     inner, outer = (t["sun"] + t["inner"]) / 2, (t["ring"] - t["outer"]) / 2
     apart = (t["inner"] + t["outer"]) / 2
     angle = math.acos((inner**2 + outer**2 - apart**2) / (2 * inner * outer))
-    places = [2 * math.pi * k / planets for k in range(planets)]
-    circles = [(k, cmath.rect(inner, at), t["inner"] / 2 + 1) for k, at in enumerate(places)]
-    circles += [
-        (k, cmath.rect(outer, at + angle), t["outer"] / 2 + 1) for k, at in enumerate(places)
-    ]
+    circles = []
+    for k in range(planets):
+        at = 2 * math.pi * k / planets
+        circles.append((k, cmath.rect(inner, at), t["inner"] / 2 + 1))
+        circles.append((k, cmath.rect(outer, at + angle), t["outer"] / 2 + 1))
     return any(
         a != b and abs(first - second) <= r + s + 1e-9
         for (a, first, r), (b, second, s) in combinations(circles, 2)
@@ -151,10 +154,8 @@ TEETH = st.integers(9, 40)
 
 @st.composite
 def planetary(draw: st.DrawFn) -> Element:
-    sun, planet = draw(TEETH), draw(TEETH)
-    return element(
-        "planetary", sun=sun, planet=planet, ring=sun + 2 * planet + draw(st.integers(-1, 1))
-    )
+    sun, planet, more = draw(TEETH), draw(TEETH), draw(st.integers(-1, 1))
+    return element("planetary", sun=sun, planet=planet, ring=sun + 2 * planet + more)
 
 
 @st.composite
@@ -182,29 +183,17 @@ def stepped(draw: st.DrawFn) -> Element:
 @st.composite
 def ravigneaux(draw: st.DrawFn) -> Element:
     large, long, short, less = draw(TEETH), draw(TEETH), draw(TEETH), draw(st.integers(0, 8))
-    return element(
-        "ravigneaux",
-        small_sun=max(large - less, 5),
-        large_sun=large,
-        ring=large + 2 * long,
-        short=short,
-        long=long,
-    )
+    suns = {"small_sun": max(large - less, 5), "large_sun": large}
+    return element("ravigneaux", **suns, ring=large + 2 * long, short=short, long=long)
 
 
 @st.composite
 def groups(draw: st.DrawFn) -> Element:
     """Two planets of two rims each, meshed, with a few wheels around."""
-    few = st.integers(6, 14)
+    few, rim = st.integers(6, 14), st.sampled_from(["A1", "A2", "B1", "B2"])
     rims = {"A": {"A1": draw(few), "A2": draw(few)}, "B": {"B1": draw(few), "B2": draw(few)}}
-    teeth = {rim: count for of in rims.values() for rim, count in of.items()}
     wheels = [
-        (
-            str(number),
-            draw(st.integers(20, 60)),
-            draw(st.booleans()),
-            draw(st.sampled_from([*teeth])),
-        )
+        (str(number), draw(st.integers(20, 60)), draw(st.booleans()), draw(rim))
         for number in range(draw(st.integers(2, 4)))
     ]
     return group(wheels, rims, [("A2", "B1")])
@@ -212,8 +201,5 @@ def groups(draw: st.DrawFn) -> Element:
 
 def suggestions(problem: Problem) -> list[dict[str, int]]:
     text = problem.message.partition("; nearest ")[2].partition(": ")[2]
-    return [
-        {name: int(count) for name, count in re.findall(r"(\w+) (\d+)", part.partition("(")[0])}
-        for part in text.split(" or ")
-        if part
-    ]
+    parts = [part.partition("(")[0] for part in text.split(" or ") if part]
+    return [{n: int(count) for n, count in re.findall(r"(\w+) (\d+)", part)} for part in parts]

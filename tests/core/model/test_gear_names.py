@@ -26,14 +26,14 @@ def test_a_number_that_is_no_name_is_no_place_among_numbered_gears() -> None:
     assert "gears are 1, 2, 3, 4, 5, 6, 7, 8, R; #9 is R" in said.err
 
 
-@pytest.mark.parametrize("names", [("R", "1", "2"), ("R", "1st", "2nd"), ("R1", "R2", "D1")])
-def test_a_number_may_be_meant_for_a_name_that_has_it(names: tuple[str, ...]) -> None:
-    results = box(*names)
-    for place, name in enumerate(names, 1):
-        assert results["ratio", name] == results["ratio", f"#{place}"] == place
-    for read in {"1", "2", "3"} - {*names}:
-        with pytest.raises(ValueError, match=f"no gear '{read}'"):
-            results["ratio", read]
+def test_a_number_may_be_meant_for_a_name_that_has_it() -> None:
+    for names in (("R", "1", "2"), ("R", "1st", "2nd"), ("R1", "R2", "D1")):
+        results = box(*names)
+        for place, name in enumerate(names, 1):
+            assert results["ratio", name] == results["ratio", f"#{place}"] == place
+        for read in {"1", "2", "3"} - {*names}:
+            with pytest.raises(ValueError, match=f"no gear '{read}'"):
+                results["ratio", read]
 
 
 def test_a_number_of_python_that_is_the_name_of_another_gear_is_refused() -> None:

@@ -7,9 +7,8 @@ from typing import NamedTuple
 import numpy as np
 from hypothesis import strategies as st
 
-from vstatics.core.numerics.arrays import Booleans, Floats
+from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.memory import Rows
-from vstatics.core.numerics.plans import plan_of_one_sign, prepared
 from vstatics.core.numerics.traced import Number, absolute
 
 INPUTS = 3
@@ -95,22 +94,6 @@ def variants(draw: st.DrawFn, most: int = 12) -> Floats:
 def rows_for(results: int, count: int) -> Rows:
     """Memory for the results of some variants, full of what is no result."""
     return Rows([np.full(count, 1e300) for _ in range(results)])
-
-
-def run_plan(
-    function: Callable[[Sequence[Number]], Sequence[Number]], values: Floats, rows: Rows
-) -> Booleans:
-    """Plan a function for its first variant, run it on all; mark those that pass.
-
-    Raises
-    ------
-    Untraceable
-        If the first variant is a special case.
-    """
-    inputs = prepared(values)
-    plan = plan_of_one_sign(function, inputs, 0, 1.05)
-    with np.errstate(all="ignore"):  # as `solve` does
-        return plan.suits(inputs) & plan.run(inputs, rows)
 
 
 def same_bits(one: float, other: float) -> bool:

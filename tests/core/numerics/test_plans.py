@@ -5,6 +5,7 @@ Expected numbers come from the small functions themselves, called with floats.
 
 import math
 from collections.abc import Callable, Sequence
+from functools import partial
 
 import numpy as np
 import pytest
@@ -156,35 +157,21 @@ def test_there_is_an_end_to_plans(monkeypatch: pytest.MonkeyPatch) -> None:
     assert (len(own.plans), counted.traced, counted.alone) == (3, 3, 90 + 100)
 
 
-def test_a_row_that_is_the_same_for_all_is_not_written_again() -> None:
-    own = Plans(branches)
-    rows = rows_for(3, 30)
-    check(own, branches, [np.linspace(1.5, 3, 30).tolist()], rows)
-    assert rows.holds == {1: 2.0, 2: 7.0}
-    rows.arrays[2][5] = -1.0  # what nobody does: it shows that the row is left alone
-    own.run(prepared(np.linspace(1.6, 3.1, 30)[None, :]), rows)
-    assert rows.arrays[2][5] == -1.0
-
-
-@pytest.mark.parametrize(
-    "second",
-    [
+def test_memory_used_again_holds_the_second_outcome() -> None:
+    first = np.linspace(1.5, 3.5, 30)
+    for second in (
         np.linspace(0.1, 0.9, 30),  # another constant
         np.linspace(4.5, 8, 30),  # no constant any more
         np.linspace(0.1, 8, 30),  # some of each
         np.linspace(2, 8, 30),  # constant for the first ones only
         np.array([2.0] * 26 + [0.5, 5.0, 6.0, 0.25]),  # constant but for a few, calculated alone
-    ],
-)
-def test_memory_used_again_holds_the_second_outcome(second: Floats) -> None:
-    first = np.linspace(1.5, 3.5, 30)
-    for order in ([first, second, first], [second, first, second]):
-        own = Plans(branches)
-        rows = rows_for(3, 30)
-        for values in order:
-            check(own, branches, values[None, :], rows)
-        for row, value in rows.holds.items():
-            assert (rows.arrays[row] == value).all()
+    ):
+        for order in ([first, second, first], [second, first, second]):
+            own, rows = Plans(branches), rows_for(3, 30)
+            for values in order:
+                check(own, branches, values[None, :], rows)
+            for row, value in rows.holds.items():
+                assert (rows.arrays[row] == value).all()
 
 
 def test_constants_are_nan_or_of_the_type_of_their_row() -> None:
@@ -224,10 +211,7 @@ def test_programs_give_every_variant_its_own_numbers(
     program: Program, values: Floats, others: Floats
 ) -> None:
     """Whatever came before: other variants, and the same in another order."""
-
-    def function(numbers: Sequence[Number]) -> list[Number]:
-        return run(program, numbers)
-
+    function = partial(run, program)
     own = Plans(function)
     for given_values in (values, others, values[:, ::-1], others[:, :1]):
         check(own, function, given_values)

@@ -26,51 +26,38 @@ def replayed(function: Calculation, values: np.ndarray = VALUES) -> tuple[np.nda
     return np.array(rows.arrays), passed
 
 
-def check(function: Calculation, passing: float = 1.0) -> None:
-    found, passed = replayed(function)
-    assert passed.mean() >= passing
-    for variant in np.flatnonzero(passed):
-        expected = np.array(function(VALUES[:, variant].tolist()), dtype=float)
-        assert found[:, variant] == pytest.approx(expected, rel=1e-15, nan_ok=True)
+def choices(abc: Sequence[Number]) -> list[Number | Residual | Condition]:
+    a, b, c = abc
+    both, one = (a > b) & (c > 0), (a > b) | opposite(c > 0)
+    return [chosen(both, a, -b), chosen(one, 1.0, c), where(both, a * b), both]
 
 
-def test_arithmetic_of_any_sign_decides_nothing() -> None:
-    check(lambda abc: [-(abc[0] - abc[1]) * 2, 1 / (abc[0] * -abc[2]), abc[0] - (3 - abc[1])])
-
-
-def test_a_number_divided_by_itself_or_its_negative_is_1_or_minus_1() -> None:
-    check(lambda abc: [abc[0] / abc[0], abc[0] / -abc[0], -abc[1] / abc[1], -abc[2] / -abc[2]])
-
-
-def test_magnitudes_and_signs() -> None:
-    check(lambda abc: [absolute(abc[0] - abc[1]), sign(-abc[2]), sign(abc[0]) * abc[1]])
-
-
-def test_a_choice_is_made_for_each_variant() -> None:
-    def choices(abc: Sequence[Number]) -> list[Number | Residual | Condition]:
-        a, b, c = abc
-        both = (a > b) & (c > 0)
-        one = (a > b) | opposite(c > 0)
-        return [chosen(both, a, -b), chosen(one, 1.0, c), where(both, a * b), both]
-
-    check(choices)
+def test_what_any_sign_has_is_calculated_for_all_variants() -> None:
+    """Arithmetic, quotients of a number and itself, magnitudes, signs, choices."""
+    functions: tuple[Calculation, ...] = (
+        lambda abc: [-(abc[0] - abc[1]) * 2, 1 / (abc[0] * -abc[2]), abc[0] - (3 - abc[1])],
+        lambda abc: [abc[0] / abc[0], abc[0] / -abc[0], -abc[1] / abc[1], -abc[2] / -abc[2]],
+        lambda abc: [absolute(abc[0] - abc[1]), sign(-abc[2]), sign(abc[0]) * abc[1]],
+        lambda abc: [sign(abc[0] / 9), absolute(abc[1] / 9), absolute(-abc[1] / 9)],
+        choices,
+    )
+    for function in functions:
+        found, passed = replayed(function)
+        assert passed.all()
+        for variant, column in enumerate(VALUES.T.tolist()):
+            expected = np.array(function(column), dtype=float)
+            assert found[:, variant] == pytest.approx(expected, rel=1e-15, nan_ok=True)
 
 
 def test_a_condition_of_python_is_a_guard() -> None:
-    def branch(abc: Sequence[Number]) -> list[Number | Residual | Condition]:
-        return [abc[0] if abc[0] > abc[1] else abc[2]]
-
-    _, passed = replayed(branch)
+    _, passed = replayed(lambda abc: [abc[0] if abc[0] > abc[1] else abc[2]])
     same = (VALUES[0] > VALUES[1]) == (VALUES[0, 0] > VALUES[1, 0])
     assert (passed == same).all()
     assert 0 < same.mean() < 1
 
 
 def test_variants_in_which_as_many_hold_pass() -> None:
-    def count(abc: Sequence[Number]) -> list[Number | Residual | Condition]:
-        return [counted([number > 0 for number in abc])]
-
-    found, passed = replayed(count)
+    found, passed = replayed(lambda abc: [counted([number > 0 for number in abc])])
     above = (VALUES > 0).sum(axis=0)
     assert (passed == (above == above[0])).all()
     assert (found[0, passed] == above[0]).all()

@@ -1,37 +1,110 @@
-"""Traced numbers: their signs, their bounds, the guards that comparisons leave."""
+"""Traced numbers on a tape: their signs and bounds, operations that are noted, guards of comparisons."""
 
 import math
 import operator
 from collections.abc import Callable
+from itertools import product
 
 import pytest
 
-from tests.core.numerics.tapes import guards, names, noted, on_tape, traced
-from vstatics.core.numerics.tape import HUGE, Plain, Residual, Untraceable
+from vstatics.core.numerics.tape import (
+    GUARDS,
+    HUGE,
+    MOST_OPERATIONS,
+    Plain,
+    Residual,
+    Tape,
+    Untraceable,
+)
 from vstatics.core.numerics.traced import (
+    Magnitude,
     Number,
-    difference,
+    Traced,
     guard_same,
     guard_within,
     plain,
     residual,
 )
 
+Bounds = tuple[float, float]
 
-@pytest.mark.parametrize("value", [2.5, -2.5])
-def test_signs_zeros_and_ones_cost_no_operation(value: float) -> None:
-    (a,) = traced(value)
-    assert (a < 0) == (value < 0)
-    for zero in (a * 0.0, 0.0 * a, 0.0 / a, a - a):
-        assert zero.__class__ is float
-        assert zero == 0
-    for itself in (a + 0.0, 0.0 + a, a - 0.0, a * 1.0, 1.0 * a, a / 1.0, (-1.0 * a) / -1.0, a * 1):
-        assert (on_tape(itself).sign, on_tape(itself).magnitude) == (a.sign, a.magnitude)
-    for other in (-a, 0.0 - a, -1.0 * a, a / -1.0, a * -1):
-        assert (on_tape(other).sign, on_tape(other).magnitude) == (-a.sign, a.magnitude)
-    assert (abs(a).sign, abs(a).magnitude) == (1, a.magnitude)
-    assert (a / a, a / -a) == (1.0, -1.0)
-    assert not noted(a)
+
+def traced(*values: float, bounds: Bounds | None = None) -> list[Traced]:
+    """Traced numbers on one tape, with the same bounds for their magnitudes, or wide ones."""
+    tape = Tape(len(values))
+    return [
+        Traced(
+            tape,
+            1 if value > 0 else -1,
+            Magnitude(slot, abs(value), *(bounds or (abs(value) / 50, abs(value) * 50))),
+        )
+        for slot, value in enumerate(values)
+    ]
+
+
+def noted(number: Traced | Residual) -> list[tuple[str, object, object]]:
+    return [operation[:3] for operation in number.tape.operations]
+
+
+def names(number: Traced | Residual) -> list[str]:
+    return [name for name, _, _ in noted(number)]
+
+
+def guards(number: Traced | Residual) -> list[str]:
+    return [name for name in names(number) if name in GUARDS]
+
+
+def on_tape(number: Number | Residual) -> Traced:
+    assert isinstance(number, Traced)
+    return number
+
+
+def test_the_same_operation_is_noted_once() -> None:
+    a, b = traced(2.0, 3.0)
+    products = [on_tape(one) for one in (a * b, b * a, -a * b, b * -a)]
+    sums = [on_tape(one) for one in (a + b, b + a, -(-a - b))]
+    assert [one.sign for one in products] == [1, 1, -1, -1]
+    assert noted(a) == [("multiply", 0, 1), ("add", 0, 1)]
+    assert len({one.magnitude for one in products}) == len({one.magnitude for one in sums}) == 1
+    assert a * 2.0 == 2.0 * a
+    assert a + 2.0 == 2.0 + a
+    assert noted(a)[2:] == [("multiply", 0, Plain(2.0)), ("add", 0, Plain(2.0))]
+    assert a / b != b / a
+
+
+def test_a_plain_number_is_no_slot() -> None:
+    a, b, c = traced(5.0, 7.0, 2.0)
+    by_slot = [a * c, a + c, a - c, a / c, c / a]
+    by_number = [a * 2.0, a + 2.0, a - 2.0, a / 2.0, 2.0 / a]
+    slots = {on_tape(one).magnitude.operand for one in (*by_slot, *by_number)}
+    assert len(slots) == len(by_slot) + len(by_number)
+    assert ("multiply", 0, Plain(2.0)) in noted(b)
+    assert ("multiply", 0, 2) in noted(b)
+
+
+def test_a_tape_has_an_end() -> None:
+    tape = Tape(1)
+    for place in range(MOST_OPERATIONS):
+        tape.note("add", 0, Plain(float(place)))
+    tape.note("add", 0, Plain(1.0))
+    with pytest.raises(Untraceable):
+        tape.note("add", 0, Plain(-1.0))
+
+
+def test_signs_zeros_and_ones_cost_no_operation() -> None:
+    for value in (2.5, -2.5):
+        (a,) = traced(value)
+        assert (a < 0) == (value < 0)
+        for zero in (a * 0.0, 0.0 * a, 0.0 / a, a - a):
+            assert (zero.__class__, zero) == (float, 0)
+        alike = (a + 0.0, 0.0 + a, a - 0.0, a * 1.0, 1.0 * a, a / 1.0, (-1.0 * a) / -1.0, a * 1)
+        turned = (-a, 0.0 - a, -1.0 * a, a / -1.0, a * -1)
+        for same, others in ((1, alike), (-1, turned)):
+            for one in map(on_tape, others):
+                assert (one.sign, one.magnitude) == (same * a.sign, a.magnitude)
+        assert (abs(a).sign, abs(a).magnitude) == (1, a.magnitude)
+        assert (a / a, a / -a) == (1.0, -1.0)
+        assert not noted(a)
 
 
 def test_nan_and_infinity_are_compared_without_an_operation() -> None:
@@ -47,18 +120,16 @@ def test_nan_and_infinity_are_compared_without_an_operation() -> None:
         assert not noted(a)
 
 
-@pytest.mark.parametrize("swapped", [False, True])
-def test_bounds_and_signs_settle_a_comparison_without_a_guard(swapped: bool) -> None:
-    (a,) = traced(2.0, bounds=(1.5, 3.0))
-    small, large = (1.0, 4.0) if not swapped else (-4.0, -1.0)
-    a = -a if swapped else a
-    assert small < a < large
-    assert small <= a <= large
-    assert not any((a < small, a > large, a <= small, a >= large))
-    assert a not in (small, large)
-    assert -small > -a > -large
-    assert -a != a
-    assert not noted(a)
+def test_bounds_and_signs_settle_a_comparison_without_a_guard() -> None:
+    (one,) = traced(2.0, bounds=(1.5, 3.0))
+    for a, small, large in ((one, 1.0, 4.0), (-one, -4.0, -1.0)):
+        assert small < a < large
+        assert small <= a <= large
+        assert not any((a < small, a > large, a <= small, a >= large))
+        assert a not in (small, large)
+        assert -small > -a > -large
+        assert -a != a
+        assert not noted(a)
 
 
 def test_bounds_settle_nothing_within_their_own_rounding() -> None:
@@ -68,26 +139,21 @@ def test_bounds_settle_nothing_within_their_own_rounding() -> None:
     assert guards(a) == ["less", "less"]
 
 
-COMPARISONS: list[tuple[Callable[[Number, Number], bool], str, str]] = [
-    (operator.lt, "less", "less_equal"),
-    (operator.le, "less_equal", "less"),
-    (operator.eq, "equal", "not_equal"),
-]
-
-
-@pytest.mark.parametrize(("compare", "held", "denied"), COMPARISONS)
-def test_what_bounds_do_not_settle_leaves_a_guard(
-    compare: Callable[[Number, Number], bool], held: str, denied: str
-) -> None:
-    for value, its_value in ((2.0, 3.0), (3.0, 2.0), (2.0, 2.0)):
-        for sign in (1, -1):
-            a, b = traced(value, its_value)
-            outcome = compare(a * sign, b * sign)
-            assert outcome == compare(value * sign, its_value * sign)
-            assert guards(a) == [held if outcome else denied]
-            (a,) = traced(value)
-            assert compare(a * sign, its_value * sign) == outcome
-            assert guards(a) == [held if outcome else denied]
+def test_what_bounds_do_not_settle_leaves_a_guard() -> None:
+    comparisons: tuple[tuple[Callable[[Number, Number], bool], str, str], ...] = (
+        (operator.lt, "less", "less_equal"),
+        (operator.le, "less_equal", "less"),
+        (operator.eq, "equal", "not_equal"),
+    )
+    pairs = (2.0, 3.0), (3.0, 2.0), (2.0, 2.0)
+    for (compare, held, denied), values, sign in product(comparisons, pairs, (1, -1)):
+        a, b = traced(*values)
+        outcome = compare(a * sign, b * sign)
+        assert outcome == compare(values[0] * sign, values[1] * sign)
+        assert guards(a) == [held if outcome else denied]
+        (a,) = traced(values[0])
+        assert compare(a * sign, values[1] * sign) == outcome
+        assert guards(a) == [held if outcome else denied]
 
 
 def test_a_difference_is_guarded_to_keep_its_sign_and_a_sum_is_not() -> None:
@@ -103,19 +169,6 @@ def test_a_difference_is_guarded_to_keep_its_sign_and_a_sum_is_not() -> None:
     a, b = traced(2.0, 2.0)
     assert a - b == 0.0
     assert noted(a) == [("equal", 0, 1)]
-
-
-def test_bounds_of_a_difference() -> None:
-    """From 1.5 to 3 less 1 is from .5 to 2; a part of the larger number is left if asked for."""
-    (a,) = traced(2.0, bounds=(1.5, 3.0))
-    left = on_tape(a - 1.0)
-    assert names(a) == ["subtract"]
-    assert (left.magnitude.low, left.magnitude.high) == pytest.approx((0.5, 2.0))
-    a, b = traced(4.0, 2.0)
-    left = on_tape(difference(a, -b, least=0.25))
-    assert left.magnitude.low == pytest.approx(0.25 * a.magnitude.low)
-    assert names(a) == ["multiply", "less", "subtract"]  # b < .75 a
-    assert noted(a)[0] == ("multiply", 0, Plain(0.75))
 
 
 def test_a_difference_is_guarded_also_where_no_bound_is_known() -> None:
@@ -141,20 +194,15 @@ def test_a_huge_or_tiny_first_variant_stands_for_no_other() -> None:
         with pytest.raises(Untraceable):
             traced(value)
     (a,) = traced(1e60)
-    operations: list[Callable[[], Number]] = [
-        lambda: a * a,
-        lambda: 1e-60 / a,
-        lambda: a + math.inf,
-        lambda: a / 0.0,
-        lambda: a / math.nan,
-    ]
-    for operation in operations:
+    many, mul, div = operator.add, operator.mul, operator.truediv
+    for operation, *numbers in ((mul, a, a), (div, 1e-60, a), (many, a, math.inf), (div, a, 0.0)):
         with pytest.raises(Untraceable):
-            operation()
+            operation(*numbers)
+    with pytest.raises(Untraceable):
+        a / math.nan
 
 
 def left_over(*numbers: Number) -> Residual:
-    """A sum of traced numbers."""
     made = residual(numbers)
     assert isinstance(made, Residual)
     return made
@@ -164,12 +212,7 @@ def test_a_rest_is_added_up_from_left_to_right() -> None:
     a, b = traced(2.0, 3.0)
     left = left_over(0.0, -a, 0.5, 0.0, b, -1.5)
     assert left.value == 0.0
-    assert noted(a) == [
-        ("subtract", Plain(0.0), 0),
-        ("add", 2, Plain(0.5)),
-        ("add", 3, 1),
-        ("subtract", 4, Plain(1.5)),
-    ]
+    assert names(a) == ["subtract", "add", "add", "subtract"]
     with pytest.raises(Untraceable):
         left - 1.0
     assert residual([]) == 0.0

@@ -44,7 +44,6 @@ def _in_pairs(rng: np.random.Generator, own: Floats) -> Floats:
 
 
 def _line(rng: np.random.Generator, own: Floats) -> Floats:
-    """One ratio of them varies."""
     u = own.copy()
     u[:, rng.integers(own.shape[1])] = np.linspace(-3, 3, len(own))
     return u
@@ -152,26 +151,16 @@ def disagreements(
     with no_plans():
         together = solve(case, ratios=u, efficiencies=eta)
         signed = any(plan.signed for own in solver._plans.values() for plan in own.plans)
-    agree = alike if signed else same
-    given = next(array for array in (u, eta) if array is not None)
+    agree, given = alike if signed else same, next(one for one in (u, eta) if one is not None)
     found = []
     for variant in range(len(given)) if variants is None else variants:
-        own = with_numbers(
-            case, None if u is None else u[variant], None if eta is None else eta[variant]
-        )
+        numbers = (None if one is None else one[variant] for one in (u, eta))
+        own = with_numbers(case, *numbers)
         alone = plainly(own)
         wrong = [n for n in ARRAYS if not agree(getattr(together, n)[variant], getattr(alone, n))]
         if wrong:
             found.append(f"variant {variant}: {', '.join(wrong)} of {trains.shown(own)}")
     return found
-
-
-def random_disagreements(case: Transmission, seed: int) -> list[str]:
-    """Where variants of random numbers, without losses and with them, are not what they are alone."""
-    numbers = generator(seed)
-    u = ratios(numbers, case, 12, KINDS[seed % len(KINDS)])
-    eta = efficiencies(numbers, case, 12, "any")
-    return [*disagreements(case, u, None, range(4)), *disagreements(case, u, eta, range(4))]
 
 
 def large_train(rng: Random, most: int = 12) -> Transmission:
@@ -203,13 +192,9 @@ def chain(count: int, into: Transmission | None = None) -> Transmission:
     ends = [last.links + number for number in range(1, count + 1)]
     pairs = zip(ends, [*ends[1:], last.input], strict=True)
     made = [Mechanism(first, second, 0, 2.0, 0.97) for first, second in pairs]
-    return replace(
-        last,
-        links=last.links + count,
-        link_names=(),
-        mechanisms=[*made, *(one._replace(name="") for one in last.mechanisms)],
-        input=ends[0],
-    )
+    made += [one._replace(name="") for one in last.mechanisms]
+    links = last.links + count
+    return replace(last, links=links, link_names=(), mechanisms=made, input=ends[0])
 
 
 def random_case(seed: int, largest: int = 6) -> tuple[Transmission, Floats, Floats | None]:

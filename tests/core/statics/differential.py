@@ -2,9 +2,11 @@
 
 from collections.abc import Sequence
 
+import pytest
+
 from tests.commands import vstatics
-from vstatics import Gear, Mechanism, Results, ShiftElement, Transmission
-from vstatics.core.readers.named.reader import read_json
+from vstatics import Gear, Mechanism, ReadError, Results, ShiftElement, Transmission
+from vstatics.core.readers.named.reader import read_json, read_yaml
 from vstatics.core.writers.named import write_json
 
 SET = Mechanism(1, 2, 3, ratio=-2.0, efficiency=0.97)
@@ -28,3 +30,14 @@ def status(case: Transmission) -> int:
     written = write_json(case).encode()
     assert read_json(written, "").case == case
     return vstatics("run", "-", "--from", "json", stdin=written).status
+
+
+def assert_located(text: str, faults: Sequence[tuple[str, str, int, str]]) -> None:
+    """Each change of a text (before, after) is told in its line, with these words."""
+    for before, after, line, words in faults:
+        assert text.count(before) == 1
+        with pytest.raises(ReadError) as caught:
+            read_yaml(text.replace(before, after).encode(), "case.yaml")
+        problem = caught.value.problems[0]
+        assert problem.place is not None
+        assert (problem.place[1], words in problem.message) == (line, True), after

@@ -2,7 +2,6 @@
 
 from tests.core.statics.differential import texts, train
 from vstatics import Gear, Mechanism, Transmission, solve
-from vstatics.core.model.bodies import join
 from vstatics.core.statics.bodies import held_as_one
 
 
@@ -27,14 +26,6 @@ def test_links_that_turn_alike_are_one_body() -> None:
         case = train(elements, gear)
         assert solve(case).gear(1).bodies == by_speeds
         assert case.bodies(case.gears[0]) == by_elements
-
-
-def test_bodies_that_are_joined_take_the_least_link() -> None:
-    bodies = [0, 1, 2, 3, 4]
-    join(bodies, 4, 2)
-    assert bodies == [0, 1, 2, 3, 2]
-    join(bodies, 4, 1, 3)
-    assert bodies == [0, 1, 1, 1, 1]
 
 
 def test_what_losses_cannot_move_is_held_as_one() -> None:

@@ -6,21 +6,19 @@ links 1 (sun), 2 (ring) and 3 (carrier).
 """
 
 import math
+from itertools import product
 from random import Random
 
 import numpy as np
 import pytest
-from hypothesis import given
 
 from tests.chance import count, seeded
 from tests.core.statics.differential import status, texts, train
 from tests.core.statics.test_status import FAULTY
 from tests.shipped import shipped_results
-from tests.strategies import transmissions
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
 from vstatics.core.model.parts import Load, SpeedOf
-from vstatics.core.readers import from_dict, loads
-from vstatics.core.statics import diagnosis
+from vstatics.core.readers import loads
 from vstatics.core.statics.diagnosis import is_uncertain, regular_gears
 from vstatics.core.statics.results import Results
 
@@ -43,12 +41,9 @@ def test_neutral_counts_what_is_missing_and_names_the_free_links() -> None:
 
 def test_brakes_that_hold_the_input_tie_the_gear_up() -> None:
     case = train([(2, 0), (3, 0)], Gear([1, 2]))
-    results = solve(case)
-    assert results.failed
-    assert texts(results) == [
-        "error: tied up: A, B and the input speed contradict each other, so the input cannot "
-        "turn as given; release one of the engaged shift elements"
-    ]
+    [said] = texts(solve(case))
+    assert said.startswith("error: tied up: A, B and the input speed contradict each other")
+    assert said.endswith("release one of the engaged shift elements")
     assert status(case) == 1
 
 
@@ -89,38 +84,35 @@ def proposed(results: Results) -> str:
     return said.rpartition("3: ")[2].partition("}")[0]
 
 
-@pytest.mark.parametrize("coast", [False, True])
-@pytest.mark.parametrize("speed", [1000.0, -1000.0])
-@pytest.mark.parametrize("ratio", [2.0, -2.0])
-def test_the_torque_that_is_proposed_for_a_further_output_takes_power(
-    ratio: float, speed: float, *, coast: bool
-) -> None:
+def test_the_torque_that_is_proposed_for_a_further_output_takes_power() -> None:
     """As power enters by the input, or, coasting, by the other output: that gives more then."""
-    pairs = [Mechanism(1, 2, 0, -3.0), Mechanism(1, 3, 0, ratio)]
-    case = Transmission(
-        3, [], pairs, [Gear()], output=2, outputs=[2, 3], load=Load(speed, 100.0), coast=coast
-    )
-    results = solve(case)
-    taken = solve(case.replace(gears=[Gear(torques={3: float(proposed(results))})]))
-    assert not any("takes no torque" in text for text in texts(taken))
-    own = taken.output_torque_Nm[0] * taken.speeds_rpm[0, 1]  # above 0 where it takes power
-    assert own < results.output_torque_Nm[0] * results.speeds_rpm[0, 1]
-    assert (own < 0) == coast
+    for ratio, speed, coast in product((2.0, -2.0), (1000.0, -1000.0), (False, True)):
+        pairs, load = [Mechanism(1, 2, 0, -3.0), Mechanism(1, 3, 0, ratio)], Load(speed, 100.0)
+        case = Transmission(
+            3, [], pairs, [Gear()], output=2, outputs=[2, 3], load=load, coast=coast
+        )
+        results = solve(case)
+        taken = solve(case.replace(gears=[Gear(torques={3: float(proposed(results))})]))
+        assert not any("takes no torque" in text for text in texts(taken))
+        own = taken.output_torque_Nm[0] * taken.speeds_rpm[0, 1]  # above 0 where it takes power
+        assert own < results.output_torque_Nm[0] * results.speeds_rpm[0, 1]
+        assert (own < 0) == coast
 
 
-@pytest.mark.parametrize("coast", [False, True])
-@pytest.mark.parametrize("speed", ["1000 rpm", "-1000 rpm"])
-def test_beside_no_torque_the_one_that_is_proposed_has_a_unit(speed: str, *, coast: bool) -> None:
+def test_beside_no_torque_the_one_that_is_proposed_has_a_unit() -> None:
     """A bare number is a part of that of the input, which is none."""
-    pairs = {"axle": (2, -3.0), "pto": (3, 2.0)}
-    made = {name: {"first": 1, "second": n, "ratio": u} for name, (n, u) in pairs.items()}
-    data = {"links": 3, "outputs": [2, 3], "mechanisms": made, "coast": coast}
-    data["load"] = {"speed": speed, "torque": "0 N*m"}
-    torque = proposed(solve(from_dict(data | {"gears": {"1": {}}})))
-    assert torque.endswith("N*m")
-    results = solve(from_dict(data | {"gears": {"1": {"torques": {3: torque}}}}))
-    assert results.input_power_kW[0] == pytest.approx(20 * 500 * math.pi / 30e3)
-    assert results.output_torque_Nm[0] * results.speeds_rpm[0, 1] < 0  # where it enters
+    for speed, coast in product((1000, -1000), ("false", "true")):
+        text = f"""
+        {{links: 3, outputs: [2, 3], coast: {coast}, load: {{speed: {speed} rpm, torque: 0 N*m}},
+        mechanisms: {{axle: {{first: 1, second: 2, ratio: -3}}, pto: {{first: 1, second: 3, ratio: 2}}}},
+        gears: {{1: {{}}}}}}
+        """
+        torque = proposed(solve(loads(text, format="yaml")))
+        assert torque.endswith("N*m")
+        given = text.replace("1: {}", f"1: {{torques: {{3: {torque}}}}}")
+        results = solve(loads(given, format="yaml"))
+        assert results.input_power_kW[0] == pytest.approx(20 * 500 * math.pi / 30e3)
+        assert results.output_torque_Nm[0] * results.speeds_rpm[0, 1] < 0  # where it enters
 
 
 def test_a_singular_train_of_the_right_count_is_told_both() -> None:
@@ -134,12 +126,6 @@ def test_a_singular_train_of_the_right_count_is_told_both() -> None:
     assert second.startswith("warning: one more shift element must be engaged")
     assert "(links 4 and 5 can still turn freely)" in second
     assert [*results.ratio, *results.output_torque] == pytest.approx([3, 3])
-
-
-def test_an_output_that_stands_still_has_no_ratio() -> None:
-    case = train([(3, 0)], Gear([1]))
-    assert "warning: the output, link 3, is at rest, so the gear has no ratio" in texts(solve(case))
-    assert status(case) == 0
 
 
 def test_an_output_of_which_nothing_is_given_is_told() -> None:
@@ -191,15 +177,6 @@ def test_a_freewheel_that_cannot_support_the_input_is_no_reason() -> None:
     case = Transmission(4, elements, sets, [Gear([1, 2])], input=4, output=3)
     said = "warning: no torques are in equilibrium: nothing supports the torque of the input"
     assert texts(solve(case))[-1] == said
-
-
-@pytest.mark.slow
-@given(transmissions())
-def test_of_a_usual_gear_nothing_else_is_said(case: Transmission) -> None:
-    results = solve(case)
-    for number, is_usual in enumerate(regular_gears(results)):
-        if is_usual:
-            assert not list(diagnosis._of_irregular_gear(results, number, case.gears[number], ()))
 
 
 def test_gears_are_usual_but_for_faults_and_torques_that_statics_leaves_open() -> None:

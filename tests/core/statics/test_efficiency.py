@@ -5,19 +5,16 @@ from the second to the first with `back_efficiency`.
 """
 
 from dataclasses import replace
-from random import Random
 
 import numpy as np
 import pytest
 
-from tests.chance import each_seed, generator, seeded
-from tests.core.statics.batches import ARRAYS, disagreements, large_train, plainly, same
+from tests.chance import count, seeded
+from tests.core.statics.batches import ARRAYS, large_train, plainly, same
 from tests.core.writers.again import is_read_again
 from tests.trains import random_train
 from vstatics import Gear, Mechanism, ReadError, ShiftElement, Transmission, solve
-from vstatics.core.numerics.traced import plain
 from vstatics.core.readers.named.reader import read_yaml
-from vstatics.core.statics.efficiency import Efficiency, is_possible, lossy_ratio
 from vstatics.core.writers import deck
 
 
@@ -45,22 +42,19 @@ def test_a_self_locking_worm_gear_can_be_driven_by_the_worm_only() -> None:
     assert coasting.efficiency == pytest.approx([np.nan, 0.8], nan_ok=True)
     assert (list(results.locked), list(coasting.locked)) == ([False, True], [True, False])
     assert np.isnan(results.lossy_torques[1]).all()
-    assert [str(message) for message in results.messages] == [
-        "warning: gear 2: self-locking: no direction of power flow is consistent with the "
-        "losses [W421]"
-    ]
+    assert [(one.id, one.gear) for one in results.messages] == [("W421", "2")]
 
 
-@pytest.mark.parametrize("back", [0.9, 0.98, None])
-def test_a_planetary_set_by_its_carrier(back: float | None) -> None:
+def test_a_planetary_set_by_its_carrier() -> None:
     """Ring held. Sun in: (1 - u e)/(1 - u). Carrier in: (1 - u)/(1 - u/b)."""
     u, e = -2.0, 0.95
-    sets = [Mechanism(1, 2, 3, u, e, back_efficiency=back)]
     gears = [Gear([1]), Gear([1], input=3, output=1)]
-    case = Transmission(3, [ShiftElement(2)], sets, gears)
-    forms = [(1 - u * e) / (1 - u), (1 - u) / (1 - u / (back or e))]
-    assert solve(case).efficiency == pytest.approx(forms)
-    assert solve(case, coast=True).efficiency == pytest.approx(forms[::-1])
+    for back in (0.9, 0.98, None):
+        sets = [Mechanism(1, 2, 3, u, e, back_efficiency=back)]
+        case = Transmission(3, [ShiftElement(2)], sets, gears)
+        forms = [(1 - u * e) / (1 - u), (1 - u) / (1 - u / (back or e))]
+        assert solve(case).efficiency == pytest.approx(forms)
+        assert solve(case, coast=True).efficiency == pytest.approx(forms[::-1])
 
 
 def test_arrays_of_efficiencies_leave_the_second_one_as_it_is() -> None:
@@ -70,31 +64,29 @@ def test_arrays_of_efficiencies_leave_the_second_one_as_it_is() -> None:
         assert found == pytest.approx(np.stack([eta[:, 0], expected], axis=1))
 
 
-def with_backs(rng: Random, case: Transmission) -> Transmission:
-    """The train with other efficiencies for the way back, some of them 0."""
+def with_backs(seed: int) -> Transmission:
+    """A random train with other efficiencies for the way back, some of them 0."""
+    rng = seeded(seed)
+    case = random_train(rng) if seed % 2 else large_train(rng, 6)
     choices = (None, None, 0.0, 1.0, 0.5, 0.8, 0.9, 0.95)
     made = [one._replace(back_efficiency=rng.choice(choices)) for one in case.mechanisms]
     return replace(case, mechanisms=made)
 
 
-@each_seed(12)
-def test_random_trains(seed: int) -> None:
-    """Power is balanced, losses are none below 0, variants are what they are alone."""
-    rng, numbers = seeded(seed), generator(seed)
-    case = with_backs(rng, random_train(rng) if seed % 2 else large_train(rng, 6))
-    results = plainly(case)
-    there = results.consistent
-    size = 1 + np.nan_to_num(np.abs(results.lossy_torques[there])).max(axis=1, initial=0)
-    balance = np.nan_to_num(results.power_balance[there]) / size
-    assert balance == pytest.approx(0, abs=1e-7)
-    losses = np.nan_to_num(results.losses[there]) * (-1 if case.coast else 1)
-    assert (losses >= -1e-9 * size[:, None]).all()
-    signs = np.nan_to_num(results.power_sign[there])
-    backs = np.array([m.back_efficiency != 0 for m in case.mechanisms])
-    assert (signs[:, ~backs] >= 0).all()
-    u = np.array([m.ratio for m in case.mechanisms]) * numbers.uniform(0.95, 1.05, (12, 1))
-    assert not disagreements(case, u, None, range(4))
-    assert not disagreements(case, u, numbers.uniform(0.8, 1, u.shape), range(4))
+def test_random_trains() -> None:
+    """Power is balanced, losses are none below 0, none goes back where that is not possible."""
+    for seed in range(count(12, 100)):
+        case = with_backs(seed)
+        results = plainly(case)
+        there = results.consistent
+        size = 1 + np.nan_to_num(np.abs(results.lossy_torques[there])).max(axis=1, initial=0)
+        balance = np.nan_to_num(results.power_balance[there]) / size
+        assert balance == pytest.approx(0, abs=1e-7)
+        losses = np.nan_to_num(results.losses[there]) * (-1 if case.coast else 1)
+        assert (losses >= -1e-9 * size[:, None]).all()
+        signs = np.nan_to_num(results.power_sign[there])
+        backs = np.array([m.back_efficiency != 0 for m in case.mechanisms])
+        assert (signs[:, ~backs] >= 0).all()
 
 
 TEXT = """\
@@ -115,20 +107,3 @@ def test_yaml_and_json_keep_it_and_a_deck_cannot() -> None:
     (problem,) = caught.value.problems
     assert problem.place is not None
     assert problem.place[1:3] == (3, TEXT.splitlines()[2].index("0.7") + 1)
-
-
-def test_a_ratio_with_losses_is_multiplied_or_divided() -> None:
-    """Forward u eta, u/back the other way, u where it is idle, nothing where it is open."""
-    both = Efficiency(0.9, 0.5)
-    assert lossy_ratio(-2.0, both, 1.0) == pytest.approx(-1.8)
-    assert lossy_ratio(-2.0, both, -1.0) == pytest.approx(-4)
-    assert lossy_ratio(-2.0, both, 0.0) == -2
-    assert np.isnan(plain(lossy_ratio(-2.0, both, float("nan"))))
-    assert np.isnan(plain(lossy_ratio(-2.0, Efficiency(0.9, 0.0), -1.0)))
-
-
-def test_no_power_flows_back_through_what_is_self_locking() -> None:
-    pair = [Efficiency(0.8, 0.0), Efficiency(0.9, 0.9)]
-    assert is_possible(pair, (1.0, -1.0))
-    assert not is_possible(pair, (-1.0, 1.0))
-    assert is_possible(pair, (0.0, 0.0))  # idle, so no power flows back

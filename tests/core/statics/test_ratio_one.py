@@ -5,10 +5,6 @@
 
 import pytest
 
-from tests.chance import generator, ranges_with_slow, seeded
-from tests.core.statics.batches import disagreements, ratios
-from tests.core.statics.test_against_oracle import with_ones
-from tests.trains import random_train
 from vstatics import solve
 from vstatics.core.elements.checks import hints
 from vstatics.core.elements.drawing import drawing_of
@@ -32,31 +28,18 @@ gears:
 """
 
 
-@pytest.mark.parametrize("losses", ["meshes", "reduced"])
-def test_fergusons_paradox_from_its_teeth(losses: str) -> None:
+def test_fergusons_paradox_from_its_teeth() -> None:
     """With the arm at 1 a wheel of z teeth beside a fixed one of 100 turns by 1 - 100/z."""
-    results = solve(loads(f"losses: {losses}\n{FERGUSON}"))
-    expected = [1, 0, 1 - 100 / 99, 0, 1 - 100 / 101]
-    assert results.speeds[0] == pytest.approx(expected, abs=1e-15)
-    assert results.speeds[0, 3] == 0
-    assert results.ratio == pytest.approx([101])
+    for losses in ("meshes", "reduced"):
+        results = solve(loads(f"losses: {losses}\n{FERGUSON}"))
+        expected = [1, 0, 1 - 100 / 99, 0, 1 - 100 / 101]
+        assert results.speeds[0] == pytest.approx(expected, abs=1e-15)
+        assert results.speeds[0, 3] == 0
+        assert results.ratio == pytest.approx([101])
 
 
 def test_wheels_that_turn_alike_get_a_note() -> None:
     drawing = drawing_of(loads(FERGUSON))
     assert drawing is not None
-    alike = [one for one in hints(drawing) if "always turn at the same speed" in one.message]
-    assert [one.severity for one in alike] == ["note"]
-    assert alike[0].message.startswith(
-        "first and w100 always turn at the same speed (ratio 1): the carrier"
-    )
-
-
-@ranges_with_slow(5, 20, 60)
-def test_variants_go_through_1_as_they_go_alone(seeds: range) -> None:
-    for seed in seeds:
-        rng, numbers = seeded(seed), generator(seed)
-        case = with_ones(rng, random_train(rng, regular=seed % 3 == 0))
-        u = ratios(numbers, case, 24, "short decimals" if seed % 2 else "other signs")
-        u[numbers.random(u.shape) < 0.2] = 1.0
-        assert not disagreements(case, u, None, range(6)), seed
+    [alike] = [one for one in hints(drawing) if "always turn at the same speed" in one.message]
+    assert (alike.severity, alike.message[:15]) == ("note", "first and w100 ")

@@ -71,6 +71,9 @@ def test_freewheels_that_hold_become_plain_elements() -> None:
     held = ShiftElement(2, 0, "F", "freewheel"), ShiftElement(1, 2, "C")
     mechanisms = [Mechanism(1, 2, 3, -2.0, 0.97)]
     results = solve(Transmission(3, held, mechanisms, [Gear(), Gear([2])]))
+    states = [results.gear(number) for number in (1, 2)]
+    assert [(list(one.engaged), one.holding) for one in states] == [([1], [1]), ([2], [])]
+    assert states[1].slip_speeds == pytest.approx([1, 0])
     plain = results.with_freewheels_engaged
     assert not plain.freewheels
     assert [list(gear.engaged) for gear in plain.gears] == [[1], [2]]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import product
@@ -33,76 +33,47 @@ from vstatics.core.model.parts import OfLoad
 from vstatics.core.statics.result_arrays import ARRAYS
 from vstatics.core.writers.named import write_json, write_yaml
 
-CLUTCH = ShiftElement(1, 2, "C")
+
+def two_shafts(slip: float, *, coast: bool = False) -> Transmission:
+    return Transmission(2, [ShiftElement(1, 2, "C")], [], [Gear(slip={1: slip})], coast=coast)
 
 
-def two_shafts(slip: float, *, coast: bool = False, element: ShiftElement = CLUTCH) -> Transmission:
-    return Transmission(2, [element], [], [Gear(slip={1: slip})], coast=coast)
+def test_a_clutch_between_two_shafts_has_the_efficiency_1_less_the_slip() -> None:
+    """Beyond 1 the load turns backward and gives power, too; coasting, it turns faster."""
+    for slip in (0.0, 0.2, 0.999, 1.0, 1.3):
+        results = solve(two_shafts(slip))
+        assert results.efficiency == pytest.approx([max(0, 1 - slip)])
+        assert results.slip_losses.tolist() == [[pytest.approx(slip)]]
+        assert results.torques.tolist() == results.lossy_torques.tolist() == [[1, 1]]
+        assert results.power_balance == pytest.approx([0], abs=1e-15)
+    coasting = solve(two_shafts(-0.25, coast=True))
+    assert (coasting.efficiency[0], coasting.slip_losses[0, 0]) == (pytest.approx(0.8), -0.25)
 
 
-@pytest.mark.parametrize("slip", [0.0, 0.2, 1.0, 0.999])
-def test_a_clutch_between_two_shafts_has_the_efficiency_1_less_the_slip(slip: float) -> None:
-    results = solve(two_shafts(slip))
-    assert results.efficiency == pytest.approx([1 - slip])
-    assert results.slip_losses.tolist() == [[pytest.approx(slip)]]
-    assert results.torques.tolist() == results.lossy_torques.tolist() == [[1, 1]]
-    assert results.power_balance == pytest.approx([0], abs=1e-15)
-
-
-def test_a_clutch_that_coasts_slips_the_other_way() -> None:
-    """Power 1.25 enters at the output of the speed 1.25, and 1 leaves at the input."""
-    results = solve(two_shafts(-0.25, coast=True))
-    assert results.efficiency == pytest.approx([1 / 1.25])
-    assert results.slip_losses.tolist() == [[-0.25]]
-    assert np.isnan(solve(two_shafts(0.25, coast=True)).torques).all()
-
-
-def test_a_clutch_that_slips_beyond_the_input_speed_takes_power_from_both_shafts() -> None:
-    """The load turns backward at 0.3 and gives 0.3, so the clutch loses 1.3."""
-    results = solve(two_shafts(1.3))
-    assert results.slip_losses.tolist() == [[1.3]]
-    assert results.efficiency.tolist() == [0]
-
-
-@pytest.mark.parametrize("coast", [False, True])
-@pytest.mark.parametrize("slip", [0.3, -0.3])
-@pytest.mark.parametrize("load", [Load(), Load(-2000, -50), Load(2000, 50)])
-def test_a_warning_says_which_sign_of_slip_is_possible(
-    load: Load, slip: float, *, coast: bool
-) -> None:
+def test_a_warning_says_which_sign_of_slip_is_possible() -> None:
     """Torques exist only for the sign of the slip with which the clutch loses power."""
-    case = two_shafts(slip, coast=coast).replace(load=load)
-    results = solve(case)
-    loses = (slip > 0) != coast
-    assert (results.balanced.item(), math.isnan(results.torques[0, 0])) == (loses, not loses)
-    side = "below" if slip > 0 else "above"
-    said = [message.text.rpartition("only a ")[2] for message in results.messages]
-    assert said == ([] if loses else [f"slip {side} 0 is possible"])
+    loads_ = Load(), Load(-2000, -50), Load(2000, 50)
+    for load, slip, coast in product(loads_, (0.3, -0.3), (False, True)):
+        results = solve(two_shafts(slip, coast=coast).replace(load=load))
+        loses = (slip > 0) != coast
+        assert (results.balanced.item(), math.isnan(results.torques[0, 0])) == (loses, not loses)
+        side = "below" if slip > 0 else "above"
+        said = [message.text.rpartition("only a ")[2] for message in results.messages]
+        assert said == ([] if loses else [f"slip {side} 0 is possible"])
 
 
-@pytest.mark.parametrize("slip", [100, -100])
-def test_a_warning_about_a_slip_in_rpm_says_its_sign_in_rpm(slip: float) -> None:
+def test_a_warning_about_a_slip_in_rpm_says_its_sign_in_rpm() -> None:
     """From -2000 rpm, the driven shaft is slower with a slip below 0."""
-    text = f"""
+    text = """
     links: [a, b, out]
-    mechanisms: {{M: {{first: b, second: out, ratio: 2}}}}
-    shift_elements: {{C: [a, b]}}
-    gears: {{"1": {{slip: {{C: {slip} rpm}}}}}}
-    load: {{speed: -2000 rpm, torque: -50 N*m}}
+    mechanisms: {M: {first: b, second: out, ratio: 2}}
+    shift_elements: {C: [a, b]}
+    gears: {"1": {slip: {C: -100 rpm}}, "2": {slip: {C: 100 rpm}}}
+    load: {speed: -2000 rpm, torque: -50 N*m}
     """
-    [*said] = [message.text.rpartition("; ")[2] for message in solve(loads(text)).messages]
-    assert said == (["only a slip below 0 is possible"] if slip > 0 else [])
-
-
-def test_a_brake_that_slips_turns_the_ring() -> None:
-    """w_3 = (w_1 - u w_2)/(1 - u) with w_2 = -0.1; torque -u M on the ring, 1 - u at the output."""
-    u, slip = -2.5, -0.1
-    case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, u)], [Gear(slip={1: slip})])
-    results = solve(case)
-    assert results.speeds[0].tolist() == pytest.approx([1, slip, (1 - u * slip) / (1 - u)])
-    assert results.torques[0].tolist() == pytest.approx([u, 1, 1 - u])
-    assert results.slip_losses.tolist() == [[pytest.approx(u * slip)]]
-    assert results.efficiency == pytest.approx([1 - u * slip])
+    [said] = solve(loads(text)).messages
+    assert said.gear == "2"
+    assert said.text.endswith("; only a slip below 0 is possible")
 
 
 class ByHand(NamedTuple):
@@ -152,19 +123,15 @@ def by_hand(case: Transmission) -> ByHand | None:
         lossy = torques([u * eta**x for u, eta, x in zip(us, etas, signs, strict=True)])
         if any(m for m, alone in zip(lossy[elements:-1], idle, strict=True) if alone):
             return None
-        agrees = all(
-            x * sign(m * w) * turn >= 0
-            for x, m, w in zip(signs, lossy[elements:-1], moving, strict=True)
-        )
+        passing = zip(signs, lossy[elements:-1], moving, strict=True)
         power = lossy[-1] * speeds[case.output]
-        eta = max(power, ZERO) if turn > 0 else 1 / power if power else ZERO
         if (
-            agrees
+            all(x * sign(m * w) * turn >= 0 for x, m, w in passing)
             and not drives(lossy)
             and (power * out > 0 or not out)
-            and (best is None or eta > best[0])
         ):
-            best = eta, lossy
+            eta = max(power, ZERO) if turn > 0 else 1 / power if power else ZERO
+            best = max(best or (eta, lossy), (eta, lossy), key=lambda one: one[0])
     return ByHand(speeds, ideal, best and best[1], best and best[0])
 
 
@@ -184,33 +151,33 @@ def check_flow(results: Results, lost: Mapping[int, float]) -> None:
 
 def test_random_trains_with_slipping_elements_against_exact_fractions() -> None:
     chance, lossy, driving = seeded(54), 0, 0
+
+    def same(got: Iterable[float], expected: Iterable[Fraction]) -> bool:
+        close = pytest.approx(list(map(float, expected)), rel=1e-9, abs=1e-11)
+        return bool(list(got) == close)
+
     for case in (case for _ in range(count(90, 2000)) for case in random_slipping(chance)):
         expected, results = by_hand(case), solve(case)
         if expected is None:
             continue
-        assert results.speeds[0].tolist() == pytest.approx(
-            list(map(float, expected.speeds[1:])), rel=1e-9, abs=1e-11
-        )
+        assert same(results.speeds[0], expected.speeds[1:])
         if expected.ideal is None:
             driving += 1
             assert np.isnan(results.torques).all()
             assert "W438" in {message.id for message in results.messages}
             continue
-        assert results.torques[0].tolist() == pytest.approx(
-            list(map(float, expected.ideal)), rel=1e-9, abs=1e-11
-        )
+        assert same(results.torques[0], expected.ideal)
         assert results.consistent.item() == (expected.lossy is not None)
         if expected.lossy is not None:
             lossy += 1
             [gear], got = case.gears, results.lossy_torques[0].tolist()
-            assert got == pytest.approx(list(map(float, expected.lossy)), rel=1e-9, abs=1e-11)
+            assert same(got, expected.lossy)
             lost = {n: slip * got[n - 1] for n, slip in gear.slip.items()}
             assert {n: results.slip_losses[0, n - 1] for n in gear.slip} == pytest.approx(lost)
             check_flow(results, lost)
             assert results.power_balance == pytest.approx([0], abs=1e-9)
             assert results.efficiency[0] == pytest.approx(float(expected.efficiency or 0), rel=1e-9)
-    assert lossy > 40
-    assert driving > 40
+    assert min(lossy, driving) > 40
 
 
 def test_a_slip_of_0_is_as_engaged() -> None:
@@ -288,7 +255,6 @@ def test_slips_that_cannot_be_are_refused_at_their_places() -> None:
         ("{D1: 0.1}", r"slip.D1: D1 is a dog clutch, which cannot slip under torque"),
         ("{F1: 0.1}", r"slip.F1: F1 is a freewheel, which cannot slip under torque"),
         ("{P: 0.1}", "read 'P', expected the name of a shift element"),
-        ("{C2: 0.1}", "read 'C2', expected the name of a shift element"),
         ("{C1: .nan}", "read '.nan', expected a speed with its unit"),
         ("{C1: 1e999}", "read '1e999', expected a smaller number"),
         ("{C1: 5 N*m}", "relative to the input speed; this is a torque"),
@@ -297,13 +263,8 @@ def test_slips_that_cannot_be_are_refused_at_their_places() -> None:
     ):
         with pytest.raises(ReadError, match=said):
             loads(TROLL.format(slip=slip))
-
-
-def test_a_slip_in_rpm_needs_the_speed_of_the_load() -> None:
     text = TROLL.format(slip="{C1: 300 rpm}").replace("speed: 1500 rpm, ", "")
-    with pytest.raises(
-        ReadError, match="read 300 rpm, but there is no input speed to relate it to"
-    ):
+    with pytest.raises(ReadError, match="read 300 rpm, but there is no input speed to relate it"):
         loads(text)
 
 

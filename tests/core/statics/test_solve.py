@@ -9,13 +9,6 @@ from tests.core.statics.batches import ARRAYS, random_case, same
 from vstatics import distribution_matrix, solve
 
 
-def test_no_variants_give_empty_results() -> None:
-    case = vstatics.load(CASES / "mzkt7922.yaml")
-    results = solve(case, ratios=np.empty((0, 3)))
-    assert results.torques.shape == (0, 6, 9)
-    assert not results.failed
-
-
 def test_arrays_of_another_shape_are_refused() -> None:
     case = vstatics.load(CASES / "mzkt7922.yaml")
     for wrong in ([1.0, 2.0], 1.0, np.ones((3, 2))):

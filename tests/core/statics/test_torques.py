@@ -3,26 +3,11 @@
 import numpy as np
 import pytest
 
-from tests.core.statics.differential import SET, status, texts, train
-from vstatics import Gear, solve
+from tests.core.statics.differential import SET, train
+from vstatics import Gear
 from vstatics.core.numerics.traced import plain
 from vstatics.core.statics import matrix
 from vstatics.core.statics.torques import NO_DRAG, solve_sums, solve_torques
-
-
-def test_two_clutches_that_lock_the_train_leave_only_the_split_open() -> None:
-    """Equilibrium of all links together: Mx = 1, whatever the split between A, B and D."""
-    case = train([(1, 2), (2, 3)], Gear([1, 2]))
-    results = solve(case)
-    assert results.speeds[0] == pytest.approx([1, 1, 1])
-    assert results.slip_speeds[0] == pytest.approx([0, 0])
-    assert [*results.ratio, *results.output_torque, *results.efficiency] == [1, 1, 1]
-    assert np.isnan(results.torques[0, :3]).all()
-    assert texts(results) == [
-        "warning: A and B impose the same constraint on the speeds, so one is redundant; "
-        "the torque of A, B and D1 is indeterminate, release one",
-    ]
-    assert status(case) == 0
 
 
 def test_a_sum_may_be_determined_where_its_parts_are_not() -> None:

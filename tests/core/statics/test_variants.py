@@ -4,22 +4,19 @@
 """
 
 import copy
-import threading
-from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import fields, replace
-from itertools import product
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
 import vstatics
-from tests.chance import count, each_seed, generator, seeded, some
-from tests.commands import CASES, SHIPPED
+from tests.chance import count, generator, ranges_with_slow, seeded
+from tests.commands import CASES
 from tests.core.statics.batches import (
     ARRAYS,
-    LOSSES,
+    KINDS,
     alike,
     chain,
     disagreements,
@@ -31,27 +28,17 @@ from tests.core.statics.batches import (
     same,
     with_numbers,
 )
+from tests.core.statics.test_against_oracle import with_ones
+from tests.core.statics.test_drag import much_drag
+from tests.core.statics.test_efficiency import with_backs
+from tests.core.statics.test_freewheels import with_freewheels
+from tests.core.statics.test_springs import with_springs
 from tests.oracle.cases import NASTY
 from tests.trains import no_losses
 from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission, solve
 from vstatics.core.annexes import KEYS
-from vstatics.core.model.converters import Converter
 from vstatics.core.model.parts import Load
-from vstatics.core.model.transmission import IdleConvention
 from vstatics.core.statics import variants
-
-IDLE: tuple[IdleConvention, ...] = "exact", "published"
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("path", some(SHIPPED), ids=lambda path: path.name)
-def test_shipped_cases(path: Path) -> None:
-    case = vstatics.load(path)
-    rng = generator(1)
-    for number, (idle, coast) in enumerate(product(IDLE, (False, True))):
-        own = replace(case, coast=coast, idle=idle)
-        u = ratios(rng, own, 3, ("ordinary", "near 1", "coincidences", "extreme")[number])
-        assert not disagreements(own, u, efficiencies(rng, own, 3, LOSSES[number]))
 
 
 @pytest.mark.slow
@@ -87,53 +74,34 @@ def test_variants_that_do_not_go_alike_run_on_arrays(name: str) -> None:
     assert not disagreements(case, u, eta, [*searched[:4].tolist(), *range(4)])
 
 
-def check_random(seeds: Sequence[int], most: int, largest: int) -> None:
+@ranges_with_slow(4, 30, 60, start=1000)
+def test_random_trains(seeds: range) -> None:
+    most, largest = (30, 12) if seeds.start else (6, 6)
     for seed in seeds:
         case, u, eta = random_case(seed, largest)
         tried = generator(seed).permutation(len(u))[:most]
         assert not disagreements(case, u, eta, tried.tolist()), seed
 
 
-def test_random_trains() -> None:
-    check_random(range(4), most=6, largest=6)
-
-
-@pytest.mark.slow
-def test_many_random_trains() -> None:
-    check_random(range(1000, 1000 + count(24, 60)), most=30, largest=12)
-
-
-@pytest.mark.parametrize("count", [1, 2, 4, 5, 6, 9])
-def test_few_variants(count: int) -> None:
+def test_few_variants() -> None:
     case, _, _ = random_case(5)
     rng = generator(4)
-    for _ in range(8):
-        u = ratios(rng, case, count, "ordinary")
-        assert not disagreements(case, u, efficiencies(rng, case, count, "any"), [0])
+    for number in (1, 2, 4, 5, 6, 9):
+        for _ in range(count(3, 8)):
+            u = ratios(rng, case, number, "ordinary")
+            assert not disagreements(case, u, efficiencies(rng, case, number, "any"), [0])
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("size", [5e-324, 1e-308, 1e-150, 1e-12, 1e12, 1e150, 1e308])
-def test_one_extreme_variant_harms_no_other(size: float) -> None:
-    case = vstatics.load(CASES / "two-stage.yaml")
-    rng = generator(8)
-    for place in (0, 3, 9):
-        u = ratios(rng, case, 10, "ordinary")
-        u[place] = np.copysign(size, u[place])
-        assert not disagreements(case, u)
-        u[place, 1:] = ratios(rng, case, 1, "ordinary")[0, 1:]
-        assert not disagreements(case, u)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("count", [3, 40])
-@pytest.mark.parametrize("coast", [False, True])
-def test_trains_of_many_mechanisms(count: int, coast: bool) -> None:
-    case = replace(chain(count), coast=coast)
-    rng = generator(9)
-    for kind in ("ordinary", "wide", "powers of ten"):
-        u = ratios(rng, case, 8, kind)
-        assert not disagreements(case, u, efficiencies(rng, case, 8, "any"))
+@ranges_with_slow(2, 12, 60)
+def test_trains_of_all_kinds(seeds: range) -> None:
+    """Of freewheels, drag, two efficiencies of a mechanism, springs, ratios of 1."""
+    for make in (with_freewheels, much_drag, with_backs, with_springs, with_ones):
+        for seed in seeds:
+            case, rng = make(seed), generator(seed)
+            u = ratios(rng, case, 12, KINDS[seed % len(KINDS)])
+            eta = efficiencies(rng, case, 12, "any")
+            assert not disagreements(case, u, None, range(4)), (make.__name__, seed)
+            assert not disagreements(case, u, eta, range(4)), (make.__name__, seed)
 
 
 def test_a_product_that_overflows_in_some_variants_does_not_exist_there() -> None:
@@ -142,34 +110,6 @@ def test_a_product_that_overflows_in_some_variants_does_not_exist_there() -> Non
     u = np.full((8, 200), 1.5)
     u[3] = u[6] = 60.0
     assert not disagreements(case, u, variants=[0, 3])
-
-
-def test_a_fixed_number_that_overflows_beside_others_that_vary() -> None:
-    """Ratios with losses are 1e320 and more, and what is made of them is no number."""
-    sets = [
-        Mechanism(5, 3, 1, -0.1, 1e-320, 2.95),
-        Mechanism(5, 4, 3, 1.9, 1e-100),
-        Mechanism(8, 1, 6, -2.1),
-        Mechanism(6, 0, 0, 2.1, 1e-12),
-        Mechanism(5, 8, 7, -1.0, 1.0, 1.51),
-        Mechanism(2, 7, 0, -2.1),
-    ]
-    gear = Gear(speeds={4: 1.0}, torques={1: -1.3, 2: 1.57})
-    case = Transmission(8, [], sets, [gear], idle="published")
-    u = np.tile([mechanism.ratio for mechanism in sets], (6, 1))
-    u[:, [2, 4, 5]] *= np.linspace(0.9, 1.1, 6)[:, None]
-    assert not disagreements(case, u)
-
-
-def test_open_torques_that_losses_determine() -> None:
-    """The balance of guesses is a rest, with which nothing can be done on a tape."""
-    sets = [Mechanism(1, 2, 4, -1.5, 0.99), Mechanism(3, 2, 0, 0.95, 0.991)]
-    sets += [Mechanism(1, 3, 4, -1.8, 0.99)]
-    case = Transmission(4, [], sets, [Gear(input=3, output=2)], coast=True)
-    u = np.full((6, 3), 1e6)
-    u[:, 1] = 1.0
-    eta = np.array([1.0, 0.456, 0.919]) ** np.linspace(1, 1.01, 6)[:, None]
-    assert not disagreements(case, u, eta)
 
 
 def test_numbers_of_other_types_are_those_of_floats() -> None:
@@ -201,31 +141,17 @@ def test_calls_in_any_order_give_the_same() -> None:
         with no_plans():
             expected.append(solve(case, ratios=u, efficiencies=eta))
     random = seeded(1)
-    for _ in range(3):
+    for _ in range(12):
         for number in random.sample(range(len(made)), len(made)):
             case, u, eta = made[number]
             variant = random.randrange(len(u))
             own = with_numbers(case, u[variant], None if eta is None else eta[variant])
             single = solve(own)
+            assert single.messages == plainly(own).messages
             results = solve(case, ratios=u, efficiencies=eta)
             for name in ARRAYS:
                 assert alike(getattr(results, name), getattr(expected[number], name))
                 assert alike(getattr(single, name), getattr(expected[number], name)[variant])
-
-
-@pytest.mark.slow
-@each_seed(6)
-def test_singles_that_come_often_stay_the_same(seed: int) -> None:
-    """After a few calls a plan serves them; messages and numbers are those of the first."""
-    case, _, _ = random_case(seed)
-    rng = generator(6, seed)
-    cases = [case] * 12
-    for kind in ("ordinary", "coincidences", "near 1"):
-        cases += [with_numbers(case, u, None) for u in ratios(rng, case, 6, kind)]
-    for own in cases:
-        first, again = plainly(own), solve(own)
-        assert again.messages == first.messages
-        assert all(same(getattr(again, name), getattr(first, name)) for name in ARRAYS)
 
 
 def test_plans_are_kept_for_a_number_of_gears_only(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -243,30 +169,19 @@ def test_threads_may_solve_at_the_same_time(monkeypatch: pytest.MonkeyPatch) -> 
     monkeypatch.setattr(variants, "REMEMBERED", 5)
     made = [random_case(seed) for seed in (31, 33, 35, 37, 39)]
     expected = [solve(case, ratios=u, efficiencies=eta) for case, u, eta in made]
-    wrong: list[str] = []
 
     def work(thread: int) -> None:
-        try:
-            for turn in range(8):
-                number = (thread + turn * turn) % len(made)
-                case, u, eta = made[number]
-                order = generator(thread, turn).permutation(len(u))
-                own = None if eta is None else eta[order]
-                results = solve(case, ratios=u[order], efficiencies=own)
-                wrong.extend(
-                    name
-                    for name in ARRAYS
-                    if not alike(getattr(results, name), getattr(expected[number], name)[order])
-                )
-        except Exception as error:  # noqa: BLE001 any failure is told below
-            wrong.append(repr(error))
+        for turn in range(8):
+            number = (thread + turn * turn) % len(made)
+            case, u, eta = made[number]
+            order = generator(thread, turn).permutation(len(u))
+            own = None if eta is None else eta[order]
+            results = solve(case, ratios=u[order], efficiencies=own)
+            for name in ARRAYS:
+                assert alike(getattr(results, name), getattr(expected[number], name)[order]), name
 
-    threads = [threading.Thread(target=work, args=(number,)) for number in range(6)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    assert not wrong
+    with ThreadPoolExecutor(6) as pool:
+        list(pool.map(work, range(6)))
 
 
 KEYED = Transmission(
@@ -281,38 +196,18 @@ KEYED = Transmission(
 
 
 OTHER: dict[str, object] = {
-    **dict.fromkeys(("first", "second", "third", "output"), 4),
-    "links": 5,
-    "input": 2,
-    "engaged": (),
-    "holding": (2,),
-    "input_turns": "backward",
-    "speeds": {4: 0.5},
-    "torques": {2: 0.25},
     "open_drag": {2: 0.3},
-    "speed_ratios": {1: 0.5},
-    "ratio": -3.0,
-    "efficiency": 0.5,
-    "planet_ratio": 0.25,
-    "back_efficiency": 0.5,
     "capacity": 2.0,
     "load": Load(100.0, 9.0),
-    "coast": True,
-    "idle": "published",
-    "converters": (Converter("TC", 1, 2, ((0.0, 2.0, 0.003), (1.0, 1.0, 0.0))),),
-    "link_names": ("a", "b", "c", "d"),
     "inertias": {1: 0.5},
     "masses": {2: 300.0},
+    "link_names": ("a", "b", "c", "d"),
     "balance": None,  # it acts as given torques, which are in the key
 }
-"""Another value of fields that statics reads; what it does not read may be anything."""
+"""Another value of fields that may not be anything."""
 DRAG = {ShiftElement: 0.5, Gear: {1: 0.2}, Transmission: {3: 0.2}}
-PLACES: dict[Any, str] = {
-    ShiftElement: "shift_elements",
-    Mechanism: "mechanisms",
-    Spring: "springs",
-    Gear: "gears",
-}
+PLACES: dict[Any, str] = {ShiftElement: "shift_elements", Mechanism: "mechanisms"}
+PLACES |= {Spring: "springs", Gear: "gears"}
 ELSEWHERE = {*PLACES.values(), "drawing", "_lowered"}
 FIELDS = [(part, name) for part in PLACES for name in part._fields]
 FIELDS += [(Transmission, one.name) for one in fields(Transmission) if one.name not in ELSEWHERE]

@@ -6,14 +6,16 @@ from itertools import pairwise
 import pytest
 
 from tests.commands import LOCKED, NEUTRAL, ROOT, json_answer, json_file, vstatics
-from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
-from vstatics.core.summary import Summary, summarize
+from tests.core.summary.gearboxes import differential, summary_of
+from vstatics import Gear, solve
+from vstatics.core.summary import summarize
 
 PUBLISHED = json_file(ROOT / "tests" / "published" / "zf-8hp70.json")["ratio"]
 
 
-def test_steps_and_spread_are_those_of_the_published_ratios(zf: Summary) -> None:
+def test_steps_and_spread_are_those_of_the_published_ratios() -> None:
     """ZF 8HP70 as printed to four digits; see tests/published/zf-8hp70.json."""
+    zf = summary_of("zf-8hp70.yaml")
     forward = [PUBLISHED[str(gear)] for gear in range(1, 9)]
     lines = {line.gear: line for line in zf.design.gears}
     for gear, (one, other) in zip("1234567", pairwise(forward), strict=True):
@@ -31,11 +33,10 @@ def test_a_neutral_gear_has_no_step_and_is_no_neighbour() -> None:
     assert made["transitions"] == []
     for form, end in (("text", "  neutral"), ("markdown", "| neutral |"), ("csv", ",open")):
         said = vstatics("summary", "-", "-f", form, stdin=NEUTRAL.encode()).out.splitlines()
-        assert (
-            [one for one in said if one.endswith(("neutral", "open", "neutral |"))]
-            == [one for one in said if one.endswith(end)]
-            != []
-        )
+        ends = [
+            line[-len(end) :] for line in said if line.endswith(("neutral", "open", "neutral |"))
+        ]
+        assert {*ends} == {end}
     assert made["sensitivity"]["D"] == [None, pytest.approx(2.5 / 3.5)]
 
 
@@ -48,14 +49,10 @@ def test_a_locked_gear_has_a_ratio_and_no_efficiency() -> None:
 
 def test_operating_points_have_no_step_and_no_part_in_the_spread() -> None:
     """Ratios 3.5 and 1 are gears; the point between counts for neither."""
-    case = Transmission(
-        3,
-        [ShiftElement(1, 2), ShiftElement(2)],
-        [Mechanism(1, 2, 3, -2.5)],
-        [Gear([2]), Gear(speeds={2: 0.5}, kind="point"), Gear([1])],
-    )
-    summary = summarize(solve(case))
-    assert [line.next for line in summary.design.gears] == ["3", "", ""]
+    low, direct = differential().gears
+    point = Gear(speeds={2: 0.5}, kind="point", name="point")
+    summary = summarize(solve(differential().replace(gears=[low, point, direct])))
+    assert [line.next for line in summary.design.gears] == ["direct", "", ""]
     assert math.isnan(summary.design.gears[1].step)
     assert summary.design.spread == pytest.approx(3.5)
-    assert [(one.start, one.end) for one in summary.transitions] == [("1", "3")]
+    assert [(one.start, one.end) for one in summary.transitions] == [("low", "direct")]

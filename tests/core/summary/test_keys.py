@@ -1,7 +1,5 @@
 """Keys and headings of the tables: they are names of sheets, and columns of CSV."""
 
-import pytest
-
 from vstatics import Gear, Load, Mechanism, ShiftElement, Transmission, solve
 from vstatics.core.summary import Summary, summarize
 from vstatics.core.summary.contrast import contrasted
@@ -21,25 +19,24 @@ def headings(tables: list[Grid], key: str) -> list[str]:
     return [column.heading for column in grid.columns]
 
 
-@pytest.mark.parametrize("load", [None, Load(2000, 300), Load(torque=300), Load(2000)])
-def test_keys_and_titles_are_short_and_differ_and_all_columns_are_headed(load: Load | None) -> None:
-    one = summary(load)
-    for tables in (list(summary_grids(one)), list(contrasted([one, one]))):
-        keys, titles = [grid.key for grid in tables], [grid.title for grid in tables]
-        assert all(key and key == key.lower() for key in keys)
-        assert len({*keys}) == len({*titles}) == len(tables)
-        assert all(len(title.split()) <= 10 for title in titles)
-        assert all(column.heading for grid in tables for column in grid.columns)
-    in_results = [table.quantity.title for table in result_tables(one.results)]
-    assert len({*in_results}) == len(in_results)
-    assert all(len(title.split()) <= 10 for title in in_results)
+def test_keys_and_titles_are_short_and_differ_and_all_columns_are_headed() -> None:
+    for load in (None, Load(2000, 300), Load(torque=300), Load(2000)):
+        one = summary(load)
+        for tables in (list(summary_grids(one)), list(contrasted([one, one]))):
+            keys, titles = [grid.key for grid in tables], [grid.title for grid in tables]
+            assert all(key and key == key.lower() for key in keys)
+            assert len({*keys}) == len({*titles}) == len(tables)
+            assert all(len(title.split()) <= 10 for title in titles)
+            assert all(column.heading for grid in tables for column in grid.columns)
+        in_results = [table.quantity.title for table in result_tables(one.results)]
+        assert len({*in_results}) == len(in_results)
+        assert all(len(title.split()) <= 10 for title in in_results)
 
 
 def test_units_stand_behind_a_comma() -> None:
     loaded = list(summary_grids(summary(Load(2000, 300))))
-    assert headings(loaded, "shift elements with load")[1::2] == [
-        "slip, rpm", "torque, N*m", "with losses, N*m",
-    ]  # fmt: skip
+    elements = headings(loaded, "shift elements with load")
+    assert elements[1::2] == ["slip, rpm", "torque, N*m", "with losses, N*m"]
     assert headings(loaded, "margins")[1] == "torque capacity, N*m"
     ports = ["port", "speed, rpm", "torque, N*m", "power, kW", "direction"]
     assert headings(loaded, "ports")[1:] == ports

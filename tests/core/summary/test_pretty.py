@@ -8,33 +8,23 @@ import pytest
 from rich.console import Console
 
 import vstatics as library
-from tests.commands import BAD, MZKT, SHIPPED, TIED_UP, json_answer, vstatics
+from tests.commands import BAD, CASES, MZKT, SHIPPED, TIED_UP, json_answer, vstatics
 from vstatics.core.summary.pretty import ASCII, DOTS, view
 
 FREEWHEEL = """
 name: two states
 links: [sun, ring, carrier]
 load: {speed: 1000 rpm, torque: 100 N*m}
-shift_elements:
-  lock-up clutch: [sun, carrier]
-  sprag: {kind: freewheel, links: [ring, housing]}
+shift_elements: {lock-up clutch: [sun, carrier], sprag: {kind: freewheel, links: [ring, housing]}}
 elements:
   set: {kind: planetary, sun: sun, ring: ring, carrier: carrier, teeth: {sun: 30, ring: 60}}
-gears:
-  low: {}
-  high: {engaged: [lock-up clutch]}
+gears: {low: {}, high: [lock-up clutch]}
 """
 STATES = """
 links: [in, s, r, out]
 shift_elements: {A: [in, s], B: [r, housing], C: [in, r], D: [in, out], P: [out, housing]}
 mechanisms: {set: {first: s, second: r, third: out, ratio: -2.5, efficiency: 0.97}}
-gears:
-  direct: {engaged: [A, C]}
-  low: {engaged: [A, B]}
-  excess: {engaged: [A, C, D]}
-  neutral: {engaged: [B]}
-  park: {engaged: [A, P]}
-  tied: {engaged: [A, B, C]}
+gears: {direct: [A, C], low: [A, B], excess: [A, C, D], neutral: [B], park: [A, P], tied: [A, B, C]}
 """
 HUB = """\
 links: [cog, sun, ring]
@@ -66,7 +56,6 @@ def test_a_table_that_scrolls_repeats_its_headings_at_the_end() -> None:
 
 
 def rows(text: str) -> dict[str, list[str]]:
-    """The words of each gear."""
     lines = [line.split() for line in gear_lines(text) if line.startswith(" ")]
     return {words[0]: words for words in lines if words}
 
@@ -95,7 +84,10 @@ def test_steps_are_quotients_of_neighbouring_ratios() -> None:
 
 
 def test_a_freewheel_that_holds_has_a_sign_of_its_own() -> None:
-    """Ring held: ratio 1 + 60/30, carrier 100 + 200*.9702 N*m, planet 30/15*(1000 - 333) rpm."""
+    """Ring held: ratio 1 + 60/30, carrier 100 + 200*.9702 N*m, planet 30/15*(1000 - 333) rpm.
+
+    A clutch that slips by 0.3 of the input speed, i = 1/(1 - 0.3), has another.
+    """
     text = shown(FREEWHEEL)
     low, high = (line for line in gear_lines(text) if line.startswith((" low", " high")))
     assert "1 lock-up clutch, 2 sprag" in text
@@ -106,26 +98,21 @@ def test_a_freewheel_that_holds_has_a_sign_of_its_own() -> None:
     assert "294 set.carrier" in low
     assert re.search(r"^ +largest planet$", text, re.MULTILINE)
     assert re.search(r"^ gear .* speed, rpm +largest torque, N\*m ", text, re.MULTILINE)
-
-
-def test_a_terminal_without_dots_gets_letters() -> None:
-    results = library.solve(library.load(MZKT))
-    for marks, sign in ((ASCII, "x"), (DOTS, "●")):
-        console = Console(width=80)
-        with console.capture() as captured:
-            console.print(view(results, marks))
-        assert sign in captured.get()
+    slipping = shown(FREEWHEEL.replace("low: {}", "low: {slip: {lock-up clutch: 300 rpm}}"))
+    assert rows(slipping)["low"][1:3] == ["~·", "1.429"]
+    assert "~ slips" in slipping
 
 
 def test_a_shift_element_called_largest_stays_with_the_shift_elements() -> None:
-    """In a narrow window the largest values get a table of their own."""
-    text = FREEWHEEL.replace("lock-up clutch", "largest")
-    console = Console(width=60)
-    with console.capture() as captured:
-        console.print(view(library.solve(library.loads(text)), DOTS, width=60))
-    first, second = (line for line in gear_lines(captured.get()) if " high" in line)
-    assert first.split()[:4] == ["high", "●", "·", "1.000"]
-    assert "●" not in second
+    """In a narrow window the largest values get a table of their own; without dots, letters."""
+    results = library.solve(library.loads(FREEWHEEL.replace("lock-up clutch", "largest")))
+    for marks, sign in ((ASCII, "x"), (DOTS, "●")):
+        console = Console(width=60)
+        with console.capture() as captured:
+            console.print(view(results, marks, width=60))
+        first, second = (line for line in gear_lines(captured.get()) if " high" in line)
+        assert first.split()[1:4:2] == [sign, "1.000"]
+        assert sign not in second
 
 
 def test_states_of_gears_are_named_and_explained() -> None:
@@ -178,46 +165,35 @@ gears:
     assert [line.split()[2] for line in ports if line.split()[:1] == ["out"]] == ["-0.04000", "0.0"]
 
 
-@pytest.mark.parametrize("ratio", [-1.5, -2.5, -3.2, -9.0])
-def test_a_ratio_below_1_is_shown_as_output_over_input_too(ratio: float) -> None:
+def test_a_ratio_below_1_is_shown_as_output_over_input_too() -> None:
     """The ring turns at 1 - 1/u of the carrier where the sun is held."""
-    words = f"1/i = output speed / input speed; gear fast: {1 - 1 / ratio:.3f}\n"
-    assert words in shown(HUB.format(ratio=ratio))
+    for ratio in (-1.5, -2.5, -3.2, -9.0):
+        words = f"1/i = output speed / input speed; gear fast: {1 - 1 / ratio:.3f}\n"
+        assert words in shown(HUB.format(ratio=ratio))
 
 
 def test_planets_without_teeth_are_named() -> None:
-    [case] = (path for path in SHIPPED if path.name == "ravigneaux-aod.yaml")
-    said = shown(case.read_text("utf-8").replace(", short: 18", ""))
+    said = shown((CASES / "ravigneaux-aod.yaml").read_text("utf-8").replace(", short: 18", ""))
     assert "planet speed: relative to its carrier; not determined: set.short" in said
 
 
 def test_a_self_locking_gear_has_no_torque() -> None:
     """A worm with back efficiency 0, driven by the wheel: torques with losses do not exist."""
-    worm = b"""
-input: m
-output: drum
-load: {speed: 1400 rpm, power: 2 kW}
-elements:
-  W: {kind: worm, worm: m, wheel: drum, teeth: {worm: 1, wheel: 40},
-      efficiency: {worm: 0.55, wheel: 0}}
-"""
-    text = vstatics("run", "--pretty", "-", "--coast", stdin=worm).out
+    text = shown("""{input: m, output: drum, load: {speed: 1400 rpm, power: 2 kW}, coast: true,
+elements: {W: {kind: worm, worm: m, wheel: drum, teeth: {worm: 1, wheel: 40},
+efficiency: {worm: 0.55, wheel: 0}}}}""")
     line = next(line for line in gear_lines(text) if "40.0" in line)
     assert line.split() == ["1", "40.000", "-", "-", "1400", "m", "self-locking"]
 
 
-@pytest.mark.parametrize(
-    ("load", "words"),
-    [
-        ("", "1.00 is the input speed or torque"),
-        ("load: {speed: 1000 rpm}\n", "1.00 is the input torque"),
-        ("load: {speed: 1000 rpm, torque: 90 N*m}\n", ""),
-    ],
-)
-def test_the_legend_says_which_numbers_are_relative(load: str, words: str) -> None:
+def test_the_legend_says_which_numbers_are_relative() -> None:
     """With a speed alone, planet speeds are in rpm, and only torques are relative."""
-    text = shown(HUB.format(ratio=-2) + load)
-    assert [*re.findall("1.00 is .*", text)] == [words] * bool(words)
+    for load, words in (
+        ("", ["1.00 is the input speed or torque"]),
+        ("load: {speed: 1000 rpm}\n", ["1.00 is the input torque"]),
+        ("load: {speed: 1000 rpm, torque: 90 N*m}\n", []),
+    ):
+        assert re.findall("1.00 is .*", shown(HUB.format(ratio=-2) + load)) == words
 
 
 def test_the_legend_explains_the_signs_of_torques_on_further_ports() -> None:
@@ -230,11 +206,3 @@ gears: {drive: {engaged: [], speeds: {motor: 1.5}}}
 """
     assert signs in shown(text)
     assert signs not in shown(HUB.format(ratio=-2))
-
-
-def test_a_slipping_clutch_has_a_sign_of_its_own() -> None:
-    """The clutch slips by 0.3 of the input speed: i = 1/(1 - 0.3); the freewheel overruns."""
-    text = shown(FREEWHEEL.replace("low: {}", "low: {slip: {lock-up clutch: 300 rpm}}"))
-    [low] = (line for line in gear_lines(text) if line.startswith(" low"))
-    assert low.split()[1:3] == ["~·", "1.429"]
-    assert "~ slips" in text

@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+import re
 from pathlib import Path
 from typing import Any
 
@@ -38,14 +39,6 @@ def cells(text: str) -> list[str]:
     return [cell for row in csv.reader(io.StringIO(text)) for cell in row]
 
 
-def is_number(text: str) -> bool:
-    try:
-        float(text)
-    except ValueError:
-        return False
-    return True
-
-
 @given(st.text(st.characters(codec="utf-8")))
 def test_what_was_guarded_is_read_as_it_was(text: str) -> None:
     assert unguarded(guarded(text)) == text
@@ -58,28 +51,30 @@ def test_numbers_stay_numbers(number: float) -> None:
         assert guarded(text) == text
 
 
-@pytest.mark.parametrize("text", ["+1_000", "-1e", "-inf", "+", "-1,5", "-1 + 2", "+٣"])
-def test_what_is_no_number_for_a_spreadsheet_is_text(text: str) -> None:
-    assert guarded(text) == f"'{text}"
+def test_what_is_no_number_for_a_spreadsheet_is_text() -> None:
+    for text in ("+1_000", "-1e", "-inf", "+", "-1,5", "-1 + 2", "+٣"):
+        assert guarded(text) == f"'{text}"
 
 
-@pytest.mark.parametrize("command", ["run", "flow", "summary", "explain"])
-def test_names_of_a_case_are_no_formulas(command: str, case: Path) -> None:
-    """In the CSV of one case or of several, and in a workbook."""
+def test_names_of_a_case_are_no_formulas(case: Path) -> None:
+    """In the CSV of one case or of several, and in a workbook; what begins so is a number."""
     two = case.with_name("two.yaml")
     two.write_text(HOSTILE, "utf-8")
-    for cases in ([case], [case, two]):
-        said = vstatics(command, *cases, "-f", "csv")
-        found = [one for one in cells(said.out) if one[:1] in {*"=+-@\t\r"}]
-        assert (said.status, [one for one in found if not is_number(one)]) == (0, [])
-        raw = cells(vstatics(command, *cases, "-f", "csv", "--raw").out)
-        assert [unguarded(one) for one in cells(said.out)] == raw
-        assert {"@now", "-2+3"} & set(raw)
-    made = case.with_name("new.xlsx")
-    assert vstatics(command, case, "-o", made).status == 0
-    in_book = [cell for sheet in openpyxl.load_workbook(made) for row in sheet for cell in row]
-    assert {cell.data_type for cell in in_book} <= {"s", "inlineStr", "n", "b"}  # none is "f"
-    assert "@now" in [cell.value for cell in in_book]
+    for command in ("run", "flow", "summary", "explain"):
+        for cases in ([case], [case, two]):
+            said = vstatics(command, *cases, "-f", "csv")
+            assert said.status == 0
+            begun = [one for one in cells(said.out) if one[:1] in {*"=+-@\t\r"}]
+            assert all(re.fullmatch(r"-[\d.]+(e[-+]\d+)?", one) for one in begun)
+            raw = cells(vstatics(command, *cases, "-f", "csv", "--raw").out)
+            assert [unguarded(one) for one in cells(said.out)] == raw
+            assert {"@now", "-2+3"} & set(raw)
+        made = case.with_name(f"{command}.xlsx")
+        assert vstatics(command, case, "-o", made).status == 0
+        book = openpyxl.load_workbook(made)
+        in_book = [cell for sheet in book for row in sheet for cell in row]
+        assert {cell.data_type for cell in in_book} <= {"s", "inlineStr", "n", "b"}  # none is "f"
+        assert "@now" in [cell.value for cell in in_book]
 
 
 def test_headings_of_a_sweep_are_no_formulas(tmp_path: Path, case: Path) -> None:

@@ -30,12 +30,8 @@ def test_rows_are_set_in_by_their_level() -> None:
 
 def test_in_fixed_widths_a_long_name_has_a_line_of_its_own() -> None:
     grid = Grid("", [NAME, Column("x")], [["a", "1.0"], ["a long name", "12345.0"]])
-    assert list(lines(grid, widths=[5, 5], gap=" ")) == [
-        "name      x",
-        "a       1.0",
-        "a long name",
-        "      12345.0",
-    ]
+    expected = ["name      x", "a       1.0", "a long name", "      12345.0"]
+    assert list(lines(grid, widths=[5, 5], gap=" ")) == expected
 
 
 def test_without_headings_there_is_no_line_of_them() -> None:
@@ -50,12 +46,8 @@ def test_numbers_that_do_not_fit_go_on_below_with_the_names_again() -> None:
     grid = Grid("", [NAME, *map(Column, headings)], [["a", *"0123456789"]])
     found = list(lines(grid, indent="  "))
     assert max(map(len, found)) <= 80
-    assert [line.split()[:2] for line in found if line] == [
-        ["name", "column0"],
-        ["a", "0"],
-        ["name", "column8"],
-        ["a", "8"],
-    ]
+    begun = [["name", "column0"], ["a", "0"], ["name", "column8"], ["a", "8"]]
+    assert [line.split()[:2] for line in found if line] == begun
 
 
 def test_html_escapes_texts_and_keeps_the_digits_of_numbers() -> None:

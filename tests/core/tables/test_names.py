@@ -3,17 +3,22 @@
 import re
 from typing import Any
 
+import numpy as np
 import pytest
 
 from tests.commands import ROOT
-from tests.core.elements.element_texts import loaded
+from tests.core.elements.element_texts import AOD, loaded
+from tests.core.writers.result_cases import csv_of
+from tests.core.writers.result_cases import table as table_lines
 from tests.shipped import shipped_results
 from vstatics import ReadError, Transmission, solve
 from vstatics.core.statics.result_arrays import ARRAYS, Rows
 from vstatics.core.tables.dataframe import to_dataframe
-from vstatics.core.tables.names import row_named
+from vstatics.core.tables.names import row_named, table_rows
 from vstatics.core.tables.quantities import ASKED, QUANTITIES
 from vstatics.core.tables.values import tables
+from vstatics.core.writers import listing
+from vstatics.core.writers.result_json import document
 
 EVERYTHING = """
 links: [in, large, carrier, ring, out]
@@ -96,6 +101,7 @@ def test_a_device_is_no_row_of_links_or_shift_elements() -> None:
         row_named("P1", "torques", case)
     with pytest.raises(ReadError, match="there is no shift element `P1`"):
         row_named("P1", "elements", case)
+    assert [row_named(name, "elements", case) for name in ("C1", "2", "#3")] == [0, 1, 2]
 
 
 def test_a_data_frame_has_the_units_of_the_load(everything: Transmission) -> None:
@@ -112,3 +118,25 @@ def test_a_data_frame_has_the_units_of_the_load(everything: Transmission) -> Non
     assert found.tolist() == pytest.approx(lost.tolist())
     without = to_dataframe(shipped_results("simpson.yaml"))
     assert not [name for name in without if re.search("_rpm|_Nm|_kW", str(name))]
+
+
+OWN = ["small_sun", "large_sun", "ring", "carrier"]
+ELEMENTS = ["forward", "reverse", "direct", "overdrive", "low"]
+ROWS = {"losses": ["set"], "torques": [*ELEMENTS, *(f"set.{member}" for member in OWN), "Mx"]}
+"""What the text of the case names: one set of four members, five shift elements."""
+
+
+def test_rows_have_the_names_of_the_case_in_arrays_json_csv_and_the_listing() -> None:
+    """Of the listing torques stand in two tables; the name follows a stroke."""
+    aod = solve(loaded(AOD))
+    in_json, text = document(aod), listing.write(aod)
+    torques = table_lines(text, "(AMLG(I,J),J=1,NP),I=1,KL:")
+    torques += table_lines(text, "(AMLG(I,J),J=1,NP),I=(KL+1),KLG1:")
+    losses = table_lines(text, "(LOSS(I,J),J=1,NP),I=1,KG:")
+    for name, lines in {"torques": torques, "losses": losses}.items():
+        assert list(table_rows(name, aod.case)) == in_json["rows"][name] == ROWS[name]
+        assert [line.partition("| ")[2] for line in lines] == ROWS[name]
+        assert getattr(aod, name) == pytest.approx(np.array(in_json[name]).T)
+        in_csv = [line for line in csv_of(aod) if line[0] == name]
+        assert len(in_csv) == 5 * len(ROWS[name])
+        assert {row for line in in_csv for row in line} >= set(ROWS[name])

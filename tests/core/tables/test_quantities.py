@@ -2,8 +2,6 @@
 
 import re
 
-import pytest
-
 from vstatics.core.statics.result_arrays import ARRAYS
 from vstatics.core.tables.quantities import (
     ASKED,
@@ -12,7 +10,6 @@ from vstatics.core.tables.quantities import (
     QUANTITIES,
     RELATIVE,
     WITH_UNITS,
-    Quantity,
 )
 from vstatics.core.texts import heading as in_language
 from vstatics.core.texts import speaking
@@ -42,14 +39,13 @@ def test_a_quantity_is_an_array_or_says_what_its_rows_are() -> None:
         assert (one.name in ARRAYS) == (one.own_rows is None), one.name
 
 
-@pytest.mark.parametrize("one", QUANTITIES, ids=lambda one: one.name)
-def test_headings_are_in_every_language(one: Quantity) -> None:
-    headings = [one.heading, *(one.members or ()), *([one.brief] if one.brief else [])]
-    for heading in headings:
-        assert not heading.endswith(":")
-        with speaking("ru"):
-            assert not re.search("[а-яА-Я]", heading)
-            assert re.search("[а-яА-Я]", in_language(heading))
+def test_headings_are_in_every_language() -> None:
+    for one in QUANTITIES:
+        for heading in (one.heading, *(one.members or ()), *([one.brief] if one.brief else [])):
+            assert not heading.endswith(":")
+            with speaking("ru"):
+                assert not re.search("[а-яА-Я]", heading)
+                assert re.search("[а-яА-Я]", in_language(heading))
 
 
 def test_a_load_adds_its_own_unit_to_each_quantity_that_has_one() -> None:

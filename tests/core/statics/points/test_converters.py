@@ -18,7 +18,6 @@ from tests.chance import count, seeded
 from vstatics import solve
 from vstatics.core.readers import loads
 
-RPM = 30 / math.pi
 POINTS = [[0, 2.2, 0.002], [0.4, 1.5, 0.003], [1, 1, 0]]
 AT_INPUT = """links: [engine, turbine, output]
 load: {{speed: {speed} rad/s, torque: {torque} N*m}}

@@ -39,12 +39,16 @@ def test_a_load_beyond_the_points_leaves_the_gear_without_torques() -> None:
     assert (at_stall.speed_ratio[0, 0], at_stall.lossy_output_torque[0]) == (0, -6)
 
 
-def test_json_has_the_ratio_of_each_gear_and_null_where_it_transmits_nothing(folder: Path) -> None:
+def test_json_and_sheet_have_the_ratio_of_each_gear_that_is_sought(folder: Path) -> None:
+    """20 N*m are taken at 1 - 20/80; an open or bypassed converter has none."""
     text = CASE.replace("100 N", "20 N").replace('"3": {', '"3": {open: [TC], ')
     (folder / "box.yaml").write_text(text)
-    answer = json.loads(vstatics("run", "box.yaml", "-f", "json").out)
     found = {"TC": {"speed_ratio": pytest.approx(0.75), "others": []}}
+    answer = json.loads(vstatics("run", "box.yaml", "-f", "json").out)
     assert answer["converters"] == [found, {"TC": None}, {"TC": None}]
+    sheet = " ".join(vstatics("explain", "box.yaml", "--worksheet", "--gear", "1").out.split())
+    assert "M = lambda(i) w |w|" in sheet
+    assert "TC: i = 0.75, lambda = 0.0005 N*m*s^2, w = 200 rad/s, M = 20 N*m." in sheet
     given = text.replace("second: turbine,", "second: turbine, speed_ratio: 0.75,")
     (folder / "box.yaml").write_text(given)
     assert "converters" not in json.loads(vstatics("run", "box.yaml", "-f", "json").out)
@@ -55,25 +59,14 @@ def test_it_is_written_as_it_was_read_and_no_deck_has_it() -> None:
     assert is_read_again(case)
     with pytest.raises(CaseError, match="TC"):
         check_deck(case)
-
-
-def test_a_given_ratio_stays_and_a_varied_one_too() -> None:
-    case = loads(CASE.replace('"1": {}', '"1": {speed_ratios: {TC: 0.5}}'))
-    assert solve(case).speed_ratio[0, 0] == 0.5
-    varied = solve(loads(CASE), vary={"TC.speed_ratio": [0.25, 0.5]})
+    given = loads(CASE.replace('"1": {}', '"1": {speed_ratios: {TC: 0.5}}'))
+    assert solve(given).speed_ratio[0, 0] == 0.5
+    varied = solve(case, vary={"TC.speed_ratio": [0.25, 0.5]})
     assert varied.speed_ratio[:, 0, 0].tolist() == [0.25, 0.5]
 
 
-def test_the_sheet_of_a_gear_has_the_equation(folder: Path) -> None:
-    (folder / "box.yaml").write_text(CASE.replace("100 N", "20 N"))
-    sheet = " ".join(vstatics("explain", "box.yaml", "--worksheet", "--gear", "1").out.split())
-    assert "M = lambda(i) w |w|" in sheet
-    assert "TC: i = 0.75, lambda = 0.0005 N*m*s^2, w = 200 rad/s, M = 20 N*m." in sheet
-
-
-@pytest.mark.parametrize(
-    ("old", "new", "message"),
-    [
+def test_inputs_without_a_ratio_are_reported(folder: Path) -> None:
+    for old, new, message in (
         (", 0.002], [1, 1, 0]", "], [1, 1]", "`speed_ratio` of converter TC is missing"),
         ("load: {speed: 200 rad/s, torque: 100 N*m}", "", "gears.1: the speed ratio of TC"),
         (", torque: 100 N*m", "", "has no torque: expected a `load` with both"),
@@ -82,20 +75,15 @@ def test_the_sheet_of_a_gear_has_the_equation(folder: Path) -> None:
         ("[0, 2, 0.002]", "[0, 2, -0.002]", "a lambda of 0 or more"),
         ("[0, 2, 0.002]", "[0, 2, 0]", "at no speed ratio from 0 to 1"),
         ("torque: 100 N*m", "torque: -20 N*m", "needs points beyond i = 1"),
-    ],
-)
-def test_inputs_without_a_ratio_are_reported(
-    old: str, new: str, message: str, folder: Path
-) -> None:
-    text = CASE.replace(old, new)
-    if "TD" in new:
-        text = text.replace(", ratio: -3", "")
-    if not new:
-        text = text.replace("load: {torque: 90 N*m}", "")
-    (folder / "box.yaml").write_text(text)
-    said = vstatics("run", "box.yaml")
-    assert said.status == (0 if "i = 1" in message or "ratio from" in message else 1)
-    assert message in said.err
+    ):
+        text = CASE.replace(old, new)
+        text = text.replace(", ratio: -3", "") if "TD" in new else text
+        (folder / "box.yaml").write_text(
+            text if new else text.replace("load: {torque: 90 N*m}", "")
+        )
+        said = vstatics("run", "box.yaml")
+        assert said.status == (0 if "i = 1" in message or "ratio from" in message else 1)
+        assert message in said.err
 
 
 def test_a_slip_of_the_lock_up_clutch_needs_an_open_converter() -> None:
