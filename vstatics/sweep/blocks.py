@@ -103,7 +103,7 @@ class OfCases(NamedTuple):
     parts: list[BlockTables]
 
     def existing(self, name: str) -> Floats:
-        """Return the table of a name for the whole block, in the order of the variants."""
+        """Return the table called `name` for the whole block, in the order of the variants."""
         return _in_order(self.places, [part.existing(name) for part in self.parts])
 
     @property

@@ -209,7 +209,11 @@ class TimeStretch(NamedTuple):
     balance: Floats
     """Factors by which the state is scaled in the exponential."""
     starts: Floats
-    """Scaled states, time, 1 and torques at the start of each part, shape (size, parts)."""
+    """Vector to which the exponential is applied, at the start of each part, shape (size, parts).
+
+    It consists of the scaled state and, times a common factor, of time, 1, and derivatives of the
+    nonlinear torques.
+    """
 
     @property
     def last(self) -> Floats:
@@ -468,9 +472,10 @@ class Closed:
         return float(speeds[decays * gone < _GONE].max(initial=0.0))
 
     def _exponential(self, length: float) -> tuple[Exponential, float]:
-        """Return the exponential over a part, and the factor of all entries other than the state.
+        """Return the exponential over a part, and the factor of the inputs in its vector.
 
-        The exponential acts on the scaled state, time, 1, and derivatives of the nonlinear torques.
+        The vector consists of the scaled state and of the inputs: time, 1, and derivatives of the
+        nonlinear torques.
         """
         known = self.exponentials.get(length)
         if known is not None:
@@ -492,7 +497,7 @@ class Closed:
             rows = np.arange(first, first + orders - 1)
             matrix[rows, rows + 1] = 1.0
             first += orders
-        # The factor keeps the effect of torques as small as the effect of the state.
+        # The factor keeps the effect of inputs as small as the effect of the state.
         unit = max(largest(np.abs(matrix[:size, size:]).sum(axis=0)), NOT_ZERO)
         matrix[:size, size:] /= unit
         exponential = self.solutions.exponential(matrix, size), unit

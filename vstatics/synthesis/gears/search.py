@@ -67,7 +67,7 @@ def chosen_elements(case: Transmission, asked: Sequence[str] = ()) -> list[Shift
 
 
 def _number(case: Transmission, asked: str) -> int:
-    """Return the index of the shift element with a name or, failing that, a number."""
+    """Return the index of the shift element that a name or, failing that, a number means."""
     names = [element.name for element in case.shift_elements]
     if asked in names:
         return names.index(asked)

@@ -136,7 +136,7 @@ class Spectrum(NamedTuple):
 
 
 DutyResults = Cycle | Spectrum
-"""Results of a duty cycle: of shares by gear, or of operating points."""
+"""Results of a duty cycle, which is given by shares of the gears or by operating points."""
 
 
 def spectrum(
