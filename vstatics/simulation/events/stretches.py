@@ -42,7 +42,7 @@ NODES: Floats = np.append(0.5 + 0.5 * np.asarray(_POINTS, float), 1.0)
 _BY_ORDER = (
     np.linalg.inv(NODES[:-1, None] ** np.arange(_GAUSS)) / np.arange(1.0, _GAUSS + 1)[:, None]
 )
-"""Matrix from powers at the Gauss points of a part to a polynomial of the work over time."""
+"""Matrix from mechanical power at the Gauss points of a part to the work as a polynomial."""
 _RADIANS = 3.0
 """Angle through which the fastest eigenmotion turns in a part of a stretch. [rad]"""
 _MOST_HALVINGS = 256
@@ -328,8 +328,7 @@ class Closed:
         looks = {*rates, *equations.coupled}
         orders = np.array([2 if port in looks else _ORDERS for port in self.bending], dtype=int)
         self.is_used: Booleans = np.arange(_ORDERS) < orders[:, None]
-        """Used orders of each polynomial, as flags; only 0 and 1 for laws linear in their inputs.
-        """
+        """Flags of the used orders of each polynomial; 0 and 1 for laws linear in their inputs."""
         self.latest: Floats = np.zeros(len(self.bending))
         """Nonlinear torques and rates at the end of the last stretch."""
         self.series: GivenSeries | None = None

@@ -29,7 +29,7 @@ from vstatics.vehicle.life.strength import MemberLife, life_grid, lives
 from vstatics.vehicle.operation.point_loads import DutyPoints, PointLoads, at_rows
 
 EXPONENT = 3.0
-"""Exponent of equivalent torques, near the exponent of roller bearings (10/3). [-]"""
+"""Default exponent of equivalent torques, near the exponent of roller bearings (10/3). [-]"""
 
 LARGEST_DUTY = 1e30
 """Largest speed, torque or time of a point in SI units, so that energies stay finite."""
@@ -80,7 +80,7 @@ class Spectrum(NamedTuple):
     are_shares: bool
     """True if points have shares; then energies are powers, and revolutions are per second."""
     damage: Mapping[str, DeviceDamage]
-    """Component name -> fatigue damage by the torques at the points, in their order."""
+    """Component name -> fatigue damage from the torques at the points, in the order of points."""
     exponent: float
     """Exponent of the equivalent torques. [-]"""
     spectrum: Asked[Mapping[str, MemberSpectrum]] = None
