@@ -33,7 +33,7 @@ class Statistics(NamedTuple):
 
     @property
     def by_part(self) -> dict[str, float]:
-        """Quantiles, by the fraction in per cent."""
+        """Quantiles, by the fraction in %."""
         return {
             f"{part:.0%}": quantile for part, quantile in zip(PARTS, self.quantiles, strict=True)
         }
