@@ -249,7 +249,7 @@ def block_tables(
 ) -> BlockTables:
     """Return the tables that a plan uses, for variants of a case whose values are possible.
 
-    The ratios and efficiencies of the `cases` replace those of `case` in their variants.
+    In their variants, the ratios and efficiencies of `cases` replace the numbers of `case`.
     """
     results = modes = None
     paths = _by_path(plan, values)

@@ -51,7 +51,7 @@ def freedom(case: Transmission) -> int:
 
 
 def given_constraints(gear: Gear) -> int:
-    """Return the number of shift elements that carry torque plus that of prescribed speeds."""
+    """Return the number of shift elements that carry torque and of prescribed speeds."""
     return len(gear.carrying) + 1 + len(gear.speeds)
 
 

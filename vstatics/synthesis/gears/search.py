@@ -1,4 +1,4 @@
-"""Search through all combinations of shift elements: those of a case, or all possible ones."""
+"""Search through all combinations of the shift elements of a case, or of all possible elements."""
 
 from __future__ import annotations
 
