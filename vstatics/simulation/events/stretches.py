@@ -66,7 +66,7 @@ _CONVERGED = 0.1
 _BALANCINGS = 3
 """Number of passes that balance the scales of the control values."""
 _SLOPES_DIFFER = 0.05
-"""Relative difference of slopes above which torques are linearized anew. [-]"""
+"""Relative difference of slopes above which torques are linearised anew. [-]"""
 _MOST_SLOPES, _MOST_KNOWN = 4, 32
 """Largest numbers of slopes and of exponentials that are kept for later stretches."""
 _FEW = 64
@@ -337,7 +337,7 @@ class Closed:
         self._straighten(equations.time, state)
 
     def _straighten(self, time: float, state: Floats) -> None:
-        """Linearize the torques about a state, and calculate the matrix A."""
+        """Linearise the torques about a state, and calculate the matrix A."""
         equations = self.equations
         slopes = self._slopes(time, state)
         by_rate, by_state = self.known = self.solutions.slopes_near(
