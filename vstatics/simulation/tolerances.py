@@ -117,7 +117,7 @@ LEAST_EFFICIENCY = 1e-6
 INDEPENDENT_MOTION = 1e-9
 """Singular value above which a direction is independent, relative to the largest."""
 BEARING_MOTION = INDEPENDENT_MOTION * 1e-3
-"""`INDEPENDENT_MOTION` for weighted torques, lower since weights differ by powers of ten."""
+"""`INDEPENDENT_MOTION` for constraints divided by weights, which differ by powers of ten."""
 ROUNDED_MOTION = 1e-12
 """Component of a motion that counts as rounding error."""
 MOVING_LINK = 1e-9

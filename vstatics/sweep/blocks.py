@@ -103,7 +103,7 @@ class OfCases(NamedTuple):
     parts: list[BlockTables]
 
     def existing(self, name: str) -> Floats:
-        """Return the table of a name for the whole block, in the order of the variants."""
+        """Return the table called `name` for the whole block, in the order of the variants."""
         return _in_order(self.places, [part.existing(name) for part in self.parts])
 
     @property
@@ -249,7 +249,7 @@ def block_tables(
 ) -> BlockTables:
     """Return the tables that a plan uses, for variants of a case whose values are possible.
 
-    The ratios and efficiencies of the `cases` replace those of `case` in their variants.
+    In their variants, the ratios and efficiencies of `cases` replace the numbers of `case`.
     """
     results = modes = None
     paths = _by_path(plan, values)

@@ -1,7 +1,7 @@
 """Chunk of a sweep: rows of a range of variants, with the status of each row.
 
-The plan alone determines where blocks of variants begin, so that results do not depend on the
-number of processes.
+The plan alone determines where ranges begin, so that results do not depend on the number of
+processes.
 """
 
 from __future__ import annotations
@@ -52,10 +52,12 @@ class Chunk(NamedTuple):
     """Rows of the variants in a range that passed the condition of the sweep."""
 
     start: int
-    """Number of the first variant of the range, from 0."""
+    """Value of `places` for the first row of the range, even if this row is missing."""
     places: Integers
-    """Number of each row's variant, from 0, shape (rows,). If each gear has a row, the number is
-    that of the variant times the number of gears, plus the index of the gear.
+    """Index of each row among the rows of all variants, from 0, shape (rows,).
+
+    It is the number of the variant or, if each gear has a row, this number times the number of
+    gears, plus the index of the gear.
     """
     values: Floats
     """Varied numbers, shape (rows, targets). [-]"""
@@ -68,7 +70,10 @@ class Chunk(NamedTuple):
     better.
     """
     counts: Mapping[str, int]
-    """Number of variants with each status in the whole range, including variants without a row."""
+    """Number of variants with each status in the whole range, including removed variants.
+
+    If each gear has a row, rows are counted, here and in `removed`.
+    """
     names: tuple[str, ...]
     """Names of the varied numbers."""
     headings: tuple[str, ...]
@@ -200,7 +205,7 @@ def joined(parts: Sequence[Chunk]) -> Chunk:
 
 
 def counted(parts: Iterable[Chunk | Account]) -> dict[str, int]:
-    """Return the number of variants with each status, summed over several ranges."""
+    """Return the sums of `counts` over several ranges."""
     counts: Counter[str] = Counter()
     for part in parts:
         counts.update(part.counts)
@@ -208,7 +213,7 @@ def counted(parts: Iterable[Chunk | Account]) -> dict[str, int]:
 
 
 def removed_in(parts: Iterable[Chunk | Account]) -> tuple[int, ...]:
-    """Return the number of variants removed by each expression of the condition, in all ranges."""
+    """Return the sums of `removed` over several ranges."""
     return tuple(map(sum, zip(*(part.removed for part in parts), strict=True)))
 
 

@@ -31,7 +31,7 @@ class SweepReport(NamedTuple):
     counts: dict[str, int]
     """Number of variants, or of gears of variants, with each status."""
     removed: tuple[int, ...]
-    """Number of variants removed by each expression that `and` joins in the condition, in order."""
+    """Number removed by each expression that `and` joins in the condition, in order."""
     outside: tuple[str, ...]
     """Names of characteristic curves that were evaluated outside the given points."""
     noticed: tuple[Noticed, ...]
@@ -136,7 +136,7 @@ class Output:
                 yield account
 
     def assemble(self, workers: Workers) -> SweepReport:
-        """Assemble the pieces to the output file and move the file into place.
+        """Assemble the pieces into the output file and move the file into place.
 
         Raises
         ------

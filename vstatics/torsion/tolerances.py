@@ -17,7 +17,7 @@ LEAST_SHOWN_PART = 0.0005
 """Smallest share or relative amplitude that tables do not print as 0. [-]"""
 
 LEAST_PARTICIPATION = 1e-9
-"""Smallest amplitude of a link from which it can excite a mode, relative to the largest."""
+"""Smallest amplitude of a link at which a torque on it excites a mode, relative to the largest."""
 
 # variants
 APART = 1e-9

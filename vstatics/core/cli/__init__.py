@@ -115,7 +115,7 @@ def _safe_usage_errors() -> Iterator[None]:
 
 
 def installed(names: Sequence[str]) -> list[str]:
-    """Return those of some commands that are installed."""
+    """Return the commands in `names` that are installed."""
     listed = main.listed()
     return [name for name in names if name in listed]
 

@@ -1,4 +1,4 @@
-"""Numbers of the parts of a case by path, such as `P1.teeth.sun` or `C1.capacity`.
+"""Numbers of components of a case by path, such as `P1.teeth.sun` or `C1.capacity`.
 
 A case with other numbers is created and checked anew.
 """
@@ -64,7 +64,7 @@ class PartNumber(NamedTuple):
 
 
 def part_numbers(case: Transmission) -> dict[str, PartNumber]:
-    """Return the numbers of all parts of a case by path, including numbers that the case omits.
+    """Return the numbers of all components by path, including numbers that the case omits.
 
     >>> from vstatics import Gear
     >>> from vstatics.core.elements import Drawing, Element, transmission
@@ -77,7 +77,7 @@ def part_numbers(case: Transmission) -> dict[str, PartNumber]:
 
 
 def _numbers(case: Transmission) -> Iterator[tuple[Keys, Leaf]]:
-    """Yield keys and declarations of the numbers of all parts."""
+    """Yield keys and declarations of the numbers of all components."""
     for key, parts in _tree(case).items():
         if key == "mesh_efficiency":
             yield from numbers_below(MESH_EFFICIENCY, parts, (key,)) if drawing_of(case) else ()
@@ -193,7 +193,7 @@ def is_assembled(case: Transmission, numbers: Sequence[PartNumber]) -> bool:
 
 
 def are_assembled(case: Transmission, names: Collection[str]) -> bool:
-    """Return whether gear sets can be assembled, apart from doubts that the case suppresses."""
+    """Return whether gear sets can be assembled, apart from warnings that the case suppresses."""
     elements = drawing.elements if (drawing := drawing_of(case)) else ()
     faults = [fault for element in elements if element.name in names for fault in misfits(element)]
     return all(fault in case.untold for fault in faults)

@@ -60,7 +60,7 @@ class OwnLinks(NamedTuple):
 
 
 def as_solved(case: Transmission) -> Transmission:
-    """Return the case, without its drawing if ratios differ from those of the drawing.
+    """Return the case, without its drawing if ratios differ from the ratios of the drawing.
 
     >>> from vstatics import example, solve
     >>> case = example("simpson")

@@ -128,7 +128,7 @@ class PowerFlow(NamedTuple):
 
     @property
     def node_losses(self) -> list[NodeLoss]:
-        """Losses with shares, as a list."""
+        """Loss of each node and its fraction of all losses, as a list."""
         return [NodeLoss(*item, self.shares[item[0]]) for item in self.losses.items()]
 
     @property

@@ -71,5 +71,5 @@ def lock(folder: StateFolder, name: str, what: str) -> int | None:
 def unlock(file: int | None) -> None:
     """Release the lock of a folder."""
     if file is not None:
-        with contextlib.suppress(OSError):  # a full disk can have left the file empty
+        with contextlib.suppress(OSError):  # some network drives report a full disk only here
             os.close(file)

@@ -60,7 +60,7 @@ class Account(NamedTuple):
     piece: int
     rows: int
     counts: dict[str, int]
-    """Number of variants by status, including variants without a row in the output."""
+    """Number of variants (or of gears of variants) by status, including removed variants."""
     segments: tuple[Segment, ...]
     removed: tuple[int, ...] = ()
     """Number of variants that each term of the filter condition removes, in order."""
@@ -73,7 +73,7 @@ class Account(NamedTuple):
 
     @property
     def variants(self) -> int:
-        """Number of variants of the piece."""
+        """Number of variants (or of gears of variants) of the piece."""
         return sum(self.counts.values())
 
     @property

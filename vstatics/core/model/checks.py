@@ -204,7 +204,7 @@ def _twins(case: TransmissionFields) -> Iterator[Problem]:
     for number, gear in enumerate(case.gears, 1):
         content = repr(gear._replace(name="", engaged=tuple(sorted(gear.engaged))))
         name = names.setdefault(content, gear.name)
-        if name != gear.name and gear.kind != "neutral":
+        if name != gear.name and gear.engaged and gear.kind != "neutral":
             message = f"repeats gear {name}: expected other engaged shift elements or other data"
             yield Problem("N206", message, ("gears", number))
 

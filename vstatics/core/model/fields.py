@@ -33,7 +33,7 @@ if TYPE_CHECKING:  # imported only by cases with converters
 
 Value = TypeVar("Value")
 IdleConvention = Literal["published", "exact"]
-"""Convention for the direction of power in idle mechanisms; see docs/method.md."""
+"""Convention for the sign of power in mechanisms that transmit no power; see docs/method.md."""
 
 
 MOST_CYLINDERS = 48

@@ -817,7 +817,7 @@ class Planet(NamedTuple):
 
     name: str
     mechanism: int = -1
-    """Index of the mechanism that determines the speed of the planet, or -1 if there is no such."""
+    """Index of the mechanism that determines the speed of the planet; -1 without a mechanism."""
     ratio: float = 0.0
     """Ratio of the mechanism from the tooth numbers. If its ratio is changed, `wheels` do not
     apply. [-]

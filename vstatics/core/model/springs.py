@@ -258,7 +258,7 @@ def between(first: int, second: int = HOUSING) -> Twist:
 
 
 def ends(twist: Mapping[int, float] | Twist) -> tuple[int, int] | None:
-    """Return both links of a shaft from its twist; None if the twist is not that of a shaft.
+    """Return both links of a shaft from its twist; None if the twist does not belong to a shaft.
 
     >>> ends(between(2)), ends({1: 1, 2: -1, 3: -1})
     ((2, 0), None)

@@ -56,7 +56,7 @@ class Transmission(TransmissionFields):
     input, output : int
         Link numbers; by default the output is the last link.
     idle : {"exact", "published"}
-        Convention for the direction of power assumed in idle mechanisms.
+        Convention for the sign of power in mechanisms that transmit no power.
     coast : bool, optional
         True if power enters at the output (engine braking): the input torque acts against the input
         speed. False if it acts along the speed. By default the sign of the input power determines
@@ -222,7 +222,7 @@ class Transmission(TransmissionFields):
         return case
 
     def part_numbers(self) -> Mapping[str, Any]:
-        """Return the numbers of all parts by path, such as `P1.teeth.sun`."""
+        """Return the numbers of all components by path, such as `P1.teeth.sun`."""
         numbers: Mapping[str, Any] = higher("part_numbers")(self)
         return numbers
 

@@ -50,7 +50,7 @@ class RecordedColumns(NamedTuple):
 
 
 def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) -> RecordedColumns:
-    """Read those of the wanted columns that a file contains.
+    """Read the wanted columns that a file contains.
 
     Parameters
     ----------

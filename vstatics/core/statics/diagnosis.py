@@ -51,7 +51,7 @@ def freedom(case: Transmission) -> int:
 
 
 def given_constraints(gear: Gear) -> int:
-    """Return the number of shift elements that carry torque plus that of prescribed speeds."""
+    """Return the number of shift elements that carry torque and of prescribed speeds."""
     return len(gear.carrying) + 1 + len(gear.speeds)
 
 
@@ -631,7 +631,7 @@ def _loss_messages(results: Results, number: int) -> Iterator[Said]:
 
 
 def _idle_messages(results: Results, number: int, gear: Gear, idle: set[int]) -> Iterator[Said]:
-    """Report idle mechanisms whose assumed direction of power affects the torques."""
+    """Report mechanisms without power whose assumed direction of power affects the torques."""
     matters = coincidences(results, number, gear, idle)
     if matters:
         what = "torques with losses and efficiency depend"
@@ -646,7 +646,7 @@ def _idle_messages(results: Results, number: int, gear: Gear, idle: set[int]) ->
 
 
 def _is_straight_ahead(results: Results, number: int, idle: Sequence[str]) -> bool:
-    """Return whether all idle mechanisms rotate with a locked-up differential (no turn)."""
+    """Return whether all mechanisms `idle` rotate with a locked-up differential (no turn)."""
     speeds = [0.0, *results.speeds[number].tolist()]
     parts = [part for part in results.case.mechanisms if part.name in idle]
     of_differentials = [speeds[part.third] for part in parts if part.ratio == -1]

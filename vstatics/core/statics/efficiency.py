@@ -68,7 +68,9 @@ def efficiencies_by_direction(
 
 
 def lossy_ratio(ratio: Number, efficiency: Efficiency, exponent: Number) -> Number:
-    """Return the ratio with losses [-]; NaN if x is NaN, or -1 for a self-locking mechanism.
+    """Return the ratio with losses [-], with the exponent x of the efficiency.
+
+    NaN if x is NaN in a mechanism with losses, or -1 in a self-locking mechanism.
 
     >>> [lossy_ratio(-2.0, Efficiency(0.5, 0.25), x) for x in (1.0, -1.0)]
     [-1.0, -8.0]
@@ -87,7 +89,7 @@ def lossy_ratio(ratio: Number, efficiency: Efficiency, exponent: Number) -> Numb
 
 
 def passed(efficiency: Efficiency, exponent: Number) -> Number:
-    """Return ``efficiency**x`` [-]; fractions stay exact."""
+    """Return ``efficiency**x`` for an exponent x [-]; fractions stay exact."""
     multiplying = efficiency._replace(divides=False) if efficiency.divides else efficiency
     return lossy_ratio(1, multiplying, exponent)
 

@@ -36,7 +36,7 @@ def idle_with_torque(results: Results) -> list[set[int]]:
 
 
 def coincidences(results: Results, number: int, gear: Gear, idle: set[int]) -> dict[str, bool]:
-    """Return the idle mechanisms whose assumed direction of power affects the results.
+    """Return the mechanisms without power whose assumed direction of power affects the results.
 
     Keys are names of mechanisms for which the direction changes a torque at the ports. The value is
     True if it also changes the efficiency. Mechanisms locked up by engaged shift elements are left

@@ -183,7 +183,7 @@ def values_of(column: Column) -> dict[int, Any]:
 def structural_matrix(case: Transmission, ratios: ArrayLike | None = None) -> Floats:
     """Return the structural-distribution matrix, shape (..., links, devices) [-].
 
-    Parameters and errors are those of the public function `distribution_matrix`.
+    Parameters and errors are as in the public function `distribution_matrix`.
 
     Examples
     --------

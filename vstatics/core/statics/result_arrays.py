@@ -126,7 +126,10 @@ class ResultFields(_NamedFields):
     efficiency: Floats
     """Efficiency, ``(..., gears)``. [-]"""
     power_sign: Floats
-    """Sign of power: +1 first link drives, -1 driven, 0 idle, ``(..., gears, mechanisms)``. [-]"""
+    """Sign of power, ``(..., gears, mechanisms)``: +1 first link drives, -1 driven. [-]
+
+    Without power the convention `Transmission.idle` determines the sign, by default 0.
+    """
     idle: Booleans
     """Flags of devices that have no torque or are locked up, ``(..., gears, devices)``."""
     losses: Floats

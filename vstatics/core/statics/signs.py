@@ -84,8 +84,8 @@ def find_signs(ideal: IdealGear, *, moving: bool) -> SignSearch:
     elif lossy.admissible is True:
         lossy = lossy._replace(efficiency=power_ratio(ideal, lossy))
     idle = start.idle
-    # The sign of an idle mechanism is only a convention, so losses cannot reverse it. Comparing
-    # objects first avoids tracing a product for signs that did not change.
+    # The sign of a mechanism without power is only a convention, so losses cannot reverse it.
+    # Comparing objects first avoids recording a product for signs that did not change.
     turned = [
         lossy.admissible is True
         and not is_idle
@@ -119,7 +119,7 @@ class IdealSigns(NamedTuple):
 
 
 def ideal_signs(ideal: IdealGear, *, moving: bool) -> IdealSigns:
-    """Return the signs of power without losses; the signs of idle mechanisms are a convention.
+    """Return the signs of power without losses, by convention for mechanisms without power.
 
     Parameters
     ----------

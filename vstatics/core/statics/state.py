@@ -128,12 +128,19 @@ class GearState(NamedTuple):
 
     @property
     def signs(self) -> Signs:
-        """Signs of power: +1 first link drives, -1 driven, 0 idle, NaN indeterminate."""
+        """Signs of power in the mechanisms, which are the exponents x of the efficiencies.
+
+        +1 if the first link drives, -1 if it is driven, NaN if indeterminate. Without power the
+        convention `Transmission.idle` determines the sign.
+        """
         return self.search.lossy.signs
 
     @property
     def lossy_ratios(self) -> list[Number]:
-        """Ratio with losses of each mechanism, ``u * efficiency**x`` [-]."""
+        """Ratio with losses of each mechanism [-], with the exponents x of `signs`.
+
+        It is ``u * efficiency**x``, or ``u / efficiency**x`` for a variator.
+        """
         return lossy_ratios(self.ideal.variant.ratios, self.ideal.variant.efficiencies, self.signs)
 
     @property

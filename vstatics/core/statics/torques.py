@@ -33,7 +33,7 @@ class Drag(NamedTuple):
     elements: Mapping[int, Number] = EMPTY
     """Drag torque on the first link of each disengaged shift element, by index. [-]"""
     external: Mapping[int, Number] = EMPTY
-    """Sum of drag torques on each link, including those of shift elements, by link number. [-]"""
+    """Sum of drag torques on each link, also from shift elements, by link number. [-]"""
     losses: Sequence[Number] = ()
     """Power lost to drag at each link and in each shift element. [-]"""
     gear: Mapping[int, Number] = EMPTY

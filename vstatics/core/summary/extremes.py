@@ -24,7 +24,7 @@ PLANETS, SLIPS, TORQUES, LOSSY_TORQUES = (
 
 
 def quantity(name: str, *, loaded: bool) -> Quantity:
-    """Return the quantity with a name, in rpm or N*m if `loaded`."""
+    """Return the quantity called `name`, in rpm or N*m if `loaded`."""
     return in_unit(BY_NAME[name]) if loaded else BY_NAME[name]
 
 

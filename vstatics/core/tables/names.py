@@ -18,7 +18,7 @@ from vstatics.core.tables.quantities import BY_NAME, Quantity
 
 
 def quantity_named(name: str) -> Quantity:
-    """Return the quantity with a name or deck name.
+    """Return the quantity that a name or deck name means.
 
     Parameters
     ----------
@@ -79,7 +79,7 @@ def nearest_quantity(name: str, others: Iterable[str] = ()) -> str:
 
 
 def row_named(name: str, kind: Rows, case: Transmission) -> int:
-    """Return the index of the row with a name, such as `P1.ring`.
+    """Return the index of the row that a name such as `P1.ring` means.
 
     Parameters
     ----------
@@ -117,7 +117,7 @@ def row_named(name: str, kind: Rows, case: Transmission) -> int:
 
 
 def rows_called(name: str, kind: Rows, case: Transmission) -> list[int]:
-    """Return the indices of rows with a name; if none, of the rows of a gear set with the name."""
+    """Return the indices of the rows called `name`; if none, of the rows of the gear set `name`."""
     indices = [index for index, row in enumerate(row_names(case, kind)) if row == name]
     return indices or [index for index, owner in enumerate(_owners(kind, case)) if owner == name]
 

@@ -55,7 +55,7 @@ def of_results(results: Results, *, blanks: bool = False) -> Iterator[Grid]:
 
 
 def _with_roles(grid: Grid, results: Results) -> Grid:
-    """Return the table of idle mechanisms with the names of roles instead of marks."""
+    """Return the table `idle` with the names of roles instead of marks."""
     by_gear = [roles(results, number) for number in range(len(results.case.gears))]
 
     def with_role(cell: Cell, role: str) -> Cell:

@@ -162,7 +162,7 @@ def published_results(results: Results) -> Results:
 
 
 def changed_efficiencies(results: Results, published: Results) -> list[Problem]:
-    """Return warnings about gears whose efficiency depends on the signs of idle mechanisms."""
+    """Return warnings about gears whose efficiency depends on conventional signs of power."""
     before, after = results.efficiency, published.efficiency
     same = np.isclose(before, after, rtol=SAME_RATIO, atol=0, equal_nan=True)
     problems = []

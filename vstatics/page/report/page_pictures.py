@@ -22,7 +22,7 @@ def of_all_gears(case: Transmission) -> tuple[str, ...]:
 
 
 class Pictures(NamedTuple):
-    """Pictures on the page of a case, except those of vibration and of a simulated run."""
+    """Pictures on the page of a case, except of vibration and of a simulated run."""
 
     of_gears: Mapping[str, Sequence[Drawn]] = {}
     """Pictures of each gear on the page, by kind."""

@@ -87,13 +87,16 @@ def material_of(
 
 
 def parts_of(material: Material, fields: Sequence[PageField], *, runs: bool) -> list[Part]:
-    """Return the sections of the page; fields are disabled unless they are from documents."""
+    """Return the sections of the page.
+
+    Without `fields`, the page shows the numbers of the case in disabled fields.
+    """
     fixed = not fields
     shown = fields or [*case_fields(material.results.case)]
     changed = Part(CHANGE, [tag("div", *shown_fields(shown, fixed=fixed), class_="fields")])
     first, *others = awaited_sections(material, runs=runs)
     tools = toolbar.tools_of(material.results.case, digits=material.digits)
-    # Fields and tools are in the same section, so that an update replaces both.
+    # The first section exists on every page, so an update always replaces the data of the tools.
     first = first._replace(shown=[*first.shown, tools])
     return [*([changed] if shown else []), first, *others]
 

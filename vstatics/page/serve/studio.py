@@ -1,4 +1,4 @@
-"""Drawing of pictures and slow sections in another process, which does not delay numbers."""
+"""Drawing of pictures and slow sections in another process, so that numbers do not wait."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class Studio:
         self._case: tuple[Calculated, Material] | None = None
 
     def part(self, texts: Texts, name: str) -> str | None:
-        """Return the picture or section with a name as HTML, None if it does not exist."""
+        """Return the picture or section called `name` as HTML, None if it does not exist."""
         with speaking(self._language):
             return self._part(texts, name)
 
@@ -79,7 +79,7 @@ class StudioProcess:
         self._processes = Processes(studio, str, 1, Rules(tries=1))
 
     def part(self, texts: Texts, name: str) -> str | None:
-        """Return the picture or section with a name as HTML, None if it cannot be drawn."""
+        """Return the picture or section called `name` as HTML, None if it cannot be drawn."""
         try:
             [(_, part_html)] = self._processes.each(_part_of, [(dict(texts), name)])
         except CaseError:  # the process ended, or raised an error

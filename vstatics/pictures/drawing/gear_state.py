@@ -41,7 +41,7 @@ class PictureState(NamedTuple):
     is_still: Sequence[bool]
     """True for each mechanism or gear set without relative motion; all False without a solution."""
     roles: Sequence[Role]
-    """Role of each mechanism, such as idle or locked up."""
+    """Role of each mechanism: unloaded, locked up, or empty."""
     loaded_springs: Sequence[bool]
     """True for springs with torque, or with unknown torque."""
     loaded_elements: Sequence[bool]

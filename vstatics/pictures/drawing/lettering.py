@@ -1,4 +1,4 @@
-"""Positions of the lines of a text for its alignment, equal to those of matplotlib."""
+"""Positions of the lines of a text for its alignment, as in matplotlib."""
 
 from __future__ import annotations
 

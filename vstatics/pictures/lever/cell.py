@@ -1,4 +1,4 @@
-"""Drawing of a lever in a gear: torques at its points, speeds next to it; lengths in points."""
+"""Drawing of a lever in the state of a gear, with torques and speeds; lengths in points."""
 
 from __future__ import annotations
 

@@ -39,7 +39,7 @@ class LeverGear(NamedTuple):
     torques: Sequence[Sequence[float]]
     """Torques on the points of each lever, without losses, relative to the input torque. [-]"""
     roles: Sequence[set[Role]]
-    """Roles (idle, locked up) of the components of each lever; a shaft is idle or has no role."""
+    """Roles of components of each lever, such as `locked up`; a shaft can only be `unloaded`."""
     grounds: dict[Spot, str]
     """Names of the brakes that hold a point; empty for a point on a link that is the housing."""
     ties: Sequence[LeverTie]

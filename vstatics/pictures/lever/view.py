@@ -1,4 +1,4 @@
-"""Lever in a gear with its position on a page, for the functions that draw it."""
+"""Lever in the state of a gear with its position on a page, for the functions that draw it."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from vstatics.pictures.lever.places import LeverCell
 
 
 class LeverView(NamedTuple):
-    """Lever in a gear, with the position on a page."""
+    """Lever in the state of a gear, with its position on a page."""
 
     sheet: LeverSheet
     gear: LeverGear

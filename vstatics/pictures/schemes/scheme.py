@@ -244,7 +244,7 @@ def _ports(first: int, outputs: Sequence[int], gear: Gear) -> list[SchemePort]:
 
 
 def scheme_state(scheme: Scheme, state: PictureState) -> SchemeState:
-    """Return the engaged, idle and locked-up components of a scheme in a gear, and loaded links."""
+    """Return the state of a scheme in a gear: engaged, unloaded and locked-up components, links."""
     engaged: set[int] = set()
     idle: set[int] = set()
     pieces: set[int] = set()

@@ -21,7 +21,7 @@ FORMATS = ("text", "json", "jsonl", "csv", "npz", "parquet", "markdown", "latex"
 
 
 class SampleOptions(NamedTuple):
-    """Options of samples: number of runs, additional columns and worker processes."""
+    """Options of random samples: number of runs, seed, columns and worker processes."""
 
     samples: int | None = None
     """Number of runs; None for a single run as written."""
@@ -30,12 +30,12 @@ class SampleOptions(NamedTuple):
     sharing: Sharing = Sharing()
 
     def check(self, **of_one_run: bool) -> None:
-        """Reject options of samples without samples, and options of a single run with samples.
+        """Reject sampling options without `--samples`, and single-run options with `--samples`.
 
         Parameters
         ----------
         **of_one_run : bool
-            Whether each option of a single run, by name, is present.
+            Name of each single-run option -> whether the option is present.
 
         Raises
         ------

@@ -246,8 +246,8 @@ class Margins:
         self.touching: list[tuple[int, float]] = []
         """Springs twisted beyond their play: index, and sign of the torque in the margin.
 
-        The sign is that of the elastic torque while the spring is in contact, and the opposite
-        while it is parted.
+        In contact this is the sign of the elastic torque, and while the spring is parted the
+        opposite sign.
         """
         for index, (spring, state) in springs:
             side = spring.side(self._piece(index)) if spring.can_part else 0.0

@@ -1,4 +1,4 @@
-"""Selection of the states of contacts, mechanisms and springs from an instant on.
+"""Selection of the states of contacts, mechanisms and springs immediately after an instant.
 
 Among all admissible combinations of states, the combination with most sticking states is selected;
 among equally many, the combination nearest to the preceding states. The search begins with all
@@ -60,7 +60,7 @@ class Selected(NamedTuple):
 
 
 class ModesAsked(NamedTuple):
-    """Request for the sticking and slipping states from an instant on."""
+    """Request for the sticking and slipping states immediately after an instant."""
 
     at: Instant
     before: States | None
@@ -91,7 +91,7 @@ class ModeSelection:
         return selection
 
     def select(self, asked: ModesAsked) -> Selected:
-        """Return an admissible combination of states from an instant on.
+        """Return an admissible combination of states immediately after an instant.
 
         Raises
         ------

@@ -1,10 +1,10 @@
-"""Sign of the difference of two compared numbers from an instant on.
+"""Sign of the difference of two numbers immediately after an instant.
 
-Two numbers that are equal at an instant are compared at growing distances after it. The first is
-small, because the motion is extrapolated with an error of fifth order. The first difference above
-rounding decides, so the result is the sign of the first derivative that is not zero. If no
-difference decides, both numbers count as equal: a formula is continuous there, so the run goes on
-until the difference exceeds rounding.
+Two numbers that are equal at the instant are compared at up to three later times. The interval to
+the first is short, because the motion is extrapolated with an error of fifth order. The first
+difference above rounding decides, so the result is the sign of the first derivative that is not
+zero. If no difference decides, both numbers count as equal: a formula is continuous there, so the
+run goes on until the difference exceeds rounding.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ class SeenInstant(NamedTuple):
 
 
 class Judge:
-    """Judge of comparisons: decides which of two numbers is larger from an instant on.
+    """Judge of comparisons: decides which of two numbers is larger immediately after an instant.
 
     Parameters
     ----------
@@ -58,7 +58,7 @@ class Judge:
 
     @property
     def ahead(self) -> SeenInstant:
-        """Values of all quantities that formulas can read, a little later."""
+        """Values of all quantities that formulas can read, at the first later time."""
         return self._after(0)
 
     def _after(self, number: int) -> SeenInstant:
@@ -77,7 +77,7 @@ class Judge:
         return self._known[comparison]
 
     def judged(self, pair: Compared) -> Awaited:
-        """Decide which of two numbers is larger from now on."""
+        """Decide which of two numbers is larger immediately after the instant."""
         now = math.nextafter(self.now.time, math.inf), self.now.values  # after a jump at now
         (first, second), (later, other) = pair.at(*now), pair.at(*self.ahead)
         apart, then = first - second, later - other

@@ -87,8 +87,8 @@ def _lowest_frequency(system: MotionSystem, speeds: Floats) -> float:
 def settled_twists(system: MotionSystem, speeds: Floats) -> Floats:
     """Return the twists of springs that carry the torques of t = 0 at rest [rad].
 
-    Their torques are those of rigid connections instead of the springs, clipped to the torque
-    limits.
+    The torques are the torques of rigid connections that replace the springs, clipped to the torque
+    limits of the springs.
 
     Raises
     ------

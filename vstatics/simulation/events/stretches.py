@@ -42,7 +42,7 @@ NODES: Floats = np.append(0.5 + 0.5 * np.asarray(_POINTS, float), 1.0)
 _BY_ORDER = (
     np.linalg.inv(NODES[:-1, None] ** np.arange(_GAUSS)) / np.arange(1.0, _GAUSS + 1)[:, None]
 )
-"""Matrix from powers at the Gauss points of a part to a polynomial of the work over time."""
+"""Matrix from mechanical power at the Gauss points of a part to the work as a polynomial."""
 _RADIANS = 3.0
 """Angle through which the fastest eigenmotion turns in a part of a stretch. [rad]"""
 _MOST_HALVINGS = 256
@@ -66,7 +66,7 @@ _CONVERGED = 0.1
 _BALANCINGS = 3
 """Number of passes that balance the scales of the control values."""
 _SLOPES_DIFFER = 0.05
-"""Relative difference of slopes above which torques are linearized anew. [-]"""
+"""Relative difference of slopes above which torques are linearised anew. [-]"""
 _MOST_SLOPES, _MOST_KNOWN = 4, 32
 """Largest numbers of slopes and of exponentials that are kept for later stretches."""
 _FEW = 64
@@ -209,7 +209,11 @@ class TimeStretch(NamedTuple):
     balance: Floats
     """Factors by which the state is scaled in the exponential."""
     starts: Floats
-    """Scaled states, time, 1 and torques at the start of each part, shape (size, parts)."""
+    """Vector to which the exponential is applied, at the start of each part, shape (size, parts).
+
+    It consists of the scaled state and, times a common factor, of time, 1, and derivatives of the
+    nonlinear torques.
+    """
 
     @property
     def last(self) -> Floats:
@@ -324,8 +328,7 @@ class Closed:
         looks = {*rates, *equations.coupled}
         orders = np.array([2 if port in looks else _ORDERS for port in self.bending], dtype=int)
         self.is_used: Booleans = np.arange(_ORDERS) < orders[:, None]
-        """Used orders of each polynomial, as flags; only 0 and 1 for laws linear in their inputs.
-        """
+        """Flags of the used orders of each polynomial; 0 and 1 for laws linear in their inputs."""
         self.latest: Floats = np.zeros(len(self.bending))
         """Nonlinear torques and rates at the end of the last stretch."""
         self.series: GivenSeries | None = None
@@ -334,7 +337,7 @@ class Closed:
         self._straighten(equations.time, state)
 
     def _straighten(self, time: float, state: Floats) -> None:
-        """Linearize the torques about a state, and calculate the matrix A."""
+        """Linearise the torques about a state, and calculate the matrix A."""
         equations = self.equations
         slopes = self._slopes(time, state)
         by_rate, by_state = self.known = self.solutions.slopes_near(
@@ -468,9 +471,10 @@ class Closed:
         return float(speeds[decays * gone < _GONE].max(initial=0.0))
 
     def _exponential(self, length: float) -> tuple[Exponential, float]:
-        """Return the exponential over a part, and the factor of all entries other than the state.
+        """Return the exponential over a part, and the factor of the inputs in its vector.
 
-        The exponential acts on the scaled state, time, 1, and derivatives of the nonlinear torques.
+        The vector consists of the scaled state and of the inputs: time, 1, and derivatives of the
+        nonlinear torques.
         """
         known = self.exponentials.get(length)
         if known is not None:
@@ -492,7 +496,7 @@ class Closed:
             rows = np.arange(first, first + orders - 1)
             matrix[rows, rows + 1] = 1.0
             first += orders
-        # The factor keeps the effect of torques as small as the effect of the state.
+        # The factor keeps the effect of inputs as small as the effect of the state.
         unit = max(largest(np.abs(matrix[:size, size:]).sum(axis=0)), NOT_ZERO)
         matrix[:size, size:] /= unit
         exponential = self.solutions.exponential(matrix, size), unit

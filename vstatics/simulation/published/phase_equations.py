@@ -17,7 +17,7 @@ from vstatics.simulation.system.matrices import MotionSystem
 
 
 class ClutchPhase(NamedTuple):
-    """Phase of a run: a clutch slips, a clutch has locked, or no clutch joins input and output."""
+    """Phase of a run, in which a clutch slips or sticks, or no clutch joins input and output."""
 
     masses: TwoMasses
     clutch: int | None

@@ -5,7 +5,7 @@
     w_f = w_in - u w_out                                                                    (13)
 
 M_in and M_out are the external torques, M_f the capacity of the clutch, u and eta the ratio and
-efficiency of the engaged gear. L = 1 after the clutch has locked, otherwise 0; P = 1 while M_f
+efficiency of the engaged gear. L = 1 after the clutch has locked up, otherwise 0; P = 1 while M_f
 exceeds the transmitted torque. `TwoMasses.input_inertia` calculates J_in. Equation (12) omits the
 rate of change of a lumped inertia and its share at the output, so the energy does not balance; a
 message reports the deviation. Errors that would stop the method at once are corrected: M_f is

@@ -20,16 +20,16 @@ from vstatics.simulation.tolerances import NO_COEFFICIENT
 
 
 class TwoMasses(NamedTuple):
-    """Masses of the input and output of a gearbox, joined by a clutch that slips or has locked."""
+    """Masses at the input and output of a gearbox, and the clutch that can join them."""
 
     speeds: Floats
     """Speeds of links per unit speed of input and of output, shape (links, 2)."""
     slip: float
     """Slip of the clutch per unit of w_f = w_in - u w_out, equation (13); 0 without a clutch."""
     ratio: float
-    """Ratio u with the clutch locked."""
+    """Ratio u while the clutch sticks."""
     efficiency: float
-    """Efficiency eta with the clutch locked."""
+    """Efficiency eta while the clutch sticks."""
     turning: Floats
     """Speeds of bodies lumped at the input per unit speed of both ends, shape (bodies, 2)."""
     inertias: Floats

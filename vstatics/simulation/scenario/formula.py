@@ -1,8 +1,8 @@
 """Formulas of the time, of the speed and angle of a link, and of other quantities of the motion.
 
-The language is that of sweep expressions (`readers.expressions`), with ``^`` as another sign for
-``**``, and with functions of numbers such as ``sin``. A text becomes a tree of operations, and the
-tree becomes a function (`formula_code`); `corners` finds its bends and jumps.
+Sweep expressions (`readers.expressions`) have the same language, except ``^`` as another sign for
+``**``, and functions of numbers such as ``sin``. A text becomes a tree of operations, and the tree
+becomes a function (`formula_code`); `corners` finds its bends and jumps.
 """
 
 from __future__ import annotations

@@ -199,9 +199,9 @@ class Road(NamedTuple):
 
     @property
     def rolling_growth(self) -> Points | None:
-        """External torque over the wheel speed, by rolling resistance beyond its value at rest.
+        """External torque of rolling resistance beyond its value at rest, over the wheel speed.
 
-        None if the rolling resistance is constant or the radius variable.
+        None if the rolling resistance is constant, or if the radius is variable.
 
         Examples
         --------

@@ -50,8 +50,9 @@ class States(NamedTuple):
     springs: tuple[str, ...]
     """States of springs.
 
-    `stick`: elastic; `parted`: without torque, because the damper would pull; `open`; or the sign
-    of the torque limit at which the spring slips.
+    `stick`: below the torque limit; `parted`: a spring with play whose damper would pull, so that
+    there is no torque; `open`: the torque limit is 0; or the sign of the torque limit at which the
+    spring slips.
     """
     pieces: tuple[int, ...]
     """Index of the active linear piece of each law.

@@ -174,7 +174,7 @@ class VaryingLosses:
     ) -> tuple[LosingMesh, str] | None:
         """Return a mechanism whose efficiency does not agree with its torque, and the reason.
 
-        Torques of the wrong sign, which occur only in trials, are no failure.
+        Torques of the wrong sign, which occur only in trials, do not count.
         """
         if agreed is not None:
             pairs = zip(self.meshes, agreed, least, strict=True)

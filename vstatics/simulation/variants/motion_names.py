@@ -127,7 +127,7 @@ class RunNames:
 
 
 class MotionNames(RunNames):
-    """Resolver of all names in an expression: tables, and numbers in the documents."""
+    """Resolver of all names in an expression: tables of a run, and numbers in scenario and case."""
 
     def __init__(
         self, source: Excerpt, subject: ScenarioNumbers, targets: Sequence[Varied]
@@ -137,7 +137,7 @@ class MotionNames(RunNames):
         self.targets = targets
 
     def number(self, name: DottedName) -> VariedNumber | Constant | Selection:
-        """Return a named number: a varied number, a number as written, or a result of teeth."""
+        """Return a named number: varied, as written, or a ratio that follows from tooth numbers."""
         return self._number(name.written, self.source.place(name.at))
 
     def _number(self, written: str, place: Place) -> VariedNumber | Constant | Selection:

@@ -129,7 +129,7 @@ class MotionTables:
         self.mechanisms = mechanisms
 
     def existing(self, name: str) -> Floats:
-        """Return the table with a name; missing values are NaN."""
+        """Return the table called `name`; missing values are NaN."""
         if name in PART_NUMBERS.values():
             [quantity] = (key for key, table in PART_NUMBERS.items() if table == name)
             parts = self.motion.case.mechanisms if self.motion and self.motion.case else ()

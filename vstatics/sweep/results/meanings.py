@@ -89,7 +89,7 @@ class Tables(Protocol):
     """Object that has tables by name: `Results`, or the results of a block of variants."""
 
     def existing(self, name: str) -> Floats:
-        """Return the table with a name, shape (..., gears[, rows]), with NaN where undefined."""
+        """Return the table called `name`, shape (..., gears[, rows]), with NaN where undefined."""
 
 
 class GearRows(NamedTuple):
@@ -99,7 +99,7 @@ class GearRows(NamedTuple):
     gears: int
 
     def existing(self, name: str) -> Floats:
-        """Return the table with a name, shape (variants * gears, 1[, rows])."""
+        """Return the table called `name`, shape (variants * gears, 1[, rows])."""
         table: Any = self.tables.existing(name)
         if name in OF_A_VARIANT:
             table = np.repeat(table, self.gears, axis=1)
@@ -116,7 +116,7 @@ class WithStatus(NamedTuple):
     """Mask of the rows with the status ok, shape (rows,)."""
 
     def existing(self, name: str) -> Floats:
-        """Return the table with a name; `ok` has a value per row."""
+        """Return the table called `name`; `ok` has a value per row."""
         if name == OK:
             good: Floats = self.good[:, np.newaxis].astype(float)
             return good

@@ -15,7 +15,7 @@ PARTS = (0.05, 0.5, 0.95)
 """Fractions of the variants with values below each quantile. [-]"""
 
 _LARGE = 2.0**500
-"""Magnitude above which numbers are divided by a power of 2 before squaring, to avoid overflow."""
+"""Magnitude above which numbers are divided by a power of 2, because squares would overflow."""
 
 
 @json_keys("variants", "mean", "deviation", "least", quantiles="by_part", largest="largest")
@@ -33,7 +33,7 @@ class Statistics(NamedTuple):
 
     @property
     def by_part(self) -> dict[str, float]:
-        """Quantiles, by the fraction in per cent."""
+        """Quantiles, by the fraction in %."""
         return {
             f"{part:.0%}": quantile for part, quantile in zip(PARTS, self.quantiles, strict=True)
         }
@@ -58,7 +58,7 @@ def statistics(numbers: Floats) -> Statistics:
         nothing = float("nan")
         return Statistics(0, nothing, nothing, nothing, (nothing,) * len(PARTS), nothing)
     least, largest, most = float(known.min()), float(known.max()), float(np.abs(known).max())
-    is_large = _LARGE < most < math.inf  # otherwise sums and squares could overflow
+    is_large = _LARGE < most < math.inf
     scale = math.ldexp(0.5, math.frexp(most)[1]) if is_large else 1.0
     with np.errstate(invalid="ignore"):  # infinite numbers give NaN without a warning
         known = known / scale

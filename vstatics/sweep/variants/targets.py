@@ -142,7 +142,7 @@ def _names(owner: Owner, case: Transmission) -> Sequence[str]:
 
 
 def _indices(name: str, owner: Owner, case: Transmission) -> list[int]:
-    """Return the indices of the components or links with a name or, failing that, a number."""
+    """Return the indices of the components or links called `name` or, failing that, of a number."""
     rows = _called(name, owner, case)
     if not rows and len(name) > 2 and name[0] == name[-1] and name[0] in "\"'":
         rows = _called(name[1:-1], owner, case)

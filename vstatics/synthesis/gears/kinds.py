@@ -308,12 +308,13 @@ class EngagedSets(NamedTuple):
     kinds: Indices
     """Effects as numbers of `EngagedKind`, shape (sets,)."""
     ratios: Floats
-    """Input speed divided by output speed; NaN without a ratio, shape (sets,). [-]"""
+    """Input speed divided by output speed, shape (sets,); NaN without a ratio. [-]"""
     free: Booleans
     """True if a link other than input and output is undetermined, shape (sets,)."""
     torques: Floats
-    """Torques of the shift elements relative to the input; NaN without a ratio, (sets, elements).
-    [-]
+    """Torques of the shift elements relative to the input torque, shape (sets, elements). [-]
+
+    NaN without a ratio.
     """
 
     def each(self) -> Iterator[EngagedSet]:

@@ -1,4 +1,4 @@
-"""Search through all combinations of shift elements: those of a case, or all possible ones."""
+"""Search through all combinations of the shift elements of a case, or of all possible elements."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ def chosen_elements(case: Transmission, asked: Sequence[str] = ()) -> list[Shift
 
 
 def _number(case: Transmission, asked: str) -> int:
-    """Return the index of the shift element with a name or, failing that, a number."""
+    """Return the index of the shift element that a name or, failing that, a number means."""
     names = [element.name for element in case.shift_elements]
     if asked in names:
         return names.index(asked)

@@ -116,7 +116,7 @@ def usual(links: OwnLinks, index: int) -> tuple[float, float]:
 
 
 def mechanism_index(links: OwnLinks, asked: str) -> int:
-    """Return the index of the mechanism with a name or, failing that, with a number from 1.
+    """Return the index of the mechanism that a name or, failing that, a number from 1 means.
 
     Raises
     ------

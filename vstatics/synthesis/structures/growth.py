@@ -22,8 +22,8 @@ from vstatics.synthesis.structures.arrays import MEMBERS, Codes
 from vstatics.synthesis.structures.least_codes import Symmetries, symmetries
 
 Classes = Literal["none", "sets", "members", "order"]
-"""Schemes that count as equal: none; schemes that differ in the order of gear sets; also in
-exchange of sun and ring; also in any order of members.
+"""Schemes that count as equal: none; schemes that differ only in the order of gear sets; also by
+exchange of sun and ring; also in the order of all three members.
 """
 MOST_SETS = 10
 """Largest number of gear sets."""
@@ -174,17 +174,16 @@ def next_batch(search: StructureSearch, codes: Codes) -> SchemeBatch:
 
 
 def counted_by(search: StructureSearch) -> StructureSearch:
-    """Return the search with the classes that are counted; `weights` returns their numbers."""
+    """Return the search for the classes whose `weights` add up to the number of schemes."""
     return search._replace(classes="sets") if search.classes == "none" else search
 
 
 def weights(search: StructureSearch, batch: SchemeBatch) -> Integers:
     """Return the number of requested schemes that each class represents, shape (schemes,).
 
-    If no classes are requested, the number is that of the orders of gear sets, divided by the
-    number of symmetries, and multiplied by the pairs of input and output if these are requested.
-    Otherwise it is 1 or, with input and output, the number of pairs that no symmetry makes equal
-    (Burnside's lemma).
+    If no classes are requested, a class of n gear sets with s symmetries represents n!/s schemes,
+    each with all pairs of input and output if these are requested. Otherwise the number is 1 or,
+    with input and output, the number of pairs that no symmetry makes equal (Burnside's lemma).
 
     Parameters
     ----------

@@ -107,7 +107,7 @@ class _AskedByName:
     layouts: Sequence[TeethLayout]
 
     def formula(self, name: str, wanted: float) -> GearFormula:
-        """Return the formula of the ratio of a gear or gear set with a name.
+        """Return the formula for the ratio of the gear or gear set called `name`.
 
         Raises
         ------

@@ -47,7 +47,7 @@ class DumpFile(NamedTuple):
     """Positions of the numbers in the file."""
 
     def torque(self, rate: float | None = None) -> DumpTorque:
-        """Calculate the largest torques; `rate` is that of `dump`.
+        """Calculate the largest torques; `rate` as in `dump`.
 
         Raises
         ------

@@ -1,6 +1,6 @@
 """Numbers of a clutch dump, and limits of torque and speed that follow from them.
 
-Equation numbers are those of I. S. Tsitovich, V. B. Algin, Vehicle dynamics (1981), 3.3.
+Equation numbers are from I. S. Tsitovich, V. B. Algin, Vehicle dynamics (1981), 3.3.
 """
 
 from __future__ import annotations

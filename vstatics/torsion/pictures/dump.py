@@ -45,7 +45,7 @@ LIMIT_OVER = 3.0
 
 
 class _Limits(NamedTuple):
-    """Line styles of marks: of breakaway limits, and of the torque by the simplified formula."""
+    """Line styles of the marks of breakaway limits and of the torque by the simplified formula."""
 
     slips: Look
     clutch: Look

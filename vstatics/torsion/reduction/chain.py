@@ -3,7 +3,7 @@
 A chain is a path of masses with a shaft between neighbours. The housing can hold one or both ends;
 it is a mass of infinite inertia, so that the formulas need no special case. A partial system
 consists of a mass between two shafts with all other masses held, or of two masses and their shaft.
-Equation numbers are those of Tsitovich, Algin, Vehicle dynamics, 1981, appendix 1.
+Equation numbers are from Tsitovich, Algin, Vehicle dynamics, 1981, appendix 1.
 """
 
 from __future__ import annotations

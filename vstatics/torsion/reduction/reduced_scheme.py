@@ -19,7 +19,7 @@ from vstatics.torsion.system.gear_system import TorsionalDevice, TorsionalSystem
 from vstatics.torsion.system.state import vibrating
 
 STIFFNESS_OF_RIGID_SETS = 1e9
-"""Stiffness assumed for rigid gear sets, divided by that of the stiffest component of the gear."""
+"""Stiffness assumed for rigid gear sets, divided by the largest stiffness in the gear."""
 
 
 @refusing()

@@ -29,7 +29,7 @@ class SeparateMotions(NamedTuple):
     split: Coordinates
     devices: frozenset[int]
     bodies: frozenset[int]
-    """Indices of the varied bodies that take part; `devices` are those of varied components."""
+    """Indices of the varied bodies that take part; `devices` contains varied components."""
 
 
 def separate_motions(

@@ -1,4 +1,4 @@
-"""Damped vibration: eigenvalues of ``M q'' + D q' + K q = 0``, except those of rigid modes."""
+"""Damped vibration: eigenvalues of ``M q'' + D q' + K q = 0``, except for rigid modes."""
 
 from __future__ import annotations
 

@@ -5,7 +5,7 @@ the component in the elastic energy of the mode. In a chain of springs of compli
 inertia between them, the share is ``E_i/sum E``.
 
 Source: I. S. Tsitovich, V. B. Algin, Vehicle dynamics (1981), appendices 1.3 and 2; equation
-numbers are those of the book.
+numbers are from the book.
 """
 
 from __future__ import annotations

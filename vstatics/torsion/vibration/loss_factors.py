@@ -22,7 +22,7 @@ LIGHTLY_DAMPED = 0.3
 REST = 0.5
 """Missing sum of squared shares that means a missing shape, relative to the largest. [-]"""
 SAME_SHAPE = 0.9999
-"""Share of a heavily damped mode in a shape above which the shape is that of the mode. [-]"""
+"""Share of a heavily damped mode in a shape above which the shape belongs to the mode. [-]"""
 MOST_CANDIDATES = 5
 """Largest number of candidate eigenvalues for a mode."""
 

@@ -1,7 +1,7 @@
 """Corrections of the elastic components of a gear from a measured frequency and decrement.
 
 Source: I. S. Tsitovich, V. B. Algin, Vehicle dynamics (1981), appendices 1.3 and 2; equation
-numbers are those of the book.
+numbers are from the book.
 """
 
 from __future__ import annotations

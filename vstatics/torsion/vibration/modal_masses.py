@@ -47,7 +47,7 @@ class NormedTwists(NamedTuple):
     ----------
     heavy : ndarray, shape (..., devices, modes)
         Twists in motions of modal mass 1 that are orthogonal, in the inertia matrix, to each other
-        and to rigid motions. Leading axes are those of the inertias. [1/sqrt(kg*m^2)]
+        and to rigid motions. Leading axes as in the inertias. [1/sqrt(kg*m^2)]
     massless : ndarray, shape (..., devices, massless motions)
         Twists in massless motions.
     """

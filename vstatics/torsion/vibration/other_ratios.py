@@ -51,7 +51,7 @@ def frequencies_of_ratios(
     ndarray, shape (variants, len(modes))
         Angular natural frequencies, NaN where a variant has fewer modes. [rad/s]
     ndarray of bool, shape (variants,)
-        True if the rank is that of the first variant; otherwise the frequencies are unknown.
+        True if the rank is as in the first variant; otherwise the frequencies are unknown.
 
     Examples
     --------
@@ -127,7 +127,7 @@ class FollowedMotions(NamedTuple):
     free, others : ndarray of int
         Indices of the free unknowns, in the order of the columns, and of the dependent unknowns.
     safe : ndarray, shape (variants,)
-        True if the rank is that of the first variant; otherwise the motions are meaningless.
+        True if the rank is as in the first variant; otherwise the motions are meaningless.
     """
 
     motions: Floats

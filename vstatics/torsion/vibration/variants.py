@@ -164,7 +164,7 @@ class _VariedNumbers:
         self.varied = {p: numbers for p, numbers in varied.items() if (numbers != numbers[0]).any()}
 
     def only(self, places: Collection[int]) -> _VariedNumbers:
-        """Restrict the variation to some indices; other numbers are those of the first variant."""
+        """Restrict the variation to some indices; other numbers are as in the first variant."""
         restricted = copy(self)
         restricted.varied = {place: n for place, n in self.varied.items() if place in places}
         return restricted

@@ -117,7 +117,7 @@ def _mass_twice(case: TransmissionFields, vehicle: Vehicle) -> Iterator[Problem]
 
 
 LARGEST_TYRE = 2.5
-"""Largest plausible wheel radius, above that of dump trucks. [m]"""
+"""Largest plausible wheel radius; wheels of dump trucks are smaller. [m]"""
 FASTEST_ENGINE = 3000.0
 """Largest plausible speed of an engine or electric machine, 28,600 rpm. [rad/s]"""
 

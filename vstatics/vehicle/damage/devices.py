@@ -1,7 +1,7 @@
 """Fatigue damage of components under a record of torques, by linear accumulation (Miner's rule).
 
 Source: I. S. Tsitovich, V. B. Algin, Vehicle dynamics (1981), chapter 4.6; equation numbers are
-those of the book.
+from the book.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Life under narrow-band random stresses, whose amplitudes have a Rayleigh distribution.
 
 Source: I. S. Tsitovich, V. B. Algin, Vehicle dynamics (1981), chapter 4.6; equation numbers are
-those of the book.
+from the book.
 """
 
 from __future__ import annotations

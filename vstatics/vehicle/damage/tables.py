@@ -36,7 +36,7 @@ def rayleigh_grid(life: RayleighLife, unit: str) -> Grid:
 
 
 def resized_grid(shaft: ResizedShaft, unit: str) -> Grid:
-    """Return a table of a resized shaft; the unit is that of the diameter."""
+    """Return a table of a resized shaft; the unit is the unit of the diameter."""
     headings = f"diameter [{unit}]" if unit else "diameter", "compliance", "reduced compliance"
     title = "Shaft of equal fatigue strength"
     return grid_of(title, headings, [shaft], key="resize", optional=headings[2:])

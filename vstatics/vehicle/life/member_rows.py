@@ -78,7 +78,7 @@ class MemberRows(NamedTuple):
         return float(self.weights.sum()) + self.standing
 
     def row(self, name: str, *, turning: bool = False) -> MemberRow:
-        """Return torques and revolutions of a name in `Members.resolved`; at rest if unknown."""
+        """Return torques and revolutions by a name of `Members.resolved`; NaN and 0 if unknown."""
         resolved = self.members.resolved(name, turning=turning)
         nothing = MemberRow(np.full(len(self.weights), math.nan), np.zeros(len(self.weights)))
         return self.rows.get(resolved, nothing)

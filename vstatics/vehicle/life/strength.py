@@ -71,7 +71,7 @@ def _life(name: str, strength: TorqueStrength, rows: MemberRows) -> MemberLife:
 
 
 def _worse(torques: Floats, harm: Floats) -> float:
-    """Return the larger of the damages by positive torques and by negative torques."""
+    """Return the damage from positive or from negative torques, whichever is larger."""
     return max(float(harm[torques > 0].sum()), float(harm[torques < 0].sum()))
 
 

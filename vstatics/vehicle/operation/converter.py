@@ -78,9 +78,9 @@ def bare(case: Transmission) -> Transmission:
 
 
 def solved_slips(case: Transmission) -> tuple[Results, Floats]:
-    """Return results of a bare case without slips in rpm, and link speeds by slips [rad/s].
+    """Return results of a bare case with slips in rpm set to 0, and the speeds that slips add.
 
-    The speed of a link is its relative speed times the engine speed, plus its speed by slips.
+    The speed of a link is its relative speed times the engine speed, plus the added speed [rad/s].
     """
     gears = [
         gear._replace(

@@ -96,7 +96,7 @@ class CycleSteps(NamedTuple):
     The free ratio is the largest speed ratio without braking torque.
     """
     at_rest: Floats
-    """Link speeds by slips in rpm while the output is at rest, shape (gears, links). [rad/s]"""
+    """Link speeds from slips in rpm while the output is at rest, shape (gears, links). [rad/s]"""
     engine_speeds: Floats
     """Magnitudes of engine speeds, shape (steps,). [rad/s]"""
     guessed: Sequence[str]

@@ -35,7 +35,7 @@ from vstatics.vehicle.operation.point_loads import (
 )
 
 EXPONENT = 3.0
-"""Exponent of equivalent torques, near the exponent of roller bearings (10/3). [-]"""
+"""Default exponent of equivalent torques, near the exponent of roller bearings (10/3). [-]"""
 
 LARGEST_DUTY = 1e30
 """Largest speed, torque or time of a point in SI units, so that energies stay finite."""
@@ -86,7 +86,7 @@ class Spectrum(NamedTuple):
     are_shares: bool
     """True if points have shares; then energies are powers, and revolutions are per second."""
     damage: Mapping[str, DeviceDamage]
-    """Component name -> fatigue damage by the torques at the points, in their order."""
+    """Component name -> fatigue damage from the torques at the points, in the order of points."""
     exponent: float
     """Exponent of the equivalent torques. [-]"""
     spectrum: Asked[Mapping[str, MemberSpectrum]] = None
@@ -142,7 +142,7 @@ class Spectrum(NamedTuple):
 
 
 DutyResults = Cycle | Spectrum
-"""Results of a duty cycle: of shares by gear, or of operating points."""
+"""Results of a duty cycle, which is given by shares of the gears or by operating points."""
 
 
 def spectrum(

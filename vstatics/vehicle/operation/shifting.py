@@ -95,7 +95,7 @@ class EngineSpeeds(NamedTuple):
     ratios: Floats
     """Engine speed divided by output speed, shape (gears,). [-]"""
     at_rest: Floats
-    """Engine speeds by slips in rpm while the output is at rest, shape (gears,). [rad/s]"""
+    """Engine speeds from slips in rpm while the output is at rest, shape (gears,). [rad/s]"""
     may_turn: Callable[[Floats], Booleans]
     """Function that returns True for speeds [rad/s] within the engine's range."""
     slipping: Collection[int] = ()

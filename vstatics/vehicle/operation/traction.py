@@ -160,7 +160,7 @@ class Traction:
         with np.errstate(all="ignore"):
             self.per_engine = np.abs(output) * vehicle.radius / vehicle.final_drive
             self.at_rest = -added[np.arange(len(outputs)), outputs] / output
-            """Engine speed by a slip in rpm while the vehicle is at rest, by gear. [rad/s]"""
+            """Engine speed from slips in rpm while the vehicle is at rest, by gear. [rad/s]"""
             links = np.array([case.heavy.get(n + 1, 0.0) for n in range(speeds.shape[1])])
             turns = speeds / self.per_engine[:, None]
             for gear, converter in self.converters.items():

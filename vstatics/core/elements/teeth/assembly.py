@@ -61,7 +61,7 @@ def _rows(
 
 
 def assemblable(subject: Subject, choices: Iterable[Teeth]) -> Iterator[Teeth]:
-    """Yield those of `choices` with which the planets can be assembled."""
+    """Yield the tooth numbers in `choices` with which the planets can be assembled."""
     count = subject.element.planets or 1
     if count == 1 or not isinstance(subject, OfPlanets):
         yield from choices

@@ -1,4 +1,4 @@
-"""All doubts about the teeth of gear sets, with nearby teeth that would fit."""
+"""All warnings and notes about the teeth of gear sets, with nearby tooth numbers that would fit."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ _UNCHECKED: Mapping[str, Sequence[tuple[float, float]]] = {
 
 
 def doubts(drawing: Drawing) -> Iterator[Problem]:
-    """Yield the doubts about the teeth of gear sets, in the order of the drawing.
+    """Yield the warnings and notes about the teeth of gear sets, in the order of the drawing.
 
     Parameters
     ----------
@@ -72,7 +72,7 @@ def doubts(drawing: Drawing) -> Iterator[Problem]:
 
 
 def misfits(element: Element) -> Iterator[str]:
-    """Yield the identifiers of the doubts that prevent the assembly of a gear set.
+    """Yield the identifiers of the warnings and notes that prevent the assembly of a gear set.
 
     >>> members, teeth = {"sun": 1, "ring": 2, "carrier": 3}, {"sun": 30, "ring": 75}
     >>> list(misfits(Element("P", "planetary", members, teeth, planets=4)))
@@ -169,9 +169,9 @@ def _usual_teeth(element: Element, random: Random) -> Iterator[Teeth]:
 
 
 def _rule(subject: Subject) -> Callable[[Teeth], bool]:
-    """Return a function that accepts teeth without doubts that other teeth could cure.
+    """Return a function that accepts tooth numbers without warnings that others could remove.
 
-    The teeth must also not add a need of profile shift, or tips that touch.
+    Profile shift and touching tips are accepted only if the present tooth numbers have them, too.
     """
     least = min((wheel.teeth for wheel in subject.wheels().values()), default=0)
     touching = any(doubt.id == TOUCHING for doubt in _wrong(subject))
@@ -190,9 +190,9 @@ def _rule(subject: Subject) -> Callable[[Teeth], bool]:
 
 
 def _with_cures(subject: Subject) -> Iterator[Doubt]:
-    """Yield the doubts about a gear set.
+    """Yield the warnings and notes about a gear set.
 
-    The first doubt that other teeth can cure suggests teeth.
+    The first that other teeth can remove suggests tooth numbers.
     """
     doubts_found = [*_wrong(subject)]
     is_right = _rule(subject)
@@ -218,7 +218,7 @@ def _with_cures(subject: Subject) -> Iterator[Doubt]:
 
 
 def _wrong(subject: Subject, teeth: Teeth | None = None) -> Iterator[Doubt]:
-    """Yield all doubts except about wear, optionally for other teeth than the present teeth."""
+    """Yield all warnings and notes except about wear, optionally for other tooth numbers."""
     if isinstance(subject, OfPlanets):
         yield from of_planets(subject.layout(teeth))
     if subject.element.kind == "bevel":

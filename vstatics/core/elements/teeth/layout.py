@@ -1,4 +1,4 @@
-"""Layout of planets around an axis with their teeth, and the class of doubts about it."""
+"""Layout of planets around an axis with their teeth, and the class of warnings about teeth."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Doubt(NamedTuple):
     message: str
     about: Key | None
     has_cure: bool = True
-    """True if other teeth can remove the doubt."""
+    """True if other tooth numbers can remove the cause."""
 
 
 @dataclass(frozen=True)

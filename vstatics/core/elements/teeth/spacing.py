@@ -24,11 +24,11 @@ PASSING = {
     "double_planet": (("inner", "ring"), ("outer", "sun")),
     "ravigneaux": (("long", "small_sun"),),
 }
-"""Planet rim and central gear that pass closely without meshing, by kind of gear set."""
+"""Pairs of a planet gear and a central gear that pass closely without meshing, by kind of set."""
 
 
 def of_planets(layout: AxisLayout) -> Iterator[Doubt]:
-    """Yield the doubts about the positions of planets."""
+    """Yield warnings and notes about planets that do not fit, or that touch other gears."""
     hopeless = [
         Doubt(
             "W311",

@@ -303,7 +303,7 @@ class _ExpectedTable(NamedTuple):
         return Heading(column, place, implied or None if unit is None else unit)
 
     def named(self, name: str) -> tuple[TableColumn, str] | None:
-        """Return the column with a name or alias, and the unit that the alias implies."""
+        """Return the column that a name or alias means, and the unit that the alias implies."""
         name = _folded(name)
         for column in self.columns:
             if name == column.name:

@@ -1,4 +1,4 @@
-"""Builder of a tree of nodes from the cells of sheets; the tree equals that of a YAML text."""
+"""Builder of a tree of nodes from the cells of sheets; a YAML text gives the same tree."""
 
 from __future__ import annotations
 

@@ -290,7 +290,7 @@ class _Search:
         efficiencies = {}
         for number, law in self.laws.items():
             values: Floats = law.at(*sizes[number])
-            if law.text:  # trial torques can lead to values that are no efficiencies
+            if law.text:  # trial torques can give values outside (0, 1]
                 values = np.clip(np.nan_to_num(values, nan=LEAST_EFFICIENCY), LEAST_EFFICIENCY, 1.0)
             efficiencies[number] = np.where(np.isnan(sizes[number][-1]), np.nan, values)
         return results, efficiencies

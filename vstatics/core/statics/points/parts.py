@@ -1,4 +1,4 @@
-"""Groups of points with equal tooth numbers and other numbers of parts.
+"""Groups of points with equal tooth numbers and other numbers of components.
 
 Each group needs its own case, which a method of `Transmission` creates.
 """
@@ -19,7 +19,7 @@ from vstatics.core.statics.results import Results
 
 
 class CaseOfPoints(NamedTuple):
-    """Case for all points with equal numbers of parts."""
+    """Case for all points at which the numbers of all components are equal."""
 
     chosen: Integers
     """Indices of the points."""
@@ -31,7 +31,13 @@ class CaseOfPoints(NamedTuple):
 
 
 def cases_of_points(case: Transmission, columns: Mapping[str, Floats]) -> Iterator[CaseOfPoints]:
-    """Yield a case for each different set of numbers of parts, from columns in SI units by path.
+    """Yield a case for each group of points at which the numbers of all components are equal.
+
+    Parameters
+    ----------
+    case : Transmission
+    columns : mapping of str to ndarray
+        Values of each number at all points, in SI units, by the path in `part_numbers`.
 
     Raises
     ------

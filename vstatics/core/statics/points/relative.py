@@ -60,7 +60,11 @@ class GearLoad(NamedTuple):
         return None if self.torque is None else np.where(self.torque == 0, self._sign, self.torque)
 
     def unit_of(self, quantity: OfGear) -> Floats | None:
-        """Return the speed or torque to which numbers of a quantity are relative [rad/s, N*m]."""
+        """Return the unit of a relative quantity, shape (points,); None if the load is unknown.
+
+        Speeds are relative to the input speed [rad/s]. External torques are relative to the input
+        torque, all other torques to its magnitude [N*m]. Speed ratios have the unit 1.
+        """
         if quantity in RELATIVE_TO_SPEED:
             return self.speed
         if quantity == "speed_ratios":

@@ -99,7 +99,7 @@ class AxesBoard:
 
     @cached_property
     def idle(self) -> Mapping[int, int]:
-        """Shaft on which each idle gear's link rotates freely until a clutch engages."""
+        """Shaft on which the link of each loose gear rotates freely until a clutch engages."""
         ends = {port.link for port in self.ports}
         shafts: dict[int, int] = {}
         for link in sorted(self.wheels - ends):

@@ -173,7 +173,10 @@ def _in_the_way(
 
 
 def _of_set(tap: Tap, x: float, glyph: Glyph, device: int, drums: frozenset[int]) -> AxisContact:
-    """Return the contact of a gear set member; a link on the far side passes the set edge."""
+    """Return the contact of a gear set member.
+
+    The line of a link on the far side leads around the edge of the gear set.
+    """
     at, half = x - glyph.width / 2 + tap.x, glyph.width / 2 + EDGE
     end = tap.side * tap.depth
     if (tap.side == ABOVE) == (tap.wire in drums):

@@ -118,7 +118,7 @@ def _walk(
 
 
 def chained_state(state: SchemeState, chains: Sequence[CoaxialChain]) -> SchemeState:
-    """Return a state in which ports between rows are idle if the next component has no torque."""
+    """Return a state in which ports between rows are unloaded if the next component is unloaded."""
     idle = set(state.idle_ports)
     for chain in chains:
         for port, nearest in zip(chain.ports, (chain.devices[0], chain.devices[-1]), strict=True):

@@ -194,7 +194,7 @@ def _solved(case: Transmission) -> _Solved:
     @cache
     def solved(engaged: Engaged) -> _SolvedGear:
         state = _state_of(case, engaged)
-        # Without tracing, all values are floats.
+        # Numbers are traced only for many variants, so all values here are floats.
         values = cast("Mapping[str, Any]", values_of(state))
         efficiency, torques = values["efficiency"], values["torques"]
         return _SolvedGear(

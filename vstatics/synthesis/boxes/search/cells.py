@@ -167,7 +167,7 @@ def _is_less(asked: Asked, cells: RatioCells, top: int) -> bool:
 
 @compiled_part
 def _only_ratio(reach: Integers, target: int) -> int:
-    """Return the index of the only gear ratio that can meet a target; -1 if not unique."""
+    """Return the index of the only gear ratio that can meet a target; -1 if none or several can."""
     single = -1
     for ratio in range(len(reach)):
         if (reach[ratio] >> target) & 1:

@@ -28,9 +28,9 @@ class PortGears(NamedTuple):
     elements: int
     """Possible shift elements, as bits."""
     ratio_of: Integers
-    """Index of the ratio of each combination; negative without a ratio, shape (combinations,)."""
+    """Index of the ratio of each combination, shape (combinations,); negative without a ratio."""
     reach: Integers
-    """Targets that each ratio reaches, as bits; 0 after the last ratio; shape (combinations,)."""
+    """Targets that each ratio reaches, as bits, shape (combinations,); 0 after the last ratio."""
     useful: Integers
     """Indices of the combinations that have a ratio, padded with -1, shape (combinations,)."""
     brakes: int

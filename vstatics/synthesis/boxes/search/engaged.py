@@ -29,7 +29,7 @@ class Combinations(NamedTuple):
     """
 
     ends: Integers
-    """Two links of each shift element; negative for the housing, shape (elements, 2)."""
+    """Two links of each shift element, shape (elements, 2); negative for the housing."""
     members: Integers
     """Shift elements of each combination, ascending, shape (combinations, engaged)."""
     masks: Integers

@@ -24,16 +24,15 @@ class PortRoom(NamedTuple):
 
     sets: SetRoom
     lines: Floats
-    """Weights of the corners on a line along each gear-set ratio, from the function `lines`, shape
-    (corners, sets). [-]
-    """
+    """Interpolation weights of corners of the bounds, shape (corners, sets); see `lines`. [-]"""
     ratios: Floats
-    """Numerators and denominators of all different gear ratios, shape (speeds, 2, corners). [-]"""
+    """Numerators and denominators of the different gear ratios, shape (speeds, 2, corners). [-]"""
     within: Floats
-    """All different gear ratios at a point within the bounds, shape (speeds,). [-]"""
+    """Values of the different gear ratios at a point within the bounds, shape (speeds,). [-]"""
     kinds: Integers
-    """Index of the gear ratio for each row of link speeds; negative without a ratio, shape
-    (speeds,).
+    """Index of the gear ratio that each row of link speeds gives, shape (speeds,).
+
+    Negative if a row gives no ratio that reaches a target.
     """
     parts: Floats
     """Numerators and denominators of the gear ratios of an element set, shape (combinations of a

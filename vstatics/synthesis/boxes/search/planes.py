@@ -24,7 +24,7 @@ class PlaneRoom(NamedTuple):
     """Work arrays for planes; a cell extends from -1 to 1 along each gear-set ratio."""
 
     only_ratios: Integers
-    """Index of the only gear ratio that can meet each target; negative for several, (targets,)."""
+    """Index of the only gear ratio that can meet each target, shape (targets,); else negative."""
     values: Floats
     """Values of a polynomial at the corners, shape (corners,). [-]"""
     planes: Floats

@@ -86,8 +86,9 @@ def divide(above: Floats, below: Floats, within: Floats) -> None:
     ----------
     above, below : array, shape (corners,)
     within : array, shape (corners, sets)
-        Weights of the corners on a line along each gear-set ratio j: corners with bit j clear give
-        the value at its lower end, corners with bit j set the value at its upper end. [-]
+        Weights from the function `lines`. On the line along gear-set ratio j, the corners with bit
+        j clear give the value at the lower end, the corners with bit j set the value at the upper
+        end. [-]
 
     Examples
     --------
@@ -139,7 +140,10 @@ def _independent(above: Floats, below: Floats, within: Floats) -> int:
 
 
 def lines(sets: int) -> Floats:
-    """Return the weights of corners on lines through a point within the bounds, for `divide`.
+    """Return interpolation weights of the corners of the bounds, for `divide`.
+
+    Column j gives the values at both ends of a line along gear-set ratio j. All lines pass through
+    the same point within the bounds.
 
     >>> lines(2)[:, 0]  # along the first ratio, with the second fixed
     array([0.58578644, 0.58578644, 0.41421356, 0.41421356])

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class GearMode(NamedTuple):
-    """Natural mode of a gear, with its participation of the input."""
+    """Natural mode of a gear, and how much the input moves in the mode."""
 
     gear: str
     place: int

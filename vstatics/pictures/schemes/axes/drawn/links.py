@@ -31,7 +31,7 @@ class AxesSheet(SchemeInk):
 
     placing: AxesPlaces
     labels: Mapping[int, Sequence[DeviceLabel]]
-    """Names of components and tooth numbers with positions, by the index of the component."""
+    """Names and tooth numbers of each component, with their positions, by its index."""
 
     def is_used(self, index: int, link: int) -> bool:
         """Return True if torque passes between a link and a component.
