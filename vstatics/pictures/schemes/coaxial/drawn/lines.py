@@ -50,10 +50,12 @@ def wires_of(layout: CoaxialLayout) -> Wires:
     lines = [line for up, at in uprights for line in _upright_lines(layout, up, at)]
     met = [point for up, at in uprights for point in _meets(layout, up, at)]
     ends = grouped(
-        (bar, at + off)
-        for up, at in uprights
-        for bar, offs in met_by(layout, up).items()
-        for off in offs
+        [
+            (bar, at + off)
+            for up, at in uprights
+            for bar, offs in met_by(layout, up).items()
+            for off in offs
+        ]
     )
     for bar, xs in ends.items():
         y = places.heights[bar]
