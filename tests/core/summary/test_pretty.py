@@ -47,14 +47,6 @@ def gear_lines(text: str) -> list[str]:
     return lines[: next(place for place, line in enumerate(lines) if " port " in line)]
 
 
-def test_a_table_that_scrolls_repeats_its_headings_at_the_end() -> None:
-    gears = "".join(f"  {gear}: [B]\n" for gear in range(1, 9))
-    long = HUB.format(ratio=-2.5).partition("gears:")[0] + f"gears:\n{gears}"
-    heads = [line for line in shown(long).splitlines() if line.startswith(" gear  port")]
-    assert len(heads) == 2
-    assert shown(long).rstrip().endswith(heads[0].rstrip())
-
-
 def rows(text: str) -> dict[str, list[str]]:
     lines = [line.split() for line in gear_lines(text) if line.startswith(" ")]
     return {words[0]: words for words in lines if words}

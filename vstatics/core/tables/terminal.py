@@ -13,9 +13,6 @@ from rich.text import Text
 
 from vstatics.core.tables.grid import Cell, Grid
 
-ROWS_ON_SCREEN = 20
-"""Number of rows above which a table repeats its headings at the end."""
-
 
 class _TerminalColumn(NamedTuple):
     """Column for a terminal: heading, texts, and three widths in characters."""
@@ -94,12 +91,10 @@ def _column(grid: Grid, group: Sequence[int]) -> _TerminalColumn:
 
 def _table(columns: Sequence[_TerminalColumn], width: int) -> RichTable:
     table = RichTable(box=box.SIMPLE_HEAD, padding=(0, 1, 0, 0), pad_edge=False)
-    table.show_footer = len(columns[0].texts) > ROWS_ON_SCREEN
     for number, (column, column_width) in enumerate(
         zip(columns, _widths(columns, width), strict=True)
     ):
         table.add_column(
-            column.heading,
             column.heading,
             justify="right" if column.is_number else "left",
             style="" if number or not column.may_fold else "bold",
