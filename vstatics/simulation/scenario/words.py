@@ -17,7 +17,6 @@ _TRUTH = ("on", "off", "yes", "no", "true", "false")
 """Names that YAML readers can interpret as true or false."""
 _TAKEN = {*VARIABLES, *OF_MOTION, *OF_TORQUES, *OF_EVENTS, *FUNCTIONS, *PYTHON, PI}
 _TAKEN |= {"and", "or", "not"}
-_NO_TABLES: Mapping[str, LookupTable] = EMPTY
 
 
 def vocabulary(
@@ -25,7 +24,7 @@ def vocabulary(
     *,
     numbers: Mapping[str, float] = EMPTY,
     values: Collection[str] = (),
-    tables: Mapping[str, LookupTable] = _NO_TABLES,
+    tables: Mapping[str, LookupTable] = EMPTY,
     converters: Collection[str] = (),
 ) -> Vocabulary:
     """Return the names that formulas of a scenario can use.

@@ -32,9 +32,6 @@ from vstatics.synthesis.ratios.search import found_ratios
 TOLERANCE = 0.005
 """Default largest deviation ``|ln(i/target)|`` of a ratio that counts as met, 0.5 %. [-]"""
 
-_NONE: Mapping[str, float] = EMPTY
-_NO_BOUNDS: Mapping[str, tuple[float, float]] = EMPTY
-
 
 class FitSolution(NamedTuple):
     """Ratios of mechanisms and the resulting gear ratios."""
@@ -76,8 +73,8 @@ def fit(  # noqa: PLR0913 - all but the first two by name
     case: Transmission,
     ratios: Mapping[str, float],
     *,
-    bounds: Mapping[str, tuple[float, float]] = _NO_BOUNDS,
-    weights: Mapping[str, float] = _NONE,
+    bounds: Mapping[str, tuple[float, float]] = EMPTY,
+    weights: Mapping[str, float] = EMPTY,
     tolerance: float = TOLERANCE,
     advance: Advance = untold,
 ) -> Fit:

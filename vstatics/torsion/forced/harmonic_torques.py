@@ -76,9 +76,7 @@ class Harmonic(NamedTuple):
             try:
                 link = _rotating(case, name) if name else at
             except ValueError as error:
-                raise CaseError(
-                    "E505", f"the torque acts on a link that is wrong: {error}"
-                ) from None
+                raise CaseError("E505", f"link of a harmonic torque: {error}") from None
             torques[link] = torques.get(link, 0.0) + torque
         return torques
 

@@ -192,7 +192,7 @@ def _rule(subject: Subject) -> Callable[[Teeth], bool]:
 def _with_cures(subject: Subject) -> Iterator[Doubt]:
     """Yield the warnings and notes about a gear set.
 
-    The first that other teeth can remove suggests tooth numbers.
+    The first that other tooth numbers would remove suggests such numbers.
     """
     doubts_found = [*_wrong(subject)]
     is_right = _rule(subject)
