@@ -178,3 +178,27 @@ def test_a_load_that_contradicts_the_pump_is_reported() -> None:
             assert f"this vibration is about {one.torque:.5g} N*m at the input" in text
         told += len(gear.warnings)
     assert 0.3 < told / tries < 0.9
+
+
+def test_beside_a_slipping_lock_up_a_converter_damps_at_the_speed_ratio_of_the_slip() -> None:
+    """The pump takes M = 3e-3 (w_P - w_T) w_P, the turbine has (2 - w_T/w_P) M; at 200 and 190 rad/s.
+
+    The two inertias therefore decay to a common course: dM/dw_P = 0.63, dM/dw_T = -0.6, and the
+    same for the turbine by the product rule.
+    """
+    text = """links: [engine, turbine]
+load: {speed: 200 rad/s, torque: 90 N*m}
+shift_elements: {LU: [engine, turbine]}
+inertias: {engine: 0.2, turbine: 0.5}
+mechanisms:
+  TC: {kind: converter, first: engine, second: turbine, points: [[0, 2, 3e-3], [1, 1, 0]]}
+gears: {slip: {slip: {LU: 10 rad/s}}}
+"""
+    pump, i = 3e-3 * 10 * 200, 0.95
+    by_speeds = np.array([0.63, -0.6])
+    matrix = np.array(
+        [-by_speeds / 0.2, (by_speeds * (2 - i) + pump * np.array([i, -1]) / 200) / 0.5]
+    )
+    [gear] = modes(loads(text))
+    expected = [root for root in np.linalg.eigvals(matrix) if abs(root) > 1e-9]
+    assert sorted(gear.damped, key=abs) == pytest.approx(sorted(expected, key=abs))

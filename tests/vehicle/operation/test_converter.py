@@ -413,6 +413,38 @@ def test_a_gear_with_a_slip_beside_the_converter_is_omitted() -> None:
     assert [(p.id, p.path) for p in error.value.problems] == [("E428", (1,))]
 
 
+LOCK_UP = """links: [engine, turbine, output]
+load: {speed: 2000 rpm, torque: 200 N*m}
+shift_elements: {LU: [engine, turbine]}
+inertias: {engine: 0.2, turbine: 0.05}
+mechanisms:
+  TC: {kind: converter, first: engine, second: turbine, points: [[0, 2, 3e-3], [1, 1, 0]]}
+  P: {first: turbine, second: output, ratio: 3, efficiency: 0.97}
+gears: {creep: {slip: {LU: 5 rad/s}}}
+vehicle: {mass: 1500, radius: 0.3, final_drive: 3, engine: [[0, 200], [900, 200]]}
+"""
+
+
+def test_beside_a_slipping_lock_up_the_engine_turns_faster_by_the_slip() -> None:
+    """The force of 1500 kg at 1 m/s^2 has 150 N*m at the output, which gains 10 rad/s a second."""
+    case = loads(LOCK_UP)
+    assert not list(doubts(case))
+    cycle = drive(case, read_trace(b"time [s],speed [m/s]\n0,9\n2,11\n", "t.csv"), GearChoice())
+    turbine, w = 150 / (3 * 0.97) + 0.05 * 30, 300 + 5
+    i = 300 / w
+    pump = 3e-3 * (1 - i) * w**2
+    clutch = turbine - (2 - i) * pump
+    engine = clutch + pump + 0.2 * 30
+    assert cycle.energy.engine == pytest.approx(engine * w * 2)
+    converter = pump * w * (1 - (2 - i) * i)
+    lost = {"P": 150 * 100 * 0.03 / 0.97 * 2, "TC": converter * 2, "slip.LU": clutch * 5 * 2}
+    assert cycle.energy.lost == pytest.approx(lost)
+    assert performance(case).gears["creep"].top_speed == pytest.approx(3.6 * 895 / 30)
+    # the turbine has 200 + (K - 1) 3e-3 (1 - i) w^2 N*m, with (K - 1) w = (1 - i) w = 5 rad/s
+    force = (200 + 3e-3 * 5**2) * 3 * 0.97 * 3 / 0.3
+    assert performance(case).gears["creep"].slope == pytest.approx(force / 1500 / 9.81)
+
+
 @pytest.mark.parametrize(
     ("command", "further"),
     [

@@ -114,8 +114,9 @@ def constraints(file: str, results: Results) -> Grid:
         faults += [TIED_UP.english] * bool(tied_up)
         faults += [CONFLICT.english] * bool(conflict)
         count = given_constraints(gear) + len(holding)
+        # These converters impose no constraint on speeds, and the slip replaces others.
         converters = case.unloaded_converters(with_engaged(gear, holding))
-        needed = free + len(converters)  # a converter imposes no constraint on speeds
+        needed = free + len(converters) + len(results.gear_at(index).gear.pump_torques)
         state = f"{count} of {needed} constraints: {', '.join(faults) or 'ok'} (engaged: {engaged})"
         rows.append((f"gear {gear.name}", state))
     title = f"{file}: {', '.join(counts)}; degrees of freedom: {free}"

@@ -29,6 +29,8 @@ class ConverterPoint(NamedTuple):
     """Speed of the pump, if the load determines the speed ratio. [rad/s]"""
     torque: Sometimes[float] = None
     """Torque on the pump with losses, if the load determines the speed ratio. [N*m]"""
+    by_slip: Sometimes[bool] = None
+    """True if the slip of a shift element determines the speed ratio."""
 
 
 CONVERTERS = "Converters: the torques M and -K M on the links, with and without losses"
@@ -65,6 +67,7 @@ def converter_points(state: GearState, given: Gear) -> list[ConverterPoint]:
                 factor=float(pump_factor(converter.points, ratio)),
                 speed=speed,
                 torque=torque * case.torque_unit(state.gear),
+                by_slip=bool(state.gear.pump_torques) or None,
             )
         points.append(point)
     return points
@@ -84,12 +87,18 @@ def sought_ratio(point: ConverterPoint) -> Iterator[str]:
     """Yield the equation of the pump, which determines the speed ratio, in words and in numbers."""
     if point.factor is None:
         return
-    yield tr(
-        "The speed ratio i of {name} follows from the load: M = lambda(i) w |w|, with the torque M "
-        "on its pump with losses and the speed w of its pump. lambda is interpolated linearly "
-        "between its points. Of several solutions, i is the largest.",
-        name=point.converter,
-    )
+    if point.by_slip:
+        text = (
+            "The slip determines the speed ratio i of {name}. The pump takes the torque M = "
+            "lambda(i) w |w| at its speed w. lambda is interpolated linearly between its points."
+        )
+    else:
+        text = (
+            "The speed ratio i of {name} follows from the load: M = lambda(i) w |w|, with the "
+            "torque M on its pump with losses and the speed w of its pump. lambda is interpolated "
+            "linearly between its points. Of several solutions, i is the largest."
+        )
+    yield tr(text, name=point.converter)
     yield tr(
         "{name}: i = {ratio}, lambda = {factor} N*m*s^2, w = {speed} rad/s, M = {torque} N*m.",
         name=point.converter,

@@ -15,10 +15,11 @@ from vstatics.core.model.transmission import HOUSING, Gear, SpeedOf, Transmissio
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.traced import plain
 from vstatics.core.statics.matrix import (
-    always_loaded,
+    always_coupled,
     external_torques,
     held_links,
     loaded_devices,
+    pump_torques,
     speed_row_names,
 )
 from vstatics.core.statics.torques import Torques
@@ -38,7 +39,7 @@ def speed_system(
     speeds : sequence of float
         Speed of each link. [-]
     """
-    always = always_loaded(case, gear)
+    always = always_coupled(case, gear)
     slips = {number - 1: float(slip) for number, slip in gear.slip.items()}
     devices = [*always, *(number - 1 for number in gear.carrying)]
     rows: list[tuple[list[Term], float]] = [
@@ -93,6 +94,9 @@ def torque_system(  # noqa: PLR0913 - all parameters are parts of the equations
         for link, row in enumerate(rows)
         if link != HOUSING
     ]
+    for device, torque in pump_torques(case, gear).items():
+        row = [Term(names.torques[device], "1", 1.0)]
+        equations.append(Equation(case.devices[device], row, torque))
     return System(equations, values)
 
 

@@ -244,7 +244,8 @@ def _with_pairs(results: Results, number: int) -> tuple[Transmission, Results]:
         if mechanism.kind == "converter":
             converters[place] = mechanism._replace(ratio=ratio)
             mechanisms[place] = mechanism._replace(kind="variator", ratio=ratio, points=())
-    pairs = replace(case, mechanisms=mechanisms, gears=[given]).as_pairs(given)
+    gear = given._replace(pump_torques=state.gear.pump_torques)
+    pairs = replace(case, mechanisms=mechanisms, gears=[gear]).as_pairs(gear)
     assert pairs is not None  # noqa: S101 - every speed ratio is known, and not 0
     loaded = [converters.get(place, pair) for place, pair in enumerate(pairs.mechanisms)]
     return pairs, solve(replace(pairs, mechanisms=loaded))

@@ -692,6 +692,9 @@ class Gear(NamedTuple):
     loss_torques : mapping of int to float
         Torque by which `loss` brakes the input link, relative to the input torque, by link number.
         Only the solver sets this field. [-]
+    pump_torques : mapping of int to float
+        Torques on the pumps of converters beside slipping lock-up clutches, relative to the input
+        torque, numbered as in `speed_ratios`. Only the solver sets this field. [-]
     open : sequence of int
         Disengaged converters, which transmit no torque in this gear, numbered as in `speed_ratios`.
 
@@ -723,6 +726,7 @@ class Gear(NamedTuple):
     loss: Law | None = None
     holding: tuple[int, ...] | None = None
     loss_torques: Mapping[int, float] = EMPTY
+    pump_torques: Mapping[int, float] = EMPTY
     open: Sequence[int] = ()
 
     @property

@@ -341,6 +341,7 @@ def _gear(case: Transmission, gear: Gear, number: int) -> Gear:
         drag=_by_load(gear.drag, abs(torque)),
         open_drag=_by_load(gear.open_drag, abs(torque)),
         loss_torques=_by_load(gear.loss_torques, abs(torque)),
+        pump_torques=_by_load(gear.pump_torques, torque),
         balance=gear.balance
         and gear.balance._replace(efficiencies=tuple(gear.balance.efficiencies)),
         speed_ratios={number: float(ratio) for number, ratio in gear.speed_ratios.items()},

@@ -417,7 +417,7 @@ def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     case, repeated, same = results.case, list[str](), list[str]()
     rows = matrix.speed_rows(case, gear, _rows(case, gear))
     names = matrix.speed_row_names(case, gear)
-    always = len(matrix.always_loaded(case, gear))
+    always = len(matrix.always_coupled(case, gear))
     at_ratios = _speed_ratios(results, number, gear)
     slipping = [element.name for element in case.elements_at(gear.slipping)]
     for involved, agrees in elimination.dependencies(rows):
@@ -537,10 +537,12 @@ def _driving_messages(results: Results, number: int) -> Iterator[Said]:
         size, side = relative, "below" if slip > 0 else "above"
         if isinstance(slip, OfLoad):
             size, side = f"{slip.given:g} rpm", "below" if slip.given > 0 else "above"
+        nearer = "nearer to 0 or " * bool(state.gear.pump_torques)  # where the pump takes less
         yield Said(
             "W438",
             f"with a slip of {size}, {case.shift_elements[element - 1].name} would give power "
-            f"instead of taking it, so there are no torques; only a slip {side} 0 is possible",
+            f"instead of taking it, so there are no torques; only a slip "
+            f"{nearer}{side} 0 is possible",
         )
 
 

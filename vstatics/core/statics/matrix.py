@@ -215,18 +215,18 @@ def speed_rows(case: Transmission, gear: Gear, rows: Sequence[Column]) -> list[E
     Mechanisms have the equation ``w_f - u w_s + (u - 1) w_h = 0``, shift elements ``w_a - w_b =
     slip``, where the slip of an engaged element is 0. The equation of a spring states that its
     twist is constant. Further equations are ``w_input = 1`` and one for each prescribed speed,
-    which is a number or a multiple of another link's speed (figure 3). A converter that is bypassed
-    or open has no equation.
+    which is a number or a multiple of another link's speed (figure 3). `always_loaded` devices have
+    an equation, except converters whose speed ratio the slip of a shift element determines.
 
     Parameters
     ----------
     rows : sequence of Column
         Speed equations of all devices, from `rows`.
     """
-    always = always_loaded(case, gear)
+    coupled = always_coupled(case, gear)
     equations: list[Equation] = [
         {link - 1: part for link, part in rows[device].items()}
-        for device in [*always, *(number - 1 for number in gear.engaged)]
+        for device in [*coupled, *(number - 1 for number in gear.engaged)]
     ]
     for number, slip in gear.slip.items():
         of_links = {link - 1: part for link, part in rows[number - 1].items()}
@@ -249,7 +249,7 @@ GIVEN_SPEED = "the given speed of link "
 def speed_row_names(case: Transmission, gear: Gear) -> list[str]:
     """Return the name of each equation of `speed_rows`, for messages."""
     return [
-        *(case.devices[device] for device in always_loaded(case, gear)),
+        *(case.devices[device] for device in always_coupled(case, gear)),
         *(element.name for element in case.elements_at(gear.carrying)),
         INPUT_SPEED,
         *(f"{GIVEN_SPEED}{case.link_name(link)}" for link in gear.speeds),
@@ -267,7 +267,8 @@ def torque_rows(
 
     The system is ``A M + e_out Mx - E_held Mh = T`` with the matrix A of `columns`, the torques M
     on first links, the output torque Mx, the holding torques Mh, and the known external torques T
-    including drag. e_out and E_held contain 1 for the output link and for the held links.
+    including drag. e_out and E_held contain 1 for the output link and for the held links. The known
+    torque on the pump of a converter (`Gear.pump_torques`) is a further equation.
 
     Unknowns are the torque on the first link of each of `loaded_devices`, the output torque, and
     the holding torque of each of `held_links`. A disengaged shift element carries no torque, so it
@@ -293,6 +294,8 @@ def torque_rows(
         torques[link] = torques.get(link, 0.0) + torque
     for link, torque in torques.items():
         rows[link - 1][RIGHT] = torque
+    for device, torque in pump_torques(case, gear).items():
+        rows.append({loaded.index(device): 1.0, RIGHT: torque})
     return [*rows]
 
 
@@ -314,6 +317,21 @@ def always_loaded(case: Transmission, gear: Gear) -> list[int]:
     left_out |= {n for n, spring in enumerate(case.springs, mechanisms) if spring.is_damper}
     number = elements + mechanisms + len(case.springs)
     return [device for device in range(elements, number) if device - elements not in left_out]
+
+
+def always_coupled(case: Transmission, gear: Gear) -> list[int]:
+    """Return the device indices of mechanisms and springs that have a speed equation."""
+    known = pump_torques(case, gear)
+    return [device for device in always_loaded(case, gear) if device not in known]
+
+
+def pump_torques(case: Transmission, gear: Gear) -> dict[int, Any]:
+    """Return the known torques on the pumps of converters by device [-]; see `Gear`."""
+    first = case.among_devices.start + case.own_mechanisms.start - 1
+    return {
+        first + number: given_torque(case, gear, torque)
+        for number, torque in gear.pump_torques.items()
+    }
 
 
 def held_links(case: Transmission, gear: Gear) -> list[int]:

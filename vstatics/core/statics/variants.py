@@ -42,7 +42,9 @@ _lock = threading.Lock()
 
 OfMechanism = Literal["ratio", "efficiency", "back_efficiency"]
 """Property of a mechanism that can vary in a gear."""
-OfGear = Literal["speeds", "slip", "torques", "drag", "open_drag", "loss_torques", "speed_ratios"]
+OfGear = Literal[
+    "speeds", "slip", "torques", "drag", "open_drag", "loss_torques", "pump_torques", "speed_ratios"
+]
 """Field of `Gear` that is a mapping of numbers that can vary."""
 
 
@@ -293,7 +295,7 @@ def _torque_key(case: Transmission, gear: Gear) -> tuple[Hashable, ...]:
     """Return the external torques of a gear if its input torque is 0, else an empty tuple."""
     if case.input_torque(gear):
         return ()
-    by_part = gear.torques, gear.drag, gear.open_drag, gear.loss_torques
+    by_part = gear.torques, gear.drag, gear.open_drag, gear.loss_torques, gear.pump_torques
     given = [torque for torques in by_part for torque in torques.values()]
     return (0.0, *(matrix.given_torque(case, gear, torque) for torque in given))
 

@@ -17,7 +17,7 @@ from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.elimination import RIGHT, Coefficient
 from vstatics.core.numerics.tolerances import NO_SENSITIVITY
 from vstatics.core.numerics.traced import plain
-from vstatics.core.statics.matrix import always_loaded, speed_rows
+from vstatics.core.statics.matrix import always_coupled, speed_rows
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
 from vstatics.core.statics.state import GearState
@@ -71,7 +71,7 @@ def _of_speeds(state: GearState) -> list[float]:
     by_link[output - 1][RIGHT] = 1.0
     weights = elimination.solve(by_link, len(equations)).values
     by_device = dict(
-        zip(always_loaded(case, state.gear), weights, strict=False)
+        zip(always_coupled(case, state.gear), weights, strict=False)
     )  # mechanisms are first
     changes = []
     for place, (mechanism, u, motion) in enumerate(

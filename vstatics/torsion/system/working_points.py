@@ -22,7 +22,7 @@ from vstatics.core.model.open_converters import with_mechanisms, with_open_conve
 from vstatics.core.model.parts import RAD_PER_RPM
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.statics.carried import disagree, disagreement, torque_of_pump
-from vstatics.core.statics.result_arrays import first_rows
+from vstatics.core.statics.result_arrays import first_rows, row_names
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
 from vstatics.core.suggestions import nearest
@@ -127,6 +127,7 @@ class _WorkingPoints:
     def working_gear(self, given: Ratios) -> WorkingGear:
         ratios = self._given() | dict(given)
         self.driving = [pump for pump in self.closed if pump.name in ratios]
+        ratios = self._by_slip() | ratios
         unknown = [converter for converter in self.closed if converter.name not in ratios]
         if len(unknown) == 1:
             ratios[unknown[0].name] = self._ratio(unknown[0], ratios)
@@ -146,6 +147,21 @@ class _WorkingPoints:
             links = converter.pump - 1, converter.turbine - 1
             working.append(working_converter(name, links, converter.points, ratio, speed))
         return WorkingGear(case, case.gears[0], tuple(working), doubts)
+
+    def _by_slip(self) -> dict[str, float]:
+        """Return the speed ratio of a converter beside a slipping lock-up clutch.
+
+        The clutch is then disengaged, because it transmits no vibration.
+        """
+        if not self.gear.slipping or self.load.speed is None or self.load.torque is None:
+            return {}
+        results = solve(self.case.replace(gears=[self.case.gears[self.path[1] - 1]]))
+        if not results.gear_at(0).gear.pump_torques:
+            return {}
+        self.gear = self.gear._replace(slip={})
+        names = row_names(self.case, "converters")
+        ratios = dict(zip(names, results.speed_ratio[0].tolist(), strict=True))
+        return {name: ratio for name, ratio in ratios.items() if not math.isnan(ratio)}
 
     def _joined(self) -> Iterator[tuple[str, float]]:
         """Yield the names and speed ratios of converters bridged by other components.

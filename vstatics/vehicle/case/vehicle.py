@@ -243,7 +243,7 @@ def beside_engine(case: TransmissionFields, gear: Gear) -> str:
     """Return the reason why the engine does not alone drive a gear at a fixed ratio, or "".
 
     A vehicle cannot be driven in such a gear. A case does not describe how other machines are
-    controlled, and a slip is unknown if a converter determines the engine speed.
+    controlled, and a slip is unknown if a free converter determines the engine speed.
 
     >>> from vstatics import Mechanism, Transmission
     >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.0)], [Gear(speeds={2: 0.4})])
@@ -252,7 +252,7 @@ def beside_engine(case: TransmissionFields, gear: Gear) -> str:
     """
     if gear.balance:
         return "a balance"
-    if gear.slipping and case.sought_converters(gear):
+    if gear.slipping and free_converters(case, gear):
         return "a slip beside a converter that finds its speed ratio"
     for quantity, numbers in (("speed of", gear.speeds), ("torque on", gear.torques)):
         links = [
@@ -261,6 +261,15 @@ def beside_engine(case: TransmissionFields, gear: Gear) -> str:
         if links:
             return f"a given {quantity} {spoken([case.link_name(link) for link in links])}"
     return ""
+
+
+def free_converters(case: TransmissionFields, gear: Gear) -> list[int]:
+    """Return the indices of converters whose speed ratio depends on the load of a gear.
+
+    The slip of a slipping lock-up clutch determines the speed ratio.
+    """
+    locked = case.bypassed(gear._replace(engaged=gear.carrying, slip={}))
+    return [place for place in case.sought_converters(gear) if place not in locked]
 
 
 def vehicle_record(case: TransmissionFields) -> dict[str, Any] | None:

@@ -24,7 +24,7 @@ from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 from vstatics.core.statics.result_arrays import first_rows
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
-from vstatics.vehicle.case.vehicle import beside_engine
+from vstatics.vehicle.case.vehicle import beside_engine, free_converters
 from vstatics.vehicle.tolerances import LEAST_EXCESS, NO_SPEED, SAME_SPEED
 
 INTERVALS = 2
@@ -70,7 +70,7 @@ def bare(case: Transmission) -> Transmission:
     gears = []
     for gear in case.gears:
         ratios = dict(gear.speed_ratios)
-        for place in case.sought_converters(gear):
+        for place in free_converters(case, gear):
             points = np.array(case.mechanisms[place].points)
             ratios[place + 1 - case.own_mechanisms.start] = free_ratio(points)
         gears.append(gear._replace(load=None, coast=None, speed_ratios=ratios))
@@ -104,7 +104,7 @@ def converters_of(case: Transmission) -> dict[int, ConverterGear]:
     gears = {
         index: ConverterGear.of(case, index)
         for index, gear in enumerate(case.gears)
-        if case.sought_converters(gear) and not beside_engine(case, gear)
+        if free_converters(case, gear) and not beside_engine(case, gear)
     }
     return {index: gear for index, gear in gears.items() if gear}
 

@@ -180,3 +180,48 @@ def test_all_ratios_that_agree_are_reported(draw: Callable[[Random], Drawn], see
         found = [float(results.speed_ratio[0, 0]), *results.points.other_ratios[0]]
         assert found == pytest.approx(expected, rel=0, abs=1e-10), case.text
         several += 1
+
+
+LOCK_UP = """links: [engine, turbine, ring, output]
+load: {{speed: {speed} rad/s, torque: {torque} N*m}}
+shift_elements: {{LU: [engine, turbine], B: [ring, housing]}}
+mechanisms:
+  TC: {{kind: converter, first: engine, second: turbine, points: {points}}}
+  P: {{first: turbine, second: ring, third: output, ratio: {u}, efficiency: {eta}}}
+drag: {{engine: {drag} N*m}}
+gears: {{slip: {{engaged: [B], slip: {{LU: {slip} rad/s}}}}}}
+"""
+
+
+def test_beside_a_slipping_lock_up_the_slip_determines_the_speed_ratio() -> None:
+    """The pump takes lambda w |w|, and the clutch carries the rest, in the direction of its slip."""
+    rng, kinds = seeded(515), set()
+    for _ in range(count(60, 600)):
+        points = [[0, rng.uniform(1.8, 2.5), 0.003], [0.9, 1.0, rng.uniform(0.001, 0.002)]]
+        points += [[1.0, 1.0, 0.0], [1.3, 1.0, -rng.uniform(0.001, 0.002)]]
+        w, torque = rng.choice([-1, 1]) * rng.uniform(60, 400), rng.uniform(-300, 300)
+        u, eta, drag, slip = -rng.uniform(1.5, 4), 0.96, rng.choice([0, 4]), rng.uniform(-20, 80)
+        text = LOCK_UP.format(
+            speed=w, torque=torque, points=points, u=u, eta=eta, drag=drag, slip=slip
+        )
+        results = solve(loads(text))
+        ratio = 1 - slip / w
+        of_points, multiplied, factor = np.transpose(points)
+        pump = np.interp(ratio, of_points, factor) * w * abs(w)
+        clutch = torque - math.copysign(drag, w) - pump
+        k = np.interp(ratio, of_points, multiplied)
+        turbine = clutch + k * pump
+        loses = clutch * slip >= 0 and pump * w * (1 - k * ratio) >= -1e-12
+        if not (0 <= ratio <= 1.3 and loses) or turbine * torque <= 0:
+            assert np.isnan(results.lossy_torques).all(), text
+            kinds.add([said.id for said in results.messages][-1])
+            continue
+        x = 1 if turbine * w > 0 else -1
+        ring = u * eta**x * turbine
+        expected = [clutch, ring, pump, turbine, turbine - ring]
+        assert results.lossy_torques_Nm[0].tolist() == pytest.approx(expected, abs=1e-9), text
+        assert results.slip_losses_kW[0, 0] == pytest.approx(clutch * slip / 1000, abs=1e-12)
+        assert results.speed_ratio.tolist() == [[pytest.approx(ratio)]]
+        assert abs(results.power_balance[0]) < 1e-12
+        kinds.add("torques")
+    assert kinds >= {"torques", "W431", "W438"}

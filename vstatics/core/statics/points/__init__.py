@@ -48,7 +48,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 
-CONSEQUENCES = frozenset({"W418", "W420", "W423", "W424"})
+CONSEQUENCES = frozenset({"W418", "W420", "W423", "W424", "W438"})
 """Ids of messages about missing torques, omitted if W426, W427, W431 or W433 states the cause."""
 
 

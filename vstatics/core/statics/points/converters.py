@@ -4,6 +4,9 @@ The torque M that the gear (with all losses) gives to the pump, and the speed w 
 on the speed ratio i. At the working point ``M = lambda(i) w |w|``, equation (1.38) of Tsitovich and
 Algin, 1981. The module `roots` searches all speed ratios between the first and the last point of
 the converter. If there are several solutions, the largest speed ratio is used.
+
+In a gear with a slipping lock-up clutch, the slip determines i. The pump takes its torque, and the
+clutch carries the rest.
 """
 
 from __future__ import annotations
@@ -30,8 +33,9 @@ from vstatics.core.numerics.tolerances import (
 from vstatics.core.statics.carried import pump_factor
 from vstatics.core.statics.matrix import torque_ratio_of
 from vstatics.core.statics.physical import RELATIVE_TO_INPUT
-from vstatics.core.statics.points.laws import Followed
+from vstatics.core.statics.points.laws import Followed, without_laws
 from vstatics.core.statics.points.paths import CaseNumber, Columns
+from vstatics.core.statics.points.relative import solve_points
 from vstatics.core.statics.points.roots import Follow, Roots, find_roots
 from vstatics.core.statics.result_arrays import first_rows, row_names
 from vstatics.core.statics.results import Results
@@ -178,7 +182,7 @@ def _is_alone(case: Transmission, gear: Gear, place: int) -> bool:
     joining: list[Iterable[int]] = [
         element.links
         for number, element in enumerate(case.shift_elements, 1)
-        if number in gear.engaged or number in freewheels or drag[number]
+        if number in gear.carrying or number in freewheels or drag[number]
     ]
     joining += [part.links for n, part in enumerate(case.mechanisms) if n != place]
     joining += [spring.form for spring in case.springs]
@@ -221,7 +225,11 @@ def with_found_ratios(
         for part in TRIALS
     ]
     columns = {**given, **trials[0]}
-    roots = _roots(sought, columns, variants, follow)
+    by_slip = _ratios_by_slip(case, sought, given, variants)
+    roots = _roots([ratio for ratio in sought if ratio not in by_slip], columns, variants, follow)
+    for ratio, (at_slip, torque) in by_slip.items():
+        columns[ratio.number._replace(quantity="pump_torques")] = torque
+        roots[ratio] = Roots(at_slip[np.newaxis], np.isfinite(torque))
     state = np.zeros((variants, len(case.gears)), np.int8)
     others: dict[int, Floats] = {}
     for ratio in sought:
@@ -240,6 +248,35 @@ def with_found_ratios(
     return solution._replace(
         results=results, open=np.where(state, state, solution.open), others=others
     )
+
+
+def _ratios_by_slip(
+    case: Transmission, sought: Sequence[SoughtRatio], given: Columns, variants: int
+) -> dict[SoughtRatio, tuple[Floats, Floats]]:
+    """Return speed ratios [-] and pump torques [N*m] of converters beside a slipping lock-up."""
+    beside = {
+        ratio.gear: ratio for ratio in sought if case.gears[ratio.gear].slip and not ratio.is_alone
+    }
+    if not beside:
+        return {}
+    gears = list(case.gears)
+    for index, ratio in beside.items():
+        others = {n: i for n, i in gears[index].speed_ratios.items() if n != ratio.owner}
+        opened = (*gears[index].open, ratio.owner)
+        gears[index] = gears[index]._replace(open=opened, speed_ratios=others)
+    speeds = solve_points(without_laws(case.replace(gears=gears)), given, variants).speeds_rpm
+    found = {}
+    for index, ratio in beside.items():
+        pump, turbine = (
+            speeds[:, index, link - 1] * RAD_PER_RPM for link in ratio.converter.links[:2]
+        )
+        if np.isfinite(pump - turbine).any():
+            at_slip = turbine / pump
+            points = ratio.converter.points
+            inside = (at_slip >= points[0][0] - TIE) & (at_slip <= points[-1][0] + TIE)
+            torque = pump_factor(points, at_slip) * pump * np.abs(pump)
+            found[ratio] = np.where(inside, at_slip, np.nan), torque
+    return found
 
 
 def _roots(

@@ -62,15 +62,16 @@ class GearLoad(NamedTuple):
     def unit_of(self, quantity: OfGear) -> Floats | None:
         """Return the unit of a relative quantity, shape (points,); None if the load is unknown.
 
-        Speeds are relative to the input speed [rad/s]. External torques are relative to the input
-        torque, all other torques to its magnitude [N*m]. Speed ratios have the unit 1.
+        Speeds are relative to the input speed [rad/s]. External torques and torques on pumps are
+        relative to the input torque, all other torques to its magnitude [N*m]. Speed ratios have
+        the unit 1.
         """
         if quantity in RELATIVE_TO_SPEED:
             return self.speed
         if quantity == "speed_ratios":
             return np.ones(1)
         unit = self.torque_unit
-        return unit if unit is None or quantity == "torques" else np.abs(unit)
+        return unit if unit is None or quantity in ("torques", "pump_torques") else np.abs(unit)
 
 
 def solve_points(case: Transmission, columns: Columns, variants: int) -> Results:

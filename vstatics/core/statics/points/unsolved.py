@@ -44,7 +44,7 @@ def unsolved_messages(
             text = f"balance: {words} the battery balance, so the torques are unknown"
             yield Message("W427", text, gear.name)
         if state == NO_RATIO:
-            yield Message("W431", _no_ratio(case, gear), gear.name)
+            yield Message("W431", _no_ratio(case, gear, with_torques), gear.name)
         if smaller := [f"{ratio:.4g}" for ratio in points.other_ratios.get(number, ())]:
             name = case.mechanisms[case.sought_converters(gear)[0]].name
             ratios = f"the speed {plural('ratio', len(smaller))} {spoken(smaller)}"
@@ -52,10 +52,15 @@ def unsolved_messages(
             yield Message("N421", text, gear.name)
 
 
-def _no_ratio(case: Transmission, gear: Gear) -> str:
+def _no_ratio(case: Transmission, gear: Gear, solved: Gear) -> str:
     converter = case.mechanisms[case.sought_converters(gear)[0]]
     points = converter.points
     first, last = points[0], points[-1]
+    if solved.pump_torques:
+        return (
+            f"the slip gives {converter.name} a speed ratio outside its points, {first[0]:g} to "
+            f"{last[0]:g}, so the torques are unknown; give another slip, or more points"
+        )
     text = (
         f"at no speed ratio from {first[0]:g} to {last[0]:g} does the pump of {converter.name} "
         "take the torque of the load, so the torques are unknown"
