@@ -116,9 +116,9 @@ class _WorkingPoints:
         self.path = ("gears", gear + 1)
         self.load = opened.gear_load(self.gear)
         self.joined = dict(self._joined())
-        names = [*(part.name for part in opened.mechanisms[opened.own_mechanisms])]
-        names += [converter.name for converter in opened.converters]
-        empty = {names[number - 1] for number in self.gear.open}
+        self.names = [part.name for part in opened.mechanisms[opened.own_mechanisms]]
+        self.names += [converter.name for converter in opened.converters]
+        empty = {self.names[number - 1] for number in self.gear.open}
         self.filled = [c for c in opened.converters if c.name not in empty]
         self.closed = [c for c in self.filled if c.name not in self.joined]
         self.driving: list[Converter] = []
@@ -127,7 +127,8 @@ class _WorkingPoints:
     def working_gear(self, given: Ratios) -> WorkingGear:
         ratios = self._given() | dict(given)
         self.driving = [pump for pump in self.closed if pump.name in ratios]
-        ratios = self._by_slip() | ratios
+        if self.gear.slipping and None not in self.load[:2]:
+            ratios = self._by_slip() | ratios
         unknown = [converter for converter in self.closed if converter.name not in ratios]
         if len(unknown) == 1:
             ratios[unknown[0].name] = self._ratio(unknown[0], ratios)
@@ -143,8 +144,8 @@ class _WorkingPoints:
                 at_unit_speed = working_converter("", (0, 0), converter.points, ratio, 1.0)
                 if not any(at_unit_speed[-4:]):  # all derivatives are 0
                     continue
-            speed = self._pump_speed(converter, results)
             links = converter.pump - 1, converter.turbine - 1
+            speed = self._pump_speed(converter, results)
             working.append(working_converter(name, links, converter.points, ratio, speed))
         return WorkingGear(case, case.gears[0], tuple(working), doubts)
 
@@ -153,15 +154,13 @@ class _WorkingPoints:
 
         The clutch is then disengaged, because it transmits no vibration.
         """
-        if not self.gear.slipping or self.load.speed is None or self.load.torque is None:
-            return {}
         results = solve(self.case.replace(gears=[self.case.gears[self.path[1] - 1]]))
         if not results.gear_at(0).gear.pump_torques:
             return {}
         self.gear = self.gear._replace(slip={})
-        names = row_names(self.case, "converters")
-        ratios = dict(zip(names, results.speed_ratio[0].tolist(), strict=True))
-        return {name: ratio for name, ratio in ratios.items() if not math.isnan(ratio)}
+        return dict(
+            zip(row_names(self.case, "converters"), results.speed_ratio[0].tolist(), strict=True)
+        )
 
     def _joined(self) -> Iterator[tuple[str, float]]:
         """Yield the names and speed ratios of converters bridged by other components.
@@ -182,15 +181,11 @@ class _WorkingPoints:
                 yield converter.name, ratio
 
     def _given(self) -> dict[str, float]:
-        """Return the speed ratios of converters that the case or the gear specifies."""
-        converters = [mesh for mesh in self.case.mechanisms if mesh.kind == "converter"]
-        ratios = {c.name: c.ratio for c in converters if not math.isnan(c.ratio)}
-        first = len(self.opened.mechanisms[self.opened.own_mechanisms])
-        names = [converter.name for converter in self.opened.converters]
-        for number, ratio in self.gear.speed_ratios.items():
-            if number > first:
-                ratios[names[number - first - 1]] = ratio
-        return ratios
+        """Return the ratios of mechanisms, also of converters, that the case or gear specifies."""
+        known = {
+            mesh.name: mesh.ratio for mesh in self.case.mechanisms if not math.isnan(mesh.ratio)
+        }
+        return known | {self.names[n - 1]: i for n, i in self.gear.speed_ratios.items()}
 
     def _case_at(self, ratios: Ratios) -> Transmission:
         of_case = self.opened.mechanisms[self.opened.own_mechanisms]
@@ -232,8 +227,9 @@ class _WorkingPoints:
 
                 excess_at = partial(self._excess, converter, ratios)
                 return float(brentq(excess_at, below, above, xtol=SPEED_RATIO_STEP))
-        top = f"{max(corners):g}"
-        why = f"at no speed ratio up to {top} it takes the torque of the load at its speed"
+        why = (
+            f"at no speed ratio up to {max(corners):g} it takes the torque of the load at its speed"
+        )
         raise self._unknown([converter], why)
 
     def _excess(self, converter: Converter, ratios: Ratios, ratio: float) -> float:
