@@ -96,7 +96,7 @@ def test_what_is_wrong_is_told() -> None:
         "k=1, k=2": "two columns are called `k`",
         "ratio=1": "`ratio` already has a meaning",
         "pi[1]": "`pi` is a number",
-        "sqrt(1, 2)": "sqrt of 2 parts, expected one",
+        "sqrt(1, 2)": "sqrt of 2 values, expected one",
     }.items():
         with pytest.raises(ReadError, match=said):
             swept(out=out, by="gear")

@@ -75,7 +75,7 @@ def test_a_dry_run_tells_how_many_how_large_how_long(monkeypatch: pytest.MonkeyP
     monkeypatch.setattr(synth_structures, "QUICK_SETS", 1)
     monkeypatch.setattr(estimates, "free_room", lambda _: 1000)
     said = vstatics("synth", "structures", "--sets", 2, "-o", "two.jsonl")
-    assert said.fails("two.jsonl: error: would have about 1.81 kB, but 1 kB are free there")
+    assert said.fails("two.jsonl: error: needs about 1.81 kB, but only 1 kB are free there")
     assert not Path("two.jsonl").exists()
 
 

@@ -104,7 +104,7 @@ def compare_command(
       vstatics compare new/ golden/ --leave-out losses --summary
     """
     refuse(
-        (actual == expected == files.STDIN, "standard input (-) can be read once"),
+        (actual == expected == files.STDIN, "standard input (-) can be read only once"),
         (all_numbers and summary, "--all and --summary exclude each other"),
         (form in ("json", "junit") and (all_numbers or summary), f"{form} has all numbers"),
     )
@@ -112,7 +112,12 @@ def compare_command(
     if any(folders):
         for path in (actual, expected):
             refuse((not os.path.exists(path), f"{path}: no such file or directory"))  # noqa: PTH110
-        refuse((not all(folders), "one is a directory, the other is not: expected two of a kind"))
+        refuse(
+            (
+                not all(folders),
+                "one is a directory, the other is not: expected two files or directories",
+            )
+        )
         comparison = verdict([*verdicts_of_directories(actual, expected, how)])
     else:
         try:

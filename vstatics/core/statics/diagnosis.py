@@ -470,12 +470,12 @@ def _lost_digit_messages(results: Results, number: int) -> Iterator[Said]:
         return
     of = [f"the speed of {spoken(lost.links)}"] * bool(lost.links)
     of += [f"the torque of {spoken(lost.devices)}"] * bool(lost.devices)
-    certain = f"{lost.digits} digit{_s(lost.digits)}" if lost.digits else "no digit"
+    certain = f"only {lost.digits} digit{_s(lost.digits)}" if lost.digits else "no digit"
     verb = "are" if lost.digits > 1 else "is"
     yield Said(
         "W417",
-        "the ratios are so close to a singular gear train that rounding errors show: "
-        f"{certain} of {spoken(of)} {verb} certain; give exact ratios, for example by teeth",
+        "with slightly different ratios there would be no unique solution, so rounding errors "
+        f"show: {certain} of {spoken(of)} {verb} certain; give exact ratios, for example by teeth",
     )
 
 
@@ -506,9 +506,9 @@ def _torque_messages(results: Results, number: int, gear: Gear, *, is_told: bool
     ):
         yield Said(
             "W419",
-            "the ratios are so close to a singular gear train that rounding errors show: output "
-            "torque times output speed is not 1, so only a few digits are certain; give exact "
-            "ratios, for example by teeth",
+            "with slightly different ratios there would be no unique solution, so rounding errors "
+            "show: output torque times output speed is not 1, and only a few digits are certain; "
+            "give exact ratios, for example by teeth",
         )
     elif not results.excess[number] and (  # messages about the speeds mention redundant constraints
         np.isnan(results.torques[number]).any() or np.isnan(results.mesh_torques[number]).any()

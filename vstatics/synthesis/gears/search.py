@@ -154,8 +154,8 @@ def refuse_converters(case: Transmission) -> None:
         if part.kind == "converter":
             raise CaseError(
                 "E456",
-                f"{part.name} loses power, and a lock-up clutch bypasses it: expected the "
-                "gear train behind it, with its turbine as `input`",
+                f"a search for gears accepts no converter ({part.name}): expected the gear train "
+                "behind it, with its turbine as `input`",
                 ("mechanisms", number),
             )
 

@@ -159,7 +159,7 @@ def test_where_none_is_found_the_status_tells() -> None:
     }.items():
         said = vstatics("synth", "box", *ASKED, *options.split(), "-f", "json", "-q")
         assert (said.status, said.json["boxes"]) == (1, [])
-        assert said.err == f"no box is found: {told}\n"
+        assert said.err == f"no gearbox is found: {told}\n"
 
 
 @pytest.mark.parametrize("given_up", [0, 2])
@@ -343,7 +343,7 @@ def test_what_cannot_be_asked_for_is_wrong_use() -> None:
         (("--gears", "3", "--step-ratios", "1.8:1.2"), "--step-ratios: read 1.8:1.2, expected two"),
         (("--falling",), "describe --gears"),
         (("--free", "elements=1"), "--free applies to the case of --keep"),
-        (("--resume",), "--resume needs a file or a directory to go on with"),
+        (("--resume",), "--resume needs the output of the stopped search"),
         (("-j", 2, "--scheduler", "tcp://h:1"), "--jobs and --scheduler exclude one another"),
         (("-o", "found.abc"), "found.abc: no format has this suffix here"),
         (("-o", "letter/"), "letter/ is a file: expected a directory"),
