@@ -84,8 +84,8 @@ def compare_command(
 
     ACTUAL and EXPECTED (- is standard input) are results of `run` in any two formats, two
     directories of results, or two tables of `sweep`. Files of two directories are paired by
-    their names without suffix, cases and gears by their names, otherwise by their positions,
-    and rows of a sweep by the number of the variant.
+    their names without suffix. Cases and gears are paired by their names, otherwise by their
+    positions. Rows of a sweep are paired by the number of the variant.
 
     The first line states the number of differences. Then the changes of the case are
     listed, and the largest changes of ratios, step ratios, efficiencies and other tables,

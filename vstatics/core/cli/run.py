@@ -97,13 +97,13 @@ def run_command(
 
     The default format is a listing with the tables of Visual-Statics. -f source reproduces
     the published listing character by character. Quoted patterns are expanded by the
-    program; ** stands for any folders. In a directory, each result has the name of its case.
+    program, and ** stands for any folders. In a directory, each result has the name of its case.
     A case that fails does not stop the other cases.
 
     \b
-    Exit status 1: a case has an error, or a gear is tied up or in conflict.
-    Gears that are neutral, indeterminate, back-driven or self-locking only get
-    messages.
+    Exit status 1: a case has an error, a gear is tied up, or a freewheel can
+    neither hold nor overrun. Gears that are neutral, indeterminate,
+    back-driven or self-locking only get messages.
     """
     names = arguments.named(cases, files_from)
     several = len(names) > 1 or files_from is not None

@@ -103,7 +103,7 @@ def combinations_command(
       neutral  input and output turn independently
       gear     a fixed ratio
       direct   the ratio 1, independent of the ratios of the mechanisms
-      free     a mark: the speeds of other links are indeterminate
+      free     added if the speeds of other links are indeterminate
 
     A freewheel counts as holding. With --shift-elements auto, the shift elements are a
     clutch between any two links, such as F-1-2, and a brake on any link except input and

@@ -65,8 +65,8 @@ def _links(text: str) -> int:
         type=click.Choice(get_args(Classes)),
         default="none",
         show_default=True,
-        help="List only one of several structures that differ in the names of gear sets (sets), "
-        "or also in an exchange of sun and ring (members) or of all members (order).",
+        help="List only one of several structures that differ only in the names of gear sets "
+        "(sets), or also in an exchange of sun and ring (members) or of all members (order).",
     ),
     click.option(
         "--ports", is_flag=True, help="List each structure with every pair of input and output."
