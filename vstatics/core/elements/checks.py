@@ -157,7 +157,7 @@ def _friction(drawing: DrawingFields) -> Iterator[Problem]:
                 yield Problem(
                     "E334",
                     f"read {teeth} teeth, expected {LEAST_RING} at least: the tips of a standard "
-                    "ring with fewer lie within its base circle, so friction gives no efficiency",
+                    "ring with fewer are inside its base circle, so friction gives no efficiency",
                     ("elements", number, "teeth", ring),
                 )
 

@@ -339,7 +339,7 @@ def _check_name(
     word = "speed" if name == SHORT_SPEED else name
     rows = words.rows.get(word, ())
     if rows:
-        expected += f"; name what it is of, as in {word}('{next(iter(rows))}')"
+        expected += f"; name the link or component, as in {word}('{next(iter(rows))}')"
     others = (*known, *words.rows, *FUNCTIONS, PI)
     hint = "" if word in (*VARIABLES, *words.rows) else nearest(name, others)
     raise source.error(f"read {quoted(name)}, {expected}{hint}", part.at)

@@ -143,7 +143,7 @@ def combinations_command(
     )
 
     if trials.ports and (trials.dry_run or target):
-        raise click.UsageError("--ports: without --dry-run and --write, which are of one case")
+        raise click.UsageError("--ports cannot be combined with --dry-run or --write")
     reading = request.read()
     with problems_of(reading):
         refuse_converters(reading.case)

@@ -152,8 +152,8 @@ def test_filters() -> None:
 def test_where_none_is_found_the_status_tells() -> None:
     near = "the nearest has 1: 3, 2: 1: --tolerance 1.01e-09 finds it"
     for options, told in {
-        "--tolerance 1e-300": f"none of 600 comes within 1e-300 of these ratios; {near}",
-        "--tolerance 1e-300,1=.0001 --brakes 1": "none of 600 comes within these ranges",
+        "--tolerance 1e-300": f"none of 600 is within 1e-300 of these ratios; {near}",
+        "--tolerance 1e-300,1=.0001 --brakes 1": "none of 600 is within these ranges",
         "--brakes 0": "4 boxes with these ratios, none as wanted",
         "--limit torque=1.9": "4 boxes with these ratios, none as wanted",
     }.items():

@@ -368,7 +368,7 @@ def check_streams(cases: Sequence[str]) -> None:
 def check_order(case: str, table: str) -> None:
     """Raise an error if the arguments `case` and `table` are probably swapped."""
     if suffix_of(case) == ".csv" != suffix_of(table):
-        raise click.UsageError(f"the case stands first, then the CSV file: {table} {case}")
+        raise click.UsageError(f"expected the case first, then the CSV file: {table} {case}")
 
 
 def calculate_one(

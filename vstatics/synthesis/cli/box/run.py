@@ -88,7 +88,7 @@ def carry_out(run: BoxRun) -> int:
         search = run.asked.search
         within = "these ranges" if search.tolerances else f"{search.tolerance:g} of these ratios"
         missed = _nearest(run) if took < NEAREST_SECONDS else ""
-        files.say(f"no gearbox is found: none of {result.searched} comes within {within}{missed}")
+        files.say(f"no gearbox is found: none of {result.searched} is within {within}{missed}")
     return FAILED
 
 
