@@ -274,7 +274,7 @@ def _taking(case: Transmission, gear: Gear, speed: float) -> tuple[str, str]:
     the input torque acts against the input speed, so the sign is reversed.
     """
     if case.input_torque(gear):
-        way, size = -1.0 if case.coasts(gear) else 1.0, ".2"
+        way, size = -1.0 if case.coasts(gear) else 1.0, "0.2"
     else:
         way, size = case.gear_load(gear).speed or 1.0, "20 N*m"
     return ("above", size) if way * speed < 0 else ("below", f"-{size}")
