@@ -51,7 +51,7 @@ class Trials(NamedTuple):
         multiple=True,
         callback=value(_sizes),
         metavar="K",
-        help="Number of engaged shift elements, or several numbers as 2,3.  [default: the number "
+        help="Number of engaged shift elements, or several such as 2,3.  [default: the number "
         "that leaves one degree of freedom]",
     ),
     click.option(
