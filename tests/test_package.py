@@ -218,7 +218,7 @@ def test_a_case_is_replaced_in_part() -> None:
 def test_a_part_that_cannot_be_is_told() -> None:
     wrong: dict[str, dict[str, Any]] = {
         "load: read str '2000 rpm', expected a Load, in rpm and N*m": {"load": "2000 rpm"},
-        "mechanisms: read 0, but the drawing has 2": {"mechanisms": []},
+        "mechanisms: read 0, but the gear sets have 2": {"mechanisms": []},
     }
     for said, changes in wrong.items():
         with pytest.raises(vstatics.CaseError, match=re.escape(said)):

@@ -133,7 +133,7 @@ def test_files_have_both_cases_or_each_its_own(tmp_path: Path) -> None:
         assert vstatics(*both, "efficiency", "-o", tmp_path / f"both.{form}").status == 0
         assert (tmp_path / f"both.{form}").stat().st_size > 5000
     said = vstatics(*both[:3], ONE, "-k", "stick", "-o", to)
-    assert said.is_wrong_use("one case or two: expected a directory")
+    assert said.is_wrong_use("one case or two: for more cases give a directory")
     assert vstatics(*both, "efficiency", "-o", f"{tmp_path}/out/").status == 0
     shown = {path.name for path in (tmp_path / "out").glob("*.svg")}
     assert shown == {"simpson.svg", "zf-6hp26.svg"}

@@ -92,11 +92,11 @@ def test_many_jobs_and_several_pieces_give_the_same_rows(
 
 def test_what_is_wrong_is_told() -> None:
     for out, said in {
-        "ratio[1]": "each row is of a gear, expected ratio",
+        "ratio[1]": "each row has a single gear, expected ratio",
         "k=1, k=2": "two columns are called `k`",
         "ratio=1": "`ratio` already has a meaning",
         "pi[1]": "`pi` is a number",
-        "sqrt(1, 2)": "sqrt of 2 parts, expected one",
+        "sqrt(1, 2)": "sqrt of 2 values, expected one",
     }.items():
         with pytest.raises(ReadError, match=said):
             swept(out=out, by="gear")

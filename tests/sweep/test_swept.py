@@ -78,7 +78,7 @@ def test_a_sweep_is_iterated_once_and_has_all_variants_again_and_again() -> None
 def test_more_than_memory_holds_is_refused_before_it_is_calculated() -> None:
     grid = ["D.ratio=-3:-2:1000000", "D.efficiency=.9:1:1000000"]
     for ask in ("to_dataframe", "to_xarray", "plot"):
-        with pytest.raises(CaseError, match=r"1000000000000 rows would have about .* \[E911\]"):
+        with pytest.raises(CaseError, match=r"1000000000000 rows would need about .* \[E911\]"):
             getattr(sweep(DIFFERENTIAL, grid), ask)()
 
 

@@ -202,7 +202,7 @@ def _check_slopes(sweep_plan: SweepPlan) -> None:
     varied = [path.path for path in sweep_plan.paths if path.of]
     if bent and varied:
         message = (
-            f"the slope of {bent[0]}, which has `points`, depends on its torque, so `{OMEGA}` "
+            f"the stiffness of {bent[0]}, which has `points`, depends on its torque, so `{OMEGA}` "
             f"cannot be calculated while {varied[0]} varies: vary other numbers"
         )
         raise CaseError("E720", message)
@@ -237,7 +237,8 @@ def with_expressions(subject: Subject, options: SweepOptions, variants: Variants
     by_gear = options.by == GEAR
     if by_gear and not isinstance(subject, Transmission):
         raise CaseError(
-            "E719", "a row for each gear needs a case, as a run passes through its gears"
+            "E719",
+            "a row for each gear needs a case: a run of a scenario passes through several gears",
         )
     terms = Terms(targets, by_gear=by_gear)
     out = OUT if isinstance(subject, Transmission) else subject.default_columns

@@ -242,7 +242,7 @@ class Sweep(Iterator[Chunk]):
         size = 8 * self.plan.count * len(self.plan.output_headings)
         if size > (room := _memory()):
             message = (
-                f"{what} of {self.plan.count} rows would have about {size / GIB:.3g} GiB, but this "
+                f"{what} of {self.plan.count} rows would need about {size / GIB:.3g} GiB, but this "
                 f"machine has {room / GIB:.3g}: expected fewer variants or columns; process the "
                 "chunks, or use `vstatics sweep -o`"
             )

@@ -97,7 +97,7 @@ def test_a_red_job_has_a_red_report() -> None:
     for form in ("github", "sarif", "junit", "json", "text"):
         said = vstatics("check", "open.yaml", "-q", "--strict", "-f", form)
         told = said.err if form == "text" else said.out
-        assert (said.status, "1 warning (W416), which --strict makes fail" in told) == (1, True)
+        assert (said.status, "1 warning (W416), so --strict fails" in told) == (1, True)
     assert vstatics("check", "open.yaml", "-q").out == ""
 
 

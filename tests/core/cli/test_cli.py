@@ -156,4 +156,4 @@ def test_a_file_that_is_not_there_gets_the_nearest_of_its_folder(folder: Path) -
     (folder / "a.dat").touch()
     assert "expected a file, or for several files './**/*.dat'" in vstatics("run", ".").err
     (folder / "box.yaml").symlink_to("gone.yaml")
-    assert vstatics("check", "box.yaml").fails("it is a link to gone.yaml, which is not there")
+    assert vstatics("check", "box.yaml").fails("it is a link to gone.yaml, which does not exist")

@@ -126,7 +126,7 @@ def test_an_element_of_several_rows_has_no_stiffness() -> None:
 def test_planets_without_teeth_have_no_speed_and_so_no_inertia() -> None:
     text = (RAVIGNEAUX % ", planet: {short: {inertia: 1e-5}}").replace(", short: 20", "")
     [told] = problems(text)
-    said = "the speed of planet short is unknown, expected the teeth of the gear set"
+    said = "the speed of planet short is unknown, expected the tooth numbers of the gear set"
     assert f"elements.R.planet: {said}" in told
     loaded(text.replace("inertia: 1e-5", "mass: 1, radius: .1"))  # its pin is with the carrier
 

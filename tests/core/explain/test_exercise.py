@@ -187,7 +187,7 @@ def test_elements_of_a_drawn_box_have_the_margins_of_the_given_one(given: Load |
 
 def test_an_exercise_is_of_one_gear_and_has_numbers() -> None:
     said = vstatics("explain", str(CASES / "simpson.yaml"), "--worksheet")
-    assert said.is_wrong_use("of one gear, expected one of 1, 2, 3, R")
+    assert said.is_wrong_use("covers one gear, expected one of 1, 2, 3, R")
     only = ("explain", str(CASES / "wolfrom.yaml"), "--solution", "--seed", "3")
     shown = vstatics(*only).out
     assert shown.splitlines()[0].endswith("(--seed 3)")
@@ -200,4 +200,4 @@ def test_an_exercise_is_of_one_gear_and_has_numbers() -> None:
     tied_up = PAIR.replace("mechanisms", "shift_elements: {A: [1, 0], B: [2, 0]}\nmechanisms")
     stdin = tied_up.replace("[]", "[A, B]").encode()
     said = vstatics("explain", "-", "--gear", "g", "--worksheet", stdin=stdin)
-    assert said.fails("has no numbers to ask for")
+    assert said.fails("has no results for an exercise")

@@ -14,7 +14,8 @@ from tests.oracle import linear, losses, systems
 from tests.trains import random_train, shown
 from vstatics import Gear, Mechanism, Results, ShiftElement, Transmission, solve
 
-SHOWS = "the ratios are so close to a singular gear train that rounding errors show: "
+SINGULAR = "with slightly different ratios there would be no unique solution"
+SHOWS = f"{SINGULAR}, so rounding errors show: "
 EXACT = "; give exact ratios, for example by teeth"
 
 
@@ -49,8 +50,13 @@ def test_a_speed_that_is_1_is_1() -> None:
 
 def test_the_rounding_of_a_ratio_counts_too() -> None:
     """Its last digit is 2.2e-16; the output turns at u/(u - 1), so 1e-12 leaves four digits."""
-    four = ["4 digits of the speed of 3 and the torque of the output are certain"]
-    for near, expected in ((1e-8, []), (1e-5, []), (1e-12, four), (1e-15, ["1 digit of the sp"])):
+    four = ["only 4 digits of the speed of 3 and the torque of the output are certain"]
+    for near, expected in (
+        (1e-8, []),
+        (1e-5, []),
+        (1e-12, four),
+        (1e-15, ["only 1 digit of the sp"]),
+    ):
         sets = [Mechanism(1, 2, 3, 1 + near)]
         told = said(solve(Transmission(3, [ShiftElement(2)], sets, [Gear([1])])))
         assert [text[: len(one)] for text, one in zip(told, expected, strict=True)] == expected

@@ -68,10 +68,10 @@ def test_too_many_combinations_are_refused() -> None:
     case = CASES / "zf-8hp70.yaml"
     said = vstatics("summary", case, "--combinations", "--at-most", 9)
     assert said.gives_nothing(f"{case}: error: 3 of 5")
-    without = {"--at-most": "--combinations", "--exponent": "--duty and a CSV of points"}
+    without = {"--at-most": "--combinations", "--exponent": "--duty with a CSV file"}
     for option, other in without.items():
         said = vstatics("summary", case, option, 9)
-        assert said.is_wrong_use(f"{option}: without {other}")
+        assert said.is_wrong_use(f"{option} needs {other}")
 
 
 def test_that_there_are_none_is_said() -> None:

@@ -271,8 +271,8 @@ def test_it_is_a_listing_only() -> None:
         ("--lang source -f json", "--lang source is an alias of -f source, not of -f json"),
         ("-f source -o x.csv", "source is not the format of x.csv"),
         ("-f source --pretty", "--lang source"),
-        ("--own-tables", "--own-tables is for -f source"),
-        ("--own-tables --lang ru", "--own-tables is for -f source"),
+        ("--own-tables", "--own-tables applies to -f source"),
+        ("--own-tables --lang ru", "--own-tables applies to -f source"),
         ("-f source --coast", "--coast has no field"),
         ("-f source --unloaded exact", "-f source has the signs of --unloaded published"),
     ):

@@ -57,9 +57,12 @@ def test_the_runs_are_written_and_give_the_same_statistics() -> None:
 def test_wrong_use_of_samples() -> None:
     for options, said in (
         (["--seed", "1"], "--seed belongs to --samples."),
-        (["--samples", "3", "--time-step", ".1"], "--time-step is for one run, without --samples."),
+        (
+            ["--samples", "3", "--time-step", ".1"],
+            "--time-step applies to a single run: leave out --samples.",
+        ),
         (["--samples", "3", "-o", "out.md"], "--samples writes .csv .jsonl .ndjson .npz .parquet"),
-        (["--samples", "3", "--resume"], "--resume needs a file to go on with"),
+        (["--samples", "3", "--resume"], "--resume needs the output of the stopped run"),
         (["--out", "jerks"], "--out asks for columns over time: expected -o with .csv .json"),
         (["--out", "jerks", "--method", "tarasik"], "--out is for the method `events`."),
         (["--samples", "0"], "0 is not in the range"),
@@ -145,7 +148,7 @@ def test_a_warning_of_a_run_makes_a_strict_sweep_fail() -> None:
     assert "jump.yaml: warning: in 2 of 3 variants, the first is 1: link b has no" in said.err
     assert (said.status, len(said.out.splitlines())) == (1, 4)
     assert vstatics(*swept).status == 0
-    assert "1 warning (W602), which --strict makes fail" in vstatics(*swept, "--strict", "-q").err
+    assert "1 warning (W602), so --strict fails" in vstatics(*swept, "--strict", "-q").err
     allowed = vstatics(*swept, "--strict", "--allow", "W602")
     assert (allowed.status, "link b" in allowed.err) == (0, False)
     text = JUMP + b"samples: {torques.b.3.2: {normal: [10, 0]}}\n"

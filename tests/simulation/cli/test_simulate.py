@@ -123,7 +123,9 @@ def test_a_case_on_the_command_line_replaces_that_of_the_scenario() -> None:
     without = SCENARIO.partition("\n")[2]
     assert vstatics("simulate", "-", "box.yaml", stdin=without.encode()).status == 0
     said = vstatics("simulate", "-", stdin=without.encode())
-    assert said.gives_nothing("<stdin>:1:1: error: `case` is missing: give the file of the case")
+    assert said.gives_nothing(
+        "<stdin>:1:1: error: no file of a case is named: expected `case: FILE`"
+    )
 
 
 def test_what_is_in_error_is_told_at_its_place_and_nothing_is_written() -> None:

@@ -142,7 +142,7 @@ def test_a_mistake_is_told_with_its_place() -> None:
          "read `D`, expected a shift element"),
         ('set: {a: 0}\nsequences:\n  s: [{when: "t + 1", set: {a: 1}}]', "expected a condition"),
         ('set: {a: 0}\nsequences:\n  s: [{when: "slip > 1", set: {a: 1}}]',
-         "name what it is of, as in slip('C')"),
+         "name the link or component, as in slip('C')"),
         ("set: {a: 0}\nsequences:\n  s: [{set: {a: 1}, within: 0}]", "expected a time above 0"),
         ("sequences:\n  s: [{dog: {C: closed}}]", "C is not a dog clutch"),
         ('sequences:\n  s: [{shift: {to: "9"}}]', "expected the name of a gear"),
@@ -169,7 +169,7 @@ def test_a_mistake_is_told_with_its_place() -> None:
         assert any(fault in one for one in told), told
     [fault] = faults(REST.replace("{C: 0}", "{C: \"torque('C')\"}"))
     assert fault.startswith("4:16")
-    assert "stands in `rate` and `when` alone" in fault
+    assert "which only `rate` and `when` can have" in fault
 
 
 def test_what_is_no_number_stops_the_run_and_is_named() -> None:

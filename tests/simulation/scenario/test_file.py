@@ -218,7 +218,7 @@ def test_the_case_is_found_beside_the_scenario_or_given(tmp_path: Path) -> None:
         load_scenario(file, tmp_path / "other.yaml")
     for case, message in (
         ("case: bax.yaml, ", r"shift.yaml:1:8: error: .*bax.yaml cannot be read"),
-        ("", "`case` is missing: give the file of the case"),
+        ("", "no file of a case is named: expected `case: FILE`"),
     ):
         file.write_text(f"{{{case}duration: 6, start: {{gear: low}}}}")
         with pytest.raises(ReadError, match=message):

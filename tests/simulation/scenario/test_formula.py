@@ -65,7 +65,7 @@ def test_mistakes() -> None:
         ("tanch(speed)", 1, "no function `tanch`, expected abs, min, max, sqrt, exp, tanh"),
         ("t.real", 1, "read `t.real`, expected a number, t, speed or angle, or a function"),
         ("speed[out]", 1, "read `[` after `speed`, expected speed alone: that of the link itself"),
-        ("exp(1, 2)", 1, "exp of 2 parts, expected one, as in exp(t)"),
+        ("exp(1, 2)", 1, "exp of 2 values, expected one, as in exp(t)"),
         ("__import__('os')", 1, "there is no function `__import__`"),
         ("exp + 1", 5, "`exp` is a function, expected `(` after it, such as exp(t)"),
         ("2*(t", 5, "a bracket `(` is not closed"),

@@ -40,7 +40,9 @@ def test_from_python_w_is_the_speed_and_no_state() -> None:
 
 def test_where_a_formula_has_no_own_speed_the_words_say_what_to_write() -> None:
     [fault] = faults('duration: 1\nstart: {speeds: {e: 1, o: 0}}\ncontrols: {C: "3*w"}\n')
-    assert "read `w`, expected a formula of t; name what it is of, as in speed('e')" in fault
+    assert (
+        "read `w`, expected a formula of t; name the link or component, as in speed('e')" in fault
+    )
 
 
 LOSSY = """links: [a, b]

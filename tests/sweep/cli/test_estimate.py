@@ -33,13 +33,13 @@ def test_a_million_million_variants_are_refused_with_both_sizes(
     """Seven columns of 8 bytes and a status of one; 12 digits of text are near that."""
     free(monkeypatch, 2_500_000_000)
     for form, words in {
-        "npz": "would have about 57 TB",
-        "parquet": "its pieces would have about 57 TB",
-        "csv": "would have about 7",
-        "jsonl": "would have about 2",
+        "npz": "needs about 57 TB",
+        "parquet": "its pieces need about 57 TB",
+        "csv": "needs about 7",
+        "jsonl": "needs about 2",
     }.items():
         said = vstatics("sweep", "box.yaml", *HUGE, "-o", f"out.{form}")
-        assert said.fails(" TB, but 2.5 GB are free there: expected fewer variants")
+        assert said.fails(" TB, but only 2.5 GB are free: expected fewer variants")
         assert said.err.startswith(f"out.{form}: error: {words}")
         assert names(Path.cwd()) == ["box.yaml"]
 

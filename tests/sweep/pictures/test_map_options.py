@@ -182,7 +182,7 @@ def test_wrong_options_of_maps_are_reported(folder: Path) -> None:
         (("map.csv", "--levels", "0"), "read 0, expected 1 to 100"),
         (("map.csv", "--levels", "2,1"), "levels in ascending order"),
         (("map.csv", "--levels", "x"), "read 'x', expected a number of levels"),
-        (("map.csv", "--best-gear", "--levels", "3"), "a map has no levels"),
+        (("map.csv", "--best-gear", "--levels", "3"), "with --best-gear has no levels"),
         (("others.csv", "--duty", "duty.csv"), "expected load.speed and load.torque"),
         (("others.csv", "--limits", "car.yaml"), "expected load.speed and load.torque"),
         (("map.csv", "--limits", "plain.yaml"), "plain.yaml: error: the case has no `vehicle`"),

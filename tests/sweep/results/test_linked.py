@@ -117,7 +117,7 @@ SUN, PLANET = "P1.teeth.sun", "P1.teeth.planet"
 
 def test_wrong_links_are_located() -> None:
     for links, column, message in (
-        ([f"{SUN}={SUN} + 1"], 1, f"links in a circle: {SUN} -> P1"),
+        ([f"{SUN}={SUN} + 1"], 1, f"linked in a circle: {SUN} -> P1"),
         ([f"{SUN}={PLANET}", f"{PLANET}={SUN}"], 1, f"{SUN} -> {PLANET} -> {SUN}"),
         ([f"{SUN}={PLANET}", f"{PLANET}=5"], 1, "linked later"),
         (["P1.teeth.ring=5"], 1, "P1.teeth.ring is varied twice"),
@@ -147,6 +147,6 @@ def test_a_circle_in_a_file_has_its_line(folder: Path) -> None:
     )
     (folder / "sweep.yaml").write_text(text)
     said = vstatics("sweep", "--file", "sweep.yaml")
-    assert said.fails("sweep.yaml:4:3: error: links in a circle")
+    assert said.fails("sweep.yaml:4:3: error: numbers are linked in a circle")
     alone = vstatics("sweep", "box.yaml", "--with", "P1.teeth.sun=3")
     assert alone.is_wrong_use("Nothing is varied")

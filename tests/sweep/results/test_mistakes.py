@@ -47,7 +47,7 @@ MISTAKES = (
     ("maxi(ratio)", "maxi(ratio)", "did you mean `max`?"),
     ("max + 1", "+ 1", "`max` is a function, expected `(`"),
     ("max()", ")", "read `)` after `(`"),
-    ("abs(1, 2)", "abs(1, 2)", "abs of 2 parts, expected one"),
+    ("abs(1, 2)", "abs(1, 2)", "abs of 2 values, expected one"),
     ("max(ratio, key=1)", "=1)", "read `=`, expected `==`"),
     ("max(*ratio)", "*ratio)", "read `*` after `(`"),
     ("lambda: 1", "lambda: 1", "read `lambda`, which this language does not have"),

@@ -221,8 +221,8 @@ def test_wrong_use() -> None:
         (("--ports", "1"), "read `1`, expected `all` alone, or two links as IN:OUT"),
         (("--ports", "2:2"), "read `2:2`, expected two different links"),
         (("--ports", "all,1:2"), "read `all`, expected `all` alone"),
-        (("--ports", "all", "--dry-run"), "--ports: without"),
-        (("--ports", "all", "--write", "gears.yaml"), "--ports: without"),
+        (("--ports", "all", "--dry-run"), "--ports cannot be combined"),
+        (("--ports", "all", "--write", "gears.yaml"), "--ports cannot be combined"),
     ):
         assert said(BELAZ, *options).is_wrong_use(message)
 
@@ -240,5 +240,5 @@ def test_what_cannot_be_done_is_told_with_what_helps(
     assert done.fails("no combination of shift elements gives a gear")
     monkeypatch.setattr(estimates, "free_room", lambda _: 1000)
     done = said(BELAZ, "-f", "jsonl", "-o", tmp_path / "found.jsonl")
-    assert done.fails("but 1 kB are free there: expected --engaged or --shift-elements")
+    assert done.fails("but only 1 kB are free there: expected --engaged or --shift-elements")
     assert not list(tmp_path.iterdir())

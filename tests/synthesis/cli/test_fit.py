@@ -125,7 +125,7 @@ def test_wrong_use_is_told() -> None:
         (("--ratios", "2=4", "--write", "x.txt"), "cannot determine the format of x.txt"),
         (("--ratios", "2=4", "--write", "x.yaml", "-o", "x.yaml"), "x.yaml"),
         (("--ratios", "2=4", "--write", str(BELAZ)), "would be overwritten"),
-        (("--ratios", "2=4", "-o", "x/"), "one case gives one text"),
+        (("--ratios", "2=4", "-o", "x/"), "one case has one output"),
     ):
         answer = said(*options)
         assert answer.is_wrong_use()

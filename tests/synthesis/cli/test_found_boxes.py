@@ -55,7 +55,10 @@ def test_wrong_use(boxes: Path) -> None:
     for options, said in (
         (("summary", "BOXES", "--gearbox", "5"), "read 5, but the boxes have the numbers 1 to 4"),
         (("summary", "BOXES", "--gearbox", "x"), "read 'x', expected numbers of boxes"),
-        (("summary", CASES / "simpson.yaml", "--gearbox", "1"), "--gearbox: expected one document"),
+        (
+            ("summary", CASES / "simpson.yaml", "--gearbox", "1"),
+            "--gearbox: expected one file of found",
+        ),
         (("plot", "BOXES", "--kind", "boxes", "--gear", "1", "-o", "x.svg"), "--gear: found boxes"),
         (("report", "BOXES", "-o", "x/"), "found boxes give one page: expected -o FILE, not x/"),
         (("plot", "BOXES", "BOXES", "--kind", "boxes", "-o", "x/"), "expected one document"),
@@ -78,4 +81,4 @@ def test_other_commands_tell_what_it_is(tmp_path: Path, boxes: Path) -> None:
     assert said.fails("boxes.json box 1: error: gear 1: tied up: ")
     boxes.write_text('{"searched": 5, "found": 0, "families": 0, "boxes": []}')
     for told in (plot, ("report", "-o", str(tmp_path / "a.html")), ("summary",)):
-        assert vstatics(*told, boxes).fails("no box was found")
+        assert vstatics(*told, boxes).fails("no gearbox was found")

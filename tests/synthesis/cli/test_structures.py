@@ -75,7 +75,7 @@ def test_a_dry_run_tells_how_many_how_large_how_long(monkeypatch: pytest.MonkeyP
     monkeypatch.setattr(synth_structures, "QUICK_SETS", 1)
     monkeypatch.setattr(estimates, "free_room", lambda _: 1000)
     said = vstatics("synth", "structures", "--sets", 2, "-o", "two.jsonl")
-    assert said.fails("two.jsonl: error: would have about 1.81 kB, but 1 kB are free there")
+    assert said.fails("two.jsonl: error: needs about 1.81 kB, but only 1 kB are free there")
     assert not Path("two.jsonl").exists()
 
 
@@ -143,7 +143,10 @@ def test_wrong_use() -> None:
         (("structures", "--sets", 2, "--links", "4,,"), "'--links': read ``, expected a"),
         (("structures", "--sets", 2, "--links", "-4"), "'--links': read `-4`, expected a"),
         (("structures", "--sets", 2, "--classes", "set"), "'--classes': 'set' is not one of"),
-        (("structures", "--sets", 2, "--matrix", "--count"), "--matrix is of a list: expected it"),
+        (
+            ("structures", "--sets", 2, "--matrix", "--count"),
+            "--matrix cannot be combined with --count",
+        ),
         (with_code(""), "read nothing in the code, expected numbers of links joined by `-`"),
         (with_code("0-1-x"), "read `x` in the code"),
         (with_code("0-1-\u0662"), "read `\u0662` in the code"),
@@ -154,7 +157,7 @@ def test_wrong_use() -> None:
         (with_code("0-1-2-3-4-5"), "its sets share no link: these are several gearboxes, expected"),
         (with_code("0-1-2-2-1-0"), "2 sets with 3 links turn as one body; expected 4 links or"),
         (with_code("-".join(["0"] * 99)), "read `0-0-0-0-0-"),
-        ((*TWO, "--input", "L5", *PORTS[2:]), "--input: read `L5`, but the scheme has L0 to L3"),
+        ((*TWO, "--input", "L5", *PORTS[2:]), "--input: read `L5`, but the structure has L0 to L3"),
         ((*TWO, *PORTS[:2], "--output", "0"), "--output: read L0, which is the input"),
         (with_ratios("-2"), "--ratios: P2 without a ratio, expected 2, one for each set"),
         (with_ratios("-2,-3,-4"), "--ratios: read 3 ratios, expected 2, one for each set"),

@@ -50,7 +50,7 @@ def test_one_box_has_its_point_and_its_diagram() -> None:
     for gear, ratio in ratios.items():
         assert f"{gear}: {ratio:.3f}" in whole
     assert f"spread {max(forward) / min(forward):.3f}" in whole
-    with pytest.raises(CaseError, match="no box was found, so there is nothing to draw"):
+    with pytest.raises(CaseError, match="no gearbox was found, so there is nothing to draw"):
         drawn({"searched": 10, "boxes": []})
 
 

@@ -49,7 +49,7 @@ def test_the_page_has_all_boxes_families_gears_and_diagrams() -> None:
     found = re.search('<script type="application/json" id="result">(.*?)</script>', html)
     assert found is not None
     assert json.loads(found[1]) == simpson()
-    with pytest.raises(CaseError, match="no box was found"):
+    with pytest.raises(CaseError, match="no gearbox was found"):
         page({"searched": 3, "boxes": []})
 
 

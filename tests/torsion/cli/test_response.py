@@ -156,7 +156,7 @@ def test_the_table_is_not_written_over_and_case_and_table_can_not_both_be_stdin(
     assert said(*call, "-o", "engine.csv", text=GOOD).status == 2
     assert Path("engine.csv").read_text("utf-8") == TABLE
     answer = said("response", *AT, "--torque", "-", *SPEED, text=GOOD)
-    assert answer.is_wrong_use("standard input (-) can be read once")
+    assert answer.is_wrong_use("standard input (-) can be read only once")
     answer = said(*call, "--orders", "2,3", text=GOOD)
     assert answer.is_wrong_use("engine.csv has no order 3; it has 2, 4, 6")
 

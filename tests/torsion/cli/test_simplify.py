@@ -97,7 +97,7 @@ def test_a_frequency_above_half_of_a_partial_one_is_doubtful() -> None:
     assert "is more than half of the removed partial frequency" in answer.err
     strict = said(*options, "--strict", "-q", "-o", "new.yaml", text=GOOD)
     assert (strict.status, strict.out, names()) == (1, answer.out, ["new.yaml"])
-    assert "1 warning (W502), which --strict makes fail" in strict.err
+    assert "1 warning (W502), so --strict fails" in strict.err
 
 
 def test_a_loss_factor_is_left_out_with_a_warning() -> None:
@@ -112,7 +112,7 @@ def test_what_the_scheme_does_not_have() -> None:
     for options, words in (
         (("--links", "5"), "read 5 natural frequencies to remain (--links), expected 1 to 4"),
         *((("--links", "2", "--remove", one), "read `` to remove") for one in ("", "disc,")),
-        (("--links", "2", "--rule", "partial"), "the scheme is not a chain, `axle` is not a shaft"),
+        (("--links", "2", "--rule", "partial"), "the system is not a chain, `axle` is not a shaft"),
     ):
         answer = said("simplify", "--gear", "direct", *options, "-o", "kept.yaml", text=GOOD)
         assert answer.gives_nothing("<stdin>: error: ", words), options

@@ -79,5 +79,5 @@ def test_a_case_without_a_torque_of_a_dumped_clutch_says_so(tmp_path: Path) -> N
     gears, dumped = text.index("gears:"), text.index("# the clutch of table 2.2")
     text = f"{text[:gears]}gears: {{N: [damper, dog 1, shaft 1]}}\n{text[dumped:]}"
     result = vstatics("plot", "-", *options, stdin=text.encode())
-    told = "error: no torque of a dumped clutch in gear N: engine of J1 does not rotate"
+    told = "error: no torque of a clutch dump in gear N: engine of J1 does not rotate"
     assert result.fails(told)

@@ -66,7 +66,7 @@ def test_a_merged_mass_has_a_name_to_merge_it_again() -> None:
 def test_what_is_no_pair() -> None:
     for remove, merge, message in (
         ([], ["l+x"], "read `l+x` to merge"),
-        ([], ["l"], "expected two links of the scheme as `A+B`"),
+        ([], ["l"], "expected two links of the system as `A+B`"),
         ([], ["l+l"], "read `l+l` to merge"),
         ([], ["+"], "to merge"),
         (["l"], ["l+r"], "read `l+r` to merge"),

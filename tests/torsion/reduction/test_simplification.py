@@ -144,7 +144,7 @@ def test_the_rule_follows_the_shape() -> None:
     assert simplify(BRANCHED, 2).rule == "r"
     assert simplify(CHAIN, 2, "b").rule == "b"
     told = (
-        "read rule `partial`, expected r, b or u: the scheme is not a chain, `s4` is not a shaft "
+        "read rule `partial`, expected r, b or u: the system is not a chain, `s4` is not a shaft "
         "between two links: it acts on 4, 5 and 6 with coefficients 1, -1 and -1"
     )
     assert problems(BRANCHED, 3, "partial") == [told]
@@ -214,7 +214,7 @@ def test_where_only_ends_are_left_no_rule_goes_on() -> None:
     told = (
         "the rule can remove no further link, because only one component acts on each of a, b, c; "
     )
-    assert problems(star, 1) == [f"{told}name the links to remove"]
+    assert problems(star, 1) == [f"{told}name the links to remove with --remove"]
     assert simplify(star, 1, remove=["b"]).scheme.names == ("a", "c")
 
 
@@ -255,9 +255,9 @@ def test_a_warning_where_a_kept_frequency_is_near_to_one_that_is_gone() -> None:
 def test_what_is_asked_for_must_be_possible() -> None:
     apart = CHAIN._replace(names=(*CHAIN.names, "apart"), inertias=(*CHAIN.inertias, 1.0))
     light = CHAIN._replace(inertias=(*CHAIN.inertias[:2], 0.0, *CHAIN.inertias[3:]))
-    remain = "natural frequencies to remain (--links), expected 1 to 5: the scheme has 5"
+    remain = "natural frequencies to remain (--links), expected 1 to 5: the system has 5"
     most = "expected 1 at most, so that 4 of 5 natural frequencies remain"
-    of_scheme = "to remove, expected a link of the scheme; did you mean `3`?"
+    of_scheme = "to remove, expected a link of the simplified system; did you mean `3`?"
     for given, count, remove, told in (
         (CHAIN, 0, (), f"read 0 {remain}"),
         (CHAIN, 6, (), f"read 6 {remain}"),
@@ -267,6 +267,6 @@ def test_what_is_asked_for_must_be_possible() -> None:
         (apart, 2, ("apart",), "`apart` cannot be removed: no component acts on it"),
         (light, 2, ("3",), "read `3` to remove, expected a link with inertia"),
         (TorsionScheme(("a",), (1.0,), ()), 1, (), "read 1 natural frequency to remain (--links), "
-         "but the scheme has none"),
+         "but the system has none"),
     ):  # fmt: skip
         assert problems(given, count, None, *remove) == [told]

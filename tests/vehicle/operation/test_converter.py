@@ -408,7 +408,7 @@ def test_a_gear_with_a_slip_beside_the_converter_is_omitted() -> None:
     assert told.gears["1"] == performance(alone).gears["1"]
     assert math.isnan(told.gears["creep"].slope)
     trace = read_trace(b"time [s],speed [m/s],gear\n0,9,1\n9,9,creep\n20,9,1\n", "t.csv")
-    with pytest.raises(CaseError, match="a slip beside a converter that finds its") as error:
+    with pytest.raises(CaseError, match="a slip and a converter without a given") as error:
         drive(case, trace, GearChoice())
     assert [(p.id, p.path) for p in error.value.problems] == [("E428", (1,))]
 

@@ -378,7 +378,7 @@ def test_faults_of_files_are_told_with_their_place(files: Path) -> None:
         (files / file).write_text(right)
     for command in ("cycle", "damage"):
         ran = vstatics(command, "t.csv", "car.yaml")
-        assert ran.is_wrong_use("the case stands first, then the CSV file: car.yaml t.csv")
+        assert ran.is_wrong_use("expected the case first, then the CSV file: car.yaml t.csv")
 
 
 def test_steps_over_time_are_written_as_a_sweep_that_is_drawn(files: Path) -> None:

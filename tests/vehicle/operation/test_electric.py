@@ -150,7 +150,7 @@ def test_a_machine_is_written_as_it_was_read() -> None:
 
 def test_a_machine_that_cannot_be_is_refused_at_its_place() -> None:
     for text, said in (
-        (MACHINE % "" + ", engine: [[0, 9]]", "read `machine` beside `engine`"),
+        (MACHINE % "" + ", engine: [[0, 9]]", "read `machine` together with `engine`"),
         (MACHINE % ", generating: [[0, 5]]", "generating[1]: read 5 N*m"),
         (MACHINE % "" + ", recuperation: 1.2", "recuperation: read 1.2"),
         ("recuperation: 0.5", "read `recuperation` without `machine`"),

@@ -203,7 +203,7 @@ def check_command(
         ),
     )
     if to.is_folder:
-        raise click.UsageError(f"all cases give one text: expected -o FILE, not {output}")
+        raise click.UsageError(f"all cases have one output: expected -o FILE, not {output}")
     if explain is not None:
         files.write_output(_explained(explain, to.form), output)
         return DONE

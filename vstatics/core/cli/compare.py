@@ -84,8 +84,8 @@ def compare_command(
 
     ACTUAL and EXPECTED (- is standard input) are results of `run` in any two formats, two
     directories of results, or two tables of `sweep`. Files of two directories are paired by
-    their names without suffix, cases and gears by their names, otherwise by their positions,
-    and rows of a sweep by the number of the variant.
+    their names without suffix. Cases and gears are paired by their names, otherwise by their
+    positions. Rows of a sweep are paired by the number of the variant.
 
     The first line states the number of differences. Then the changes of the case are
     listed, and the largest changes of ratios, step ratios, efficiencies and other tables,
@@ -104,7 +104,7 @@ def compare_command(
       vstatics compare new/ golden/ --leave-out losses --summary
     """
     refuse(
-        (actual == expected == files.STDIN, "standard input (-) can be read once"),
+        (actual == expected == files.STDIN, "standard input (-) can be read only once"),
         (all_numbers and summary, "--all and --summary exclude each other"),
         (form in ("json", "junit") and (all_numbers or summary), f"{form} has all numbers"),
     )
@@ -112,7 +112,12 @@ def compare_command(
     if any(folders):
         for path in (actual, expected):
             refuse((not os.path.exists(path), f"{path}: no such file or directory"))  # noqa: PTH110
-        refuse((not all(folders), "one is a directory, the other is not: expected two of a kind"))
+        refuse(
+            (
+                not all(folders),
+                "one is a directory, the other is not: expected two files or directories",
+            )
+        )
         comparison = verdict([*verdicts_of_directories(actual, expected, how)])
     else:
         try:

@@ -39,13 +39,13 @@ def convert_command(
     """Convert a case from the file IN to the file OUT; - is standard input or output.
 
     The formats are deck (.dat), YAML, JSON, XLSX and matrices. An existing file OUT is
-    replaced. Numbers and names are kept exactly. Torques and speeds with a unit are written
-    relative to the operating point of the case.
+    replaced. Numbers and names are kept exactly.
 
     \b
       deck      has mechanisms instead of gear sets, and freewheels are engaged
                 in the gears in which they hold. A case with springs, inertias or
-                stiffnesses cannot be written as a deck.
+                stiffnesses cannot be written as a deck. Torques and speeds in
+                rpm and N*m become relative to the input.
       xlsx      has a sheet for each kind of part.
       matrices  are Evseenko's tables 1 and 2 in CSV, with a row for each link.
                 Table 1 has a column for the sun (a), carrier (h) and ring (b)

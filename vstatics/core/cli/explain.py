@@ -82,19 +82,19 @@ def explain_command(
     worksheet, solution, seed = asked
     exercise = worksheet or solution
     refuse(
-        (worksheet and solution, "--worksheet has blanks, --solution has numbers: expected one"),
-        (exercise and len(gears) > 1, "an exercise is of one gear: expected one --gear G"),
+        (worksheet and solution, "expected only one of --worksheet (with blanks) and --solution"),
+        (exercise and len(gears) > 1, "an exercise covers one gear: expected one --gear G"),
         (
             seed is not None and not exercise,
-            "--seed draws the numbers of an exercise: expected --worksheet or --solution",
+            "--seed needs --worksheet or --solution",
         ),
         (
             worksheet and to.form in ("json", "jsonl"),
-            f"--worksheet has no numbers, {to.form} is for --solution",
+            f"-f {to.form} needs --solution, because --worksheet has blanks instead of numbers",
         ),
         (
             exercise and to.form in ("csv", "xlsx"),
-            f"an exercise has sentences, {to.form} only tables: expected text, markdown or latex",
+            f"-f {to.form} cannot hold sentences: expected text, markdown or latex",
         ),
     )
     if exercise:
@@ -117,7 +117,7 @@ def _exercise(
     index, *further_gears = arguments.gear_indices(results.case, gears)
     if further_gears:
         names = listed(results.gears, 12)
-        message = f"an exercise is of one gear, expected one of {names}"
+        message = f"an exercise covers one gear, expected one of {names}"
         raise click.BadParameter(message, param_hint="--gear")
     with files.problems_of_file(outcome.file):
         sheet = exercise(results, results.case.gears[index].name, seed=seed)

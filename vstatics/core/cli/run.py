@@ -97,13 +97,13 @@ def run_command(
 
     The default format is a listing with the tables of Visual-Statics. -f source reproduces
     the published listing character by character. Quoted patterns are expanded by the
-    program; ** stands for any folders. In a directory, each result has the name of its case.
+    program, and ** stands for any folders. In a directory, each result has the name of its case.
     A case that fails does not stop the other cases.
 
     \b
-    Exit status 1: a case has an error, or a gear is tied up or in conflict.
-    Gears that are neutral, indeterminate, back-driven or self-locking only get
-    messages.
+    Exit status 1: a case has an error, a gear is tied up, or a freewheel can
+    neither hold nor overrun. Gears that are neutral, indeterminate,
+    back-driven or self-locking only get messages.
     """
     names = arguments.named(cases, files_from)
     several = len(names) > 1 or files_from is not None
@@ -112,7 +112,7 @@ def run_command(
     if pretty:
         if wanted.form is not None or jobs is not None or resume:
             without = "-f, --jobs, --resume, --lang source"
-            raise click.UsageError(f"--pretty is for people: without {without}")
+            raise click.UsageError(f"--pretty cannot be combined with {without}")
         return _pretty(names, settings, wanted, [*names, *others], several=several)
     to = wanted.destination([*names, *others], several=several)
     of_source = to.form == "source"
@@ -122,7 +122,8 @@ def run_command(
     )
     if resume and not to.is_folder and (to.form not in formats.STREAMS or is_stream(to.output)):
         message = (
-            "--resume needs a directory to go on with, -o DIRECTORY/, or a file .jsonl, .parquet"
+            "--resume needs the output of the stopped run: -o DIRECTORY/, or a .jsonl or "
+            ".parquet file"
         )
         raise click.UsageError(message)
     job = Job(
@@ -242,7 +243,7 @@ def _pretty(
     to = wanted._replace(formats=("text",)).destination(inputs)
     language = to.language
     if to.is_folder:
-        raise click.UsageError(f"all cases give one text: expected -o FILE, not {to.output}")
+        raise click.UsageError(f"all cases have one output: expected -o FILE, not {to.output}")
     to_stdout = to.output in (None, STDOUT)
     console = SafeConsole(highlight=False) if to_stdout else SafeConsole(highlight=False, **PLAIN)
     marks = ASCII if to_stdout and console.options.ascii_only else DOTS

@@ -101,7 +101,7 @@ def summary_command(
 
     Exit status 1: a case has an error, or a gear is tied up.
     """
-    refuse((at_most is not None and not combinations, "--at-most: without --combinations"))
+    refuse((at_most is not None and not combinations, "--at-most needs --combinations"))
     others = duty.files if duty else []
     to = wanted.destination([*cases, *others], several=len(cases) > 1, together=True)
     arguments.check_streams([*cases, *others])
@@ -119,7 +119,7 @@ def summary_command(
         if calculated is not None:
             return _of_boxes(list(calculated), summarized, to)
     if boxes:
-        raise click.UsageError("--gearbox: expected one document of found boxes instead of cases")
+        raise click.UsageError("--gearbox: expected one file of found gearboxes instead of cases")
     if len(cases) == 1 or to.is_folder or to.form in ("json", "jsonl"):
         show = partial(_shown, summarized=summarized)
         return carry_out(Job("summary", settings, to, show), cases, others=others)
@@ -133,7 +133,7 @@ def _of_boxes(
 ) -> int:
     """Write the summaries of gearboxes from a synthesis, as a table or as JSON."""
     if to.is_folder:
-        message = f"found boxes give one table: expected -o FILE, not {to.output}"
+        message = f"found gearboxes have one output: expected -o FILE, not {to.output}"
         raise click.UsageError(message)
     if to.form not in ("json", "jsonl"):
         return _side_by_side(outcomes, summarized, to)

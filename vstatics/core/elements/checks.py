@@ -129,7 +129,9 @@ def _problems(element: Element, path: Path) -> Iterator[Problem]:
         back = (*place, "wheel") if worm else (*path, "back_efficiency")
         yield from of_back_efficiency(element.back_efficiency, back)
     elif element.back_efficiency is not None:
-        message = "it needs `efficiency`, that of power from the first member to the second"
+        message = (
+            "it needs `efficiency`, which applies to power from the first member to the second"
+        )
         yield Problem("E302", message, (*path, "back_efficiency"))
     yield from _mesh_efficiency(element.mesh_efficiency, path)
     if element.efficiency is not None and element.mesh_efficiency:
@@ -155,7 +157,7 @@ def _friction(drawing: DrawingFields) -> Iterator[Problem]:
                 yield Problem(
                     "E334",
                     f"read {teeth} teeth, expected {LEAST_RING} at least: the tips of a standard "
-                    "ring with fewer lie within its base circle, so friction gives no efficiency",
+                    "ring with fewer are inside its base circle, so friction gives no efficiency",
                     ("elements", number, "teeth", ring),
                 )
 
@@ -256,8 +258,8 @@ def _simple(element: Element, kind: Simple, path: Path) -> Iterator[Problem]:
     first, second = (element.teeth.get(wheel) for wheel in ("first", "second"))
     if element.kind == "internal_pair" and first and first == second:
         message = (
-            "the ring gear has as many teeth as the gear inside it, expected more "
-            "teeth of the ring gear"
+            "the ring gear has as many teeth as the gear inside it, expected a "
+            "ring gear with more teeth"
         )
         yield Problem("E309", message, (*path, "teeth"))
 
@@ -337,7 +339,9 @@ def whole(element: Element, drawing: DrawingFields, path: Path) -> Iterator[Prob
     known = _known_planets(element)
     for name, mass in element.planet_masses.items():
         if mass.inertia and name not in known:
-            message = f"the speed of planet {name} is unknown, expected the teeth of the gear set"
+            message = (
+                f"the speed of planet {name} is unknown, expected the tooth numbers of the gear set"
+            )
             yield Problem("E318", message, (*path, "planet"))
 
 

@@ -62,7 +62,7 @@ def _wheels(element: Element, rims: Collection[str], path: Path) -> Iterator[Pro
             )
     for place, rim in named:
         if rim not in rims:
-            known = nearest(rim, rims) or ": " + ", ".join(rims)
+            known = nearest(rim, rims) or f": {', '.join(rims) or 'none is listed'}"
             yield Problem(
                 "E323", f"read `{rim}`, expected the name of a planet gear{known}", (*path, *place)
             )
@@ -122,7 +122,9 @@ def _group_wheels(element: Element, group: PlanetGroup, path: Path) -> Iterator[
         place = (*path, *wheel_path(element, wheel))
         if wheel.link == group.carrier != HOUSING:
             yield Problem(
-                "E330", "is on the link of the carrier, expected another link", (*place, "link")
+                "E330",
+                "the gear is on the link of the carrier, expected another link",
+                (*place, "link"),
             )
         for other in group.wheels:
             around = wheel.internal and not other.internal and wheel.rim == other.rim

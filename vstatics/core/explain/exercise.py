@@ -219,7 +219,7 @@ def worksheet(
         blanks = list(_blanks(results, index, wanted, telling=False))
     if not blanks:
         gear = case.gears[index].name
-        raise CaseError("E910", f"gear {gear} has no numbers to ask for; ask for another gear")
+        raise CaseError("E910", f"gear {gear} has no results for an exercise; choose another gear")
     names = {item.table for item in blanks}
     asked = [item for item in wanted if item.quantity.name in names]
     return GearExercise(results, index, seed, asked, blanks, unchanged)

@@ -238,8 +238,8 @@ def _with_pairs(results: Results, number: int) -> tuple[Transmission, Results]:
             what = "the speed ratio 0" if ratio == 0 else "no known speed ratio"
             raise CaseError(
                 "E279",
-                f"gear {given.name}: {mechanism.name} has {what}, of which no equations are "
-                "written; its sheet, `explain --worksheet`, has its rules",
+                f"gear {given.name}: {mechanism.name} has {what}, so its equations cannot be "
+                "written; for its exercise sheet use `explain --worksheet`",
             )
         if mechanism.kind == "converter":
             converters[place] = mechanism._replace(ratio=ratio)

@@ -280,7 +280,9 @@ def _drawn(case: TransmissionFields) -> Iterator[Problem]:
         return
     count = sum(len(device.mechanisms) for device in case.drawing.devices)
     if len(case.mechanisms) != count:
-        message = f"read {len(case.mechanisms)}, but the drawing has {count}; change the drawing"
+        message = (
+            f"read {len(case.mechanisms)}, but the gear sets have {count}; change the gear sets"
+        )
         yield Problem("E208", message, ("mechanisms",))
 
 

@@ -77,7 +77,7 @@ def of_element(case: TransmissionFields, element: ShiftElement, path: Path) -> I
     yield from of_link(first, (*path, "first"), links)
     yield from of_link(second, (*path, "second"), links)
     if first == second:
-        message = f"joins link {called(case, first)} to itself, expected two different links"
+        message = f"connects link {called(case, first)} to itself, expected two different links"
         yield Problem("E218", message, (*path, "second"))
     elif element.kind:
         yield from _kind(element, (*path, "kind"))
@@ -206,7 +206,11 @@ def of_mechanism(mechanism: Mechanism, path: Path, links: int) -> Iterator[Probl
     if not members:
         yield Problem("E227", "all three links are the housing, expected at least one link", path)
     if len(set(members)) < len(members):
-        yield Problem("E228", f"links {mechanism.links}: expected different links", path)
+        yield Problem(
+            "E228",
+            "two members are on the same link, expected different links",
+            path,
+        )
     yield from of_mechanism_numbers(mechanism, path)
 
 

@@ -47,7 +47,7 @@ def _of_spring(case: TransmissionFields, spring: Spring, path: Path) -> Iterator
     twist = dict(spring.twist)
     if len(twist) < len(spring.twist):
         link = next(iter(twist))
-        message = f"joins link {called(case, link)} to itself, expected two different links"
+        message = f"connects link {called(case, link)} to itself, expected two different links"
         yield Problem("E218", message, (*path, "second"))
         return
     shaft = ends(twist)
@@ -226,7 +226,7 @@ def of_elastic(
         yield from above_0(stiffness, "a stiffness", (*path, "stiffness"))
     here = (*path, "damping")
     if not always:
-        yield from _of_unit(viscous, "it turns", here, straight=False)
+        yield from _of_unit(viscous, "the component rotates", here, straight=False)
     yield from not_negative(viscous, "a damping", (*here, "viscous"))
     yield from not_negative(loss_factor, "a loss factor", (*here, "loss_factor"))
     if (viscous or loss_factor) and stiffness is None and not always:

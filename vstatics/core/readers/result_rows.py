@@ -121,7 +121,7 @@ def _put(
 
 def _made(results: dict[str, _Cells], file: str) -> list[WrittenResult]:
     if not results:
-        raise no_result("no result in it", file)
+        raise no_result("the file contains no result", file)
     return [checked(_result(case, cells), file) for case, cells in results.items()]
 
 
@@ -146,7 +146,7 @@ def _csv_lines(text: str, file: str) -> Iterator[tuple[int, list[str]]]:
         for row in lines:
             yield lines.line_num, row
     except csv.Error as error:
-        raise no_result(f"no CSV: {error}", file, lines.line_num) from None
+        raise no_result(f"the file is not CSV: {error}", file, lines.line_num) from None
 
 
 def _result(file: str, tables: _Cells) -> WrittenResult:

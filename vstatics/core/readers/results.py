@@ -73,7 +73,9 @@ def read_results(data: bytes, file: str) -> list[WrittenResult]:
             raise _no_json(error, file) from None
         documents = content if isinstance(content, list) else [content]
         if not documents:
-            raise no_result(f"an empty array, as of check where all is well; {TAKEN}", file)
+            raise no_result(
+                f"an empty array, as `check -f json` writes if there are no messages; {TAKEN}", file
+            )
         return [_report(document, file, number) for number, document in enumerate(documents, 1)]
     if is_csv(text):
         return read_csv(text, file)
@@ -111,7 +113,7 @@ def _no_json(error: Exception, file: str, line: int = 0) -> ReadError:
             f"the file is not JSON: {error.msg}", file, line or error.lineno, error.colno
         )
     reason = "nested too deeply" if isinstance(error, RecursionError) else error
-    return no_result(f"the file is not JSON that can be read: {reason}", file, line)
+    return no_result(f"the JSON cannot be read: {reason}", file, line)
 
 
 def _report(document: Any, file: str, number: int, line: int = 0) -> WrittenResult:

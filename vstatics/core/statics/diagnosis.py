@@ -274,7 +274,7 @@ def _taking(case: Transmission, gear: Gear, speed: float) -> tuple[str, str]:
     the input torque acts against the input speed, so the sign is reversed.
     """
     if case.input_torque(gear):
-        way, size = -1.0 if case.coasts(gear) else 1.0, ".2"
+        way, size = -1.0 if case.coasts(gear) else 1.0, "0.2"
     else:
         way, size = case.gear_load(gear).speed or 1.0, "20 N*m"
     return ("above", size) if way * speed < 0 else ("below", f"-{size}")
@@ -470,12 +470,12 @@ def _lost_digit_messages(results: Results, number: int) -> Iterator[Said]:
         return
     of = [f"the speed of {spoken(lost.links)}"] * bool(lost.links)
     of += [f"the torque of {spoken(lost.devices)}"] * bool(lost.devices)
-    certain = f"{lost.digits} digit{_s(lost.digits)}" if lost.digits else "no digit"
+    certain = f"only {lost.digits} digit{_s(lost.digits)}" if lost.digits else "no digit"
     verb = "are" if lost.digits > 1 else "is"
     yield Said(
         "W417",
-        "the ratios are so close to a singular gear train that rounding errors show: "
-        f"{certain} of {spoken(of)} {verb} certain; give exact ratios, for example by teeth",
+        "with slightly different ratios there would be no unique solution, so rounding errors "
+        f"show: {certain} of {spoken(of)} {verb} certain; give exact ratios, for example by teeth",
     )
 
 
@@ -506,9 +506,9 @@ def _torque_messages(results: Results, number: int, gear: Gear, *, is_told: bool
     ):
         yield Said(
             "W419",
-            "the ratios are so close to a singular gear train that rounding errors show: output "
-            "torque times output speed is not 1, so only a few digits are certain; give exact "
-            "ratios, for example by teeth",
+            "with slightly different ratios there would be no unique solution, so rounding errors "
+            "show: output torque times output speed is not 1, and only a few digits are certain; "
+            "give exact ratios, for example by teeth",
         )
     elif not results.excess[number] and (  # messages about the speeds mention redundant constraints
         np.isnan(results.torques[number]).any() or np.isnan(results.mesh_torques[number]).any()

@@ -107,7 +107,7 @@ def _check(case: Transmission, at_most: int) -> None:
         raise CaseError(
             "E420",
             f"{needed(case)} of {len(case.shift_elements)} shift elements have {count} "
-            f"combinations, more than the {at_most} that may be tried",
+            f"combinations, more than the limit of {at_most}",
             ("shift_elements",),
         )
 

@@ -284,7 +284,7 @@ def _selected(results: Results, name: str, selection: list[Any]) -> Any:
     """Return a table, or the values selected by the names of row and gear."""
     quantity = quantity_named(name)
     if quantity.columns == "devices":
-        array, wanted = structural_matrix(results.case), "its name: it is of no gear"
+        array, wanted = structural_matrix(results.case), "its name, because it has no gears"
     else:
         array, wanted = results.existing(quantity.name), "(table, gear)"
         indices: list[Any] = []

@@ -38,10 +38,11 @@ WITH_COLUMNS = ("csv", "json", "jsonl", "npz", "parquet")
 def simulate_command(asked: SimulateOptions) -> int:
     """Simulate a shift, a launch or another SCENARIO over time; - is standard input.
 
-    SCENARIO is a YAML file with a case, a duration, an initial state, and capacities of
-    shift elements and external torques over time, or shifts. CASE replaces the case of the
-    scenario. The events, the energies and the largest torques are printed. A CSV, JSON, NPZ
-    or Parquet file has the speeds, slips and torques over time. --out adds columns to it:
+    SCENARIO is a YAML file with a case, a duration and an initial state. Shifts, or
+    capacities of shift elements and external torques over time, determine the run. CASE
+    replaces the case of the scenario. The events, the energies and the largest torques are
+    printed. A CSV, JSON, NPZ or Parquet file has the speeds, slips and torques over time.
+    --out adds columns to it:
 
     \b
       accelerations, jerks, powers       of links

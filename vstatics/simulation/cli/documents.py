@@ -72,7 +72,7 @@ def case_of(
     """
     file = case or document.case_file
     if not file:
-        raise document.no_case("`case` is missing: give the file of the case")
+        raise document.no_case("no file of a case is named: expected `case: FILE`")
     files.spare([file], output)
     if file in texts:
         return texts[file], file

@@ -43,7 +43,7 @@ class SampleOptions(NamedTuple):
         """
         refused = [f"--{name}" for name, given in of_one_run.items() if given]
         if self.samples is not None and refused:
-            raise click.UsageError(f"{refused[0]} is for one run, without --samples.")
+            raise click.UsageError(f"{refused[0]} applies to a single run: leave out --samples.")
         given = {"seed": self.seed, **self.sharing._asdict()}
         alone = [name for name, value in given.items() if value not in (None, False)]
         if self.samples is None and alone:

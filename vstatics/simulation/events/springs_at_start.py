@@ -37,7 +37,7 @@ def with_viscous_damping(
     frequency = _lowest_frequency(system, speeds)
     if not frequency:
         return system, (
-            Message("W601", "nothing swings at the start, so loss factors damp nothing"),
+            Message("W601", "nothing vibrates at the start, so loss factors have no effect"),
         )
     springs = tuple(
         spring._replace(viscous=spring.viscous + spring.loss_factor * spring.stiffness / frequency)
@@ -107,7 +107,8 @@ def settled_twists(system: MotionSystem, speeds: Floats) -> Floats:
         if twist is None:
             raise CaseError(
                 "E694",
-                f"{spring.name} never reaches its torque of {torque:g} N*m: leave out `settled`",
+                f"{spring.name} has a torque of {torque:g} N*m at the start, which its points "
+                "never reach: leave out `settled`",
                 ("start", "settled"),
             )
         twists[index] = twist

@@ -114,8 +114,9 @@ def scenario_doubts(scenario: Scenario) -> Iterator[Problem]:
             if inertia < mass * (1 - MISSING_MASS):
                 yield Problem(
                     "W604",
-                    f"the case has an inertia of {inertia:g} kg*m^2 on this link, and `road` adds "
-                    f"none: a mass of {law.mass:g} kg on wheels of {law.radius:g} m has {mass:g}",
+                    f"the case has an inertia of {inertia:g} kg*m^2 on this link, and `road` "
+                    f"adds none: expected {mass:g} for a mass of {law.mass:g} kg and wheels with "
+                    f"a radius of {law.radius:g} m",
                     ("torques", _name(case, link)),
                 )
 

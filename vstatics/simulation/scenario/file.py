@@ -256,9 +256,9 @@ def case_bytes(document: ScenarioDocument, case: str | None = None) -> tuple[byt
     """
     name = case or document.case_file
     if not name:
-        raise document.no_case("`case` is missing: give the file of the case")
+        raise document.no_case("no file of a case is named: expected `case: FILE`")
     if not (case or are_read()):
-        raise document.no_case("a scenario that is a text cannot name a file: give the case itself")
+        raise document.no_case("a scenario without a file cannot name a file: give the case itself")
     try:
         data = read_file(name, regular=not case)
     except OSError as error:

@@ -309,11 +309,11 @@ def _check_operands(part: Applied, words: Vocabulary, source: Excerpt) -> None:
         if count != wanted:
             many = ("none", "one", "two")
             raise source.error(
-                f"{name} of {count} parts, expected {many[wanted]}: it is a table of so many",
+                f"{name} of {count} values, expected {many[wanted]}, as in its table",
                 part.at,
             )
     elif name not in ("min", "max") and name in FUNCTIONS and count > 1:
-        raise source.error(f"{name} of {count} parts, expected one, as in {name}(t)", part.at)
+        raise source.error(f"{name} of {count} values, expected one, as in {name}(t)", part.at)
 
 
 def _check_name(
@@ -325,7 +325,7 @@ def _check_name(
         return
     if name in (*OF_TORQUES, *OF_EVENTS) and part.subscripts:
         where = "`when`" if name in OF_EVENTS else "`rate` and `when`"
-        message = f"read `{name}`, which stands in {where} alone"
+        message = f"read `{name}`, which only {where} can have"
         raise source.error(message, part.at)
     short = [SHORT_SPEED] * ("speed" in names)
     known = (*names, *short, *words.numbers, *words.values)
@@ -339,7 +339,7 @@ def _check_name(
     word = "speed" if name == SHORT_SPEED else name
     rows = words.rows.get(word, ())
     if rows:
-        expected += f"; name what it is of, as in {word}('{next(iter(rows))}')"
+        expected += f"; name the link or component, as in {word}('{next(iter(rows))}')"
     others = (*known, *words.rows, *FUNCTIONS, PI)
     hint = "" if word in (*VARIABLES, *words.rows) else nearest(name, others)
     raise source.error(f"read {quoted(name)}, {expected}{hint}", part.at)

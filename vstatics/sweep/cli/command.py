@@ -188,7 +188,7 @@ def sweep_command(
 
     form = _checked(options, spelled, sharing)
     if raw and form != "csv":
-        raise click.UsageError("--raw is for CSV.")
+        raise click.UsageError("--raw applies to CSV only.")
     files.spare(filter(None, [options.case, options.variants, sweep_file]), options.output)
 
     try:

@@ -48,9 +48,9 @@ def check_room(plan: SweepPlan, form: Format, output: str, pieces: FinishedPiece
         return
     size = _row_bytes(plan, form) * plan.count
     if size > free:
-        what = "its pieces would have" if form == "parquet" else "would have"
+        what = "its pieces need" if form == "parquet" else "needs"
         message = (
-            f"{what} about {size_text(size)}, but {size_text(free)} are free there: expected fewer "
+            f"{what} about {size_text(size)}, but only {size_text(free)} are free: expected fewer "
             "variants or columns, --where, --best, or another disk"
         )
         if pieces.finished():

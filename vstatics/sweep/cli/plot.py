@@ -49,14 +49,14 @@ def plot_written_sweep(
     refuse(
         (
             kind == "histogram" and (columns.x or columns.z),
-            "--x, --z: histograms are of the columns of --y",
+            "--x, --z: a histogram shows the columns of --y only",
         ),
         points,
-        (best and asked.levels is not None, "--levels: with --best-gear a map has no levels"),
+        (best and asked.levels is not None, "--levels: a map with --best-gear has no levels"),
         (kind == "curves" and columns.z, "--z: only a map has contours"),
         (
             len(sweeps) > 1 or to.is_folder,
-            f"{kind}: expected one written sweep, and a file for its picture",
+            f"{kind}: expected one table of `sweep -o`, and a file for its picture",
         ),
     )
     data, name = files.read_input(sweeps[0], TABLE_BYTES)

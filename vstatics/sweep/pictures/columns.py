@@ -160,7 +160,7 @@ def parts(sweep: WrittenSweep, selected: DrawnColumns, axes: Sequence[str]) -> l
             raise CaseError(
                 "E432",
                 f"several rows of the sweep have the same {' and '.join(axes)}{hint}: expected "
-                "--by with a column that distinguishes them, or a sweep with fewer numbers",
+                "--by with a column that distinguishes them, or a sweep with fewer varied numbers",
             )
     return row_groups
 

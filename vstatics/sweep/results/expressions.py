@@ -213,7 +213,7 @@ def _resolve(tree: Tree, names: NameFinder, named: Mapping[str, ResolvedPart]) -
         return _named(tree, names, named)
     name, operands = tree.name, [_resolve(operand, names, named) for operand in tree.operands]
     if name in ("abs", "sum", "sqrt", LAST) and len(operands) > 1:
-        message = f"{name} of {len(operands)} parts, expected one, as in {name}(losses)"
+        message = f"{name} of {len(operands)} values, expected one, as in {name}(losses)"
         raise names.source.error(message, tree.at)
     node = Applied(name, tuple(operand.node for operand in operands), tree.at, tree.depth)
     if name == LAST:

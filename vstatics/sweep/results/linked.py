@@ -157,7 +157,7 @@ def _check_order(links: Sequence[LinkText], formulas: Sequence[Expression], firs
         late = [other for other in sorted(needs[number]) if other > number]
         if circle:
             names = " -> ".join(links[place].target.name for place in circle)
-            message = f"links in a circle: {names}; expected links to other numbers"
+            message = f"numbers are linked in a circle: {names}; expected formulas of other numbers"
         elif late:
             message = (
                 f"{link.target.name} is linked to {links[late[0]].target.name}, which is linked "

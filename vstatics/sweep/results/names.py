@@ -165,7 +165,7 @@ class SweepNames:
 
     def _nothing_more(self, subscripts: Sequence[Subscript], expected: str) -> None:
         if subscripts:
-            gears = "each row is of a gear, " * self.by_gear
+            gears = "each row has a single gear, " * self.by_gear
             message = f"read too many parts, {gears}expected {expected}"
             raise self.source.error(message, subscripts[0].at)
 

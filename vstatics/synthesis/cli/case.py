@@ -121,7 +121,7 @@ def _link(scheme: SetScheme, given: str) -> int:
     for link, name in enumerate(names):
         if word.upper() == name or word == str(link):
             return link
-    there = f"the scheme has {names[0]} to {names[-1]}"
+    there = f"the structure has {names[0]} to {names[-1]}"
     raise ValueError(f"read {quoted(given)}, but {there}")
 
 

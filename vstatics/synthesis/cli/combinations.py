@@ -51,7 +51,7 @@ class Trials(NamedTuple):
         multiple=True,
         callback=value(_sizes),
         metavar="K",
-        help="Number of engaged shift elements, or several numbers as 2,3.  [default: the number "
+        help="Number of engaged shift elements, or several such as 2,3.  [default: the number "
         "that leaves one degree of freedom]",
     ),
     click.option(
@@ -103,7 +103,7 @@ def combinations_command(
       neutral  input and output turn independently
       gear     a fixed ratio
       direct   the ratio 1, independent of the ratios of the mechanisms
-      free     a mark: the speeds of other links are indeterminate
+      free     added if the speeds of other links are indeterminate
 
     A freewheel counts as holding. With --shift-elements auto, the shift elements are a
     clutch between any two links, such as F-1-2, and a brake on any link except input and
@@ -143,7 +143,7 @@ def combinations_command(
     )
 
     if trials.ports and (trials.dry_run or target):
-        raise click.UsageError("--ports: without --dry-run and --write, which are of one case")
+        raise click.UsageError("--ports cannot be combined with --dry-run or --write")
     reading = request.read()
     with problems_of(reading):
         refuse_converters(reading.case)

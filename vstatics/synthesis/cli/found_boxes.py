@@ -135,7 +135,7 @@ def _calculated(
     """
     if not listing.boxes:
         raise ReadError(
-            [of_file("E009", file, "no box was found, so there is nothing to summarize")]
+            [of_file("E009", file, "no gearbox was found, so there is nothing to summarize")]
         )
     for box in _chosen_boxes(listing, asked):
         with files.problems_of_file(file):

@@ -65,8 +65,8 @@ def _links(text: str) -> int:
         type=click.Choice(get_args(Classes)),
         default="none",
         show_default=True,
-        help="List only one of several structures that differ in the names of gear sets (sets), "
-        "or also in an exchange of sun and ring (members) or of all members (order).",
+        help="List only one of several structures that differ only in the names of gear sets "
+        "(sets), or also in an exchange of sun and ring (members) or of all members (order).",
     ),
     click.option(
         "--ports", is_flag=True, help="List each structure with every pair of input and output."
@@ -118,7 +118,7 @@ def structures_command(
       vstatics synth structures --sets 5 --classes sets --ports --dry-run
     """
     if counted and asked.matrix:
-        raise click.UsageError("--matrix is of a list: expected it without --count")
+        raise click.UsageError("--matrix cannot be combined with --count")
     with wrong_value("--links"):
         search.check_search(asked)
     if dry_run:
@@ -180,9 +180,8 @@ def _expected_count(asked: StructureSearch, output: str | None, *, listed: bool)
     check_room(estimated.bytes, output, "--count, --classes, --links, or another disk")
     if estimated.seconds > LONG:
         size = f", {size_text(estimated.bytes)}" if listed else ""
-        text = (
-            f"{about(estimated.total)} schemes{size}, in about {duration_text(estimated.seconds)}"
-        )
+        count, time = about(estimated.total), duration_text(estimated.seconds)
+        text = f"{count} structures{size}, in about {time}"
         files.show([Problem("N003", text)])
     return round(estimated.total)
 

@@ -75,7 +75,9 @@ def scheme_case(
             f"; expected {sets + LEAST_MOBILITY} links or more"
         )
     if len(ratios) != len(scheme.sets):
-        raise ValueError(f"ratios: read {len(ratios)}, but the scheme has {len(scheme.sets)} sets")
+        raise ValueError(
+            f"ratios: read {len(ratios)}, but the structure has {len(scheme.sets)} sets"
+        )
     others = [link for link in range(scheme.links) if link not in (input_link, output_link)]
     elements = [ShiftElement(link + 1, HOUSING, f"T-{link_name(link)}") for link in others]
     clutches = [_clutch(input_link, output_link)]

@@ -154,8 +154,8 @@ def refuse_converters(case: Transmission) -> None:
         if part.kind == "converter":
             raise CaseError(
                 "E456",
-                f"{part.name} loses power, and a lock-up clutch bypasses it: expected the "
-                "gear train behind it, with its turbine as `input`",
+                f"a search for gears accepts no converter ({part.name}): expected the gear train "
+                "behind it, with its turbine as `input`",
                 ("mechanisms", number),
             )
 
@@ -233,14 +233,14 @@ class CombinationSearch:
             raise CaseError(
                 "E420",
                 f"{self.choice} shift elements have {count_text(self.count)} combinations, more "
-                f"than the {at_most} that may be tried",
+                f"than the limit of {at_most}",
                 ("shift_elements",),
             )
         room = (self.choice + 3) * (self.case.links + 1)
         free = needed(self.case) + 1  # number of elimination steps for each row
         work = sum(size * (size + 3) * free * self._count(size) for size in self.sizes)
         if room > MOST_ROW_NUMBERS or work > WORK * (at_most or math.inf):
-            lacking = "the memory" if room > MOST_ROW_NUMBERS else "an hour"
+            lacking = "the memory" if room > MOST_ROW_NUMBERS else "an hour of calculation"
             raise CaseError(
                 "E817",
                 f"{self.choice} shift elements between {self.case.links} links are too many for "

@@ -103,7 +103,7 @@ def draw_boxes(listing: BoxListing, style: Style, drawn: Sequence[ListedBox]) ->
         If the list is empty.
     """
     if not drawn:
-        raise CaseError("E009", "no box was found, so there is nothing to draw")
+        raise CaseError("E009", "no gearbox was found, so there is nothing to draw")
     count = DIAGRAMS_SIDE_BY_SIDE
     room = (style.width - 2 * MARGIN - (count - 1) * DIAGRAM_GAP) / count
     cells = [_cell(box, room, style) for box in drawn]

@@ -226,7 +226,7 @@ def fit_problem(  # noqa: PLR0913 - the arguments of `fit`
     """
     for gear in case.gears:
         for index in case.sought_converters(gear):
-            message = f"{case.mechanisms[index].name} finds its speed ratio by the load: expected "
+            message = f"{case.mechanisms[index].name} has no given speed ratio: expected "
             message += "the gear train behind it, with its turbine as `input`, or a `speed_ratio`"
             raise CaseError("E456", message, ("mechanisms", index + 1))
     links = on_engaged_links(case)

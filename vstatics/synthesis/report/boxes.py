@@ -85,7 +85,7 @@ def boxes_page(
         If the case of a drawn gearbox is not valid.
     """
     if not listing.boxes:
-        raise CaseError("E009", "no box was found, so there is nothing to show")
+        raise CaseError("E009", "no gearbox was found, so there is nothing to show")
     without = missing("plot", "a picture")
     parts = [
         Part("Overview", list(_overview(listing, without))),

@@ -49,7 +49,9 @@ def _ratios(texts: Sequence[str]) -> dict[str, float]:
         except ValueError:
             ratios[name] = math.nan
         if not name or not math.isfinite(ratios[name]):
-            raise ValueError(f"read {text!r}, expected the name of a converter and a number: TC=.6")
+            raise ValueError(
+                f"read {text!r}, expected the name of a converter and a number: TC=0.6"
+            )
     return ratios
 
 

@@ -26,9 +26,9 @@ def reduce_command(request: OneCase, to: str, gears: tuple[str, ...]) -> int:
     """Reduce the inertias and compliances of CASE to one link, in every gear.
 
     The factors follow from the speeds w of the rigid motion: an inertia J becomes
-    J (w_link/w_to)^2, a compliance E becomes E (w_to/w_link)^2. A link at rest can
-    support 1 - i times the torque of the link --to, such as a casing on its mounting. Then J
-    becomes J/(1 - i)^2, and E becomes E (1 - i)^2. For i = 1 the values are left out. Rigidly
+    J (w_link/w_to)^2, a compliance E becomes E (w_to/w_link)^2. A link at rest, such as
+    a casing on its mounting, can support 1 - i times the torque of the link --to. Then its J
+    becomes J/(1 - i)^2, and its E becomes E (1 - i)^2. For i = 1 the values are left out. Rigidly
     connected links are one entry under the name of the first link. The CASE - is standard
     input.
 

@@ -207,7 +207,8 @@ def response_command(
     converters have their slopes at the operating point of CASE.
 
     Dry friction M of a spring counts as a damper of 4 M/(pi A w), with the amplitude A of the
-    twist and the frequency w. A torque below M does not twist the spring.
+    twist and the frequency w. Below an amplitude of 4 M/pi, a torque does
+    not twist the spring.
 
     Text shows the largest values. CSV, XLSX and JSON contain all values. An undamped system
     has no value exactly at its natural frequency.

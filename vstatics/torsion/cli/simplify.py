@@ -206,10 +206,11 @@ def _format_of(output: str | None, case: str) -> str:
 
 
 def _lost_dampings(case: Transmission) -> list[str]:
-    """Return a warning about loss factors, which a scheme loses."""
+    """Return a warning about loss factors, which the simplified system omits."""
     devices: list[Spring | Mechanism | ShiftElement]
     devices = [*case.springs, *case.mechanisms, *case.shift_elements]
     names = [device.name for device in devices if damping(device.damping).loss_factor]
     if not names:
         return []
-    return [f"the loss factor of {spoken(names)} is omitted: a scheme has viscous damping only"]
+    why = "a simplified system has only viscous damping"
+    return [f"the loss factor of {spoken(names)} is omitted: {why}"]

@@ -255,16 +255,16 @@ def _messages(given: Dump, result: DumpTorque, course: _Course) -> Iterator[Mess
     if not case.startswith("A"):  # B, V: the clutch grabs at once
         margin = ""
         if case in MARGINS:
-            of_integration = f"{MARGINS[case]} % of an integration in time"
+            of_integration = f"{MARGINS[case]} % compared with a numerical integration"
             margin = f", by {of_integration} for the vehicles of the source"
         if case == "V2":
-            margin += "; compared with a measurement by 42 % (table 3.2)"
-        yield Message("N501", f"case {case} is on the safe side{margin}")
+            margin += "; by 42 % compared with a measurement (table 3.2)"
+        yield Message("N501", f"case {case} gives a torque that is too high{margin}")
     if course.missed is not None:
         yield Message(
             "N502",
-            f"case {course.missed} does not occur, as the torque of its closed form does not"
-            f" reach {course.limit:.6g}; case {case} applies",
+            f"case {course.missed} does not occur, because its formula gives a torque below "
+            f"{course.limit:.6g}; case {case} applies",
         )
     if given.clamped and case == "V1":
         stuck = _swing(given, (), 0.0).largest(0.0, given.omega1)
@@ -272,5 +272,5 @@ def _messages(given: Dump, result: DumpTorque, course: _Course) -> Iterator[Mess
     if result.engagement is not None and case not in ("A1", "A2"):
         yield Message(
             "N504",
-            "the factor of engagement holds for a slipping clutch and gripping tyres only",
+            "the dynamic factor of --rate is valid for a slipping clutch and gripping tyres only",
         )

@@ -77,7 +77,7 @@ def draw(results: Results, style: Style, gears: Sequence[int] = ()) -> list[Canv
     dumps = gear_dumps(results.case, list(gears) or None)
     if not any(dump.made for dump in dumps):
         names = listed([dump.name for dump in dumps])
-        raise CaseError("E742", f"no torque of a dumped clutch in gear {names}: {dumps[0].error}")
+        raise CaseError("E742", f"no torque of a clutch dump in gear {names}: {dumps[0].error}")
     on_page = len(dumps)
     if math.isfinite(style.height):
         on_page = max(1, int((style.height - 90.0 - TORQUE_SCALE_HEIGHT) / DUMP_ROW))

@@ -80,7 +80,7 @@ def _pair(text: str, names: Sequence[str]) -> tuple[int, int]:
     wrong = next((name for name in (parts or [(text, text)])[0] if name not in names), text)
     hint = "" if wrong in names else nearest(wrong, names)
     raise CaseError(
-        "E888", f"read {quoted(text)} to merge, expected two links of the scheme as `A+B`{hint}"
+        "E888", f"read {quoted(text)} to merge, expected two links of the system as `A+B`{hint}"
     )
 
 

@@ -111,7 +111,7 @@ def simplify(
     ------
     CaseError
         If the number of frequencies is out of range, a name is not the name of a mass, or the
-        rule is `partial` and the scheme is not a chain.
+        rule is `partial` and the system is not a chain.
 
     Examples
     --------
@@ -134,7 +134,7 @@ def simplify(
     elif isinstance(chain, Chain):
         stages = [*_by_partial_systems(chain, count, remove)]
     else:
-        message = f"read rule `partial`, expected r, b or u: the scheme is not a chain, {chain}"
+        message = f"read rule `partial`, expected r, b or u: the system is not a chain, {chain}"
         raise CaseError("E506", message)
     described = tuple(step_of(stage, rule, is_chain=is_chain) for stage in stages)
     final = without_massless(stages[-1][1] if stages else given)
@@ -166,7 +166,7 @@ def _by_masses(
                     "E508",
                     "the rule can remove no further link, because only one component acts on each "
                     f"of {listed([system.names[0] for system in systems])}; name the links to "
-                    "remove",
+                    "remove with --remove",
                 )
             system = _highest(inner)
         [mass] = system.masses
@@ -207,7 +207,7 @@ def _problems(
     most = frequencies + steps
     if not 1 <= frequencies <= most:
         to = f" to {most}" if most > 1 else ""
-        expected = f"expected 1{to}: the scheme has {most}" if most else "but the scheme has none"
+        expected = f"expected 1{to}: the system has {most}" if most else "but the system has none"
         noun = "frequency" if frequencies == 1 else "frequencies"
         message = f"read {frequencies} natural {noun} to remain (--links), {expected}"
         yield Problem("E509", message)
@@ -221,7 +221,9 @@ def _problems(
     for place, name in enumerate(remove):
         if name not in inertias:
             hint = nearest(name, inertias)
-            yield Problem("E511", f"read `{name}` to remove, expected a link of the scheme{hint}")
+            yield Problem(
+                "E511", f"read `{name}` to remove, expected a link of the simplified system{hint}"
+            )
         elif name in remove[:place]:
             yield Problem("E512", f"read `{name}` to remove, which is already removed")
         elif not inertias[name]:

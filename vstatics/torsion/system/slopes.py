@@ -59,8 +59,8 @@ def spring_slopes(case: Transmission, gear: Gear) -> Iterator[SpringSlope]:
         if math.isnan(torque):
             raise CaseError(
                 "E521",
-                f"the torque of {spring.name} in gear {gear.name} is indeterminate, so its slope "
-                "is unknown: leave out the load, or give a `stiffness`",
+                f"the torque of {spring.name} in gear {gear.name} is indeterminate, so its "
+                "stiffness is unknown: leave out the load, or give a `stiffness`",
                 ("springs", number, "points"),
             )
         yield SpringSlope(number, spring.name, torque, spring.curve.slope_at(torque))

@@ -32,7 +32,7 @@ def _strength_fault(**values: Any) -> str:
         return ""
     given, other = ("torque", "endurance") if of_torque else ("endurance", "torque")
     names = spoken(map(quoted, wrong))
-    return f"read {names} beside `{given}`, which belongs to a strength by `{other}`"
+    return f"read {names} with `{given}`, expected `{other}` instead of `{given}`"
 
 
 def _record(case: TransmissionFields) -> dict[str, Fatigue | TorqueStrength]:

@@ -253,7 +253,7 @@ def beside_engine(case: TransmissionFields, gear: Gear) -> str:
     if gear.balance:
         return "a balance"
     if gear.slipping and free_converters(case, gear):
-        return "a slip beside a converter that finds its speed ratio"
+        return "a slip and a converter without a given speed ratio"
     for quantity, numbers in (("speed of", gear.speeds), ("torque on", gear.torques)):
         links = [
             link for link, value in numbers.items() if isinstance(value, SpeedOf) or value != 0

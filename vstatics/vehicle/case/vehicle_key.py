@@ -71,7 +71,7 @@ def _vehicle_fault(**values: Any) -> str:
     """Return a contradiction between engine and electric machine, or an empty text."""
     beside = [quoted(name) for name in ("engine", "overrun", "fuel") if values.get(name)]
     if values.get("machine") and beside:
-        return f"read `machine` beside {spoken(beside)}, expected an engine or a machine"
+        return f"read `machine` together with {spoken(beside)}, expected an engine or a machine"
     if not values.get("machine") and values["recuperation"] != 1:
         return "read `recuperation` without `machine`, expected a machine that recuperates"
     return ""

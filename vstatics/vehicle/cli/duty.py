@@ -42,9 +42,9 @@ class DutyOptions(NamedTuple):
         ReadError, UsageError
         """
         is_table = self.duty is not None and suffix_of(self.duty) == ".csv"
-        without = "--exponent: without --duty and a CSV of points"
+        without = "--exponent needs --duty with a CSV file"
         refuse((self.exponent is not None and not is_table, without))
-        without = "--spectrum: without --duty and a CSV of points"
+        without = "--spectrum needs --duty with a CSV file"
         refuse((self.classes is not None and not is_table, without))
         if self.duty is None:
             return None

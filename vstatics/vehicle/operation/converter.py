@@ -165,7 +165,7 @@ class ConverterGear(NamedTuple):
         if abs(output[0] - output[1]) <= NO_SPEED * fastest:
             message = (
                 f"the speed of the output does not depend on {mechanism.name} in gear {gear.name}, "
-                "so engine and converter cannot find each other: give a `speed_ratio`, or open it"
+                "so its speed ratio is unknown: give a `speed_ratio`, or list it under `open`"
             )
             raise CaseError("E429", message, ("gears", index + 1))
         per_output = (speeds[0] - speeds[1]) / (output[0] - output[1])

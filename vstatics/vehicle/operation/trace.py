@@ -127,7 +127,7 @@ class Trace(NamedTuple):
         if not skipped:
             return []
         columns = "a column" if len(skipped) == 1 else f"{len(skipped)} columns"
-        text = f"{columns} with unknown names skipped: {listed(skipped)}"
+        text = f"{columns} with an unknown name ignored: {listed(skipped)}"
         return [Problem("N005", text, (), self.place)]
 
     @property

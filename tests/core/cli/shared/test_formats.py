@@ -64,8 +64,8 @@ def test_another_suffix_is_refused_before_anything_is_read(
 
 REFUSED = {
     f"report {MZKT} -o new.txt": "new.txt: no format has this suffix here: expected .html .htm",
-    f"report {MZKT} {ZF} {MZKT} -o new.html": "a page is of one case or two: expected a",
-    f"plot {MZKT} {ZF} {MZKT} --kind plan -o new.pdf": "for several (new/)",
+    f"report {MZKT} {ZF} {MZKT} -o new.html": "a page shows one case or two: for more",
+    f"plot {MZKT} {ZF} {MZKT} --kind plan -o new.pdf": "give a directory (new/)",
     f"plot {MZKT} --kind plan -o new.gif": "expected .svg .png .pdf",
     f"sweep {MZKT} --vary D1.ratio=-2 -o new.txt": "cannot determine the format of new.txt",
     f"convert {MZKT} new.txt": "cannot determine the format of new.txt",
@@ -74,7 +74,7 @@ REFUSED = {
     f"summary {MZKT} -f text -o new.md": "expected .txt or .lst or .out",
     f"run {MZKT} -f json --digits 4": "to json, which has all digits",
     f"flow {MZKT} -o new.csv --digits 4": "to csv, which has all digits",
-    f"run {MZKT} --raw": "--raw is for CSV",
+    f"run {MZKT} --raw": "--raw applies to CSV only",
     f"run {MZKT} --digits 0": "1<=x<=15",
 }
 

@@ -90,7 +90,7 @@ def test_results_of_cases_that_are_no_more_are_named() -> None:
     call = "run", *GOOD, "-f", "json", "-o", "out"
     said = vstatics(*call, "in/old.yaml")
     assert said.err.splitlines()[-1] == "3 of 3 cases calculated"
-    named = "out: 1 further result of no case of this run: old.json"
+    named = "out: 1 further result without a case in this run: old.json"
     for more in ((), ("--resume",)):
         said = vstatics(*call, *more)
         assert (said.status, said.err.splitlines()[-1]) == (0, named)
@@ -158,12 +158,12 @@ REFUSED = {
     "-o new/ -f jsonl": "jsonl is one stream: expected -o FILE, not new/",
     "-f parquet -o out/": "parquet is one stream: expected -o FILE",
     "-o all.parquet --digits 3": "--digits does not apply to parquet",
-    "--resume": "--resume needs a directory to go on with",
-    "--resume -f csv -o all.csv": "--resume needs a directory to go on with",
-    "--resume -f jsonl": "--resume needs a directory to go on with",
+    "--resume": "--resume needs the output of the stopped run",
+    "--resume -f csv -o all.csv": "--resume needs the output of the stopped run",
+    "--resume -f jsonl": "--resume needs the output of the stopped run",
     "--jobs 0": "x>=1",
-    "--files-from -  -": "standard input (-) is the list of cases, and no case",
-    "- -": "standard input (-) can be read once",
+    "--files-from -  -": "the list of cases (--files-from), so it cannot be a case",
+    "- -": "standard input (-) can be read only once",
 }
 
 

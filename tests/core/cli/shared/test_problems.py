@@ -17,7 +17,7 @@ READING = {
     "plot": ["plot", "--kind", "structure", "-o", "plot.svg"],
 }
 """Call of each command that calculates a case."""
-QUIET_FAILURE = "error: 1 warning ({}), which --strict makes fail; without -q it is shown\n"
+QUIET_FAILURE = "error: 1 warning ({}), so --strict fails; run without -q to see it\n"
 VARIED = ["sweep", "doubtful.yaml", "--vary", "D.efficiency=.9,.95"]
 
 

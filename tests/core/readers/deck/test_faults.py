@@ -49,9 +49,9 @@ repeat-huge:9:1: IAB: read 1000000000 values ... expected 2 (KG)
 repeat-0:9:6: IAB(2): read '0*2.6' ... repeat count above 0
 repeat-of-nothing:9:6: IAB(2): read '2*' ... a number
 link-out-of-range:3:20: NZF(2,1): read 5 ... a link number from 1 to 4
-element-joins-itself:4:22: NZF(3,2): joins link 1 to itself
+element-joins-itself:4:22: NZF(3,2): connects link 1 to itself
 member-out-of-range:7:20: NZD(2,3): read 7 ... a link number from 1 to 4
-members-equal:5:20: NZD(2,1): links (1, 1, 4) ... different links
+members-equal:5:20: NZD(2,1): two members are on the same link, expected different links
 ratio-0:9:6: IAB(2): read 0 ... other than 0
 efficiency-0:11:5: ETAI(2): read 0 ... above 0
 efficiency-above-1:11:1: ETAI(1): read 97 ... up to 1

@@ -12,12 +12,12 @@ from vstatics.core.readers.named.reader import read_json, read_yaml
 # file:line:column: words of the message; a line that is set in goes on with the one above
 FAULTS = r"""
 alias-of-itself.yaml:9:24: alias *gear is inside the part that it repeats
-alias-unknown.yaml:9:18: alias *elements of no anchor before it
+alias-unknown.yaml:9:18: alias *elements has no anchor before it
 coast-quoted.yaml:2:8: coast: read 'true', expected `true` or `false` without quotes
 coast-yes.yaml:2:8: coast: read 'yes', expected `true` or `false`
 control-character.yaml:6:50: U+0007, a character that YAML does not allow
 efficiency-above-1.yaml:6:64: mechanisms.D1.efficiency: read 97, expected an efficiency above 0
-element-joins-itself.yaml:4:11: shift_elements.F2[2]: joins link 2 to itself
+element-joins-itself.yaml:4:11: shift_elements.F2[2]: connects link 2 to itself
 element-of-one-link.yaml:3:7: shift_elements.T1: read a list of 1, expected two links: [first
 element-twice.yaml:9:27: gears.2.engaged[3]: shift element F2 is engaged twice
 element-unknown.yaml:9:19: gears.2.engaged[1]: read 'F3', expected the name of a shift element:
@@ -111,7 +111,7 @@ inertia-of-speed.yaml:2:32: inertias.disc: read '3 rpm', expected an inertia in 
     with its unit; this is a speed
 spring-both.yaml:5:3: springs.axle: read both `stiffness` and `compliance`, expected one of them
 spring-neither.yaml:5:3: springs.axle: read none of `stiffness`, `compliance`, `points`
-spring-equal-links.yaml:4:28: springs.damper.links[2]: joins link engine to itself, expected two
+spring-equal-links.yaml:4:28: springs.damper.links[2]: connects link engine to itself, expected two
 spring-links-and-twist.yaml:5:9: springs.axle: read both `links` and `twist`, expected one of them
 spring-without-links.yaml:6:12: springs.support: expected `links`, the two links of a shaft
 spring-twist-empty.yaml:5:17: springs.axle.twist: read an empty twist, expected at least one link
@@ -154,7 +154,7 @@ turning-in-straight-unit.yaml:3:48: springs.s.damping: read a number in N*s/m, e
     its twist names no link of `masses`
 straight-points-in-rad.yaml:3:40: springs.s.points[2][1]: read a number in rad, expected m
 damping-of-set-straight.yaml:4:63: mechanisms.M.damping: read a number in N*s/m, expected
-    N*m*s/rad: it turns
+    N*m*s/rad: the component rotates
 strut-that-turns.yaml:3:30: springs.s.strut: the twist names no link of `masses`, expected at
     least one: a strut acts along a straight line
 strut-half-counter-chamber.yaml:3:29: springs.s.strut: expected `counter_area`

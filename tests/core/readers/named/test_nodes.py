@@ -33,7 +33,7 @@ NO_YAML = {
     ("# only words\n", 1, 1): "the file is empty",
     ("a: 1\n---\nb: 2\n", 2, 1): "a second document starts here",
     ("a: &x\n- *x\n", 2, 3): "alias *x is inside the part that it repeats",
-    ("a: &x 1\nb: *y", 2, 4): "alias *y of no anchor before it",
+    ("a: &x 1\nb: *y", 2, 4): "alias *y has no anchor before it",
     ("a:\n ? {b: c}\n : d", 2, 4): "a key that is a list or a mapping",
     ("a: b: c", 1, 5): "read a second `: `; write a text with a colon in quotes",
     ("a: 'b", 1, 6): "not YAML: the quotation mark on line 1, column 4 is not closed",

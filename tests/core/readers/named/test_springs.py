@@ -164,7 +164,7 @@ FAULTS = {
     "springs: 3": "1:10: error: springs: read '3', expected a mapping: a name for each",
     "springs: {s: }": "1:14: error: springs.s: expected `links`, the two links of a shaft",
     "springs: {s: {links: a, stiffness: 3}}": "read 'a', expected two links",
-    "springs: {s: {links: [housing], stiffness: 3}}": "joins link 0 (the housing) to itself",
+    "springs: {s: {links: [housing], stiffness: 3}}": "connects link 0 (the housing) to itself",
     "springs: {s: {links: [a], stifness: 3}}": "key `stifness`; did you mean `stiffness`?",
     "springs: {s: {twist: {0: 1}, stiffness: 3}}": "read an empty twist",
     "springs: {s: {twist: [a], stiffness: 3}}": "read a list, expected a mapping: a number",

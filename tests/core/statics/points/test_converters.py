@@ -47,7 +47,7 @@ def test_a_converter_at_the_input_takes_the_torque_of_the_load() -> None:
     assert results.lossy_torques_Nm[0].tolist() == pytest.approx([96, 134.4, -387.072])
     assert results.ratio.tolist() == pytest.approx([-3 / 0.52])
     assert abs(results.power_balance[0]) < 1e-14
-    text = "TC takes the torque of the load at the speed ratio 0.16, too; the largest is used"
+    text = "TC also takes the torque of the load at the speed ratio 0.16; the largest speed ratio is used"
     assert [(said.id, said.text) for said in results.messages] == [("N421", text)]
 
 

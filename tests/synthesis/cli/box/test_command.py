@@ -152,14 +152,14 @@ def test_filters() -> None:
 def test_where_none_is_found_the_status_tells() -> None:
     near = "the nearest has 1: 3, 2: 1: --tolerance 1.01e-09 finds it"
     for options, told in {
-        "--tolerance 1e-300": f"none of 600 comes within 1e-300 of these ratios; {near}",
-        "--tolerance 1e-300,1=.0001 --brakes 1": "none of 600 comes within these ranges",
+        "--tolerance 1e-300": f"none of 600 is within 1e-300 of these ratios; {near}",
+        "--tolerance 1e-300,1=.0001 --brakes 1": "none of 600 is within these ranges",
         "--brakes 0": "4 boxes with these ratios, none as wanted",
         "--limit torque=1.9": "4 boxes with these ratios, none as wanted",
     }.items():
         said = vstatics("synth", "box", *ASKED, *options.split(), "-f", "json", "-q")
         assert (said.status, said.json["boxes"]) == (1, [])
-        assert said.err == f"no box is found: {told}\n"
+        assert said.err == f"no gearbox is found: {told}\n"
 
 
 @pytest.mark.parametrize("given_up", [0, 2])
@@ -343,7 +343,7 @@ def test_what_cannot_be_asked_for_is_wrong_use() -> None:
         (("--gears", "3", "--step-ratios", "1.8:1.2"), "--step-ratios: read 1.8:1.2, expected two"),
         (("--falling",), "describe --gears"),
         (("--free", "elements=1"), "--free applies to the case of --keep"),
-        (("--resume",), "--resume needs a file or a directory to go on with"),
+        (("--resume",), "--resume needs the output of the stopped search"),
         (("-j", 2, "--scheduler", "tcp://h:1"), "--jobs and --scheduler exclude one another"),
         (("-o", "found.abc"), "found.abc: no format has this suffix here"),
         (("-o", "letter/"), "letter/ is a file: expected a directory"),

@@ -351,7 +351,9 @@ def named(cases: tuple[str, ...], files_from: str | None) -> list[str]:
         names = [*cases]
     else:
         if files_from == files.STDIN and files.STDIN in cases:
-            raise click.UsageError("standard input (-) is the list of cases, and no case")
+            raise click.UsageError(
+                "standard input (-) is the list of cases (--files-from), so it cannot be a case"
+            )
         names = [*cases, *files.read_names(files_from)]
     check_streams(names)
     return names
@@ -360,13 +362,13 @@ def named(cases: tuple[str, ...], files_from: str | None) -> list[str]:
 def check_streams(cases: Sequence[str]) -> None:
     """Raise an error if standard input is named twice."""
     if cases.count(files.STDIN) > 1:
-        raise click.UsageError("standard input (-) can be read once")
+        raise click.UsageError("standard input (-) can be read only once")
 
 
 def check_order(case: str, table: str) -> None:
     """Raise an error if the arguments `case` and `table` are probably swapped."""
     if suffix_of(case) == ".csv" != suffix_of(table):
-        raise click.UsageError(f"the case stands first, then the CSV file: {table} {case}")
+        raise click.UsageError(f"expected the case first, then the CSV file: {table} {case}")
 
 
 def calculate_one(

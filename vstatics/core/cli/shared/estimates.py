@@ -111,7 +111,7 @@ def check_room(size: float, output: str | None, expected: str) -> None:
     free = free_room(output)
     if free is not None and size > free:
         name = "<stdout>" if output is None or output == STDOUT else output
-        message = f"would have about {size_text(size)}, but {size_text(free)} are free there"
+        message = f"needs about {size_text(size)}, but only {size_text(free)} are free there"
         raise ReadError([of_file("E005", name, f"{message}: expected {expected}")])
 
 

@@ -128,7 +128,7 @@ def _nearest_file(file: str) -> str:
             first_entries = itertools.islice(entries, MOST_SEARCHED)
             stems = {entry.name: _stem(entry.name) for entry in first_entries if entry.is_file()}
         if os.path.islink(file):  # noqa: PTH114
-            return f"; it is a link to {os.readlink(file)}, which is not there"  # noqa: PTH115
+            return f"; it is a link to {os.readlink(file)}, which does not exist"  # noqa: PTH115
     except OSError:
         return ""
     asked = _stem(name)

@@ -132,10 +132,10 @@ class OutputOptions(NamedTuple):
                 f"{chosen} is one stream: expected -o FILE, not {self.output}",
             ),
             (style.digits is not None and chosen in FULL, all_digits),
-            (style.raw and chosen != "csv", "--raw is for CSV"),
+            (style.raw and chosen != "csv", "--raw applies to CSV only"),
             (
                 style.own_tables and chosen != "source",
-                "--own-tables is for -f source: other formats have these tables",
+                "--own-tables applies to -f source only: other formats always have these tables",
             ),
         )
         needed = {"xlsx": "XLSX", "parquet": "Parquet"}.get(chosen)
@@ -157,7 +157,7 @@ def each_by_itself(
     to = OutputOptions(formats, None, output, TextStyle()).destination(cases, several=several)
     if len(cases) > 2 and not to.is_folder:
         folder = os.path.splitext(output)[0]  # noqa: PTH122
-        message = f"{what} is of one case or two: expected a directory for several ({folder}/)"
+        message = f"{what} shows one case or two: for more cases give a directory ({folder}/)"
         raise click.UsageError(message)
     return to
 

@@ -127,7 +127,9 @@ def _report_others(folder: str, suffix: str, planned: Sequence[CaseTask]) -> Non
     present = {name for name in os.listdir(folder) if name.endswith(suffix) and name[0] != "."}  # noqa: PTH208
     if others := sorted(present - expected):
         count, noun = len(others), plural("result", len(others))
-        files.say(f"{folder}: {count} further {noun} of no case of this run: {listed(others, 10)}")
+        files.say(
+            f"{folder}: {count} further {noun} without a case in this run: {listed(others, 10)}"
+        )
 
 
 def _begun(

@@ -171,5 +171,5 @@ def one_text(wanted: OutputOptions, inputs: Sequence[str]) -> Destination:
     """Return the destination for a single case, which must not be a directory."""
     to = wanted.destination(inputs)
     if to.is_folder:
-        raise click.UsageError(f"one case gives one text: expected -o FILE, not {to.output}")
+        raise click.UsageError(f"one case has one output: expected -o FILE, not {to.output}")
     return to

@@ -45,9 +45,9 @@ class Telling(NamedTuple):
         if self.quiet and self.fails(all_problems) and not self.printed(all_problems):
             ids = [problem.id for problem in all_problems if problem.severity == "warning"]
             count, names = len(ids), listed(sorted(set(ids)))
-            message = f"{count_of('warning', count)} ({names}), which --strict makes fail"
+            message = f"{count_of('warning', count)} ({names}), so --strict fails"
             yield of_file(
-                "E013", file, f"{message}; without -q {'it is' if count == 1 else 'they are'} shown"
+                "E013", file, f"{message}; run without -q to see {'it' if count == 1 else 'them'}"
             )
 
     def fails(self, problems: Iterable[Problem]) -> bool:

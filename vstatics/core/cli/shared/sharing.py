@@ -44,7 +44,9 @@ class Sharing(NamedTuple):
 
         return 1 if self.scheduler else self.jobs or cores()
 
-    def check(self, output: str | None, expected: str = "a file to go on with: -o FILE") -> None:
+    def check(
+        self, output: str | None, expected: str = "the output of the stopped run: -o FILE"
+    ) -> None:
         """Raise an error for contradictory options, and for --resume without an output file.
 
         Raises

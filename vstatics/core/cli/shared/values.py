@@ -326,7 +326,7 @@ def named_values(text: str, expected: str = "NAME=NUMBER") -> list[tuple[str, st
             message = f"read {text[at : at + 40]!r}, expected {expected} with commas between"
             if pairs and text[at - 2 : at - 1].isdigit() and text[at : at + 1].isdigit():
                 raise ValueError(f"{message} (and with decimal points)")
-            raise ValueError(f"{message}; a name with commas in double quotes: '\"a, b\"=.2'")
+            raise ValueError(f"{message}; a name with commas in double quotes: '\"a, b\"=0.2'")
         name = _unquoted(item["quoted"]) or item["name"].strip()
         pairs.append((name, item["value"].strip()))
         at = item.end() + 1

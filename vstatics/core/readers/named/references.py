@@ -160,7 +160,7 @@ class References:
 
     def _known(self, text: str, names: Collection[str]) -> str:
         """Return a hint with the nearest name, or a short list of all names."""
-        few = ": " + ", ".join(map(shown, names)) if len(names) <= _FEW_LINKS else ""
+        few = ": " + ", ".join(map(shown, names)) if 0 < len(names) <= _FEW_LINKS else ""
         return self._document.hint(text, names) or few
 
 

@@ -198,7 +198,7 @@ class _Builder:
         known = self.anchors.get(anchor)
         if known is None:
             hint = self.document.hint(anchor, self.anchors)
-            self.document.stop(f"alias *{name} of no anchor before it{hint}", *self.last)
+            self.document.stop(f"alias *{name} has no anchor before it{hint}", *self.last)
         node, size = known
         if node is None:
             self.document.stop(f"alias *{name} is inside the part that it repeats", *self.last)

@@ -207,8 +207,8 @@ def _sought(case: Transmission, index: int) -> tuple[int, tuple[int, ...] | None
     if len(free) > 1:
         names = spoken(map(case.link_name, free))
         message = (
-            f"read {names} without speed and torque, but equilibrium does not determine all of "
-            "their torques but one: expected a speed or a torque for one of them"
+            f"read {names} without speed and torque, but the balance determines the torque of one "
+            "link only: expected a speed or a torque for the others"
         )
         raise CaseError("E269", message, ("gears", index + 1, "balance"))
     return free[0], None

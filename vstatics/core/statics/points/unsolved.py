@@ -48,7 +48,8 @@ def unsolved_messages(
         if smaller := [f"{ratio:.4g}" for ratio in points.other_ratios.get(number, ())]:
             name = case.mechanisms[case.sought_converters(gear)[0]].name
             ratios = f"the speed {plural('ratio', len(smaller))} {spoken(smaller)}"
-            text = f"{name} takes the torque of the load at {ratios}, too; the largest is used"
+            text = f"{name} also takes the torque of the load at {ratios}; "
+            text += "the largest speed ratio is used"
             yield Message("N421", text, gear.name)
 
 

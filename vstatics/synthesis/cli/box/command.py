@@ -93,7 +93,7 @@ def box_command(
             raise click.UsageError(f"{to.output} is a link: expected a directory or a file")
         if to.is_folder:
             _check_folder(str(to.output))
-        sharing.check(to.output, "a file or a directory to go on with: -o DIR")
+        sharing.check(to.output, "the output of the stopped search: -o DIR or FILE")
         if sharing.scheduler is not None:
             require("dask", "--scheduler")
         if dry_run:

@@ -334,8 +334,8 @@ options = gathered(
                 multiple=True,
                 callback=value(_limits, "--limit"),
                 metavar="FIGURE=X,...",
-                help="Upper limits of figures, such as loss=0.05,torque=4. Figures are "
-                f"{spoken(LIMITED, 'and')}.",
+                help="Upper limits, such as loss=0.05,torque=4. FIGURE is one of "
+                f"{spoken(LIMITED, 'or')}.",
             ),
         ),
         gathered(

@@ -83,12 +83,12 @@ def carry_out(run: BoxRun) -> int:
         return FAILED if run.complete and result.given_up else DONE
     if result.with_ratios:
         with_ratios = _boxes(result.with_ratios)
-        files.say(f"no box is found: {with_ratios} with these ratios, none as wanted")
+        files.say(f"no gearbox is found: {with_ratios} with these ratios, none as wanted")
     else:
         search = run.asked.search
         within = "these ranges" if search.tolerances else f"{search.tolerance:g} of these ratios"
         missed = _nearest(run) if took < NEAREST_SECONDS else ""
-        files.say(f"no box is found: none of {result.searched} comes within {within}{missed}")
+        files.say(f"no gearbox is found: none of {result.searched} is within {within}{missed}")
     return FAILED
 
 

@@ -69,7 +69,7 @@ def rayleigh_command(
 
     The amplitudes of such a stress have a Rayleigh distribution. The life is given in
     cycles, or in km with --per-km. Give both stresses with a unit, or both as numbers in
-    the same unit; only their ratio matters.
+    the same unit. Only their ratio matters.
 
     Each stress can be a distribution: 'lognormal(100 MPa, 0.08)' has the median and the
     standard deviation of the natural logarithm, 'normal(100 MPa, 8 MPa)' mean and standard

@@ -58,7 +58,7 @@ def resize_command(
 ) -> int:
     """Calculate the diameter and the compliance of a shaft of equal fatigue life.
 
-    The present shaft lives long enough under the present torques. The new diameter has the
+    The new shaft has the life of the present shaft. The new diameter has the
     unit of the given diameter. The compliances are relative to the present shaft. The
     reduced compliance refers to the faster shaft of the reduction.
 
