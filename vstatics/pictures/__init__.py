@@ -166,13 +166,12 @@ def pages(  # noqa: PLR0913 - arguments of a picture
     return files_of(drawn, form, _alternative(results, kind, style, gears))
 
 
-def of_each_gear(
-    results: Results, kind: str, style: Style, gears: Sequence[int]
+def of_each_choice(
+    results: Results, kind: str, style: Style, shown: Sequence[Sequence[int]]
 ) -> list[list[bytes]]:
-    """Draw the pages of each gear separately as SVG; parameters and errors as in `picture`."""
+    """Draw the pages for each list of gears in `shown` as SVG; the rest as in `picture`."""
     from vstatics.pictures.drawing.files import files_of
 
-    shown = [(number,) for number in gears]
     drawn = drawn_pages(results, kind, style, shown)
     return [
         files_of(figures, "svg", _alternative(results, kind, style, gears))

@@ -110,8 +110,6 @@ class EventRun:
         self.length: float | None = None
         """Length of the last time step. [s]"""
         self.solutions = KnownSolutions()
-        self.parts: int | None = None
-        """Largest number of equal parts in the next stretch that is solved in closed form."""
         self.meetings = CornerMeetings(self.span)
         self.watched: list[tuple[CornerPlace, Awaited]] = []
         """Nearest corners of formulas, each with the comparison that changes its sign there."""
@@ -436,9 +434,8 @@ class EventRun:
         time = equations.time
         if equations.has_closed_form:
             try:
-                closed = Closed(equations, state, self.scales.torque, self.solutions, self.parts)
+                closed = Closed(equations, state, self.scales.torque, self.solutions)
                 for step in closed.steps(state, end):
-                    self.parts = closed.most
                     yield step
                     time, state = step.end, step.last
             except NoFit:

@@ -9,7 +9,7 @@ from vstatics.core.extras import require
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.statics.results import Results
 from vstatics.page.report.asked import EVERYTHING, AskedPage
-from vstatics.pictures.paged.drawn import HALF, PAGE, Drawn, of_each, picture_of
+from vstatics.pictures.paged.drawn import HALF, Drawn, of_each, picture_of
 
 OF_ALL_GEARS = ("efficiency", "plan")
 OF_A_VEHICLE = ("traction", "sawtooth")
@@ -46,24 +46,23 @@ def pictures(results: Results, asked: AskedPage = EVERYTHING) -> Pictures:
         If matplotlib is not installed.
     """
     require("plot", "a picture")
-    gears = [n for n, gear in enumerate(results.case.gears, 1) if asked.shows(gear.name)]
-    chosen = gears if asked.gears else ()
+    gears = [[n] for n, gear in enumerate(results.case.gears, 1) if asked.shows(gear.name)]
+    chosen = [number for [number] in gears] if asked.gears else []
     sticks, small, bare = _sticks(results, asked, gears)
-    of_gears = {
-        kind: of_each(results, kind, gears, PAGE) for kind in ("flow", "lever") if asked.has(kind)
-    }
+    has_flows = asked.has("flow") and not asked.in_full("flow") and len(gears) > 1
+    flows = of_each(results, "flow", [*gears, *[chosen] * has_flows]) if asked.has("flow") else []
+    levers = of_each(results, "lever", gears) if asked.has("lever") else []
     of_all = {
         kind: picture_of(results, kind, chosen)
         for kind in of_all_gears(results.case)
         if asked.has("vehicle" if kind in OF_A_VEHICLE else kind)
     }
-    has_flows = asked.has("flow") and not asked.in_full("flow") and len(gears) > 1
-    flows = picture_of(results, "flow", chosen) if has_flows else None
-    return Pictures({"stick": sticks, **of_gears}, of_all, small, bare, flows)
+    of_gears = {"stick": sticks, "flow": flows[: len(gears)], "lever": levers}
+    return Pictures(of_gears, of_all, small, bare, flows[-1] if has_flows else None)
 
 
 def _sticks(
-    results: Results, asked: AskedPage, gears: Sequence[int]
+    results: Results, asked: AskedPage, gears: Sequence[Sequence[int]]
 ) -> tuple[Sequence[Drawn], Sequence[Drawn], Drawn | None]:
     """Draw large and small stick diagrams of gears, and a stick diagram without a gear.
 
@@ -71,11 +70,12 @@ def _sticks(
     with small diagrams, large diagrams are printed only on request.
     """
     in_full = asked.in_full("overview") and (asked.prints_all or not asked.has("gears"))
+    has_small = asked.has("gears") and not in_full and len(gears) > 1
+    shown = [*gears, *[()] * (not in_full)] if asked.has("overview") else []
     for kind in ("stick", "structure"):
-        sticks = of_each(results, kind, gears) if asked.has("overview") else []
-        has_small = asked.has("gears") and not in_full and len(gears) > 1
+        drawn = of_each(results, kind, shown)
+        sticks, bare = drawn[: len(gears)], drawn[len(gears) :]
         small = of_each(results, kind, gears, HALF) if has_small else []
-        bare = picture_of(results, kind) if asked.has("overview") and not in_full else None
-        if any(drawn.sheets for drawn in (*sticks, *small)):
+        if any(picture.sheets for picture in (*sticks, *small)):
             break
-    return sticks, small, bare
+    return sticks, small, bare[0] if bare else None

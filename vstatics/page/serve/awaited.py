@@ -14,7 +14,7 @@ from vstatics.page.report.asked import SECTIONS, AskedPage
 from vstatics.page.report.material import Material, module_of_part, part_of
 from vstatics.page.report.page_pictures import Pictures, of_all_gears
 from vstatics.page.report.sections import sections
-from vstatics.pictures.paged.drawn import PAGE, Drawn, bare_stick, of_each, picture_of
+from vstatics.pictures.paged.drawn import Drawn, bare_stick, of_each, picture_of
 from vstatics.pictures.paged.parts import Part, PartRequest
 from vstatics.pictures.runs import PicturedRun
 
@@ -126,7 +126,7 @@ def _of_gear(results: Results, kind: str, gear: int) -> Drawn:
     """Draw a picture of a gear; if its stick diagram cannot be drawn, draw its structure."""
     if kind == "modes":
         return picture_of(results, kind, [gear])
-    [drawn] = of_each(results, kind, [gear], PAGE)
+    [drawn] = of_each(results, kind, [[gear]])
     if kind == "stick" and not drawn.sheets:
-        [drawn] = of_each(results, "structure", [gear], PAGE)
+        [drawn] = of_each(results, "structure", [[gear]])
     return drawn

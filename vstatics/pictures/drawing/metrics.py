@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import warnings
-from functools import cache
+from functools import cache, lru_cache
+from io import BytesIO
 from pathlib import Path
+from threading import get_ident
 from typing import NamedTuple
 
 import matplotlib as mpl
 from matplotlib.font_manager import get_font
-from matplotlib.ft2font import LoadFlags
+from matplotlib.ft2font import FT2Font, LoadFlags
 
 from vstatics.pictures.drawing.style import FONT
 
@@ -33,17 +35,30 @@ class TextExtent(NamedTuple):
 
 
 def _measured(line: str, size: float, *, bold: bool) -> TextExtent:
+    font = _font_in_memory(get_ident(), bold=bold)
+    if all(map(font.get_char_index, map(ord, line))):
+        return _measured_with(font, line, size)
+    with warnings.catch_warnings(action="ignore"):  # a missing letter is measured as a box
+        return _measured_with(get_font(_path(bold=bold)), line, size)
+
+
+def _measured_with(font: FT2Font, line: str, size: float) -> TextExtent:
     """Return the size of a line of text, without rounding to pixels (hinting)."""
-    name = f"{FONT.replace(' ', '')}{'-Bold' * bold}.ttf"
-    font = get_font(Path(mpl.get_data_path(), "fonts", "ttf", name))
     font.set_size(size, POINTS_PER_INCH)
-    with warnings.catch_warnings():
-        warnings.filterwarnings(
-            "ignore", message="Glyph .* missing"
-        )  # a missing letter is measured as a box
-        font.set_text(line, 0.0, flags=LoadFlags.NO_HINTING)
+    font.set_text(line, 0.0, flags=LoadFlags.NO_HINTING)
     wide, high = font.get_width_height()
     return TextExtent(wide / _SUBPIXELS, high / _SUBPIXELS, font.get_descent() / _SUBPIXELS)
+
+
+@lru_cache(maxsize=64)
+def _font_in_memory(_thread: int, *, bold: bool) -> FT2Font:
+    """Return the font of a thread; a font in a file would read the file at each letter."""
+    return FT2Font(BytesIO(_path(bold=bold).read_bytes()))
+
+
+def _path(*, bold: bool) -> Path:
+    name = f"{FONT.replace(' ', '')}{'-Bold' * bold}.ttf"
+    return Path(mpl.get_data_path(), "fonts", "ttf", name)
 
 
 def line_width(line: str, size: float, *, bold: bool = False) -> float:

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from functools import lru_cache
 from typing import Any, NamedTuple
 from xml.etree import ElementTree as ET
 
@@ -58,6 +59,7 @@ _MARKERS: Mapping[str, Sequence[Point]] = {
 """Corners of each marker relative to half the size, by the marker code of matplotlib. [-]"""
 
 
+@lru_cache(maxsize=4096)
 def _number(value: float) -> str:
     """Return a length with two decimals, equal for values that differ by rounding noise."""
     return f"{round(value, 6):.2f}".rstrip("0").rstrip(".")

@@ -56,15 +56,16 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
     """
     every = flows(results)
     numbers = [gears or range(1, len(every) + 1) for gears in shown]
-    chosen = [every[number - 1] for selected in numbers for number in selected]
-    placings = iter(placed(chosen, style))
+    chosen = sorted({number for selected in numbers for number in selected})
+    placings = placed([every[number - 1] for number in chosen], style)
+    placing_of = dict(zip(chosen, placings, strict=True))
     for selected in numbers:
         gears = []
         for number in selected:
             flow, said = every[number - 1], None
             if flow.shown is not None:
                 said = titles(FlowTexts(flow, flow.shown, style), results.gear_at(number - 1))
-            gears.append(FlowGear(flow, next(placings), said))
+            gears.append(FlowGear(flow, placing_of[number], said))
         if len(gears) == 1:
             yield list(_alone(results, gears[0], style))
             continue

@@ -10,7 +10,7 @@ from vstatics.core.errors import CaseError
 from vstatics.core.statics.results import Results
 from vstatics.core.tables.html import Markup
 from vstatics.core.texts import spoken, tr
-from vstatics.pictures import of_each_gear, pages
+from vstatics.pictures import of_each_choice, pages
 from vstatics.pictures.drawing.style import PAGE_HEIGHT, POINTS_PER_MILLIMETRE, Style
 from vstatics.pictures.paged.inline import inline
 from vstatics.pictures.runs import PicturedRun
@@ -52,17 +52,19 @@ def name_of(kind: str) -> str:
     return tr(picture_kinds()[kind].title)
 
 
-def of_each(results: Results, kind: str, gears: Sequence[int], style: Style = PAGE) -> list[Drawn]:
-    """Draw a picture of each gear, or give the reason why a picture is missing."""
+def of_each(
+    results: Results, kind: str, shown: Sequence[Sequence[int]], style: Style = PAGE
+) -> list[Drawn]:
+    """Draw a picture for each list of gears, or give the reason why a picture is missing."""
     try:
-        svgs_of_gears = of_each_gear(results, kind, in_spoken(style), gears)
+        drawn = of_each_choice(results, kind, in_spoken(style), shown)
     except CaseError:  # pictures of other gears may succeed
-        return [picture_of(results, kind, [number], style=style) for number in gears]
+        return [picture_of(results, kind, gears, style=style) for gears in shown]
     end = tr(", small") * (style is HALF)
-    labels = (f"{_label(results, kind, [number])}{end}" for number in gears)
+    labels = (f"{_label(results, kind, gears)}{end}" for gears in shown)
     return [
-        Drawn(kind, _inlined(svgs, _own(kind, [number], style), label))
-        for number, svgs, label in zip(gears, svgs_of_gears, labels, strict=True)
+        Drawn(kind, _inlined(svgs, _own(kind, gears, style), label))
+        for gears, svgs, label in zip(shown, drawn, labels, strict=True)
     ]
 
 

@@ -15,7 +15,6 @@ from vstatics.core.model.transmission import Transmission
 from vstatics.core.statics.results import Results
 from vstatics.pictures.drawing.canvas import Canvas
 from vstatics.pictures.drawing.style import Style
-from vstatics.pictures.schemes.axes.picture import figures as axes_figures
 from vstatics.pictures.schemes.axes.recognition import ParallelAxes, parallel_axes
 from vstatics.pictures.schemes.coaxial.picture import coaxial_sheet, figures
 from vstatics.pictures.schemes.planetary import as_sets, can_be_set, sections_of
@@ -39,6 +38,8 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
         sheet = coaxial_sheet(drawn := stick_scheme(case), sections_of(drawn, case, style), style)
         axes = ParallelAxes([frozenset(range(1, len(scheme.links) + 1))], [])
     if sheet is None:
+        from vstatics.pictures.schemes.axes.picture import figures as axes_figures
+
         yield from axes_figures(results, scheme, axes, style, shown)
         return
     subject = style.text("stick diagram")

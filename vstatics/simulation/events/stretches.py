@@ -246,6 +246,11 @@ class KnownSolutions:
     def __init__(self) -> None:
         self._slopes: list[tuple[Floats, Floats]] = []
         self._exponentials: dict[bytes, Exponential] = {}
+        self.parts: dict[int, int] = {}
+        """Numbers of parts of stretches, by the number of state variables.
+
+        A slipping device adds a variable.
+        """
 
     def slopes_near(
         self, slopes: tuple[Floats, Floats], bending: Integers, torques: int
@@ -302,8 +307,6 @@ class Closed:
     large : float
         Torque that counts as large, the scale of rounding errors. [N*m]
     known : KnownSolutions
-    most : int, optional
-        Number of parts of the last successful stretch, if torques are nonlinear in the state.
     """
 
     def __init__(
@@ -312,7 +315,6 @@ class Closed:
         state: Floats,
         large: float,
         known: KnownSolutions,
-        most: int | None = None,
     ) -> None:
         self.equations, self.large, self.solutions = equations, large, known
         ports = equations.ports
@@ -323,7 +325,9 @@ class Closed:
         self.torques = len(self.bending) - len(rates)
         """Number of torques in `bending`; the other entries are rates of control values."""
         self.is_given = ports.is_affine and not rates
-        self.most = _MOST_HALVINGS if self.is_given else min(most or _FIRST_PARTS, _FIRST_PARTS)
+        self.size = equations.works.start
+        most = min(known.parts.get(self.size, _FIRST_PARTS), _FIRST_PARTS)
+        self.most = _MOST_HALVINGS if self.is_given else most
         """Largest number of parts of the next stretch."""
         looks = {*rates, *equations.coupled}
         orders = np.array([2 if port in looks else _ORDERS for port in self.bending], dtype=int)
@@ -333,7 +337,6 @@ class Closed:
         """Nonlinear torques and rates at the end of the last stretch."""
         self.series: GivenSeries | None = None
         """Polynomials of the nonlinear torques and rates over the last stretch, if they fit."""
-        self.size = equations.works.start
         self._straighten(equations.time, state)
 
     def _straighten(self, time: float, state: Floats) -> None:
@@ -441,6 +444,7 @@ class Closed:
                 ):
                     self.most = min(self.most if shorter < 1 else 2 * self.most, _MOST_HALVINGS)
                     shorter = min(1.0, 2 * shorter)
+                self.solutions.parts[self.size] = self.most
             elif time > straightened and self._bends_elsewhere(time, state):
                 self._straighten(time, state)
                 straightened = time  # only once at a time, as slopes near 0 are rounded differently
