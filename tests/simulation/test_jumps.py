@@ -180,7 +180,7 @@ def test_what_leads_a_ring_gives_what_the_set_and_its_inertias_leave() -> None:
 def test_a_run_that_leads_nowhere_is_stopped_at_its_law() -> None:
     for law, identity in (
         ("-100*sign(speed*angle - 1)", "E607"), ("-100*sign(speed^3 + speed - t)", "E607"),
-        ("-1e9*tanh(speed/1e-6)", "E608"), ("-1e12*speed", "E608"),
+        ("-1e9*tanh(speed/1e-6)", "E608"), ("-1e12*speed", "E608"), ("-9*sqrt(speed)", "E605"),
     ):  # fmt: skip
         scenario = Scenario(links(2.0), 2.0, Start(speeds={1: 3.0}), torques=((1, Formula(law)),))
         stopped = simulate(scenario, watch=wall_limit(20.0)).stopped

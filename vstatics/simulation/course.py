@@ -472,9 +472,13 @@ class EventRun:
         change = equations.derivative(time, state)
         for ahead in AHEAD_OF_STOP:
             at = time + ahead * self.duration
-            if lacking := equations.lacking(at, state + (at - time) * change):
+            moved = state + (at - time) * change
+            if lacking := equations.lacking(at, moved):
                 return lacking
             _, torques = equations.acting(at, state)
+            if np.isfinite(moved).all():
+                later = equations.acting(at, moved)[1]
+                torques = np.where(np.isfinite(later), torques, later)
             for load, torque in zip(self.system.outside, torques.tolist(), strict=False):
                 name = self.system.names[load.link]
                 what = f"at {at:.6g} s the torque on {name} is {torque:g}"

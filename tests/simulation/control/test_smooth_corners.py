@@ -195,3 +195,29 @@ def test_a_run_of_many_years_goes_on_as_a_short_one(duration: float) -> None:
     times, speeds = motion.time, motion.speeds[:, 0]
     swings = 20 / 37 * (np.sin(3 * times) - 6 * np.cos(3 * times)) + 120 / 37 * np.exp(-times / 2)
     assert speeds == pytest.approx(swings, abs=1e-7)
+
+
+FREE = """links: [a, b, c, d]
+inertias: {a: 3, b: 1.5, c: 0.5, d: 0.6}
+shift_elements: {C: {links: [a, b]}, D: {links: [b, c]}, F: {kind: freewheel, links: [c, d]}}
+"""
+GRIPS = ["max(slip('D') - 2, 0)", "max(slip('D') - 2, 0)^1.5", "(slip('D') > 2)*(slip('D') - 2)^2"]
+
+
+@pytest.mark.parametrize(("first", "begin"), [("16", 0.0), ("[[0, 0], [0.1, 16]]", 0.05)])
+@pytest.mark.parametrize("grip", GRIPS)
+def test_a_freewheel_without_torque_waits_for_a_corner(first: str, begin: float, grip: str) -> None:
+    """C accelerates b by 16/1.5 rad/s^2, so D grips from a slip of 2 rad/s on and opens F."""
+    start = "duration: 0.4\nstart: {speeds: {a: 20, b: 5, c: 5, d: 5}}\n"
+    motion = simulated(f'{start}controls: {{C: {first}, D: "{grip}"}}\n', FREE)
+    [slips] = [event.time for event in motion.events if event.event == "slips"]
+    assert slips == pytest.approx(begin + 2 * 1.5 / 16, abs=1e-8)
+
+
+@pytest.mark.parametrize("flow", ["sqrt(x)", "x^0.5"])
+def test_a_state_rests_at_a_limit_beyond_which_its_rate_is_no_number(flow: str) -> None:
+    """A tank runs dry as x = (sqrt(0.3) - t)^2, so the integral of x is 0.3^1.5/3."""
+    states = f'states: {{x: {{rate: "-2*{flow}", start: 0.3, min: 0}}}}\n'
+    given = f"duration: 2\nstart: {{speeds: {{a: 1}}}}\n{states}torques: {{a: 2*x}}\n"
+    motion = simulated(given, "inertias: {a: 2}\n")
+    assert motion.speeds[-1] == pytest.approx([1 + 0.3**1.5 / 3], abs=1e-9)

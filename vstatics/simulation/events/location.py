@@ -39,6 +39,10 @@ _PLACES = 65
 _NEAR = np.append(2.0 ** np.arange(-32, 0), 1.0)
 """Fractions of an interval at which a margin that begins at 0 is evaluated."""
 
+_CONSTANT = 1e-4
+"""Largest change of a margin that counts as constant, relative to the margin's ignored violation.
+"""
+
 
 @lru_cache(maxsize=8)
 def _in_gaps(nodes: tuple[float, ...]) -> tuple[Floats, Floats]:
@@ -255,14 +259,18 @@ class Finder:
         If the margin never rises and a state depends on it, it ends at the start. Any other margin
         that never rises ends where it is below 0 by more than rounding. This also holds for margins
         of kind `split`, which are 0 while a clutch without capacity sticks in a loop of other
-        clutches.
+        clutches, and for margins that are constant before they fall, such as the torque of a
+        freewheel until the corner of a formula.
         """
         times = first + (last - first) * _NEAR
         margins = self.margins.along(times, step.between(times))[index]
         above = np.flatnonzero(margins > 0)
         if not len(above):
             stays = self.following[index] or self.margins.watches[index].kind == "split"
-            return self._leaves(step, index, (first, last)) if stays else first
+            noise = self.noise[index]
+            before = margins[: max(1, int((margins >= -noise).argmin()) - 2)]
+            rests = len(before) > 1 and np.ptp(before) <= _CONSTANT * noise
+            return self._leaves(step, index, (first, last)) if stays or rests else first
         falls = np.flatnonzero(margins[above[0] :] <= 0)
         if not len(falls):
             return last

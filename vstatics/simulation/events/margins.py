@@ -18,6 +18,7 @@ from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import SIGNS, Contact, Elastic, RigidMechanism
 from vstatics.simulation.system.sight import Compared
 from vstatics.simulation.system.structure import Multiplier
+from vstatics.simulation.system.values import TURNING
 from vstatics.simulation.tolerances import (
     EQUAL_SIDES,
     EXACT_SIDES,
@@ -182,6 +183,9 @@ class Margins:
         self.limits_of_states: list[tuple[int, int, float]] = []
         held = self.equations.changes.held.tolist()
         for index, state in enumerate(self.equations.system.scenario.states):
+            if held[index] == TURNING:
+                self.limits_of_states.append((index, TURNING, state.start))
+                self._watch("state", index, TURNING, torque=False)
             for side, limit in ((1, state.most), (-1, state.least)):
                 if math.isfinite(limit) and held[index] in (0, side):
                     self.limits_of_states.append((index, side, limit))
@@ -419,7 +423,9 @@ class Margins:
         values = states[self.equations.values]
         margins = []
         for index, side, limit in self.limits_of_states:
-            if changes.held[index]:
+            if side == TURNING:
+                margins.append(changes.leading(index, times, seen))
+            elif changes.held[index]:
                 margins.append(side * changes.rates[index].along(times, seen))
             else:
                 margins.append(side * (limit - values[index]))

@@ -13,6 +13,7 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import chain
 from typing import NamedTuple
 
 import numpy as np
@@ -23,11 +24,14 @@ from vstatics.core.model.springs import TwistCurve
 from vstatics.core.model.struts import StrutCurve
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Floats
+from vstatics.simulation.scenario.algebra import applied, variables
+from vstatics.simulation.scenario.corners import corners
+from vstatics.simulation.scenario.crossings import met
 from vstatics.simulation.scenario.formula import OF_TORQUES, Formula
 from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.jumps import LawJump
 from vstatics.simulation.scenario.laws import Curve, Points, Road
-from vstatics.simulation.scenario.parts import Scenario, formulas
+from vstatics.simulation.scenario.parts import ControlState, Scenario, formulas
 from vstatics.simulation.scenario.programme import Programme
 from vstatics.simulation.tolerances import LEAST_EFFICIENCY
 
@@ -333,6 +337,11 @@ class MotionSystem:
         return tuple(index for index, mesh in enumerate(self.meshes) if mesh.laws)
 
     @cached_property
+    def turning_points(self) -> tuple[tuple[float, ...], ...]:
+        """For each control state, its values at which its own rate jumps, and no other formula."""
+        return tuple(_turning_points(self.scenario, state) for state in self.scenario.states)
+
+    @cached_property
     def layout(self) -> PortLayout:
         """Order of the ports."""
         return PortLayout(self)
@@ -373,6 +382,21 @@ class MotionSystem:
         rows += [unit(variator.first, links) for variator in self.variators]
         rows += [self.meshes[index].friction for index in self.varying]
         return self.rows(rows)
+
+
+def _turning_points(scenario: Scenario, state: ControlState) -> tuple[float, ...]:
+    points: set[float] = set()
+    if sum(formula is state.rate for formula in formulas(scenario)) != 1:
+        return ()  # equal texts of two states are the same formula
+    for formula in formulas(scenario):
+        for pair in chain.from_iterable(met(formula.whole)):
+            apart = applied("-", pair.first, pair.second)
+            if not pair.jumps or state.name not in variables(apart):
+                continue
+            if formula is not state.rate or variables(apart) != {state.name}:
+                return ()
+            points.update(corners(applied("sign", apart), state.name))
+    return tuple(sorted(points))
 
 
 def efficiency_at(number: float, speed: float, torque: float) -> float:

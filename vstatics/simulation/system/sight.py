@@ -6,10 +6,11 @@ temperatures), and quantities derived from torques (`PortLayout.derived`).
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+import math
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import chain
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
@@ -27,6 +28,8 @@ from vstatics.simulation.scenario.parts import placed_steps
 from vstatics.simulation.scenario.programme import Look, Programme
 from vstatics.simulation.system.curves import curve_along
 from vstatics.simulation.system.matrices import Contact, Elastic, MotionSystem
+
+Quantities = TypeVar("Quantities", list[float], Floats)
 
 
 def place_of(system: MotionSystem, seen: Seen) -> int:
@@ -85,7 +88,40 @@ def looking(system: MotionSystem, formula: Formula, rate: int = 0, angle: int = 
         return along(times, seen[rate], link_angle, *[look.along(times, seen) for look in inputs])
 
     places = [turned] * (turned >= 0) + [rate] * ("speed" in formula.variables)
-    return Look(value, values, (*places, *chain.from_iterable(look.places for look in inputs)))
+    look = Look(value, values, (*places, *chain.from_iterable(look.places for look in inputs)))
+    return _within_limits(system, look, {quantity.of for quantity in formula.seen})
+
+
+def _within_limits(system: MotionSystem, look: Look, names: Collection[str]) -> Look:
+    """Evaluate a formula with states at their limits where it is not a number beyond them.
+
+    A time step is calculated across a limit before the time at the limit is known. Without a
+    limit, a formula such as ``sqrt(x)`` would then end the run.
+    """
+    limits = [
+        (place_of(system, Seen("value", state.name)), state.least, state.most)
+        for state in system.scenario.states
+        if state.name in names and (state.least > -math.inf or state.most < math.inf)
+    ]
+    if not limits:
+        return look
+
+    def value(time: float, seen: Sequence[float]) -> float:
+        number = look.at(time, seen)
+        return number if math.isfinite(number) else float(look.at(time, limited([*seen])))
+
+    def values(times: Floats, seen: Floats) -> Floats:
+        numbers = look.along(times, seen)
+        if (finite := np.isfinite(numbers)).all():
+            return numbers
+        return np.where(finite, numbers, look.along(times, limited(seen.copy())))
+
+    def limited(seen: Quantities) -> Quantities:
+        for place, least, most in limits:
+            seen[place] = np.clip(seen[place], least, most)
+        return seen
+
+    return look._replace(at=value, along=values)
 
 
 class Compared(NamedTuple):

@@ -13,7 +13,12 @@ from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.parts import ControlState
 from vstatics.simulation.system.known import DISTANCES, KnownMotion
 from vstatics.simulation.system.sight import fixed, looking
-from vstatics.simulation.tolerances import EQUAL_SIDES, NEAR_LIMIT
+from vstatics.simulation.tolerances import EQUAL_SIDES, LEAST_VALUE, NEAR_LIMIT
+
+TURNING = 2
+"""Mark of a control state that rests at a jump of its rate (Filippov)."""
+_SIDE = 1e-9
+"""Distance from a turning point at which rates are evaluated, relative to the state."""
 
 
 class ValueChanges:
@@ -35,7 +40,12 @@ class ValueChanges:
             for state in states
         ]
         self.held = np.zeros(len(states), dtype=int)
-        """For each control state: 1 if held at its upper limit, -1 at its lower limit, else 0."""
+        """For each control state: 1 if held at its upper limit, -1 at its lower limit, else 0.
+
+        It is `TURNING` if held at a value at which its rate jumps, with rates that lead back to it.
+        """
+        self.points = np.zeros(len(states))
+        """Value at which each control state is held, if it is `TURNING`."""
         self.derived = [_derived(equations, quantity) for quantity in system.layout.derived]
 
     def at(
@@ -89,25 +99,53 @@ class ValueChanges:
         within = equations.within
         self.held[:] = 0
         changes = self.unheld(time, state, *equations.acting(time, state))
+        near = NEAR_LIMIT * within * np.abs(changes)
         sides = [
-            _side(
-                control_state,
-                float(values[index]),
-                NEAR_LIMIT * within * abs(float(changes[index])),
-            )
+            _side(control_state, float(values[index]), float(near[index]))
             for index, control_state in enumerate(states)
         ]
+        for index, points in enumerate(equations.system.turning_points):
+            for point in points:
+                least = max(float(near[index]), self._little(index, point))
+                if not sides[index] and abs(values[index] - point) <= least:
+                    self.points[index] = point
+                    sides[index] = TURNING * self._turns(index, time, state)
         if not any(sides):
             return
         for index, side in enumerate(sides):
             if side:
-                values[index] = states[index].most if side > 0 else states[index].least
+                control_state = states[index]
+                ends = {-1: control_state.least, 1: control_state.most}
+                values[index] = ends.get(side, self.points[index])
         self.held[:] = sides
         while self.held.any():
-            inward = self.held * self._next_changes(time, state)[: len(sides)] < 0
+            changes = self._next_changes(time, state)[: len(sides)]
+            inward = (self.held * changes < 0) & (self.held != TURNING)
             if not inward.any():
                 return
             self.held[inward] = 0  # releasing a state can change the rates of others
+
+    def _turns(self, index: int, time: float, state: Floats) -> bool:
+        """Return whether rates beside a turning point lead back to it, now and a little later."""
+        equations, later = self.equations, time + self.equations.within
+        moved = equations.moved(time, state, equations.within)
+        seen = np.array([self.seen_at(time, state), self.seen_at(later, moved)]).T
+        return bool((self.leading(index, np.array([time, later]), seen) > 0).all())
+
+    def leading(self, index: int, times: Floats, seen: Floats) -> Floats:
+        """Return by how much the rates beside a turning point lead back to it, shape (times,)."""
+        times, point = self.equations.ports.inside(times), self.points[index]
+        sided, rates = seen.copy(), []
+        for side in (-1.0, 1.0):
+            sided[self.equations.layout.seen_values + index] = point + side * self._little(
+                index, point
+            )
+            rates.append(self.rates[index].along(times, sided))
+        return np.minimum(rates[0], -rates[1])
+
+    def _little(self, index: int, point: float) -> float:
+        start = self.equations.system.scenario.states[index].start
+        return _SIDE * max(abs(start), abs(point), LEAST_VALUE)
 
     def _next_changes(self, time: float, state: Floats) -> Floats:
         """Return the rates of control states regardless of limits, soon after an instant.
