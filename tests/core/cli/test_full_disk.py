@@ -21,7 +21,7 @@ from tests.core.cli.states import COMMANDS, RECORD, StatedCommand, prepare
 
 PAGE = 4096
 COMMANDS_ONCE = [name for name in COMMANDS if name != "record of boxes"]
-FULL = "cannot be written: |are free there"
+FULL = "cannot be written: |are free"
 RECORDS = (RECORD, ".vstatics-run-json")
 """Hidden files that stay in a folder of results."""
 CALLS = ("write", "open", "mkdir", "replace", "ftruncate", "pwrite", "copy_file_range", "fsync")
