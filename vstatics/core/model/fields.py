@@ -345,6 +345,8 @@ class TransmissionFields:
         >>> [case.unloaded_converters(gear) for gear in case.gears]
         [set(), {0}]
         """
+        if not self.has_converter:
+            return set()
         first = self.own_mechanisms.start - 1
         opened = {first + number for number in gear.open if first + number < len(self.mechanisms)}
         return opened | self.bypassed(gear)

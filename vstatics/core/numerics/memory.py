@@ -8,6 +8,7 @@ in it. Users get read-only arrays, so that these constants stay valid.
 
 from __future__ import annotations
 
+import math
 from collections import deque
 from collections.abc import Mapping, Sequence
 from itertools import accumulate
@@ -56,8 +57,12 @@ class Rows:
         return [self.arrays[row] for row in layout.varied]
 
     def _holds(self, row: int, value: Any) -> bool:
-        known = self.holds.get(row, self)
-        return known is not self and (known == value or (known != known and value != value))  # noqa: PLR0124
+        if row not in self.holds:
+            return False
+        known = self.holds[row]
+        if known == value:  # 0 and -0 are equal, but are not written alike
+            return bool(known) or math.copysign(1.0, known) == math.copysign(1.0, value)
+        return bool(known != known and value != value)  # noqa: PLR0124
 
     def alike(self, variants: int, layout: Layout) -> Rows:
         """Return uninitialised rows of the same data types for another number of variants."""
@@ -75,10 +80,9 @@ class Rows:
 
     def put_variant(self, variant: int, values: Sequence[Any]) -> None:
         """Write the values of all rows for a variant."""
-        self.holds.clear()
-        self._layout = None
-        for row, value in zip(self.arrays, values, strict=True):
-            row[variant] = value
+        for row, value in enumerate(values):
+            if not self._holds(row, value):
+                self.vary(row)[variant] = value
 
     def vary(self, row: int) -> Any:
         """Return the array of a row for writing, which invalidates the constant of the row."""

@@ -14,7 +14,9 @@ With plain numbers, the functions of this module are ordinary Python arithmetic.
 from __future__ import annotations
 
 import math
+import operator
 from collections.abc import Callable, Collection, Sequence
+from functools import reduce
 from typing import Any, NamedTuple, TypeGuard
 
 from vstatics.core.numerics.signed import Condition, Signed, Truth, bounds_of, upright, value_of
@@ -290,7 +292,10 @@ def operand_of(number: Number) -> tuple[Operand, int, float]:
     """Return the tape operand, sign, and value in the first variant of a number."""
     if isinstance(number, Signed):
         return number.slot, -1 if number.negated else 1, number.value
-    return _magnitude(number).operand, _sign(number), _sign(number) * first(number)
+    if isinstance(number, Traced):
+        return number.magnitude.operand, number.sign, number.sign * number.magnitude.value
+    sign, size = _sign(number), abs(float(number))
+    return Plain(size), sign, sign * size
 
 
 def sign(number: Number) -> Number:
@@ -384,6 +389,8 @@ def residual(terms: Sequence[Number]) -> Number | Residual:
     >>> residual([1.0, 0.5, -1.5])
     0.0
     """
+    if all(term.__class__ is float for term in terms):
+        return reduce(operator.add, terms, 0.0)
     exact: Any = [term for term in terms if is_exact(term)]
     if exact:  # large terms are fractions, which cancel without rounding
         return sum(exact) + sum(term for term in terms if not is_exact(term))  # type: ignore[no-any-return]

@@ -164,9 +164,10 @@ _OnLink = tuple[int, Number]
 def _is_nothing(by_link: Sequence[Sequence[_OnLink]], device: int, links: Sequence[int]) -> bool:
     def on(link: int) -> bool:
         on_device = next(torque for other, torque in by_link[link] if other == device)
-        others = [torque for other, torque in by_link[link] if other != device]
-        return bool(
-            on_device == 0 or any(is_nothing_beside(on_device, torque, TIE) for torque in others)
+        return bool(on_device == 0) or any(
+            is_nothing_beside(on_device, torque, TIE)
+            for other, torque in by_link[link]
+            if other != device
         )
 
     return all(on(link) for link in links if link != HOUSING)
