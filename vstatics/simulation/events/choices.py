@@ -109,7 +109,6 @@ class ModeChoices:
         self, index: int, at: Instant, scales: LargeSizes, choices: list[Choice], *, met: bool
     ) -> str:
         contact = self.system.contacts[index]
-        slip = float(contact.row @ at.speeds)
         now = math.nextafter(at.time, math.inf)
         times = now, at.time + self.within
         capacity = programme_at(contact.programme, now, self.seen)
@@ -127,6 +126,7 @@ class ModeChoices:
             return "rigid"
         if math.isinf(capacity) and not contact.one_way:
             return "rigid"
+        slip = float(contact.row @ at.speeds)
         if abs(slip) > STANDING * scales.speed and not (met or self.touched[index]):
             return sign(slip)
         signs: tuple[str, ...] = ("+", "-") if slip > 0 or contact.one_way else ("-", "+")
@@ -217,6 +217,8 @@ def _converter_piece(at: Instant, converter: Converter, last: int | None) -> int
 
 
 def _friction_piece(at: Instant, contact: Contact, last: int | None) -> int:
+    if not contact.corners:
+        return 0
     slip = abs(float(contact.row @ at.speeds))
     return _piece_at(slip, contact.corners, last, STANDING * max(1.0, slip))
 

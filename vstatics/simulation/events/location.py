@@ -95,19 +95,22 @@ def minima(step: TimeStep, values: Floats) -> Iterator[tuple[int, int, float]]:
     nodes = (0.0, *step.nodes.tolist())
     inner = values[:, 1:].reshape(len(values), -1, count)
     by_parts = np.concatenate([values[:, :-1:count, None], inner], axis=-1)
-    edges = np.concatenate([[step.start], step.times[count - 1 :: count]])
     for number, row in _low_gaps(by_parts, nodes):
         part, gap = divmod(number, count)
         place = _lowest(nodes, by_parts[row, part], gap)
-        yield number, row, float(edges[part] + (edges[part + 1] - edges[part]) * place)
+        begin = step.times[part * count - 1] if part else step.start
+        yield number, row, float(begin + (step.times[part * count + count - 1] - begin) * place)
 
 
 def _low_gaps(by_parts: Floats, nodes: tuple[float, ...]) -> list[tuple[int, int]]:
     """Return gaps with low minima, sorted: number of the gap and row of `by_parts`."""
     matrix, widths = _in_gaps(nodes)
-    values, slopes = np.split(by_parts @ matrix, 2, axis=-1)
+    both, count = by_parts @ matrix, matrix.shape[1] // 2
+    values, slopes = both[..., :count], both[..., count:]
     turns = np.nonzero((slopes[..., :-1] <= 0) & (slopes[..., 1:] >= 0))
     rows, parts, places = turns
+    if not len(rows):
+        return []
     falls, rises = -slopes[turns] * widths[places], slopes[..., 1:][turns] * widths[places]
     halves = 2 * np.maximum(falls + rises, NOT_ZERO)
     # Estimates by a parabola with both slopes, from the value at either end.
@@ -115,6 +118,8 @@ def _low_gaps(by_parts: Floats, nodes: tuple[float, ...]) -> list[tuple[int, int
         values[turns] - falls**2 / halves, values[..., 1:][turns] - rises**2 / halves
     )
     low = lowest < _LOW * np.maximum(falls, rises)
+    if not low.any():
+        return []
     gaps = parts * (len(nodes) - 1) + places // _IN_GAP
     return sorted({*zip(gaps[low].tolist(), rows[low].tolist(), strict=True)})
 
@@ -144,6 +149,7 @@ class Finder:
             [watch.kind in FOLLOWING for watch in margins.watches], dtype=bool
         )
         """Flags of margins that can become negative and rise again between two instants."""
+        self.follows = bool(self.following.any())
         system = self.equations.system
         self.by_formula = [
             (contact.name, contact.programme.given)
@@ -166,9 +172,10 @@ class Finder:
         states = np.concatenate([step.first[:, None], step.states], axis=1)
         margins = self.margins.along(times, states)
         later = margins[:, 1:]
-        sizes = np.abs(later).max(axis=1, initial=0.0)
-        following = self.following & np.isfinite(sizes)
-        self.noise = np.where(following, np.maximum(self.least, step.accuracy * sizes), self.least)
+        if self.follows:
+            sizes = np.abs(later).max(axis=1, initial=0.0)
+            seen = self.following & np.isfinite(sizes)
+            self.noise = np.where(seen, np.maximum(self.least, step.accuracy * sizes), self.least)
         ends = np.flatnonzero((later < -self.noise[:, None]).any(axis=0))
         first = int(ends[0]) if len(ends) else len(step.times) - 1
         dip = self._dip(step, margins, first)
@@ -234,9 +241,10 @@ class Finder:
         state = step.exact(time)
         if time > step.start:
             time, state = self._refined(step, time, state, index)
-        there = self.margins.at(time, state)
-        if above[0] < time < under[0] and (there < -self.noise)[self.following].any():
-            return self._located(step, above, (time, there))
+        if self.follows and above[0] < time < under[0]:
+            there = self.margins.at(time, state)
+            if (there < -self.noise)[self.following].any():
+                return self._located(step, above, (time, there))
         close = SAME_INSTANT * self.equations.system.scenario.span
         watches = [self.margins.watches[other] for at, other in places if at <= time + close]
         return MarginEnd(float(time), state, tuple(watches) or (self.margins.watches[index],))

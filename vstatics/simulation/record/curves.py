@@ -148,9 +148,12 @@ def _turns(curves: Curves, column_ranges: CurveRanges) -> _Turns:
     moving, nodes = np.flatnonzero(np.isfinite(column_ranges.size)), np.array(curves.nodes)
     values = curves.values[moving]
     flat = values.reshape(len(values), -1)
+    highest, lowest = flat.argmax(axis=1), flat.argmin(axis=1)
     unknown = np.isnan(flat)
-    ends = [np.where(unknown, -np.inf, sign * flat).argmax(axis=1) for sign in (1.0, -1.0)]
-    parts, at = np.unravel_index(np.concatenate(ends), values.shape[1:])
+    if unknown.any():
+        highest = np.where(unknown, -np.inf, flat).argmax(axis=1)
+        lowest = np.where(unknown, np.inf, flat).argmin(axis=1)
+    parts, at = np.divmod(np.concatenate([highest, lowest]), len(nodes))
     twice = np.concatenate([moving, moving])
     candidates = [_Turns(twice, _times(curves, parts, nodes[at]), curves.values[twice, parts, at])]
     polynomials = _polynomials(curves.nodes)
@@ -179,8 +182,10 @@ def _turning(powers: Floats, low: Floats, high: Floats) -> Floats:
     first, last = _values_at(slopes, low), _values_at(slopes, high)
     place = low + (high - low) * np.fmin(np.fmax(first / (first - last), 0.0), 1.0)
     for _ in range(_NEWTON_OF_EXTREMES):
-        step = _finite(_values_at(slopes, place) / _values_at(bends, place))
-        place = np.minimum(np.maximum(place - step, low), high)
+        monomials = place[:, None] ** np.arange(slopes.shape[1])
+        slope = (slopes * monomials).sum(axis=1)
+        bend = (bends * monomials[:, :-1]).sum(axis=1)
+        place = np.minimum(np.maximum(place - _finite(slope / bend), low), high)
     return np.asarray(place, float)
 
 

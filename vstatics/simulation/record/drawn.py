@@ -8,8 +8,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.core.numerics.arrays import Floats, first_largest
+from vstatics.core.numerics.arrays import Booleans, Floats, first_largest
 from vstatics.simulation.events.time_steps import TimeStep
+from vstatics.simulation.record.asked import Moments
 from vstatics.simulation.record.curves import (
     CurveRanges,
     Curves,
@@ -17,7 +18,7 @@ from vstatics.simulation.record.curves import (
     extreme_times,
     ranges,
 )
-from vstatics.simulation.record.picture_tables import Tables, chosen, joined, picture_tables
+from vstatics.simulation.record.picture_tables import PictureTables, Tables, chosen, joined
 from vstatics.simulation.record.segments import MotionColumns, Piece
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.tolerances import CHORD
@@ -40,15 +41,19 @@ class _SteppedCourse(NamedTuple):
     def inside(self, times: Floats) -> Floats:
         """Return the sorted, distinct times that are strictly inside the time steps."""
         ends = np.array([self.curves.begins[0], *(end for _, end in self.steps)])
-        is_inside = (times > ends[0]) & (times < ends[-1]) & ~np.isin(times, ends)
-        return np.unique(times[is_inside])
+        inner = times[(times > ends[0]) & (times < ends[-1])]
+        return np.unique(inner[ends[np.searchsorted(ends, inner)] != inner])
 
     def states(self, times: Floats) -> Floats:
         """Return the states at sorted times, shape (size, times)."""
-        ends = [end for _, end in self.steps]
-        step_of_time = np.minimum(np.searchsorted(ends, times), len(ends) - 1)
+        ends = [end for _, end in self.steps[:-1]]
+        of_steps = np.split(times, np.searchsorted(times, ends, "right"))
         return np.hstack(
-            [self.steps[n][0].between(times[step_of_time == n]) for n in np.unique(step_of_time)]
+            [
+                step.between(within)
+                for (step, _), within in zip(self.steps, of_steps, strict=True)
+                if len(within)
+            ]
         )
 
 
@@ -70,8 +75,10 @@ class DrawnRun:
         self.table, self.every = MotionColumns(system, asked), every
         self.times: Floats = np.zeros(0)
         self.columns: Floats = np.zeros((self.table.heat.stop, 0))
-        self.picture_tables: Tables = {}
-        """Tables for pictures at the same times, which do not influence the choice of times."""
+        self._earlier: Tables = {}
+        """Tables for pictures of the run before `_moments`."""
+        self._moments: list[Moments] = []
+        """Moments of the pieces that were added last, for their tables for pictures."""
         self._ranges: CurveRanges | None = None
         self._parts, self._is_thin = 0, False
 
@@ -90,7 +97,8 @@ class DrawnRun:
             if len(times):
                 added[course.piece].append((times, course.states(times)))
         all_times, all_columns = [self.times], [self.columns]
-        all_tables = [self.picture_tables] if self.picture_tables else []
+        if self._moments:
+            self._earlier, self._moments = joined(self._earlier, self._moments), []
         for piece, additions in zip(pieces, added, strict=True):
             times = np.concatenate([piece.times, *(added_times for added_times, _ in additions)])
             states = np.hstack(
@@ -100,12 +108,15 @@ class DrawnRun:
             all_times.append(times[order])
             moments = self.table.moments(piece, times[order], states[:, order])
             all_columns.append(self.table.at(moments))
-            all_tables.append(picture_tables(moments))
+            self._moments.append(moments)
         self.times, self.columns = np.concatenate(all_times), np.hstack(all_columns)
-        self.picture_tables = joined(all_tables)
         if len(self.times) > most:
             self._thin(most if hurried else most // 2)
             self._is_thin = True
+
+    def picture_tables(self, selected: Booleans) -> PictureTables:
+        """Return the tables for pictures at the selected times."""
+        return PictureTables(self._earlier, self._moments, selected)
 
     def _thin(self, most: int) -> None:
         """Remove instants evenly until `most` remain, except needed instants."""
@@ -123,7 +134,8 @@ class DrawnRun:
         room = max(1, most - int(remaining.sum()))
         remaining[others[:: -(-len(others) // room) or 1]] = True
         self.times, self.columns = self.times[remaining], self.columns[:, remaining]
-        self.picture_tables = chosen(self.picture_tables, remaining)
+        self._earlier = chosen(joined(self._earlier, self._moments), remaining)
+        self._moments = []
 
     def _added(
         self, pieces: Sequence[Piece], most: int, *, hurried: bool

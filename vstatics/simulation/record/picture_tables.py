@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
 from typing import TypeAlias
 
 import numpy as np
@@ -56,8 +57,44 @@ def picture_tables(at: Moments) -> Tables:
     }
 
 
-def joined(parts: Sequence[Tables]) -> Tables:
-    """Return the tables of consecutive parts of a run joined in time."""
+class PictureTables(Mapping[str, Mapping[str, Floats]]):
+    """Tables for pictures and the report, calculated when first read: most runs are not drawn.
+
+    Parameters
+    ----------
+    earlier : mapping of str to mapping of str to ndarray
+        Tables of the earlier parts of a run, if any.
+    moments : sequence of Moments
+        Later parts of the run.
+    selected : ndarray of bool
+        Mask of the times of all parts.
+    """
+
+    def __init__(self, earlier: Tables, moments: Sequence[Moments], selected: Booleans) -> None:
+        self._parts = earlier, moments, selected
+
+    @cached_property
+    def _tables(self) -> Tables:
+        earlier, moments, selected = self._parts
+        with np.errstate(all="ignore"):  # as in the run
+            return chosen(joined(earlier, moments), selected)
+
+    def __getitem__(self, table: str) -> Mapping[str, Floats]:
+        return self._tables[table]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._tables)
+
+    def __len__(self) -> int:
+        return len(self._tables)
+
+    def __reduce__(self) -> tuple[type, tuple[Tables]]:
+        return dict, (self._tables,)
+
+
+def joined(earlier: Tables, moments: Sequence[Moments]) -> Tables:
+    """Return the tables of the earlier parts of a run, joined in time with those of later parts."""
+    parts = [*([earlier] if earlier else []), *map(picture_tables, moments)]
     return {
         table: {row: np.concatenate([part[table][row] for part in parts]) for row in rows}
         for table, rows in parts[0].items()

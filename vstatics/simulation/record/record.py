@@ -21,7 +21,6 @@ from vstatics.simulation.record.account import energy_account
 from vstatics.simulation.record.asked import empty_columns
 from vstatics.simulation.record.drawn import DrawnRun
 from vstatics.simulation.record.motion import Damage, Event, Motion, Reached
-from vstatics.simulation.record.picture_tables import chosen
 from vstatics.simulation.record.row_names import roads_of
 from vstatics.simulation.record.segments import Piece, peaks
 from vstatics.simulation.record.targets import first_reached
@@ -310,7 +309,7 @@ class Record:
             stopped,
             asked,
             damages,
-            chosen(self.drawn.picture_tables, distinct),
+            self.drawn.picture_tables(distinct),
         )
 
     def _tell_backward(self) -> None:
@@ -362,7 +361,8 @@ class Record:
 def _different(times: Floats, columns: Floats) -> Booleans:
     """Return a mask without the second of two equal times, unless a column jumps there."""
     distinct = np.ones(len(times), dtype=bool)
-    for number in np.flatnonzero(np.diff(times) == 0) + 1:
-        before, after = columns[:, number - 1], columns[:, number]
-        distinct[number] = not np.allclose(before, after, rtol=SAME_VALUES, atol=SAME_VALUES)
+    second = np.flatnonzero(np.diff(times) == 0) + 1
+    before, after = columns[:, second - 1], columns[:, second]
+    equal = np.isclose(before, after, rtol=SAME_VALUES, atol=SAME_VALUES)
+    distinct[second] = ~equal.all(axis=0)
     return distinct

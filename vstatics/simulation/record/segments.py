@@ -132,9 +132,11 @@ def device_torques(equations: Equations, ports: Floats, held: Floats) -> Floats:
     for index, variator in enumerate(system.variators):
         variator_torque = variator.reference * held[row_of[variator.contact]]
         torques[variator.device] = variator_torque + ports[layout.variators + index]
+    given = [row_of[index] for index, contact in enumerate(system.contacts) if contact.is_given]
+    if not (given or system.converters):
+        return torques
     pumps = ports[layout.pumps : layout.turbines]
     turbines = 0.0 - ports[layout.turbines : layout.sensors]
-    given = [row_of[index] for index, contact in enumerate(system.contacts) if contact.is_given]
     return np.concatenate([torques, pumps, turbines, -held[given]])
 
 

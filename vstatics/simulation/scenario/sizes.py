@@ -6,7 +6,7 @@ A mistyped exponent is rejected at its position in the document, before speeds r
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import count
 from typing import Any
 
@@ -81,11 +81,16 @@ def _of_numbers(part: Any, path: Path, least: float = LEAST_NUMBER) -> Iterator[
     elif isinstance(part, Formula):
         for value in part.constants:
             yield from _of_numbers(value, path)
-    elif isinstance(part, Mapping | tuple):
-        names = part if isinstance(part, Mapping) else getattr(part, "_fields", count(1))
-        values = part.values() if isinstance(part, Mapping) else part
-        for name, value in zip(names, values, strict=False):
+    elif not (part is None or isinstance(part, int | str)):
+        for name, value in _parts(part):
             yield from _of_numbers(value, (*path, name), least)
+
+
+def _parts(whole: Any) -> Iterable[tuple[str | int, Any]]:
+    """Return the names and values of the parts of a mapping or tuple."""
+    if isinstance(whole, tuple):
+        return zip(getattr(whole, "_fields", count(1)), whole, strict=False)
+    return whole.items() if isinstance(whole, Mapping) else ()
 
 
 def _of_unlike(case: Transmission) -> Iterator[Problem]:

@@ -334,7 +334,8 @@ class Equations:
         structure = self.structure
         rates, torques = self.acting_at(times, states)
         powers = np.zeros((self.size - self.works.start, len(times)))
-        powers[: self.layout.ports] = self._with_driving(torques) * rates
+        driven = self._with_driving(torques) if self.driving else torques
+        powers[: self.layout.ports] = driven * rates
         if self.springs:
             at = self.layout.spring_ports
             sprung, twisting = torques[at], rates[at]
@@ -359,8 +360,6 @@ class Equations:
 
     def _with_driving(self, torques: Floats) -> Floats:
         """Return the torques of ports, including drivers, shape (ports,) or (ports, times)."""
-        if not self.driving:
-            return torques
         with_drivers = torques.copy()
         for port, row in self.driving:
             with_drivers[port] = self.structure.torques[row] @ torques
@@ -523,9 +522,10 @@ class Equations:
         """Return the derivative for known rates of ports and speeds of motions without inertia."""
         structure, (rates, light) = self.structure, known
         torques = self.torques(time, state, rates)
-        change = np.empty(self.size)
+        change = np.zeros(self.size)
         change[: self.motions] = structure.accelerations @ torques
-        change[self.works] = self._with_driving(torques) * rates
+        driven = self._with_driving(torques) if self.driving else torques
+        np.multiply(driven, rates, out=change[self.works])
         if self.springs:
             at = self.layout.spring_ports
             sprung, twisting = torques[at], rates[at]
@@ -549,8 +549,6 @@ class Equations:
             if self.light:
                 lost = lost + structure.mesh_light_rates @ light
             change[self.meshed] = (structure.torques @ torques)[: len(lost)] * lost
-        else:
-            change[self.meshed] = 0.0
         return change
 
     def limit_slopes(self, time: float, rates: Floats, state: Floats) -> Floats:

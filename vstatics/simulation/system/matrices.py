@@ -81,8 +81,9 @@ class Contact(NamedTuple):
     @property
     def device(self) -> int | None:
         """Index of the component to whose torque the contact contributes."""
-        of = (self.element, self.while_open, self.beside)
-        return next((index for index in of if index is not None), None)
+        if self.element is not None:
+            return self.element
+        return self.beside if self.while_open is None else self.while_open
 
     @property
     def corners(self) -> tuple[float, ...]:
@@ -350,6 +351,8 @@ class MotionSystem:
 
     def elastic_energy(self, twists: Floats) -> float:
         """Return the elastic energy of all springs [J]."""
+        if not self.springs:
+            return 0.0
         bent = zip(self.springs, twists.tolist(), strict=True)
         stored = sum(spring.curve.energy(twist) for spring, twist in bent if spring.curve.bends)
         return float(self.straight @ twists**2) / 2 + stored

@@ -125,6 +125,10 @@ class Ports:
             | set(range(layout.losses, layout.ports))
         )
         """Ports with torques that are nonlinear in rates, twists or angles."""
+        self.moves = bool(system.springs or self.by_angle or self.roads)
+        """True if torques of springs, roads or laws over an angle act; see `_add_motion`."""
+        self.is_damped = bool(self.by_rate.any())
+        """True if a torque is linear in the rate of its port."""
         self.is_rising = bool(self.c1.any())
         """True if a torque changes linearly with time."""
         self.is_affine = not self.bending
@@ -194,12 +198,12 @@ class Ports:
     ) -> Floats:
         """Return the torques of all ports [N*m]."""
         time = min(max(time, self.after), self.until)
-        torques = self.by_rate * rates
-        torques += self.c0
+        torques = self.c0 + self.by_rate * rates if self.is_damped else self.c0.copy()
         if self.is_rising:
             torques += self.c1 * time
         layout = self.layout
-        self._add_motion(torques, rates, twists, angles)
+        if self.moves:
+            self._add_motion(torques, rates, twists, angles)
         for port, formula, factor in self.timed:
             torques[port] += factor * formula.function(time, 0.0, 0.0)
         for port, place, function, _ in self.special:
@@ -226,7 +230,8 @@ class Ports:
         if self.is_rising:
             torques += self.c1[:, None] * times
         layout = self.layout
-        self._add_motion(torques, rates, twists, angles)
+        if self.moves:
+            self._add_motion(torques, rates, twists, angles)
         for port, formula, factor in self.timed:
             torques[port] += factor * curve_along(formula, times)
         for port, place, _, along in self.special:

@@ -152,6 +152,8 @@ def _driven(
             switch = system.contacts[index].switch
             place = switch._replace(jump=switch.jump._replace(side="")) if switch else index
             places.setdefault(place, []).append(index)
+    if not places:
+        return (), np.zeros((rows.shape[0], 0))
     wanted = np.zeros((rows.shape[1], len(places)))
     for column, sticking in enumerate(places.values()):
         wanted[[contact_rows[index] for index in sticking], column] = 1.0

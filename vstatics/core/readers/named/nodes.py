@@ -231,7 +231,7 @@ class Spots:
 
     def keep(self, spot: Spot, node: Node | None = None) -> None:
         """Store a spot unless its path is known; if given, `node` determines the place."""
-        self._spots.setdefault(spot.path, spot._replace(node=node or spot.node))
+        self._spots.setdefault(spot.path, spot._replace(node=node) if node else spot)
 
     def has(self, path: Path) -> bool:
         """Return whether the document contains a part of the model."""
