@@ -114,10 +114,10 @@ def naming(function: Callable[Asked, Given]) -> Callable[Asked, Given]:
         except CaseError as error:
             raise type(error)(
                 problem._replace(
-                    message=_OPTION.sub(named, problem.message),
+                    message=re.sub(_OPTION, named, problem.message),
                     place=problem.place
                     and problem.place._replace(
-                        file=_OPTION.sub(named, problem.place.file).strip("`")
+                        file=re.sub(_OPTION, named, problem.place.file).strip("`")
                     ),
                 )
                 for problem in error.problems
@@ -126,7 +126,7 @@ def naming(function: Callable[Asked, Given]) -> Callable[Asked, Given]:
     return checked
 
 
-_OPTION = re.compile(r"(?<!\S)--([a-z][a-z-]*[a-z]|[a-z])\b")
+_OPTION = r"(?<!\S)--([a-z][a-z-]*[a-z]|[a-z])\b"
 
 
 def _arguments(function: Callable[..., Any]) -> tuple[Sequence[str], bool]:

@@ -29,10 +29,10 @@ A record of `gears` needs 2 keys: `gears` and the name of the gear.
 MOST_PATH_PARTS = 16
 """Largest number of keys in a path; the keys of documents are nested less deeply."""
 
-_PART = re.compile(r"\"([^\"]*)\"|'([^']*)'|([^.\"']+)")
-_QUOTED = re.compile(r"""\"([^\"]*)\"|'([^']*)'""")
-_BARE = re.compile(r"\w+(?:[- ]\w+)*")
-_UNIT = re.compile(r"\s*\[([^\]]*)\]\s*\Z")
+_PART = r"\"([^\"]*)\"|'([^']*)'|([^.\"']+)"
+_QUOTED = r"""\"([^\"]*)\"|'([^']*)'"""
+_BARE = r"\w+(?:[- ]\w+)*"
+_UNIT = r"\s*\[([^\]]*)\]\s*\Z"
 
 
 class PathPart(NamedTuple):
@@ -66,8 +66,9 @@ def split(text: str) -> list[PathPart]:
     parts = []
     at = len(text) - len(text.lstrip())
     end = len(text.rstrip())
+    part = re.compile(_PART)
     while True:
-        match = _PART.match(text, at, end)
+        match = part.match(text, at, end)
         if not match:
             quote = text[at : at + 1] in ('"', "'") and at < end
             message = "the quote is not closed" if quote else "read nothing, expected a name"
@@ -95,7 +96,7 @@ def written(keys: Sequence[str]) -> str:
     >>> written(("controls", "F.1", "2"))
     'controls."F.1".2'
     """
-    return dotted([key if _BARE.fullmatch(key) else in_quotes(key) for key in keys])
+    return dotted([key if re.fullmatch(_BARE, key) else in_quotes(key) for key in keys])
 
 
 def dotted(keys: Sequence[str]) -> str:
@@ -109,7 +110,7 @@ def plain(text: str) -> str:
     >>> plain('gears."1 [a]".load.speed')
     'gears.1 [a].load.speed'
     """
-    return _QUOTED.sub(lambda match: match[1] or match[2] or "", text)
+    return re.sub(_QUOTED, lambda match: match[1] or match[2] or "", text)
 
 
 def plain_keys(text: str) -> list[str]:
@@ -144,7 +145,7 @@ def with_unit(text: str) -> tuple[str, str | None]:
     >>> with_unit("load.speed [rpm]"), with_unit("load.speed")
     (('load.speed', 'rpm'), ('load.speed', None))
     """
-    unit = _UNIT.search(text)
+    unit = re.search(_UNIT, text)
     return (text[: unit.start()], unit[1].strip()) if unit else (text, None)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-_BLANKS = re.compile("[\u00a0\u1680\u2000-\u200a\u202f\u205f\u3000]")
+_BLANKS = "[\u00a0\u1680\u2000-\u200a\u202f\u205f\u3000]"
 """No-break, thin and other typographic blanks."""
 DASHES = "\u2212\u2010\u2011\u2012\u2013\u2014"
 """Minus sign, and dashes that word processors write for a hyphen."""
@@ -16,7 +16,7 @@ def with_plain_blanks(text: str) -> str:
     >>> with_plain_blanks("300\u00a0N*m, 1\u2009kW")
     '300 N*m, 1 kW'
     """
-    return text if text.isascii() else _BLANKS.sub(" ", text)
+    return text if text.isascii() else re.sub(_BLANKS, " ", text)
 
 
 def dash_hint(text: str) -> str:

@@ -62,7 +62,7 @@ def plain_names(text: str) -> str:
     >>> plain_names("ETA[low]"), plain_names('max(W["ETA",:]) - W.ratio')
     ('efficiency[low]', 'max(speeds["ETA",:]) - W.ratio')
     """
-    return _IN_FORMULA.sub(lambda match: plain_name(match[0]), text)
+    return re.sub(_IN_FORMULA, lambda match: plain_name(match[0]), text)
 
 
 def nearest_quantity(name: str, others: Iterable[str] = ()) -> str:
@@ -165,7 +165,7 @@ NAME = re.compile(r"[^\W\d]\w*")
 DOTTED = re.compile(rf"{NAME.pattern}(?:\.\w+)*")
 """Pattern of a name that needs no quotes in brackets, such as `P1.ring`."""
 _QUOTED = r"\"[^\"]*\"|'[^']*'"
-_IN_FORMULA = re.compile(rf"{_QUOTED}|\[(?:{_QUOTED}|[^\]\"'])*\]|[\w.]+")
+_IN_FORMULA = rf"{_QUOTED}|\[(?:{_QUOTED}|[^\]\"'])*\]|[\w.]+"
 """Pattern of an item in a formula: text in quotes or brackets, or name or number with points."""
 BEFORE_NAME = "|"
 """Character that precedes the name of a row in a listing."""

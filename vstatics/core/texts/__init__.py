@@ -88,7 +88,7 @@ def _form(count: int, language: Language) -> int:
     return 1 if count % 10 in (2, 3, 4) and count % 100 not in (12, 13, 14) else 2
 
 
-_IN_BRACKETS = re.compile(r"(.+) \[(.+)\]")
+_IN_BRACKETS = r"(.+) \[(.+)\]"
 
 
 def heading(text: str) -> str:
@@ -103,7 +103,7 @@ def heading(text: str) -> str:
         return text
     if text in table(language):
         return tr(text)
-    if parts := _IN_BRACKETS.fullmatch(text):
+    if parts := re.fullmatch(_IN_BRACKETS, text):
         return f"{heading(parts[1])} [{tr(parts[2])}]"
     name, comma, unit = text.rpartition(", ")
     return f"{heading(name)}, {tr(unit)}" if comma else tr(text)
@@ -116,7 +116,7 @@ def title(text: str) -> str:
     ...     title("Power lost in the mechanisms [losses]")
     'Потери мощности в механизмах [losses]'
     """
-    parts = _IN_BRACKETS.fullmatch(text)
+    parts = re.fullmatch(_IN_BRACKETS, text)
     if parts is None or text in table(_SPOKEN.get()):
         return heading(text)
     return f"{heading(parts[1])} [{parts[2]}]"

@@ -21,9 +21,7 @@ from vstatics.core.readers.deck.values import (
 )
 from vstatics.core.suggestions import nearest
 
-_LIKE_FIELD = re.compile(
-    r"\s*\(?[A-Z]{2,7}(?:\s*=\s*[-+]?[0-9.]+\s*|\s*\([^()]*\).*,\s*[IJK]\s*=\s*1\s*,.*)"
-)
+_LIKE_FIELD = r"\s*\(?[A-Z]{2,7}(?:\s*=\s*[-+]?[0-9.]+\s*|\s*\([^()]*\).*,\s*[IJK]\s*=\s*1\s*,.*)"
 """Pattern of a line that is a field, except for its name."""
 
 
@@ -164,7 +162,7 @@ class Fields:
     def warn_of_unknown(self) -> None:
         """Add a warning for each line that is a field, except for its name."""
         for word, line in self.scan.unknown.items():
-            if _LIKE_FIELD.fullmatch(self.scan.source.lines[line - 1]):
+            if re.fullmatch(_LIKE_FIELD, self.scan.source.lines[line - 1]):
                 hint = nearest(word, [*SCALARS, *LISTS])
                 message = f"read `{word}`, expected the name of a field; the line is ignored{hint}"
                 place = self.scan.source.place(line, 1)

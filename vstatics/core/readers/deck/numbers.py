@@ -28,7 +28,7 @@ TOKEN = re.compile(
 REPEATED = r"([0-9]{1,18})\*(.+)"
 INTEGER = re.compile(r"[+-]?[0-9]+")
 REAL = re.compile(r"([+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+))(?:[EDQ]([+-]?[0-9]+)|([+-][0-9]+))?")
-_RELATED = re.compile(r"(?P<first>[^:%]*[^:%\s])\s*(?P<sign>[:%])\s*(?P<second>.*)")
+_RELATED = r"(?P<first>[^:%]*[^:%\s])\s*(?P<sign>[:%])\s*(?P<second>.*)"
 DECIMAL_COMMA = r"(?<![.0-9])[0-9]*,[0-9]+(?![.0-9])"
 LONGEST_DECK_NUMBER = 1000
 """Maximum number of characters of a number. More characters add no information."""
@@ -86,7 +86,9 @@ def real(text: str) -> float:
     >>> real("-5 : 2"), real("96%")
     (-2.5, 0.96)
     """
-    related = _RELATED.fullmatch(text) if len(text) <= LONGEST_DECK_NUMBER else None
+    related = None
+    if (":" in text or "%" in text) and len(text) <= LONGEST_DECK_NUMBER:
+        related = re.fullmatch(_RELATED, text)
     if related is None or (related["sign"] == "%") == bool(related["second"]):
         return _fortran_number(text)
     first, sign, second = related.groups()
