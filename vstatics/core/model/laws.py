@@ -15,6 +15,7 @@ from vstatics.core.model.fields import TransmissionFields
 from vstatics.core.model.parts import Gear, Law, Load, Size
 from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.core.numerics.lookup_table import LookupTable
+from vstatics.core.numerics.tolerances import TIE
 
 _BOTH = "a `load` with both, such as `load: {speed: 2000 rpm, torque: 100 N*m}`"
 """Words for the expected operating point in messages."""
@@ -65,7 +66,7 @@ class PointLaw(Law):
     def is_outside(self, *sizes: Floats) -> Booleans:
         """Return flags that mark speeds or torques outside the points."""
         (size,) = sizes
-        return (size < self.points[0][0]) | (size > self.points[-1][0])
+        return _is_outside(size, self.points[0][0], self.points[-1][0])
 
     @property
     def ends(self) -> tuple[float, float]:
@@ -128,9 +129,9 @@ class MapLaw(Law):
     def is_outside(self, *sizes: Floats) -> Booleans:
         """Return flags that mark pairs of speed and torque outside the map."""
         speed, torque = sizes
-        low, high = self.rows[0][0], self.rows[-1][0]
-        first, last = self.columns[0], self.columns[-1]
-        return (speed < low) | (speed > high) | (torque < first) | (torque > last)
+        return _is_outside(speed, self.rows[0][0], self.rows[-1][0]) | _is_outside(
+            torque, self.columns[0], self.columns[-1]
+        )
 
     @property
     def ends(self) -> tuple[float, float]:
@@ -145,6 +146,12 @@ class MapLaw(Law):
     def __repr__(self) -> str:
         """Return the full definition, so that cases with different maps have different texts."""
         return f"MapLaw({self.columns!r}, {self.rows!r}, {self.unit!r})"
+
+
+def _is_outside(size: Floats, first: float, last: float) -> Booleans:
+    """Return flags that mark magnitudes outside two ends by more than rounding."""
+    slack = TIE * max(abs(first), abs(last))
+    return (size < first - slack) | (size > last + slack)
 
 
 def of_law(  # noqa: PLR0913

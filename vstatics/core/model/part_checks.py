@@ -318,12 +318,6 @@ def _open(case: TransmissionFields, gear: Gear, path: Path) -> Iterator[Problem]
         elif number in gear.speed_ratios:
             message = f"{name} also has a speed ratio in this gear; remove one of the two"
             yield Problem("E278", message, inner)
-        elif number <= len(mechanisms) and _is_bypassed(case, gear, number):
-            message = (
-                f"the engaged shift elements lock the links of {name} together, so it cannot be "
-                "open: release its lock-up clutch, or remove it from `open`"
-            )
-            yield Problem("E278", message, inner)
 
 
 def _is_bypassed(case: TransmissionFields, gear: Gear, number: int) -> bool:

@@ -54,7 +54,7 @@ def document(results: Results) -> dict[str, Any]:
             for row in table.values.tolist()
         ]
         result[quantity.name] = rows[0] if quantity.rows == "one" else rows
-    if any(map(case.sought_converters, case.gears)):
+    if any(part.can_be_open and math.isnan(part.ratio) for part in case.mechanisms):
         result["converters"] = [dict(_converters(results, n)) for n in range(len(case.gears))]
     result["messages"] = [str(message) for message in results.messages]
     return result

@@ -15,7 +15,7 @@ from tests.oracle.drag import solve_gear
 from tests.oracle.systems import Speeds
 from tests.trains import is_regular, random_train
 from vstatics import CaseError, Gear, Load, Mechanism, ShiftElement, Transmission, solve
-from vstatics.core.model.laws import PointLaw
+from vstatics.core.model.laws import MapLaw, PointLaw
 from vstatics.core.model.parts import OfLoad
 from vstatics.core.numerics.traced import plain
 from vstatics.core.readers import loads
@@ -70,6 +70,16 @@ def test_outside_its_points_a_law_is_constant_and_a_note_says_so() -> None:
     assert {name: at.T.tolist() for name, at in points.outside.items()} == {
         "engine": [[False, True, False, True], [False] * 4]
     }
+
+
+@pytest.mark.parametrize("speed", [1500, 1789, 4500])
+def test_a_point_at_the_edge_of_a_map_is_inside_in_spite_of_rounding(speed: int) -> None:
+    """A ratio of 2.8 and an efficiency of 0.97 lead to a corner of the second map."""
+    behind = MapLaw([0, 33.3 * 2.8 * 0.97], [[speed / RPM / 2.8, 0.9, 0.9], [9999, 0.9, 0.9]])
+    mechanisms = [Mechanism(1, 2, 0, -2.8, 0.97), Mechanism(2, 3, 0, -1.7, behind)]
+    case = Transmission(3, [], mechanisms, [Gear()], load=Load(speed, 33.3))
+    assert solve(case).messages == ()
+    assert [said.id for said in solve(case.replace(load=Load(speed, 33.4))).messages] == ["N414"]
 
 
 def test_laws_that_cannot_be_are_refused() -> None:

@@ -46,6 +46,11 @@ def test_json_and_sheet_have_the_ratio_of_each_gear_that_is_sought(folder: Path)
     found = {"TC": {"speed_ratio": pytest.approx(0.75), "others": []}}
     answer = json.loads(vstatics("run", "box.yaml", "-f", "json").out)
     assert answer["converters"] == [found, {"TC": None}, {"TC": None}]
+    (folder / "locked.yaml").write_text(
+        text.replace('"1": {}, ', "").replace("[L]}", "[L], open: [TC]}")
+    )
+    locked = json.loads(vstatics("run", "locked.yaml", "-f", "json").out)
+    assert locked["converters"] == [{"TC": None}, {"TC": None}]
     sheet = " ".join(vstatics("explain", "box.yaml", "--worksheet", "--gear", "1").out.split())
     assert "M = lambda(i) w |w|" in sheet
     assert "TC: i = 0.75, lambda = 0.0005 N*m*s^2, w = 200 rad/s, M = 20 N*m." in sheet
@@ -96,3 +101,25 @@ def test_a_slip_of_the_lock_up_clutch_needs_an_open_converter() -> None:
     results = solve(case.replace(gears=[case.gears[1]._replace(open=(1,))]))
     assert results.slip_losses_kW[0, 0] == pytest.approx(0.1 * 100 * 200 / 1000)
     assert not results.messages
+
+
+def test_a_clutch_slips_before_or_behind_the_converter() -> None:
+    """The pump takes 0.002 (1 - i) w^2 = 10 N*m at w = 100 or 200 rad/s; K = 2 - i."""
+    text = """links: [engine, pump, turbine, output]
+load: {speed: 200 rad/s, torque: 10 N*m}
+shift_elements: {K: [engine, pump], L: [turbine, output]}
+mechanisms:
+  TC: {kind: converter, first: pump, second: turbine, points: [[0, 2, 0.002], [1, 1, 0]]}
+gears:
+  before: {engaged: [L], slip: {K: 100 rad/s}}
+  behind: {engaged: [K], slip: {L: 20 rad/s}}
+  at rest: {engaged: [L], slip: {K: 200 rad/s}}
+"""
+    results = solve(loads(text))
+    assert results.speed_ratio[:2, 0].tolist() == pytest.approx([0.5, 0.875])
+    assert results.lossy_output_torque_Nm[:2].tolist() == pytest.approx([15, 11.25])
+    assert results.efficiency[:2].tolist() == pytest.approx([15 * 50 / 2000, 11.25 * 155 / 2000])
+    point = solve(loads(text.replace("[0, 2, 0.002], [1, 1, 0]", "[0.5, 1.5, 0.001]")))
+    assert point.lossy_output_torque_Nm[0] == pytest.approx(15)
+    for outcome, gears in ((results, ["at rest"]), (point, ["behind", "at rest"])):
+        assert [said.gear for said in outcome.messages if said.id == "W431"] == gears

@@ -94,7 +94,8 @@ class SoughtRatio:
         parts = [np.linspace(*ends, pieces, endpoint=False) for ends in pairwise(by_ratio)]
         lossless = np.outer(_lossless(self.converter), [1 - ROUNDED, 1, 1 + ROUNDED]).ravel()
         trials = np.concatenate([*parts, by_ratio[-1:], lossless])
-        return np.unique(trials[(trials >= by_ratio[0]) & (trials <= by_ratio[-1])])[::-1]
+        inside = np.unique(trials[(trials >= by_ratio[0]) & (trials <= by_ratio[-1])])[::-1]
+        return inside if len(inside) > 1 else np.repeat(inside, 2)
 
     def at(self, points: Integers) -> SoughtRatio:  # noqa: ARG002 - equal for all points
         """Return the object itself, which is the same for all points."""
@@ -182,14 +183,15 @@ def _is_alone(case: Transmission, gear: Gear, place: int) -> bool:
     joining: list[Iterable[int]] = [
         element.links
         for number, element in enumerate(case.shift_elements, 1)
-        if number in gear.carrying or number in freewheels or drag[number]
+        if number in {*gear.carrying, *freewheels} or drag[number]
     ]
     joining += [part.links for n, part in enumerate(case.mechanisms) if n != place]
     joining += [spring.form for spring in case.springs]
     for links in joining:
         join(bodies, *(link for link in links if link != HOUSING))
     pump, turbine = (bodies[link] for link in case.mechanisms[place].links[:2])
-    is_given = gear.speeds or gear.balance is not None
+    slips = {bodies[case.shift_elements[number - 1].links[0]] for number in gear.slipping}
+    is_given = gear.speeds or gear.balance is not None or turbine in slips
     return pump == bodies[case.gear_input(gear)] != turbine and not is_given
 
 
@@ -321,9 +323,11 @@ def _roots_alone(ratio: SoughtRatio, slow: Results, fast: Results) -> Roots:
     with np.errstate(all="ignore"):
         factor = brought / (speed * np.abs(speed))
     found = []
-    for (left, _, before), (right, _, after) in pairwise(ratio.converter.points):
+    points = ratio.converter.points
+    for (left, _, before), (right, _, after) in pairwise(points[:1] + points):
         near = ROUNDED * np.maximum(np.abs(factor), max(abs(before), abs(after)))
         inside = (min(before, after) - near <= factor) & (factor <= max(before, after) + near)
+        inside &= np.isfinite(factor)  # a pump at rest takes no torque
         part = np.ones_like(factor) if before == after else (factor - before) / (after - before)
         root = left + np.clip(part, 0.0, 1.0) * (right - left)
         lost = brought * speed * (1 - torque_ratio_of(ratio.converter, root) * root)
