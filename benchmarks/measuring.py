@@ -121,7 +121,10 @@ def timer(
 
 
 def command(*words: str, folder: Path, **environment: str) -> Callable[[], Any]:
-    """Return a function that runs a command in a folder, without its messages."""
+    """Return a function that runs a command in a folder, without its messages.
+
+    The program may store its bytecode, as pip does when it installs the peers.
+    """
     return partial(
         subprocess.run,
         words,
@@ -129,7 +132,7 @@ def command(*words: str, folder: Path, **environment: str) -> Callable[[], Any]:
         cwd=folder,
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
-        env={**os.environ, **environment},
+        env={**os.environ, "PYTHONDONTWRITEBYTECODE": "", **environment},
     )
 
 
