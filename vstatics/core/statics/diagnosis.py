@@ -8,7 +8,7 @@ case, not to arrays of variants.
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -394,20 +394,17 @@ def _cure(
     others: Sequence[str],
     fixed: Sequence[str],
     sought: Sequence[str],
-    slipping: Collection[str],
 ) -> str:
     """Return words for the remedies for contradictory constraints on the speeds.
 
     `fixed` are converters and variators with a prescribed speed ratio; for `sought`, the load
     determines it.
     """
-    slips = spoken(name for name in engaged if name in slipping) if sought else ""
     cures = [
         "release one of the engaged shift elements" * bool(engaged),
         "remove a given speed" * any(name != matrix.INPUT_SPEED for name in others),
         f"give {spoken(fixed)} another speed ratio" * bool(fixed),
         f"list {spoken(sought)} under `open`" * bool(sought),
-        f"give the torque of {slips} under `open_drag`, from which the slip follows" * bool(slips),
     ]
     return " or ".join(filter(None, cures))
 
@@ -419,7 +416,6 @@ def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     names = matrix.speed_row_names(case, gear)
     always = len(matrix.always_coupled(case, gear))
     at_ratios = _speed_ratios(results, number, gear)
-    slipping = [element.name for element in case.elements_at(gear.slipping)]
     for involved, agrees in elimination.dependencies(rows):
         given_speeds = always + len(gear.carrying)
         engaged = [names[i] for i in involved if always <= i < given_speeds]
@@ -432,7 +428,7 @@ def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
         if not agrees:
             fixed = [name for name in free if not math.isnan(at_ratios[name])]
             sought = [name for name in free if name not in fixed]
-            cure = _cure(engaged, others, fixed, sought, slipping)
+            cure = _cure(engaged, others, fixed, sought)
             if free:
                 conditions = spoken(
                     f"{name} at the speed ratio {at_ratios[name]:g}" if name in fixed else name
