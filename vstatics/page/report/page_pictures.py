@@ -50,15 +50,15 @@ def pictures(results: Results, asked: AskedPage = EVERYTHING) -> Pictures:
     chosen = [number for [number] in gears] if asked.gears else []
     sticks, small, bare = _sticks(results, asked, gears)
     has_flows = asked.has("flow") and not asked.in_full("flow") and len(gears) > 1
-    flows = of_each(results, "flow", [*gears, *[chosen] * has_flows]) if asked.has("flow") else []
-    levers = of_each(results, "lever", gears) if asked.has("lever") else []
+    shown = {"flow": [*gears, *[chosen] * has_flows], "lever": gears}
+    of_gears = {kind: of_each(results, kind, shown[kind]) for kind in shown if asked.has(kind)}
+    flows = of_gears["flow"].pop() if has_flows else None
     of_all = {
         kind: picture_of(results, kind, chosen)
         for kind in of_all_gears(results.case)
         if asked.has("vehicle" if kind in OF_A_VEHICLE else kind)
     }
-    of_gears = {"stick": sticks, "flow": flows[: len(gears)], "lever": levers}
-    return Pictures(of_gears, of_all, small, bare, flows[-1] if has_flows else None)
+    return Pictures({"stick": sticks, **of_gears}, of_all, small, bare, flows)
 
 
 def _sticks(
@@ -73,9 +73,9 @@ def _sticks(
     has_small = asked.has("gears") and not in_full and len(gears) > 1
     shown = [*gears, *[()] * (not in_full)] if asked.has("overview") else []
     for kind in ("stick", "structure"):
-        drawn = of_each(results, kind, shown)
-        sticks, bare = drawn[: len(gears)], drawn[len(gears) :]
+        sticks = of_each(results, kind, shown)
+        bare = sticks.pop() if len(sticks) > len(gears) else None
         small = of_each(results, kind, gears, HALF) if has_small else []
         if any(picture.sheets for picture in (*sticks, *small)):
             break
-    return sticks, small, bare[0] if bare else None
+    return sticks, small, bare

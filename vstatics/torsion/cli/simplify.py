@@ -212,5 +212,7 @@ def _lost_dampings(case: Transmission) -> list[str]:
     names = [device.name for device in devices if damping(device.damping).loss_factor]
     if not names:
         return []
-    why = "a simplified system has only viscous damping"
-    return [f"the loss factor of {spoken(names)} is omitted: {why}"]
+    return [
+        f"the loss factor of {spoken(names)} is omitted: a simplified system has only viscous "
+        "damping"
+    ]
