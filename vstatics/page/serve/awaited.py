@@ -14,7 +14,7 @@ from vstatics.page.report.asked import SECTIONS, AskedPage
 from vstatics.page.report.material import Material, module_of_part, part_of
 from vstatics.page.report.page_pictures import Pictures, of_all_gears
 from vstatics.page.report.sections import sections
-from vstatics.pictures.paged.drawn import Drawn, bare_stick, of_each, picture_of
+from vstatics.pictures.paged.drawn import Drawn, bare_stick, picture_of
 from vstatics.pictures.paged.parts import Part, PartRequest
 from vstatics.pictures.runs import PicturedRun
 
@@ -116,17 +116,9 @@ def _picture(name: str, results: Results, run: Callable[[], PicturedRun | None])
     elif name in (*of_all_gears(results.case), *OF_ALL_GEARS) and name in picture_kinds():
         drawn = picture_of(results, name)
     elif kind in OF_GEARS and of in map(str, range(1, len(results.case.gears) + 1)):
-        drawn = _of_gear(results, kind, int(of))
+        drawn = picture_of(results, kind, [int(of)])
+        if kind == "stick" and not drawn.sheets:
+            drawn = picture_of(results, "structure", [int(of)])
     if drawn is None:
         return None
     return tag("p", tr("Not drawn. {why}", why=drawn.why)) if drawn.why else joined(*drawn.sheets)
-
-
-def _of_gear(results: Results, kind: str, gear: int) -> Drawn:
-    """Draw a picture of a gear; if its stick diagram cannot be drawn, draw its structure."""
-    if kind == "modes":
-        return picture_of(results, kind, [gear])
-    [drawn] = of_each(results, kind, [[gear]])
-    if kind == "stick" and not drawn.sheets:
-        [drawn] = of_each(results, "structure", [[gear]])
-    return drawn
