@@ -38,7 +38,7 @@ def test_frequencies_that_differ_are_the_misprints_of_the_page() -> None:
     assert f"six trucks | {of_trucks - len(APART)} of {of_trucks} within" in page
     assert f"| 2.5, frequencies | {of_moskvich - 1} of {of_moskvich} within" in page
     method = (ROOT / "docs/method.md").read_text("utf-8")
-    assert f"({of_trucks + of_moskvich} natural frequencies" in method
+    assert f"- {of_trucks + of_moskvich} published natural frequencies" in method
     assert f"[{len(APART) + 1} of them misprints]" in method
 
 

@@ -127,8 +127,6 @@ class Ports:
         """Ports with torques that are nonlinear in rates, twists or angles."""
         self.moves = bool(system.springs or self.by_angle or self.roads)
         """True if torques of springs, roads or laws over an angle act; see `_add_motion`."""
-        self.is_damped = bool(self.by_rate.any())
-        """True if a torque is linear in the rate of its port."""
         self.is_rising = bool(self.c1.any())
         """True if a torque changes linearly with time."""
         self.is_affine = not self.bending
@@ -198,7 +196,7 @@ class Ports:
     ) -> Floats:
         """Return the torques of all ports [N*m]."""
         time = min(max(time, self.after), self.until)
-        torques = self.c0 + self.by_rate * rates if self.is_damped else self.c0.copy()
+        torques = self.c0 + self.by_rate * rates  # unknown rates (NaN) make torques unknown
         if self.is_rising:
             torques += self.c1 * time
         layout = self.layout
