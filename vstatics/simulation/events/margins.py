@@ -106,7 +106,7 @@ class SplitRoom(NamedTuple):
         return self.widest <= self.room + TIGHT_SLACK * largest(self.slack)
 
     def on_other_side(self, rows: slice) -> SplitRoom:
-        """Return the room for the opposite torque of a mechanism, whose slacks are in `rows`."""
+        """Return the slacks for the opposite torque of the mechanism whose slacks are in `rows`."""
         slack, directions, ways = (array.copy() for array in self[:3])
         for array in (slack, directions, ways):
             array[rows] *= -1
@@ -446,7 +446,7 @@ class Margins:
             for row in self.jumping:
                 both = cones[0][row : row + 2]
                 width = both.sum(axis=0)
-                # below width 0, the torques on both sides drive the motion off the jump
+                # if width < 0, the torques on both sides drive the motion away from the jump
                 both[:, width < 0] = width[width < 0]
         for mesh, friction, mechanism in self.cones:
             torque, taken = held[mesh], held[friction]
@@ -509,7 +509,7 @@ class Margins:
         ]
 
     def breaking(self, watch: Watch, time: float, state: Floats) -> Watch:
-        """Return the identity of a margin, with the direction in which a mechanism moves."""
+        """Return `watch`; for a mechanism at rest, its side is the direction of the motion."""
         if watch.kind != "cone":
             return watch
         _, torques = self.equations.acting(time, state)
@@ -530,7 +530,7 @@ class Margins:
         rounding = PASSED_LIMIT * np.abs(held).max(axis=0, initial=0.0)
         for column in np.flatnonzero(slack.min(axis=0) < -rounding):
             given = slack[:, column], self._directions(held[:, column])
-            if self.cones:  # the torque signs of mechanisms at rest are open
+            if self.cones:  # the torque signs of mechanisms at rest are not fixed
                 given = self._roomiest(slack[:, column], held[:, column])[:2]
             change = least(*given)
             if change is not None:

@@ -134,7 +134,7 @@ class ModeSelection:
                 joined = self._joined(candidate.states, choices)
                 if joined == candidate.states:
                     return candidate
-                spare = spare or candidate  # rounding alone can separate it from the joined states
+                spare = spare or candidate  # valid if the joined states fail by rounding
                 candidate = self._admissible(joined, at, scales)
                 if candidate is not None and candidate.states not in left:
                     return candidate
@@ -349,7 +349,7 @@ class ModeSelection:
 
 
 class SelectionAhead(ModeSelection):
-    """Selection with a small inertia on all links, by the margins a little later."""
+    """Selection by the margins a little later, with a small inertia on all links."""
 
     def __init__(self, system: MotionSystem) -> None:
         links = len(system.names)

@@ -228,7 +228,7 @@ class TimeStretch(NamedTuple):
 
 
 def _equal_parts(length: float, left: float, most: int) -> tuple[float, int]:
-    """Return length and number of parts: `most` parts, or fewer and shorter to end after `left`."""
+    """Return length and number of parts: at most `most`, which together take at most `left`."""
     if most * length < left:
         return length, most
     count = 1  # keep the number of parts a power of 2

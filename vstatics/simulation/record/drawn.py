@@ -140,7 +140,7 @@ class DrawnRun:
     def _added(
         self, pieces: Sequence[Piece], most: int, *, hurried: bool
     ) -> Iterator[tuple[_SteppedCourse, Floats]]:
-        """Yield each group of equal time steps in succession, with times that draw the columns."""
+        """Yield groups of consecutive similar time steps, with times that draw their columns."""
         courses = [
             _SteppedCourse(number, steps, self.table.curves(piece, steps))
             for number, piece in enumerate(pieces)

@@ -41,7 +41,7 @@ class Coordinates(NamedTuple):
 
     @property
     def heavy(self) -> Floats:
-        """Motions with inertia, which complete the massless motions, shape (links, n - m)."""
+        """Motions with inertia, which with `massless` are a basis of all motions, (links, n - m)."""
         count = self.massless.shape[1]
         if not count:
             return self.free

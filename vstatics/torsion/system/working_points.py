@@ -150,7 +150,7 @@ class _WorkingPoints:
         return WorkingGear(case, case.gears[0], tuple(working), doubts)
 
     def _by_slip(self) -> dict[str, float]:
-        """Return the speed ratio of a converter beside a slipping lock-up clutch.
+        """Return the speed ratio of a converter in parallel with a slipping lock-up clutch.
 
         The clutch is then disengaged, because it transmits no vibration.
         """

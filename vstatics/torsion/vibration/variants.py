@@ -319,7 +319,7 @@ def without(
 
 
 def _held_alone(system: TorsionalSystem, device: int) -> Literal["", "heavy", "massless"]:
-    """Return the kind of motion that only a component resists, or an empty text."""
+    """Return the kind of motion that no component except `device` resists, or an empty text."""
     elastic = system.elastic_twists
     others = [*elastic[:device], *elastic[device + 1 :]]
     bodies = [body.form for body in system.bodies if body.inertia > 0]
