@@ -94,8 +94,7 @@ class EventRun:
         self.commands = StepCommands(system.scenario, engaged)
         self.rtol, self.watch = rtol, watch
         self.duration = self.until = self.horizon = system.scenario.duration
-        """`horizon` is the time until which the bends and jumps of inputs (`breaks`) are known. [s]
-        """
+        """`horizon` is the time until which bends and jumps of inputs (`breaks`) are known. [s]"""
         self.span = system.scenario.span
         self._look_ahead()
         self.scales = large_sizes(system, record.start)
@@ -592,7 +591,6 @@ class EventRun:
         return largest(slip @ np.hstack([loose.free, loose.light])) > STANDING
 
     def _path(self, watch: Watch) -> Path:
-        """Return the scenario path of the component of a margin, or an empty path."""
         scenario = self.system.scenario
         kind = KIND_OF.get(watch.kind)
         if watch.kind == "corner":
@@ -604,7 +602,6 @@ class EventRun:
         return self._path_of(kind, watch.of) if kind else ()
 
     def _path_of(self, kind: Kind, index: int) -> Path:
-        """Return the scenario path of a contact or spring, or an empty path."""
         scenario, system = self.system.scenario, self.system
         device = getattr(system, kind)[index] if kind in ("contacts", "springs") else None
         if device is None:

@@ -20,8 +20,7 @@ from vstatics.simulation.system.structure import MotionStructure
 from vstatics.simulation.tolerances import STANDING
 
 _MOST_JUMPS = 8
-"""Largest number of iterations for balanced twists if an efficiency depends on the torque.
-"""
+"""Largest number of iterations for balanced twists if an efficiency depends on the torque."""
 
 
 class Instant(NamedTuple):

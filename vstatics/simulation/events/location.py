@@ -40,8 +40,7 @@ _NEAR = np.append(2.0 ** np.arange(-32, 0), 1.0)
 """Fractions of an interval at which a margin that begins at 0 is evaluated."""
 
 _CONSTANT = 1e-4
-"""Largest change of a constant margin, relative to a violation that counts as rounding.
-"""
+"""Largest change of a constant margin, relative to the violation that counts as rounding."""
 
 
 @lru_cache(maxsize=8)

@@ -270,7 +270,7 @@ class Margins:
         """
         equations = self.equations
         self.corners: list[tuple[int, bool, float, float]] = []
-        """Corners: row, True if the row is in the state (else the port speeds), value, and side."""
+        """Corners: row, True for a row of the state or False for a port rate, value, and side."""
         for index, load in enumerate(equations.system.outside):
             law = load.law
             if not isinstance(law, Points) or law.over == "time":
@@ -289,7 +289,7 @@ class Margins:
             for corner, side in self._ends(at, spring.curve.corners, torque=True):
                 self.corners.append((row, True, corner, side * spring.stiffness))
         self.ratios: list[tuple[int, float, float]] = []
-        """Breakpoints of converters: index of the converter, speed ratio, and side."""
+        """Breakpoints of converters: converter index, speed ratio, and 1 above or -1 below it."""
         for place, converter in enumerate(equations.system.converters):
             ratios = [ratio for ratio, _, _ in converter.points]
             for corner, side in self._ends(equations.layout.outside + place, ratios):

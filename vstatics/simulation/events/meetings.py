@@ -20,7 +20,7 @@ _DOUBLINGS = 3
 _FIRST_DOUBLING = 3
 """Number of such periods left out at first, because the first arrivals are irregular."""
 _LONGER = 1.2
-"""Ratio of durations up to which a doubling counts as no longer than the doubling before."""
+"""Ratio of durations up to which a period counts as no longer than the period before."""
 _MOST_MEETINGS = 1e5
 """Number of arrivals at a jump above which a run would take too long."""
 

@@ -134,7 +134,7 @@ class ModeSelection:
                 joined = self._joined(candidate.states, choices)
                 if joined == candidate.states:
                     return candidate
-                spare = spare or candidate  # valid if the joined states fail by rounding
+                spare = spare or candidate  # used if the joined states fail by rounding
                 candidate = self._admissible(joined, at, scales)
                 if candidate is not None and candidate.states not in left:
                     return candidate
@@ -175,7 +175,7 @@ class ModeSelection:
     def _driven(
         self, states: States, choices: Sequence[Choice], at: Instant, scales: LargeSizes
     ) -> States:
-        """Return the states with all mechanisms moving whose speeds follow from links with inertia.
+        """Return the states in which mechanisms move if their speeds follow from links with inertia.
 
         While a gear is engaged, this holds for nearly all mechanisms. Only a mechanism next to
         slipping contacts can be at rest, or have a speed that jumps.

@@ -76,7 +76,6 @@ _SQUARINGS = 6
 
 
 def _degree(count: int) -> int:
-    """Return the degree of the polynomials over a stretch of `count` parts."""
     return min(DEGREE, count * len(NODES) - 3)
 
 

@@ -181,11 +181,11 @@ class Formula(NamedTuple):
         return _read(*self).breaks
 
     def crossings(self, until: float) -> tuple[float, ...]:
-        """Return the other times, up to `until` [s], at which the formula bends or jumps."""
+        """Return times up to `until` [s], except `breaks`, at which the formula bends or jumps."""
         return crossings(self.whole, until)
 
     def jumps(self, name: str) -> tuple[float, ...]:
-        """Return the values of `speed` or `angle` at which the formula jumps, between polynomials.
+        """Return the values of `speed` or `angle` at which a comparison of polynomials jumps.
 
         >>> Formula("100*(abs(speed) < 300)").jumps("speed")
         (-300.0, 300.0)

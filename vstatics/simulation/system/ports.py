@@ -33,7 +33,7 @@ from vstatics.simulation.system.sight import following, looking
 from vstatics.simulation.tolerances import STANDING
 
 _FINE = 0.1
-"""Relative change of a slip, up to which a torque that depends on the slip is nearly linear."""
+"""Relative change of a slip up to which a torque that depends on the slip is nearly linear."""
 _FAR = 1e6
 """Smallest slip that counts as far from 0, as a multiple of the rounding error of slips."""
 SIGNS_OF_MESHES = ("++", "+-", "-+", "--")
@@ -92,8 +92,7 @@ class Ports:
         self.by_angle: list[tuple[int, int, float]] = []
         """Torques linear in an angle: port, index of the angle, slope. [N*m/rad]"""
         self.special: list[tuple[int, int, Torque, TorqueAlong]] = []
-        """Torques by other laws: port, index of the angle or -1, function, and function for arrays.
-        """
+        """Torques by other laws: port, index of the angle or -1, function, function for arrays."""
         self.roads: list[tuple[int, Callable[[Any], Any]]] = []
         """Torques of roads: port, and torque as a function of the rate or of an array of rates."""
         self.timed: list[tuple[int, Formula, float]] = []

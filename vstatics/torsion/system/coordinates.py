@@ -41,7 +41,7 @@ class Coordinates(NamedTuple):
 
     @property
     def heavy(self) -> Floats:
-        """Motions with inertia, which with `massless` are a basis of all motions, (links, n - m)."""
+        """Motions with inertia; with `massless` they are a basis of `free`, (links, n - m)."""
         count = self.massless.shape[1]
         if not count:
             return self.free

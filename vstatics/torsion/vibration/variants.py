@@ -231,7 +231,6 @@ class _Alike:
         return self._of_matrices(modes, variants)
 
     def _lowest(self, variant: int, modes: Sequence[int]) -> Floats:
-        """Return the lowest modes of a variant with many links, by sparse matrices."""
         from vstatics.torsion.vibration.natural import lowest_modes  # imports scipy
 
         numbers = (varied.rows(variant, variant + 1)[0] for varied in (self.stiff, self.heavy))

@@ -332,7 +332,7 @@ class ConverterGear(NamedTuple):
         )
 
     def torque_at(self, engine: Floats, output: Floats, brought: Brought) -> Floats:
-        """Return engine torques [N*m] that supply the pump with the torque it takes, otherwise NaN.
+        """Return engine torques [N*m] that supply the torque of the pump; NaN without a solution.
 
         Parameters
         ----------

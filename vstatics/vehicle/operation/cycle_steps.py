@@ -161,9 +161,9 @@ class CycleSteps(NamedTuple):
     def _of_least_loss(self, ahead: Sequence[int]) -> Integers:
         """Return the forward gear of each step that needs the least power of engine or battery.
 
-        Gears that exceed full load or the last engine speed are left out. A step without any other
-        gear keeps its gear. Among gears with equal powers, the gear with the smallest ratio is
-        chosen.
+        Gears that exceed full load or the last engine speed are left out. A step without a
+        remaining gear keeps its present gear. Among gears with equal powers, the gear with the
+        smallest ratio is chosen.
         """
         best, gears = np.full(len(self.gears), math.inf), self.gears.copy()
         moving = np.flatnonzero(self.trace.speed > 0)
