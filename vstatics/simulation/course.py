@@ -352,7 +352,7 @@ class EventRun:
         )
 
     def _jump_of(self, choices: Collection[tuple[Kind, int]]) -> Corner | None:
-        """Return a jump of a formula that is reached now, or earlier by one of `choices`."""
+        """Return a jump of a formula that is reached now, or was reached by a law in `choices`."""
         now = self.meetings.latest(self.at.time)
         earlier = [place for place in self.meetings.times if place not in now]
         paths = {self._path_of(*choice) for choice in choices}

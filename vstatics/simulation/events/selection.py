@@ -175,7 +175,7 @@ class ModeSelection:
     def _driven(
         self, states: States, choices: Sequence[Choice], at: Instant, scales: LargeSizes
     ) -> States:
-        """Return the states in which mechanisms move if their speeds follow from links with inertia.
+        """Return the states in which mechanisms move whose speeds follow from links with inertia.
 
         While a gear is engaged, this holds for nearly all mechanisms. Only a mechanism next to
         slipping contacts can be at rest, or have a speed that jumps.

@@ -92,7 +92,7 @@ def _by_programming(slack: Floats, directions: Floats) -> Floats:
 
 
 def least(slack: Floats, directions: Floats) -> Floats | None:
-    """Return the smallest change that brings a split within all limits, None if impossible.
+    """Return the shortest step along `directions` to within all limits, None if impossible.
 
     Examples
     --------

@@ -88,7 +88,7 @@ def start_gear(scenario: Scenario) -> Gear | None:
     from vstatics.core.statics.points.laws import without_laws
     from vstatics.core.statics.solve import solve
 
-    if any(without_loads(case)):  # a run needs no load
+    if any(without_loads(case)):  # laws cannot be evaluated
         case = without_laws(case)
     # Only the engaged shift elements are used, because drag torques are solved for the gear's
     # speed.

@@ -78,7 +78,7 @@ class DrawnRun:
         self._earlier: Tables = {}
         """Tables for pictures of the run before `_moments`."""
         self._moments: list[Moments] = []
-        """Moments of the pieces that were added last, for their tables for pictures."""
+        """Moments of the pieces added last, whose tables for pictures are not yet calculated."""
         self._ranges: CurveRanges | None = None
         self._parts, self._is_thin = 0, False
 

@@ -89,7 +89,7 @@ class DumpTorque(NamedTuple):
 
 @document(DUMP_FORM)
 class DumpAnswer(NamedTuple):
-    """JSON document of the largest torques, for a file with numbers."""
+    """JSON document of the largest torques in a clutch dump whose numbers are in a file."""
 
     made: Flat[DumpTorque]
 

@@ -245,7 +245,7 @@ class _WorkingPoints:
         return _OnPump(brought, torque_of_pump(converter.points, ratio, speed), (ratio, speed))
 
     def _loaded(self, case: Transmission) -> tuple[Transmission, tuple[str, ...]]:
-        """Return the case with the input torque of its pumps, and warnings about the load."""
+        """Return the case with the input torque that its pumps take, and warnings about loads."""
         if not self.driving:
             return case, ()
         doubts = []

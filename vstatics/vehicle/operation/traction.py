@@ -178,7 +178,7 @@ class Traction:
         return 0.0 if gear in self.converters else max(self.first, self._least(gear))
 
     def _least(self, gear: int) -> float:
-        """Return the engine speed from which a gear with a slip in rpm moves the vehicle [rad/s]."""
+        """Return the engine speed at which a gear with a slip in rpm starts to move [rad/s]."""
         at_rest = float(self.at_rest[gear])
         return at_rest + AT_REST * self.last if at_rest > 0 else 0.0
 
