@@ -509,7 +509,7 @@ class Margins:
         ]
 
     def breaking(self, watch: Watch, time: float, state: Floats) -> Watch:
-        """Return `watch`; for a mechanism at rest, its side is the direction of the motion."""
+        """Return `watch`; its side is the direction in which a mechanism at rest would move."""
         if watch.kind != "cone":
             return watch
         _, torques = self.equations.acting(time, state)

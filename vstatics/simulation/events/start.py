@@ -90,8 +90,7 @@ def start_gear(scenario: Scenario) -> Gear | None:
 
     if any(without_loads(case)):  # laws cannot be evaluated
         case = without_laws(case)
-    # Only the engaged shift elements are used, because drag torques are solved for the gear's
-    # speed.
+    # Only the engaged shift elements are used, because the drag torques are valid at one speed.
     return gear._replace(engaged=solve(case).gear_at(number - 1).gear.engaged)
 
 
