@@ -51,7 +51,7 @@ class Jump(NamedTuple):
 def consistent(
     equations: Equations, state: Floats, scales: LargeSizes
 ) -> tuple[Floats, Jump | None]:
-    """Return the state with twists that balance torques on links without inertia, and any jump."""
+    """Return the state with balanced torques on links without inertia, and any jump of twists."""
     if not equations.light or not equations.by_slope.shape[1]:
         return state, None
     balanced, given = state.copy(), np.zeros(equations.layout.ports)

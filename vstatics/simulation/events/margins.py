@@ -128,7 +128,7 @@ class Awaited(NamedTuple):
 
 
 class Margins:
-    """Margins of a set of equations: torques in N*m, speeds in rad/s."""
+    """Margins of a motion between two events, in N*m or rad/s."""
 
     def __init__(self, equations: Equations) -> None:
         self.equations = equations
@@ -493,7 +493,7 @@ class Margins:
         return best
 
     def tight(self, time: float, state: Floats) -> list[Watch]:
-        """Return the contact torques with the least reserve, which the split maximises."""
+        """Return the identities of the margins with the smallest slack in the best split."""
         at, states = np.array([time]), state[:, None]
         rates, torques = self.equations.acting_at(at, states)
         seen = self.equations.seen_at(at, states, rates, torques) if self.sees else None

@@ -254,7 +254,7 @@ def _backward(
 
 
 def _filled_in(system: MotionSystem, speeds: Floats, free: Floats, scale: float) -> Floats:
-    """Return speeds whose open values leave springs untwisted and freewheels locked.
+    """Return speeds in which undetermined values keep springs untwisted and freewheels locked.
 
     Motions without inertia need no given speed, because the torques at t = 0 determine them.
     """

@@ -36,7 +36,7 @@ from vstatics.simulation.scenario.surfaces import JumpSurface, on_side, surfaces
 from vstatics.simulation.scenario.table_call import TableCall
 
 Quantity = Callable[[str, int], Constant | None]
-"""Function from position and text to a number with a known unit, or None."""
+"""Reader of numbers with units: function of text and position; None for other texts."""
 SHORT_SPEED = "w"
 """Short name, in formulas, of the signed speed of the link on which the formula acts."""
 OF_MOTION = ("speed", "angle", "slip", "twist", "temperature")

@@ -138,7 +138,7 @@ def friction_torques(free: Complex, receptance: Complex, limits: Floats) -> Comp
 
 
 def _torque_alone(left: Complex, alone: Complex, limit: float) -> Complex:
-    """Return the torque of a spring from its twist without torque (`left`) and receptance."""
+    """Return the torque of a spring from its twist `left` without torque and receptance `alone`."""
     stuck = np.abs(left) <= limit * np.abs(alone)
     resisted, size = limit * alone.imag, np.abs(left) ** 2 - (limit * np.abs(alone)) ** 2
     with np.errstate(all="ignore"):

@@ -357,7 +357,7 @@ class CycleSteps(NamedTuple):
         }
 
     def _slips(self, rows: Integers) -> dict[str, Floats]:
-        """Return relative slips of gears that have another slip in rpm, by path [rad/s]."""
+        """Return slips of gears with a relative slip and a slip in rpm, by path [rad/s]."""
         engine = self.engine_speeds[rows]
         return {
             f"gears.{gear.name}.slip.{self.case.shift_elements[number - 1].name}": slip * engine
