@@ -258,8 +258,8 @@ class WithoutDevice(NamedTuple):
     poles : Poles
         Modes without the component.
     slack : float
-        Compliance in series with the component: of other components that hold its links without
-        inertia. [rad/(N*m)]
+        Compliance, in series with the component, of other components that hold its massless links.
+        [rad/(N*m)]
     """
 
     poles: Poles

@@ -282,7 +282,7 @@ class CycleSteps(NamedTuple):
         return torque
 
     def _elsewhere(self, case: Transmission, rows: Integers) -> dict[str, Floats]:
-        """Return path -> inertia torques [N*m], for links that are neither outputs nor held.
+        """Return path -> inertia torques [N*m], except for outputs and links with given speeds.
 
         The input link of a gear with a loss as a whole is left out. This loss depends on the torque
         that the inertia of the input link leaves for the gear.
@@ -306,7 +306,7 @@ class CycleSteps(NamedTuple):
 
     @property
     def inertia_energies(self) -> Floats:
-        """Increases of kinetic energy [J]: all steps of the first link, then of the next."""
+        """Increases of kinetic energy [J], link by link, each in all steps, shape (links * steps,)."""
         before, after = self.trace.ends
         factor = self.vehicle.final_drive / self.vehicle.radius
         energies = [np.zeros(0)]
