@@ -306,7 +306,7 @@ class CycleSteps(NamedTuple):
 
     @property
     def inertia_energies(self) -> Floats:
-        """Increases of kinetic energy [J], link by link, each in all steps, shape (links * steps,)."""
+        """Increases of kinetic energy [J], of all steps link by link, shape (links * steps,)."""
         before, after = self.trace.ends
         factor = self.vehicle.final_drive / self.vehicle.radius
         energies = [np.zeros(0)]
