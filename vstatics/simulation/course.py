@@ -55,13 +55,13 @@ from vstatics.simulation.tolerances import (
 _MOST_EVENTS_AT_ONCE = 60
 """Number of nearly simultaneous events above which a run stops."""
 _LOOSEST = 4096.0
-"""Largest factor on the tolerances of margins while events repeat at an instant."""
+"""Largest factor on tolerances of speed and torque while events repeat at an instant."""
 _MOST_EVENTS = 100_000
 """Number of events above which a run stops."""
 _BEHIND = 4.0
-"""First time step tried across a corner, as a multiple of the rounding error of time."""
+"""Shortest step tried across the corner of a formula, in units of the rounding error of time."""
 _MOST_LARGER = 8
-"""Number of attempts with larger scales of control values after steps become too small."""
+"""Largest number of attempts with explicit steps, each with a larger scale of control values."""
 _PATIENCE = 500
 """Number of events between checks of progress."""
 _MOST_STEPS_AT_ONCE = 1000
@@ -94,7 +94,7 @@ class EventRun:
         self.commands = StepCommands(system.scenario, engaged)
         self.rtol, self.watch = rtol, watch
         self.duration = self.until = self.horizon = system.scenario.duration
-        """End of the period in which the bends and jumps of inputs (`breaks`) are known. [s]"""
+        """`horizon` is the time until which bends and jumps of inputs (`breaks`) are known. [s]"""
         self.span = system.scenario.span
         self._look_ahead()
         self.scales = large_sizes(system, record.start)
@@ -216,7 +216,7 @@ class EventRun:
         )
 
     def _near_corners(self, judge: Judge) -> Iterator[tuple[CornerPlace, Awaited]]:
-        """Yield the corners nearest to the present values, without bends that count as passed."""
+        """Yield the corners nearest to the present values, without bends that need no event."""
         for index, corner in enumerate(self.corners):
             for number, awaited in judge.nearest(corner.compared):
                 place = CornerPlace(index, number)
@@ -352,7 +352,7 @@ class EventRun:
         )
 
     def _jump_of(self, choices: Collection[tuple[Kind, int]]) -> Corner | None:
-        """Return a jump of a formula that is reached now, or earlier by one of `choices`."""
+        """Return a jump of a formula that is reached now, or was reached by a law in `choices`."""
         now = self.meetings.latest(self.at.time)
         earlier = [place for place in self.meetings.times if place not in now]
         paths = {self._path_of(*choice) for choice in choices}
@@ -404,9 +404,8 @@ class EventRun:
     def _behind_corner(self, equations: Equations, end: float) -> MarginEnd | None:
         """Return the state just after a corner if time steps fail right before the corner.
 
-        An integrated step across the corner would give a quantity that leaves 0 there an error of
-        its own size, even with the wrong sign. So the motion is extrapolated linearly across the
-        corner.
+        The motion is extrapolated linearly across the corner. Integration would give a quantity
+        that starts from 0 at the corner an error as large as the quantity.
         """
         time, state = self.record.time, self.record.pieces[-1].states[-1]
         before, change = self._sides(equations, time, state), equations.derivative(time, state)
@@ -421,7 +420,7 @@ class EventRun:
         return None
 
     def _sides(self, equations: Equations, time: float, state: Floats) -> Floats:
-        """Return the side of the motion at each watched corner: 1, -1, or 0 on the corner."""
+        """Return the sign of the difference of the numbers compared at each watched corner."""
         seen = equations.changes.seen_at(time, state)
         both = (awaited.compared.at(time, seen) for _, awaited in self.watched)
         return np.sign([first - second for first, second in both])
@@ -500,7 +499,7 @@ class EventRun:
         return self._too_steep(equations, time, state)
 
     def _too_steep(self, equations: Equations, time: float, state: Floats) -> Problem:
-        """Return a problem at the latest corner, or of the torque that is steepest over speed."""
+        """Return a problem at the latest corner, or for the torque that changes most with speed."""
         for place in self.meetings.latest(time)[:1]:
             corner = self.corners[place.corner]
             message = (
@@ -519,7 +518,7 @@ class EventRun:
         return Problem("E608", message, ("torques", name))
 
     def _tolerances(self, equations: Equations) -> StepTolerances:
-        part = 0.001 if self.system.varying else 0.01  # losses given by points bend within steps
+        part = 0.001 if self.system.varying else 0.01  # interpolated losses have corners in steps
         relative = max(part * self.rtol, LEAST_RTOL)
         absolute = np.empty(equations.size)
         speed, torque = self.scales
@@ -592,7 +591,6 @@ class EventRun:
         return largest(slip @ np.hstack([loose.free, loose.light])) > STANDING
 
     def _path(self, watch: Watch) -> Path:
-        """Return the scenario path of the component of a margin, or an empty path."""
         scenario = self.system.scenario
         kind = KIND_OF.get(watch.kind)
         if watch.kind == "corner":
@@ -604,7 +602,6 @@ class EventRun:
         return self._path_of(kind, watch.of) if kind else ()
 
     def _path_of(self, kind: Kind, index: int) -> Path:
-        """Return the scenario path of a contact or spring, or an empty path."""
         scenario, system = self.system.scenario, self.system
         device = getattr(system, kind)[index] if kind in ("contacts", "springs") else None
         if device is None:

@@ -113,7 +113,7 @@ class DutyTable(NamedTuple):
 
 
 def _gears(table: UnitTable, case: Transmission | None = None) -> Sequence[str]:
-    """Return the gear of each point; without this column, the only gear of the case, or ""."""
+    """Return the gear of each point; without a column `gear`, the only gear of the case, or ""."""
     names = [gear.name for gear in case.gears] if case else [""]
     if "gear" in table.texts:
         return table.texts["gear"]

@@ -124,7 +124,6 @@ def simulate_command(asked: SimulateOptions) -> int:
 
 
 def _check_method(asked: SimulateOptions) -> None:
-    """Reject options of the method `events` if another method is used."""
     events = {"--limit": asked.limit, "--out": asked.sampling.out, "--damage": asked.damage or None}
     used = [option for option, given in events.items() if given is not None]
     refuse(

@@ -115,7 +115,7 @@ TRIED, LONG = 1.0, 60.0
 def check_document(
     data: bytes, file: str, options: CaseOptions
 ) -> tuple[str, list[Problem], bool, Grid | None]:
-    """Return name, problems, failure flag and summary of a scenario."""
+    """Return name, problems, True for a failed check, and summary of a scenario."""
     try:
         read = read_with_case(data, file, options.input_format)
         read = read.allowing(options.telling.allow)

@@ -138,7 +138,7 @@ class ModeChoices:
     def _switch(
         self, index: int, at: Instant, scales: LargeSizes, choices: list[Choice], *, met: bool
     ) -> str:
-        """Return the side of a torque jump; at the jump, add a choice and return "stick"."""
+        """Return "stick" at a torque jump, with a choice added, else the side of the motion."""
         switch = self.system.contacts[index].switch
         assert switch is not None  # noqa: S101 - it is asked of these alone
         over, curve, side, _ = switch.jump

@@ -20,8 +20,7 @@ from vstatics.simulation.system.structure import MotionStructure
 from vstatics.simulation.tolerances import STANDING
 
 _MOST_JUMPS = 8
-"""Largest number of iterations until twists are balanced, if an efficiency depends on the torque.
-"""
+"""Largest number of iterations for balanced twists if an efficiency depends on the torque."""
 
 
 class Instant(NamedTuple):
@@ -52,7 +51,7 @@ class Jump(NamedTuple):
 def consistent(
     equations: Equations, state: Floats, scales: LargeSizes
 ) -> tuple[Floats, Jump | None]:
-    """Return the state with twists that balance torques on links without inertia, and any jump."""
+    """Return the state with balanced torques on links without inertia, and any jump of twists."""
     if not equations.light or not equations.by_slope.shape[1]:
         return state, None
     balanced, given = state.copy(), np.zeros(equations.layout.ports)
@@ -88,7 +87,7 @@ def motions_of(system: MotionSystem, structure: MotionStructure, at: Instant) ->
 
 
 def sliding_speed(system: MotionSystem, contact: int, at: Instant) -> float:
-    """Return the speed other than 0 at which a contact of a variator or jump sticks [rad/s]."""
+    """Return the slip speed of a variator or torque jump while its contact sticks [rad/s]."""
     now = math.nextafter(at.time, math.inf)
     for variator in system.variators:
         if variator.contact == contact:

@@ -28,28 +28,27 @@ _TO_POWERS = np.asarray(np.linalg.inv(np.vander(_NODES)), float)
 """Matrix from values at nine Chebyshev nodes of an interval to coefficients, highest power first.
 """
 _LOW = 0.1
-"""Height of a minimum between two instants, relative to the fall of the margin to the minimum.
+"""Height below which a minimum is examined closely, since it could be negative.
 
-Lower minima are examined closely, since they could be negative.
+The height is relative to the fall of the margin along its tangent in an interval of the search.
 """
 _IN_GAP = 4
-"""Number of places in a gap between two instants at which minima are searched for."""
+"""Number of intervals in a gap between two instants in the search for minima."""
 _PLACES = 65
 """Number of points at which a polynomial is evaluated to find its minimum between two instants."""
 _NEAR = np.append(2.0 ** np.arange(-32, 0), 1.0)
 """Fractions of an interval at which a margin that begins at 0 is evaluated."""
 
 _CONSTANT = 1e-4
-"""Largest change of a margin that counts as constant, relative to the margin's ignored violation.
-"""
+"""Largest change of a constant margin, relative to the violation that counts as rounding."""
 
 
 @lru_cache(maxsize=8)
 def _in_gaps(nodes: tuple[float, ...]) -> tuple[Floats, Floats]:
-    """Return a matrix to values and slopes of interpolating polynomials, and widths of places.
+    """Return a matrix from values at nodes to values and slopes at points, and their spacings.
 
-    The matrix multiplies values at the nodes. Values and slopes are at four places in each gap
-    between nodes, from the lower node on, and at the last node.
+    There are four equidistant points in each gap between nodes, the first at the lower node, and a
+    point at the last node. Polynomials interpolate between the nodes.
     """
     at = np.array(nodes)
     inner = at[:-1, None] + np.diff(at)[:, None] * np.arange(_IN_GAP) / _IN_GAP
@@ -117,7 +116,7 @@ def _low_gaps(by_parts: Floats, nodes: tuple[float, ...]) -> list[tuple[int, int
         return []
     falls, rises = -slopes[turns] * widths[places], slopes[..., 1:][turns] * widths[places]
     halves = 2 * np.maximum(falls + rises, NOT_ZERO)
-    # Estimates by a parabola with both slopes, from the value at either end.
+    # Minima of two parabolas with both slopes, through the first or the last value.
     lowest = np.minimum(
         values[turns] - falls**2 / halves, values[..., 1:][turns] - rises**2 / halves
     )
@@ -256,11 +255,10 @@ class Finder:
     def _after_rise(self, step: TimeStep, index: int, first: float, last: float) -> float:
         """Return the next zero of a margin that is also 0 at the start of an interval.
 
-        If the margin never rises and a state depends on it, it ends at the start. Any other margin
-        that never rises ends where it is below 0 by more than rounding. This also holds for margins
-        of kind `split`, which are 0 while a clutch without capacity sticks in a loop of other
-        clutches, and for margins that are constant before they fall, such as the torque of a
-        freewheel until the corner of a formula.
+        A margin that never rises usually ends at the start. A margin in `FOLLOWING` ends where it
+        is below 0 by more than rounding. So do a margin `split`, which is 0 while a clutch without
+        capacity sticks in a loop of other clutches, and a margin that is constant before it falls,
+        such as the torque of a freewheel until the corner of a formula.
         """
         times = first + (last - first) * _NEAR
         margins = self.margins.along(times, step.between(times))[index]

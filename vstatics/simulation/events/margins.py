@@ -106,7 +106,7 @@ class SplitRoom(NamedTuple):
         return self.widest <= self.room + TIGHT_SLACK * largest(self.slack)
 
     def on_other_side(self, rows: slice) -> SplitRoom:
-        """Return the room for the opposite torque of a mechanism, whose slacks are in `rows`."""
+        """Return the slacks for the opposite torque of the mechanism whose slacks are in `rows`."""
         slack, directions, ways = (array.copy() for array in self[:3])
         for array in (slack, directions, ways):
             array[rows] *= -1
@@ -128,7 +128,7 @@ class Awaited(NamedTuple):
 
 
 class Margins:
-    """Margins of a set of equations: torques in N*m, speeds in rad/s."""
+    """Margins of a motion between two events, in N*m or rad/s."""
 
     def __init__(self, equations: Equations) -> None:
         self.equations = equations
@@ -270,7 +270,7 @@ class Margins:
         """
         equations = self.equations
         self.corners: list[tuple[int, bool, float, float]] = []
-        """Corners: row, True if the row is in the state (else the port speeds), value, and side."""
+        """Corners: row, True for a row of the state or False for a port rate, value, and side."""
         for index, load in enumerate(equations.system.outside):
             law = load.law
             if not isinstance(law, Points) or law.over == "time":
@@ -289,7 +289,7 @@ class Margins:
             for corner, side in self._ends(at, spring.curve.corners, torque=True):
                 self.corners.append((row, True, corner, side * spring.stiffness))
         self.ratios: list[tuple[int, float, float]] = []
-        """Breakpoints of converters: index of the converter, speed ratio, and side."""
+        """Breakpoints of converters: converter index, speed ratio, and 1 above or -1 below it."""
         for place, converter in enumerate(equations.system.converters):
             ratios = [ratio for ratio, _, _ in converter.points]
             for corner, side in self._ends(equations.layout.outside + place, ratios):
@@ -446,7 +446,7 @@ class Margins:
             for row in self.jumping:
                 both = cones[0][row : row + 2]
                 width = both.sum(axis=0)
-                # below width 0, the torques on both sides drive the motion off the jump
+                # if width < 0, the torques on both sides drive the motion away from the jump
                 both[:, width < 0] = width[width < 0]
         for mesh, friction, mechanism in self.cones:
             torque, taken = held[mesh], held[friction]
@@ -493,7 +493,7 @@ class Margins:
         return best
 
     def tight(self, time: float, state: Floats) -> list[Watch]:
-        """Return the contact torques with the least reserve, which the split maximises."""
+        """Return the identities of the margins with the smallest slack in the best split."""
         at, states = np.array([time]), state[:, None]
         rates, torques = self.equations.acting_at(at, states)
         seen = self.equations.seen_at(at, states, rates, torques) if self.sees else None
@@ -509,7 +509,7 @@ class Margins:
         ]
 
     def breaking(self, watch: Watch, time: float, state: Floats) -> Watch:
-        """Return the identity of a margin, with the direction in which a mechanism moves."""
+        """Return `watch`; its side is the direction in which a mechanism at rest would move."""
         if watch.kind != "cone":
             return watch
         _, torques = self.equations.acting(time, state)
@@ -530,7 +530,7 @@ class Margins:
         rounding = PASSED_LIMIT * np.abs(held).max(axis=0, initial=0.0)
         for column in np.flatnonzero(slack.min(axis=0) < -rounding):
             given = slack[:, column], self._directions(held[:, column])
-            if self.cones:  # the torque signs of mechanisms at rest are open
+            if self.cones:  # the torque signs of mechanisms at rest are not fixed
                 given = self._roomiest(slack[:, column], held[:, column])[:2]
             change = least(*given)
             if change is not None:

@@ -16,11 +16,11 @@ _PASSED = 4
 _SWITCHES = 8
 """Number of arrivals at a jump in quick succession that count as switching without end."""
 _DOUBLINGS = 3
-"""Number of doublings of the number of arrivals whose durations are compared."""
+"""Number of compared periods, in each of which the number of arrivals doubles."""
 _FIRST_DOUBLING = 3
-"""Number of first doublings that are not compared, because the first arrivals are irregular."""
+"""Number of such periods left out at first, because the first arrivals are irregular."""
 _LONGER = 1.2
-"""Ratio of durations up to which a doubling counts as no longer than the doubling before."""
+"""Ratio of durations up to which a period counts as no longer than the period before."""
 _MOST_MEETINGS = 1e5
 """Number of arrivals at a jump above which a run would take too long."""
 

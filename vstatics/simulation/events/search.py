@@ -11,7 +11,7 @@ from vstatics.simulation.events.margins import Watch
 from vstatics.simulation.system.ports import States
 
 _FIRST_TRIED = 12
-"""Number of combinations tried in order of rank before the guess."""
+"""Number of combinations tried in order of rank before `guess` is called."""
 _MOST_PIVOTS = 300
 """Largest number of steps of block pivoting."""
 _IN_VAIN = 3
@@ -35,8 +35,8 @@ class ModeSearch:
     """Search through combinations of states: most sticking states first.
 
     Among equally many, the combination nearest to the preceding states comes first. The failing
-    margins of a combination show which combinations to try next. If no combination is admissible, a
-    guess is tried, and finally all remaining combinations.
+    margins of a combination show which combinations to try next. If no combination is admissible,
+    the result of `guess` is tried, and finally all others.
     """
 
     def __init__(
@@ -179,4 +179,4 @@ KIND_OF: Mapping[str, Kind | None] = {
     "limit": "springs",
     "grip": "springs",
 }
-"""Kind of the choice to which a kind of margin belongs."""
+"""Kind of a margin -> kind of the choice to which it belongs."""

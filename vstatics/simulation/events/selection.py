@@ -134,7 +134,7 @@ class ModeSelection:
                 joined = self._joined(candidate.states, choices)
                 if joined == candidate.states:
                     return candidate
-                spare = spare or candidate  # rounding alone can separate it from the joined states
+                spare = spare or candidate  # used if the joined states fail by rounding
                 candidate = self._admissible(joined, at, scales)
                 if candidate is not None and candidate.states not in left:
                     return candidate
@@ -175,7 +175,7 @@ class ModeSelection:
     def _driven(
         self, states: States, choices: Sequence[Choice], at: Instant, scales: LargeSizes
     ) -> States:
-        """Return the states with all mechanisms moving whose speeds follow from links with inertia.
+        """Return the states in which mechanisms move whose speeds follow from links with inertia.
 
         While a gear is engaged, this holds for nearly all mechanisms. Only a mechanism next to
         slipping contacts can be at rest, or have a speed that jumps.
@@ -349,7 +349,7 @@ class ModeSelection:
 
 
 class SelectionAhead(ModeSelection):
-    """Selection with a small inertia on all links, by the margins a little later."""
+    """Selection by the margins a little later, with a small inertia on all links."""
 
     def __init__(self, system: MotionSystem) -> None:
         links = len(system.names)

@@ -126,7 +126,7 @@ class SequenceRun:
         )
 
     def awaited(self, judge: Judge) -> list[tuple[int, Awaited]]:
-        """Return the comparisons in conditions not yet true, with the index of the sequence."""
+        """Return comparisons in conditions that are not yet true, each with its sequence index."""
         return [
             (number, judge.awaited(comparison))
             for number, progress in enumerate(self.going)

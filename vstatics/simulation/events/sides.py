@@ -120,7 +120,7 @@ class Judge:
         return self._sensed(pair.first) + self._sensed(pair.second)
 
     def _sensed(self, look: Look) -> float:
-        """Return the scale of the inputs of a formula, converted by slopes to its unit."""
+        """Return the change of a formula by rounding of its inputs, divided by `EXACT_SIDES`."""
         if look not in self._sizes:
             time, values = self.ahead
             seen, base, sum_of_changes = [*values], look.at(time, values), 0.0

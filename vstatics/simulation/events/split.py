@@ -49,8 +49,8 @@ def widest(slack: Floats, directions: Floats) -> Floats:
 def _to_corners(bytes_of_directions: bytes, limits: int, count: int) -> Floats | None:
     """Return the matrix from slacks to all splits in which d + 1 slacks are equal.
 
-    One of them has the largest smallest slack. A run contains few sets of directions, so each
-    matrix is used for many slacks.
+    The split whose smallest slack is largest is among them. A run contains few sets of directions,
+    so each matrix is used for many slacks.
 
     Returns
     -------
@@ -92,7 +92,7 @@ def _by_programming(slack: Floats, directions: Floats) -> Floats:
 
 
 def least(slack: Floats, directions: Floats) -> Floats | None:
-    """Return the smallest change that brings a split within all limits, None if impossible.
+    """Return the shortest step along `directions` to within all limits, None if impossible.
 
     Examples
     --------

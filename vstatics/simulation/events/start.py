@@ -88,10 +88,9 @@ def start_gear(scenario: Scenario) -> Gear | None:
     from vstatics.core.statics.points.laws import without_laws
     from vstatics.core.statics.solve import solve
 
-    if any(without_loads(case)):  # a run needs no load
+    if any(without_loads(case)):  # laws cannot be evaluated
         case = without_laws(case)
-    # Only the engaged shift elements are used, because drag torques are solved for the gear's
-    # speed.
+    # Only the engaged shift elements are used, because the drag torques are valid at one speed.
     return gear._replace(engaged=solve(case).gear_at(number - 1).gear.engaged)
 
 
@@ -255,7 +254,7 @@ def _backward(
 
 
 def _filled_in(system: MotionSystem, speeds: Floats, free: Floats, scale: float) -> Floats:
-    """Return speeds whose open values leave springs untwisted and freewheels locked.
+    """Return speeds in which undetermined values keep springs untwisted and freewheels locked.
 
     Motions without inertia need no given speed, because the torques at t = 0 determine them.
     """

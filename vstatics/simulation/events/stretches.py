@@ -2,10 +2,10 @@
 
 In ``dx/dt = A x + B c + D dc/dt``, x is the state, and the matrix A contains all linear terms. The
 torques c are given over time or nonlinear in the state; over a stretch of time they are
-polynomials. Nonlinear torques and the motion depend on each other, so both are iterated to
-convergence (waveform relaxation). The slopes of the torques at the start are in A, so few
-iterations are needed. Works and losses are integrated by Gauss points. A stretch has equal parts.
-In each part, the fastest eigenmotion that has not decayed turns through about three radians.
+approximated by polynomials. Nonlinear torques and the motion depend on each other, so both are
+iterated to convergence (waveform relaxation). The slopes of the torques at the start are in A, so
+few iterations are needed. Works and losses are integrated by Gauss points. A stretch has equal
+parts. In each part, the fastest eigenmotion that has not decayed turns through about three radians.
 """
 
 from __future__ import annotations
@@ -76,7 +76,6 @@ _SQUARINGS = 6
 
 
 def _degree(count: int) -> int:
-    """Return the degree of the polynomials over a stretch of `count` parts."""
     return min(DEGREE, count * len(NODES) - 3)
 
 
@@ -228,7 +227,7 @@ class TimeStretch(NamedTuple):
 
 
 def _equal_parts(length: float, left: float, most: int) -> tuple[float, int]:
-    """Return length and number of parts: `most` parts, or fewer and shorter to end after `left`."""
+    """Return length and number of parts: at most `most`, which together take at most `left`."""
     if most * length < left:
         return length, most
     count = 1  # keep the number of parts a power of 2

@@ -38,7 +38,7 @@ _ASKED = {
 
 
 def panels(case: Transmission, motion: Motion) -> list[MotionPanel]:
-    """Return the panels of a run, as far as they contain lines.
+    """Return the panels of a run that contain lines.
 
     The panels that matter for every shift come first, further speeds and springs last.
     """

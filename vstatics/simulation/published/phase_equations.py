@@ -34,7 +34,7 @@ class PublishedEquations:
     ) -> None:
         self.phase, self.masses = phase, phase.masses
         self.last = math.nextafter(end, -math.inf)
-        """Last instant before `end`, at which external torques and the capacity can jump. [s]"""
+        """Instant just before `end`, where torques and the capacity can jump. [s]"""
         self.contact = None if phase.clutch is None else system.contacts[phase.clutch]
         self.laws = [(ends.index(outside.link), outside.law) for outside in system.outside]
 

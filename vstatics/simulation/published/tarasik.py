@@ -93,7 +93,7 @@ def tarasik(scenario: Scenario, *, step: float | None = None, rtol: float = RTOL
     return run.record.motion(problem)
 
 
-class _BoxEnds:
+class _ZeroEvent:
     """Event function that ends an integration where its value falls through 0."""
 
     terminal = True
@@ -191,7 +191,7 @@ class _Run:
         self.state[5] = 0.0
         if phase.locked and equations.margin(begin, self.state) < 0:
             return begin, self._breaks_away(phase, equations, begin)
-        event = _BoxEnds(equations.margin if phase.locked else equations.slip)
+        event = _ZeroEvent(equations.margin if phase.locked else equations.slip)
         size = max(1.0, float(np.abs(self.state[:2]).max()))
         run = solve_ivp(
             equations.rates,

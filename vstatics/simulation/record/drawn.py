@@ -78,7 +78,7 @@ class DrawnRun:
         self._earlier: Tables = {}
         """Tables for pictures of the run before `_moments`."""
         self._moments: list[Moments] = []
-        """Moments of the pieces that were added last, for their tables for pictures."""
+        """Moments of the pieces added last, whose tables for pictures are not yet calculated."""
         self._ranges: CurveRanges | None = None
         self._parts, self._is_thin = 0, False
 
@@ -140,7 +140,7 @@ class DrawnRun:
     def _added(
         self, pieces: Sequence[Piece], most: int, *, hurried: bool
     ) -> Iterator[tuple[_SteppedCourse, Floats]]:
-        """Yield each group of equal time steps in succession, with times that draw the columns."""
+        """Yield groups of consecutive similar time steps, with times that draw their columns."""
         courses = [
             _SteppedCourse(number, steps, self.table.curves(piece, steps))
             for number, piece in enumerate(pieces)

@@ -40,7 +40,7 @@ from vstatics.simulation.tolerances import (
 )
 
 _MOST_NUMBERS, _OF_A_STEP = 200_000, 300
-"""Number of stored values from which steps are reduced to instants, and number added per step."""
+"""Number of stored values above which steps are reduced to instants; values added per step."""
 
 
 class Record:
@@ -78,7 +78,7 @@ class Record:
         self.drawn, self.numbers = DrawnRun(system, step, asked), 0
         self.sharing: set[tuple[int, ...]] = set()
         self.open: set[frozenset[int]] = set()
-        """Sets of contacts that already have a note, since others could break away instead."""
+        """Sets of contacts with a note that others could break away instead."""
         self.time = start.time
         self.energy_scale = max(kinetic_energy(system, start.speeds), 1.0)
         self.worked, self.stored = 0.0, 0.0
@@ -313,7 +313,7 @@ class Record:
         )
 
     def _tell_backward(self) -> None:
-        """Add a note for links that end with the wrong sign, farther from a target than before."""
+        """Add a note for links that end opposite to a target speed, farther away than at first."""
         last = self.pieces[-1]
         speeds = last.margins.equations.speeds(self.time, last.states[-1]).tolist()
         for link, target in self.targets:

@@ -46,7 +46,6 @@ def _shown(both: Sequence[LabelledRun]) -> Iterator[Markup]:
 
 
 def _course(labelled: LabelledRun, both: Sequence[LabelledRun]) -> Markup:
-    """Return the picture of a run over time, on scales that fit both runs."""
     label, results, motion = labelled
     name = f"{label}: {tr('Run over time')}"
     others = [(case, run) for _, case, run in both if run and run is not motion]

@@ -52,7 +52,7 @@ def bare(tree: Any) -> Tree:
 
 
 def with_names(tree: Any, replaced: Callable[[TableName], Tree]) -> Tree:
-    """Return a tree in which the result of a function replaces each name."""
+    """Return a tree with each name replaced by the tree that `replaced` returns."""
     if isinstance(tree, Applied):
         operands = (with_names(operand, replaced) for operand in tree.operands)
         return tree._replace(operands=tuple(operands))

@@ -222,7 +222,6 @@ def _product(left: Polynomial, right: Polynomial) -> Polynomial | None:
 
 
 def _applied(name: str, operands: Sequence[Polynomial]) -> Polynomial | None:  # noqa: PLR0911 - a table
-    """Return an operation on polynomials as a polynomial, or None if it is not a polynomial."""
     first, second = operands[0], operands[-1]
     match name:
         case "-x":

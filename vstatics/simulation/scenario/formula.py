@@ -36,7 +36,7 @@ from vstatics.simulation.scenario.surfaces import JumpSurface, on_side, surfaces
 from vstatics.simulation.scenario.table_call import TableCall
 
 Quantity = Callable[[str, int], Constant | None]
-"""Function from position and text to a number with a known unit, or None."""
+"""Reader of numbers with units: function of text and position; None for other texts."""
 SHORT_SPEED = "w"
 """Short name, in formulas, of the signed speed of the link on which the formula acts."""
 OF_MOTION = ("speed", "angle", "slip", "twist", "temperature")
@@ -181,11 +181,11 @@ class Formula(NamedTuple):
         return _read(*self).breaks
 
     def crossings(self, until: float) -> tuple[float, ...]:
-        """Return the other times, up to `until` [s], at which the formula bends or jumps."""
+        """Return times up to `until` [s], except `breaks`, at which the formula bends or jumps."""
         return crossings(self.whole, until)
 
     def jumps(self, name: str) -> tuple[float, ...]:
-        """Return the values of `speed` or `angle` at which the formula jumps, between polynomials.
+        """Return the values of `speed` or `angle` at which a comparison of polynomials jumps.
 
         >>> Formula("100*(abs(speed) < 300)").jumps("speed")
         (-300.0, 300.0)

@@ -84,7 +84,7 @@ def split_at_jumps(law: Points | Formula) -> tuple[list[LawJump], list[LawPiece]
     ranges = [slice(*ends) for ends in zip(begins, [*ends, len(law.x)], strict=True)]
     pieces = [
         LawPiece(Points(law.x[points_between], law.y[points_between], law.over), sides)
-        for points_between, sides in zip(ranges, _beside(0, len(jumps)), strict=True)
+        for points_between, sides in zip(ranges, _adjacent(0, len(jumps)), strict=True)
     ]
     return jumps, pieces
 
@@ -95,8 +95,8 @@ def _of_formula(law: Formula) -> tuple[list[LawJump], list[LawPiece]]:
         return [], [LawPiece(law)]
     jumps = [*_jumps(law, "speed", speeds), *_jumps(law, "angle", angles)]
     pieces: list[LawPiece] = []
-    by_speed = zip(_intervals(speeds), _beside(0, len(speeds)), strict=True)
-    by_angle = [*zip(_intervals(angles), _beside(len(speeds), len(angles)), strict=True)]
+    by_speed = zip(_intervals(speeds), _adjacent(0, len(speeds)), strict=True)
+    by_angle = [*zip(_intervals(angles), _adjacent(len(speeds), len(angles)), strict=True)]
     for speed, sides in by_speed:
         for angle, sides_by_angle in by_angle:
             inner = law.between("speed", *speed).between("angle", *angle)
@@ -161,7 +161,7 @@ def _intervals(places: tuple[float, ...]) -> list[tuple[float, float]]:
     return [*pairwise([-math.inf, *places, math.inf])]
 
 
-def _beside(first: int, count: int) -> list[tuple[tuple[int, str], ...]]:
+def _adjacent(first: int, count: int) -> list[tuple[tuple[int, str], ...]]:
     """Return the jumps at the ends of each interval: index, and side (+ or -) of the interval."""
     return [
         tuple(

@@ -227,7 +227,7 @@ class Scenario(NamedTuple):
 
     @property
     def span(self) -> float:
-        """Time scale for deciding if two instants coincide: duration, within two limits [s]."""
+        """Time scale for deciding if two instants coincide: the duration, clipped to limits [s]."""
         return min(max(self.duration, LEAST_DURATION), LONGEST_DURATION)
 
 

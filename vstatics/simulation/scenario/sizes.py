@@ -87,7 +87,6 @@ def _of_numbers(part: Any, path: Path, least: float = LEAST_NUMBER) -> Iterator[
 
 
 def _parts(whole: Any) -> Iterable[tuple[str | int, Any]]:
-    """Return the names and values of the parts of a mapping or tuple."""
     if isinstance(whole, tuple):
         return zip(getattr(whole, "_fields", count(1)), whole, strict=False)
     return whole.items() if isinstance(whole, Mapping) else ()

@@ -455,7 +455,7 @@ class Equations:
                 near[index] += length
                 return seen(near)
 
-            slopes[rows, index] = _slope_beside_jumps(moved, now, step)
+            slopes[rows, index] = _slope_off_jumps(moved, now, step)
         return np.where(np.isfinite(slopes), slopes, 0.0)
 
     def value_rates_at(
@@ -738,14 +738,14 @@ class Affine:
         return np.vstack([given, more]), np.vstack([slopes, more])
 
 
-def _slope_beside_jumps(function: Callable[[float], Floats], now: Floats, step: float) -> Floats:
+def _slope_off_jumps(function: Callable[[float], Floats], now: Floats, step: float) -> Floats:
     """Return the derivatives of functions at 0; at a jump, from the side without the jump.
 
     A difference quotient across a jump grows as its step shrinks.
 
     >>> def function(x):
     ...     return np.array([3 * x + (x > 0), abs(x)])
-    >>> _slope_beside_jumps(function, function(0.0), 1e-6).round(9)
+    >>> _slope_off_jumps(function, function(0.0), 1e-6).round(9)
     array([3., 0.])
     """
     below, above = now - function(-step), function(step) - now

@@ -338,7 +338,7 @@ class MotionSystem:
 
     @cached_property
     def turning_points(self) -> tuple[tuple[float, ...], ...]:
-        """For each control state, its values at which its own rate jumps, and no other formula."""
+        """Values of each control state at which its own rate jumps, but no other formula."""
         return tuple(_turning_points(self.scenario, state) for state in self.scenario.states)
 
     @cached_property

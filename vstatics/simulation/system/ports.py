@@ -33,7 +33,7 @@ from vstatics.simulation.system.sight import following, looking
 from vstatics.simulation.tolerances import STANDING
 
 _FINE = 0.1
-"""Relative change of a slip, up to which a torque that depends on the slip is nearly linear."""
+"""Relative change of a slip up to which a torque that depends on the slip is nearly linear."""
 _FAR = 1e6
 """Smallest slip that counts as far from 0, as a multiple of the rounding error of slips."""
 SIGNS_OF_MESHES = ("++", "+-", "-+", "--")
@@ -92,7 +92,7 @@ class Ports:
         self.by_angle: list[tuple[int, int, float]] = []
         """Torques linear in an angle: port, index of the angle, slope. [N*m/rad]"""
         self.special: list[tuple[int, int, Torque, TorqueAlong]] = []
-        """Other torques: port, index of the angle or -1, function, and function for arrays."""
+        """Torques by other laws: port, index of the angle or -1, function, function for arrays."""
         self.roads: list[tuple[int, Callable[[Any], Any]]] = []
         """Torques of roads: port, and torque as a function of the rate or of an array of rates."""
         self.timed: list[tuple[int, Formula, float]] = []
@@ -264,9 +264,9 @@ class Ports:
         return times
 
     def given_at(self, times: Floats, within: float | None) -> tuple[Floats, Floats]:
-        """Return the torque terms that depend on time alone, and their rates, shape (ports, times).
+        """Return torque terms that depend on time alone, and their time derivatives, (ports, n).
 
-        Rates of formulas are differences over `within` [s], or 0 without it.
+        Derivatives of formulas are difference quotients over `within` [s], or 0 without it.
         """
         times = self.inside(times)
         given = self.c0[:, None] + self.c1[:, None] * times

@@ -93,7 +93,7 @@ def looking(system: MotionSystem, formula: Formula, rate: int = 0, angle: int = 
 
 
 def _within_limits(system: MotionSystem, look: Look, names: Collection[str]) -> Look:
-    """Evaluate a formula with states at their limits where it is not a number beyond them.
+    """Return a formula that takes states at their limits where it is NaN beyond the limits.
 
     A time step is calculated across a limit before the time at the limit is known. Without a
     limit, a formula such as ``sqrt(x)`` would then end the run.

@@ -246,7 +246,7 @@ def split_motions(heavy: Floats, free: Floats) -> tuple[Floats, Floats]:
         return free, free[:, :0]
     right = np.linalg.svd(moved)[2]
     light = free @ right[rank:].T
-    light[np.abs(light) < ROUNDED_MOTION] = 0.0  # so that links with inertia do not depend on it
+    light[np.abs(light) < ROUNDED_MOTION] = 0.0  # links with inertia do not move
     return free @ right[:rank].T, light
 
 

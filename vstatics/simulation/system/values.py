@@ -126,14 +126,14 @@ class ValueChanges:
             self.held[inward] = 0  # releasing a state can change the rates of others
 
     def _turns(self, index: int, time: float, state: Floats) -> bool:
-        """Return whether rates beside a turning point lead back to it, now and a little later."""
+        """Return whether rates on both sides lead back to a turning point, now and soon after."""
         equations, later = self.equations, time + self.equations.within
         moved = equations.moved(time, state, equations.within)
         seen = np.array([self.seen_at(time, state), self.seen_at(later, moved)]).T
         return bool((self.leading(index, np.array([time, later]), seen) > 0).all())
 
     def leading(self, index: int, times: Floats, seen: Floats) -> Floats:
-        """Return by how much the rates beside a turning point lead back to it, shape (times,)."""
+        """Return the smaller of the rates back to a turning point from both sides, (times,)."""
         times, point = self.equations.ports.inside(times), self.points[index]
         sided, rates = seen.copy(), []
         for side in (-1.0, 1.0):

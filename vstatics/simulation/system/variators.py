@@ -47,14 +47,14 @@ class VariatorTorques:
         self.variators = system.variators
         contacts = [variator.contact for variator in self.variators]
         self.rows = [structure.contact_rows[index] for index in contacts]
-        """Rows of the constraint torques of variators."""
+        """Row of each variator in `MotionStructure.torques`."""
         self.changes = [layout.contacts + index for index in contacts]
         self.extras = [layout.variators + number for number in range(len(contacts))]
         self.places = [*self.changes, *self.extras]
         first = [variator.first for variator in self.variators]
         self.references = np.array([variator.reference for variator in self.variators])
         self.lacks = False
-        """True if the efficiencies agreed with no torques in the last evaluation."""
+        """True if no torques agreed with their efficiencies in the last evaluation."""
         self.is_lawful = any(
             isinstance(number, Law)
             for variator in self.variators

@@ -21,7 +21,7 @@ from vstatics.simulation.system.structure import mesh_factor
 from vstatics.simulation.tolerances import LEAST_EFFICIENCY, SAME_TORQUE
 
 _MOST_LOSS_ROUNDS = 12
-"""Largest number of iterations for several instants at once; unsolved instants follow alone."""
+"""Largest number of iterations for several instants at once, before each is solved alone."""
 
 
 class LosingMesh:

@@ -20,7 +20,7 @@ from vstatics.simulation.record.row_names import Kind
 from vstatics.sweep.results.meanings import PART_NUMBERS
 
 OfRow: TypeAlias = Callable[[Motion, str, int], float]
-"""Function from a motion, and the name and index of a row, to the number in the row."""
+"""Function of a motion, row name and row index that returns the number in the row."""
 
 
 class MotionTable(NamedTuple):

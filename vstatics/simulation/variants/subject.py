@@ -89,7 +89,7 @@ class VariedScenario(ScenarioNumbers, SweptDocument):
         return simulate(scenario, rtol=self.rtol, watch=watch, columns=columns)
 
     def check_targets(self, targets: Sequence[Varied], places: Sequence[Place | None]) -> None:
-        """Reject varied ratios that follow from teeth, because teeth also determine the planets."""
+        """Reject varied ratios that follow from teeth, since the planets also follow from them."""
         paths = number_paths(targets)
         toothed = {
             path_of_case.keys[1]

@@ -114,7 +114,7 @@ def _of_case(gears: Sequence[str], rate: float | None, reading: Reading) -> Case
 
 
 def json_schema() -> Schema:
-    """Return the JSON schema of ``vstatics torsion dump``: for numbers, a gear or gears."""
+    """Return the JSON schema of answers of ``vstatics torsion dump``, for numbers or gears."""
     from vstatics.torsion.clutch.gear_dump import GearDump
 
     of_gear, torques = schema(GearDump), schema(DumpTorque)["required"]

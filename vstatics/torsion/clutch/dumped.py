@@ -55,8 +55,7 @@ FIRST_APPROXIMATION = 1.5
 """Initial speed divided by the rate of twist at an event, in table 3.6 of the source. [-]"""
 
 MARGINS: Mapping[DumpCase, str] = {"B3": "2 to 4", "V2": "17 to 23", "V3": "2 to 4"}
-"""Excess of the closed form over a numerical integration, for the vehicles of table 3.8. [%]
-"""
+"""Excess of the closed form over a numerical integration, for the vehicles of table 3.8. [%]"""
 
 
 class DumpTorque(NamedTuple):
@@ -90,7 +89,7 @@ class DumpTorque(NamedTuple):
 
 @document(DUMP_FORM)
 class DumpAnswer(NamedTuple):
-    """JSON document of the largest torques, for a file with numbers."""
+    """JSON document of the largest torques in a clutch dump whose numbers are in a file."""
 
     made: Flat[DumpTorque]
 
@@ -213,12 +212,12 @@ def _swing(given: Dump, slips: Slips, clutch_torque: float) -> Swing:
     near, far = given.J2 + given.J3, given.J4
     near += given.J1 * ("clutch" not in slips)
     far += given.J5 if "grip" not in slips else 0.0
-    level = clutch_torque * _part(far, near) if "clutch" in slips else 0.0
-    level += given.M_phi * _part(near, far) if "grip" in slips else 0.0
-    return Swing(level, math.sqrt(near * _part(far, near) / given.E))
+    level = clutch_torque * _share(far, near) if "clutch" in slips else 0.0
+    level += given.M_phi * _share(near, far) if "grip" in slips else 0.0
+    return Swing(level, math.sqrt(near * _share(far, near) / given.E))
 
 
-def _part(inertia: float, other: float) -> float:
+def _share(inertia: float, other: float) -> float:
     """Return the share of an inertia, which can be infinite, in the sum of both [-]."""
     return 1.0 if math.isinf(inertia) else inertia / (inertia + other)
 

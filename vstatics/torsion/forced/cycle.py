@@ -13,11 +13,11 @@ from vstatics.core.numerics.arrays import Complex, Floats
 from vstatics.torsion.tolerances import SAME_ORDER
 
 MOST_REVOLUTIONS = 720
-"""Longest cycle after which all orders repeat, in revolutions; beyond it, amplitudes are added."""
+"""Longest cycle that is evaluated, in revolutions; for a longer cycle, amplitudes are added."""
 POINTS_PER_PERIOD = 32
 """Number of points per period of the highest order, evaluated before Newton's method."""
 MOST_POINTS = 1_000_000
-"""Largest number of points to evaluate; beyond it, amplitudes are added."""
+"""Largest number of points to evaluate; for more points, amplitudes are added."""
 
 
 class Sum(NamedTuple):

@@ -138,7 +138,7 @@ def friction_torques(free: Complex, receptance: Complex, limits: Floats) -> Comp
 
 
 def _torque_alone(left: Complex, alone: Complex, limit: float) -> Complex:
-    """Return the torque of a spring from its twist without torque (`left`) and receptance."""
+    """Return the torque of a spring from its twist `left` without torque and receptance `alone`."""
     stuck = np.abs(left) <= limit * np.abs(alone)
     resisted, size = limit * alone.imag, np.abs(left) ** 2 - (limit * np.abs(alone)) ** 2
     with np.errstate(all="ignore"):
@@ -155,8 +155,9 @@ def _newton(
 ) -> Complex:
     """Return the torques by a semismooth Newton method, NaN where it does not converge.
 
-    A complex torque T is inside or on a circle whose radius is its limit. Sliding or stuck, T is
-    the point of this disc nearest to T plus the scaled rate of twist.
+    A complex torque T is in a disc whose radius is its limit: inside if the spring is stuck, on the
+    edge if it slides. In both states T is the point of the disc nearest to T plus the scaled rate
+    of twist.
     """
     count = len(limits)
     sizes = np.abs(np.diagonal(receptance, axis1=1, axis2=2))

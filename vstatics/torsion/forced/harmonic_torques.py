@@ -107,7 +107,7 @@ class Resonance(NamedTuple):
     speed: float
     """Speed of the excited link. [rpm]"""
     participation: float
-    """Largest amplitude of the excited links in the mode, relative to that of all links. [-]"""
+    """Largest amplitude of excited links in the mode, relative to the largest of all links. [-]"""
     damped: bool = True
     """True if the mode is damped; the response of an undamped mode is unbounded."""
 

@@ -146,7 +146,6 @@ def _bars(style: Style) -> tuple[Look, Look]:
 
 
 def _draw_gear(pen: Pen, middle: float, result: DumpTorque) -> None:
-    """Draw the bars and limits of a gear, centred at height `middle` [pt]."""
     style, looks = pen.style, _Limits.of(pen.style)
     (most, least), unit = _bars(style), style.text("N·m")
     low = middle - BAR_HEIGHT / 2 + 2.0

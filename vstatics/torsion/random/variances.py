@@ -258,7 +258,7 @@ def _integrated(
 
 
 def _integral(density: Callable[[float], Floats], low: float, high: float) -> Floats:
-    """Integrate all components with the same relative accuracy."""
+    """Integrate a vector function, each component with the same relative accuracy."""
     rough = _quadrature(density, low, high, ROUGH_ACCURACY)
     least = UNMOVED**2 * rough.max(axis=1, keepdims=True)
     sizes = np.where(rough > least, rough, np.where(least > 0, least, 1.0))

@@ -124,7 +124,7 @@ def scheme_of(chain: Chain) -> TorsionScheme:
     springs = []
     for left, (name, compliance, damping) in enumerate(chain.springs):
         joined = [number[mass] for mass in (left, left + 1) if mass in number]
-        twist = dict(zip(joined, (1.0, -1.0), strict=False))  # at the housing, a single angle
+        twist = dict(zip(joined, (1.0, -1.0), strict=False))  # the housing has no angle
         springs.append(SchemeSpring(name, twist, compliance, damping))
     return TorsionScheme(
         tuple(chain.names[mass] for mass in masses),

@@ -97,8 +97,9 @@ def simplify(
         Number of natural frequencies to keep, not counting rigid motions.
     rule : {"partial", "r", "b", "u"}, optional
         By default `partial` for a chain and `r` for other schemes. Each step removes the partial
-        system with the highest frequency; of frequencies that agree within 1e-9, a system of a
-        single mass, then the first. The other rules keep masses on which a single spring acts.
+        system with the highest frequency. If frequencies agree within 1e-9, systems of a single
+        mass come first, then the order of the masses. The other rules keep masses on which a single
+        spring acts.
     remove : sequence of str
         Names of masses that are removed first, in this order, instead of by the rule.
 

@@ -41,7 +41,7 @@ class Coordinates(NamedTuple):
 
     @property
     def heavy(self) -> Floats:
-        """Motions with inertia, which complete the massless motions, shape (links, n - m)."""
+        """Motions with inertia; with `massless` they are a basis of `free`, (links, n - m)."""
         count = self.massless.shape[1]
         if not count:
             return self.free

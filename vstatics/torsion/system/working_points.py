@@ -150,7 +150,7 @@ class _WorkingPoints:
         return WorkingGear(case, case.gears[0], tuple(working), doubts)
 
     def _by_slip(self) -> dict[str, float]:
-        """Return the speed ratio of a converter beside a slipping lock-up clutch.
+        """Return the speed ratio of a converter in parallel with a slipping lock-up clutch.
 
         The clutch is then disengaged, because it transmits no vibration.
         """
@@ -245,7 +245,7 @@ class _WorkingPoints:
         return _OnPump(brought, torque_of_pump(converter.points, ratio, speed), (ratio, speed))
 
     def _loaded(self, case: Transmission) -> tuple[Transmission, tuple[str, ...]]:
-        """Return the case with the input torque of its pumps, and warnings about the load."""
+        """Return the case with the input torque that its pumps take, and warnings about loads."""
         if not self.driving:
             return case, ()
         doubts = []

@@ -20,7 +20,7 @@ from vstatics.torsion.vibration.refined import STACKED_NUMBERS, Pencils, Refined
 LIGHTLY_DAMPED = 0.3
 """Damping ratio up to which the squared shares of a mode in all shapes add up to nearly 1. [-]"""
 REST = 0.5
-"""Missing sum of squared shares that means a missing shape, relative to the largest. [-]"""
+"""Deficit of the sum of squared shares that means a missing shape, relative to the largest. [-]"""
 SAME_SHAPE = 0.9999
 """Share of a heavily damped mode in a shape above which the shape belongs to the mode. [-]"""
 MOST_CANDIDATES = 5

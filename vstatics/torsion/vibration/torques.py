@@ -86,7 +86,7 @@ def torques(
 def with_rigid(
     system: TorsionalSystem, balance: Balance, acting: Values, elastic: Mapping[str, Values]
 ) -> dict[str, Values]:
-    """Add the torques of rigid components, by equilibrium, to those of elastic components.
+    """Add the torques of rigid components, by equilibrium, to the torques of elastic components.
 
     Parameters
     ----------

@@ -231,7 +231,6 @@ class _Alike:
         return self._of_matrices(modes, variants)
 
     def _lowest(self, variant: int, modes: Sequence[int]) -> Floats:
-        """Return the lowest modes of a variant with many links, by sparse matrices."""
         from vstatics.torsion.vibration.natural import lowest_modes  # imports scipy
 
         numbers = (varied.rows(variant, variant + 1)[0] for varied in (self.stiff, self.heavy))
@@ -259,8 +258,8 @@ class WithoutDevice(NamedTuple):
     poles : Poles
         Modes without the component.
     slack : float
-        Compliance in series with the component: of other components that hold its links without
-        inertia. [rad/(N*m)]
+        Compliance, in series with the component, of other components that hold its massless links.
+        [rad/(N*m)]
     """
 
     poles: Poles
@@ -319,7 +318,7 @@ def without(
 
 
 def _held_alone(system: TorsionalSystem, device: int) -> Literal["", "heavy", "massless"]:
-    """Return the kind of motion that only a component resists, or an empty text."""
+    """Return the kind of motion that no component except `device` resists, or an empty text."""
     elastic = system.elastic_twists
     others = [*elastic[:device], *elastic[device + 1 :]]
     bodies = [body.form for body in system.bodies if body.inertia > 0]

@@ -198,7 +198,7 @@ def _by_ratios(
 
 
 def _alike(kinds: Integers, rows: Integers) -> Iterator[Integers]:
-    """Yield the variants `rows` in groups of the same kind."""
+    """Yield `rows` in groups with equal numbers in `kinds`."""
     if not len(rows):
         return
     order = rows[np.argsort(kinds[rows], kind="stable")]

@@ -18,7 +18,6 @@ _OF_TORQUE = ("torque", "contacts", "flanks", "torque_of", "on")
 
 
 def _strength(**values: Any) -> Fatigue | TorqueStrength:
-    """Return a torque strength if `torque` is present, otherwise a stress strength."""
     kind, others = (TorqueStrength, _OF_STRESS) if "torque" in values else (Fatigue, _OF_TORQUE)
     return kind(**{name: value for name, value in values.items() if name not in others})
 

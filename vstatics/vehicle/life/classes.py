@@ -27,9 +27,9 @@ class LoadClass(NamedTuple):
     """Class of torques of the same sign, with magnitudes above `from_` and up to `to`."""
 
     from_: float
-    """Bound nearer to 0, outside the class. [N*m]"""
+    """Bound nearer to 0, which does not belong to the class. [N*m]"""
     to: float
-    """Bound farther from 0, inside the class; NaN above the last upper bound. [N*m]"""
+    """Bound farther from 0, which belongs to the class; NaN above the last upper bound. [N*m]"""
     revolutions: float
     contacts: float
     """Number of contacts of a tooth: revolutions times contacts in a turn. [-]"""

@@ -207,7 +207,7 @@ class ConverterGear(NamedTuple):
         return inverse
 
     def taken(self, engine: Floats, output: Floats) -> tuple[Floats, Floats]:
-        """Return the torque that the pump takes [N*m], and the direction of rotation."""
+        """Return the torque that the pump takes [N*m], and the sign of its speed."""
         pump = self.per_engine[0] * engine + self.per_output[0] * output
         factors = np.interp(self.ratio(engine, output), self.points[:, 0], self.points[:, 2])
         return factors * pump * np.abs(pump), np.sign(pump)
@@ -332,7 +332,7 @@ class ConverterGear(NamedTuple):
         )
 
     def torque_at(self, engine: Floats, output: Floats, brought: Brought) -> Floats:
-        """Return engine torques [N*m] that supply the pump with the torque it takes, otherwise NaN.
+        """Return engine torques [N*m] that supply the torque of the pump; NaN without a solution.
 
         Parameters
         ----------

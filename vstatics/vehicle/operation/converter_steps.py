@@ -83,7 +83,7 @@ class ConverterSteps(NamedTuple):
         return self._settled(self._search(brought), are_braking)
 
     def at_overrun(self) -> tuple[Floats, Floats]:
-        """Return engine speeds [rad/s] and torques [N*m] for overrun torque of the engine.
+        """Return engine speeds [rad/s] and torques [N*m] if the engine brakes by overrun torque.
 
         Raises
         ------

@@ -161,9 +161,9 @@ class CycleSteps(NamedTuple):
     def _of_least_loss(self, ahead: Sequence[int]) -> Integers:
         """Return the forward gear of each step that needs the least power of engine or battery.
 
-        Gears that exceed full load or the last engine speed are left out. A step without any other
-        gear keeps its gear. Among gears with equal powers, the gear with the smallest ratio is
-        chosen.
+        Gears that exceed full load or the last engine speed are left out. A step without a
+        remaining gear keeps its present gear. Among gears with equal powers, the gear with the
+        smallest ratio is chosen.
         """
         best, gears = np.full(len(self.gears), math.inf), self.gears.copy()
         moving = np.flatnonzero(self.trace.speed > 0)
@@ -282,7 +282,7 @@ class CycleSteps(NamedTuple):
         return torque
 
     def _elsewhere(self, case: Transmission, rows: Integers) -> dict[str, Floats]:
-        """Return path -> inertia torques [N*m], for links that are neither outputs nor held.
+        """Return path -> inertia torques [N*m], except for outputs and links with given speeds.
 
         The input link of a gear with a loss as a whole is left out. This loss depends on the torque
         that the inertia of the input link leaves for the gear.
@@ -306,7 +306,7 @@ class CycleSteps(NamedTuple):
 
     @property
     def inertia_energies(self) -> Floats:
-        """Increases of kinetic energy [J]: all steps of the first link, then of the next."""
+        """Increases of kinetic energy [J], of all steps link by link, shape (links * steps,)."""
         before, after = self.trace.ends
         factor = self.vehicle.final_drive / self.vehicle.radius
         energies = [np.zeros(0)]
@@ -357,7 +357,7 @@ class CycleSteps(NamedTuple):
         }
 
     def _slips(self, rows: Integers) -> dict[str, Floats]:
-        """Return relative slips of gears that have another slip in rpm, by path [rad/s]."""
+        """Return slips of gears with a relative slip and a slip in rpm, by path [rad/s]."""
         engine = self.engine_speeds[rows]
         return {
             f"gears.{gear.name}.slip.{self.case.shift_elements[number - 1].name}": slip * engine

@@ -115,7 +115,7 @@ def by_shift_speeds(
     engine: EngineSpeeds,
     ratios: Floats,
 ) -> Integers:
-    """Return the gear index of each step by shift speeds, from the lowest gear of `shifts`.
+    """Return the gear index of each step by shift speeds, beginning in the lowest of these gears.
 
     An upshift occurs at the last engine speed at the latest.
 

@@ -167,7 +167,7 @@ class Traction:
                 turns[gear] = converter.per_output[2:] * vehicle.final_drive / vehicle.radius
             turned = np.where(links > 0, links * turns**2, 0.0)
             self.mass = vehicle.mass + np.nan_to_num(turned).sum(axis=1)  # NaN means a free link
-        """Vehicle mass plus inertias of rotating parts reduced to the road, by gear. [kg]"""
+            """Vehicle mass plus inertias of rotating parts reduced to the road, by gear. [kg]"""
         with np.errstate(divide="ignore"):
             ranges = directions(1 / output, [gear.name for gear in case.gears])
         self.ahead = next(iter(ranges), [])
@@ -178,7 +178,7 @@ class Traction:
         return 0.0 if gear in self.converters else max(self.first, self._least(gear))
 
     def _least(self, gear: int) -> float:
-        """Return the engine speed from which a gear with a slip in rpm moves [rad/s]."""
+        """Return the engine speed at which a gear with a slip in rpm starts to move [rad/s]."""
         at_rest = float(self.at_rest[gear])
         return at_rest + AT_REST * self.last if at_rest > 0 else 0.0
 
@@ -242,8 +242,8 @@ class Traction:
         )
         engine = search.engine
         torque = np.where(np.isfinite(engine), vehicle.full_torque(engine), np.nan)
-        # The engine has too much torque even at its last point and the smallest speed ratio.
-        ends_last = search.ends[:, 1] >= last * (1 - SAME_SPEED)  # else it ends at i = 0
+        # At the smallest speed ratio the engine has its last speed, and still too much torque.
+        ends_last = search.ends[:, 1] >= last * (1 - SAME_SPEED)
         fast = np.flatnonzero(np.isnan(engine) & ends_last & (search.surplus[:, 1] > 0))
         engine[fast] = last
         torque[fast] = converter.torque_at(

@@ -176,7 +176,6 @@ def _draw_edges(pen: Pen, left: float, right: float, colour: str) -> None:
 
 
 def _name_cell(pen: Pen, left: float, wide: float, step: float) -> None:
-    """Write a step in the middle of its cell, upright if the cell is narrow."""
     text = number(step)
     look: Look = {"ha": "center", "va": "center_baseline"}
     if width(text) > wide - 2:

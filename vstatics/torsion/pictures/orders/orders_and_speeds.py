@@ -19,9 +19,9 @@ ORDERS = (0.5, 1.0, 2.0, 3.0, 4.0, 6.0)
 These are the half order, the order of the shaft, and the firing orders of 4, 6, 8 and 12 cylinders.
 """
 FASTEST_INPUT = 6000.0
-"""Largest upper end of a diagram if no speed of the input is known. [rpm]"""
+"""Largest upper end of the scale of speeds if no speed of the input is known. [rpm]"""
 ABOVE_ONE, ABOVE_RANGE = 1.25, 1.05
-"""Upper end of a diagram divided by a single known speed, or by the highest of several."""
+"""Upper end of the scale of speeds, divided by a single known speed or the highest of several."""
 PER_MINUTE = 60.0
 """Number of seconds per minute."""
 

@@ -92,7 +92,6 @@ def _panel(
     excited: ExcitedSpeeds,
     harmonics: Mapping[float, Harmonic],
 ) -> ResponsePanel:
-    """Calculate the response of a gear, at separate speeds for each order."""
     from vstatics.torsion.forced.harmonic_torques import Harmonic, response
 
     gear, link = names
