@@ -254,8 +254,11 @@ def test_what_cannot_be_is_refused_at_its_place() -> None:
         (f"fatigue: {{P1.planet: {{{T}}}}}", "expected `torque_of`"),
         (f"fatigue: {{a: {{on: P1.planet, {T}}}}}", "P1.planet is a"),
         (f"fatigue: {{a: {{on: P9.sun, {T}}}}}", "or member `P9.sun`"),
-        ("fatigue: {a: {on: P1.sun, endurance: 9, cycles: 9, exponent: 3}}", "read `on` with `endurance`"),
-        (f"fatigue: {{P1.sun: {{{T}, endurance: 9 MPa}}}}", "read `endurance` beside `torque`"),
+        (
+            "fatigue: {a: {on: P1.sun, endurance: 9, cycles: 9, exponent: 3}}",
+            "read `on` with `endurance`",
+        ),
+        (f"fatigue: {{P1.sun: {{{T}, endurance: 9 MPa}}}}", "read `endurance` with `torque`"),
         ("fatigue: {P1.sun: {cycles: 9, exponent: 3}}", "`endurance` is missing"),
         ("fatigue: {P1.sun: {torque: 0, cycles: 9, exponent: 3}}", "expected a torque above 0"),
         (f"fatigue: {{P1.planet: {{torque_of: P1.planet, {T}}}}}", "with a torque `P1.planet`"),

@@ -29,9 +29,8 @@ def _strength_fault(**values: Any) -> str:
     wrong = [name for name in wrong if name != "flanks" or values[name] != "together"]
     if not wrong:
         return ""
-    given, other = ("torque", "endurance") if of_torque else ("endurance", "torque")
-    names = spoken(map(quoted, wrong))
-    return f"read {names} with `{given}`, expected `{other}` instead of `{given}`"
+    names, given = spoken(map(quoted, wrong)), "torque" if of_torque else "endurance"
+    return f"read {names} with `{given}`, expected a strength by either `torque` or `endurance`"
 
 
 def _record(case: TransmissionFields) -> dict[str, Fatigue | TorqueStrength]:
