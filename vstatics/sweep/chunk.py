@@ -38,7 +38,7 @@ STATUS = (
     "invalid",
     "stopped",
 )
-"""Statuses of a variant from harmless to severe; the worst status of all gears counts."""
+"""Statuses of a variant from harmless to severe. The worst status of all gears counts."""
 DRAGGED, OPEN, UNDECIDED, LOCKED, NOT_ASSEMBLED, TIED_UP, CONFLICT, INVALID, STOPPED = range(
     1, len(STATUS)
 )
@@ -223,7 +223,7 @@ def outside_in(parts: Iterable[Chunk | Account]) -> tuple[str, ...]:
 
 
 def noticed_in(parts: Iterable[Chunk | Account]) -> tuple[Noticed, ...]:
-    """Return the messages of several ranges; messages that differ only in numbers are merged."""
+    """Return the messages of several ranges. Messages that differ only in numbers are merged."""
     merged: dict[tuple[str, str], Noticed] = {}
     for notice in (notice for part in parts for notice in part.noticed):
         alike = notice.alike

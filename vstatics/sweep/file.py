@@ -157,7 +157,7 @@ class _Reader:
         return joined(Text(""), self.texts(node), ", ")
 
     def vary(self, node: Node, _: Option) -> tuple[Text, ...]:
-        """Return texts as for the option --vary; a mapping from names to values is accepted."""
+        """Return texts as for the option --vary. A mapping from names to values is accepted."""
         if not isinstance(node, Mapping):
             return self.texts(node)
         return tuple(

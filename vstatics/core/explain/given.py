@@ -253,7 +253,7 @@ def _idle(state: GearState) -> Grid:
 
 
 def told_signs(state: GearState) -> list[bool]:
-    """Return for each mechanism whether no rule gives the sign, so that an exercise states it."""
+    """Return True for each mechanism whose sign an exercise states, because no rule gives it."""
     return [
         idle or turned is True
         for idle, turned in zip(state.search.idle, state.search.turned, strict=True)

@@ -169,7 +169,7 @@ def _key(key: str) -> str:
 
 
 KEYED = ("teeth", "load", "mesh_efficiency", "efficiency", "planet", "damping", "suns", "rings")
-"""Keys whose mappings have words of the case format as keys; other mappings have names."""
+"""Keys whose mappings have words of the case format as keys. Other mappings have names."""
 
 
 def _inner(value: Any, *, keyed: bool = False) -> str:

@@ -209,7 +209,7 @@ class ShownStates:
             raise RefusedChangeError(str(error)) from None
 
     def _shown(self, texts: Texts) -> Shown:
-        """Calculate a state from the files; `texts` replace some of their contents."""
+        """Calculate a state from the files. `texts` replace some of their contents."""
         calculated = self._calculate(texts)
         material = None
         if calculated.results is not None:

@@ -116,7 +116,7 @@ def _on_curve(ends: Sequence[Point], part: float) -> Point:
 
 
 class CanvasLine(NamedTuple):
-    """Line through points; a point with NaN coordinates is a gap."""
+    """Line through points. A point with NaN coordinates is a gap."""
 
     xs: Sequence[float] | Floats
     ys: Sequence[float] | Floats

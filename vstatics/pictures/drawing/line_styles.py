@@ -12,7 +12,7 @@ STRIPE = 5.0
 TINTS = (0.5, 0.16, 0.34)
 """Shares of the colour of losses in areas, mixed with paper to keep letters readable."""
 PARTS = ("", "////", "....", "\\\\\\\\", "xx")
-"""Hatches of the areas of losses; five hatches and three tints distinguish fifteen areas."""
+"""Hatches of the areas of losses. Five hatches and three tints distinguish fifteen areas."""
 
 
 def link_looks(links: Sequence[int], style: Style) -> list[Look]:

@@ -129,7 +129,7 @@ class Pen(NamedTuple):
         kind: str = "",
         data: Mapping[str, str] = NO_DATA,
     ) -> None:
-        """Add a shape in coordinates of the canvas; title, class and data are for SVG."""
+        """Add a shape in coordinates of the canvas. Title, class and data are for SVG."""
         self.canvas.parts.append(
             CanvasPart(shape, self.place, PartMark(title, kind, data, self.groups))
         )
@@ -182,7 +182,7 @@ class Pen(NamedTuple):
     def area(
         self, *corners: Point, width: float = 0.0, title: str = "", kind: str = "", **look: Any
     ) -> None:
-        """Draw a polygon with an outline of a given width; `kind` is the SVG class."""
+        """Draw a polygon with an outline of a given width. `kind` is the SVG class."""
         left, low = self.corner
         outline = Outline.polygon([(left + x, low + y) for x, y in corners])
         self.fill(outline, width=width, title=title, kind=kind, **look)

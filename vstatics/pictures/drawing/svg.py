@@ -268,7 +268,7 @@ def _outline_data(outline: Outline, place: CanvasPlace, high: float) -> str:
 
 
 def _stroke_look(colour: str, width: float, dashes: Any, cap: str) -> dict[str, str]:
-    """Return the SVG attributes of a line; the lengths of dashes are relative to the width."""
+    """Return the SVG attributes of a line. The lengths of dashes are relative to the width."""
     attributes = {}
     if dashes != "solid":
         offset, lengths = dashes

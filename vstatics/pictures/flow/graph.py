@@ -204,7 +204,7 @@ def _numbered(drawn: Graph) -> Iterator[int]:
 
 
 def _layers(drawn: Graph) -> tuple[int, ...]:
-    """Return the layer of each run: the longest path from the left; bands with numbers count 2."""
+    """Return the layer of each run, to the right of its sources. Outputs are in the last layer."""
     layers = [0] * len(drawn.runs)
     ways = [
         (*drawn.ends(band), 2 if number in drawn.numbered else 1)
@@ -227,7 +227,7 @@ def _layers(drawn: Graph) -> tuple[int, ...]:
 
 
 def _losses(side: PowerFlow) -> dict[Node, float]:
-    """Return the losses above rounding noise, by node; losses of `AT_LINKS` belong to the link."""
+    """Return the losses above rounding noise, by node. Losses of `AT_LINKS` belong to the link."""
     least = NO_POWER * max((edge.power for edge in side.edges), default=0.0)
     by_node = side.losses.items()
     losses = {n: loss for n, loss in by_node if loss > least and n.kind not in AT_LINKS}

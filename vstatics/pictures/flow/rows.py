@@ -75,7 +75,7 @@ def parts(drawn: Graph, ends: Sequence[int]) -> list[Graph]:
 
 
 def _cuts(drawn: Graph) -> dict[int, int]:
-    """Return, by layer, the number of bands cut after it; layers within loops are missing."""
+    """Return the number of bands to cut after each layer that is not within a loop."""
     by_layer = {}
     for layer in range(max(drawn.layers)):
         behind = [place > layer for place in drawn.layers]

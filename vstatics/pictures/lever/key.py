@@ -92,7 +92,7 @@ class LeverKey(NamedTuple):
 def key_of(
     page: LeverPage, gears: Sequence[LeverGear], style: Style, wide: float, per_torque: float
 ) -> LeverKey:
-    """Return the key of a page; an arrow for a round torque shows the scale of torques."""
+    """Return the key of a page. An arrow for a round torque shows the scale of torques."""
     length, unit = _unit(certain(per_torque))
     text = style.text
     meanings = {

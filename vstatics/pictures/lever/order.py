@@ -11,7 +11,7 @@ from vstatics.pictures.lever.gear import LeverTie, joins, spots_of, ties_of
 from vstatics.pictures.lever.points import Lever
 
 LEVER_SEARCH_ROUNDS = 20
-"""Largest number of moves in a search; further moves improve little."""
+"""Largest number of moves in a search. Further moves improve little."""
 MOVES = 60
 """A lever moves by at most this number divided by the number of levers, plus 2 places."""
 CROSSING_COST = 2.0

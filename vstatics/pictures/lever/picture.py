@@ -121,7 +121,7 @@ class LeverPaper(NamedTuple):
 
 
 def _pages(page: LeverPage, gears: Sequence[LeverGear], style: Style) -> list[Canvas]:
-    """Return the pages of all gears; the rows of a gear are on the same page if possible."""
+    """Return the pages of all gears. The rows of a gear are on the same page if possible."""
     wide = style.width if len(gears) > 1 else page.width + WIDE_MARGIN
     wide = min(max(wide, NARROWEST_FIGURE), style.width)
     wide = max(wide, page.width + WIDE_MARGIN)  # a single lever can be wider than the page

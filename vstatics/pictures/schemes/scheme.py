@@ -19,7 +19,7 @@ from vstatics.core.tables.numbers import typeset
 from vstatics.pictures.drawing.gear_state import PictureState
 
 MOST_DEVICES = 200
-"""Largest number of components in a diagram; the largest diagram takes about ten seconds."""
+"""Largest number of components in a diagram. The largest diagram takes about ten seconds."""
 
 
 class Device(NamedTuple):
@@ -116,7 +116,7 @@ class SchemeState:
 
 @dataclass(frozen=True)
 class Scheme:
-    """Scheme: links, components and ports of a case for a diagram; planets are not links."""
+    """Scheme: links, components and ports of a case for a diagram. Planets are not links."""
 
     links: Sequence[str]
     devices: Sequence[Device]

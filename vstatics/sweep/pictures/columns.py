@@ -103,7 +103,7 @@ def running(sweep: WrittenSweep, excluded: Sequence[str] = (), axes: int = 1) ->
 def _follows(sweep: WrittenSweep, name: str, before: Sequence[str]) -> bool:
     """Return whether a column is a function of a grid of columns, or of a monotonic column.
 
-    A column of random variants also has a value for each of the other numbers, but in no order.
+    Columns of a random sample do not count: they are not monotonic, and do not form a grid.
     """
     columns = [sweep.columns[other] for other in before]
     places = list(zip(*columns, strict=True))

@@ -41,7 +41,7 @@ _SPELLED: dict[str, dict[type[Node], str]] = {
 """Key that a short form omits, by the outer key and the kind of node: `T: [[0, 1]]` means points.
 """
 _ALL_GIVEN = ("numbers", "set")
-"""Keys of mappings that list all names that formulas can use; any other name is a mistake."""
+"""Keys of mappings that list all names that formulas can use. Any other name is a mistake."""
 
 
 class NumberPath(NamedTuple):
@@ -65,7 +65,7 @@ class NumberPath(NamedTuple):
 
 
 class Trees(NamedTuple):
-    """Scenario and case as trees of nodes; a case in a deck has no tree."""
+    """Scenario and case as trees of nodes. A case in a deck has no tree."""
 
     scenario: Node
     case: Node | None

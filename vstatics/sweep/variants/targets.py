@@ -49,7 +49,7 @@ class Varied(Protocol):
 
     @property
     def numbers(self) -> frozenset[Hashable]:
-        """Keys that identify the number; varied numbers must not share a key."""
+        """Keys that identify the number. Varied numbers must not share a key."""
 
 
 class Target(NamedTuple):
@@ -64,7 +64,7 @@ class Target(NamedTuple):
 
     @property
     def numbers(self) -> frozenset[Hashable]:
-        """Key that identifies the number; a compliance has the key of the stiffness."""
+        """Key that identifies the number. A compliance has the key of the stiffness."""
         quantity = "stiffness" if self.quantity == "compliance" else self.quantity
         return frozenset([(self.owner, quantity)])
 

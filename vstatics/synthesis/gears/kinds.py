@@ -56,7 +56,7 @@ class EngagedKinds(NamedTuple):
     """Effects of many combinations of shift elements; arrays of shape (sets,)."""
 
     kinds: NDArray[np.int8]
-    """Effects as numbers of `EngagedKind`; direct drives count as `GEAR`."""
+    """Effects as numbers of `EngagedKind`. Direct drives count as `GEAR`."""
     ratios: Floats
     """Input speed divided by output speed; NaN without a ratio. [-]"""
     free: Booleans
@@ -163,7 +163,7 @@ class _SizedRows:
 
 
 class KindAlone(NamedTuple):
-    """Effect of a single combination of shift elements; direct drives count as `GEAR`."""
+    """Effect of a single combination of shift elements. Direct drives count as `GEAR`."""
 
     kind: EngagedKind
     ratio: float

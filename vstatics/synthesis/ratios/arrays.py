@@ -96,7 +96,7 @@ class RatioArrays(NamedTuple):
 
 
 def ratio_arrays(formulas: Sequence[GearFormula], mechanisms: int) -> RatioArrays:
-    """Return the formulas of gears as arrays; every gear must have a ratio."""
+    """Return the formulas of gears as arrays. Every gear must have a ratio."""
     places: dict[int, int] = {}
     for formula in formulas:
         for ratios in (*formula.above, *formula.below):

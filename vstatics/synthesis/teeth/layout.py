@@ -86,7 +86,7 @@ class TeethLayout:
 
     @cached_property
     def component(self) -> tuple[int, ...]:
-        """Component of each gear, from 0; meshing gears are a component with a common module."""
+        """Component of each gear, from 0. Meshing gears are a component with a common module."""
         if not self.planets:
             return (0,) * len(self.wheels)
         return tuple(_groups(len(self.wheels), (*self.around, *self.meshes)))

@@ -23,7 +23,7 @@ from vstatics.synthesis.teeth.search import MOST_TEETH_SOLUTIONS, BestTeeth
 from vstatics.synthesis.teeth.table import TeethTable, of_rows
 
 ERROR_DECIMALS = 14
-"""Number of decimals of an error in comparisons; further digits are rounding noise."""
+"""Number of decimals of an error in comparisons. Further digits are rounding noise."""
 
 
 @json_keys("teeth", "planets", "gears", "error", "modules")

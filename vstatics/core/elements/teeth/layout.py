@@ -62,7 +62,7 @@ class AxisLayout:
         return wheel.teeth - teeth if wheel.internal else wheel.teeth + teeth
 
     def axis(self, rim: str) -> tuple[Fraction, CentralWheel] | None:
-        """Return twice the distance of a rim from the axis [modules], and the gear that fixes it.
+        """Return twice the distance of a planet from the axis [modules], and a meshing gear.
 
         If the rim meshes only with planets, another rim of the planet determines the distance.
         """

@@ -45,7 +45,7 @@ class Station(NamedTuple):
     ``differential``, ``box``, or ``section`` (several gear sets).
     """
     devices: Sequence[int]
-    """Indices of the components in `Scheme.devices`; a drum has several clutches."""
+    """Indices of the components in `Scheme.devices`. A drum has several clutches."""
     axes: Sequence[int]
     """Indices of the axes of the station, two for a gear pair."""
     links: Sequence[int]

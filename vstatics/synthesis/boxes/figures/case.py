@@ -164,7 +164,7 @@ def planet_ratio(ratio: float) -> float:
 
 
 def _set(place: int, links: Sequence[int], ratio: float, efficiency: float) -> Mechanism:
-    """Return the mechanism of a gear set; a planet ratio is added only if needed."""
+    """Return the mechanism of a gear set. A planet ratio is added only if needed."""
     sun, carrier, ring = links
     has_planets = ratio > 0 or carrier == HOUSING
     of_planet = planet_ratio(ratio)

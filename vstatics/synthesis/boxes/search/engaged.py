@@ -88,7 +88,7 @@ def number_of(table: Combinations, chosen: Integers, subset: int) -> int:
 
 @shared
 class GearSpeeds(NamedTuple):
-    """Link speeds of a scheme with each combination; equal speeds are stored only once."""
+    """Link speeds of a scheme with each combination. Equal speeds are stored only once."""
 
     speeds: Floats
     """Link speeds as polynomials of the ratios, at the corners of the bounds and a point within,

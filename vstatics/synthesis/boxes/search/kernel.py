@@ -42,7 +42,7 @@ class PortRoom(NamedTuple):
 
 @shared
 class FoundRoom(NamedTuple):
-    """Gearboxes found with a given input and output; `SetRoom.listed` has their shift elements."""
+    """Gearboxes found with a given input and output. `SetRoom.listed` has their shift elements."""
 
     lengths: Integers
     """Number of gears of each gearbox in addition to the targets, shape (most,)."""

@@ -355,7 +355,7 @@ def _weigh_errors(room: FitRoom, stiffness: float) -> None:
 
 @compiled_part
 def _find_system(room: FitRoom, least: float, most: float, damping: float) -> None:
-    """Set up the damped normal equations; a gear-set ratio held by a bound does not move."""
+    """Set up the damped normal equations. A gear-set ratio held by a bound does not move."""
     count, sets = room.jacobian.shape
     system, moves = room.system, room.tried
     for row in range(sets):

@@ -75,7 +75,7 @@ class CellRoom(NamedTuple):
 
 
 def cell_room(table: Combinations, asked: Asked, sets: int, shifts: Integers) -> CellRoom:
-    """Return work arrays for solving an element set; `shifts` are pairs from `neighbours`."""
+    """Return work arrays for solving an element set. `shifts` are pairs from `neighbours`."""
     ratios, targets = len(table.places), len(asked.targets)
     return CellRoom(
         cells=cells_room(ratios, asked, sets),

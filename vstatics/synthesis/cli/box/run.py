@@ -1,4 +1,4 @@
-"""Search for gearboxes with output to a stream, file or directory; it can be resumed."""
+"""Search for gearboxes with output to a stream, file or directory. It can be resumed."""
 
 from __future__ import annotations
 

@@ -56,7 +56,7 @@ class WantedLabel(NamedTuple):
     above: Point
     """Middle of the lower edge of a text above, or of the upper edge of a text below. [pt]"""
     below: float
-    """Height of the near edge of a text below instead of above the component, or vice versa. [pt]
+    """Height of the edge nearest the component, for a text on the opposite side of it. [pt]
     """
     up: int
     half: float = 3.0
