@@ -12,7 +12,7 @@ DETERMINED = 1e-9
 NO_TORQUE = 1e-12
 """Largest torque that counts as 0, relative to the input torque. [-]"""
 MET_RATIO = 1e-9
-"""Largest relative difference of output torque and ratio without a loss of digits. [-]"""
+"""Largest relative difference between output torque and ratio of a valid result. [-]"""
 
 # The following tolerances are used in `ratios`.
 PART_FOR_ZERO_BOUND = 1e-3
@@ -100,7 +100,7 @@ LEAST_BOX_DAMPING = 1e-12
 LEAST_STIFFNESS = 1e-9
 """Addition to the normal equations of planes in a cell, relative to the largest diagonal. [-]"""
 PLANE_ROUNDING = 1e-9
-"""Rounding error of points between planes, relative to half the cell. [-]"""
+"""Rounding error of distances from planes, relative to half the width of the cell. [-]"""
 
 # The following tolerances are used for bounds and figures of gearboxes.
 NO_FIGURE = 1e-9

@@ -141,7 +141,7 @@ def _same(
 
 
 def _pairs(left: Sequence[Sequence[Key]], looks: Sequence[Mapping[Key, int]]) -> dict[Key, str]:
-    """Return pairs of links and parts whose hashes are equal and unique, or else any pair."""
+    """Return all pairs with equal and unique hashes, or else one pair with equal hashes."""
     counts = [Counter(look[key] for key in keys) for keys, look in zip(left, looks, strict=True)]
     alike = [(new, old) for new in left[0] for old in left[1] if looks[0][new] == looks[1][old]]
     sure = [pair for pair in alike if all(count[looks[0][pair[0]]] == 1 for count in counts)]

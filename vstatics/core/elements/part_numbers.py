@@ -173,7 +173,7 @@ def _element(name: str, record: Mapping[str, Any], link_names: Sequence[str]) ->
 
 
 def _put(part: Any, keys: Keys, number: float) -> Any:
-    """Return a part with a number replaced; several keys lead into nested mappings."""
+    """Return a part with the number at `keys` replaced. Several keys lead into nested mappings."""
     if not keys:
         return number
     key, *others = keys

@@ -255,7 +255,7 @@ INPUT_AND_OUTPUT = 2
 
 
 def _well(by_gear: Grid) -> list[str]:
-    """Return the headings of columns in which all gears have good values."""
+    """Return the headings in `WELL` of columns where every gear has the value listed there."""
     columns = zip(by_gear.columns, zip(*by_gear.cells, strict=True), strict=True)
     return [
         column.heading

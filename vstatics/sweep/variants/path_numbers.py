@@ -156,7 +156,7 @@ def known_paths(case: Transmission) -> list[str]:
 
 
 def no_path(text: str, case: Transmission) -> str:
-    """Return a message about a path that does not lead to a number; "" for a possible name.
+    """Return a message about a path without a number; "" if the text can be another name.
 
     >>> from vstatics import Gear, Mechanism
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear()])

@@ -170,7 +170,7 @@ def _sobol(block: Floats, sample: Sample, start: int) -> None:
 
 
 def _combined(words: Words) -> Words:
-    """Return, for each integer as index, the exclusive or of the words of the set bits."""
+    """Return the exclusive or of the words that belong to the set bits of each index."""
     table = np.zeros(1 << len(words), dtype=np.uint32)
     for bit, word in enumerate(words):
         table[1 << bit : 2 << bit] = table[: 1 << bit] ^ word

@@ -38,7 +38,7 @@ _SPELLED: dict[str, dict[type[Node], str]] = {
     "shift_elements": {Listing: "links"},
     "gears": {Listing: "engaged"},
 }
-"""Key that a short form omits, by the outer key and the kind of node: `T: [[0, 1]]` means points.
+"""Key that a short form omits, by outer key and kind of node: `points` for `T: [[0, 1]]`.
 """
 _ALL_GIVEN = ("numbers", "set")
 """Keys of mappings that list all names that formulas can use. Any other name is a mistake."""

@@ -1,4 +1,4 @@
-"""Varied numbers of a case, such as "D1.ratio" or "shaft.stiffness", and the given values."""
+"""Varied numbers such as "D1.ratio" or "shaft.stiffness", and their values in the case."""
 
 from __future__ import annotations
 

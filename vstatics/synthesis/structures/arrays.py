@@ -22,7 +22,7 @@ Codes = NDArray[np.uint8]
 MEMBERS = 3
 """Number of members of a gear set: sun, carrier and ring."""
 LEAST_MOBILITY = 2
-"""Smallest difference of links minus gear sets of a group of sets that can move internally."""
+"""Smallest degree of freedom (links minus sets) of a group of gear sets that is not locked up."""
 
 
 def first_codes() -> Codes:

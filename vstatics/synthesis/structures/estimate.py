@@ -32,7 +32,7 @@ from vstatics.synthesis.structures.growth import (
 from vstatics.synthesis.structures.json_lines import lines
 
 GROWN_SCHEMES = 600_000
-"""Number of schemes that grow in each step, divided by the number of equivalent orders of members.
+"""Number of schemes that grow in each step if all orders of the members differ.
 """
 FEW_SETS = 4
 """Number of gear sets above which fewer schemes grow in each step."""

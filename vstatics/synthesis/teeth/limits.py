@@ -24,7 +24,7 @@ MOST_OF_RING = 121
 CLEARANCE = 0.5
 """Default smallest distance between the tips of neighbouring planets. [modules]"""
 COAXIAL = "coaxial"
-"""Name of the condition that axes coincide, in counts of exclusions."""
+"""Name, in the counts of excluded candidates, of the condition that axes coincide."""
 PLANETS = (3, 4, 5)
 """Default numbers of planets, if the case does not give a number."""
 

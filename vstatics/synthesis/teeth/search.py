@@ -38,7 +38,7 @@ class BestTeeth(NamedTuple):
     errors: Floats
     """Errors in ascending order, shape (found,)."""
     places: Integers
-    """Group (of rows with equal ratios) in each gear set's table, shape (found, gear sets)."""
+    """Index of the group of rows with equal ratios in each table, shape (found, gear sets)."""
     bound: float
     """Lower bound of the errors of all other choices; infinite if no other choice exists. [-]"""
 

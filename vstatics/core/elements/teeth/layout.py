@@ -85,7 +85,7 @@ def with_teeth(group: PlanetGroup, teeth: Teeth) -> PlanetGroup:
 
 
 def ratio_pairs(group: PlanetGroup) -> Iterator[tuple[CentralWheel, CentralWheel]]:
-    """Yield pairs of central gears for ratios: each gear of a train with its last gear."""
+    """Yield the pairs of central gears that have ratios: each gear with the last of its train."""
     for train in group.trains:
         *others, last = group.wheels_of(train)
         yield from ((other, last) for other in others)

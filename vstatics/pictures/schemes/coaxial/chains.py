@@ -42,7 +42,7 @@ class ChainedScheme(NamedTuple):
     """Scheme of the gearbox without the chains at the input and output."""
 
     scheme: Scheme
-    """Scheme with all components, and with ports where chains continue in other rows."""
+    """Scheme with all components, whose ports include the ends of the chains."""
     chains: Sequence[CoaxialChain]
 
     @property

@@ -37,7 +37,7 @@ UNDER, BESIDE = 5.0, 9.0
 BESIDES = 8
 """Number of steps between the heights to try for a text next to a component."""
 SHORT = 30.0
-"""Height of a component below which a text at the side should be at mid-height. [pt]"""
+"""Height of a component up to which a text next to it should be at mid-height. [pt]"""
 ON_TEXT = 1e5
 """Cost of a text that covers letters of a different text. [pt of distance]"""
 STRANGE, NEAR = 12.0, 3.0
