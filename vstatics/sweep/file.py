@@ -41,7 +41,7 @@ _NO_SWEEPS = {
 
 
 def read_sweep_file(data: bytes, file: str) -> SweepOptions:
-    """Read a sweep file; file names are relative to the folder of the sweep file.
+    """Read a sweep file. File names are relative to the folder of the sweep file.
 
     Parameters
     ----------

@@ -76,7 +76,7 @@ SAME_BOX_RATIO = 1e-9
 NO_BOX_SPEED = 1e-11
 """Largest speed that counts as 0, relative to the largest speed in a gear. [-]"""
 SAME_BOX_SPEED = 1e-9
-"""Largest difference of speeds that count as equal; different speeds are rarely so near by chance.
+"""Largest difference of speeds that count as equal. Different speeds are rarely so near by chance.
 [-]
 """
 TARGET_MARGIN = 1e-9

@@ -75,7 +75,7 @@ def mesh_efficiency(
     friction: float,
     is_internal: bool,  # noqa: FBT001
 ) -> float:
-    """Return the efficiency of a mesh of standard teeth [-]; `others` can be the teeth of a ring.
+    """Return the efficiency of a mesh of standard teeth [-]. `others` can be the teeth of a ring.
 
     Examples
     --------

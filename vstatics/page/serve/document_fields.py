@@ -46,7 +46,7 @@ class DocumentNumber(NamedTuple):
 
 
 class CaseDocuments(NamedTuple):
-    """Documents of a case, or of a scenario and its case; a deck has no numbers to change.
+    """Documents of a case, or of a scenario and its case. A deck has no numbers to change.
 
     Parameters
     ----------

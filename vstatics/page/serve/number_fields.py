@@ -66,7 +66,7 @@ class PageField(NamedTuple):
 
     @property
     def limits(self) -> tuple[float, float]:
-        """Ends of the slider; tooth numbers remain positive, ratios can change sign.
+        """Ends of the slider. Tooth numbers remain positive, ratios can change sign.
 
         >>> PageField("P1.teeth.sun", 30, whole=True).limits, PageField("D1.ratio", -2.5).limits
         ((1.0, 60.0), (-5.0, 5.0))

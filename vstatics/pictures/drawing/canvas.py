@@ -51,7 +51,7 @@ class PartMark(NamedTuple):
     data: Mapping[str, str] = {}
     """Attributes ``data-...`` of an SVG path or text with a class, otherwise of the SVG group."""
     groups: tuple[MarkGroup, ...] = ()
-    """Enclosing SVG groups, the outermost first; a group is drawn together with its first member.
+    """Enclosing SVG groups, the outermost first. A group is drawn together with its first member.
     """
 
 

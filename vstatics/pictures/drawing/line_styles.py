@@ -16,7 +16,7 @@ PARTS = ("", "////", "....", "\\\\\\\\", "xx")
 
 
 def link_looks(links: Sequence[int], style: Style) -> list[Look]:
-    """Return a line style for each link number, from 1; a curve common to several links is striped.
+    """Return a line style for each link number, from 1. A curve common to several links is striped.
 
     >>> [look["color"] for look in link_looks([1], Style())]
     ['#0c4cff']

@@ -164,7 +164,7 @@ class Pen(NamedTuple):
         zorder: float = 2.0,
         **look: Any,
     ) -> None:
-        """Draw a line through points; a point with NaN coordinates is a gap.
+        """Draw a line through points. A point with NaN coordinates is a gap.
 
         `kind` is the SVG class of the line, and `data` its attributes ``data-...``.
         """

@@ -217,7 +217,7 @@ class Style(NamedTuple):
 
 
 def number(value: float) -> str:
-    """Format a number for a picture with few digits; an undefined value gives a dash.
+    """Format a number for a picture with few digits. An undefined value gives a dash.
 
     >>> [number(value) for value in (2.6428571, -251.0, 1e7, -0.00001, float("nan"))]
     ['2.643', '−251.0', '1e+07', '0.000', '–']

@@ -66,7 +66,7 @@ def _number(value: float) -> str:
 
 
 def written_as_svg(canvas: Canvas, title: str, number: int = 1) -> bytes:
-    """Return a canvas as SVG; equal canvases give equal bytes.
+    """Return a canvas as SVG. Equal canvases give equal bytes.
 
     Parameters
     ----------

@@ -24,7 +24,7 @@ class Depths(NamedTuple):
     middles: Mapping[Key, float]
     """Depth of the middle of each cell, by layer and number."""
     starts: Mapping[int, float]
-    """Depth where each band leaves its source, by index of the band; bands within a run are absent.
+    """Depth where each band leaves its source, by index of the band. Bands within a run are absent.
     """
     ends: Mapping[int, float]
     """Depth where each band reaches its target, by index of the band."""

@@ -49,7 +49,7 @@ def rows(drawn: Graph, room: float, lay_out: Callable[[Graph], FlowLayout]) -> l
 
 
 def parts(drawn: Graph, ends: Sequence[int]) -> list[Graph]:
-    """Return the parts of a graph cut after given layers; the last part ends with the last layer.
+    """Return the parts of a graph cut after given layers. The last part ends with the last layer.
 
     >>> from vstatics import Gear, Mechanism, Transmission, solve
     >>> from vstatics.core.flow.power import flows

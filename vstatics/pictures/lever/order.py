@@ -82,7 +82,7 @@ def every(case: Transmission, drawn: Sequence[Lever]) -> list[LeverTie]:
 
 
 def heights(case: Transmission, drawn: Sequence[Lever]) -> list[list[float]]:
-    """Return the height of each point of each lever, from 0 to 1; some levers are turned over.
+    """Return the height of each point of each lever, from 0 to 1. Some levers are turned over.
 
     A lever is turned over to remove crossings or, with equal crossings, to shorten lines. Shafts
     are at the mean height of their connections.

@@ -68,7 +68,7 @@ class LeverBlock(NamedTuple):
 
 
 def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iterator[list[Canvas]]:
-    """Yield the pages of levers for each list of gears; levers have fixed positions.
+    """Yield the pages of levers for each list of gears. Levers have fixed positions.
 
     Raises
     ------

@@ -54,7 +54,7 @@ def half_of(kind: str) -> float:
 
 
 def draw_coupled(pen: Pen, coupled: Coupled) -> None:
-    """Draw a symbol on a line; the plates of a brake are drawn at the housing.
+    """Draw a symbol on a line. The plates of a brake are drawn at the housing.
 
     >>> from vstatics.pictures.drawing.pen import blank
     >>> from vstatics.pictures.drawing.style import Style

@@ -26,7 +26,7 @@ class DrawnColumns(NamedTuple):
 
 
 def drawn_columns(x: str, y: Sequence[str], z: str, by: str) -> DrawnColumns:
-    """Return the columns that a user names; deck names of tables are replaced.
+    """Return the columns that a user names. Deck names of tables are replaced.
 
     >>> drawn_columns("load.torque", ["ETA[low]"], "", "").y
     ('efficiency[low]',)
@@ -143,7 +143,7 @@ def results_of(sweep: WrittenSweep, excluded: Sequence[str]) -> list[str]:
 
 
 def parts(sweep: WrittenSweep, selected: DrawnColumns, axes: Sequence[str]) -> list[DrawnRows]:
-    """Return the rows of each panel or curve; each must have unique coordinates.
+    """Return the rows of each panel or curve. Rows of a panel must have unique coordinates.
 
     Raises
     ------

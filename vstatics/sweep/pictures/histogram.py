@@ -44,7 +44,7 @@ class Histogram(NamedTuple):
 
 
 def histogram(name: str, values: Floats) -> Histogram:
-    """Count the values of a column in bars of equal width; NumPy chooses the number of bars.
+    """Count the values of a column in bars of equal width. NumPy chooses the number of bars.
 
     >>> bars = histogram("x", np.array([0.0, 1.0, 1.0, 2.0, 2.0, 2.0]))
     >>> bars.edges.tolist(), bars.counts

@@ -60,7 +60,7 @@ class CasePath(NamedTuple):
 
     @property
     def numbers(self) -> frozenset[Hashable]:
-        """Keys that identify the number; for a mechanism equal to the key in `Target`."""
+        """Keys that identify the number. A number of a mechanism has the key of its `Target`."""
         if self.quantity in OF_MECHANISM:
             return frozenset((number.owner, number.quantity) for number in self.of)
         if self.relative:

@@ -212,7 +212,7 @@ def sample_unit(scenario: Node, text: str) -> str:
 
 
 def in_si(unit: str) -> str:
-    """Return the SI unit of the quantity that a unit measures; an unknown unit is returned.
+    """Return the SI unit of the quantity that a unit measures, or an unknown unit unchanged.
 
     >>> in_si("kN*m"), in_si("rpm")
     ('N*m', 'rad/s')

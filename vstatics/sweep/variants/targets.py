@@ -23,7 +23,7 @@ OfMechanism = Literal["ratio", "efficiency"]
 OfDevice = Literal["stiffness", "compliance", "damping"]
 Quantity = OfMechanism | OfDevice | Literal["inertia"]
 Owner = Literal["mechanisms", "devices", "links"]
-"""List that contains the owner of a number; `devices` are shift elements, mechanisms and springs.
+"""List that contains the owner of a number. `devices` are shift elements, mechanisms and springs.
 """
 
 OF_MECHANISM: tuple[OfMechanism, ...] = get_args(OfMechanism)

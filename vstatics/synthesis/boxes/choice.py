@@ -159,7 +159,7 @@ class BoxFilter(NamedTuple):
         return search._replace(brake_counts=brake_counts, singly=self.single)
 
     def before(self, box: FoundBox) -> bool:
-        """Return whether the numbers of brakes and clutches are wanted; figures are not yet known.
+        """Return whether the numbers of brakes and clutches are wanted. Figures are not yet known.
 
         >>> from vstatics.synthesis.boxes.box import HELD
         >>> from vstatics.synthesis.structures.scheme import SetScheme

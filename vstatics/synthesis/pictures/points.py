@@ -126,7 +126,7 @@ def box_scale(values: Sequence[float]) -> AxisScale:
 
 
 def _ends(values: Sequence[float]) -> Span:
-    """Return the ends of an axis, outside all values; the ends differ also if all values are equal.
+    """Return the ends of an axis, outside all values. The ends differ also if all values are equal.
 
     >>> _ends([2.0, 2.0]), _ends([])
     ((1.9, 2.1), (0.0, 1.0))

@@ -276,7 +276,7 @@ def on_engaged_links(case: Transmission) -> OwnLinks:
 def _formula(
     links: OwnLinks, index: int, fixed: Mapping[int, float], targets: Mapping[int, float]
 ) -> GearFormula:
-    """Return the formula of a gear; a too long formula is an error only for a wanted ratio.
+    """Return the formula of a gear. A too long formula is an error only for a wanted ratio.
 
     Raises
     ------

@@ -32,7 +32,7 @@ class Symmetries(NamedTuple):
 
 
 class _Renamings(NamedTuple):
-    """Partial orders of gear sets whose codes agree with the given codes so far."""
+    """Incomplete orders of the gear sets, whose codes agree so far with the given codes."""
 
     which: NDArray[np.intp]
     """Row of the scheme of each renaming, shape (renamings,)."""

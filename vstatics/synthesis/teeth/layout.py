@@ -34,7 +34,7 @@ class TeethRatio(NamedTuple):
 
 @dataclass(frozen=True)
 class TeethLayout:
-    """Gear set with unknown tooth numbers; the toothed gears are numbered from 0.
+    """Gear set with unknown tooth numbers. The toothed gears are numbered from 0.
 
     Parameters
     ----------

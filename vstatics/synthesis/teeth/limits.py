@@ -69,7 +69,7 @@ class TeethLimits:
     shift: int = 0
 
     def of_wheels(self, layout: TeethLayout) -> list[Range]:
-        """Return the range of each gear of a gear set; the user's most specific range applies.
+        """Return the range of each gear of a gear set. The user's most specific range applies.
 
         A default range includes the tooth number that the case gives.
         """

@@ -142,7 +142,7 @@ def asked_document(problem: TeethProblem) -> dict[str, Any]:
 def case_with_teeth(
     case: Transmission, problem: TeethProblem, solution: TeethSolution
 ) -> Transmission:
-    """Return the case with found tooth numbers; mechanisms are replaced by gear sets.
+    """Return the case with found tooth numbers. Mechanisms are replaced by gear sets.
 
     Examples
     --------

@@ -64,7 +64,7 @@ def box_is_planar(case: Transmission) -> bool:
 
 
 def is_planar(edges: Iterable[Edge]) -> bool:
-    """Check whether a graph is planar; edges can be repeated or have two equal ends.
+    """Check whether a graph is planar. Edges can be repeated or have two equal ends.
 
     Examples
     --------
