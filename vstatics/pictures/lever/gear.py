@@ -50,7 +50,7 @@ class LeverGear(NamedTuple):
     """
 
     def is_way(self, link: int, first: int, last: int) -> bool:
-        """Return whether a link transmits torque past the levers from `first` to `last`."""
+        """Return whether the line of a link transmits torque between levers `first` and `last`."""
         places = self.loads.get(link, set())
         return any(place <= first for place in places) and any(place >= last for place in places)
 

@@ -36,7 +36,7 @@ class AxisContact(NamedTuple):
 
 
 def contacts(board: AxesBoard, chosen: StationOrder, xs: Sequence[float]) -> Iterator[AxisContact]:
-    """Yield the contacts of all stations, last of stations that connect a left to a right link."""
+    """Yield the contacts of all stations. Stations between a left and a right link come last."""
     first: list[AxisContact] = []
     for index, station in enumerate(board.stations):
         first += _fixed(board, chosen, index, station, xs[index])
