@@ -247,7 +247,6 @@ def _tables(material: Material, summary: Sequence[Grid]) -> Iterator[Markup]:
 
 
 def _has_further_ports(material: Material) -> bool:
-    """Return whether a gear has more ports than an input and an output."""
     return any(len(flow.ports.rows) > INPUT_AND_OUTPUT for flow in material.flows)
 
 

@@ -224,7 +224,6 @@ class ShownStates:
         return shown
 
     def _take(self, shown: Shown) -> None:
-        """Make `shown` the present state of the files."""
         self.shown = shown
         calculated = shown.calculated
         self._files = list(dict.fromkeys([self.file, *calculated.texts, *calculated.files]))

@@ -10,7 +10,7 @@ from vstatics.pictures.drawing.style import Style
 STRIPE = 5.0
 """Length of each colour of a striped line, relative to the width of the line. [-]"""
 TINTS = (0.5, 0.16, 0.34)
-"""Shares of the colour of losses in areas, mixed with paper to keep letters readable."""
+"""Fractions of the loss colour in areas. The rest is paper, to keep letters readable. [-]"""
 PARTS = ("", "////", "....", "\\\\\\\\", "xx")
 """Hatches of the areas of losses. Five hatches and three tints distinguish fifteen areas."""
 

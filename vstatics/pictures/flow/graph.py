@@ -163,7 +163,6 @@ def _reachable(start: Node, pairs: Sequence[tuple[Node, Node]]) -> set[Node]:
 
 
 def _runs(nodes: Iterable[Node], drawn: Graph) -> Iterator[Run]:
-    """Yield the runs of nodes in series, in the order of their first nodes."""
     pairs = {(band.source, band.target) for band in drawn.bands}
     leaving, arriving = (Counter(pair[end] for pair in pairs) for end in (0, 1))
     least = NO_POWER * max((band.power for band in drawn.bands), default=0.0)

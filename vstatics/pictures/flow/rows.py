@@ -90,7 +90,6 @@ def _cuts(drawn: Graph) -> dict[int, int]:
 
 
 def _columns(whole: FlowLayout) -> list[Span]:
-    """Return the horizontal range of each layer [pt]."""
     run_boxes = [box for box in whole.boxes if box.cell.number >= 0]
     sides: list[Span] = []
     for layer in range(1 + max(whole.graph.layers)):

@@ -42,7 +42,6 @@ class LeverKey(NamedTuple):
     """Length of the arrow that shows the scale of torques. [pt]"""
 
     def _places(self) -> Iterator[Point]:
-        """Yield the position of each entry, in rows from the upper left."""
         x, row = WIDE_MARGIN, 0
         for kind, text in self.entries:
             size = self._room(kind) + width(text) + WIDE_MARGIN

@@ -65,7 +65,6 @@ def _moves(low: int, high: int) -> list[Move]:
 
 
 def _best(start: Order, moves: Sequence[Move], cost: Callable[[Order], float]) -> Order:
-    """Return the order after repeatedly applying the change that reduces the cost most."""
     reached, least = start, cost(start)
     for _ in range(LEVER_SEARCH_ROUNDS):
         costs = {tried: cost(tried) for tried in {move(reached): None for move in moves}}

@@ -148,7 +148,6 @@ def _pages(page: LeverPage, gears: Sequence[LeverGear], style: Style) -> list[Ca
 
 
 def _scales(page: LeverPage, gears: Sequence[LeverGear]) -> tuple[Span, float]:
-    """Return the range of speeds and the arrow length of the input torque for all levers."""
     links = {node.link for lever in page.levers for node in lever.nodes}
     speeds = [gear.state.speeds[link] for gear in gears for link in links]
     reached = [speed for speed in speeds if math.isfinite(speed)] + [0.0, 1.0]

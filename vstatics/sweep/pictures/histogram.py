@@ -121,7 +121,6 @@ def _head(item: Histogram, wide: float) -> str:
 
 
 def _high(row: Sequence[Histogram], wide: float) -> float:
-    """Return the height of a row of panels with names and scales [pt]."""
     names = max(height(_head(item, wide)) for item in row)
     return names + HISTOGRAM_SIZE[1] + 3 * LINE_HEIGHT * SIZE
 

@@ -185,7 +185,6 @@ def _filled_lines(piece: bytes, file: str) -> Iterator[tuple[str, int, bytes]]:
 
 
 def _header(line: str, start: Place, subject: VariedSubject) -> _Columns:
-    """Return the columns that the line of headings declares."""
     if not line.strip():
         raise refusal("read an empty line, expected names such as D1.ratio", start)
     separator = separator_of(line)

@@ -80,7 +80,6 @@ def _rest_of(stream: io.BufferedReader, path: str) -> bytes:
 
 
 def _numbers(name: str, column: Sequence[Any] | Floats, place: Place) -> Floats:
-    """Return a column as numbers. Texts are read as in CSV."""
     is_numeric = isinstance(column, np.ndarray) and column.dtype.kind in "iuf"
     if is_numeric or {*map(type, column)} <= {int, float}:
         with suppress(OverflowError):  # an integer that is too large is refused below

@@ -55,7 +55,6 @@ def check_room(search: CombinationSearch, to: Destination, *, by_torque: bool) -
 
 
 def _length(search: CombinationSearch) -> float:
-    """Estimate the size of a combination in JSON [bytes]."""
     lines = [line for batch in search.samples() for line in _lines([*batch.each()])]
     return sum(len(line.encode()) + 3 for line in lines) / len(lines)
 
@@ -169,7 +168,6 @@ def _port_grids(search: CombinationSearch, batches: Iterable[Batch]) -> Iterator
 
 
 def _batches(search: CombinationSearch, advance: Advance, *, by_torque: bool) -> Iterator[Batch]:
-    """Yield the combinations in batches. Sorted combinations are a single batch."""
     if by_torque:
         unsorted = _batches(search, advance, by_torque=False)
         yield sorted(chain.from_iterable(unsorted), key=attrgetter("by_torque"))

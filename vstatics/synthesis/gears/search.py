@@ -318,7 +318,6 @@ class CombinationSearch:
 
 
 def _members(chosen: Iterator[tuple[int, ...]], size: int, most: int) -> Indices:
-    """Return the next combinations as rows of an array, at most `most` rows."""
     if not size:
         return np.zeros((1, 0), dtype=np.intp)
     flat = chain.from_iterable(islice(chosen, most))

@@ -84,7 +84,6 @@ def draw_points(pen: Pen, listing: BoxListing, drawn: Sequence[ListedBox]) -> No
 
 
 def _looks(drawn: Sequence[ListedBox], style: Style) -> dict[int, PointLook]:
-    """Return the colour and marker of each family that has a stick diagram."""
     return {
         family: (style.colour(place), MARKERS[place % len(MARKERS)])
         for place, family in enumerate(dict.fromkeys(box.family for box in drawn))

@@ -228,7 +228,6 @@ def ports(batch: SchemeBatch) -> SchemePorts:
 
 
 def _ports_of(batch: SchemeBatch, links: int) -> SchemePorts:
-    """Return the choices of input and output of the schemes with a number of links."""
     first, second = np.nonzero(~np.eye(links, dtype=bool))
     of_links = batch.links == links
     rows = np.flatnonzero(of_links)

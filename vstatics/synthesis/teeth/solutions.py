@@ -194,7 +194,6 @@ def case_with_teeth(
 
 
 def _renamed(data: Any, names: Mapping[str, str]) -> Any:
-    """Return data of a case with other names of members."""
     if isinstance(data, Mapping):
         return {names.get(key, key): _renamed(value, names) for key, value in data.items()}
     if isinstance(data, tuple):

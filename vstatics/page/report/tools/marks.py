@@ -129,7 +129,6 @@ def _links(case: Transmission) -> PartLinks:
 
 
 def _indices(links: Iterable[int]) -> list[int]:
-    """Return the indices of links, sorted and without the housing."""
     return sorted({link - 1 for link in links if link})
 
 

@@ -112,7 +112,6 @@ def drawn_case(box: FoundBox, case: Transmission) -> Transmission:
 
 
 def _ravigneaux(name: str, plain: Mechanism, meshed: Mechanism) -> Element:
-    """Return the Ravigneaux set that consists of two gear sets with common carrier and ring."""
     members = {"small_sun": meshed.first, "large_sun": plain.first}
     members |= {"ring": plain.second, "carrier": plain.third}
     ratios = {"small_sun": meshed.ratio, "large_sun": plain.ratio}
