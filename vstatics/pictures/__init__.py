@@ -169,7 +169,7 @@ def pages(  # noqa: PLR0913 - arguments of a picture
 def of_each_choice(
     results: Results, kind: str, style: Style, shown: Sequence[Sequence[int]]
 ) -> list[list[bytes]]:
-    """Draw the pages for each list of gears in `shown` as SVG; the rest as in `picture`."""
+    """Draw the pages for each list of gears in `shown` as SVG; other parameters as in `picture`."""
     from vstatics.pictures.drawing.files import files_of
 
     drawn = drawn_pages(results, kind, style, shown)

@@ -177,7 +177,7 @@ def _block(plan: SweepPlan, unvaried: Results | None, start: int, stop: int) -> 
 def possible_numbers(
     case: Transmission, targets: Sequence[Varied], values: Floats
 ) -> tuple[Floats, Booleans]:
-    """Return the varied numbers with impossible values replaced, and a mask of such variants."""
+    """Return the varied numbers with impossible values replaced, and a mask of these variants."""
     invalid = np.zeros(len(values), dtype=np.bool_)
     possible = values
     for column, target in enumerate(targets):

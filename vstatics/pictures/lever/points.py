@@ -1,9 +1,8 @@
 """Levers of a case: each link of a gear set is a point at a true distance (lever analogy).
 
 In a planetary gear set, the speeds of all gears relative to the carrier are proportional to each
-other. If the carrier is placed at 0, and each gear at a distance proportional to its relative
-speed, the speeds are on a straight line, and torques balance like forces (Benford and Leising
-1981).
+other. The carrier is placed at 0, and each gear at a distance proportional to its relative speed.
+The speeds are then on a straight line, and torques balance like forces (Benford and Leising 1981).
 """
 
 from __future__ import annotations

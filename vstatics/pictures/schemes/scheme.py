@@ -75,8 +75,8 @@ class SchemePort(NamedTuple):
     role: str
     """Role of the port in a gear or in the picture.
 
-    The role is ``input``, ``output``, or ``given`` (link with given speed or torque), or else
-    ``before`` or ``behind`` (link that continues in an earlier or later row of the picture).
+    Roles in a gear are ``input``, ``output``, and ``given`` (link with given speed or torque). The
+    roles ``before`` and ``behind`` mean that the link continues in an earlier or later row.
     """
 
     @property

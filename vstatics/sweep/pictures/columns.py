@@ -83,8 +83,8 @@ def numbers(sweep: WrittenSweep, name: str) -> Floats:
 def running(sweep: WrittenSweep, excluded: Sequence[str] = (), axes: int = 1) -> list[str]:
     """List the varied columns with several values, except the excluded columns.
 
-    If the excluded and the listed columns already fill the axes of the picture, a further column is
-    left out if it is a function of these columns, such as a linked number.
+    The excluded and the listed columns can already fill the axes of the picture. A further column
+    that is a function of these columns, such as a linked number, is then left out.
 
     >>> columns = {"a": [1.0, 2.0], "b": [3.0, 3.0], "c": [1.0, 4.0], "ratio[1]": [2.0, 3.0]}
     >>> sweep = WrittenSweep([0, 1], ["ok", "ok"], columns, ("a", "b", "c"))

@@ -1,7 +1,7 @@
 """Estimate of the number of schemes, the size of their list and the time, from a sample.
 
-Schemes grow set by set. At each number of gear sets, a sample of the schemes is drawn, and the
-schemes that grow from it represent all (Knuth 1975, Estimating the efficiency of backtrack
+Schemes grow set by set. At each number of gear sets, a sample of the schemes is drawn. The schemes
+that grow from the sample represent all (Knuth 1975, Estimating the efficiency of backtrack
 programs). If there are only few schemes, all are taken, so that the number is exact.
 """
 

@@ -181,9 +181,10 @@ def counted_by(search: StructureSearch) -> StructureSearch:
 def weights(search: StructureSearch, batch: SchemeBatch) -> Integers:
     """Return the number of requested schemes that each class represents, shape (schemes,).
 
-    If no classes are requested, a class of n gear sets with s symmetries represents n!/s schemes,
-    each with all pairs of input and output if these are requested. Otherwise the number is 1 or,
-    with input and output, the number of pairs that no symmetry makes equal (Burnside's lemma).
+    If no classes are requested, a class of n gear sets with s symmetries represents n!/s schemes.
+    Each scheme counts with all pairs of input and output, if these are requested. Otherwise the
+    number is 1 or, with input and output, the number of pairs that no symmetry makes equal
+    (Burnside's lemma).
 
     Parameters
     ----------

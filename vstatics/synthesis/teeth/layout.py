@@ -107,9 +107,9 @@ class TeethLayout:
     def passing(self) -> list[tuple[int, int]]:
         """Pairs of a planet gear and a central gear in a common plane that must not touch.
 
-        A planet gear must be clear of the sun (or ring) of the planet gear that it meshes with,
-        unless it meshes with a sun (or ring) itself, which is then in another plane. In a
-        Ravigneaux set, the long planet must always be clear of the small sun.
+        A planet gear must be clear of the sun (or ring) of the planet gear that it meshes with. If
+        it meshes with a sun (or ring) itself, that sun (or ring) is in another plane, and cannot be
+        touched. In a Ravigneaux set, the long planet must always be clear of the small sun.
         """
         named = [
             (self.wheels.index(rim), self.wheels.index(wheel))
