@@ -56,7 +56,7 @@ class Chunk(NamedTuple):
     places: Integers
     """Index of each row among the rows of all variants, from 0, shape (rows,).
 
-    It is the number of the variant or, if each gear has a row, this number times the number of
+    It is the number of the variant. If each gear has a row, it is this number times the number of
     gears, plus the index of the gear.
     """
     values: Floats

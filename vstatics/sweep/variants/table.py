@@ -75,9 +75,9 @@ def read_table(opened: IO[bytes], file: str, subject: VariedSubject) -> VariantT
 
     Columns can have any order. A column `variant`, or a first column without a name, is ignored. In
     a table written by a sweep, all columns from `status` on are ignored. The separator is a comma
-    or a semicolon; if it is a semicolon, a comma within a number is a decimal comma (see
-    `Decimals`). An apostrophe in front, which prevents a spreadsheet from calculating a cell, is
-    ignored. The encoding is UTF-8.
+    or a semicolon. With a semicolon, a comma within a number is a decimal comma (see `Decimals`).
+    An apostrophe in front, which prevents a spreadsheet from calculating a cell, is ignored. The
+    encoding is UTF-8.
 
     Parameters
     ----------

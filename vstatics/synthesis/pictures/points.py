@@ -226,8 +226,8 @@ def _families(
 ) -> list[tuple[PointLook, str, str]]:
     """Return the entries of the legend: colour and marker, colour of the edge, and text.
 
-    Families with a stick diagram come first, each in its colour; then the number of other families,
-    which are grey, and the mark of the Pareto list.
+    Families with a stick diagram come first, each in its colour. The number of other families,
+    which are grey, and the mark of the Pareto list follow.
     """
     families = listing.families
     entries = [

@@ -1,9 +1,9 @@
 """Many schemes as rows of an array, with addition of gear sets and a check of soundness.
 
-A row contains the links of sun, carrier and ring of each gear set in turn, numbered in the order of
-their first appearance (a restricted growth string). Its leading sets are also such a row, so that
-rows with one more set grow from it. A scheme is unsound if a group of sets always rotates as a
-block; all rows that grow from it are unsound, too.
+A row contains the links of sun, carrier and ring of each gear set in turn. Links are numbered in
+the order of their first appearance (a restricted growth string). Its leading sets are also such a
+row, so that rows with one more set grow from it. A scheme is unsound if a group of sets always
+rotates as a block. All rows that grow from it are unsound, too.
 """
 
 from __future__ import annotations

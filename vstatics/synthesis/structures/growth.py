@@ -22,8 +22,8 @@ from vstatics.synthesis.structures.arrays import MEMBERS, Codes
 from vstatics.synthesis.structures.least_codes import Symmetries, symmetries
 
 Classes = Literal["none", "sets", "members", "order"]
-"""Schemes that count as equal: none; schemes that differ only in the order of gear sets; also by
-exchange of sun and ring; also in the order of all three members.
+"""Differences that are ignored between schemes: none, the order of gear sets, also exchange of sun
+and ring, or also the order of all three members.
 """
 MOST_SETS = 10
 """Largest number of gear sets."""

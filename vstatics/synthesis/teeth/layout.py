@@ -152,9 +152,9 @@ def named_ratios(layouts: Sequence[TeethLayout]) -> dict[str, TeethRatio]:
 def teeth_layouts(links: OwnLinks) -> list[TeethLayout]:
     """Return all gear sets of a case whose tooth numbers can be searched.
 
-    A mechanism without teeth is replaced by a gear set: a mechanism with a third link (possibly the
-    housing) by a planetary gear set, with meshing planets if the ratio is positive; any other by a
-    gear pair.
+    A mechanism without teeth is replaced by a gear set. With a third link (possibly the housing) it
+    becomes a planetary gear set, with meshing planets if the ratio is positive. Any other mechanism
+    becomes a gear pair.
 
     Examples
     --------

@@ -49,8 +49,9 @@ class Station(NamedTuple):
     axes: Sequence[int]
     """Indices of the axes of the station, two for a gear pair."""
     links: Sequence[int]
-    """Connected links: of a pair, in the order of its gears; of a drum, the drum first; of a
-    half-section, its left and right link."""
+    """Connected links: in the order of the gears for a pair, the drum first for a drum, the left
+    before the right link for a half-section.
+    """
     half: float
     """Half the width of the station. [pt]"""
     names: Sequence[str] = ()

@@ -23,9 +23,9 @@ from vstatics.synthesis.boxes.box import HELD
 class Combinations(NamedTuple):
     """Combinations of simultaneously engaged shift elements, from which element sets are formed.
 
-    Combinations are ordered by their last element, then the second last, and so on, so the index of
-    a combination is a sum of binomial coefficients. Combinations of positions within an element set
-    are ordered in the same way.
+    Combinations are ordered by their last element, then the second last, and so on. The index of a
+    combination is therefore a sum of binomial coefficients. Combinations of positions within an
+    element set are ordered in the same way.
     """
 
     ends: Integers

@@ -1,7 +1,7 @@
 """Deterministic search for the order of components along the axis.
 
 The search (A*) expands the state with the smallest sum of past cost and weighted estimate of the
-remaining cost; a large weight reaches an end sooner. Components that connect neighbouring bars
+remaining cost. A large weight reaches an end sooner. Components that connect neighbouring bars
 (lines of links) are added at once, which is never worse.
 """
 
