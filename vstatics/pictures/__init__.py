@@ -43,7 +43,7 @@ if TYPE_CHECKING:
 
 
 def drawn_kinds() -> Mapping[str, PictureKind]:
-    """Return the kinds of pictures of a case; kinds that show other documents are left out."""
+    """Return the kinds of pictures of a case. Kinds that show other documents are left out."""
     return {kind: record for kind, record in picture_kinds().items() if not record.plots}
 
 
@@ -53,7 +53,7 @@ def module_of(kind: str) -> ModuleType:
 
 
 def kinds_of_runs() -> list[str]:
-    """Return the kinds of pictures that can show a run; kinds that require a run are first."""
+    """Return the kinds of pictures that can show a run. Kinds that require a run are first."""
     kinds = [kind for kind, record in drawn_kinds().items() if "motion" in record.options]
     return sorted(kinds, key=lambda kind: picture_kinds()[kind].shows != "run")
 
@@ -115,7 +115,7 @@ def drawn_pages(  # noqa: PLR0913, PLR0917 - arguments of a picture
     motion: PicturedRun | None = None,
     others: Sequence[tuple[Results, PicturedRun]] = (),
 ) -> list[list[Canvas]]:
-    """Draw the pages for each list of gears in `shown`; scales also cover the runs in `others`."""
+    """Draw the pages for each list of gears in `shown`. Scales also cover the runs in `others`."""
     from vstatics.pictures.drawing.style import POINTS_PER_MILLIMETRE
 
     require("plot", "a picture")
@@ -169,7 +169,7 @@ def pages(  # noqa: PLR0913 - arguments of a picture
 def of_each_choice(
     results: Results, kind: str, style: Style, shown: Sequence[Sequence[int]]
 ) -> list[list[bytes]]:
-    """Draw the pages for each list of gears in `shown` as SVG; the rest as in `picture`."""
+    """Draw the pages for each list of gears in `shown` as SVG; other parameters as in `picture`."""
     from vstatics.pictures.drawing.files import files_of
 
     drawn = drawn_pages(results, kind, style, shown)

@@ -23,7 +23,7 @@ LETTERS = "AB"
 BESIDE = ("efficiency",)
 """Kinds of pictures drawn side by side if they are little higher at half the width."""
 AS_HIGH = 1.1
-"""Largest ratio of heights, half width to full width, for pictures side by side. [-]"""
+"""Largest height at half width, relative to full width, of pictures drawn side by side. [-]"""
 
 
 class PairedCase(NamedTuple):

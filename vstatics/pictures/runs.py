@@ -63,7 +63,7 @@ AnEvent = TypeVar("AnEvent", bound=PicturedEvent)
 NAME_LETTERS = 40
 """Largest number of letters of a name in a label."""
 IMPORTANCE = {"impact": 0, "locks": 1, "step": 2, "reverses": 3, "slips": 4}
-"""Rank of each kind of event; among simultaneous events, lower ranks get a label first."""
+"""Rank of each kind of event. Among simultaneous events, lower ranks get a label first."""
 
 
 def short(name: str) -> str:

@@ -139,7 +139,7 @@ def calculate(plan: SweepPlan, start: int, stop: int) -> Chunk:
 
 
 def blocks(case: Transmission, start: int, stop: int) -> Iterator[tuple[int, int]]:
-    """Return the first variant and the end of each block of a range; blocks are nearly equal."""
+    """Return the first variant and the end of each block of a range. Blocks are nearly equal."""
     most = min(max(BLOCK_BYTES // variant_bytes(case), LEAST_BLOCK), MOST_BLOCK)
     number = -(-(stop - start) // most)
     ends = [start + (stop - start) * block // number for block in range(number + 1)]
@@ -177,7 +177,7 @@ def _block(plan: SweepPlan, unvaried: Results | None, start: int, stop: int) -> 
 def possible_numbers(
     case: Transmission, targets: Sequence[Varied], values: Floats
 ) -> tuple[Floats, Booleans]:
-    """Return the varied numbers with impossible values replaced, and a mask of such variants."""
+    """Return the varied numbers with impossible values replaced, and a mask of these variants."""
     invalid = np.zeros(len(values), dtype=np.bool_)
     possible = values
     for column, target in enumerate(targets):
@@ -249,7 +249,7 @@ def block_tables(
 ) -> BlockTables:
     """Return the tables that a plan uses, for variants of a case whose values are possible.
 
-    In their variants, the ratios and efficiencies of `cases` replace the numbers of `case`.
+    For variants in `cases`, the ratios and efficiencies of their own case replace those of `case`.
     """
     results = modes = None
     paths = _by_path(plan, values)

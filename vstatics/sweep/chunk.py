@@ -38,7 +38,7 @@ STATUS = (
     "invalid",
     "stopped",
 )
-"""Statuses of a variant from harmless to severe; the worst status of all gears counts."""
+"""Statuses of a variant from harmless to severe. The worst status of all gears counts."""
 DRAGGED, OPEN, UNDECIDED, LOCKED, NOT_ASSEMBLED, TIED_UP, CONFLICT, INVALID, STOPPED = range(
     1, len(STATUS)
 )
@@ -56,7 +56,7 @@ class Chunk(NamedTuple):
     places: Integers
     """Index of each row among the rows of all variants, from 0, shape (rows,).
 
-    It is the number of the variant or, if each gear has a row, this number times the number of
+    It is the number of the variant. If each gear has a row, it is this number times the number of
     gears, plus the index of the gear.
     """
     values: Floats
@@ -223,7 +223,7 @@ def outside_in(parts: Iterable[Chunk | Account]) -> tuple[str, ...]:
 
 
 def noticed_in(parts: Iterable[Chunk | Account]) -> tuple[Noticed, ...]:
-    """Return the messages of several ranges; messages that differ only in numbers are merged."""
+    """Return the messages of several ranges. Messages that differ only in numbers are merged."""
     merged: dict[tuple[str, str], Noticed] = {}
     for notice in (notice for part in parts for notice in part.noticed):
         alike = notice.alike

@@ -41,7 +41,7 @@ _NO_SWEEPS = {
 
 
 def read_sweep_file(data: bytes, file: str) -> SweepOptions:
-    """Read a sweep file; file names are relative to the folder of the sweep file.
+    """Read a sweep file. File names are relative to the folder of the sweep file.
 
     Parameters
     ----------
@@ -157,7 +157,7 @@ class _Reader:
         return joined(Text(""), self.texts(node), ", ")
 
     def vary(self, node: Node, _: Option) -> tuple[Text, ...]:
-        """Return texts as for the option --vary; a mapping from names to values is accepted."""
+        """Return texts as for the option --vary. A mapping from names to values is accepted."""
         if not isinstance(node, Mapping):
             return self.texts(node)
         return tuple(

@@ -12,7 +12,7 @@ def steps(case: Transmission, ratios: Floats) -> Floats:
     """Return the step ratio of each gear: the gear ratio divided by the ratio of the next gear.
 
     The next gear has the next smaller magnitude of the ratio among gears with the same direction,
-    input and output; of gears with equal ratios, the later follows the earlier. NaN marks a gear
+    input and output. Of gears with equal ratios, the later follows the earlier. NaN marks a gear
     without a next gear.
 
     Parameters
@@ -46,8 +46,8 @@ def steps(case: Transmission, ratios: Floats) -> Floats:
 def spread(case: Transmission, ratios: Floats) -> Floats:
     """Return the ratio spread: the largest forward ratio divided by the smallest, shape ``(...)``.
 
-    Forward gears are the largest group of gears with the same direction, input and output; of equal
-    groups, the group of the earliest gear. A case without gears gives NaN.
+    Forward gears are the largest group of gears with the same direction, input and output. Of
+    equally large groups, the group of the earliest gear counts. A case without gears gives NaN.
 
     Parameters
     ----------

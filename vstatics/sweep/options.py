@@ -190,7 +190,7 @@ class SweepOptions:
         """Return these options, completed by other options.
 
         Other options that contradict these options are dropped, with any options that depend on
-        them: for example, a given table of variants replaces a grid. If these options have an
+        them. For example, a given table of variants replaces a grid. If these options have an
         objective, all other objectives are dropped.
         """
         options = vars(self)

@@ -89,13 +89,13 @@ class Output:
     def __init__(
         self, plan: SweepPlan, form: Format, store: FinishedPieces, *, raw: bool = False
     ) -> None:
-        """Store the plan and the folder of pieces; `raw` affects only the assembly."""
+        """Store the plan and the folder of pieces. `raw` affects only the assembly."""
         self._task = SweepTask(plan, form, store.directory, raw)
         self.store = store
 
     @property
     def task(self) -> SweepTask:
-        """Task for the workers; the hash of the work is known only after the store is opened."""
+        """Task for the workers. The hash of the work is known only after the store is opened."""
         return self._task._replace(work=self.store.work)
 
     @property

@@ -35,7 +35,7 @@ The number is fixed, so that results do not depend on the number of processes.
 
 @dataclass(frozen=True)
 class SweepPlan:
-    """Plan of a sweep without errors; equal plans give equal results.
+    """Plan of a sweep without errors. Equal plans give equal results.
 
     Parameters
     ----------

@@ -257,7 +257,6 @@ def _no_rows(plan: SweepPlan) -> Chunk:
 
 
 def _memory() -> float:
-    """Return the memory of the computer in bytes; infinite if unknown."""
     try:
         return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
     except (AttributeError, OSError, ValueError):  # the system does not provide the size

@@ -41,7 +41,7 @@ class SweepTask(NamedTuple):
         return f"variants {start} to {stop - 1}"
 
     def workers(self, jobs: int, scheduler: str | None = None) -> Workers:
-        """Return workers for the pieces; there are at most as many processes as pieces."""
+        """Return workers for the pieces. There are at most as many processes as pieces."""
         jobs = min(jobs, self.plan.pieces)
         return workers(self, self.describe, jobs=jobs, scheduler=scheduler)
 

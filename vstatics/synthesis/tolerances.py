@@ -12,7 +12,7 @@ DETERMINED = 1e-9
 NO_TORQUE = 1e-12
 """Largest torque that counts as 0, relative to the input torque. [-]"""
 MET_RATIO = 1e-9
-"""Largest relative difference of output torque and ratio without a loss of digits. [-]"""
+"""Largest relative difference between output torque and ratio of a valid result. [-]"""
 
 # The following tolerances are used in `ratios`.
 PART_FOR_ZERO_BOUND = 1e-3
@@ -56,7 +56,7 @@ ROUNDED_TEETH = 1e-6
 ROUNDED_ERROR = 1e-12
 """Largest error that counts as rounding, so that the search can end. [-]"""
 LARGEST_ERROR_WEIGHT = 1e-3
-"""Weight of the largest error of a region, next to the smallest error, in the order of search. [-]
+"""Weight of a region's largest error, relative to its smallest error, in the order of search. [-]
 """
 
 # The following tolerances are used in the search for whole gearboxes.
@@ -76,7 +76,7 @@ SAME_BOX_RATIO = 1e-9
 NO_BOX_SPEED = 1e-11
 """Largest speed that counts as 0, relative to the largest speed in a gear. [-]"""
 SAME_BOX_SPEED = 1e-9
-"""Largest difference of speeds that count as equal; different speeds are rarely so near by chance.
+"""Largest difference of speeds that count as equal. Different speeds are rarely so near by chance.
 [-]
 """
 TARGET_MARGIN = 1e-9
@@ -100,7 +100,7 @@ LEAST_BOX_DAMPING = 1e-12
 LEAST_STIFFNESS = 1e-9
 """Addition to the normal equations of planes in a cell, relative to the largest diagonal. [-]"""
 PLANE_ROUNDING = 1e-9
-"""Rounding error of points between planes, relative to half the cell. [-]"""
+"""Rounding error of distances from planes, relative to half the width of the cell. [-]"""
 
 # The following tolerances are used for bounds and figures of gearboxes.
 NO_FIGURE = 1e-9

@@ -114,7 +114,7 @@ def constraints(file: str, results: Results) -> Grid:
         faults += [TIED_UP.english] * bool(tied_up)
         faults += [CONFLICT.english] * bool(conflict)
         count = given_constraints(gear) + len(holding)
-        # These converters impose no constraint on speeds, and the slip replaces others.
+        # Bypassed converters, and those parallel to a slipping clutch, do not constrain speeds.
         converters = case.unloaded_converters(with_engaged(gear, holding))
         needed = free + len(converters) + len(results.gear_at(index).gear.pump_torques)
         state = f"{count} of {needed} constraints: {', '.join(faults) or 'ok'} (engaged: {engaged})"
@@ -215,7 +215,7 @@ def check_command(
 
 
 def _explained(asked: str, form: str) -> str:
-    """Return the explanations of messages; `asked` contains ids with commas, or `all`."""
+    """Return the explanations of messages. `asked` contains ids with commas, or `all`."""
     from vstatics.core.messages.catalogue import explained, known_ids, text
 
     names, known = separated([asked]), known_ids()

@@ -154,7 +154,6 @@ def _of_files(actual: str, expected: str, how: Tolerances) -> Verdict:
 
 
 def _lines(total: Verdict, form: str, *, all_numbers: bool, summary: bool) -> list[str]:
-    """Return the lines of output for all cases that differ."""
     lay_out = layout.markdown if form == "markdown" else layout.text
     lines: list[str] = []
     for case in total.cases:

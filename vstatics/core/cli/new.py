@@ -49,7 +49,7 @@ def template(name: str, suffix: str = ".yaml") -> str:
 
 
 def _known(name: str) -> str:
-    """Return the exact name of a template or shipped case; an unknown name is an error.
+    """Return the exact name of a template or shipped case. An unknown name is an error.
 
     >>> _known("drive-axle"), _known("power_split")
     ('drive_axle', 'power-split')

@@ -78,7 +78,6 @@ def compare(
 
 
 def _folder(given: Compared) -> str:
-    """Return the path of a directory; empty for other arguments."""
     return "" if isinstance(given, Results) or not os.path.isdir(given) else os.fspath(given)  # noqa: PTH112
 
 

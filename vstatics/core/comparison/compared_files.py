@@ -135,7 +135,7 @@ _Key = tuple[str, int]
 
 
 def _counted(name: str, time: int) -> str:
-    """Return the name of a result, with its number among results of this name, except the first.
+    """Return the name of a result, with its number if an earlier result has the same name.
 
     >>> _counted("box", 1), _counted("box", 2), _counted("box", 3)
     ('box', 'box (there twice)', 'box (there 3 times)')

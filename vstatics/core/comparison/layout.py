@@ -134,7 +134,7 @@ def percent(deviation: float) -> str:
 
 
 def shown_values(old: Any, new: Any) -> tuple[str, str]:
-    """Return two values of a case as texts; `NOT_THERE` stands for a missing key."""
+    """Return two values of a case as texts. `NOT_THERE` stands for a missing key."""
     texts = [
         value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
         for value in (tr(NOT_THERE) if value is None else value for value in (old, new))

@@ -1,4 +1,4 @@
-"""Matching of renamed links and parts of two cases by their connections."""
+"""Matching of renamed links and components of two cases by their connections."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from vstatics.core.tables.written_results import WrittenResult
 
 LINK = "link"
 ROUNDS = 4
-"""Number of connections up to which neighbours are compared to identify a link or part.
+"""Number of connections up to which neighbours are compared to identify a link or component.
 
-Links and parts at a larger distance may differ between the cases.
+Links and components at a larger distance can differ between the cases.
 """
 Key = tuple[str, str]
-"""Kind and name of a part, or `LINK` and the name of a link."""
+"""Kind and name of a component, or `LINK` and the name of a link."""
 
 
 class _JoiningPart(NamedTuple):
@@ -24,9 +24,9 @@ class _JoiningPart(NamedTuple):
     name: str
     links: Sequence[int]
     data: object
-    """Data that distinguish parts with the same links."""
+    """Data that distinguish components with the same links."""
     rows: Sequence[str]
-    """Names of the rows and columns of the part in tables, including members of a gear set."""
+    """Names of the rows and columns of the component in tables, including members of a gear set."""
 
     @property
     def key(self) -> Key:
@@ -49,11 +49,11 @@ def renaming(actual: WrittenResult, expected: WrittenResult) -> Callable[..., st
 
 
 def row_names_of(actual: Transmission, expected: Transmission) -> tuple[dict[str, str], ...]:
-    """Return the expected names of renamed links and parts of the actual case.
+    """Return the expected names of renamed links and components of the actual case.
 
-    Links and parts with equal names match. Others match if their connections and data agree or,
-    failing that, if their connections agree. The remaining parts of a kind match in order, if both
-    cases have the same number of such parts.
+    Links and components with equal names match. Others match if their connections and data agree
+    or, failing that, only their connections. The remaining components of a kind match in order, if
+    both cases have the same number of such components.
 
     Returns
     -------
@@ -119,7 +119,7 @@ def _same(
     sides: Sequence[Mapping[Key, _JoiningPart]],
     names: Sequence[Sequence[Key]],
 ) -> dict[Key, str]:
-    """Return the expected name of each matched link and part of the actual case."""
+    """Return the expected name of each matched link and component of the actual case."""
     same = {key: key[1] for key in names[0] if key in names[1]}
     exact = True
     while True:
@@ -141,7 +141,7 @@ def _same(
 
 
 def _pairs(left: Sequence[Sequence[Key]], looks: Sequence[Mapping[Key, int]]) -> dict[Key, str]:
-    """Return pairs of links and parts whose hashes are equal and unique, or else any pair."""
+    """Return all pairs with equal and unique hashes, or else one pair with equal hashes."""
     counts = [Counter(look[key] for key in keys) for keys, look in zip(left, looks, strict=True)]
     alike = [(new, old) for new in left[0] for old in left[1] if looks[0][new] == looks[1][old]]
     sure = [pair for pair in alike if all(count[looks[0][pair[0]]] == 1 for count in counts)]
@@ -160,10 +160,10 @@ def _in_turn(left: Sequence[Sequence[Key]]) -> dict[Key, str]:
 def _looks(
     case: Transmission, parts: Mapping[Key, _JoiningPart], known: Mapping[Key, str], *, exact: bool
 ) -> dict[Key, int]:
-    """Return a hash for the surroundings of each link and part, with known names.
+    """Return a hash for the surroundings of each link and component, with known names.
 
-    The hash of a link depends on its parts, and the hash of a part on its links. So each round
-    extends the surroundings by one connection.
+    The hash of a link depends on its components, and the hash of a component on its links. So each
+    round extends the surroundings by a single connection.
     """
     links = {number: (LINK, name) for number, name in enumerate(_links(case), 1)}
     ports = {case.link_name(case.input): "input", case.link_name(case.output): "output"}

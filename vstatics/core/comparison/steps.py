@@ -58,7 +58,7 @@ def _step(lower: Figure, upper: Figure) -> Figure:
 def step_differences(
     actual: Steps, expected: Steps, ratios: Collection[str], atol: float, rtol: float
 ) -> Iterator[Difference]:
-    """Yield differences of steps between gears whose ratios differ; `row` is the next gear.
+    """Yield differences of steps between gears whose ratios differ. `row` is the next gear.
 
     Other steps are not compared, so that results with equal tables never differ.
 

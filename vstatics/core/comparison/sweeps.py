@@ -22,7 +22,7 @@ def sweep_places(
     rtol: float = RTOL,
     leave_out: Container[str] = (),
 ) -> Iterator[Difference]:
-    """Yield all differences between two sweeps; `table` is the column, `row` the variant.
+    """Yield all differences between two sweeps. `table` is the column, `row` the variant.
 
     If only one sweep has a variant, the table of the difference is `variant`. If only one sweep has
     a column, the row of the difference is empty.

@@ -245,7 +245,6 @@ def _changes(
     expected: WrittenResult,
     unequal: Sequence[Difference],
 ) -> list[CaseChange] | None:
-    """Return the changes of the case, including new and missing gears."""
     gears: list[CaseChange] = []
     for item in unequal:
         if not item.table:

@@ -10,7 +10,7 @@ from vstatics.core.elements.kinds import KINDS, Kind, Planetary
 from vstatics.core.model.parts import HOUSING, NO_DAMPING, Damping, Mechanism, damping
 
 Losses = Literal["meshes", "reduced"]
-"""Losses at each mesh, or in the smallest number of equivalent mechanisms."""
+"""Location of losses: each mesh, or the smallest number of equivalent mechanisms."""
 
 
 class CentralWheel(NamedTuple):

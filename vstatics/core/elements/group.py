@@ -1,8 +1,8 @@
 """Group of planets on one carrier: exact ratios between central gears and planets.
 
 Every kind of planetary gear set is such a group. Relative to the carrier the group is an ordinary
-gear train: the speeds of two gears in mesh are inversely proportional to their teeth, and have
-opposite signs in an external mesh (Willis).
+gear train (Willis). The speeds of two gears in mesh are inversely proportional to their teeth, and
+have opposite signs in an external mesh.
 """
 
 from __future__ import annotations

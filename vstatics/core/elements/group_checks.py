@@ -19,7 +19,7 @@ Ratios of such numbers are still exact.
 """
 
 MOST_PLANET_KINDS = 20
-"""Largest number of different planets on a carrier; real groups have two or three."""
+"""Largest number of different planets on a carrier. Real groups have two or three."""
 
 
 def rims(element: Element, path: Path) -> Iterator[Problem]:
@@ -117,7 +117,7 @@ def whole(element: Element, path: Path) -> Iterator[Problem]:
 
 
 def _group_wheels(element: Element, group: PlanetGroup, path: Path) -> Iterator[Problem]:
-    """Report central gears on the carrier's link, without space, or that block the planets."""
+    """Report gears on the carrier's link, rings too small for their sun, and blocked planets."""
     for wheel in group.wheels:
         place = (*path, *wheel_path(element, wheel))
         if wheel.link == group.carrier != HOUSING:

@@ -152,7 +152,7 @@ def _record(name: str, kind: Kind) -> ByKey:
 
 
 def _planet(names: Sequence[str] = ()) -> KeyShape:
-    """Return the declaration of the key for planet masses, one for each of several planets."""
+    """Return the declaration of the key `planet`, with a mass for each of several planets."""
     shape: Shape = ByName("planet", _PLANET_MASS)
     if len(names) == 1:
         shape = _PLANET_MASS

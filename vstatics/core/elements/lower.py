@@ -3,8 +3,8 @@
 A group of planets has two possible conversions. *Reduced*: each central gear and a reference gear
 form a mechanism. This is the smallest number of mechanisms. *At the meshes*: planets become links,
 and each mesh is a mechanism (central gear, planet, carrier). Without losses both are equivalent.
-With losses, if more than two central gears share planets, only the mechanisms at the meshes are
-right, because reduced mechanisms do not show through which meshes the power flows.
+Reduced mechanisms do not show through which meshes the power flows. If more than two central gears
+share planets, only the mechanisms at the meshes therefore give the right losses.
 """
 
 from __future__ import annotations

@@ -1,13 +1,13 @@
 """Efficiency of single meshes, from the case or calculated from teeth and friction.
 
-Friction losses follow from Ohlendorf's loss factor H (Niemann, Winter, Maschinenelemente II). If
-the pairs of teeth in contact share the load equally, the efficiency of a mesh is ``eta = 1 - pi mu
-(1/z1 +- 1/z2) H`` with ``H = 1 - e1 - e2 + e1^2 + e2^2``. Here mu is the coefficient of friction,
-z1 and z2 are the numbers of teeth, and e1 and e2 the contact ratios at the tips. The minus applies
-to an internal mesh. Standard teeth without profile shift are assumed: a pressure angle of 20
-degrees, an addendum of one module, and a tip diameter of z - 2 modules for a ring of z teeth. The
-formula is exact if e1 and e2 are at most 1. For most rings the contact ratio is a little larger,
-which makes the result conservative.
+Friction losses follow from Ohlendorf's loss factor H (Niemann, Winter, Maschinenelemente II). The
+pairs of teeth in contact are assumed to share the load equally. The efficiency of a mesh is ``eta =
+1 - pi mu (1/z1 +- 1/z2) H`` with ``H = 1 - e1 - e2 + e1^2 + e2^2``. Here mu is the coefficient of
+friction, z1 and z2 are the numbers of teeth, and e1 and e2 the contact ratios at the tips. The
+minus applies to an internal mesh. Standard teeth without profile shift are assumed: a pressure
+angle of 20 degrees, an addendum of one module, and a tip diameter of z - 2 modules for a ring of z
+teeth. The formula is exact if e1 and e2 are at most 1. For most rings the contact ratio is a little
+larger, which makes the result conservative.
 """
 
 from __future__ import annotations
@@ -75,7 +75,7 @@ def mesh_efficiency(
     friction: float,
     is_internal: bool,  # noqa: FBT001
 ) -> float:
-    """Return the efficiency of a mesh of standard teeth [-]; `others` can be the teeth of a ring.
+    """Return the efficiency of a mesh of standard teeth [-]. `others` can be the teeth of a ring.
 
     Examples
     --------

@@ -57,7 +57,7 @@ class PartNumber(NamedTuple):
         return wrong | (values != np.rint(values)) if self.kind == "count" else wrong
 
     def written(self, value: float) -> float:
-        """Convert a value in SI units to the unit in which the part stores the value."""
+        """Convert a value in SI units to the unit in which the component stores the value."""
         if self.kind == _TORQUE:
             return OfLoad(value, 1.0)
         return int(value) if self.kind == "count" else value
@@ -102,7 +102,7 @@ def own_part_number(case: Transmission, number: PartNumber) -> float | None:
 
 
 def _tree(case: Transmission) -> dict[str, Any]:
-    """Return the parts of a case by key in a case file. Gear sets are mappings (records)."""
+    """Return the components of a case, by key in a case file. Gear sets are mappings (records)."""
     drawing = drawing_of(case) or Drawing(case.links, (), case.mechanisms)
     return {
         "shift_elements": {element.name: element for element in case.shift_elements},
@@ -173,7 +173,7 @@ def _element(name: str, record: Mapping[str, Any], link_names: Sequence[str]) ->
 
 
 def _put(part: Any, keys: Keys, number: float) -> Any:
-    """Return a part with a number replaced; several keys lead into nested mappings."""
+    """Return a component with the number at `keys`, which can lead into mappings, replaced."""
     if not keys:
         return number
     key, *others = keys

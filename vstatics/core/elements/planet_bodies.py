@@ -76,7 +76,7 @@ def _shares(case: Transmission, motion: PlanetInertia) -> dict[int, float]:
 
 
 def _by_first(mechanism: Mechanism, speed: Mapping[int, float], carried: float) -> float:
-    """Return ``alpha``: speed of planet divided by first link, both relative to the third [-]."""
+    """Return ``alpha = (w_planet - w_third)/(w_first - w_third)`` [-]."""
     if mechanism.first in speed and mechanism.first != HOUSING:
         return speed[mechanism.first]
     if mechanism.second in speed and mechanism.second != HOUSING:

@@ -46,7 +46,7 @@ class Quotient:
         return f"Quotient({self.value}, {self.formula})"
 
     def __eq__(self, other: object) -> bool:
-        """Return whether the values are equal; the formulas can differ."""
+        """Return whether the values are equal. The formulas can differ."""
         return self.value == (other.value if isinstance(other, Quotient) else other)
 
     def __hash__(self) -> int:

@@ -43,9 +43,9 @@ class OwnLinks(NamedTuple):
     def is_fixed(self, number: int) -> bool:
         """Return whether a mechanism, by index, has a ratio that does not depend on tooth numbers.
 
-        Such mechanisms are shafts, symmetrical differentials of ratio -1 (but not groups of planets
-        with this ratio), mechanisms of ratio 1 (whose third link has no effect), variators and
-        converters. Gear pairs that represent variators are not included.
+        Such mechanisms are shafts, symmetrical differentials of ratio -1, mechanisms of ratio 1
+        (whose third link has no effect), variators and converters. Groups of planets of ratio -1
+        are not. Gear pairs that represent variators are not included.
         """
         mechanism = self.case.mechanisms[number]
         if mechanism.name in self.variators:

@@ -43,7 +43,7 @@ IN_UNITS = {
 MORE = ("power_balance",)
 """Table that also gets blanks if the other tables have fewer than `LEAST` blanks."""
 LEAST = 10
-"""Smallest number of blanks without blanks in the tables `MORE`."""
+"""Number of blanks below which the tables `MORE` get blanks, too."""
 LINE = "____"
 """Text printed for a blank."""
 SheetForm = Literal["text", "markdown", "latex"]

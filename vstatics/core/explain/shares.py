@@ -83,7 +83,7 @@ def _row(
 
 
 def _of_spring(spring: Spring, body: Sequence[Body], fractions: Any) -> Row:
-    """Return the speed equation of a spring with constant twist; coefficients are fractions."""
+    """Return the speed equation of a spring with constant twist. Coefficients are fractions."""
     sums: dict[Body, Fraction] = {}
     for link, part in spring.form.items():
         sums[body[link]] = sums.get(body[link], Fraction(0)) + as_typed(part)

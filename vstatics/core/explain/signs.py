@@ -88,7 +88,7 @@ class TriedSigns(NamedTuple):
     output_torque: Known
     """Torque that the output gives to the load for these signs. [-]"""
     against: str
-    """Mechanism whose power contradicts its sign; empty if power enters at the output."""
+    """Mechanism whose power contradicts its sign; empty if the contradiction is at the output."""
 
 
 def tried_signs(state: GearState) -> list[TriedSigns]:

@@ -101,7 +101,6 @@ def equation(row: Equation, parts: Callable[[Equation], list[str]]) -> str:
 
 
 def _powers(text: str) -> str:
-    """Return a text with powers of ten for numbers such as 1e-05."""
     return re.sub(r"(\d)e([+-]\d+)", lambda e: rf"{e[1]} \cdot 10^{{{int(e[2])}}}", text)
 
 

@@ -65,7 +65,7 @@ class Rules(NamedTuple):
     """Largest number, per process, of items in progress and of results that wait for a slow item.
     """
     tries: int = 3
-    """Number of deaths of processes at an item after which the item is abandoned."""
+    """Number of processes that can die at an item before the item is abandoned."""
     lost: Callable[[Any], Any] | None = None
     """Function that returns a result for an abandoned item; None to raise an error."""
     here: Callable[[Any], bool] = lambda item: False  # noqa: ARG005

@@ -76,7 +76,6 @@ class Cluster(Workers):
         return ReadError([of_file("E028", self.address, message)])
 
     def _check_builds(self) -> None:
-        """Raise an error if a worker lacks the package or has a different build."""
         for worker, version in self._client.run(_version, on_error="return").items():
             if isinstance(version, Exception):
                 message = f"cannot calculate: {version}; install vstatics {__version__} there"
@@ -190,7 +189,6 @@ class _Answer(NamedTuple):
 
 
 def _version() -> str:
-    """Return the version and build of the local package."""
     return f"{__version__} (build {build()})"
 
 

@@ -1,11 +1,11 @@
 """Results in a directory, which a resumed run reuses.
 
 A run into a directory writes a hidden file (the record) for each format. The first line contains
-the options and the build of this package. A line for each finished result follows. It contains the
-hashes of the case and of the files that the case names, a hash of the first line, size and time of
-the result, and whether the case failed (a gear is tied up). A result counts as done if its line
-agrees with the present case and run, and the result has not changed since. Each line begins with
-its own hash, and damaged lines are ignored.
+the options and the build of this package. A line for each finished result follows. It contains
+hashes of the case, of the files that the case names, and of the first line. It also contains size
+and time of the result, and whether the case failed (a gear is tied up). A result counts as done if
+its line agrees with the present case and run, and the result has not changed since. Each line
+begins with its own hash, and damaged lines are ignored.
 """
 
 from __future__ import annotations

@@ -23,7 +23,7 @@ SUFFIX = ".parts"
 PLAN = "plan.json"
 LOCK = "lock"
 CASE = "the case, a file that it names, or an option"
-"""Words in a message for a change of the work whose place is unknown."""
+"""Words in a message for changes of the work that cannot be named."""
 OF_BUILDS = ("build", "fingerprint", "pieces")
 """Keys of a description whose values depend on the build of the package."""
 

@@ -76,7 +76,6 @@ def set_pages_aside(path: str) -> str:
 
 
 def _refuse(path: str, count: int) -> None:
-    """Raise an error if files other than pages of an earlier picture would be replaced."""
     stem, suffix = os.path.splitext(path)  # noqa: PTH122
     named = _FURTHER.fullmatch(stem)
     if named and os.path.exists(named[1] + suffix) and _marked(path) == int(named[2]):  # noqa: PTH110

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 QUEUED = 2
 """Number of items that each process has in its queue, so that it never waits for items."""
 END_SECONDS = 5
-"""Time after closing the pipe of a process at which a running process is killed. [s]"""
+"""Time that a process has to end after its pipe is closed; it is then killed. [s]"""
 TELLING = "telling"
 """Name of the thread that prints progress, which holds locks only while printing."""
 
@@ -135,7 +135,7 @@ class Processes(Workers):
 
 
 class _Coming:
-    """Numbered items without a process. Items to be tried again come first."""
+    """Numbered items that wait for a process. Items of dead processes come first."""
 
     def __init__(self, items: Iterable[Any]) -> None:
         self.items = enumerate(items)
@@ -207,7 +207,7 @@ def _later(*signals: signal.Signals) -> Iterator[None]:
 def _serve(
     state: object, describe: Describe, connection: Connection, inherited: Iterable[Connection]
 ) -> None:
-    """Process items until the pipe is closed or the parent ends, and leave Ctrl-C to the parent."""
+    """Process items until the pipe is closed or the parent ends. Ctrl-C is ignored."""
     for other in inherited:
         other.close()
     signal.signal(signal.SIGINT, signal.SIG_IGN)

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from vstatics.page.serve.states import Calculated
 
 TOKEN_BYTES = 24
-"""Number of random bytes in the secret token of the address; three bytes give four characters."""
+"""Number of random bytes in the secret token of the address. Three bytes give four characters."""
 MOST_PORT = 65535
 GARBAGE = 50_000
 """Number of new objects after which Python collects garbage, about the size of a page state."""
@@ -140,7 +140,7 @@ async def _until_stopped(server: PageServer, port: int, *, opens: bool) -> None:
 
 
 def calculated(file: str, settings: CaseOptions, texts: Texts) -> Calculated:
-    """Calculate a case or scenario; `texts` replace the contents of files."""
+    """Calculate a case or scenario. `texts` replace the contents of files."""
     from vstatics.core.readers.named.csv_files import noted_files
     from vstatics.page.serve.states import Calculated
 

@@ -60,7 +60,7 @@ _BEFORE = re.compile(r"\S.*?\s{2,}|\s*")
 
 
 def _lines(lines: Sequence[str]) -> Markup:
-    """Return equations as HTML; a long line continues below its equation, after the name.
+    """Return equations as HTML. A long line continues below its equation, after the name.
 
     >>> print(_lines(["in  M = 1", "2 M = 2"]))
     <pre style="--before: 4ch"><span>in  M = 1

@@ -47,7 +47,6 @@ def given(
 
 
 def _grids(case: Transmission, mapping: Mapping[str, Any], digits: int | None) -> Iterator[Grid]:
-    """Yield tables of the components of a case, and of data of its gears."""
     drawing = drawing_of(case)
     if drawing is not None and drawing.elements:
         yield _elements(drawing, mapping["elements"])
@@ -139,7 +138,6 @@ def _shift_elements(case: Transmission) -> Grid:
 
 
 def _gears(gears: Mapping[str, Mapping[str, Any]]) -> Grid:
-    """Return the table of gear data, except engaged shift elements."""
     rows = (
         (name, _said({key: value for key, value in gear.items() if key != "engaged"}))
         for name, gear in gears.items()
@@ -169,7 +167,7 @@ def _key(key: str) -> str:
 
 
 KEYED = ("teeth", "load", "mesh_efficiency", "efficiency", "planet", "damping", "suns", "rings")
-"""Keys whose mappings have words of the case format as keys; other mappings have names."""
+"""Keys whose mappings have words of the case format as keys. Other mappings have names."""
 
 
 def _inner(value: Any, *, keyed: bool = False) -> str:

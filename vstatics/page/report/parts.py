@@ -25,7 +25,7 @@ def in_gear(kind: str, gear: str) -> str:
 
 
 def conventions(said: Mapping[str, str]) -> Markup:
-    """Return the conventions of results as a list; JSON `null` is a dash, as in tables.
+    """Return the conventions of results as a list. JSON `null` is a dash, as in tables.
 
     >>> conventions({"null": "does not exist"})
     '<dl><dt>-</dt><dd>does not exist</dd></dl>'

@@ -247,7 +247,6 @@ def _tables(material: Material, summary: Sequence[Grid]) -> Iterator[Markup]:
 
 
 def _has_further_ports(material: Material) -> bool:
-    """Return whether a gear has more ports than an input and an output."""
     return any(len(flow.ports.rows) > INPUT_AND_OUTPUT for flow in material.flows)
 
 
@@ -255,7 +254,7 @@ INPUT_AND_OUTPUT = 2
 
 
 def _well(by_gear: Grid) -> list[str]:
-    """Return the headings of columns in which all gears have good values."""
+    """Return the headings in `WELL` of columns where every gear has the value listed there."""
     columns = zip(by_gear.columns, zip(*by_gear.cells, strict=True), strict=True)
     return [
         column.heading

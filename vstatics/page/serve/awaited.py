@@ -107,7 +107,6 @@ def _awaited_picture(
 
 
 def _picture(name: str, results: Results, run: Callable[[], PicturedRun | None]) -> Markup | None:
-    """Return a picture, or the reason why it cannot be drawn."""
     kind, _, of = name.partition(":")
     drawn = None
     if kind == "run-picture" and of in OF_RUN and (motion := run()):

@@ -1,4 +1,4 @@
-"""Limits on the number and duration of connections; a new connection can end the slowest."""
+"""Limits on the number and duration of connections. A new connection can end the slowest."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Literal
 MOST_CONNECTED = 200
 """Largest number of connections, below the number of files that a process can have open."""
 MOST_LISTENING = 32
-"""Largest number of pages that listen for events; a browser opens at most six."""
+"""Largest number of pages that listen for events. A browser opens at most six."""
 WRITE_SECONDS = 10.0
 """Time in which a browser must receive a response. [s]"""
 LINGERING_SECONDS, LINGERING_BYTES = 2.0, 16_000_000

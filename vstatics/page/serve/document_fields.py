@@ -46,7 +46,7 @@ class DocumentNumber(NamedTuple):
 
 
 class CaseDocuments(NamedTuple):
-    """Documents of a case, or of a scenario and its case; a deck has no numbers to change.
+    """Documents of a case, or of a scenario and its case. A deck has no numbers to change.
 
     Parameters
     ----------
@@ -129,7 +129,7 @@ def _with_same(numbers: Mapping[str, DocumentNumber]) -> dict[str, DocumentNumbe
 
 
 def spots_of(file: str, data: bytes) -> dict[Keys, NumberSpot]:
-    """Return the numbers in the text of a case or scenario; decks and workbooks have none."""
+    """Return the numbers in the text of a case or scenario. Decks and workbooks have none."""
     try:
         document = case_document(data, file, None)
     except ReadError:

@@ -26,13 +26,13 @@ _EFFICIENCY = re.compile(r"efficiency$|(^|\.)mesh_efficiency\.\w+$")
 _BY_LINK = ("speeds", "torques")
 """Keys whose paths end with the name of a link, as in ``gears.1.speeds.2``."""
 _PARTS = ("load", "mesh_efficiency")
-"""Keys of a case with which a path can begin; other paths begin with the name of a component."""
+"""Keys of a case with which a path can begin. Other paths begin with the name of a component."""
 _REACH = 2.0
 """Upper end of a slider, divided by the number. [-]"""
 _UNITS = {"load.speed": "rpm", "load.torque": "N*m"}
 """Units of numbers that a case does not store in SI units, by the end of the path."""
 _UNSAID = {"static": 1.0, "drag": 0.0, "open_drag": 0.0}
-"""Default values by key; a number with its default value has no field."""
+"""Default values by key. A number with its default value has no field."""
 
 
 SCRIPT, STYLE = (
@@ -66,7 +66,7 @@ class PageField(NamedTuple):
 
     @property
     def limits(self) -> tuple[float, float]:
-        """Ends of the slider; tooth numbers remain positive, ratios can change sign.
+        """Ends of the slider. Tooth numbers remain positive, ratios can change sign.
 
         >>> PageField("P1.teeth.sun", 30, whole=True).limits, PageField("D1.ratio", -2.5).limits
         ((1.0, 60.0), (-5.0, 5.0))

@@ -1,4 +1,4 @@
-"""Requests of a browser, read within limits; requests from other pages are refused."""
+"""Requests of a browser, read within limits. Requests from other pages are refused."""
 
 from __future__ import annotations
 

@@ -47,7 +47,7 @@ class PageServer:
     """
 
     def __init__(self, make: Callable[[], ShownStates], studio: StudioProcess, token: str) -> None:
-        """Prepare the server; nothing is calculated yet."""
+        """Prepare the server. Nothing is calculated yet."""
         self._make = make
         self._studio = studio
         self._token = token

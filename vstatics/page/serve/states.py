@@ -209,7 +209,7 @@ class ShownStates:
             raise RefusedChangeError(str(error)) from None
 
     def _shown(self, texts: Texts) -> Shown:
-        """Calculate a state from the files; `texts` replace some of their contents."""
+        """Calculate a state from the files. `texts` replace some of their contents."""
         calculated = self._calculate(texts)
         material = None
         if calculated.results is not None:
@@ -224,7 +224,6 @@ class ShownStates:
         return shown
 
     def _take(self, shown: Shown) -> None:
-        """Make `shown` the present state of the files."""
         self.shown = shown
         calculated = shown.calculated
         self._files = list(dict.fromkeys([self.file, *calculated.texts, *calculated.files]))

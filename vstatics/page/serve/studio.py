@@ -40,7 +40,7 @@ class Studio:
     """
 
     def __init__(self, calculate: Calculate, digits: int | None, language: Language = "en") -> None:
-        """Store the settings; nothing is calculated yet."""
+        """Store the settings. Nothing is calculated yet."""
         self._calculate = calculate
         self._digits = digits
         self._language = language
@@ -75,7 +75,7 @@ class StudioProcess:
     """
 
     def __init__(self, studio: Studio) -> None:
-        """Store the studio; the process is not started yet."""
+        """Store the studio. The process is not started yet."""
         self._processes = Processes(studio, str, 1, Rules(tries=1))
 
     def part(self, texts: Texts, name: str) -> str | None:

@@ -44,7 +44,6 @@ _FLAGS = {
 
 
 def _with_kinds(command: Callable[..., int]) -> Callable[..., int]:
-    """Insert the list of kinds of pictures into the help of a command."""
     lines = (
         f"{kind:13}" + record.help.replace("\n", "\n" + " " * 17)
         for kind, record in picture_kinds().items()

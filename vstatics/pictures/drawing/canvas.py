@@ -51,7 +51,7 @@ class PartMark(NamedTuple):
     data: Mapping[str, str] = {}
     """Attributes ``data-...`` of an SVG path or text with a class, otherwise of the SVG group."""
     groups: tuple[MarkGroup, ...] = ()
-    """Enclosing SVG groups, the outermost first; a group is drawn together with its first member.
+    """Enclosing SVG groups, the outermost first. A group is drawn together with its first member.
     """
 
 
@@ -116,7 +116,7 @@ def _on_curve(ends: Sequence[Point], part: float) -> Point:
 
 
 class CanvasLine(NamedTuple):
-    """Line through points; a point with NaN coordinates is a gap."""
+    """Line through points. A point with NaN coordinates is a gap."""
 
     xs: Sequence[float] | Floats
     ys: Sequence[float] | Floats

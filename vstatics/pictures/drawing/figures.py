@@ -34,7 +34,7 @@ _CODES = {
 
 
 def figure_of(canvas: Canvas) -> Figure:
-    """Return a canvas as a figure; the ``gid`` of an artist is the SVG title and groups as JSON.
+    """Return a canvas as a figure. The ``gid`` of an artist is the SVG title and groups as JSON.
 
     >>> from vstatics.pictures.drawing.pen import blank
     >>> from vstatics.pictures.drawing.style import Style

@@ -46,7 +46,7 @@ def settings_of(style: Style) -> Iterator[None]:
 
 
 def files_of(pages: Sequence[Canvas], form: Format, title: str) -> list[bytes]:
-    """Return a file for each page, or a single PDF; equal pages give equal bytes.
+    """Return a file for each page, or a single PDF. Equal pages give equal bytes.
 
     Parameters
     ----------

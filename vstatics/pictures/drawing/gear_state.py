@@ -26,7 +26,7 @@ class PictureState(NamedTuple):
     """Number of the input link."""
     output: int
     outputs: Sequence[int]
-    """Numbers of the output links; the link to which the ratio refers comes first."""
+    """Numbers of the output links. The link to which the ratio refers comes first."""
     gear: Gear
     """Gear whose engaged shift elements include the holding freewheels."""
     faults: Sequence[Status]
@@ -36,7 +36,7 @@ class PictureState(NamedTuple):
     speeds: Sequence[float]
     """Relative speed of each link, the housing first; NaN if undetermined. [-]"""
     joined: Bodies
-    """Lowest number of the links that rotate with each link in the gear; the housing comes first.
+    """Lowest number of the links that rotate with each link in the gear. The housing comes first.
     """
     is_still: Sequence[bool]
     """True for each mechanism or gear set without relative motion; all False without a solution."""
@@ -119,7 +119,7 @@ def _loaded_links(state: GearState) -> list[frozenset[int]]:
 
 
 def _leaving(state: GearState) -> dict[tuple[int, str], float]:
-    """Return the power that leaves at each port without losses; the first output has the load."""
+    """Return the power that leaves at each port without losses. The first output has the load."""
     entry, outputs = state.case.gear_input(state.gear), _outputs(state)
     powers: dict[tuple[int, str], float] = {}
     *others, load = [power for power in state.powers(lossy=False) if power.kind == "port"]

@@ -91,7 +91,7 @@ class SheetHead(NamedTuple):
 def sheet_head(
     title: str, note: str, meanings: Iterable[Meaning], room: float, style: Style
 ) -> SheetHead:
-    """Return the heading of a picture for a width [pt]; HTML pages show the title separately.
+    """Return the heading of a picture for a width [pt]. HTML pages show the title separately.
 
     >>> look = {"color": "#000000"}
     >>> head = sheet_head("", "", [(1, "gear", look), (0, "", {})], 99.0, Style())

@@ -80,7 +80,6 @@ def joined(parts: Sequence[LetteredPicture], style: Style, *, side_by_side: bool
 
 
 def _move(canvas: Canvas, pen: Pen, corner: Point) -> None:
-    """Add the lines, areas and texts of a canvas to the canvas of a pen, moved by an offset."""
     offset = CanvasPlace(1.0, *corner)
     for shape, place, mark in canvas.parts:
         groups = (*pen.groups, *mark.groups)

@@ -10,13 +10,13 @@ from vstatics.pictures.drawing.style import Style
 STRIPE = 5.0
 """Length of each colour of a striped line, relative to the width of the line. [-]"""
 TINTS = (0.5, 0.16, 0.34)
-"""Shares of the colour of losses in areas, mixed with paper to keep letters readable."""
+"""Fractions of the loss colour in areas. The rest is paper, to keep letters readable. [-]"""
 PARTS = ("", "////", "....", "\\\\\\\\", "xx")
-"""Hatches of the areas of losses; five hatches and three tints distinguish fifteen areas."""
+"""Hatches of the areas of losses. Five hatches and three tints distinguish fifteen areas."""
 
 
 def link_looks(links: Sequence[int], style: Style) -> list[Look]:
-    """Return a line style for each link number, from 1; a curve common to several links is striped.
+    """Return a line style for each link number, from 1. A curve common to several links is striped.
 
     >>> [look["color"] for look in link_looks([1], Style())]
     ['#0c4cff']

@@ -43,7 +43,6 @@ def _measured(line: str, size: float, *, bold: bool) -> TextExtent:
 
 
 def _measured_with(font: FT2Font, line: str, size: float) -> TextExtent:
-    """Return the size of a line of text, without rounding to pixels (hinting)."""
     font.set_size(size, POINTS_PER_INCH)
     font.set_text(line, 0.0, flags=LoadFlags.NO_HINTING)
     wide, high = font.get_width_height()

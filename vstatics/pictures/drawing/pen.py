@@ -129,7 +129,7 @@ class Pen(NamedTuple):
         kind: str = "",
         data: Mapping[str, str] = NO_DATA,
     ) -> None:
-        """Add a shape in coordinates of the canvas; title, class and data are for SVG."""
+        """Add a shape in coordinates of the canvas. Title, class and data are for SVG."""
         self.canvas.parts.append(
             CanvasPart(shape, self.place, PartMark(title, kind, data, self.groups))
         )
@@ -164,7 +164,7 @@ class Pen(NamedTuple):
         zorder: float = 2.0,
         **look: Any,
     ) -> None:
-        """Draw a line through points; a point with NaN coordinates is a gap.
+        """Draw a line through points. A point with NaN coordinates is a gap.
 
         `kind` is the SVG class of the line, and `data` its attributes ``data-...``.
         """
@@ -182,7 +182,7 @@ class Pen(NamedTuple):
     def area(
         self, *corners: Point, width: float = 0.0, title: str = "", kind: str = "", **look: Any
     ) -> None:
-        """Draw a polygon with an outline of a given width; `kind` is the SVG class."""
+        """Draw a polygon with an outline of a given width. `kind` is the SVG class."""
         left, low = self.corner
         outline = Outline.polygon([(left + x, low + y) for x, y in corners])
         self.fill(outline, width=width, title=title, kind=kind, **look)

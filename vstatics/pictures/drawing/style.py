@@ -12,7 +12,7 @@ from vstatics.core.texts import Language, translated
 FONT = "DejaVu Sans"
 """Font that comes with matplotlib and has Cyrillic letters."""
 FAMILIES = "DejaVu Sans, Verdana, Bitstream Vera Sans, sans-serif"
-"""Font families of SVG texts; the first three have letters of equal width."""
+"""Font families of SVG texts. The first three have letters of equal width."""
 HINTING: dict[Any, Any] = {"text.hinting": "none"}
 """Setting of matplotlib that switches off hinting, which would change the stems of capitals."""
 SIZE = 8.0
@@ -85,7 +85,7 @@ class PictureFiles(NamedTuple):
     duty: str = ""
     """CSV file of a duty cycle."""
     classes: str | int | Sequence[float] = 10
-    """Number of torque classes, or upper bounds of the classes [N*m]; a text can contain a unit."""
+    """Number of torque classes, or upper bounds of the classes [N*m]. A text can contain a unit."""
     torque: str = ""
     """CSV file with the orders of an exciting torque."""
 
@@ -217,7 +217,7 @@ class Style(NamedTuple):
 
 
 def number(value: float) -> str:
-    """Format a number for a picture with few digits; an undefined value gives a dash.
+    """Format a number for a picture with few digits. An undefined value gives a dash.
 
     >>> [number(value) for value in (2.6428571, -251.0, 1e7, -0.00001, float("nan"))]
     ['2.643', '−251.0', '1e+07', '0.000', '–']

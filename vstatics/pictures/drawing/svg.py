@@ -66,7 +66,7 @@ def _number(value: float) -> str:
 
 
 def written_as_svg(canvas: Canvas, title: str, number: int = 1) -> bytes:
-    """Return a canvas as SVG; equal canvases give equal bytes.
+    """Return a canvas as SVG. Equal canvases give equal bytes.
 
     Parameters
     ----------
@@ -268,7 +268,7 @@ def _outline_data(outline: Outline, place: CanvasPlace, high: float) -> str:
 
 
 def _stroke_look(colour: str, width: float, dashes: Any, cap: str) -> dict[str, str]:
-    """Return the SVG attributes of a line; the lengths of dashes are relative to the width."""
+    """Return the SVG attributes of a line. The lengths of dashes are relative to the width."""
     attributes = {}
     if dashes != "solid":
         offset, lengths = dashes

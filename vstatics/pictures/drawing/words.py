@@ -36,7 +36,7 @@ SUNS = {
     "small_sun": "small sun: {teeth}",
     "large_sun": "large sun: {teeth}",
 }
-"""Texts with the name and tooth number of a sun gear; translations can abbreviate the name."""
+"""Texts with the name and tooth number of a sun gear. Translations can abbreviate the name."""
 
 
 def wheel(name: str, teeth: float, style: Style) -> str:

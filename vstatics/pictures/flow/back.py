@@ -38,7 +38,7 @@ class BackRow(NamedTuple):
 
 
 def back_rows(graph: Graph, scale: float, texts: FlowTexts) -> list[BackRow]:
-    """Return the rows of returning bands from top to bottom; the shortest band is at the top."""
+    """Return the rows of returning bands from top to bottom. The shortest band is at the top."""
 
     def reach(number: int) -> int:
         source, target = graph.ends(graph.bands[number])

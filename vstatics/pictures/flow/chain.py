@@ -111,7 +111,6 @@ def _words(drawn: Graph, said: FlowTitles) -> list[list[ChainWord]]:
 
 
 def _name(node: Node, drawn: Graph) -> str:
-    """Return the name of a node, followed by the name of the port if the names differ."""
     names = [port.node.name for port in drawn.ports.get(node, ())]
     more = [name for name in names if name not in (node.name, "input", "output")]
     return ": ".join([*more, node.name])

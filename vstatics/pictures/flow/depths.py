@@ -24,7 +24,7 @@ class Depths(NamedTuple):
     middles: Mapping[Key, float]
     """Depth of the middle of each cell, by layer and number."""
     starts: Mapping[int, float]
-    """Depth where each band leaves its source, by index of the band; bands within a run are absent.
+    """Depth where each band leaves its source, by index of the band. Bands within a run are absent.
     """
     ends: Mapping[int, float]
     """Depth where each band reaches its target, by index of the band."""
@@ -141,7 +141,7 @@ def _set_level(
 
 
 def _series(columns: _Columns, shifts: tuple[Near, Near]) -> Iterator[list[Key]]:
-    """Yield chains of cells, from the left, each the only neighbour of the next cell."""
+    """Yield chains of cells joined by single bands, from left to right."""
     before, after = (
         {key: {other_key for other_key, *_ in ends} for key, ends in side.items()}
         for side in shifts

@@ -163,7 +163,6 @@ def _reachable(start: Node, pairs: Sequence[tuple[Node, Node]]) -> set[Node]:
 
 
 def _runs(nodes: Iterable[Node], drawn: Graph) -> Iterator[Run]:
-    """Yield the runs of nodes in series, in the order of their first nodes."""
     pairs = {(band.source, band.target) for band in drawn.bands}
     leaving, arriving = (Counter(pair[end] for pair in pairs) for end in (0, 1))
     least = NO_POWER * max((band.power for band in drawn.bands), default=0.0)
@@ -204,7 +203,7 @@ def _numbered(drawn: Graph) -> Iterator[int]:
 
 
 def _layers(drawn: Graph) -> tuple[int, ...]:
-    """Return the layer of each run: the longest path from the left; bands with numbers count 2."""
+    """Return the layer of each run, to the right of its sources. Outputs are in the last layer."""
     layers = [0] * len(drawn.runs)
     ways = [
         (*drawn.ends(band), 2 if number in drawn.numbered else 1)
@@ -227,7 +226,7 @@ def _layers(drawn: Graph) -> tuple[int, ...]:
 
 
 def _losses(side: PowerFlow) -> dict[Node, float]:
-    """Return the losses above rounding noise, by node; losses of `AT_LINKS` belong to the link."""
+    """Return the losses above rounding noise, by node. Losses of `AT_LINKS` belong to the link."""
     least = NO_POWER * max((edge.power for edge in side.edges), default=0.0)
     by_node = side.losses.items()
     losses = {n: loss for n, loss in by_node if loss > least and n.kind not in AT_LINKS}

@@ -42,7 +42,7 @@ class _Placed(NamedTuple):
 
 
 def layout(graph: Graph, scale: float, texts: FlowTexts) -> FlowLayout:
-    """Return the layout of a gear; a band that transmits the input power is `scale` [pt] wide.
+    """Return the layout of a gear. A band that transmits the input power is `scale` [pt] wide.
 
     Examples
     --------

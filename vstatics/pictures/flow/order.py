@@ -76,7 +76,7 @@ def mean(near: Sequence[tuple[Key, float, float]], places: Mapping[Key, float], 
 
 
 def _settle(columns: list[list[Key]], near: tuple[Near, Near], turn: int) -> None:
-    """Sort the cells of every column by the mean position of neighbours on one side."""
+    """Sort each column by the mean position of the neighbours on the left, or on the right."""
     side = near[turn % 2]
     for place in range(len(columns)) if turn % 2 == 0 else reversed(range(len(columns))):
         ranks = {key: float(rank) for column in columns for rank, key in enumerate(column)}

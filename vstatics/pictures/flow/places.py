@@ -13,7 +13,7 @@ from vstatics.pictures.flow.graph import Band, EndPort, Graph
 
 
 class Box(NamedTuple):
-    """Rectangle of a run of nodes; the text is centred above it, and the loss is below it."""
+    """Rectangle of a run of nodes. The text is centred above it, and the loss is below it."""
 
     cell: FlowCell
     middle: float

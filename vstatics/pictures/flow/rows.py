@@ -49,7 +49,7 @@ def rows(drawn: Graph, room: float, lay_out: Callable[[Graph], FlowLayout]) -> l
 
 
 def parts(drawn: Graph, ends: Sequence[int]) -> list[Graph]:
-    """Return the parts of a graph cut after given layers; the last part ends with the last layer.
+    """Return the parts of a graph cut after given layers. The last part ends with the last layer.
 
     >>> from vstatics import Gear, Mechanism, Transmission, solve
     >>> from vstatics.core.flow.power import flows
@@ -75,7 +75,7 @@ def parts(drawn: Graph, ends: Sequence[int]) -> list[Graph]:
 
 
 def _cuts(drawn: Graph) -> dict[int, int]:
-    """Return, by layer, the number of bands cut after it; layers within loops are missing."""
+    """Return the number of bands to cut after each layer that is not within a loop."""
     by_layer = {}
     for layer in range(max(drawn.layers)):
         behind = [place > layer for place in drawn.layers]
@@ -90,7 +90,6 @@ def _cuts(drawn: Graph) -> dict[int, int]:
 
 
 def _columns(whole: FlowLayout) -> list[Span]:
-    """Return the horizontal range of each layer [pt]."""
     run_boxes = [box for box in whole.boxes if box.cell.number >= 0]
     sides: list[Span] = []
     for layer in range(1 + max(whole.graph.layers)):

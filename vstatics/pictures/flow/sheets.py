@@ -133,7 +133,7 @@ def _shelves(blocks: Iterable[FlowBlock], room: float) -> list[list[FlowBlock]]:
 
 
 def _pages(shelves: Iterable[list[FlowBlock]], room: float) -> Iterator[list[list[FlowBlock]]]:
-    """Yield the shelves of each page; rows of a gear are on the same page if possible."""
+    """Yield the shelves of each page. Rows of a gear are on the same page if possible."""
     page: list[list[FlowBlock]] = []
     for shelf_group in _together(shelves):
         if page and _all_high([*page, *shelf_group]) > room:

@@ -94,7 +94,7 @@ class FlowTexts(NamedTuple):
 
 
 def port_name(node: Node, style: Style) -> str:
-    """Return the name of the input or output; other ports have the names of their links."""
+    """Return the name of the input or output. Other ports have the names of their links."""
     ports = {"input": style.text("input"), "output": style.text("output")}
     return ports.get(node.name, node.name)
 

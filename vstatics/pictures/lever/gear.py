@@ -39,7 +39,7 @@ class LeverGear(NamedTuple):
     torques: Sequence[Sequence[float]]
     """Torques on the points of each lever, without losses, relative to the input torque. [-]"""
     roles: Sequence[set[Role]]
-    """Roles of components of each lever, such as `locked up`; a shaft can only be `unloaded`."""
+    """Roles of components of each lever, such as `locked up`. A shaft can only be `unloaded`."""
     grounds: dict[Spot, str]
     """Names of the brakes that hold a point; empty for a point on a link that is the housing."""
     ties: Sequence[LeverTie]
@@ -50,7 +50,7 @@ class LeverGear(NamedTuple):
     """
 
     def is_way(self, link: int, first: int, last: int) -> bool:
-        """Return whether a link transmits torque between two levers, or at a single lever."""
+        """Return whether the line of a link transmits torque between levers `first` and `last`."""
         places = self.loads.get(link, set())
         return any(place <= first for place in places) and any(place >= last for place in places)
 

@@ -48,7 +48,7 @@ class GearHead(NamedTuple):
 def gear_head(
     case: Transmission, gear: LeverGear, room: float, style: Style, *, is_alone: bool
 ) -> GearHead:
-    """Return the heading of a gear in a width [pt]; a gear that is alone is named in the title."""
+    """Return the heading of a gear in a width [pt]. A gear that is alone is named in the title."""
     state = gear.state
     ratios = [f"i = {number(state.ratio)}"] if math.isfinite(state.ratio) else []
     ratio = "; ".join(ratios + [fault(message, style) for message in state.faults[:1]])

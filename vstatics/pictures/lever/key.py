@@ -42,7 +42,6 @@ class LeverKey(NamedTuple):
     """Length of the arrow that shows the scale of torques. [pt]"""
 
     def _places(self) -> Iterator[Point]:
-        """Yield the position of each entry, in rows from the upper left."""
         x, row = WIDE_MARGIN, 0
         for kind, text in self.entries:
             size = self._room(kind) + width(text) + WIDE_MARGIN
@@ -92,7 +91,7 @@ class LeverKey(NamedTuple):
 def key_of(
     page: LeverPage, gears: Sequence[LeverGear], style: Style, wide: float, per_torque: float
 ) -> LeverKey:
-    """Return the key of a page; an arrow for a round torque shows the scale of torques."""
+    """Return the key of a page. An arrow for a round torque shows the scale of torques."""
     length, unit = _unit(certain(per_torque))
     text = style.text
     meanings = {

@@ -44,7 +44,7 @@ class LeverSheet(NamedTuple):
     """Collected areas, by colour."""
 
     def line(self, *places: Point, colour: str, width: float = 1.0, dash: Any = "solid") -> None:
-        """Add a line through points; needless points on horizontal parts are left out."""
+        """Add a line through points. Needless points on horizontal parts are left out."""
         corners_ = list(places[:1])
         for (x, y), (_, after) in pairwise(places[1:]):
             if not corners_[-1][1] == y == after:

@@ -11,7 +11,7 @@ from vstatics.pictures.lever.gear import LeverTie, joins, spots_of, ties_of
 from vstatics.pictures.lever.points import Lever
 
 LEVER_SEARCH_ROUNDS = 20
-"""Largest number of moves in a search; further moves improve little."""
+"""Largest number of moves in a search. Further moves improve little."""
 MOVES = 60
 """A lever moves by at most this number divided by the number of levers, plus 2 places."""
 CROSSING_COST = 2.0
@@ -65,7 +65,6 @@ def _moves(low: int, high: int) -> list[Move]:
 
 
 def _best(start: Order, moves: Sequence[Move], cost: Callable[[Order], float]) -> Order:
-    """Return the order after repeatedly applying the change that reduces the cost most."""
     reached, least = start, cost(start)
     for _ in range(LEVER_SEARCH_ROUNDS):
         costs = {tried: cost(tried) for tried in {move(reached): None for move in moves}}
@@ -82,7 +81,7 @@ def every(case: Transmission, drawn: Sequence[Lever]) -> list[LeverTie]:
 
 
 def heights(case: Transmission, drawn: Sequence[Lever]) -> list[list[float]]:
-    """Return the height of each point of each lever, from 0 to 1; some levers are turned over.
+    """Return the height of each point of each lever, from 0 to 1. Some levers are turned over.
 
     A lever is turned over to remove crossings or, with equal crossings, to shorten lines. Shafts
     are at the mean height of their connections.

@@ -68,7 +68,7 @@ class LeverBlock(NamedTuple):
 
 
 def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iterator[list[Canvas]]:
-    """Yield the pages of levers for each list of gears; levers have fixed positions.
+    """Yield the pages of levers for each list of gears. Levers have fixed positions.
 
     Raises
     ------
@@ -121,7 +121,7 @@ class LeverPaper(NamedTuple):
 
 
 def _pages(page: LeverPage, gears: Sequence[LeverGear], style: Style) -> list[Canvas]:
-    """Return the pages of all gears; the rows of a gear are on the same page if possible."""
+    """Return the pages of all gears. The rows of a gear are on the same page if possible."""
     wide = style.width if len(gears) > 1 else page.width + WIDE_MARGIN
     wide = min(max(wide, NARROWEST_FIGURE), style.width)
     wide = max(wide, page.width + WIDE_MARGIN)  # a single lever can be wider than the page
@@ -148,7 +148,6 @@ def _pages(page: LeverPage, gears: Sequence[LeverGear], style: Style) -> list[Ca
 
 
 def _scales(page: LeverPage, gears: Sequence[LeverGear]) -> tuple[Span, float]:
-    """Return the range of speeds and the arrow length of the input torque for all levers."""
     links = {node.link for lever in page.levers for node in lever.nodes}
     speeds = [gear.state.speeds[link] for gear in gears for link in links]
     reached = [speed for speed in speeds if math.isfinite(speed)] + [0.0, 1.0]

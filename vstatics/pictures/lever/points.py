@@ -1,9 +1,8 @@
 """Levers of a case: each link of a gear set is a point at a true distance (lever analogy).
 
 In a planetary gear set, the speeds of all gears relative to the carrier are proportional to each
-other. If the carrier is placed at 0, and each gear at a distance proportional to its relative
-speed, the speeds are on a straight line, and torques balance like forces (Benford and Leising
-1981).
+other. The carrier is placed at 0, and each gear at a distance proportional to its relative speed.
+The speeds are then on a straight line, and torques balance like forces (Benford and Leising 1981).
 """
 
 from __future__ import annotations
@@ -61,7 +60,7 @@ class Lever(NamedTuple):
         return self.nodes[0].position, self.nodes[-1].position
 
     def is_shown(self, node: int) -> bool:
-        """Return whether a point is drawn; the housing of a gear pair is not."""
+        """Return whether a point is drawn. The housing of a gear pair is not."""
         return self.ratio is None or self.nodes[node].link != HOUSING
 
 
@@ -130,7 +129,7 @@ def _of_part(device: int, part: DrawnPart) -> Iterator[Lever]:
 
 
 def _sorted(name: str, nodes: list[LeverNode], device: int, members: Sequence[str]) -> Lever:
-    """Return a lever with sorted points; a point without member balances the torques."""
+    """Return a lever with sorted points. A point without a member has the opposite total torque."""
     others = tuple((device, member, -1.0) for member in members if member)
     with_sources = [
         node._replace(sources=((device, member, 1.0),) if member else others)

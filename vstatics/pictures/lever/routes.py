@@ -116,7 +116,7 @@ class LeverStep(NamedTuple):
 def steps(
     rows: Sequence[PointRows], boxes: Sequence[bool], ties: Iterable[LeverTie]
 ) -> list[LeverStep]:
-    """Return the pieces of connecting lines in all gaps; their vertical parts do not overlap.
+    """Return the pieces of connecting lines in all gaps. Their vertical parts do not overlap.
 
     Parameters
     ----------

@@ -109,5 +109,5 @@ def picture_of(
 
 
 def _inlined(svgs: Sequence[bytes], prefix: str, label: str) -> list[Markup]:
-    """Embed the sheets of a picture; further sheets have a number in the prefix."""
+    """Embed the sheets of a picture. Further sheets have a number in the prefix."""
     return [inline(svg, f"{prefix}-{n}" if n else prefix, label) for n, svg in enumerate(svgs)]

@@ -32,7 +32,7 @@ _DECIMAL = re.compile(r"-?\d+(?:\.\d+)?")
 _MOVED = re.compile(r"translate\((\S+) (\S+)\)")
 _INK = "var(--ink)"
 _MOST_PATHS = 4096
-"""Largest number of remembered paths; pictures of gears have many paths in common."""
+"""Largest number of remembered paths. Pictures of gears have many paths in common."""
 
 
 def palette(*, dark: bool) -> str:

@@ -1,8 +1,8 @@
 """Marks on the numbers of a page, by which a script finds them to update them.
 
-``data-result`` is the key of the quantity in JSON, ``data-row`` the name of the row of a table,
-``data-gear`` the gear, and ``data-number`` the number with all digits, empty for a missing number.
-A page without scripts has no marks.
+``data-result`` is the key of the quantity in JSON, ``data-row`` the name of the row of a table, and
+``data-gear`` the gear. ``data-number`` is the number with all digits, empty if missing. A page
+without scripts has no marks.
 """
 
 from __future__ import annotations

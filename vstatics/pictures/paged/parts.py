@@ -57,7 +57,7 @@ class PagePart(Protocol):
         """Kinds of pictures in the section, which other sections omit."""
 
     def shown(self, digits: int | None) -> Iterator[Markup]:
-        """Yield the contents; numbers have `digits` decimals, or by default the usual number."""
+        """Yield the contents. Numbers have `digits` decimals, or by default the usual number."""
 
 
 def figure(name: str, picture: Markup, *, captioned: bool = True, scrolls: bool = True) -> Markup:

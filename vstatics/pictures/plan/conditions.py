@@ -86,7 +86,7 @@ class FreeOutputs:
         """Yield the largest subsets of a gear's constraints that leave the output undetermined.
 
         Every such subset lacks at least one constraint of each minimal set that determines the
-        output, so the search removes only constraints of such a minimal set.
+        output. The search therefore removes only constraints of such a minimal set.
 
         Raises
         ------

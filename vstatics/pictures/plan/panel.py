@@ -197,7 +197,6 @@ def draw_plan(pen: Pen, case: Transmission, drawn: DrawnPlan, above: float, left
 
 
 def _draw_rays(pen: Pen, case: Transmission, plan: KinematicPlan) -> None:
-    """Draw the ray of each link, and the lines of zero speed."""
     (wide, high), ends = pen.size, (pen.x.low, pen.x.high)
     axes = [((0.0, pen.up(0.0)), (wide, pen.up(0.0)))]
     if ends[0] < 0 < ends[1]:

@@ -122,7 +122,6 @@ def draw(
 def _chosen(
     case: Transmission, every: Sequence[KinematicPlan], gears: Sequence[int]
 ) -> list[KinematicPlan]:
-    """Return the plans that contain chosen gears, or all plans if no gear is chosen."""
     chosen = [plan for plan in every if not gears or {*gears} & {*plan.gears}]
     if gears and every and not chosen:
         names = ", ".join(case.gears[gear - 1].name for gear in gears)

@@ -88,9 +88,9 @@ class KinematicPlan(NamedTuple):
 def plans(results: Results) -> list[KinematicPlan]:
     """Calculate the generalised kinematic plans of a case.
 
-    A train of two degrees of freedom has a single plan. A train with more degrees of freedom has a
-    plan for each set of constraints that gears of different ratios share, if each gear needs just
-    one more shift element. Shift elements without torque, such as the preselected dog clutch of a
+    A train of two degrees of freedom has a single plan. With more degrees of freedom, gears of
+    different ratios form a plan if they share constraints, and each of them needs just one more
+    shift element. Shift elements without torque, such as the preselected dog clutch of a
     dual-clutch transmission, are ignored. A case without two such gears has no plan.
 
     Raises

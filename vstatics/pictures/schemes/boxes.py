@@ -82,8 +82,8 @@ class BoxText(NamedTuple):
 class BoxSection(HalfSection):
     """Box drawn like a gear set, in the row of the planets of gear sets.
 
-    The link of one member leaves at the sides, like a carrier; the first half of the others leave
-    below, the rest above.
+    The link of one member leaves at the sides, like a carrier. The first half of the others leave
+    below, the second half above.
     """
 
     text: BoxText = field(kw_only=True)

@@ -19,7 +19,7 @@ from vstatics.core.tables.numbers import typeset
 from vstatics.pictures.drawing.gear_state import PictureState
 
 MOST_DEVICES = 200
-"""Largest number of components in a diagram; the largest diagram takes about ten seconds."""
+"""Largest number of components in a diagram. The largest diagram takes about ten seconds."""
 
 
 class Device(NamedTuple):
@@ -75,8 +75,8 @@ class SchemePort(NamedTuple):
     role: str
     """Role of the port in a gear or in the picture.
 
-    The role is ``input``, ``output``, or ``given`` (link with given speed or torque), or else
-    ``before`` or ``behind`` (link that continues in an earlier or later row of the picture).
+    Roles in a gear are ``input``, ``output``, and ``given`` (link with given speed or torque). The
+    roles ``before`` and ``behind`` mean that the link continues in an earlier or later row.
     """
 
     @property
@@ -116,7 +116,7 @@ class SchemeState:
 
 @dataclass(frozen=True)
 class Scheme:
-    """Scheme: links, components and ports of a case for a diagram; planets are not links."""
+    """Scheme: links, components and ports of a case for a diagram. Planets are not links."""
 
     links: Sequence[str]
     devices: Sequence[Device]

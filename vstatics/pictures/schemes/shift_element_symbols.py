@@ -54,7 +54,7 @@ def half_of(kind: str) -> float:
 
 
 def draw_coupled(pen: Pen, coupled: Coupled) -> None:
-    """Draw a symbol on a line; the plates of a brake are drawn at the housing.
+    """Draw a symbol on a line. The plates of a brake are drawn at the housing.
 
     >>> from vstatics.pictures.drawing.pen import blank
     >>> from vstatics.pictures.drawing.style import Style
@@ -104,7 +104,7 @@ def _closed(pen: Pen, at: Place, half: float, edge: float, coupled: Coupled) -> 
 
 
 def _plates(pen: Pen, at: Place, half: float, coupled: Coupled) -> list[Sequence[Point]]:
-    """Return the lines of interleaved plates; engaged plates are drawn as a block instead."""
+    """Return the lines of interleaved plates. Engaged plates are drawn as a block instead."""
     edge = PLATES[-1] + 1.5
     if coupled.is_closed:
         _closed(pen, at, half, edge, coupled)

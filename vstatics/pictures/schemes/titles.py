@@ -77,7 +77,6 @@ def teeth_of(element: Element) -> dict[str, float]:
 
 
 def _torques(results: Results, gear: int) -> Iterator[dict[str, float]]:
-    """Yield the torques of each component by member, in the order of the scheme [-]."""
     state = results.gear_at(gear - 1)
     for members in state.member_torques(lossy=False):
         yield {name: plain(torque) for name, torque in members.items()}

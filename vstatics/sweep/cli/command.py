@@ -63,7 +63,6 @@ def _click_option(name: str, option: Option) -> Callable[[Command], Command]:
 
 
 def _once(_context: click.Context, option: click.Parameter, given: tuple[str, ...]) -> str | None:
-    """Return the text of an option, and refuse an option given twice."""
     if len(given) > 1:
         join = "with `and`" if option.name == "where" else "with commas"
         raise click.BadParameter(f"it is given {len(given)} times; expected one, {join}")

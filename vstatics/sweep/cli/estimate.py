@@ -21,7 +21,7 @@ from vstatics.sweep.tasks import data_of
 TRIED = 1.0
 """Time limit of a trial run, by which the time of all runs is estimated. [s]"""
 SPOTS, ROWS = 16, 16
-"""Number of places in a sweep, and of rows at each place, for the mean size of a row."""
+"""Number of samples from a sweep, and of rows in each, for the mean size of a row."""
 LONGEST_NUMBER = 32
 """Largest size of a number in the output, with separators [bytes]."""
 

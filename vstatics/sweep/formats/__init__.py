@@ -12,6 +12,6 @@ Format = Literal["csv", "jsonl", "npz", "parquet", "markdown", "latex", "xlsx"]
 
 FORMATS: tuple[Format, ...] = get_args(Format)
 TEXTS: tuple[Format, ...] = ("csv", "jsonl")
-"""Formats whose pieces are stored as text; the pieces of other formats are stored as columns."""
+"""Formats whose pieces are stored as text. The pieces of other formats are stored as columns."""
 MOST_ROWS: dict[Format, int] = {"markdown": 10_000, "latex": 10_000, "xlsx": 100_000}
 """Largest number of rows in formats that are composed in memory."""

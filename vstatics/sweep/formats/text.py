@@ -18,7 +18,7 @@ from vstatics.sweep.formats import Format
 from vstatics.sweep.results.columns import output_headings
 
 ROWS_AT_ONCE = 512
-"""Number of rows that are formatted together; the fewer rows, the more columns are constant."""
+"""Number of rows that are formatted together. The fewer rows, the more columns are constant."""
 NUMBER = "%.12g"
 
 
@@ -74,7 +74,7 @@ WordCodes = tuple[int, int]
 
 
 def _formatted(row: _Row, numbers: Floats, words: list[WordCodes]) -> str:
-    """Return rows as text; the number in a constant column is formatted only once."""
+    """Return rows as text. The number in a constant column is formatted only once."""
     alike = (numbers == numbers[0]).all(axis=0)
     row.begin(numbers[0], alike.tolist())
     varied = numbers[:, ~alike]
@@ -116,7 +116,7 @@ class _Row:
         self.patterns: dict[tuple[WordCodes, bytes], str] = {}
 
     def begin(self, first: Floats, alike: Sequence[bool]) -> None:
-        """Begin a block of rows; columns marked in `alike` have the values of the first row."""
+        """Begin a block of rows. Columns marked in `alike` have the values of the first row."""
         self.cells = ["%d", *[NUMBER] * (len(first) - 1)]
         self.varied = [column for column, same in enumerate(alike) if not same]
         for column, same in enumerate(alike):
@@ -126,7 +126,7 @@ class _Row:
         self.patterns.clear()
 
     def pattern(self, words: WordCodes, exists: bytes = b"") -> str:
-        """Return the %-format of a row; `exists` marks the numbers that are not missing."""
+        """Return the %-format of a row. `exists` marks the numbers that are not missing."""
         status, gear = words
         pattern = self.patterns.get((words, exists))
         if pattern is None:

@@ -26,7 +26,7 @@ class DrawnColumns(NamedTuple):
 
 
 def drawn_columns(x: str, y: Sequence[str], z: str, by: str) -> DrawnColumns:
-    """Return the columns that a user names; deck names of tables are replaced.
+    """Return the columns that a user names. Deck names of tables are replaced.
 
     >>> drawn_columns("load.torque", ["ETA[low]"], "", "").y
     ('efficiency[low]',)
@@ -83,8 +83,8 @@ def numbers(sweep: WrittenSweep, name: str) -> Floats:
 def running(sweep: WrittenSweep, excluded: Sequence[str] = (), axes: int = 1) -> list[str]:
     """List the varied columns with several values, except the excluded columns.
 
-    If the excluded and the listed columns already fill the axes of the picture, a further column is
-    left out if it is a function of these columns, such as a linked number.
+    The excluded and the listed columns can already fill the axes of the picture. A further column
+    that is a function of these columns, such as a linked number, is then left out.
 
     >>> columns = {"a": [1.0, 2.0], "b": [3.0, 3.0], "c": [1.0, 4.0], "ratio[1]": [2.0, 3.0]}
     >>> sweep = WrittenSweep([0, 1], ["ok", "ok"], columns, ("a", "b", "c"))
@@ -103,7 +103,7 @@ def running(sweep: WrittenSweep, excluded: Sequence[str] = (), axes: int = 1) ->
 def _follows(sweep: WrittenSweep, name: str, before: Sequence[str]) -> bool:
     """Return whether a column is a function of a grid of columns, or of a monotonic column.
 
-    A column of random variants also has a value for each of the other numbers, but in no order.
+    Columns of a random sample do not count: they are not monotonic, and do not form a grid.
     """
     columns = [sweep.columns[other] for other in before]
     places = list(zip(*columns, strict=True))
@@ -143,7 +143,7 @@ def results_of(sweep: WrittenSweep, excluded: Sequence[str]) -> list[str]:
 
 
 def parts(sweep: WrittenSweep, selected: DrawnColumns, axes: Sequence[str]) -> list[DrawnRows]:
-    """Return the rows of each panel or curve; each must have unique coordinates.
+    """Return the rows of each panel or curve. Rows of a panel must have unique coordinates.
 
     Raises
     ------

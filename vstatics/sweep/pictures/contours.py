@@ -14,14 +14,14 @@ from vstatics.pictures.drawing.labels import ticks
 MAP_LEVELS = 9
 """Approximate number of contours."""
 MOST_LEVELS = 16
-"""Number of levels at equal steps, used if `MAP_LEVELS` levels leave a band with too many values.
+"""Number of levels at equal steps that is tried if `MAP_LEVELS` levels leave a crowded band.
 """
 CROWDED_BAND = 0.35
 """Fraction of all values in a band above which levels follow quantiles, not equal steps. [-]"""
 LEAST_BAND = 0.02
 """Smallest width of a band, relative to the range of values. [-]"""
 FEW_LEVELS = 5
-"""Number of levels near quantiles below which levels have equal steps without the longer tail."""
+"""Smallest number of levels near quantiles; if there are fewer, levels have equal steps."""
 LEAST_FILLED = 0.5
 """Smallest fraction of filled grid points at which points count as a rectangular grid. [-]"""
 GRID_OF_POINTS = 121

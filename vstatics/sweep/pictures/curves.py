@@ -119,7 +119,7 @@ def _column_of_curves(sweep: WrittenSweep, selected: DrawnColumns) -> str:
 def _curves(
     column: Floats, across: Floats, shown: Sequence[DrawnRows], style: Style
 ) -> list[Curve]:
-    """Return the curves of a panel; coinciding curves become a single curve with all names."""
+    """Return the curves of a panel. Coinciding curves become a single curve with all names."""
     curves: list[Curve] = []
     for part in shown:
         rows = np.array(part.rows)[np.argsort(across[part.rows], kind="stable")]
@@ -162,7 +162,7 @@ def _line_ends(curves: Sequence[Curve]) -> list[LineEnd]:
 
 
 def _draw(pen: Pen, curves: Sequence[Curve], name: str, below: str) -> None:
-    """Draw a panel; `below` is the name of the horizontal axis, or empty."""
+    """Draw a panel. `below` is the name of the horizontal axis, or empty."""
     pen = pen._replace(y=_scale(np.concatenate([curve.y for curve in curves])))
     (wide, high), style = pen.size, pen.style
     across = ticks(pen.x.low, pen.x.high, max(int(wide / 50), 2))

@@ -44,7 +44,7 @@ class Histogram(NamedTuple):
 
 
 def histogram(name: str, values: Floats) -> Histogram:
-    """Count the values of a column in bars of equal width; NumPy chooses the number of bars.
+    """Count the values of a column in bars of equal width. NumPy chooses the number of bars.
 
     >>> bars = histogram("x", np.array([0.0, 1.0, 1.0, 2.0, 2.0, 2.0]))
     >>> bars.edges.tolist(), bars.counts
@@ -121,7 +121,6 @@ def _head(item: Histogram, wide: float) -> str:
 
 
 def _high(row: Sequence[Histogram], wide: float) -> float:
-    """Return the height of a row of panels with names and scales [pt]."""
     names = max(height(_head(item, wide)) for item in row)
     return names + HISTOGRAM_SIZE[1] + 3 * LINE_HEIGHT * SIZE
 

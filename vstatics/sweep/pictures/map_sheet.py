@@ -279,7 +279,6 @@ def _places(lines: Sequence[Floats]) -> Iterator[Point]:
 
 
 def _along(piece: Floats) -> Floats:
-    """Return the distance along a line from the start to each point [pt]."""
     steps: Floats = np.hypot(*np.diff(piece, axis=0).T)
     return np.concatenate([[0.0], np.cumsum(steps)])
 
@@ -296,7 +295,6 @@ def _scales(pen: Pen, names: tuple[str, str]) -> None:
 
 
 def _draw_bar(pen: Pen, sheet: MapSheet) -> None:
-    """Draw the colour bar with bands of equal height, and numbers where there is room."""
     levels, texts = sheet.levels, sheet.bar_texts
     if not levels:
         return

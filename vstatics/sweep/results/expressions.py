@@ -115,7 +115,7 @@ class Terms(NamedTuple):
     named: Mapping[str, ResolvedPart] = EMPTY
     """Expressions of named columns, by the name."""
     by_gear: bool = False
-    """True if each output row represents a gear; tables then have no axis of gears."""
+    """True if each output row represents a gear. Tables then have no axis of gears."""
 
 
 def read_expression(

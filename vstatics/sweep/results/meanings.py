@@ -93,7 +93,7 @@ class Tables(Protocol):
 
 
 class GearRows(NamedTuple):
-    """Tables in which each gear of a variant has a row; gears of a variant are neighbours."""
+    """Tables in which each gear of a variant has a row. Gears of a variant are neighbours."""
 
     tables: Tables
     gears: int
@@ -116,7 +116,7 @@ class WithStatus(NamedTuple):
     """Mask of the rows with the status ok, shape (rows,)."""
 
     def existing(self, name: str) -> Floats:
-        """Return the table called `name`; `ok` has a value per row."""
+        """Return the table called `name`. `ok` has a value per row."""
         if name == OK:
             good: Floats = self.good[:, np.newaxis].astype(float)
             return good

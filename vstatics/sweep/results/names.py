@@ -192,7 +192,7 @@ class SweepNames:
         return names
 
     def _frequency(self, read: TableName) -> Selection:
-        """Return natural frequencies; a mode that the case lacks can exist in a variant."""
+        """Return natural frequencies. A mode that the case lacks can exist in a variant."""
         if not self._modes:
             message = "the case has no natural mode in any gear, so `omega` does not exist: give "
             message += "inertias, and springs or a stiffness between them"

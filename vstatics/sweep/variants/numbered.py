@@ -237,7 +237,6 @@ def checked_targets(variations: Iterable[Variation]) -> tuple[Varied, ...]:
 
 
 def _listed(variations: list[Variation]) -> tuple[tuple[Varied, ...], tuple[Floats | Steps, ...]]:
-    """Return the varied numbers and the values; refuse ranges and distributions."""
     targets = checked_targets(variations)
     listed: list[Floats | Steps] = []
     problems: list[Problem] = []

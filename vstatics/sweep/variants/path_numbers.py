@@ -60,7 +60,7 @@ class CasePath(NamedTuple):
 
     @property
     def numbers(self) -> frozenset[Hashable]:
-        """Keys that identify the number; for a mechanism equal to the key in `Target`."""
+        """Keys that identify the number. A number of a mechanism has the key of its `Target`."""
         if self.quantity in OF_MECHANISM:
             return frozenset((number.owner, number.quantity) for number in self.of)
         if self.relative:
@@ -156,7 +156,7 @@ def known_paths(case: Transmission) -> list[str]:
 
 
 def no_path(text: str, case: Transmission) -> str:
-    """Return a message about a path that does not lead to a number; "" for a possible name.
+    """Return a message about a path without a number; "" if the text can be another name.
 
     >>> from vstatics import Gear, Mechanism
     >>> case = Transmission(2, [], [Mechanism(1, 2, 0, -2.5)], [Gear()])

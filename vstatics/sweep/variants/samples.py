@@ -150,8 +150,8 @@ def _latin_hypercube(dimensions: int, count: int, seed: int) -> Floats:
 def _sobol(block: Floats, sample: Sample, start: int) -> None:
     """Fill a block with points of Sobol's sequence, without calculating earlier points.
 
-    Point n is the exclusive or of point 0 and a word for each bit that is set in n, because the
-    Gray code of n, which orders the sequence, is linear in these bits.
+    Point n is the exclusive or of point 0 and of a word for each bit that is set in n. This is
+    possible because the Gray code of n, which orders the sequence, is linear in these bits.
     """
     stop = start + len(block)
     first, words = _sobol_words(len(sample.targets), sample.seed, (stop - 1).bit_length())
@@ -170,7 +170,7 @@ def _sobol(block: Floats, sample: Sample, start: int) -> None:
 
 
 def _combined(words: Words) -> Words:
-    """Return, for each integer as index, the exclusive or of the words of the set bits."""
+    """Return the exclusive or of the words that belong to the set bits of each index."""
     table = np.zeros(1 << len(words), dtype=np.uint32)
     for bit, word in enumerate(words):
         table[1 << bit : 2 << bit] = table[: 1 << bit] ^ word

@@ -38,10 +38,10 @@ _SPELLED: dict[str, dict[type[Node], str]] = {
     "shift_elements": {Listing: "links"},
     "gears": {Listing: "engaged"},
 }
-"""Key that a short form omits, by the outer key and the kind of node: `T: [[0, 1]]` means points.
+"""Key that a short form omits, by outer key and kind of node: `points` for `T: [[0, 1]]`.
 """
 _ALL_GIVEN = ("numbers", "set")
-"""Keys of mappings that list all names that formulas can use; any other name is a mistake."""
+"""Keys of mappings that list all names that formulas can use. Any other name is a mistake."""
 
 
 class NumberPath(NamedTuple):
@@ -65,7 +65,7 @@ class NumberPath(NamedTuple):
 
 
 class Trees(NamedTuple):
-    """Scenario and case as trees of nodes; a case in a deck has no tree."""
+    """Scenario and case as trees of nodes. A case in a deck has no tree."""
 
     scenario: Node
     case: Node | None
@@ -212,7 +212,7 @@ def sample_unit(scenario: Node, text: str) -> str:
 
 
 def in_si(unit: str) -> str:
-    """Return the SI unit of the quantity that a unit measures; an unknown unit is returned.
+    """Return the SI unit of the quantity that a unit measures, or an unknown unit unchanged.
 
     >>> in_si("kN*m"), in_si("rpm")
     ('N*m', 'rad/s')

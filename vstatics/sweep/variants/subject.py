@@ -25,7 +25,7 @@ class Document(NamedTuple):
 
 
 class VariedDocument(ABC):
-    """Document that refers to a case, such as a scenario; numbers of both can vary."""
+    """Document that refers to a case, such as a scenario. Numbers of both can vary."""
 
     @property
     @abstractmethod

@@ -75,9 +75,9 @@ def read_table(opened: IO[bytes], file: str, subject: VariedSubject) -> VariantT
 
     Columns can have any order. A column `variant`, or a first column without a name, is ignored. In
     a table written by a sweep, all columns from `status` on are ignored. The separator is a comma
-    or a semicolon; if it is a semicolon, a comma within a number is a decimal comma (see
-    `Decimals`). An apostrophe in front, which prevents a spreadsheet from calculating a cell, is
-    ignored. The encoding is UTF-8.
+    or a semicolon. With a semicolon, a comma within a number is a decimal comma (see `Decimals`).
+    An apostrophe in front, which prevents a spreadsheet from calculating a cell, is ignored. The
+    encoding is UTF-8.
 
     Parameters
     ----------
@@ -185,7 +185,6 @@ def _filled_lines(piece: bytes, file: str) -> Iterator[tuple[str, int, bytes]]:
 
 
 def _header(line: str, start: Place, subject: VariedSubject) -> _Columns:
-    """Return the columns that the line of headings declares."""
     if not line.strip():
         raise refusal("read an empty line, expected names such as D1.ratio", start)
     separator = separator_of(line)

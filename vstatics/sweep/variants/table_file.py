@@ -71,7 +71,7 @@ def headings(path: str) -> str:
 
 
 def _opened(path: str) -> io.BufferedReader:
-    """Open the file of an option; a file named in a sweep file must be a regular file."""
+    """Open the file of an option. A file named in a sweep file must be a regular file."""
     return io.BufferedReader(opened(path, regular=isinstance(path, PlacedFile)))  # type: ignore[arg-type]
 
 
@@ -80,7 +80,6 @@ def _rest_of(stream: io.BufferedReader, path: str) -> bytes:
 
 
 def _numbers(name: str, column: Sequence[Any] | Floats, place: Place) -> Floats:
-    """Return a column as numbers; texts are read as in CSV."""
     is_numeric = isinstance(column, np.ndarray) and column.dtype.kind in "iuf"
     if is_numeric or {*map(type, column)} <= {int, float}:
         with suppress(OverflowError):  # an integer that is too large is refused below

@@ -1,4 +1,4 @@
-"""Varied numbers of a case, such as "D1.ratio" or "shaft.stiffness", and the given values."""
+"""Varied numbers such as "D1.ratio" or "shaft.stiffness", and their values in the case."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ OfMechanism = Literal["ratio", "efficiency"]
 OfDevice = Literal["stiffness", "compliance", "damping"]
 Quantity = OfMechanism | OfDevice | Literal["inertia"]
 Owner = Literal["mechanisms", "devices", "links"]
-"""List that contains the owner of a number; `devices` are shift elements, mechanisms and springs.
+"""List that contains the owner of a number. `devices` are shift elements, mechanisms and springs.
 """
 
 OF_MECHANISM: tuple[OfMechanism, ...] = get_args(OfMechanism)
@@ -49,7 +49,7 @@ class Varied(Protocol):
 
     @property
     def numbers(self) -> frozenset[Hashable]:
-        """Keys that identify the number; varied numbers must not share a key."""
+        """Keys that identify the number. Varied numbers must not share a key."""
 
 
 class Target(NamedTuple):
@@ -64,7 +64,7 @@ class Target(NamedTuple):
 
     @property
     def numbers(self) -> frozenset[Hashable]:
-        """Key that identifies the number; a compliance has the key of the stiffness."""
+        """Key that identifies the number. A compliance has the key of the stiffness."""
         quantity = "stiffness" if self.quantity == "compliance" else self.quantity
         return frozenset([(self.owner, quantity)])
 

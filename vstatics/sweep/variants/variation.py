@@ -45,7 +45,7 @@ class DrawnNumbers(Protocol):
     """Distribution of a number, from which only samples can be drawn."""
 
     def quantiles(self, parts: Floats) -> Floats:
-        """Return the values below which given fractions of the distribution are."""
+        """Return the quantiles of the distribution at the fractions `parts`."""
 
 
 Values: TypeAlias = Floats | Steps | Span | DrawnNumbers

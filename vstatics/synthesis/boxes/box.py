@@ -157,11 +157,11 @@ class FoundBox(NamedTuple):
     held: int | None
     """Number of the permanently held link of the scheme, if any."""
     input: int
-    """Number of the input link; separate shafts have the numbers after the links of the scheme."""
+    """Number of the input link. Separate shafts have the numbers after the links of the scheme."""
     output: int
     """Number of the output link."""
     elements: tuple[tuple[int, int], ...]
-    """Two links of each clutch, or a link and `HELD` for a brake; brakes come first."""
+    """Two links of each clutch, or a link and `HELD` for a brake. Brakes come first."""
     ratios: tuple[float, ...]
     """Basic ratio of each gear set, sun to ring, carrier held; positive with meshing planets. [-]
     """
@@ -193,7 +193,7 @@ LARGEST_BOX_RATIO = 1000.0
 ANY_QUOTIENT = (1.0, LARGEST_BOX_RATIO**2)
 """Bounds of a quotient of two gear ratios that restrict nothing. [-]"""
 MOST_BOX_SETS = 5
-"""Largest number of gear sets; more sets have too many schemes to examine."""
+"""Largest number of gear sets. More sets have too many schemes to examine."""
 SHAFT_ELEMENTS = 3
 """Smallest number of shift elements at a shaft without gear-set members; two would act as a single
 clutch.

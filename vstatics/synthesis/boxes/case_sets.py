@@ -16,8 +16,8 @@ def case_mechanisms(lowered: OwnLinks) -> list[Mechanism]:
     """Return the mechanisms of a case, with planet groups split into pairs of central gears.
 
     In a group with three central gears, two pairs determine the speeds, and any of the gears can be
-    in both pairs. The gear whose ratios to the others are farthest from 1 is chosen: two ring gears
-    and a sun gear give two pairs with the sun.
+    in both pairs. The gear whose ratios to the others are farthest from 1 is chosen. Two ring gears
+    and a sun gear therefore give two pairs with the sun.
 
     Examples
     --------

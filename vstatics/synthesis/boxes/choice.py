@@ -33,7 +33,7 @@ class RankedBox(NamedTuple):
     family: int
     """Number of the family, from 1; all gearboxes of a family have equal ratios in all gears."""
     core: int
-    """Number of the core, from 1; gearboxes of equal family and core differ only in clutches."""
+    """Number of the core, from 1. Gearboxes of equal family and core differ only in clutches."""
     pareto: bool
     """True if no other gearbox is better in a figure of the Pareto list and worse in no figure.
     """
@@ -120,7 +120,7 @@ def family_count(boxes: Iterable[RankedBox]) -> int:
 
 
 def _worth(box: MeasuredBox) -> tuple[Any, ...]:
-    """Return a sort key for equal gearboxes whose fitted ratios differ; the smallest is kept."""
+    """Return a sort key for equal gearboxes whose fitted ratios differ. The smallest is kept."""
     error, loss = (round(figure, FIGURE_DECIMALS) for figure in box.figures[:2])
     return error, loss, box.box.ratios
 
@@ -159,7 +159,7 @@ class BoxFilter(NamedTuple):
         return search._replace(brake_counts=brake_counts, singly=self.single)
 
     def before(self, box: FoundBox) -> bool:
-        """Return whether the numbers of brakes and clutches are wanted; figures are not yet known.
+        """Return whether the numbers of brakes and clutches are wanted. Figures are not yet known.
 
         >>> from vstatics.synthesis.boxes.box import HELD
         >>> from vstatics.synthesis.structures.scheme import SetScheme

@@ -59,7 +59,7 @@ def places(values: Floats) -> Integers:
 
 
 def families(ratios: Floats) -> list[int]:
-    """Return the family number of each gearbox, from 1; gearboxes with equal ratios are a family.
+    """Return the family number of each gearbox, from 1. Gearboxes with equal ratios are a family.
 
     Parameters
     ----------

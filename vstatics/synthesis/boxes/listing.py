@@ -61,7 +61,7 @@ class ListedBox(NamedTuple):
     pareto: bool
     code: SchemeCode
     elements: Mapping[str, tuple[str, ...]]
-    """Two links of each shift element, by name; the second link of a brake is the housing."""
+    """Two links of each shift element, by name. The second link of a brake is the housing."""
     ratios: Mapping[str, float]
     gears: Mapping[str, ListedGear]
     case: Annotated[

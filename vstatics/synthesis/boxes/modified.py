@@ -121,7 +121,7 @@ def _joined_links(case: Transmission) -> list[int]:
 
 
 def _members(mechanism: Mechanism, body: Sequence[int]) -> tuple[int, int, int]:
-    """Return the links of sun, carrier and ring; the central gear with more teeth is the ring."""
+    """Return the links of sun, carrier and ring. The central gear with more teeth is the ring."""
     sun, ring = (
         (mechanism.first, mechanism.second)
         if abs(mechanism.ratio) > 1

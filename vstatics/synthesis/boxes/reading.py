@@ -120,7 +120,6 @@ def _wanted(given: Any, problems: list[Problem]) -> WantedOfBoxes:
 
 
 def _box(given: Any, number: int, problems: list[Problem]) -> Iterator[ListedBox]:
-    """Yield a gearbox if the JSON value is valid; otherwise record the problems."""
     where = f"box {number}"
     if _fits(dict, given, where, problems):
         missing = [f"`{key}`" for key in _kinds(ListedBox) if key not in given]
@@ -133,7 +132,6 @@ def _box(given: Any, number: int, problems: list[Problem]) -> Iterator[ListedBox
 
 @cache
 def _kinds(record: Any) -> dict[str, Any]:
-    """Return the types of the keys that a record requires, by key."""
     kinds = get_type_hints(record)
     return {key: kinds[key] for key in record._fields if key not in record._field_defaults}
 

@@ -91,7 +91,6 @@ def _more(box: RankedBox) -> Values:
 
 
 def _of_gears(box: RankedBox, names: Sequence[str]) -> Iterator[Value]:
-    """Yield the cells of all gears; empty cells for gears that a gearbox lacks."""
     gears = {gear.name: gear for gear in box.found.gears}
     for name in names:
         if name not in gears:

@@ -126,7 +126,6 @@ def _link(scheme: SetScheme, given: str) -> int:
 
 
 def _ratios(scheme: SetScheme, given: Sequence[str]) -> list[float]:
-    """Return the basic ratio of each gear set [-]."""
     names = [set_name(number) for number in range(1, len(scheme.sets) + 1)]
     if not given:
         return [round(FIRST + STEP * number, 1) for number in range(len(names))]

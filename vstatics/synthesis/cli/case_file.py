@@ -26,7 +26,7 @@ written_case = under(
         "is replaced.",
     ),
 )
-"""Option --write; the command receives the value as argument `target`."""
+"""Option --write. The command receives the value as argument `target`."""
 
 
 def case_format(target: str, inputs: Iterable[str], output: str | None = None) -> str:

@@ -55,7 +55,6 @@ def check_room(search: CombinationSearch, to: Destination, *, by_torque: bool) -
 
 
 def _length(search: CombinationSearch) -> float:
-    """Estimate the size of a combination in JSON [bytes]."""
     lines = [line for batch in search.samples() for line in _lines([*batch.each()])]
     return sum(len(line.encode()) + 3 for line in lines) / len(lines)
 
@@ -68,7 +67,7 @@ class CombinationEstimate(NamedTuple):
     """Names of the shift elements to choose from."""
     engaged: Sequence[Count]
     total: float
-    """Number of combinations; the key in JSON is `count`."""
+    """Number of combinations. The key in JSON is `count`."""
     bytes: float
     """Approximate size as JSON [bytes]."""
     seconds: float
@@ -102,7 +101,7 @@ def show_estimate(search: CombinationSearch, case: str, to: Destination) -> None
 def show(
     search: CombinationSearch, case: str, to: Destination, telling: Telling, *, by_torque: bool
 ) -> None:
-    """Write all combinations; JSON is written during the search unless sorted."""
+    """Write all combinations. JSON is written during the search unless sorted."""
     with progress(
         int(search.count), "combinations", beside_stdout=to.output is None, quiet=telling.quiet
     ) as advance:
@@ -169,7 +168,6 @@ def _port_grids(search: CombinationSearch, batches: Iterable[Batch]) -> Iterator
 
 
 def _batches(search: CombinationSearch, advance: Advance, *, by_torque: bool) -> Iterator[Batch]:
-    """Yield the combinations in batches; sorted combinations are a single batch."""
     if by_torque:
         unsorted = _batches(search, advance, by_torque=False)
         yield sorted(chain.from_iterable(unsorted), key=attrgetter("by_torque"))

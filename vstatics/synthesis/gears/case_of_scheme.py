@@ -17,7 +17,7 @@ from vstatics.synthesis.structures.scheme import SetScheme, link_name
 FEW_COMBINATIONS = 60
 """Largest number of combinations for which the input gets clutches to all other links."""
 MOST_OF_SCHEME = 100
-"""Largest number of gears of the case; the first combinations are used."""
+"""Largest number of gears of the case. The first combinations are used."""
 NEUTRAL = "N"
 """Name of the only gear of a case in which no combination gives a ratio."""
 INERTIA = 1.0

@@ -56,7 +56,7 @@ class EngagedKinds(NamedTuple):
     """Effects of many combinations of shift elements; arrays of shape (sets,)."""
 
     kinds: NDArray[np.int8]
-    """Effects as numbers of `EngagedKind`; direct drives count as `GEAR`."""
+    """Effects as numbers of `EngagedKind`. Direct drives count as `GEAR`."""
     ratios: Floats
     """Input speed divided by output speed; NaN without a ratio. [-]"""
     free: Booleans
@@ -163,7 +163,7 @@ class _SizedRows:
 
 
 class KindAlone(NamedTuple):
-    """Effect of a single combination of shift elements; direct drives count as `GEAR`."""
+    """Effect of a single combination of shift elements. Direct drives count as `GEAR`."""
 
     kind: EngagedKind
     ratio: float
@@ -213,9 +213,9 @@ def element_torques(forms: SpeedForms, members: Indices, ratios: Floats) -> Floa
     equations that give the ratio of a gear also give its torques.
 
     A torque is NaN if only the sum over several elements is determined, or if the loss of digits
-    makes the output torque differ from the ratio. In a direct drive by a single shift element, its
-    torque is ``1/slip``, where slip is its speed while the output is at rest and it is released
-    (Voloshko, Salakhov and others, eqs. 17 to 19).
+    makes the output torque differ from the ratio. In a direct drive by a single shift element, the
+    torque of this element is ``1/slip``. Here slip is its speed when it is released and the output
+    is at rest (Voloshko, Salakhov and others, eqs. 17 to 19).
 
     Parameters
     ----------

@@ -186,7 +186,7 @@ class CombinationSearch:
         self._asked = elements
         self.sizes = list(dict.fromkeys(engaged)) or [needed(case)]
         self.are_own = list(elements) != [AUTO]
-        """True if all shift elements belong to the case; False if possible ones are added."""
+        """True if all shift elements belong to the case. False if possible ones are added."""
         self.choice = (
             len(chosen_elements(case, elements)) if self.are_own else count_all_elements(case)
         )
@@ -287,7 +287,7 @@ class CombinationSearch:
 
     @cached_property
     def _drawn_forms(self) -> list[SpeedForms]:
-        """Speed forms for random ratios of the mechanisms; the seed is fixed."""
+        """Speed forms for random ratios of the mechanisms. The seed is fixed."""
         draw = random.Random(1)  # noqa: S311
 
         def drawn() -> list[float]:
@@ -318,7 +318,6 @@ class CombinationSearch:
 
 
 def _members(chosen: Iterator[tuple[int, ...]], size: int, most: int) -> Indices:
-    """Return the next combinations as rows of an array, at most `most` rows."""
     if not size:
         return np.zeros((1, 0), dtype=np.intp)
     flat = chain.from_iterable(islice(chosen, most))

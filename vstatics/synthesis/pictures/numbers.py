@@ -124,7 +124,6 @@ def _few(numbers: Sequence[int], count: int) -> str:
 
 
 def _places(at: Point, wide: float, pen: Pen) -> Iterator[Point]:
-    """Yield the positions to try for a number, the nearest first."""
     (x, y), (right, high) = at, pen.size
     for distance in DISTANCES:
         for step in range(NUMBER_DIRECTIONS):

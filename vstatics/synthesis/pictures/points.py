@@ -84,7 +84,6 @@ def draw_points(pen: Pen, listing: BoxListing, drawn: Sequence[ListedBox]) -> No
 
 
 def _looks(drawn: Sequence[ListedBox], style: Style) -> dict[int, PointLook]:
-    """Return the colour and marker of each family that has a stick diagram."""
     return {
         family: (style.colour(place), MARKERS[place % len(MARKERS)])
         for place, family in enumerate(dict.fromkeys(box.family for box in drawn))
@@ -126,7 +125,7 @@ def box_scale(values: Sequence[float]) -> AxisScale:
 
 
 def _ends(values: Sequence[float]) -> Span:
-    """Return the ends of an axis, outside all values; the ends differ also if all values are equal.
+    """Return the ends of an axis, outside all values. The ends differ also if all values are equal.
 
     >>> _ends([2.0, 2.0]), _ends([])
     ((1.9, 2.1), (0.0, 1.0))
@@ -227,8 +226,8 @@ def _families(
 ) -> list[tuple[PointLook, str, str]]:
     """Return the entries of the legend: colour and marker, colour of the edge, and text.
 
-    Families with a stick diagram come first, each in its colour; then the number of other families,
-    which are grey, and the mark of the Pareto list.
+    Families with a stick diagram come first, each in its colour. The number of other families,
+    which are grey, and the mark of the Pareto list follow.
     """
     families = listing.families
     entries = [

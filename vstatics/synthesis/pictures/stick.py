@@ -9,7 +9,7 @@ from vstatics.pictures.schemes.bare import bare_stick
 
 
 def stick_diagram(case: Transmission, title: str | None = None) -> bytes:
-    """Draw the stick diagram of a found gearbox as SVG; mechanisms are drawn as planetary sets.
+    """Draw the stick diagram of a found gearbox as SVG. Mechanisms are drawn as planetary sets.
 
     Parameters
     ----------

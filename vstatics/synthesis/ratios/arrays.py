@@ -96,7 +96,7 @@ class RatioArrays(NamedTuple):
 
 
 def ratio_arrays(formulas: Sequence[GearFormula], mechanisms: int) -> RatioArrays:
-    """Return the formulas of gears as arrays; every gear must have a ratio."""
+    """Return the formulas of gears as arrays. Every gear must have a ratio."""
     places: dict[int, int] = {}
     for formula in formulas:
         for ratios in (*formula.above, *formula.below):
@@ -189,8 +189,8 @@ def factors(
 def at_corners(factors: Floats, low: Floats, high: Floats) -> Floats:
     """Evaluate polynomials, linear in each ratio, at all corners of bounds.
 
-    The ratios are inserted one after the other: the coefficients of products that contain the ratio
-    are multiplied by each bound, and added to the coefficients of the products without it.
+    The ratios are inserted one after the other. The coefficients of products that contain a ratio
+    are multiplied by each of its bounds, and added to the coefficients of the products without it.
 
     Parameters
     ----------

@@ -48,8 +48,8 @@ def minimize(
 ) -> Minima:
     """Minimise the sum of squares from each of many starting points.
 
-    In a Levenberg-Marquardt step, an unknown at a bound does not move if the slope points outwards;
-    steps are clipped to the bounds.
+    In a Levenberg-Marquardt step, an unknown at a bound does not move if the slope points outwards.
+    Steps are clipped to the bounds.
 
     Parameters
     ----------

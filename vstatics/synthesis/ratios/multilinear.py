@@ -15,12 +15,12 @@ from typing import NamedTuple
 from vstatics.core.errors import CaseError
 
 Polynomial = Mapping[int, Fraction]
-"""Coefficient of each product of ratios; bits of the key are the indices of the ratios."""
+"""Coefficient of each product of ratios. Bits of the key are the indices of the ratios."""
 Term = tuple[Fraction, Fraction]
 """Coefficient ``a + b u`` of an unknown in an equation, as the pair (a, b); u is a ratio."""
 
 MOST_FORMULA_TERMS = 30_000
-"""Largest number of products to add; the formula of a gearbox has a few dozen."""
+"""Largest number of products to add. The formula of a gearbox has a few dozen."""
 PRIME = 2**61 - 1
 """Modulus of the test whether a polynomial is 0 for all ratios; the test fails with probability
 1e-17.

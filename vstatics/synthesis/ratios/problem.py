@@ -169,7 +169,7 @@ class FitProblem(NamedTuple):
     links: OwnLinks
     """Case without planets as links and without freewheels, from `on_engaged_links`."""
     formulas: Sequence[GearFormula]
-    """Formula of each gear; a gear without a target can have a formula of the kind `too long`."""
+    """Formula of each gear. A gear without a target can have a formula of the kind `too long`."""
     targets: Mapping[int, float]
     """Wanted ratios, by the index of the gear. [-]"""
     weights: Mapping[int, float]
@@ -276,7 +276,7 @@ def on_engaged_links(case: Transmission) -> OwnLinks:
 def _formula(
     links: OwnLinks, index: int, fixed: Mapping[int, float], targets: Mapping[int, float]
 ) -> GearFormula:
-    """Return the formula of a gear; a too long formula is an error only for a wanted ratio.
+    """Return the formula of a gear. A too long formula is an error only for a wanted ratio.
 
     Raises
     ------

@@ -139,7 +139,7 @@ def turns(space: FitSpace, points: FitPoints) -> Booleans:
 
 
 def _sampled(space: FitSpace, random: np.random.Generator, *, with_case: bool) -> FitPoints:
-    """Return random points within the bounds; the first can be the ratios of the case."""
+    """Return random points within the bounds. The first can be the ratios of the case."""
     low, high = (np.array(bound)[space.varied] for bound in space.problem.bounds)
     shape = (SAMPLES, len(space.varied))
     signs = np.where(random.random(shape) * (high - low) < np.maximum(high, 0), 1.0, -1.0)

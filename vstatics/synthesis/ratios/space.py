@@ -100,7 +100,7 @@ class FitSpace(NamedTuple):
         """Move starting points with wrong signs to points at which gears can have the wanted sign.
 
         For a ratio ``i = Q/P``, the deviation ``(Q/target - P)/sqrt((Q/target)^2 + P^2)`` is
-        minimised, which has no poles and is defined for both directions of the gear.
+        minimised. It has no poles, and is defined for both directions of the gear.
         """
 
         def residuals(sizes: Floats, which: Integers) -> tuple[Floats, Floats]:

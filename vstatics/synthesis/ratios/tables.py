@@ -19,7 +19,7 @@ from vstatics.synthesis.ratios.space import FitPoints, fit_space
 from vstatics.synthesis.tolerances import TINY_RATIO
 
 DEVIATION_DECIMALS = 9
-"""Number of decimals of a printed deviation; further digits are rounding noise."""
+"""Number of decimals of a printed deviation. Further digits are rounding noise."""
 
 
 def fit_grids(result: Fit) -> Iterator[Grid]:

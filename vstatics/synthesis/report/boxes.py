@@ -119,7 +119,6 @@ def _about(listing: BoxListing) -> Iterator[Markup]:
 
 
 def _asked(wanted: WantedOfBoxes) -> Iterator[str]:
-    """Yield the wanted ratios, and conditions on gears, as text."""
     ratios = [asked_ratio(ends, wanted.tolerance) for ends in wanted.ratios]
     if not wanted.gears:
         middles = [middle(ends) for ends in wanted.ratios]
@@ -175,7 +174,6 @@ def _overview(listing: BoxListing, without: str) -> Iterator[Markup]:
 
 
 def _diagrams(listing: BoxListing, without: str, digits: int | None) -> Iterator[Markup]:
-    """Yield the diagrams of the Pareto list, and of the first gearbox of each family."""
     shown = drawn_boxes(listing, MOST_SHOWN_BOXES)
     omitted = len(listing.boxes) - len(shown)
     if omitted:

@@ -1,9 +1,9 @@
 """Many schemes as rows of an array, with addition of gear sets and a check of soundness.
 
-A row contains the links of sun, carrier and ring of each gear set in turn, numbered in the order of
-their first appearance (a restricted growth string). Its leading sets are also such a row, so that
-rows with one more set grow from it. A scheme is unsound if a group of sets always rotates as a
-block; all rows that grow from it are unsound, too.
+A row contains the links of sun, carrier and ring of each gear set in turn. Links are numbered in
+the order of their first appearance (a restricted growth string). Its leading sets are also such a
+row, so that rows with one more set grow from it. A scheme is unsound if a group of sets always
+rotates as a block. All rows that grow from it are unsound, too.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ Codes = NDArray[np.uint8]
 MEMBERS = 3
 """Number of members of a gear set: sun, carrier and ring."""
 LEAST_MOBILITY = 2
-"""Smallest difference of links minus gear sets of a group of sets that can move internally."""
+"""Smallest degree of freedom (links minus sets) of a group of gear sets that is not locked up."""
 
 
 def first_codes() -> Codes:

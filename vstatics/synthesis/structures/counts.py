@@ -2,8 +2,8 @@
 
 Classes of equal schemes are counted while they are listed. Schemes with numbered gear sets are
 counted by recursion. The number of connected schemes is the number of all schemes minus the number
-of schemes in parts. A connected scheme is sound, or rotates as one body, or is a sound scheme of
-some of its sets in which bodies of the other sets replace links. Therefore the number of sound
+of schemes in parts. A connected scheme is sound, or rotates as one body, or is a mixture: a sound
+scheme of some sets in which bodies of the other sets replace links. Therefore the number of sound
 schemes follows from the sound schemes with two sets less.
 """
 

@@ -1,7 +1,7 @@
 """Estimate of the number of schemes, the size of their list and the time, from a sample.
 
-Schemes grow set by set. At each number of gear sets, a sample of the schemes is drawn, and the
-schemes that grow from it represent all (Knuth 1975, Estimating the efficiency of backtrack
+Schemes grow set by set. At each number of gear sets, a sample of the schemes is drawn. The schemes
+that grow from the sample represent all (Knuth 1975, Estimating the efficiency of backtrack
 programs). If there are only few schemes, all are taken, so that the number is exact.
 """
 
@@ -32,7 +32,7 @@ from vstatics.synthesis.structures.growth import (
 from vstatics.synthesis.structures.json_lines import lines
 
 GROWN_SCHEMES = 600_000
-"""Number of schemes that grow in each step, divided by the number of equivalent orders of members.
+"""Number of schemes that grow in each step if all orders of the members differ.
 """
 FEW_SETS = 4
 """Number of gear sets above which fewer schemes grow in each step."""

@@ -22,8 +22,8 @@ from vstatics.synthesis.structures.arrays import MEMBERS, Codes
 from vstatics.synthesis.structures.least_codes import Symmetries, symmetries
 
 Classes = Literal["none", "sets", "members", "order"]
-"""Schemes that count as equal: none; schemes that differ only in the order of gear sets; also by
-exchange of sun and ring; also in the order of all three members.
+"""Differences that are ignored between schemes: none, the order of gear sets, also exchange of sun
+and ring, or also the order of all three members.
 """
 MOST_SETS = 10
 """Largest number of gear sets."""
@@ -181,9 +181,10 @@ def counted_by(search: StructureSearch) -> StructureSearch:
 def weights(search: StructureSearch, batch: SchemeBatch) -> Integers:
     """Return the number of requested schemes that each class represents, shape (schemes,).
 
-    If no classes are requested, a class of n gear sets with s symmetries represents n!/s schemes,
-    each with all pairs of input and output if these are requested. Otherwise the number is 1 or,
-    with input and output, the number of pairs that no symmetry makes equal (Burnside's lemma).
+    If no classes are requested, a class of n gear sets with s symmetries represents n!/s schemes.
+    Each scheme counts with all pairs of input and output, if these are requested. Otherwise the
+    number is 1 or, with input and output, the number of pairs that no symmetry makes equal
+    (Burnside's lemma).
 
     Parameters
     ----------
@@ -228,7 +229,6 @@ def ports(batch: SchemeBatch) -> SchemePorts:
 
 
 def _ports_of(batch: SchemeBatch, links: int) -> SchemePorts:
-    """Return the choices of input and output of the schemes with a number of links."""
     first, second = np.nonzero(~np.eye(links, dtype=bool))
     of_links = batch.links == links
     rows = np.flatnonzero(of_links)

@@ -1,8 +1,8 @@
 """Test whether a code is the least of its class of equal schemes, and find its symmetries.
 
 All orders of the gear sets are tried, set by set. An order is followed while its code agrees with
-the given code, and dropped when it is greater; if it is less, the given code is not the least. In
-this way, only few orders are examined to the end.
+the given code, and dropped when its code is greater. If its code is less, the given code is not the
+least. In this way, only few orders are examined to the end.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ class Symmetries(NamedTuple):
 
 
 class _Renamings(NamedTuple):
-    """Partial orders of gear sets whose codes agree with the given codes so far."""
+    """Incomplete orders of the gear sets, whose codes agree so far with the given codes."""
 
     which: NDArray[np.intp]
     """Row of the scheme of each renaming, shape (renamings,)."""

@@ -311,7 +311,7 @@ def _whole_table(rows: TeethRows) -> TeethTable | None:
 
 
 def none_fits(layout: TeethLayout, excluded: Counter[str]) -> Problem:
-    """Return the problem that no tooth numbers fit; it names the condition that excludes most.
+    """Return the problem that no tooth numbers fit, with the condition that excludes most.
 
     Axes coincide only for few tooth numbers, so this condition is named only if no other condition
     excludes any.

@@ -34,7 +34,7 @@ class TeethRatio(NamedTuple):
 
 @dataclass(frozen=True)
 class TeethLayout:
-    """Gear set with unknown tooth numbers; the toothed gears are numbered from 0.
+    """Gear set with unknown tooth numbers. The toothed gears are numbered from 0.
 
     Parameters
     ----------
@@ -86,7 +86,7 @@ class TeethLayout:
 
     @cached_property
     def component(self) -> tuple[int, ...]:
-        """Component of each gear, from 0; meshing gears are a component with a common module."""
+        """Component of each gear, from 0. Meshing gears are a component with a common module."""
         if not self.planets:
             return (0,) * len(self.wheels)
         return tuple(_groups(len(self.wheels), (*self.around, *self.meshes)))
@@ -107,9 +107,9 @@ class TeethLayout:
     def passing(self) -> list[tuple[int, int]]:
         """Pairs of a planet gear and a central gear in a common plane that must not touch.
 
-        A planet gear must be clear of the sun (or ring) of the planet gear that it meshes with,
-        unless it meshes with a sun (or ring) itself, which is then in another plane. In a
-        Ravigneaux set, the long planet must always be clear of the small sun.
+        A planet gear must be clear of the sun (or ring) of the planet gear that it meshes with. If
+        it meshes with a sun (or ring) itself, that sun (or ring) is in another plane, and cannot be
+        touched. In a Ravigneaux set, the long planet must always be clear of the small sun.
         """
         named = [
             (self.wheels.index(rim), self.wheels.index(wheel))
@@ -152,9 +152,9 @@ def named_ratios(layouts: Sequence[TeethLayout]) -> dict[str, TeethRatio]:
 def teeth_layouts(links: OwnLinks) -> list[TeethLayout]:
     """Return all gear sets of a case whose tooth numbers can be searched.
 
-    A mechanism without teeth is replaced by a gear set: a mechanism with a third link (possibly the
-    housing) by a planetary gear set, with meshing planets if the ratio is positive; any other by a
-    gear pair.
+    A mechanism without teeth is replaced by a gear set. With a third link (possibly the housing) it
+    becomes a planetary gear set, with meshing planets if the ratio is positive. Any other mechanism
+    becomes a gear pair.
 
     Examples
     --------

@@ -24,7 +24,7 @@ MOST_OF_RING = 121
 CLEARANCE = 0.5
 """Default smallest distance between the tips of neighbouring planets. [modules]"""
 COAXIAL = "coaxial"
-"""Name of the condition that axes coincide, in counts of exclusions."""
+"""Name, in the counts of excluded candidates, of the condition that axes coincide."""
 PLANETS = (3, 4, 5)
 """Default numbers of planets, if the case does not give a number."""
 
@@ -69,7 +69,7 @@ class TeethLimits:
     shift: int = 0
 
     def of_wheels(self, layout: TeethLayout) -> list[Range]:
-        """Return the range of each gear of a gear set; the user's most specific range applies.
+        """Return the range of each gear of a gear set. The user's most specific range applies.
 
         A default range includes the tooth number that the case gives.
         """

@@ -21,7 +21,7 @@ from vstatics.synthesis.teeth.limits import TeethLimits
 from vstatics.synthesis.teeth.targets import TeethError, TeethTarget
 
 MOST_RATIOS = 8
-"""Largest number n of tooth ratios in the formula of a gear; regions have 2**n corners."""
+"""Largest number n of tooth ratios in the formula of a gear. Regions have 2**n corners."""
 MOST_PLANETS = 12
 """Largest number of planets around an axis."""
 MOST_MODULES = 20
@@ -36,7 +36,7 @@ class TeethProblem(NamedTuple):
     layouts: Sequence[TeethLayout]
     """Gear sets that affect a wanted ratio."""
     targets: Sequence[TeethTarget]
-    """Wanted ratios; the columns in their formulas are the ratios of all gear sets in order."""
+    """Wanted ratios. The columns in their formulas are the ratios of all gear sets in order."""
     limits: TeethLimits
     unused: Sequence[str]
     """Names of gear sets with teeth that do not affect any wanted ratio."""

@@ -35,7 +35,7 @@ LARGEST_TEETH_LOGARITHM = 50.0
 MOST_TEETH_CANDIDATES = 100_000_000
 """Default largest number of candidates to examine, which takes half a minute."""
 LOOKED = "left"
-"""Key, in the counts of excluded candidates, of the number that may still be examined."""
+"""Key in the counter `excluded` for the number of candidates that may still be examined."""
 
 Windows = Mapping[int, tuple[float, float]]
 """Smallest and largest useful magnitude of each ratio of the gear set, by index. [-]"""
@@ -54,7 +54,7 @@ class TeethRows:
 
     @cached_property
     def ranges(self) -> Integers:
-        """Smallest and largest tooth number of each gear, undercut permitted, (wheels, 2)."""
+        """Smallest and largest tooth number of each gear, even with undercut, shape (wheels, 2)."""
         return np.array(self.limits.of_wheels(self.layout), dtype=np.int64)
 
     @cached_property

@@ -38,7 +38,7 @@ class BestTeeth(NamedTuple):
     errors: Floats
     """Errors in ascending order, shape (found,)."""
     places: Integers
-    """Group (of rows with equal ratios) in each gear set's table, shape (found, gear sets)."""
+    """Index of the group of rows with equal ratios in each table, shape (found, gear sets)."""
     bound: float
     """Lower bound of the errors of all other choices; infinite if no other choice exists. [-]"""
 
@@ -194,7 +194,7 @@ class _Halving:
         self._try(starts, sizes)
 
     def _try(self, starts: Integers, sizes: Integers) -> None:
-        """Try all choices in regions; `starts` and `sizes` give the range of groups per table."""
+        """Try all choices in regions. `starts` and `sizes` give the range of groups per table."""
         counts = sizes.prod(axis=1)
         for piece in portions(counts, CHOICES_AT_ONCE):
             of_region, number = counted(counts[piece])

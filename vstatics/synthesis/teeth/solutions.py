@@ -23,7 +23,7 @@ from vstatics.synthesis.teeth.search import MOST_TEETH_SOLUTIONS, BestTeeth
 from vstatics.synthesis.teeth.table import TeethTable, of_rows
 
 ERROR_DECIMALS = 14
-"""Number of decimals of an error in comparisons; further digits are rounding noise."""
+"""Number of decimals of an error in comparisons. Further digits are rounding noise."""
 
 
 @json_keys("teeth", "planets", "gears", "error", "modules")
@@ -142,7 +142,7 @@ def asked_document(problem: TeethProblem) -> dict[str, Any]:
 def case_with_teeth(
     case: Transmission, problem: TeethProblem, solution: TeethSolution
 ) -> Transmission:
-    """Return the case with found tooth numbers; mechanisms are replaced by gear sets.
+    """Return the case with found tooth numbers. Mechanisms are replaced by gear sets.
 
     Examples
     --------
@@ -194,7 +194,6 @@ def case_with_teeth(
 
 
 def _renamed(data: Any, names: Mapping[str, str]) -> Any:
-    """Return data of a case with other names of members."""
     if isinstance(data, Mapping):
         return {names.get(key, key): _renamed(value, names) for key, value in data.items()}
     if isinstance(data, tuple):

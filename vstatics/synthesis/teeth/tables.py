@@ -15,7 +15,7 @@ from vstatics.synthesis.teeth.problem import TeethProblem
 from vstatics.synthesis.teeth.solutions import TeethSolution
 
 TEETH_WIDTH = 30
-"""Number of letters in the column of teeth; further teeth continue in the next row."""
+"""Number of letters in the column of teeth. Further teeth continue in the next row."""
 
 
 def teeth_grids(result: FoundTeeth) -> Iterator[Grid]:

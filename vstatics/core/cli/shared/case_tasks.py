@@ -89,7 +89,6 @@ def _stem(file: str) -> str:
 
 
 def _real_path(real_folder: Callable[[str], str], file: str) -> str:
-    """Return the path of a file after resolving links; `-` for standard input."""
     if file == files.STDIN:
         return file
     folder, name = os.path.split(file)

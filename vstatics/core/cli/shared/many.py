@@ -163,7 +163,7 @@ def _begun(
 
 @contextmanager
 def _other_options_as_wrong_use() -> Iterator[None]:
-    """Run the block; treat other options in the earlier run as wrong use of --resume."""
+    """Run the block. Treat other options in the earlier run as wrong use of --resume."""
     try:
         yield
     except ReadError as error:

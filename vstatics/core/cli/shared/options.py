@@ -98,7 +98,7 @@ def gathered(
 def completing(
     names: Callable[[], Iterable[str]],
 ) -> Callable[[Any, Any, str], list[CompletionItem]]:
-    """Return a function for a shell that completes option values; it calls `names` when needed.
+    """Return a function that completes option values in a shell, from `names` when needed.
 
     Of several comma-separated names, the last is completed.
 

@@ -139,7 +139,6 @@ def _is_terminal(stream: TextIO | None) -> bool:
 
 
 def _bar(unit: str) -> Progress:
-    """Return a progress bar that disappears when closed."""
     from rich import progress as parts
     from rich.text import Text
 

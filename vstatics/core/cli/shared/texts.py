@@ -91,7 +91,7 @@ def _pages(shown: CaseOutput, to: Destination, file: str | None = None) -> Seque
 def among_several(
     outcome: CalculatedCase, shown: CaseOutput | None, to: Destination, *, folders: bool = False
 ) -> Part:
-    """Return the output of a case in a stream of several; only JSON includes failed cases.
+    """Return the output of a case in a stream of several cases. Only JSON includes failed cases.
 
     Parameters
     ----------

@@ -63,7 +63,7 @@ def value(
 
 
 def allowable(ids: Iterable[str]) -> tuple[str, ...]:
-    """Return ids of warnings and notes in upper case; a text can contain several with commas.
+    """Return ids of warnings and notes in upper case. A text can contain several ids with commas.
 
     Raises
     ------

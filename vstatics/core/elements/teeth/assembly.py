@@ -119,9 +119,9 @@ def bevel_assembled(element: Element, teeth: Teeth) -> Iterator[Doubt]:
 def _sum(
     layout: AxisLayout, first: CentralWheel, second: CentralWheel
 ) -> tuple[str, int, int] | None:
-    """Return the quotient for two gears that must be a whole number: text, dividend, divisor.
+    """Return the quotient for two central gears that must be whole: text, dividend, divisor.
 
-    The number of planets is not yet included in the divisor.
+    The caller multiplies the divisor by the number of planets.
     """
     group = layout.group
     planets = [group.planet_of[wheel.rim] for wheel in (first, second)]

@@ -149,5 +149,5 @@ def common_step(rows: Any, planets: int) -> Any:
 
 
 def seated(step: Any, count: Any) -> Any:
-    """Return whether `count` planets fit at equal angles; `step` is the result of `common_step`."""
+    """Return whether `count` planets fit at equal angles. `step` is the result of `common_step`."""
     return step % count == 0

@@ -169,7 +169,7 @@ def _usual_teeth(element: Element, random: Random) -> Iterator[Teeth]:
 
 
 def _rule(subject: Subject) -> Callable[[Teeth], bool]:
-    """Return a function that accepts tooth numbers without warnings that others could remove.
+    """Return a function that accepts tooth numbers without removable causes of warnings.
 
     Profile shift and touching tips are accepted only if the present tooth numbers have them, too.
     """
@@ -192,7 +192,7 @@ def _rule(subject: Subject) -> Callable[[Teeth], bool]:
 def _with_cures(subject: Subject) -> Iterator[Doubt]:
     """Yield the warnings and notes about a gear set.
 
-    The first that other tooth numbers would remove suggests such numbers.
+    The first message whose cause other tooth numbers can remove suggests such numbers.
     """
     doubts_found = [*_wrong(subject)]
     is_right = _rule(subject)

@@ -62,7 +62,7 @@ class AxisLayout:
         return wheel.teeth - teeth if wheel.internal else wheel.teeth + teeth
 
     def axis(self, rim: str) -> tuple[Fraction, CentralWheel] | None:
-        """Return twice the distance of a rim from the axis [modules], and the gear that fixes it.
+        """Return twice the distance of a planet from the axis [modules], and a meshing gear.
 
         If the rim meshes only with planets, another rim of the planet determines the distance.
         """
@@ -85,7 +85,7 @@ def with_teeth(group: PlanetGroup, teeth: Teeth) -> PlanetGroup:
 
 
 def ratio_pairs(group: PlanetGroup) -> Iterator[tuple[CentralWheel, CentralWheel]]:
-    """Yield pairs of central gears for ratios: each gear of a train with its last gear."""
+    """Yield the pairs of central gears that have ratios: each gear with the last of its train."""
     for train in group.trains:
         *others, last = group.wheels_of(train)
         yield from ((other, last) for other in others)

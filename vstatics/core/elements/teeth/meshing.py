@@ -76,7 +76,7 @@ def interfering(meshes: Sequence[Mesh]) -> Iterator[Doubt]:
 
 
 def hunting(meshes: Sequence[Mesh], against: str) -> Iterator[Doubt]:
-    """Note meshes in which each tooth meets only some teeth of the mating gear.
+    """Yield a note on each mesh in which a tooth meets only some teeth of the mating gear.
 
     A damaged tooth then always meets the same teeth and wears them.
 

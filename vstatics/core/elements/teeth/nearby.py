@@ -169,9 +169,9 @@ def space_of(group: PlanetGroup, given_rims: Sequence[str]) -> Space:
 
 
 def _axis_steps(spans: Mapping[str, int]) -> dict[str, int]:
-    """Return the shift of each rim when the planet axis moves outwards by one step, in teeth.
+    """Return the number of teeth that the central gears of each rim gain if the axis moves out.
 
-    The shifts of rims of different modules have the ratio of the modules.
+    The numbers for rims of different modules are inversely proportional to the modules.
     """
     if not spans or max(spans.values()) - min(spans.values()) <= SHIFT:
         return dict.fromkeys(spans, 1)
@@ -197,7 +197,7 @@ def ratio_powers(group: PlanetGroup, first: CentralWheel, last: CentralWheel) ->
 
 
 def _rims_between(group: PlanetGroup, first: str, last: str) -> list[str]:
-    """Return the rims between two rims along meshes: each planet's first and last rim."""
+    """Return the rims by which each planet receives and transmits power between two rims."""
     here, rims = group.planet_of[first], [first]
     for pair in group.path(here, group.planet_of[last]):
         near, far = pair if group.planet_of[pair[0]] == here else pair[::-1]

@@ -71,7 +71,7 @@ def merged(both: Sequence[Grid], labels: str) -> Grid:
 
 
 def _columns(grid: Grid) -> dict[Hashable, tuple[int, Column]]:
-    """Return each column with its index, by heading; repeated headings have different keys."""
+    """Return each column with its index, by heading. Repeated headings have different keys."""
     keys = _numbered([column.heading for column in grid.columns])
     return {key: (place, grid.columns[place]) for place, key in enumerate(keys)}
 
@@ -116,7 +116,7 @@ def _spread(
 def _lines(
     pair: Sequence[list[Cell | None] | None], labels: str
 ) -> Iterator[tuple[int, list[Cell]]]:
-    """Yield the rows of both cases and their change, each a level deeper."""
+    """Yield the rows of A, of B and of their change, each with its level of indentation."""
     old, new = pair
     same = [True] * len(old or new or ())
     if old and new:

@@ -53,7 +53,7 @@ def paged(  # noqa: PLR0913, PLR0917 - as `gather`
 
 
 def merged_tables(both: Sequence[PagedCase], grids: Sequence[Grid | None]) -> Grid:
-    """Merge the tables of both cases; a missing table counts as empty."""
+    """Merge the tables of both cases. A missing table counts as empty."""
     present = next(grid for grid in grids if grid)
     empty = present._replace(columns=present.columns[:1], rows=[])
     return merged([grid or empty for grid in grids], "".join(case.label for case in both))

@@ -55,7 +55,7 @@ def with_tool_marks(grid: Grid, case: Transmission) -> Grid:
 
 
 def marked_links(grid: Grid, case: Transmission) -> Grid:
-    """Mark the rows of a gear's powers with links; a heading has the links of all its rows."""
+    """Mark the rows of a gear's powers with links. A heading has the links of all its rows."""
     find = _named(case)["power through"]
     kinds = {"links": _links(case)}
     rows, links_of_row, kind = [row[:] for row in grid.cells], [set[int]() for _ in grid.rows], find
@@ -129,7 +129,6 @@ def _links(case: Transmission) -> PartLinks:
 
 
 def _indices(links: Iterable[int]) -> list[int]:
-    """Return the indices of links, sorted and without the housing."""
     return sorted({link - 1 for link in links if link})
 
 

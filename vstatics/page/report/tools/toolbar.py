@@ -20,7 +20,7 @@ from vstatics.page.report.tools.marks import LOSS_SHARE, POWERS, RELATIVE
 US = {"Nm": "lbf*ft", "kW": "hp"}
 """Units customary in the United States, by the unit that they replace."""
 CHOICES = {"relative": "relative", "si": "rpm, N*m, kW", "us": "US: rpm, lbf*ft, hp"}
-"""Systems of units among which the reader chooses; the first is the default."""
+"""Systems of units among which the reader chooses. The first is the default."""
 
 
 def toolbar() -> Markup:

@@ -202,8 +202,8 @@ class AxesBoard:
     def road_wheels(self) -> Mapping[int, int]:
         """Index of the differential's station, for each link that ends in a road wheel.
 
-        A shaft of a differential is followed along springs to a link with an output, or to a link
-        that a spring, such as a tyre, connects to the output.
+        A shaft of a differential that is an output is itself the road wheel. Otherwise springs are
+        followed from the shaft, and the road wheel is the last link before the output.
         """
         differentials: dict[int, int] = {}
         for index, station in enumerate(self.stations):

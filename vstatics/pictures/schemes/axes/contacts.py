@@ -32,11 +32,11 @@ class AxisContact(NamedTuple):
     end: float = 0.0
     """Radius of the gear, or distance of the contact from the middle of the gear set. [pt]"""
     way_round: float = 0.0
-    """Detour from the contact past the edge of a gear set, for a link on the far side. [pt]"""
+    """Distance along the axis from `x` to the member, for a line around the gear set. [pt]"""
 
 
 def contacts(board: AxesBoard, chosen: StationOrder, xs: Sequence[float]) -> Iterator[AxisContact]:
-    """Yield the contacts of all stations; stations between a left and a right link are last."""
+    """Yield the contacts of all stations. Stations between a left and a right link come last."""
     first: list[AxisContact] = []
     for index, station in enumerate(board.stations):
         first += _fixed(board, chosen, index, station, xs[index])

@@ -78,7 +78,7 @@ class AxesPlaces(NamedTuple):
         return self.board.axis_of[link]
 
     def y(self, axis: int, height: float) -> float:
-        """Return the vertical position of a height on the side of an axis with the links [pt]."""
+        """Return the vertical position of a point at a height on the drawn side of an axis [pt]."""
         return self.board.rows.heights[axis] + self.board.rows.sides[axis] * height
 
     def in_set(self, number: int, glyph: Glyph) -> Callable[[float, float], Point]:

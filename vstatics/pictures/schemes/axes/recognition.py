@@ -118,7 +118,7 @@ def joint_of(
     """Return the joint of a component between two axes, if any, and groups of coaxial links.
 
     A mechanism with a ratio above 1 that drives the case of a differential (a link in `cages`) is a
-    final drive with an idler, since both links turn in the same direction.
+    final drive. Both links turn in the same direction, so the final drive has an idler.
     """
     links = [link for link in device.members.values() if link]
     if device.kind == "spring" and not device.is_coupling:

@@ -123,7 +123,7 @@ def _outermost(
     ends: Mapping[int, float],
     sections: Mapping[int, HalfSection],
 ) -> Iterator[tuple[int, int]]:
-    """Yield each end link that meets a single shift element or shaft, with its index."""
+    """Yield each end link at a single shift element or shaft, and the index of this component."""
     for link in ends:
         connected = [index for index in inside if link in scheme.devices[index].links]
         if (

@@ -62,7 +62,6 @@ def groups_of(board: AxesBoard, order: Sequence[int]) -> tuple[tuple[int, ...], 
 
 
 def _chain(index: int, neighbours: Mapping[int, Sequence[int]]) -> tuple[int, ...]:
-    """Return all stations of a chain, beginning at an end."""
     before, at = -1, index
     while ahead := [
         neighbour for neighbour in neighbours[at] if neighbour != before
@@ -106,7 +105,6 @@ def _by_hubs(board: AxesBoard, order: Sequence[int]) -> list[int]:
 
 
 def _by_links(board: AxesBoard) -> list[int]:
-    """Return the stations in breadth-first order from the input."""
     links = [port.link for port in board.ports if port.role == "input"]
     order: list[int] = []
     for link in links:

@@ -45,12 +45,13 @@ class Station(NamedTuple):
     ``differential``, ``box``, or ``section`` (several gear sets).
     """
     devices: Sequence[int]
-    """Indices of the components in `Scheme.devices`; a drum has several clutches."""
+    """Indices of the components in `Scheme.devices`. A drum has several clutches."""
     axes: Sequence[int]
     """Indices of the axes of the station, two for a gear pair."""
     links: Sequence[int]
-    """Connected links: of a pair, in the order of its gears; of a drum, the drum first; of a
-    half-section, its left and right link."""
+    """Connected links: in the order of the gears for a pair, the drum first for a drum, the left
+    before the right link for a half-section.
+    """
     half: float
     """Half the width of the station. [pt]"""
     names: Sequence[str] = ()

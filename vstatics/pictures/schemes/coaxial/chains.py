@@ -39,10 +39,10 @@ class CoaxialChain(NamedTuple):
 
 
 class ChainedScheme(NamedTuple):
-    """Scheme of the gearbox without the chains at the input and output."""
+    """Scheme in which the chains at the input and output are separated from the gearbox."""
 
     scheme: Scheme
-    """Scheme with all components, and with ports where chains continue in other rows."""
+    """Scheme with all components, whose ports include the ends of the chains."""
     chains: Sequence[CoaxialChain]
 
     @property

@@ -30,8 +30,8 @@ NAMED = (
 )
 """Variants of names in a layout to try, from wide to narrow.
 
-Each variant contains the number of letters per line, True to name only the links at the ends of the
-axis, and True to label gears by tooth numbers without names.
+A variant contains the number of letters per line, and two flags. The first flag limits names to the
+links at the ends of the axis, the second labels gears by tooth numbers only.
 """
 MOST_SHRUNK_NAMED = 2.5
 """Largest letter-to-length ratio with named gears; above it, symbols are too small. [-]"""

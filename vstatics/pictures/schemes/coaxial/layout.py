@@ -187,7 +187,7 @@ class _FrameMaker:
         self._stand(Upright("set", step.number, [], (), step.is_turned, wheels, left, right))
 
     def _fold(self, before: tuple[Bars, Bars], after: tuple[Bars, Bars]) -> None:
-        """Add a wall if a bar turns back around the new bar of a pair."""
+        """Add a wall (vertical line) if a link turns back around the new bar of a pair."""
         old, new = sum(before, ()), sum(after, ())
         turned = [bar for bar in old if new.count(bar) > old.count(bar)]
         if not turned:
@@ -229,7 +229,7 @@ class _FrameMaker:
 
 
 def _without_dead_ends(frame: SectionFrame) -> SectionFrame:
-    """Remove walls to bars that meet no other upright, and set the ends of all bars."""
+    """Remove walls (vertical lines) to bars that meet nothing else; set the ends of all bars."""
     while True:
         met = Counter(bar for up in frame.uprights for bar in {*up.all_bars})
         uprights = [
@@ -250,7 +250,7 @@ def _without_dead_ends(frame: SectionFrame) -> SectionFrame:
 
 
 def _aligned(old: Sequence[Bar], links: Sequence[int], *, is_above: bool) -> list[Bar]:
-    """Return bars of links; as many old bars as possible continue (longest common subsequence)."""
+    """Return bars of links. As many old bars as possible continue (longest common subsequence)."""
     most = [[0] * (len(links) + 1) for _ in range(len(old) + 1)]
     for a in range(len(old) - 1, -1, -1):
         for b in range(len(links) - 1, -1, -1):

@@ -161,7 +161,7 @@ def painted(  # noqa: PLR0913, PLR0917 - arguments of a picture
     name: str,
     note: str = "",
 ) -> Pen:
-    """Draw a half-section with the heading; letters have a fixed size."""
+    """Draw a half-section with the heading. Letters have a fixed size."""
     named = ", ".join([name, *sheet.remarks(style)])
     rows = list(sheet.rows(style.width))
     sizes = [row.size(style.width) for row in rows]

@@ -40,7 +40,8 @@ class Needs(NamedTuple):
     half: float
     """Half the height of the row of planets. [pt]"""
     signs: Sequence[float]
-    """Distance between the bars of each pair for the symbol, in the order of the train. [pt]"""
+    """Distance that the symbol of each pair needs between its bars, in the order of the train. [pt]
+    """
     names: Mapping[int, float]
     """Width of the name of each link on a bar, by the number of the link. [pt]"""
     letters: float = 1.0

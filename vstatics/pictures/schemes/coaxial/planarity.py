@@ -66,7 +66,7 @@ def has_half_section(train: CoaxialTrain, left_out: int = 0) -> bool:
 def _ways(
     train: CoaxialTrain, apart: Mapping[int, Sequence[_NumberedSet]], left_out: int
 ) -> list[list[list[_Joined]]]:
-    """Return the alternative drawings of each edge or group of edges."""
+    """Return, for each edge or group of edges, the alternatives from which a graph takes one."""
     ends = {link: list(chain(*map(_ends, sets))) for link, sets in apart.items()}
 
     def joined(
@@ -100,7 +100,7 @@ def _ways(
 
 
 def _ends(numbered: _NumberedSet) -> list[_Vertex]:
-    """Return the vertex of the carrier of a gear set, or both ends with several planes."""
+    """Return the vertices of a carrier: one, or both ends if the gear set has several planes."""
     number, planes = numbered
     return [(number, end) for end in range(min(2, len(planes.wheels)))]
 

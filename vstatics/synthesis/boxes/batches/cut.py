@@ -20,7 +20,7 @@ from vstatics.synthesis.boxes.schemes.stems import stems
 PIECE, LONGEST_PIECE = 0.5, 5.0
 """Estimated time of a piece, in a short search and in a long search. [s]"""
 MOST_SHORT_PIECES = 2000
-"""Largest number of pieces of length `PIECE`; longer searches have longer pieces."""
+"""Largest number of pieces of length `PIECE`. Longer searches have longer pieces."""
 SAMPLED_CHOICES = 24
 """Number of choices of input and output in the sample that estimates the total time."""
 DEPTH = Depth(firsts=8, sets=12, seconds=0.2)

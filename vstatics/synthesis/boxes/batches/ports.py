@@ -168,4 +168,4 @@ def _gears(bases: SpeedBases, table: Combinations) -> GearSpeeds:
 
 
 _KEYS = np.sqrt(np.arange(2, 66)).reshape(-1, 2) % 1 - 0.3
-"""Weights for two weighted sums of link speeds; equal sums mean equal speeds."""
+"""Weights for two weighted sums of link speeds. Equal sums mean equal speeds."""

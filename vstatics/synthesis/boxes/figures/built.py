@@ -19,7 +19,7 @@ OF_SETS = ("planetary", "double_planet", "ravigneaux", GROUP)
 
 
 class _CaseSet(NamedTuple):
-    """Gear set of a case; the central gear with fewer teeth is the sun."""
+    """Gear set of a case. The central gear with fewer teeth is the sun."""
 
     links: tuple[int, int, int]
     """Numbers of the links of sun, carrier and ring in the case."""

@@ -78,7 +78,7 @@ def with_drag(gears: Sequence[GearFigures]) -> list[GearFigures]:
 
 
 def mean_drag(gears: Mapping[str, float], weights: Mapping[str, float]) -> float:
-    """Return the weighted mean of the drag of gears; a gear without a weight has the weight 1.
+    """Return the weighted mean of the drag of gears. A gear without a weight has the weight 1.
 
     >>> mean_drag({"1": 2.0, "2": 0.0}, {"1": 3.0})
     1.5

@@ -112,7 +112,6 @@ def drawn_case(box: FoundBox, case: Transmission) -> Transmission:
 
 
 def _ravigneaux(name: str, plain: Mechanism, meshed: Mechanism) -> Element:
-    """Return the Ravigneaux set that consists of two gear sets with common carrier and ring."""
     members = {"small_sun": meshed.first, "large_sun": plain.first}
     members |= {"ring": plain.second, "carrier": plain.third}
     ratios = {"small_sun": meshed.ratio, "large_sun": plain.ratio}
@@ -164,7 +163,7 @@ def planet_ratio(ratio: float) -> float:
 
 
 def _set(place: int, links: Sequence[int], ratio: float, efficiency: float) -> Mechanism:
-    """Return the mechanism of a gear set; a planet ratio is added only if needed."""
+    """Return the mechanism of a gear set. A planet ratio is added only if needed."""
     sun, carrier, ring = links
     has_planets = ratio > 0 or carrier == HOUSING
     of_planet = planet_ratio(ratio)

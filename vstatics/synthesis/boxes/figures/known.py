@@ -81,9 +81,9 @@ class KnownBox(NamedTuple):
 def known_name(box: FoundBox) -> str | None:
     """Return the name of the shipped case that equals a gearbox; of several, the nearest.
 
-    A case is equal if scheme and shift elements agree, and if each gear of the gearbox has a gear
-    of the case whose engaged elements give the same ratio. The nearest case has the nearest ratios
-    of gear sets.
+    A case is equal if scheme and shift elements agree. In addition, the engaged elements of some
+    gear of the case must give the ratio of each gear of the gearbox. The nearest case has the
+    nearest ratios of gear sets.
 
     Parameters
     ----------

@@ -209,7 +209,6 @@ def _solved(case: Transmission) -> _Solved:
 
 
 def _largest(numbers: Iterable[float]) -> float:
-    """Return the largest absolute value of some numbers; NaN without numbers."""
     return max((abs(number) for number in numbers if not math.isnan(number)), default=math.nan)
 
 

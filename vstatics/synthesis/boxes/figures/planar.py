@@ -15,8 +15,7 @@ Edge = tuple[int, int]
 AXIS = -1
 """Vertex of the axis of rotation, in addition to the vertices of links and housing."""
 MOST_ENDS = 2
-"""Number of links that a spring contributes to its edge; the housing is the other end of a spring
-with a single link.
+"""Number of ends of the edge of a spring: its first two links, or its only link and the housing.
 """
 
 
@@ -24,11 +23,11 @@ with a single link.
 def box_is_planar(case: Transmission) -> bool:
     """Check whether a gearbox can be drawn without crossing shafts.
 
-    The graph of links, housing and axis must be planar. Its edges are sun to carrier and carrier to
-    ring of each gear set, each shift element, and the axis to the housing, to the input and to each
-    output, because input and outputs leave along the axis. Both links of a gear pair have an edge
-    to the housing, which supports the shafts. Gears that share planets count as gear sets of one
-    carrier.
+    The graph of links, housing and axis must be planar. Each gear set has edges from sun to carrier
+    and from carrier to ring, and each shift element is an edge. Edges lead from the axis to the
+    housing, and to the input and outputs, which leave along the axis. Both links of a gear pair
+    have an edge to the housing, which supports the shafts. Gears that share planets count as gear
+    sets of one carrier.
 
     Parameters
     ----------
@@ -64,7 +63,7 @@ def box_is_planar(case: Transmission) -> bool:
 
 
 def is_planar(edges: Iterable[Edge]) -> bool:
-    """Check whether a graph is planar; edges can be repeated or have two equal ends.
+    """Check whether a graph is planar. Edges can be repeated or have two equal ends.
 
     Examples
     --------

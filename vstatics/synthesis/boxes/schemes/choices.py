@@ -27,7 +27,7 @@ class BoxScheme(NamedTuple):
     held: int | None
     """Number of the permanently held link, or None."""
     ports: tuple[Ports, ...]
-    """Pairs of input and output link; symmetric pairs are listed once."""
+    """Pairs of input and output link. Symmetric pairs are listed once."""
 
 
 def with_choices(search: BoxSearch, codes: Codes, symmetries: Symmetries) -> Iterator[BoxScheme]:

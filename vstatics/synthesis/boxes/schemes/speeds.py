@@ -26,7 +26,7 @@ class SpeedBases(NamedTuple):
     """Factors that turn minors of `speeds` into polynomials of the gear-set ratios, (points,). [-]
     """
     moving: tuple[int, ...]
-    """Number of the link of each row of `speeds`; links without a gear-set member are last."""
+    """Number of the link of each row of `speeds`. Links without a gear-set member are last."""
 
 
 def speed_bases(search: BoxSearch, scheme: BoxScheme) -> SpeedBases:

@@ -1,9 +1,9 @@
 """Cells of gear-set ratios, and their reduction to the part where gears meet their targets.
 
 A cell is a range for each gear-set ratio. The ratio of a gear is a quotient whose numerator and
-denominator are linear in each gear-set ratio, so their values at the corners of a cell bound the
-quotient. The corners also bound the part of a cell, along each gear-set ratio, in which the gear
-can meet its target (a wanted ratio). Only parts without solutions are removed.
+denominator are linear in each gear-set ratio. Their values at the corners of a cell therefore bound
+the quotient. The corners also bound the part of a cell, along each gear-set ratio, in which the
+gear can meet its target (a wanted ratio). Only parts without solutions are removed.
 """
 
 from __future__ import annotations

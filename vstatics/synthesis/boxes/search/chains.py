@@ -24,7 +24,7 @@ class ChainRoom(NamedTuple):
     (combinations,).
     """
     order: Integers
-    """Order in which targets are assigned; targets joined by single shifts are consecutive."""
+    """Order in which targets are assigned. Targets joined by single shifts are consecutive."""
     is_shift: Booleans
     """True if a single shift must lead to a position of `order`; False at the end."""
     is_near: Booleans

@@ -185,7 +185,7 @@ def _find_commonest(port: PortGears, room: SetRoom) -> None:
 
 @compiled_part
 def _note_last(table: Combinations, targets: int, which: int, room: SetRoom) -> None:
-    """Record in `rows` that each element completes the other elements of a combination."""
+    """Record in `rows` each element of a combination, under the index of the other elements."""
     for place in range(table.members.shape[1]):
         bit, others = 1 << table.members[which, place], table.rests[which, place]
         for target in range(len(room.lengths)):

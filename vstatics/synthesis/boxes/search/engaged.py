@@ -23,9 +23,9 @@ from vstatics.synthesis.boxes.box import HELD
 class Combinations(NamedTuple):
     """Combinations of simultaneously engaged shift elements, from which element sets are formed.
 
-    Combinations are ordered by their last element, then the second last, and so on, so the index of
-    a combination is a sum of binomial coefficients. Combinations of positions within an element set
-    are ordered in the same way.
+    Combinations are ordered by their last element, then the second last, and so on. The index of a
+    combination is therefore a sum of binomial coefficients. Combinations of positions within an
+    element set are ordered in the same way.
     """
 
     ends: Integers
@@ -88,7 +88,7 @@ def number_of(table: Combinations, chosen: Integers, subset: int) -> int:
 
 @shared
 class GearSpeeds(NamedTuple):
-    """Link speeds of a scheme with each combination; equal speeds are stored only once."""
+    """Link speeds of a scheme with each combination. Equal speeds are stored only once."""
 
     speeds: Floats
     """Link speeds as polynomials of the ratios, at the corners of the bounds and a point within,

@@ -27,7 +27,7 @@ NO_END = 2**62
 
 @shared
 class SetRoom(NamedTuple):
-    """Work arrays of the search for element sets; the depth is the number of additions.
+    """Work arrays of the search for element sets. The depth is the number of additions.
 
     Sets of elements or targets given "as bits" are bit masks.
     """

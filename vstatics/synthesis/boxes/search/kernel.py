@@ -42,7 +42,7 @@ class PortRoom(NamedTuple):
 
 @shared
 class FoundRoom(NamedTuple):
-    """Gearboxes found with a given input and output; `SetRoom.listed` has their shift elements."""
+    """Gearboxes found with a given input and output. `SetRoom.listed` has their shift elements."""
 
     lengths: Integers
     """Number of gears of each gearbox in addition to the targets, shape (most,)."""
@@ -229,7 +229,7 @@ def _find_ratios_of_ports(speeds: Floats, port: PortGears, asked: Asked, room: P
 def _loaded(table: Combinations, gears: GearSpeeds, port: PortGears, which: int) -> int:
     """Return the shift elements of a combination that carry torque, as bits.
 
-    An element without torque can be released without changing the ratio: if it is released and the
+    An element without torque can be released without changing the ratio. If it is released and the
     input is held instead, the output is still at rest.
     """
     corners = gears.speeds.shape[2] - 1

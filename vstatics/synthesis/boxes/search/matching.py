@@ -94,8 +94,8 @@ def is_assigned(reach: Integers, count: int, room: MatchRoom) -> bool:
     """Remove from each gear ratio the targets that no complete matching assigns to it.
 
     An assignment is in some complete matching if the target that loses its ratio can take another
-    ratio, and so on, up to a free ratio or around a cycle (Regin's filter for all-different, AAAI
-    1994).
+    ratio, and so on, up to a free ratio or around a cycle. This is Regin's filter for all-different
+    (AAAI 1994).
 
     Parameters
     ----------

@@ -34,7 +34,7 @@ class PlaneRoom(NamedTuple):
     system: Floats
     """Normal equations and the inverse matrix, shape (sets, 2 sets)."""
     solving: Floats
-    """Pseudoinverse, which converts planes to gear-set ratios, shape (sets, targets)."""
+    """Pseudoinverse of the slopes of the planes, shape (sets, targets)."""
     middle: Floats
     """Least-squares solution of the gear-set ratios, shape (sets,)."""
     errors: Floats

@@ -1,7 +1,7 @@
 """Gear-set ratios at which the gears of a gearbox are nearest to their targets.
 
-Numerators and denominators of the gear ratios are known at the corners of the bounds, and are
-linear in each gear-set ratio, which gives their values and slopes everywhere. The method is
+Numerators and denominators of the gear ratios are known at the corners of the bounds. They are
+linear in each gear-set ratio, so their values and slopes follow everywhere. The method is
 Levenberg-Marquardt on ln(i/target)/width as a function of the logarithms of the gear-set ratios,
 with all gears within their widths. A gear-set ratio at a bound stays there while its slope points
 outwards.
@@ -355,7 +355,7 @@ def _weigh_errors(room: FitRoom, stiffness: float) -> None:
 
 @compiled_part
 def _find_system(room: FitRoom, least: float, most: float, damping: float) -> None:
-    """Set up the damped normal equations; a gear-set ratio held by a bound does not move."""
+    """Set up the damped normal equations. A gear-set ratio held by a bound does not move."""
     count, sets = room.jacobian.shape
     system, moves = room.system, room.tried
     for row in range(sets):

@@ -38,7 +38,7 @@ than the last number over its permitted gear-set ratios.
 MOST_CELLS = 200_000
 """Number of cells of gear-set ratios after which an element set is given up."""
 EACH, NONE = -1, -2
-"""Results of `_open_target`: a separate gear ratio for each target; no gear ratio for some target.
+"""Results of `_open_target`: each target has its own gear ratio, or some target lacks a ratio.
 """
 MORE_FITS = 50
 """Number of fits after a first solution, to find a better solution."""
@@ -75,7 +75,7 @@ class CellRoom(NamedTuple):
 
 
 def cell_room(table: Combinations, asked: Asked, sets: int, shifts: Integers) -> CellRoom:
-    """Return work arrays for solving an element set; `shifts` are pairs from `neighbours`."""
+    """Return work arrays for solving an element set. `shifts` are pairs from `neighbours`."""
     ratios, targets = len(table.places), len(asked.targets)
     return CellRoom(
         cells=cells_room(ratios, asked, sets),

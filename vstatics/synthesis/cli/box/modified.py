@@ -14,7 +14,7 @@ from vstatics.core.errors import CaseError, ReadError, quoted, typed_number
 from vstatics.synthesis.boxes.box import MOST_ELEMENTS, BoxSearch
 
 OF_CASE = ("sets", "engaged", "meshed", "own_input", "own_output", "shafts", "fixed")
-"""Fields of a search that follow from the case of --keep; their options are refused."""
+"""Fields of a search that follow from the case of --keep. Their options are refused."""
 SPELLED = {
     "elements": "shift-elements",
     "meshed": "double-pinion",

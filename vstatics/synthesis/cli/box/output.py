@@ -33,7 +33,7 @@ from vstatics.synthesis.boxes.tables import all_boxes, box_grids
 TABLES = {"text": "boxes.txt", "json": "boxes.json"}
 """Names in a directory of the files with the result, by format."""
 MOST_DRAWN_CASES = 300
-"""Largest number of gearboxes with a diagram; drawing takes most of the time of writing."""
+"""Largest number of gearboxes with a diagram. Drawing takes most of the time of writing."""
 CASE_SECONDS, DIAGRAM_SECONDS = 0.002, 0.15
 """Approximate processor times for the case and the diagram of a gearbox with two gear sets. [s]"""
 RESULT_NAMES = re.compile(r"box-\d{4,}\.(yaml|svg)|boxes\.(svg|html|csv|json|txt)")
@@ -59,7 +59,7 @@ class FoundBoxes:
 
     @cached_property
     def listing(self) -> BoxListing:
-        """Record of the found gearboxes for JSON; conversion to cases takes some time."""
+        """Record of the found gearboxes for JSON. Conversion to cases takes some time."""
         boxes = tuple(starmap(listed_box, enumerate(self.boxes, 1)))
         return BoxListing(self.searched, boxes, self.given_up, wanted_of(self.search))
 
@@ -72,7 +72,7 @@ class FoundBoxes:
         return f"{sets}, {elements}, {search.engaged} of them engaged in each gear"
 
     def text(self, form: str, style: TextStyle) -> bytes:
-        """Return the result in a format; JSON lines have a line for each gearbox."""
+        """Return the result in a format. JSON lines have a line for each gearbox."""
         by_format = {
             "json": lambda _: as_json(self.listing, "json"),
             "jsonl": lambda _: "".join(as_json(box, "jsonl") for box in self.listing.boxes),

@@ -1,4 +1,4 @@
-"""Search for gearboxes with output to a stream, file or directory; it can be resumed."""
+"""Search for gearboxes with output to a stream, file or directory. It can be resumed."""
 
 from __future__ import annotations
 
@@ -38,8 +38,8 @@ from vstatics.synthesis.cli.box.options import BoxAsked
 from vstatics.synthesis.cli.box.output import FoundBoxes, write_folder
 
 NEAREST_SECONDS = 10.0
-"""Longest search without result that is followed by a search for the nearest gearbox, and time
-limit of the latter. [s]
+"""Time limit of the search for the nearest gearbox. It follows a search without result that took no
+longer. [s]
 """
 FINEST = 0.01
 """Smallest tolerance in the search for the nearest gearbox. [-]"""

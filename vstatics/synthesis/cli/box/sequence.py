@@ -13,7 +13,7 @@ ends = partial(pair, example="1.2:1.8")
 
 
 def gear_counts(text: str) -> tuple[int, int]:
-    """Read the smallest and largest number of gears; a single number means both.
+    """Read the smallest and largest number of gears. A single number means both.
 
     >>> gear_counts("6:8"), gear_counts("6")
     ((6, 8), (6, 6))

@@ -153,7 +153,6 @@ def draw_ends(sheet: AxesSheet) -> None:
 
 
 def _draw_port(sheet: AxesSheet, port: SchemePort, at: Point, way: int) -> None:
-    """Draw the arrow of an input or output in the direction of power, if known."""
     pen = sheet.pen.within("port", port="input" if port.role == "input" else "output")
     x, y = draw_arrow(pen, at, (way, 0.0), sheet.ways([port]), sheet.end_color([port]))
     look: Look = {"color": sheet.name_color(port.link), "ha": "left" if way > 0 else "right"}

@@ -147,7 +147,6 @@ def _set(sheet: AxesSheet, number: int, station: Station) -> None:
 
 
 def _section(sheet: AxesSheet, number: int, station: Station) -> None:
-    """Draw gear sets and shift elements as a half-section above the axis."""
     layout, placing, axis = station.layout, sheet.placing, station.axes[0]
     assert layout is not None  # noqa: S101 - a half-section has a layout
     left, right = ends_of(layout)

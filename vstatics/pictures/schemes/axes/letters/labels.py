@@ -37,7 +37,7 @@ UNDER, BESIDE = 5.0, 9.0
 BESIDES = 8
 """Number of steps between the heights to try for a text next to a component."""
 SHORT = 30.0
-"""Height of a component below which a text at the side should be at mid-height. [pt]"""
+"""Height of a component up to which a text next to it should be at mid-height. [pt]"""
 ON_TEXT = 1e5
 """Cost of a text that covers letters of a different text. [pt of distance]"""
 STRANGE, NEAR = 12.0, 3.0
@@ -56,7 +56,7 @@ class WantedLabel(NamedTuple):
     above: Point
     """Middle of the lower edge of a text above, or of the upper edge of a text below. [pt]"""
     below: float
-    """Height of the near edge of a text below instead of above the component, or vice versa. [pt]
+    """Height of the edge nearest the component, for a text on the opposite side of it. [pt]
     """
     up: int
     half: float = 3.0

@@ -95,7 +95,6 @@ def _texts(  # noqa: PLR0913, PLR0917 - texts and their positions
 
 
 def _outlined(ink: SchemeInk, index: int, ends: tuple[Point, Point]) -> None:
-    """Draw the outline of a box, hatched if the component rotates as a block."""
     pen, said = ink.of_device(index).pen, ink.said(index)
     look: Look = {"facecolor": pen.style.paper, "edgecolor": ink.color(index), "joinstyle": "round"}
     edges = corners(*ends[0], *ends[1])

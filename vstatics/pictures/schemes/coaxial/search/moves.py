@@ -39,7 +39,7 @@ class Moves(NamedTuple):
         yield from SetMoves(*self).after(state)
 
     def _tops(self, state: SectionState) -> Iterator[Move]:
-        """Yield the steps in which a link begins at the housing; an end there needs no step."""
+        """Yield the steps in which a link begins at the housing, or crosses bars to reach it."""
         below, above, done = state
         bars = below + above
         for index, (link, bit) in enumerate(zip(self.train.tops, self.train.top_bits, strict=True)):
@@ -99,7 +99,7 @@ class Moves(NamedTuple):
 def _adjacent(
     below: Bars, above: Bars, link: int, part: int, *, wraps: bool
 ) -> Iterator[tuple[Bars, Bars, int]]:
-    """Yield the bars below and above with a new bar next to a bar of a link, or within it."""
+    """Yield the bars below and above with a new bar, `part`, next to or inside a bar of `link`."""
     for row, is_low in ((below, True), (above, False)):
         for at, bar in enumerate(row):
             if bar >> 3 != link:

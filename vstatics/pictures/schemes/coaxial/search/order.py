@@ -1,7 +1,7 @@
 """Deterministic search for the order of components along the axis.
 
 The search (A*) expands the state with the smallest sum of past cost and weighted estimate of the
-remaining cost; a large weight reaches an end sooner. Components that connect neighbouring bars
+remaining cost. A large weight reaches an end sooner. Components that connect neighbouring bars
 (lines of links) are added at once, which is never worse.
 """
 
@@ -33,7 +33,7 @@ class SearchEffort(NamedTuple):
     last: Sequence[tuple[float, int]]
     """Attempts in which every component that can cross links may do so."""
     is_first: bool = False
-    """True to take the first arrangement with crossings; False to take the best."""
+    """True to take the first arrangement with crossings. False to take the best."""
 
 
 CROSSING_TRIES = (1000.0, 800), (30.0, 400), (100.0, 400)
@@ -123,7 +123,7 @@ def _with_crossings(
 
 
 def _crossing(train: CoaxialTrain, *, is_planar: bool) -> list[int]:
-    """Return choices of the fewest components that leave a planar remainder, as bit masks."""
+    """Return the smallest sets of components without which the train is planar, as bit masks."""
     bits = [*train.pair_bits, *train.top_bits]
     for number in range(1, MOST_CROSSING + 1):
         ways = (sum(way) for way in combinations(bits, number))

@@ -45,7 +45,6 @@ def stacked(train: CoaxialTrain) -> list[OrderStep]:
 
 
 def _ways(train: CoaxialTrain, state: SectionState) -> Iterator[_Stacked]:
-    """Yield all remaining components as next steps, with the costs."""
     kinds = (
         (train.carrier_bits, _set),
         (train.pair_bits, _pair),

@@ -39,7 +39,7 @@ def begin_choices(room: ChoiceRoom) -> None:
 
 @compiled_part
 def next_choice(wanted: Sequence, goal: Goal, depth: int, room: ChoiceRoom) -> int:
-    """Find the next choice that the ranges allow; each choice is found once.
+    """Find the next choice that the ranges allow. Each choice is found once.
 
     Parameters
     ----------

@@ -13,7 +13,7 @@ from vstatics.synthesis.boxes.search.set_ratios import Asked, weigh, weighed
 
 @compiled_part
 def is_best(room: SequenceRoom) -> bool:
-    """Return whether the best known choice cannot be improved in the current phase."""
+    """Return whether the best known choice needs no further search."""
     if room.is_single_left[0]:
         return bool(room.best[1] > 0)
     return bool(room.best[0] == room.wanted.most)

@@ -112,7 +112,7 @@ def _looked(parts: Floats, most: int, asked: Asked, room: SequenceRoom) -> bool:
 
 @compiled_part
 def _may_be_better(count: int, top: int, asked: Asked, room: SequenceRoom) -> bool:
-    """Return whether a cell can contain a better choice; True if the decision takes too long."""
+    """Return whether a cell can contain a better choice. True if the decision takes too long."""
     cell, targets = room.cell, len(asked.targets)
     forward = find_bounds(room.parts[top], count, asked, cell, room.sums)
     if forward < fewest(room) or not matched(cell.reach, count, room.match):
