@@ -59,7 +59,7 @@ WHOLE = 1e-9
 ACCURACY = 1e-10
 """Relative accuracy of integrals."""
 NOTHING = 1e-300
-"""Absolute accuracy of integrals, satisfied only by a variance of 0. [unit^2]"""
+"""Absolute accuracy of integrals, so small that it only ends the integration of a 0. [unit^2]"""
 
 # records
 UNDAMPED = 1e-6
@@ -69,7 +69,7 @@ UNDAMPED = 1e-6
 SAME_INPUT_TORQUE = 1e-9
 """Relative difference up to which torques of load and pump are equal. [-]"""
 ROUGH_ACCURACY = 1e-3
-"""Relative accuracy of a first integral, which only scales the components. [-]"""
+"""Relative accuracy of a rough integral, which scales the components of the final integral. [-]"""
 SPEED_RATIO_STEP = 1e-15
 """Accuracy of the speed ratio of a converter at an operating point. [-]"""
 SECANT_STEP = 1e-6

@@ -165,8 +165,8 @@ def read_duty_table(
 
     A case with a single gear needs no column `gear`.
 
-    In a table with the column `duration`, as `vstatics cycle` writes it, `time` is an instant. Then
-    `time` and all additional columns are skipped.
+    In a table with the column `duration`, which `vstatics cycle` writes, `time` is an instant.
+    Durations are then read from `duration`, and `time` and further columns are skipped.
 
     Parameters
     ----------

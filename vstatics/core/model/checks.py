@@ -35,7 +35,7 @@ from vstatics.core.suggestions import why_not_allowed
 MOST_FREEWHEELS = 8
 """Largest number of freewheels in a case.
 
-The solver may try all combinations of holding freewheels in every gear: at most 2^8.
+The solver can try all combinations of holding freewheels in every gear: at most 2^8.
 """
 LARGE_DRAG = 0.05
 """Largest plausible relative drag torque; a larger number was probably meant in N*m. [-]"""

@@ -36,7 +36,7 @@ SIGNED_SAME = 2.0**-36
 PIVOT = 0.1
 """Smallest pivot relative to the largest entry of the row, to limit the growth of rows."""
 SIGNED_PIVOT = 1 / 256
-"""Any sign: as `PIVOT`, in the first variant; small, because guards protect sums."""
+"""Any sign: `PIVOT` in the first variant; less, because guards limit the cancellation of sums."""
 
 # Speeds, torques and powers of a gear.
 TIE = 1e-9

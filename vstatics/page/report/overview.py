@@ -63,7 +63,7 @@ def _efficiency(material: Material) -> Iterator[tuple[str, str]]:
 
 
 def _torque(material: Material) -> Iterator[tuple[str, str]]:
-    """Yield the largest torque of a shift element: with losses and in N*m, if known."""
+    """Yield the largest torque of a shift element, if possible in N*m and with losses."""
     largest = material.summary.largest
     for loaded in (True, False):
         for key in (LOSSY_TORQUES, TORQUES):

@@ -147,7 +147,7 @@ def _capacities(at: Moments) -> Iterator[Floats]:
 
 
 def _of_vehicle(road: Road, acceleration: Floats, turning: Floats) -> Floats:
-    """Convert the acceleration of a link with a road [rad/s^2] to vehicle acceleration [m/s^2]."""
+    """Convert the acceleration of a link that drives the vehicle from [rad/s^2] to [m/s^2]."""
     if road.wheel is None:
         return road.radius * acceleration
     slope, _ = road.wheel.turning_slopes(road.wheel.velocity(turning))

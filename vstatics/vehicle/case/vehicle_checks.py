@@ -96,7 +96,8 @@ def doubts_of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
 
 
 MASS_AGAIN = 0.5
-"""Inertia at the outputs that can contain the vehicle mass, relative to the inertia of the mass."""
+"""Smallest inertia at the outputs that probably includes the vehicle, divided by that of its mass.
+"""
 
 
 def _mass_twice(case: TransmissionFields, vehicle: Vehicle) -> Iterator[Problem]:

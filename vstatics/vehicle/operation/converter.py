@@ -94,12 +94,12 @@ def solved_slips(case: Transmission) -> tuple[Results, Floats]:
 
 
 def converters_of(case: Transmission) -> dict[int, ConverterGear]:
-    """Return gears with a free converter that the engine alone drives, by index.
+    """Return gears with a free converter and no other drive than the engine, by index.
 
     Raises
     ------
     CaseError
-        If the output speed does not depend on a converter.
+        If the output speed of such a gear does not depend on the converter's speed ratio.
     """
     gears = {
         index: ConverterGear.of(case, index)

@@ -37,7 +37,7 @@ def noted_files() -> Iterator[set[str]]:
 
 @contextmanager
 def no_files() -> Iterator[None]:
-    """Refuse to read files that documents name within the block, because they may be untrusted.
+    """Within the block, refuse to read files that documents name, because these can be untrusted.
 
     >>> with no_files():
     ...     lines_of(Path("/etc/passwd"), 100)

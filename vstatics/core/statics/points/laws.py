@@ -34,7 +34,7 @@ MOST_EXTRAPOLATED_STEPS = 40
 MOST_FREEWHEEL_PASSES = 8
 """Largest number of passes until the states of freewheels settle."""
 SCAN_POINTS = 17
-"""Number of trial efficiencies, if a single efficiency of a gear depends on torque."""
+"""Number of trial efficiencies, if only one mechanism of a gear depends on torque."""
 MOST_ROOTS = 3
 """Largest number of sign changes in which an efficiency is searched for."""
 ROOT_BISECTIONS = 60
@@ -352,7 +352,7 @@ class _Search:
         return results, columns, state
 
     def _scan(self, best: dict[CaseNumber, Floats], state: Integers) -> None:
-        """Search the whole range of efficiencies for solutions, if a single mechanism has laws."""
+        """Search the whole range of efficiencies, in gears with laws of only one mechanism."""
         single = [
             number
             for numbers in self.of_gear.values()

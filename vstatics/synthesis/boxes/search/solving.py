@@ -50,7 +50,7 @@ class CellRoom(NamedTuple):
 
     cells: RatioCells
     match: MatchRoom
-    """Matching with a gear ratio for each target."""
+    """Assignment of a gear ratio to each target."""
     chains: ChainRoom
     """Assignment of combinations of shift elements to targets."""
     ratio_of: Integers
