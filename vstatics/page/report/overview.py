@@ -16,7 +16,7 @@ from vstatics.page.report.tools.marks import RELATIVE
 from vstatics.pictures.paged.parts import gear_link, line_of
 
 WEIGHTS = {"error": "errors", "warning": "warnings", "note": "notes"}
-"""Singular -> plural of each severity, most severe first."""
+"""Plural of each severity, by its singular, most severe first."""
 
 
 def overview(material: Material) -> Iterator[Markup]:

@@ -20,7 +20,7 @@ from vstatics.simulation.system.matrices import SIGNS, Contact
 from vstatics.simulation.system.values import outside_torques
 
 Tables: TypeAlias = Mapping[str, Mapping[str, Floats]]
-"""Table name -> row name -> values over time."""
+"""Values over time, by names of table and row."""
 
 
 def picture_tables(at: Moments) -> Tables:

@@ -40,7 +40,9 @@ from vstatics.simulation.tolerances import (
 )
 
 _MOST_NUMBERS, _OF_A_STEP = 200_000, 300
-"""Number of stored values from which steps are reduced to instants, and number added per step."""
+"""Number of stored values above which time steps are reduced to instants, and number that a step
+has in addition to its states.
+"""
 
 
 class Record:

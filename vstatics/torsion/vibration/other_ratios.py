@@ -30,9 +30,9 @@ class VariedSystem(NamedTuple):
     system : TorsionalSystem
         System of the first variant.
     twists : mapping of int to ndarray, shape (variants, links)
-        Index in `TorsionalSystem.devices` -> varied twists.
+        Varied twists, by index in `TorsionalSystem.devices`.
     stiffnesses, inertias : mapping of int to ndarray, shape (variants,)
-        Index of an elastic component or body -> varied numbers. [N*m/rad, kg*m^2]
+        Varied numbers, by index of the elastic component or body. [N*m/rad, kg*m^2]
     """
 
     system: TorsionalSystem

@@ -187,7 +187,7 @@ def _at_output(case: TransmissionFields, vehicle: Vehicle) -> tuple[float, Mappi
 
 
 def _speeds_behind(case: TransmissionFields, outputs: Sequence[int]) -> dict[int, float]:
-    """Return link -> speed divided by output speed, for links geared to the outputs [-].
+    """Return the speeds of links geared to the outputs, divided by output speed [-], by link.
 
     Links geared to an input belong to the engine instead. An example is the flywheel of a gearbox
     with a single gear, which can have half the inertia of the vehicle.
@@ -202,7 +202,7 @@ def _speeds_behind(case: TransmissionFields, outputs: Sequence[int]) -> dict[int
 def _geared(
     case: TransmissionFields, starts: Sequence[int], limits: Collection[int]
 ) -> dict[int, float]:
-    """Return link -> speed divided by the speed of a start, for links geared to it [-]."""
+    """Return the speeds of links geared to a start, divided by its speed [-], by link."""
     speeds, new, pairs = dict.fromkeys(starts, 1.0), [*starts], list(_pairs(case))
     while new:
         link = new.pop()

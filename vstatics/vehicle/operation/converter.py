@@ -241,7 +241,7 @@ class ConverterGear(NamedTuple):
         ratios : ndarray
             Speed ratios of the converter. [-]
         further : mapping
-            Path of another number -> values.
+            Values of other numbers, by path.
         """
         if not len(ratios):
             return np.zeros(0)
