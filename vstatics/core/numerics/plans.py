@@ -69,7 +69,7 @@ class Plans:
         self.alone = 0
         """Number of variants that were calculated individually."""
         self.special = 0
-        """Number of variants for which no plan could be recorded."""
+        """Number of variants for which no plan could be recorded, or not with the right result."""
         self.few = FEW_VARIANTS
 
     def run(self, inputs: Inputs, rows: Rows) -> None:
