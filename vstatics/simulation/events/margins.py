@@ -86,7 +86,7 @@ class SplitRoom(NamedTuple):
     directions: Floats
     """Changes of the slacks along redundant torques, shape (slacks, directions)."""
     ways: Floats
-    """Sign of each slack: -1 if the torque of a mechanism is opposite to the least-norm split."""
+    """Signs of slacks, -1 if a mechanism's torque has the opposite sign of the least-norm split."""
     widest: Floats
     """Slacks of the split whose smallest slack is largest."""
 

@@ -86,7 +86,7 @@ def frequencies_of_ratios(
 
 
 def _block(varied: VariedSystem, split: Coordinates, variants: Integers) -> tuple[Floats, Booleans]:
-    """Return all frequencies of the first variant and of `variants`, with flags of equal rank."""
+    """Return all frequencies of the first variant and of `variants`, and flags of equal rank."""
     system = varied.system
     every = system.rows([device.twist for device in system.devices])
     forms = varied_numbers(every, varied.twists, variants)

@@ -176,7 +176,7 @@ def expect_cells(cells: Sequence[str], expected: int, separator: str) -> None:
 
 
 def numbered_rows(lines: Iterable[str]) -> Iterator[tuple[int, list[str]]]:
-    """Yield the non-empty rows of a table, each with the number of the last line.
+    """Yield the non-empty rows of a table, each with the number of its last line.
 
     The first row contains the headings, and no other row is longer. Numbers are converted to
     decimal points.

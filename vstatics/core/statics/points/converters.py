@@ -177,7 +177,10 @@ def without_sought(case: Transmission, given: Columns) -> tuple[Transmission, li
 
 
 def _is_alone(case: Transmission, gear: Gear, place: int) -> bool:
-    """Return whether only a converter connects the input with its turbine, without given speeds."""
+    """Return whether the input drives a pump that only the converter connects with its turbine.
+
+    It is also required that no speed is prescribed.
+    """
     bodies = list(range(case.links + 1))
     drag, freewheels = case.gear_open_drag(gear), case.freewheels
     joining: list[Iterable[int]] = [
