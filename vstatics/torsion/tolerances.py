@@ -59,7 +59,7 @@ WHOLE = 1e-9
 ACCURACY = 1e-10
 """Relative accuracy of integrals."""
 NOTHING = 1e-300
-"""Absolute accuracy of integrals, so small that it only ends the integration of a 0. [unit^2]"""
+"""Absolute accuracy of integrals, so small that it only matters if an integral is 0. [unit^2]"""
 
 # records
 UNDAMPED = 1e-6

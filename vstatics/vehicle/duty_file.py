@@ -126,7 +126,7 @@ def _gears(table: UnitTable, case: Transmission | None = None) -> Sequence[str]:
 
 
 def _driven(case: Transmission) -> Transmission:
-    """Return a case without `coast`, because steps of a driving cycle have torques with sign."""
+    """Return a case without `coast`, because torques in a driving cycle have a sign."""
     gears = [gear._replace(coast=None) for gear in case.gears]
     return replace(case, gears=gears, coast=None)
 

@@ -96,8 +96,7 @@ def doubts_of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
 
 
 MASS_AGAIN = 0.5
-"""Smallest inertia at the outputs that probably includes the vehicle, divided by that of its mass.
-"""
+"""Inertia at the outputs from which it probably includes the vehicle, divided by its inertia. [-]"""
 
 
 def _mass_twice(case: TransmissionFields, vehicle: Vehicle) -> Iterator[Problem]:

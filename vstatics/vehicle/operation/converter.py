@@ -32,7 +32,7 @@ INTERVALS = 2
 MOST_STEPS = 100
 """Largest number of steps of the Illinois rule."""
 MOST_DOUBLINGS = 40
-"""Largest number of times that a trial engine torque is doubled to exceed the pump torque."""
+"""Largest number of times that a trial engine torque is doubled, to bracket the root."""
 MOST_POINTS_AT_ONCE = 100_000
 """Largest number of operating points that are solved at once, to limit memory."""
 SLOWEST_PART = 4.0 ** -np.arange(1.0, 6.0)
@@ -63,7 +63,7 @@ def free_ratio(points: Floats) -> float:
 
 
 def bare(case: Transmission) -> Transmission:
-    """Return a case without operating points and coasting, for calculations at any point.
+    """Return a case without operating points and without coasting, for calculations at any point.
 
     Free converters have the largest speed ratio without braking torque.
     """
