@@ -96,7 +96,7 @@ def doubts_of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
 
 
 MASS_AGAIN = 0.5
-"""Inertia at the outputs from which it probably includes the vehicle, divided by its inertia. [-]"""
+"""Least inertia at the outputs that probably includes the vehicle, relative to the vehicle. [-]"""
 
 
 def _mass_twice(case: TransmissionFields, vehicle: Vehicle) -> Iterator[Problem]:
