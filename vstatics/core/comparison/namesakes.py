@@ -13,7 +13,7 @@ LINK = "link"
 ROUNDS = 4
 """Number of connections up to which neighbours are compared to identify a link or part.
 
-Links and parts at a larger distance may differ between the cases.
+Links and parts at a larger distance can differ between the cases.
 """
 Key = tuple[str, str]
 """Kind and name of a part, or `LINK` and the name of a link."""

@@ -64,7 +64,7 @@ def lines_of(file: Path, most: int) -> list[str]:
     OSError
         If the file cannot be read, or is larger.
     ValueError
-        If the file may not be read, or is not a text.
+        If files must not be read (`are_read`), or the file is not a text.
     """
     if not are_read():
         hint = "`loads` reads files from the folder of `name`, if it has a folder"

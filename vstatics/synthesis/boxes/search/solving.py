@@ -105,7 +105,7 @@ def solved(parts: Floats, reach: Integers, asked: Asked, room: CellRoom) -> floa
     asked : Asked
     room : CellRoom
         Work arrays; `ratio_of` contains the gear ratio of each combination. `best_logs` and
-        `best_gears` receive the fit, `given_up` whether a fit may exist that was not found.
+        `best_gears` receive the fit, `given_up` whether a fit can exist that was not found.
 
     Returns
     -------
