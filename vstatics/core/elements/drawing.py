@@ -1,4 +1,4 @@
-"""Drawing of a case as gear sets; devices whose members, planets and meshes have results."""
+"""Drawing of a case as gear sets, and the devices for which results are listed."""
 
 from __future__ import annotations
 
