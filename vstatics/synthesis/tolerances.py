@@ -56,8 +56,7 @@ ROUNDED_TEETH = 1e-6
 ROUNDED_ERROR = 1e-12
 """Largest error that counts as rounding, so that the search can end. [-]"""
 LARGEST_ERROR_WEIGHT = 1e-3
-"""Weight of a region's largest error, relative to its smallest error, in the order of search. [-]
-"""
+"""Factor of the largest error, which is added to the smallest error to order regions. [-]"""
 
 # The following tolerances are used in the search for whole gearboxes.
 NO_LOAD = 1e-9

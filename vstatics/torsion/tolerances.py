@@ -6,7 +6,7 @@ from __future__ import annotations
 REAL_EIGENVALUE = 1e-12
 """Largest imaginary part of an eigenvalue that counts as real, relative to its modulus."""
 SAME_MODULUS = 1e-9
-"""Relative difference up to which moduli of eigenvalues, or shares of modes, are equal."""
+"""Relative difference up to which moduli of eigenvalues, or shares of modes, count as equal."""
 LAST_EIGENVALUE_STEP = 1e-8
 """Relative step of an eigenvalue at which the iteration ends, as convergence is quadratic."""
 LOST_SQUARE = 1e-4
@@ -59,7 +59,7 @@ WHOLE = 1e-9
 ACCURACY = 1e-10
 """Relative accuracy of integrals."""
 NOTHING = 1e-300
-"""Absolute accuracy of integrals, satisfied only by a variance of 0. [unit^2]"""
+"""Absolute accuracy of integrals, so small that it only matters if an integral is 0. [unit^2]"""
 
 # records
 UNDAMPED = 1e-6
@@ -67,9 +67,9 @@ UNDAMPED = 1e-6
 
 # operating points and integrals
 SAME_INPUT_TORQUE = 1e-9
-"""Relative difference up to which torques of load and pump are equal. [-]"""
+"""Relative difference up to which torques of load and pump count as equal. [-]"""
 ROUGH_ACCURACY = 1e-3
-"""Relative accuracy of a first integral, which only scales the components. [-]"""
+"""Relative accuracy of a rough integral, which scales the components of the final integral. [-]"""
 SPEED_RATIO_STEP = 1e-15
 """Accuracy of the speed ratio of a converter at an operating point. [-]"""
 SECANT_STEP = 1e-6

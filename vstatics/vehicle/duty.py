@@ -22,7 +22,7 @@ class Duty(NamedTuple):
 
     kind: Kind
     shares: Mapping[str, float]
-    """Gear name -> share; the sum of shares is arbitrary."""
+    """Shares by name of the gear; the sum of shares is arbitrary."""
 
 
 class Stage(NamedTuple):

@@ -126,7 +126,7 @@ def _gears(table: UnitTable, case: Transmission | None = None) -> Sequence[str]:
 
 
 def _driven(case: Transmission) -> Transmission:
-    """Return a case without `coast`, because steps of a driving cycle have torques with sign."""
+    """Return a case without `coast`, because torques in a driving cycle have a sign."""
     gears = [gear._replace(coast=None) for gear in case.gears]
     return replace(case, gears=gears, coast=None)
 
@@ -165,8 +165,8 @@ def read_duty_table(
 
     A case with a single gear needs no column `gear`.
 
-    In a table with the column `duration`, as `vstatics cycle` writes it, `time` is an instant. Then
-    `time` and all additional columns are skipped.
+    In a table with the column `duration`, which `vstatics cycle` writes, `time` is an instant.
+    Durations are then read from `duration`, and `time` and further columns are skipped.
 
     Parameters
     ----------

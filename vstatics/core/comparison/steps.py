@@ -58,9 +58,10 @@ def _step(lower: Figure, upper: Figure) -> Figure:
 def step_differences(
     actual: Steps, expected: Steps, ratios: Collection[str], atol: float, rtol: float
 ) -> Iterator[Difference]:
-    """Yield differences of steps between gears whose ratios differ. `row` is the next gear.
+    """Yield differences of steps from or to gears whose ratios differ between the results.
 
-    Other steps are not compared, so that results with equal tables never differ.
+    Other steps are not compared, so that results with equal tables never differ. The `row` of a
+    difference is the next gear.
 
     Parameters
     ----------

@@ -283,7 +283,7 @@ def _teeth(
 
 
 def of_torsion(element: Element, path: Path) -> Iterator[Problem]:
-    """Report errors in the vibration data of a gear set: stiffness, damping, planet masses."""
+    """Report errors in the stiffness, damping and planet masses of a gear set."""
     yield from of_elastic(element.stiffness, element.damping, path)
     if not element.planet_masses:
         return
@@ -320,7 +320,7 @@ def of_torsion(element: Element, path: Path) -> Iterator[Problem]:
 
 
 def whole(element: Element, drawing: DrawingFields, path: Path) -> Iterator[Problem]:
-    """Report vibration data that do not suit the mechanisms or planet speeds of a gear set.
+    """Report a stiffness for several mechanisms, and planet inertias without a known speed.
 
     Parameters
     ----------

@@ -112,13 +112,14 @@ class Element:
     meshes : sequence of pairs of rims
         Rims of planets of a `planet_group` that mesh with each other.
     stiffness : float, optional
-        Stiffness of a gear set with a single mechanism, for vibration: torque on its first member
-        divided by the elastic deflection of that member with the others held. Default: rigid.
-        [N*m/rad]
+        Stiffness of a gear set with a single mechanism, for vibration and simulation: torque on its
+        first member divided by the elastic deflection of that member with the others held. Default:
+        rigid. [N*m/rad]
     damping : Damping or float
         Damping parallel to the stiffness; a number is viscous. [N*m*s/rad]
     planet_masses : mapping of planet to PlanetMass
-        Mass and inertia of a single planet, for vibration. The gear set has `planets` such planets.
+        Mass and inertia of a single planet, for vibration and simulation. The gear set has
+        `planets` such planets.
     ratios : mapping of sun to number
         Speed ratios of a Ravigneaux set with unknown teeth: sun to ring with the carrier held. [-]
 

@@ -13,9 +13,9 @@ from vstatics.core.model.parts import HOUSING
 from vstatics.core.suggestions import nearest
 
 LARGEST_WHEEL = 10**6
-"""Largest permitted number of teeth or diameter, far above any real gear.
+"""Number of teeth or diameter from which a gear is refused, far above any real gear.
 
-Ratios of such numbers are still exact.
+Ratios of smaller numbers are still exact.
 """
 
 MOST_PLANET_KINDS = 20
@@ -23,7 +23,7 @@ MOST_PLANET_KINDS = 20
 
 
 def rims(element: Element, path: Path) -> Iterator[Problem]:
-    """Report wrong or repeated names of the planet rims (gears) of a group."""
+    """Report errors in the rims (gears) of planets, in central gears and in meshes of a group."""
     seen = {}
     for planet, rims_of_planet in element.rims.items():
         place = (*path, "rims", planet)
@@ -47,7 +47,7 @@ def rims(element: Element, path: Path) -> Iterator[Problem]:
 
 
 def _wheels(element: Element, rims: Collection[str], path: Path) -> Iterator[Problem]:
-    """Report wrong sizes or names of central gears, and unknown rims in meshes."""
+    """Report wrong sizes or names of central gears, and unknown rims that gears or meshes name."""
     named: list[tuple[Path, str]]
     named = [((*wheel_path(element, wheel), "rim"), wheel.rim) for wheel in element.wheels]
     for number, pair in enumerate(element.meshes, 1):
@@ -117,7 +117,7 @@ def whole(element: Element, path: Path) -> Iterator[Problem]:
 
 
 def _group_wheels(element: Element, group: PlanetGroup, path: Path) -> Iterator[Problem]:
-    """Report gears on the carrier's link, rings too small for their sun, and blocked planets."""
+    """Report central gears that are on the carrier's link, too small, or block the planets."""
     for wheel in group.wheels:
         place = (*path, *wheel_path(element, wheel))
         if wheel.link == group.carrier != HOUSING:

@@ -1,9 +1,10 @@
 """Planets as bodies with inertia, and the inertias on links that replace them.
 
 A mechanism of links a and b and carrier h obeys ``w_a - w_h = K (w_b - w_h)``. The speed of its
-planet is ``w_q = w_h + alpha (w_a - w_h)``. The kinetic energy of the planet therefore equals the
-energy of three inertias on the links a, b and h. Source: Tarasik, Puzanova, Kurstak, 2018; the
-formulas were derived again.
+planet is ``w_q = c w_h + alpha (w_a - w_h)`` with c = 1. A bevel planet has c = 0, because its
+speed is relative to the carrier. The kinetic energy of the planet therefore equals the energy of
+three inertias on the links a, b and h. Source: Tarasik, Puzanova, Kurstak, 2018; the formulas were
+derived again.
 """
 
 from __future__ import annotations
@@ -55,7 +56,7 @@ def planet_bodies(case: Transmission) -> Iterator[tuple[Body, Shares]]:
 
 
 def _shares(case: Transmission, motion: PlanetInertia) -> dict[int, float]:
-    """Return inertias on links, relative to the inertia of the planet that they replace [-]."""
+    """Return inertias on links, divided by the inertia of the planet that they replace [-]."""
     drawing = drawing_of(case)
     assert drawing is not None  # noqa: S101 - it has planets
     name = motion.name.rpartition(".")[0]
@@ -76,7 +77,7 @@ def _shares(case: Transmission, motion: PlanetInertia) -> dict[int, float]:
 
 
 def _by_first(mechanism: Mechanism, speed: Mapping[int, float], carried: float) -> float:
-    """Return ``alpha = (w_planet - w_third)/(w_first - w_third)`` [-]."""
+    """Return ``alpha`` of the module docstring; `carried` is the coefficient c [-]."""
     if mechanism.first in speed and mechanism.first != HOUSING:
         return speed[mechanism.first]
     if mechanism.second in speed and mechanism.second != HOUSING:

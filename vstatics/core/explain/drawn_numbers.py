@@ -177,7 +177,7 @@ def _with_teeth(element: Element, place: int, seed: int) -> Element:
 
 
 def _changed(element: Element, teeth: Teeth) -> Element:
-    """Return a gear set with new teeth, by index of a central gear or by name of a gear or rim."""
+    """Return a gear set with other numbers of teeth, which `teeth` contains by `Key`."""
     if element.rims:
         wheels = [
             wheel._replace(teeth=teeth.get(index, wheel.teeth))

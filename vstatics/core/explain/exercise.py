@@ -182,7 +182,7 @@ def worksheet(
 ) -> GearExercise:
     """Return the exercise of a gear of a single case.
 
-    Prescribed speeds, and signs that follow from no rule, are not blanks. Numbers that are 0
+    Prescribed speeds, and signs as in `told_signs`, are not blanks. Numbers that are 0
     because of the gear-train layout are blanks only if there are few other blanks.
 
     Parameters

@@ -243,7 +243,7 @@ def _rest(data: Mapping[str, Any]) -> Grid:
 
 
 def _idle(state: GearState) -> Grid:
-    """Return the table of signs that do not follow from the power without losses."""
+    """Return the table of signs that the power flow without losses does not determine."""
     signs = zip(state.case.mechanisms, state.signs, told_signs(state), strict=True)
     rows = [(mechanism.name, whole(plain(sign))) for mechanism, sign, is_given in signs if is_given]
     title = "Signs of unloaded mechanisms"
@@ -253,7 +253,10 @@ def _idle(state: GearState) -> Grid:
 
 
 def told_signs(state: GearState) -> list[bool]:
-    """Return True for each mechanism whose sign does not follow from the power without losses."""
+    """Return True for each mechanism whose sign an exercise must state.
+
+    The power flow without losses does not determine such a sign.
+    """
     return [
         idle or turned is True
         for idle, turned in zip(state.search.idle, state.search.turned, strict=True)

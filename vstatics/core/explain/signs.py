@@ -143,8 +143,8 @@ def _why(state: GearState, place: int, motion: float, power: float) -> str:
         )
         if sign == 0:
             return why
-        # By convention the sign is +1 without torque, else the sign of the ratio; see
-        # docs/method.md.
+        # By convention the sign is +1 without torque, and the sign of the ratio for a torque
+        # without motion; see docs/method.md.
         chosen = (1.0, math.copysign(1, mechanism.ratio))[: 2 if motion == 0 else 1]
         by_convention = case.idle == "published" and sign in chosen
         by = "convention `published`" if by_convention else "flow with losses"

@@ -45,7 +45,7 @@ def _closed(
     """Yield the numbers of edges on cycles, for all nodes connected to `root`.
 
     A depth-first walk numbers the nodes in `order`. For each node, `back` is the smallest node
-    number that edges reach from the node or from nodes visited after it.
+    number that edges reach from the node or from the nodes visited through it.
     """
     if root in order:
         return

@@ -63,7 +63,7 @@ def _has_teeth(part: DrawnPart) -> bool:
 
 
 def _of_mechanism(state: GearState, index: int, *, lossy: bool) -> tuple[float, float]:
-    """Return the rolling power of a mechanism at its first or second link, and the loss [-]."""
+    """Return the rolling power that enters at the first or second link, and the loss [-]."""
     torques = state.lossy_torques if lossy else state.torques
     torque = torques.on_first_link[len(state.case.shift_elements) + index]
     by_first = state.ideal.direction * plain(power(torque, state.relative_speeds[index]))

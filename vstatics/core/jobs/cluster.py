@@ -40,7 +40,7 @@ class Cluster(Workers):
         ReadError
             If no scheduler answers, or no worker has this build of the package.
         """
-        distributed = import_module("distributed")  # costs start-up time, and may be missing
+        distributed = import_module("distributed")  # costs start-up time, and can be missing
         # Failures in Dask are reported as problems instead.
         for name in logging.root.manager.loggerDict:
             if name.partition(".")[0] in ("distributed", "tornado", "asyncio"):

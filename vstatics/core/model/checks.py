@@ -35,7 +35,7 @@ from vstatics.core.suggestions import why_not_allowed
 MOST_FREEWHEELS = 8
 """Largest number of freewheels in a case.
 
-The solver may try all combinations of holding freewheels in every gear: at most 2^8.
+The solver can try all combinations of holding freewheels in every gear: at most 2^8.
 """
 LARGE_DRAG = 0.05
 """Largest plausible relative drag torque; a larger number was probably meant in N*m. [-]"""
@@ -77,7 +77,7 @@ def problems(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def _in_motion(case: TransmissionFields) -> Iterator[Problem]:
-    """Yield errors in data for torsional vibration and in data of annexes."""
+    """Yield errors in data for simulation and vibration, and in data of annexes."""
     parts: list[ShiftElement | Mechanism] = [*case.shift_elements, *case.mechanisms]
     elastic = any(part.stiffness is not None or part.damping for part in parts)
     if _moves(case) or case.converters or elastic:
@@ -166,7 +166,7 @@ def _bare(
 
 
 def hints(case: TransmissionFields) -> Iterator[Problem]:
-    """Yield notes about shared planets, an assumed input direction, and repeated or lost data."""
+    """Yield notes on shared planets, assumed input directions, repeated gears and ignored data."""
     sets = (
         (number, mechanism.name or mechanism_name(number), mechanism.third, mechanism.links[:2])
         for number, mechanism in _own_mechanisms(case)

@@ -1,4 +1,4 @@
-"""Drag, efficiency or loss as function of speed or torque, and the checks of such laws."""
+"""Drag, efficiency or loss as a function of speed, torque or both, and checks of such laws."""
 
 from __future__ import annotations
 
@@ -235,7 +235,7 @@ def _ascending(numbers: Sequence[float], noun: str, least: float, path: Path) ->
 
 
 def of_balances(case: TransmissionFields) -> Iterator[Problem]:
-    """Check battery balances: links, efficiencies, and at least one unknown torque."""
+    """Check battery balances: links, efficiencies, power, and a link without speed and torque."""
     for number, gear in enumerate(case.gears, 1):
         if gear.balance is None:
             continue
@@ -319,7 +319,7 @@ def of_sought_ratios(case: TransmissionFields) -> Iterator[Problem]:
 
 
 def with_load(case: ACase, load: Load) -> ACase:
-    """Return a case at `load` if its operating points lack a value that its losses need."""
+    """Return a case at `load` if its operating points lack a value for losses or converters."""
     if not any(problem.id == "E267" for problem in (*without_loads(case), *of_sought_ratios(case))):
         return case
     gears = [gear._replace(load=None) for gear in case.gears]

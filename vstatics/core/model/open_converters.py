@@ -1,4 +1,4 @@
-"""Conversion of converters with a prescribed speed ratio to converters that slip freely."""
+"""Conversion of converters among the mechanisms to converters that slip freely."""
 
 from __future__ import annotations
 

@@ -200,9 +200,10 @@ class ShiftElement(NamedTuple):
     drag : float
         Drag torque when disengaged, relative to the input torque. [-]
     capacity : float, optional
-        Torque capacity relative to the input torque of the case; used only for margins. [-]
+        Torque capacity relative to the input torque of the case. Statics uses it only for margins
+        and warnings. [-]
     stiffness : float, optional
-        Stiffness when engaged, for vibration; rigid by default. [N*m/rad]
+        Stiffness when engaged, for vibration and simulation; rigid by default. [N*m/rad]
     damping : Damping or float
         Damping parallel to the stiffness; a number is viscous. [N*m*s/rad]
     static : float
@@ -271,8 +272,8 @@ class Mechanism(NamedTuple):
     name : str
         By default ``D`` and the number.
     stiffness : float, optional
-        Stiffness for vibration: torque on the first link divided by the twist, the sum of (1, -u, u
-        - 1) times the angles of the links. Default: rigid. [N*m/rad]
+        Stiffness for vibration and simulation: torque on the first link divided by the twist, which
+        is the sum of (1, -u, u - 1) times the angles of the links. Default: rigid. [N*m/rad]
     damping : Damping or float
         Damping parallel to the stiffness; a number is viscous. [N*m*s/rad]
     is_set : bool
@@ -665,7 +666,7 @@ class Gear(NamedTuple):
     load : Load, optional
         Operating point of this gear, which inherits omitted values from the case.
     input_turns : {"forward", "backward"}, optional
-        Direction of rotation of the input, on which freewheels depend since all speeds are
+        Direction of rotation of the input, on which freewheels depend, because all speeds are
         relative. By default the sign of the operating point, or forward without it.
     kind : {"gear", "neutral", "point"}
         ``neutral`` marks an intended neutral, for which no warning is given; ``point`` marks an
@@ -693,7 +694,7 @@ class Gear(NamedTuple):
         Torque by which `loss` brakes the input link, relative to the input torque, by link number.
         Only the solver sets this field. [-]
     pump_torques : mapping of int to float
-        Torques on the pumps of converters beside slipping lock-up clutches, relative to the input
+        Torques on the pumps of converters with slipping lock-up clutches, relative to the input
         torque, numbered as in `speed_ratios`. Only the solver sets this field. [-]
     open : sequence of int
         Disengaged converters, which transmit no torque in this gear, numbered as in `speed_ratios`.
@@ -837,7 +838,7 @@ class Planet(NamedTuple):
 
 
 class OwnDevice(NamedTuple):
-    """Gear set or mechanism named in the case; the solver may use several mechanisms for it."""
+    """Gear set or mechanism named in the case; the solver can use several mechanisms for it."""
 
     name: str
     mechanisms: tuple[int, ...]

@@ -190,7 +190,7 @@ class Spring(NamedTuple):
         Ascending twists and torques, instead of a stiffness. Points that begin with (0, 0) apply
         in both directions; they can also begin with a twist below 0. [rad, N*m]
     friction : float
-        Dry friction parallel to the spring, in a scenario and in the response. [N*m]
+        Dry friction parallel to the spring, in simulation and forced vibration. [N*m]
     strut : Strut, optional
         Hydropneumatic strut, instead of a stiffness.
 

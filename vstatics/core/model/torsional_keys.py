@@ -68,7 +68,7 @@ ELASTIC = (
     ),
     _DAMPING,
 )
-"""Keys of components that are elastic only in vibration and rigid otherwise."""
+"""Keys of components that are elastic in vibration and simulation, but rigid in statics."""
 
 LIMIT = Either(
     Leaf("si_torque", straight=True),

@@ -122,9 +122,9 @@ def without(values: Floats, flags: Booleans) -> Floats:
 
 
 def counted(lengths: Integers) -> tuple[Integers, Integers]:
-    """Return the list and the position within the list, both from 0, of each concatenated item.
+    """Return the number of the list and the position in the list of each item of all lists.
 
-    The second result restarts at 0 in each list.
+    Both count from 0.
 
         >>> [indices.tolist() for indices in counted(np.array([2, 0, 3]))]
         [[0, 0, 2, 2, 2], [0, 1, 0, 1, 2]]

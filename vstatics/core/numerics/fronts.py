@@ -132,7 +132,7 @@ def _front(points: Floats) -> Integers:
 
 
 def _behind(points: Floats, by: Floats) -> Booleans:
-    """Return flags of points dominated by `by`, whose first objectives are not larger."""
+    """Return flags of points that rows of `by` dominate, if no first objective in `by` is worse."""
     if points.shape[1] > 3:
         return _dominated(by[:, 1:], points[:, 1:], strictly=False)
     order = np.argsort(by[:, 1], kind="stable")

@@ -49,7 +49,7 @@ class _CachedCode(FunctionCache):
                 yield
         except RuntimeError:  # code that is not ready to be stored is compiled again
             pass
-        except Exception as error:  # noqa: BLE001 - a damaged pickle may raise anything
+        except Exception as error:  # noqa: BLE001 - a damaged pickle can raise anything
             CACHE_TROUBLE.append(f"{CACHE}: {type(error).__name__}: {error}")
             with suppress(Exception):
                 self.flush()

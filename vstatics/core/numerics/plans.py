@@ -38,7 +38,7 @@ WORTH = 12
 STEPS_LIKE_ONE_VARIANT = 250
 """Number of steps of a plan that cost as much as an individually calculated variant."""
 LEAST_SERVED = 1 / 64
-"""Smallest fraction of the variants that a plan is expected to serve in the next run."""
+"""Lower limit of the expected fraction of variants that a plan serves in the next run."""
 MOST_PLANS = 256
 """Largest number of plans of a calculation. Further variants are calculated individually."""
 TRIALS = 6
@@ -69,7 +69,7 @@ class Plans:
         self.alone = 0
         """Number of variants that were calculated individually."""
         self.special = 0
-        """Number of variants for which no plan could be recorded."""
+        """Number of variants for which no plan could be recorded, or not with the right result."""
         self.few = FEW_VARIANTS
 
     def run(self, inputs: Inputs, rows: Rows) -> None:

@@ -280,10 +280,7 @@ def is_nan(number: Either) -> bool:
 
 
 def _equal(number: Signed, other: object) -> bool:
-    """Return whether two numbers are equal.
-
-    A signed number equals another number only by coincidence or by a choice.
-    """
+    """Return whether two numbers are equal, recorded as a guard unless it is certain."""
     if not isinstance(other, Signed):
         plain = float(other)  # type: ignore[arg-type]
         if is_nothing(plain) or abs(plain) == math.inf or not number.low <= plain <= number.high:

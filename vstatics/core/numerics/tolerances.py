@@ -36,7 +36,7 @@ SIGNED_SAME = 2.0**-36
 PIVOT = 0.1
 """Smallest pivot relative to the largest entry of the row, to limit the growth of rows."""
 SIGNED_PIVOT = 1 / 256
-"""Any sign: as `PIVOT`, in the first variant; small, because guards protect sums."""
+"""Any sign: `PIVOT` in the first variant; less, because guards limit the cancellation of sums."""
 
 # Speeds, torques and powers of a gear.
 TIE = 1e-9
@@ -57,13 +57,13 @@ CYCLE = 1e-9
 STANDS_STILL = 1e-13
 """Change of an efficiency per iteration below which the iteration has converged."""
 SAME_SOLUTION = 1e-10
-"""Difference up to which two efficiencies or two speed ratios are equal."""
+"""Difference up to which two efficiencies or two speed ratios count as equal."""
 BALANCED = 1e-9
 """Largest error of a balanced battery's power, relative to the sum of all powers."""
 
 # Geometry and ratios: ratios of gears, rays of a speed plan, tips of teeth.
 SAME_RATIO = 1e-9
-"""Relative difference below which ratios of gears, or rays of a speed plan, are equal."""
+"""Relative difference below which ratios of gears, or rays of a speed plan, count as equal."""
 TIP_CLEARANCE = 1e-9
 """Clearance below which toothed gears touch, in modules."""
 

@@ -208,7 +208,7 @@ def loads(text: str | bytes, *, format: Format | None = None, name: str = "") ->
     name : str, optional
         Name of the text in messages. If it contains a folder, as in ``cases/box.yaml``, files named
         in the text are read relative to this folder. Otherwise such files are not read, because the
-        text may be untrusted.
+        text can be untrusted.
 
     Returns
     -------

@@ -40,8 +40,8 @@ def larger_torques(torques: Floats, lossy_torques: Floats) -> Floats:
 def carried_torques(results: Results, common: float) -> tuple[Floats, Booleans]:
     """Return the torques on shift elements, and flags of shift elements that carry torque.
 
-    Both arrays have the shape (gears, shift elements). Torques are relative to the input torque
-    `common` [N*m], or if that is 0, to the input torque of each gear.
+    Both arrays have the shape (gears, shift elements). Torques are results of `larger_torques`,
+    relative to the input torque `common` [N*m] or, if that is 0, to the input torque of each gear.
 
     >>> from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
     >>> case = Transmission(3, [ShiftElement(1, 2), ShiftElement(2, 0)],

@@ -533,7 +533,8 @@ def _driving_messages(results: Results, number: int) -> Iterator[Said]:
         size, side = relative, "below" if slip > 0 else "above"
         if isinstance(slip, OfLoad):
             size, side = f"{slip.given:g} rpm", "below" if slip.given > 0 else "above"
-        nearer = "nearer to 0 or " * bool(state.gear.pump_torques)  # where the pump takes less
+        # At a smaller slip the pump of the converter takes less torque.
+        nearer = "nearer to 0 or " * bool(state.gear.pump_torques)
         yield Said(
             "W438",
             f"with a slip of {size}, {case.shift_elements[element - 1].name} would give power "

@@ -33,8 +33,7 @@ class IdealGear(NamedTuple):
     """Torques without drag."""
     drag: Drag
     torques_with_drag: Torques
-    """Torques with drag, because some mechanisms carry only drag; without drag equal to `torques`.
-    """
+    """Torques with drag, which is all that some mechanisms carry; `torques` if there is no drag."""
     overcome: bool = False
     """True if power can enter at the output to overcome drag that exceeds the input power."""
 

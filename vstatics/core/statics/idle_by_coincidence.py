@@ -57,7 +57,7 @@ def coincidences(results: Results, number: int, gear: Gear, idle: set[int]) -> d
 
 
 def _idle_in_sets(results: Results, number: int) -> Iterator[int]:
-    """Yield the indices of mechanisms of loaded gear sets that may pass no power themselves."""
+    """Yield the indices of mechanisms that possibly transmit no power, although their set does."""
     case, is_idle = results.case, results.idle[number].tolist()
     behind = len(case.springs) + 1
     torques = iter(results.lossy_torques[number, len(case.shift_elements) : -behind].tolist())

@@ -196,7 +196,7 @@ class Results(PhysicalResults):
 
     @property
     def calculable(self) -> Booleans:
-        """Gears with speeds and torques, so that losses can be calculated, ``(..., gears)``."""
+        """True for gears whose speeds and torques exist, as losses require, ``(..., gears)``."""
         return self.balanced & ~self.tied_up & ~self.conflict
 
     def existing(self, name: str) -> Floats:

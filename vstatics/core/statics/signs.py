@@ -275,7 +275,7 @@ def _best(ideal: IdealGear, tried: Sequence[LossyTorques], start: IdealSigns) ->
 
 
 def _flow(x: Number, turns: Number) -> float:
-    """Return a key of the direction of power, 0 without power; traced numbers count as 1."""
+    """Return the sign x, or 0 without power, to count different flows; traced signs count as 1."""
     return (1.0 if is_traced(x) else plain(x)) * (1.0 if is_traced(turns) else plain(turns) ** 2)
 
 

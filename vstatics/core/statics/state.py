@@ -109,7 +109,7 @@ class GearState(NamedTuple):
         """Ratio ``w_input/w_output`` [-]; NaN if the output is at rest."""
         speed = self.output_speed
         ratio: Any = math.nan if speed == 0 else 1 / speed
-        return ratio  # type: ignore[no-any-return] # traced for variants, which users never see
+        return ratio  # type: ignore[no-any-return] # traced while a plan is recorded
 
     @property
     def drag(self) -> Drag:

@@ -135,7 +135,7 @@ def solve_sums(
     columns, drag
         See `solve_torques`.
     sums : sequence of mapping
-        For each sum, weights of the torques on first links, by device index. [-]
+        For each sum, weights of `Torques.factors`, by device index. [-]
 
     Returns
     -------

@@ -53,7 +53,7 @@ class GearNumber(NamedTuple):
 
     quantity: OfMechanism | OfGear
     owner: int
-    """Index of the mechanism, or number of the link or shift element."""
+    """Index of the mechanism, or number of the link or shift element, as in `CaseNumber`."""
 
 
 GearNumbers = Mapping[GearNumber, Floats]

@@ -36,7 +36,7 @@ class Combination(NamedTuple):
 
 
 def needed(case: Transmission) -> int:
-    """Return how many shift elements a gear must engage: degrees of freedom minus 1.
+    """Return the number of shift elements that a gear must engage: degrees of freedom minus 1.
 
     >>> from vstatics.core.model.transmission import Mechanism, ShiftElement
     >>> needed(Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])]))

@@ -34,7 +34,7 @@ class NamedPort(NamedTuple):
 
 
 class LostPower(NamedTuple):
-    """Power lost in meshes, variators or converters, by drag or in total."""
+    """Power lost in meshes, variators or converters, by drag or slip, in a gear, or in total."""
 
     in_: str
     power: float

@@ -81,7 +81,7 @@ def of_messages(results: Results) -> Grid:
 
 
 def _by_gear(lists: Sequence[Table]) -> Grid:
-    """Return a table with a row for each gear, and a column for each of several `Table`."""
+    """Return a table with a row for each gear, and a column for each of `lists`."""
     columns = [text("gear")]
     columns += [Column(table.quantity.name.replace("_", " ")) for table in lists]
     rows = [

@@ -42,7 +42,7 @@ def head(*, several: bool) -> str:
 
 
 def rows(file: str | None, results: Results, *, raw: bool = False) -> str:
-    """Return the rows of a result, for several results with the file of the case."""
+    """Return the rows of a result, which begin with the file of the case unless it is None."""
     front = [] if file is None else [file]
     cells = []
     for table in tables(results):

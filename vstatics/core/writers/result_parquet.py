@@ -24,7 +24,7 @@ def rows(file: str, results: Results) -> bytes:
     distribution matrix does not depend on the gear, so the column is empty, and the row is
     ``link:device``.
     """
-    pa = import_module("pyarrow")  # costs start-up time, and may be missing
+    pa = import_module("pyarrow")  # costs start-up time, and can be missing
     shown = tables(results)
     index = [place for table in shown for place in places(table)]
     name = file.encode(errors="backslashreplace").decode()  # file names need not be UTF-8

@@ -16,7 +16,7 @@ from vstatics.page.report.tools.marks import RELATIVE
 from vstatics.pictures.paged.parts import gear_link, line_of
 
 WEIGHTS = {"error": "errors", "warning": "warnings", "note": "notes"}
-"""Singular -> plural of each severity, most severe first."""
+"""Plural of each severity, by its singular, most severe first."""
 
 
 def overview(material: Material) -> Iterator[Markup]:
@@ -63,7 +63,7 @@ def _efficiency(material: Material) -> Iterator[tuple[str, str]]:
 
 
 def _torque(material: Material) -> Iterator[tuple[str, str]]:
-    """Yield the largest torque of a shift element: with losses and in N*m, if known."""
+    """Yield the largest torque of a shift element, if possible in N*m and with losses."""
     largest = material.summary.largest
     for loaded in (True, False):
         for key in (LOSSY_TORQUES, TORQUES):

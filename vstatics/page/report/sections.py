@@ -33,7 +33,7 @@ WELL = {
     "consistent": (1.0, "directions of power agree with the losses"),
     "locked": (0.0, "no self-locking gear"),
 }
-"""Heading of a column of results -> its value if all is well, and the sentence that replaces it."""
+"""Value of a column of results if all is well, and the sentence that replaces it, by heading."""
 PORTS, LARGEST = "ports", ("planets", "shift elements")
 """Keys of the table of ports, and of the tables of largest values, which also exist with units."""
 MARKS = Marks(holds="○", open="")

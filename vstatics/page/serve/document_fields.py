@@ -32,7 +32,7 @@ _ABSCISSAS = {"time": "s", "speed": "rad/s", "angle": "rad"}
 """Unit of the abscissa of torque points, by the value of the key `over`."""
 
 Texts = Mapping[str, bytes]
-"""File name -> contents of the file."""
+"""Contents of files, by file name."""
 
 
 class DocumentNumber(NamedTuple):

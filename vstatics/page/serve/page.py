@@ -144,7 +144,7 @@ def _title(material: Material, *, runs: bool) -> str:
 
 
 def head_of(material: Material, *, runs: bool) -> str:
-    """Return a hash that changes if the page must be reloaded, not just its sections."""
+    """Return a hash that changes if the whole page must be reloaded, not only its sections."""
     parts = [_title(material, runs=runs), *about(material), choice(material)]
     return hashlib.sha256("\n".join(parts).encode(errors="backslashreplace")).hexdigest()[:16]
 

@@ -130,7 +130,7 @@ class ShownStates:
         return digest_of(self.shown.calculated.texts)
 
     def kept(self, number: str) -> Shown | None:
-        """Return the state with a number (as text): of the files, or with unsaved changes."""
+        """Return the stored state with a number (as text); None if it is no longer stored."""
         of_files = (
             state for state in (self.shown, self.good) if state and str(state.number) == number
         )

@@ -36,8 +36,7 @@ class PictureState(NamedTuple):
     speeds: Sequence[float]
     """Relative speed of each link, the housing first; NaN if undetermined. [-]"""
     joined: Bodies
-    """Lowest number of the links that rotate with each link in the gear. The housing comes first.
-    """
+    """Body of each link, the housing first, identified by the lowest link number of the body."""
     is_still: Sequence[bool]
     """True for each mechanism or gear set without relative motion; all False without a solution."""
     roles: Sequence[Role]

@@ -23,7 +23,8 @@ NO_LEVER_TORQUE = 1e-12
 SAME_LEVER_COST = 1e-9
 """Smallest improvement of the cost of an order of levers that counts."""
 LEAST_POINT_DISTANCE = 1e-3
-"""Smallest distance of lever points, relative to the lever, that affects its height. [-]"""
+"""Distance of lever points, relative to the lever's length, below which its height is constant. [-]
+"""
 SAME_RUN_SPEED = 1e-6
 """Relative difference up to which speeds or torques of a run count as equal, or as 0. [-]"""
 NO_RUN_TORQUE = 1e-9

@@ -119,10 +119,11 @@ def _placed(cells: Sequence[LeverCell], cuts: Sequence[int], room: float) -> Ite
 
 
 def broken(sizes: Sequence[tuple[float, float]], cuts: Sequence[int], room: float) -> list[range]:
-    """Divide levers, given as (length, gap), into as few rows of a width as possible.
+    """Divide levers, given as (length, gap), into as few rows of the width `room` as possible.
 
-    Among divisions with that number of rows, first the number of cut lines is smallest, then the
-    longest row is shortest. `cuts` is the number of lines in the gap after each lever.
+    `cuts` is the number of lines that a new row after each lever would cut. Among divisions with
+    the fewest rows, the division with the fewest cut lines is chosen, then the division whose
+    longest row is shortest.
 
     >>> broken([(40.0, 5.0)] * 4, [1] * 4, 140.0), broken([(40.0, 5.0)] * 4, [1, 1, 0, 1], 140.0)
     ([range(0, 2), range(2, 4)], [range(0, 3), range(3, 4)])

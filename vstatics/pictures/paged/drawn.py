@@ -58,7 +58,7 @@ def of_each(
     """Draw a picture for each list of gears, or give the reason why a picture is missing."""
     try:
         drawn = of_each_choice(results, kind, in_spoken(style), shown)
-    except CaseError:  # pictures of other gears may succeed
+    except CaseError:  # pictures of other gears can succeed
         return [picture_of(results, kind, gears, style=style) for gears in shown]
     end = tr(", small") * (style is HALF)
     labels = (f"{_label(results, kind, gears)}{end}" for gears in shown)

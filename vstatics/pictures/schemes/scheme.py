@@ -1,4 +1,4 @@
-"""Scheme: links, components and ports of a case for a diagram, and the state in a gear."""
+"""Scheme of a case for diagrams (links, components and ports), and its state in a gear."""
 
 from __future__ import annotations
 
@@ -222,7 +222,7 @@ def _shift_elements(elements: Sequence[ShiftElement]) -> list[Device]:
 
 
 def _spring(number: int, spring: Spring, case: Transmission) -> Device:
-    """Return a spring as a shaft between two ends, or else as a box with coefficients."""
+    """Return a spring: a shaft if two links define its twist, else a box with coefficients."""
     shaft = ends(spring.twist)
     if shaft is not None:
         members = dict(zip(("first", "second"), shaft, strict=True))

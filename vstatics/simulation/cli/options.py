@@ -35,7 +35,7 @@ class SampleOptions(NamedTuple):
         Parameters
         ----------
         **of_one_run : bool
-            Name of each single-run option -> whether the option is present.
+            True for each single-run option that is present, by its name.
 
         Raises
         ------

@@ -58,7 +58,7 @@ class ModeChoices:
         self.within = AHEAD * system.scenario.span
         """Length of the look-ahead, the time after which margins are compared with now. [s]"""
         self.carrying: dict[int, bool] = {}
-        """Shift element index -> whether its feedback control lets it carry torque now."""
+        """True if feedback control lets a shift element carry torque now, by element index."""
 
     def at(
         self,

@@ -194,7 +194,7 @@ class Finder:
     def _dip(
         self, step: TimeStep, margins: Floats, last: int
     ) -> tuple[int, tuple[float, Floats]] | None:
-        """Find the first negative minimum of a margin between two instants, up to number `last`.
+        """Find the first negative minimum of a margin between two instants, up to index `last`.
 
         Returns the index of the next instant in `step.times`, with time and margins of the minimum.
         The first column of `margins` belongs to the start of the step.

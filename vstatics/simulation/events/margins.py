@@ -86,7 +86,7 @@ class SplitRoom(NamedTuple):
     directions: Floats
     """Changes of the slacks along redundant torques, shape (slacks, directions)."""
     ways: Floats
-    """Sign of each slack: -1 if the torque of a mechanism is opposite to the least-norm split."""
+    """Signs of slacks, -1 if a mechanism's torque has the opposite sign of the least-norm split."""
     widest: Floats
     """Slacks of the split whose smallest slack is largest."""
 
@@ -151,7 +151,7 @@ class Margins:
             for place, (mesh, *_) in enumerate(self.cones)
             if largest(structure.redundant[mesh]) > SHARED_TORQUE
         ]
-        """Rows of both slacks of each mechanism whose torque has an indeterminate sign."""
+        """Rows of the two slacks of each mechanism at rest with a redundant torque of any sign."""
         self.last_room: SplitRoom | None = None
         """Latest result of `_roomiest`, which is often needed again."""
         self.straight_limits = self._straight_limits()
@@ -270,7 +270,10 @@ class Margins:
         """
         equations = self.equations
         self.corners: list[tuple[int, bool, float, float]] = []
-        """Corners: row, True for a row of the state or False for a port rate, value, and side."""
+        """Corners: row, True if the row is in the state (else the port speeds), value, and factor.
+
+        The margin is the factor times the difference of the quantity and the value.
+        """
         for index, load in enumerate(equations.system.outside):
             law = load.law
             if not isinstance(law, Points) or law.over == "time":
@@ -289,7 +292,7 @@ class Margins:
             for corner, side in self._ends(at, spring.curve.corners, torque=True):
                 self.corners.append((row, True, corner, side * spring.stiffness))
         self.ratios: list[tuple[int, float, float]] = []
-        """Breakpoints of converters: converter index, speed ratio, and 1 above or -1 below it."""
+        """Ends of active pieces of converters: index of the converter, speed ratio, and factor."""
         for place, converter in enumerate(equations.system.converters):
             ratios = [ratio for ratio, _, _ in converter.points]
             for corner, side in self._ends(equations.layout.outside + place, ratios):
@@ -308,7 +311,10 @@ class Margins:
     def _ends(
         self, index: int, corners: Sequence[float], *, torque: bool = False
     ) -> Iterator[tuple[float, float]]:
-        """Add margins of the ends of the active linear piece; yield each corner and side."""
+        """Add margins of the ends of the active linear piece; yield each end and its factor.
+
+        The factor is +1 at the lower end and -1 at the upper end.
+        """
         piece = self.equations.states.pieces[index]
         for place, step in ((piece - 1, -1), (piece, 1)):
             if 0 <= place < len(corners):

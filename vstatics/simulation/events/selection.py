@@ -34,7 +34,7 @@ _AMPLE = 1e300
 _NEARER = (1e-2, 1e-4)
 """Factors on the length of the look-ahead, tried in turn if the full length gives no result."""
 _MOST_TURNED = 8
-"""Largest number of corrections where torques that depend on the motion would reverse a slip."""
+"""Largest number of iterations if torques a little later would reverse a slip that begins."""
 
 
 class NoChoice(Exception):  # noqa: N818 - never raised to callers
@@ -175,10 +175,11 @@ class ModeSelection:
     def _driven(
         self, states: States, choices: Sequence[Choice], at: Instant, scales: LargeSizes
     ) -> States:
-        """Return the states in which mechanisms move whose speeds follow from links with inertia.
+        """Return the states in which mechanisms move as the links with inertia require.
 
-        While a gear is engaged, this holds for nearly all mechanisms. Only a mechanism next to
-        slipping contacts can be at rest, or have a speed that jumps.
+        While a gear is engaged, the speeds of links with inertia determine nearly all mechanisms.
+        Only a mechanism next to slipping contacts can be undetermined: at rest, or with a speed
+        that jumps.
         """
         options = {index: options for kind, index, options in choices if kind == "meshes"}
         if not options:

@@ -46,7 +46,7 @@ class ShiftPhase(NamedTuple):
 
 
 GearSets = Mapping[str, frozenset[str]]
-"""Gear name -> names of its shift elements."""
+"""Names of the shift elements of each gear, by name of the gear."""
 
 
 def element_sets(results: Results) -> GearSets:

@@ -12,7 +12,7 @@ from vstatics.core.tables.answer import Flat, Provided, Sometimes, document
 from vstatics.simulation.record.motion import Energy, Event, Motion, Peak, Reached
 
 Rows: TypeAlias = Sometimes[Mapping[str, Floats]]
-"""Table of a run: name of the row -> values over time. Absent unless requested."""
+"""Table of a run: values over time, by name of the row. Absent unless requested."""
 
 
 class AskedAnswer(NamedTuple):

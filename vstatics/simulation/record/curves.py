@@ -18,7 +18,10 @@ from vstatics.core.numerics.arrays import Floats, Integers
 from vstatics.simulation.tolerances import CHORD, EQUAL_EXTREMES, NO_RANGE
 
 _NEAR_TOP = 0.1
-"""Distance from the extreme of a column within which nodes are examined, relative to its range."""
+"""Height below the highest node (or above the lowest) in which turning points are candidates.
+
+The height is relative to the range of the column. [-]
+"""
 _NEWTON_OF_EXTREMES = 4
 _MOST_CHORDS = 1e6
 """Square of the largest number of chords of a part; more would only draw a wild polynomial."""

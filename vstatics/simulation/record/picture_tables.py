@@ -20,7 +20,7 @@ from vstatics.simulation.system.matrices import SIGNS, Contact
 from vstatics.simulation.system.values import outside_torques
 
 Tables: TypeAlias = Mapping[str, Mapping[str, Floats]]
-"""Table name -> row name -> values over time."""
+"""Values over time, by names of table and row."""
 
 
 def picture_tables(at: Moments) -> Tables:
@@ -147,7 +147,7 @@ def _capacities(at: Moments) -> Iterator[Floats]:
 
 
 def _of_vehicle(road: Road, acceleration: Floats, turning: Floats) -> Floats:
-    """Convert the acceleration of a link with a road [rad/s^2] to vehicle acceleration [m/s^2]."""
+    """Convert the acceleration of a link that drives the vehicle from [rad/s^2] to [m/s^2]."""
     if road.wheel is None:
         return road.radius * acceleration
     slope, _ = road.wheel.turning_slopes(road.wheel.velocity(turning))

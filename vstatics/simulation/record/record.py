@@ -40,7 +40,9 @@ from vstatics.simulation.tolerances import (
 )
 
 _MOST_NUMBERS, _OF_A_STEP = 200_000, 300
-"""Number of stored values above which steps are reduced to instants; values added per step."""
+"""Number of stored values above which time steps are reduced to instants, and number that a step
+has in addition to its states.
+"""
 
 
 class Record:
@@ -78,7 +80,7 @@ class Record:
         self.drawn, self.numbers = DrawnRun(system, step, asked), 0
         self.sharing: set[tuple[int, ...]] = set()
         self.open: set[frozenset[int]] = set()
-        """Sets of contacts with a note that others could break away instead."""
+        """Sets of contacts of the notes about other contacts that could break away instead."""
         self.time = start.time
         self.energy_scale = max(kinetic_energy(system, start.speeds), 1.0)
         self.worked, self.stored = 0.0, 0.0

@@ -50,7 +50,7 @@ class MotionColumns:
     ----------
     system : MotionSystem
     asked : mapping of str to sequence of str
-        Name of each additional table -> names of its rows.
+        Names of the rows of each additional table.
     """
 
     def __init__(self, system: MotionSystem, asked: Mapping[str, Sequence[str]]) -> None:

@@ -77,7 +77,7 @@ class StepCondition(NamedTuple):
         Parameters
         ----------
         turning : mapping of str to callable
-            Name of a link with a road -> function from vehicle speed [m/s] to link speed [rad/s].
+            Function from vehicle speed [m/s] to link speed [rad/s], by name of a link with a road.
 
         Raises
         ------

@@ -46,7 +46,7 @@ def value_at(polynomial: Polynomial, x: float) -> float:
 
 
 def corners(tree: Tree, name: str) -> dict[float, bool]:
-    """Find the corners along a variable: position, in order -> True if a jump is possible.
+    """Find the corners along a variable in order, each with True if a jump is possible there.
 
     Only corners of piecewise polynomials are found.
 

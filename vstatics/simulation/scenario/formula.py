@@ -52,7 +52,7 @@ class Vocabulary(NamedTuple):
     """Names that formulas of a scenario can use in addition to t, speed and angle."""
 
     rows: Mapping[str, Collection[str]] = EMPTY
-    """Function of the motion -> possible arguments: `slip` -> names of shift elements."""
+    """Possible arguments of each function of the motion: names of shift elements for `slip`."""
     numbers: Mapping[str, float] = EMPTY
     values: Collection[str] = ()
     """Names of control states, and of numbers that sequences set."""
@@ -198,7 +198,7 @@ class Formula(NamedTuple):
 
     @property
     def surfaces(self) -> dict[JumpSurface, str]:
-        """Moving jumps -> side (`+` or `-`) to which the value at the jump belongs."""
+        """Moving jumps, each with the side (`+` or `-`) to which the value at the jump belongs."""
         return surfaces(self.whole)
 
     def on_side(self, surface: JumpSurface, side: float) -> Formula:

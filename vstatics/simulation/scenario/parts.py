@@ -26,15 +26,15 @@ class Start(NamedTuple):
     speed : float
         Speed of the input, with a gear. [rad/s]
     speeds : mapping of int to float
-        Number of a link -> its speed, instead of a gear. [rad/s]
+        Speeds of links by link number, instead of a gear. [rad/s]
     engaged : sequence of int
         Numbers of the shift elements that stick at t = 0, in addition to `speeds`.
     settled : bool
         True if the twists of springs balance the torques of t = 0 at rest.
     twists : mapping of str to float
-        Name of a spring -> its twist [rad], or its extension if it is straight [m].
+        Twists of springs by name [rad]; extensions of straight springs [m].
     angles : mapping of int to float
-        Number of a link -> its angle [rad], or its position if it is a mass [m].
+        Angles of links by link number [rad]; positions of masses [m].
 
     Examples
     --------
@@ -134,11 +134,11 @@ class SequenceStep(NamedTuple):
     wait: float = 0.0
     """Time from the condition to the action. [s]"""
     settings: Mapping[str, Curve] = EMPTY
-    """Name of a setting or state -> new value."""
+    """New values of settings and states, by name."""
     shift: Shift | None = None
     """Shift that begins with the action; its time `at` is ignored."""
     dogs: Mapping[int, bool] = EMPTY
-    """Number of a dog clutch -> True if the step closes the clutch, False if it opens it."""
+    """True if the step closes a dog clutch, False if it opens it, by number of the clutch."""
 
 
 class StepSequence(NamedTuple):
@@ -168,7 +168,7 @@ class Scenario(NamedTuple):
         Time to simulate. [s]
     start : Start
     controls : mapping of int to Control, optional
-        Number of a shift element -> its control; None if the document lacks the key.
+        Controls of shift elements by number; None if the document lacks the key.
     torques : sequence of (int, TorqueLaw)
         External torques on links; a link can appear several times. [N*m]
     converters : sequence of Converter
@@ -176,19 +176,18 @@ class Scenario(NamedTuple):
     shifts : sequence of Shift, optional
         Shifts in their order; None if the document lacks the key.
     targets : mapping of int to sequence of float
-        Number of a link -> speeds for which time and distance are reported. [rad/s]
+        Speeds for which time and distance are reported, by link number. [rad/s]
     settings : mapping of str to float
-        Name of a number that sequences set -> its initial value.
+        Initial values of the numbers that sequences set, by name.
     states : sequence of ControlState
     sequences : sequence of StepSequence
     speeds : mapping of int to Curve
-        Number of a link -> its given speed over time: points without a jump, or a formula of t.
-        [rad/s]
+        Given speeds over time, by link number: points without a jump, or a formula of t. [rad/s]
     speed_ratios : mapping of int to Curve
-        Number of a variator -> its speed ratio over time, w_second/w_first: points without a jump,
+        Speed ratios over time, w_second/w_first, by number of the variator: points without a jump,
         or a formula of t. [-]
     limits : mapping of int to Curve
-        Number of a spring -> limit of its torque, instead of the `limit` of the case. [N*m]
+        Torque limits by number of the spring, instead of the `limit` of the case. [N*m]
     static : StaticTorque, optional
         Gear and input torque for dynamic factors.
 

@@ -34,7 +34,7 @@ class JumpSurface(NamedTuple):
 
 
 def surfaces(tree: Tree) -> dict[JumpSurface, str]:
-    """Return the moving jumps -> side (`+` or `-`) to which the value at the jump belongs.
+    """Return moving jumps, each with the side (`+` or `-`) to which the value at the jump belongs.
 
     Examples
     --------

@@ -187,7 +187,10 @@ class Ports:
                 self._limited(index, SIGNS[state], states, time)
 
     def finest(self, rates: Floats) -> float:
-        """Return a change of rates that keeps torques linear near the end of a slip [rad/s]."""
+        """Return a tenth of the smallest slip that can end, for finite differences [rad/s].
+
+        Torques are nearly linear within this change; see `_FINE`.
+        """
         nearest = min((abs(float(rates[port])) for port in self.ending), default=math.inf)
         return _FINE * math.hypot(nearest, self.rounding)
 

@@ -143,7 +143,7 @@ class Corner(NamedTuple):
     text: str
     """Text of the formula."""
     compared: Sequence[Compared]
-    """Comparisons of a number with ascending numbers, of which only the nearest matter."""
+    """Comparisons of a number with breakpoints, ascending; only the nearest breakpoints matter."""
     jumps: Sequence[bool]
     """For each comparison, True if the formula can jump there."""
 

@@ -73,7 +73,7 @@ class MotionStructure:
     multipliers : sequence of Multiplier
         Mechanisms first, in the order of the system.
     contact_rows : dict of int to int
-        Index of each sticking contact -> row of its constraint torque in `torques`.
+        Row of the constraint torque in `torques`, by index of each sticking contact.
     torques : ndarray, shape (multipliers, ports)
         Matrix from torques of ports to constraint torques; redundant torques have least norm.
     redundant : ndarray, shape (multipliers, directions)

@@ -133,7 +133,7 @@ class ValueChanges:
         return bool((self.leading(index, np.array([time, later]), seen) > 0).all())
 
     def leading(self, index: int, times: Floats, seen: Floats) -> Floats:
-        """Return the smaller of the rates back to a turning point from both sides, (times,)."""
+        """Return the smaller of the rates from both sides towards a turning point, (times,)."""
         times, point = self.equations.ports.inside(times), self.points[index]
         sided, rates = seen.copy(), []
         for side in (-1.0, 1.0):

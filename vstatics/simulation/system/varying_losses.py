@@ -131,7 +131,7 @@ class VaryingLosses:
 
         agreed = self.fixed_points.near(self.latest, on_first, least)
         self.failed = self._failure(speeds, agreed, least)
-        if self.failed:  # far from a solution, impossible efficiencies can agree with the torques
+        if self.failed:  # from a distant start, the iteration can end at impossible efficiencies
             self.fixed_points = FixedPoints(len(self.meshes))
             agreed = self.fixed_points.near(held, on_first, least)
             self.failed = self._failure(speeds, agreed, least)

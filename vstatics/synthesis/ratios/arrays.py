@@ -13,7 +13,7 @@ from vstatics.synthesis.ratios.formula import GearFormula
 from vstatics.synthesis.ratios.multilinear import Polynomial, bits
 
 MOST_CORNERS = 2**16
-"""Largest number of corners of the bounds that are evaluated, sufficient for 16 ratios."""
+"""Largest number of evaluated combinations of lower and upper bounds, reached by 16 ratios."""
 PRODUCTS_AT_ONCE = 4_000_000
 """Number of products of ratios that are calculated together."""
 

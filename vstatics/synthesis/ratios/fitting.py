@@ -170,7 +170,7 @@ def _gears(problem: FitProblem, ratios: Floats) -> Iterator[float]:
 
 
 def _kept(problem: FitProblem) -> Iterator[str]:
-    """Yield remarks on mechanisms that keep the ratio -1, which may only be a placeholder."""
+    """Yield remarks on mechanisms that keep the ratio -1, which is perhaps a placeholder."""
     links = problem.links
     for index, mechanism in enumerate(links.case.mechanisms):
         if links.is_fixed(index) and mechanism.ratio == -1 and problem.bounds.is_fixed(index):

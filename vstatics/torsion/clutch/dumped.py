@@ -47,7 +47,7 @@ _CASES: Mapping[tuple[bool, Slips], tuple[DumpCase, DumpCase]] = {
     (True, ("clutch", "grip")): ("V2", "V2"),
     (True, ("grip", "clutch")): ("V3", "V3"),
 }
-"""(Does the clutch grab?, slipping contacts) -> case for rolling wheels, and for clamped wheels."""
+"""Cases for rolling and clamped wheels, by a flag for a grabbing clutch and slipping contacts."""
 
 DUMP_FORM = "vstatics-dump"
 """Name of the JSON format of answers about clutch dumps."""

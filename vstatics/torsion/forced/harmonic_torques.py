@@ -45,7 +45,7 @@ class Harmonic(NamedTuple):
     phase : float
         Phase of the torque. [rad]
     by_link : mapping of str to complex
-        Name of a link -> complex torque, instead of `amplitude` and `phase`. The empty name is
+        Complex torques by name of the link, instead of `amplitude` and `phase`. The empty name is
         the excited link of the response. [N*m]
 
     Examples
@@ -88,9 +88,9 @@ class OrderResponse(NamedTuple):
     ----------
     order : float
     amplitudes : mapping
-        Name of a link -> amplitudes. [rad]
+        Amplitudes by name of the link. [rad]
     torques : mapping
-        Name of a component -> torques on its first link. [N*m]
+        Torques on the first link, by name of the component. [N*m]
     """
 
     order: float
@@ -175,7 +175,7 @@ def response(  # noqa: PLR0913 - all but the first by name
     gears : sequence of int or str, optional
         Numbers (from 1) or names of gears. By default all gears.
     speed_ratios : mapping of str to float, optional
-        Name of a converter -> speed ratio, instead of the ratio in the gear. [-]
+        Speed ratios by name of the converter, instead of the ratios in the gear. [-]
 
     Returns
     -------
@@ -368,7 +368,7 @@ def _torques(
     Parameters
     ----------
     exciting : mapping of int to complex
-        Index of an excited link -> torque on it. [N*m]
+        Torques by index of the excited link. [N*m]
     friction : mapping of str to ndarray
         Torques of dry friction, by the names of springs. [N*m]
     """

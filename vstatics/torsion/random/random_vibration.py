@@ -113,7 +113,7 @@ def random_vibration(  # noqa: PLR0913 - all but the first by name
     omegas : array_like, optional
         Frequencies at which spectra are returned. [rad/s]
     speed_ratios : mapping of str to float, optional
-        Name of a converter -> speed ratio, instead of the ratio in the gear. [-]
+        Speed ratios by name of the converter, instead of the ratios in the gear. [-]
 
     Returns
     -------

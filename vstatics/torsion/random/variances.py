@@ -52,7 +52,7 @@ class Driven(NamedTuple):
     undamped: Floats
     """Basis of the undamped motions, shape (states, u)."""
     moved: Floats
-    """Effect of the input on undamped coordinates, shape (u, u): column k after k integrations."""
+    """Effects of the input on undamped coordinates: in column k (from 0) after k integrations."""
 
     def variance(self, signal: Signal | None) -> float:
         """Return the variance of a signal, NaN if it does not exist."""

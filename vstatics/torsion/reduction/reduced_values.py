@@ -28,7 +28,7 @@ from vstatics.torsion.system.state import asked_gears, vibrating
 NO_REACTION = "no reaction"
 """Note on a link at rest, such as a casing, that takes no reaction because the ratio is 1."""
 Amounts = Mapping[str, float | None]
-"""Name of a link or component -> reduced value, None if undefined."""
+"""Reduced values by name of the link or component; None if undefined."""
 
 
 class GearReduction(NamedTuple):
@@ -47,9 +47,9 @@ class GearReduction(NamedTuple):
         Speed of the reference link divided by the speed of each link, or the scale of a link at
         rest. None for a link that does not rotate with the reference link. [-]
     merged : mapping
-        Rigidly joined links: name of the first link -> names of the other links.
+        Names of the other links of rigidly joined links, by name of the first link.
     notes : mapping
-        Name of a link or component -> reason for its missing value.
+        Reasons for missing values, by name of the link or component.
     error : str
         Reason why the whole gear cannot be reduced.
     """

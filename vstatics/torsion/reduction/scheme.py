@@ -28,7 +28,7 @@ class SchemeSpring(NamedTuple):
 
     name: str
     twist: Mapping[int, float]
-    """Index of a mass (from 0) -> coefficient of its angle in the twist. [-]"""
+    """Coefficients of the angles of masses in the twist, by index of the mass from 0. [-]"""
     compliance: float
     """Compliance, reduced to the reference shaft. [rad/(N*m)]"""
     damping: float = 0.0

@@ -29,7 +29,7 @@ class TorsionalDevice(NamedTuple):
 
     name: str
     twist: Form
-    """Index of a link (from 0) -> coefficient of its angle in the twist. [-]"""
+    """Coefficients of the angles of links in the twist, by index of the link from 0. [-]"""
     stiffness: float | None = None
     """Stiffness, None for a rigid component, whose twist is 0. [N*m/rad]"""
     damping: Damping = NO_DAMPING

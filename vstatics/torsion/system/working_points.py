@@ -36,7 +36,7 @@ from vstatics.torsion.tolerances import (
 )
 
 Ratios = Mapping[str, float]
-"""Name of a converter -> speed ratio [-]."""
+"""Speed ratios by name of the converter [-]."""
 
 
 class WorkingGear(NamedTuple):
@@ -70,7 +70,7 @@ def working_gear(case: Transmission, gear: Gear, given: Ratios) -> WorkingGear:
     Parameters
     ----------
     given : mapping of str to float
-        Name of a converter -> speed ratio, instead of the ratio in the gear. [-]
+        Speed ratios by name of the converter, instead of the ratios in the gear. [-]
 
     Raises
     ------

@@ -15,7 +15,7 @@ from vstatics.core.numerics.arrays import Floats
 from vstatics.torsion.tolerances import UNDAMPED
 
 LEAST_EXTREMES = 5
-"""Smallest number of extremes: only inner extremes have amplitudes, and three make a period."""
+"""Smallest number of extremes: a period needs three inner extremes, which have amplitudes."""
 
 
 class Decay(NamedTuple):

@@ -14,7 +14,7 @@ import math
 from collections.abc import Mapping
 
 ByDevice = Mapping[str, float]
-"""Name of an elastic component -> value."""
+"""Values by name of the elastic component."""
 
 
 def corrected(compliances: ByDevice, calculated: float, measured: float) -> dict[str, float]:

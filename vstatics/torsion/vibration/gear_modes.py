@@ -31,7 +31,7 @@ from vstatics.torsion.vibration.nodes import count_nodes
 from vstatics.torsion.vibration.torques import Balance, balance, own_torques, torques
 
 Named = Mapping[str, float]
-"""Name of a link or component -> value, NaN if undetermined."""
+"""Values by name of the link or component; NaN if undetermined."""
 SOME_LINKS, SOME_MODES = 50, 20
 """Largest number of links with all modes by default; number of modes for larger systems."""
 
@@ -174,7 +174,7 @@ def modes(
     coast : bool, optional
         True if power enters at the output, which decides on freewheels. By default as in the case.
     speed_ratios : mapping of str to float, optional
-        Name of a converter -> speed ratio, instead of the ratio in the gear. [-]
+        Speed ratios by name of the converter, instead of the ratios in the gear. [-]
 
     Returns
     -------

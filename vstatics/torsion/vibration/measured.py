@@ -137,7 +137,7 @@ def damping(  # noqa: PLR0913
     gear : int or str
         Number from 1, or name.
     decrements : mapping
-        Name of an elastic component -> decrement. [-]
+        Decrements by name of the elastic component. [-]
     omega : float, optional
         Angular frequency at which the dampings are valid, by default the mode's. [rad/s]
     mode : int

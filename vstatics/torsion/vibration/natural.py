@@ -1,7 +1,7 @@
 """Natural frequencies and shapes without damping, accurate over any range of stiffness.
 
 The modes solve ``K z = omega^2 M z`` with ``K = B' c B`` and ``M = L' J L``: twists ``B z`` of
-elastic devices with stiffnesses c, and speeds ``L z`` of bodies with inertias J. `natural_modes`
+elastic components with stiffnesses c, and speeds ``L z`` of bodies with inertias J. `natural_modes`
 takes omega as the generalised singular values of ``sqrt(c) B`` and ``sqrt(J) L``. It never forms K,
 because rounding of stiff springs would swamp soft springs. `lowest_modes` forms K and M, as sparse
 matrices.

@@ -30,9 +30,9 @@ class VariedSystem(NamedTuple):
     system : TorsionalSystem
         System of the first variant.
     twists : mapping of int to ndarray, shape (variants, links)
-        Index in `TorsionalSystem.devices` -> varied twists.
+        Varied twists, by index in `TorsionalSystem.devices`.
     stiffnesses, inertias : mapping of int to ndarray, shape (variants,)
-        Index of an elastic component or body -> varied numbers. [N*m/rad, kg*m^2]
+        Varied numbers, by index of the elastic component or body. [N*m/rad, kg*m^2]
     """
 
     system: TorsionalSystem
@@ -86,7 +86,7 @@ def frequencies_of_ratios(
 
 
 def _block(varied: VariedSystem, split: Coordinates, variants: Integers) -> tuple[Floats, Booleans]:
-    """Return all frequencies of the first variant and of `variants`, with flags of equal rank."""
+    """Return all frequencies of the first variant and of `variants`, and flags of equal rank."""
     system = varied.system
     every = system.rows([device.twist for device in system.devices])
     forms = varied_numbers(every, varied.twists, variants)

@@ -122,7 +122,7 @@ def own_torques(
     Parameters
     ----------
     by_device : mapping
-        Name of an engaged shift element, mechanism or spring -> torque on its first link. [N*m]
+        Torques on the first links of engaged shift elements, mechanisms and springs, by name. [N*m]
     accelerations : ndarray, shape (links, ...)
         Amplitudes ``w^2 q`` of links. [rad/s^2]
     """

@@ -36,7 +36,7 @@ variants.
 """
 
 Varied = Mapping[int, Floats]
-"""Index of a component or body -> its numbers, shape (variants,)."""
+"""Numbers by index of the component or body, each of shape (variants,)."""
 
 
 def variant_frequencies(  # noqa: PLR0913
@@ -59,9 +59,9 @@ def variant_frequencies(  # noqa: PLR0913
     modes : sequence of int
         Numbers of modes, from 0, without rigid modes.
     stiffnesses : mapping of int to ndarray, shape (variants,)
-        Index in `TorsionalSystem.elastic` -> stiffnesses above 0. [N*m/rad]
+        Stiffnesses above 0, by index in `TorsionalSystem.elastic`. [N*m/rad]
     inertias : mapping of int to ndarray, shape (variants,)
-        Index in `TorsionalSystem.bodies` -> inertias. [kg*m^2]
+        Inertias by index in `TorsionalSystem.bodies`. [kg*m^2]
     variants : int
         Number of variants.
     first : FirstVariant, optional

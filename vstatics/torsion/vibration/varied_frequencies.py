@@ -29,7 +29,7 @@ FEW_EQUAL_RATIOS = 64
 """Average number of variants per set of ratios, below which all sets are solved together."""
 
 Asked = Mapping[int, Sequence[int]]
-"""Index of a gear -> indices of modes; rigid modes do not count."""
+"""Indices of modes by index of the gear; rigid modes do not count."""
 
 
 class VariedQuantity(Protocol):

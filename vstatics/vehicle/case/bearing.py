@@ -45,7 +45,7 @@ class Bearing(NamedTuple):
 
     @classmethod
     def of(cls, case: TransmissionFields) -> dict[str, Bearing]:
-        """Return the bearings of a case: name -> bearing."""
+        """Return the bearings of a case by name."""
         given = ((name, as_type(bearing, cls)) for name, bearing in case.bearings.items())
         return {name: bearing for name, bearing in given if bearing is not None}
 

@@ -54,7 +54,7 @@ class Fatigue(NamedTuple):
 
     @classmethod
     def of(cls, case: TransmissionFields) -> dict[str, Fatigue]:
-        """Return the strengths of a case under stress: component name -> strength."""
+        """Return the strengths of a case under stress, by name of the component."""
         others = TorqueStrength.of(case)
         strengths = {name: given for name, given in case.fatigue.items() if name not in others}
         given = ((name, as_type(strength, cls)) for name, strength in strengths.items())

@@ -32,11 +32,11 @@ class Members(NamedTuple):
     planets: list[str]
     elements: list[str]
     firsts: dict[str, str]
-    """Name of a gear set -> full name of its first member."""
+    """Full name of the first member of each gear set, by name of the set."""
     still: list[str]
     """Members on the third link of their gear set, which have no speed relative to this link."""
     contacts: dict[str, int]
-    """Member -> contacts of a tooth in a turn, if the number of planets is known."""
+    """Contacts of a tooth in a turn, by name of the member, if the number of planets is known."""
 
     @classmethod
     def of(cls, case: TransmissionFields) -> Members:

@@ -96,7 +96,7 @@ def doubts_of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
 
 
 MASS_AGAIN = 0.5
-"""Inertia at the outputs that can contain the vehicle mass, relative to the inertia of the mass."""
+"""Least inertia at the outputs that probably includes the vehicle, relative to the vehicle. [-]"""
 
 
 def _mass_twice(case: TransmissionFields, vehicle: Vehicle) -> Iterator[Problem]:
@@ -186,7 +186,7 @@ def _at_output(case: TransmissionFields, vehicle: Vehicle) -> tuple[float, Mappi
 
 
 def _speeds_behind(case: TransmissionFields, outputs: Sequence[int]) -> dict[int, float]:
-    """Return link -> speed divided by output speed, for links geared to the outputs [-].
+    """Return the speeds of links geared to the outputs, divided by output speed [-], by link.
 
     Links geared to an input belong to the engine instead. An example is the flywheel of a gearbox
     with a single gear, which can have half the inertia of the vehicle.
@@ -201,7 +201,7 @@ def _speeds_behind(case: TransmissionFields, outputs: Sequence[int]) -> dict[int
 def _geared(
     case: TransmissionFields, starts: Sequence[int], limits: Collection[int]
 ) -> dict[int, float]:
-    """Return link -> speed divided by the speed of a start, for links geared to it [-]."""
+    """Return the speeds of links geared to a start, divided by its speed [-], by link."""
     speeds, new, pairs = dict.fromkeys(starts, 1.0), [*starts], list(_pairs(case))
     while new:
         link = new.pop()

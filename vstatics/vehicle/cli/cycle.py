@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 
 
 _PARTS = {"battery_lost": "lost: battery", "machine_lost": "lost: machine"}
-"""Name of an energy in JSON -> name in the printed table, if different."""
+"""Names of energies in the printed table, by a different name in JSON."""
 
 
 def _engine_speed(text: str) -> float:

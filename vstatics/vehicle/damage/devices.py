@@ -107,7 +107,7 @@ def damages(case: Transmission, torques: Mapping[str, ArrayLike]) -> dict[str, D
     case : Transmission
         Case with `fatigue` of components.
     torques : mapping of str to array_like, shape (instants,)
-        Component name -> record of its torque. [N*m]
+        Records of torques, by name of the component. [N*m]
 
     Returns
     -------

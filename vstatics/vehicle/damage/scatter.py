@@ -112,8 +112,7 @@ class LifeSamples(NamedTuple):
     """Life that 50 % of samples do not reach."""
     mean: float
     curve: Sequence[tuple[float, float]]
-    """Pairs of a finite life and the share of samples that failed earlier, for each whole per cent.
-    """
+    """Pairs of a finite life and the share of failed samples, one for each whole per cent."""
 
     @classmethod
     def of(cls, lives: Floats) -> LifeSamples:

@@ -50,7 +50,7 @@ class MemberSpectrum(NamedTuple):
     """Load duration distribution of a member."""
 
     classes: Sequence[LoadClass]
-    """Classes of torques above 0, then classes of torques below 0, each beginning near 0."""
+    """Classes of torques above 0, then of torques below 0, both by ascending magnitude."""
     idle: IdleTime
 
 

@@ -32,7 +32,7 @@ INTERVALS = 2
 MOST_STEPS = 100
 """Largest number of steps of the Illinois rule."""
 MOST_DOUBLINGS = 40
-"""Largest number of times that a trial engine torque is doubled to exceed the pump torque."""
+"""Largest number of times that a trial engine torque is doubled, to bracket the root."""
 MOST_POINTS_AT_ONCE = 100_000
 """Largest number of operating points that are solved at once, to limit memory."""
 SLOWEST_PART = 4.0 ** -np.arange(1.0, 6.0)
@@ -63,7 +63,7 @@ def free_ratio(points: Floats) -> float:
 
 
 def bare(case: Transmission) -> Transmission:
-    """Return a case without operating points and coasting, for calculations at any point.
+    """Return a case without operating points and without coasting, for calculations at any point.
 
     Free converters have the largest speed ratio without braking torque.
     """
@@ -94,12 +94,12 @@ def solved_slips(case: Transmission) -> tuple[Results, Floats]:
 
 
 def converters_of(case: Transmission) -> dict[int, ConverterGear]:
-    """Return gears with a free converter that the engine alone drives, by index.
+    """Return gears with a free converter and no other drive than the engine, by index.
 
     Raises
     ------
     CaseError
-        If the output speed does not depend on a converter.
+        If the output speed of such a gear does not depend on the converter's speed ratio.
     """
     gears = {
         index: ConverterGear.of(case, index)
@@ -241,7 +241,7 @@ class ConverterGear(NamedTuple):
         ratios : ndarray
             Speed ratios of the converter. [-]
         further : mapping
-            Path of another number -> values.
+            Values of other numbers, by path.
         """
         if not len(ratios):
             return np.zeros(0)

@@ -33,7 +33,7 @@ class ConverterSteps(NamedTuple):
     cases: tuple[Transmission, Transmission]
     """Case with the gear alone, and the case with output and input exchanged."""
     further: Sequence[Mapping[str, Floats]]
-    """Path of another number -> its values at the steps, for both cases."""
+    """Values of other numbers at the steps, by path, for both cases."""
     load: tuple[Floats, Floats]
     """Speeds [rad/s] and torques [N*m] of the output, which is the input of the second case."""
     rows: Integers

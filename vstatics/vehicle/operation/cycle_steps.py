@@ -60,7 +60,7 @@ class CycleLosses(NamedTuple):
     """Losses over the steps of a cycle, and torques of engaged shift elements."""
 
     energies: dict[str, float]
-    """Name of a gear set, or ``drag.NAME``, ``slip.NAME``, ``gear.NAME`` -> lost energy. [J]"""
+    """Lost energy by gear set, or by ``drag.NAME``, ``slip.NAME`` or ``gear.NAME``. [J]"""
     outside: dict[str, None]
     """Names of laws that were evaluated outside their points, as keys."""
 
@@ -89,7 +89,7 @@ class CycleSteps(NamedTuple):
     speeds per change of output speed at constant engine speed.
     """
     converters: Mapping[int, ConverterGear]
-    """Gear index -> gear with a free converter, whose speed ratio follows from torques."""
+    """Gears with a free converter, whose speed ratio follows from torques, by index."""
     engine: EngineSpeeds
     """Engine speeds in each gear, with free converters at their free ratio.
 
@@ -238,7 +238,7 @@ class CycleSteps(NamedTuple):
         return speeds
 
     def course(self, engine: Floats) -> dict[str, Floats]:
-        """Return heading -> column of values at the middle of the steps."""
+        """Return columns of values at the middle of the steps, by heading."""
         drive = "machine" if self.vehicle.machine else "engine"
         starts = np.array(self.trace.table.numbers["time"][:-1])
         return {
@@ -251,7 +251,7 @@ class CycleSteps(NamedTuple):
         }
 
     def input_course(self, engine: Floats) -> dict[str, Floats]:
-        """Return heading -> column of the input, as operating points of a duty cycle.
+        """Return columns of the input by heading, as operating points of a duty cycle.
 
         The torque is the engine torque minus the torque that accelerates the input link.
         """
@@ -282,7 +282,7 @@ class CycleSteps(NamedTuple):
         return torque
 
     def _elsewhere(self, case: Transmission, rows: Integers) -> dict[str, Floats]:
-        """Return path -> inertia torques [N*m], except for outputs and links with given speeds.
+        """Return inertia torques [N*m] by path, without outputs and links with given speeds.
 
         The input link of a gear with a loss as a whole is left out. This loss depends on the torque
         that the inertia of the input link leaves for the gear.

@@ -61,7 +61,7 @@ class CycleEnergy(NamedTuple):
     """Energy that accelerates rotating parts, including sudden changes of speed at shifts."""
     brakes: float
     lost: Mapping[str, float]
-    """Name of a gear set, or ``drag.NAME``, ``slip.NAME``, ``gear.NAME`` -> lost energy."""
+    """Lost energy by gear set, or by ``drag.NAME``, ``slip.NAME`` or ``gear.NAME``."""
     machine: Sometimes[float] = None
     """Mechanical energy that the electric machine supplies."""
     machine_lost: Sometimes[float] = None
@@ -102,7 +102,7 @@ class DriveCycle(NamedTuple):
     messages: Sequence[Message]
     """Warnings and notes."""
     steps: Mapping[str, Floats]
-    """Heading with unit -> column of values at the middle of the steps."""
+    """Columns of values at the middle of the steps, by heading with unit."""
     battery: Sometimes[BatteryEnergy] = None
     """Energies of the battery of an electric machine."""
     consumption: Sometimes[float] = None

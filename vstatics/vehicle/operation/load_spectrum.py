@@ -71,7 +71,7 @@ class DutyEnergy(NamedTuple):
     in_: float
     out: float
     lost: Mapping[str, float]
-    """Name of a gear set, or ``drag.NAME``, ``slip.NAME``, ``gear.NAME`` -> lost energy."""
+    """Lost energy by gear set, or by ``drag.NAME``, ``slip.NAME`` or ``gear.NAME``."""
 
 
 @json_keys("energy", "efficiency", "exponent", "members", "spectrum", "life", "bearings")
@@ -86,15 +86,15 @@ class Spectrum(NamedTuple):
     are_shares: bool
     """True if points have shares; then energies are powers, and revolutions are per second."""
     damage: Mapping[str, DeviceDamage]
-    """Component name -> fatigue damage from the torques at the points, in the order of points."""
+    """Fatigue damage of components by name, from the torques at the points in their order."""
     exponent: float
     """Exponent of the equivalent torques. [-]"""
     spectrum: Asked[Mapping[str, MemberSpectrum]] = None
-    """Name of a member with a torque -> its load duration distribution, if requested."""
+    """Load duration distribution of each member with a torque, by name, if requested."""
     life: Sometimes[Mapping[str, MemberLife]] = None
-    """Name of a member with a torque strength -> its life."""
+    """Life of each member with a torque strength, by name."""
     bearings: Sometimes[Mapping[str, BearingLife]] = None
-    """Name of a bearing -> its life."""
+    """Life of each bearing, by name."""
 
     def grids(self) -> Iterator[Grid]:
         """Yield the tables of a summary: energies, loads of links, members and clutches, damage."""
@@ -235,7 +235,7 @@ def _loads_of(case: Transmission, points: DutyPoints, moving: Integers) -> Point
 def _without_rounding(
     members: Iterable[tuple[str, tuple[Floats, Floats]]],
 ) -> dict[str, tuple[Floats, Floats]]:
-    """Return name -> torques and speeds, with rounding noise set to 0.
+    """Return torques and speeds by name, with rounding noise set to 0.
 
     Noise is relative to the largest torque or speed. Otherwise members of a gear set that rotates
     as a block would have small relative speeds, and unloaded links small torques.

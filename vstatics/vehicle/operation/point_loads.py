@@ -67,7 +67,7 @@ class PointLoads(NamedTuple):
     ) -> PointLoads:
         """Solve every point in its gear.
 
-        `further` contains path -> values of other numbers at the points, like `vary` of `solve`.
+        `further` contains values of other numbers at the points by path, like `vary` of `solve`.
 
         Raises
         ------
@@ -166,7 +166,7 @@ class PointLoads(NamedTuple):
         return by_name
 
     def member_torques(self) -> dict[tuple[int, str], Floats]:
-        """Return (gear set index, member) -> torque on the member from its link [N*m]."""
+        """Return the torques from links on members [N*m], by gear set index and member."""
         torques = self.taken(self.results.lossy_torques_Nm)
         first = len(self.case.shift_elements)
         places = [
@@ -269,7 +269,7 @@ class PointLoads(NamedTuple):
         return losses | self._slip_losses() | wholes
 
     def _slip_losses(self) -> dict[str, Floats]:
-        """Return ``slip.NAME`` -> power loss, for shift elements that slip in any gear [W]."""
+        """Return the power losses of shift elements that slip in any gear [W], by ``slip.NAME``."""
         slipping = sorted({number for gear in self.case.gears for number in gear.slip})
         if not slipping:
             return {}
@@ -278,7 +278,7 @@ class PointLoads(NamedTuple):
         return {slip_name(elements[number - 1]): powers[:, number - 1] for number in slipping}
 
     def _gear_losses(self) -> dict[str, Floats]:
-        """Return ``gear.NAME`` -> power loss of a whole gear, 0 at points of other gears [W]."""
+        """Return power losses of whole gears [W], by ``gear.NAME``; 0 at points of other gears."""
         if all(gear.loss is None for gear in self.case.gears):
             return {}
         powers = 1e3 * np.nan_to_num(np.abs(self.taken(self.results.gear_losses_kW)))

@@ -143,7 +143,7 @@ class Traction:
     def __init__(self, case: Transmission, vehicle: Vehicle) -> None:
         """Calculate the speeds in the gears of a case, for a vehicle with an engine."""
         self.converters = converters_of(case)
-        """Gear index -> gear with a free converter, whose speed ratio follows from torques."""
+        """Gears with a free converter, whose speed ratio follows from torques, by index."""
         is_alone = [not beside_engine(case, gear) for gear in case.gears]
         self.case = case = bare(case)
         self.vehicle = vehicle

@@ -216,7 +216,7 @@ def spare(inputs: Iterable[str], output: str | None) -> None:
 
 
 def refuse_existing(output: str) -> None:
-    """Raise an error if the output is an existing file, which may contain edits of the user.
+    """Raise an error if the output is an existing file, which can contain edits of the user.
 
     Raises
     ------

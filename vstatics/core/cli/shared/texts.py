@@ -196,7 +196,7 @@ class Job(NamedTuple):
     show: Callable[[CalculatedCase, Results], CaseOutput]
     """Function that returns the output of the command for a case with results."""
     own_frame: Frame | None = None
-    """Texts around the outputs of several cases, for a special format of the command."""
+    """Frame of the command for several cases, instead of the frame of the format in `FRAMES`."""
     finished: FinishedCases | None = None
     """Record of finished results, if results are written to a directory."""
     marked: bool = False

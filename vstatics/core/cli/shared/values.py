@@ -291,7 +291,7 @@ def separated(texts: Iterable[str]) -> list[str]:
         at = 0
         while at <= len(text):
             item = re.compile(_ALONE).match(text, at)
-            assert item is not None  # noqa: S101 - for mypy: a name may be empty here
+            assert item is not None  # noqa: S101 - for mypy: a name can be empty here
             parts.append(_unquoted(item["quoted"]) or item["name"].strip())
             at = item.end() + 1
     return parts

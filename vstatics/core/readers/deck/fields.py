@@ -22,7 +22,7 @@ from vstatics.core.readers.deck.values import (
 from vstatics.core.suggestions import nearest
 
 _LIKE_FIELD = r"\s*\(?[A-Z]{2,7}(?:\s*=\s*[-+]?[0-9.]+\s*|\s*\([^()]*\).*,\s*[IJK]\s*=\s*1\s*,.*)"
-"""Pattern of a line that is a field, except for its name."""
+"""Pattern of a line that looks like a field, with any name."""
 
 
 class Fields:
@@ -160,7 +160,7 @@ class Fields:
         return size <= self.capacity
 
     def warn_of_unknown(self) -> None:
-        """Add a warning for each line that is a field, except for its name."""
+        """Add a warning for each line that looks like a field but has an unknown name."""
         for word, line in self.scan.unknown.items():
             if re.fullmatch(_LIKE_FIELD, self.scan.source.lines[line - 1]):
                 hint = nearest(word, [*SCALARS, *LISTS])

@@ -1,6 +1,6 @@
 """Text of a deck: the encoding, and the places of the fields.
 
-A field is recognised only at the start of a line, by a name before ``(`` or ``=``. The name may
+A field is recognised only at the start of a line, by a name before ``(`` or ``=``. The name can
 contain blanks, and Cyrillic letters that look like Latin letters. All other text is prose.
 """
 
@@ -222,7 +222,7 @@ def _only_report(result: Scan, first: int) -> None:
 
 
 def _opening(line: str) -> tuple[str, str, int]:
-    """Return the kind of a line, the first word, and the offset of the sign after the word.
+    """Return the kind of a line, the first word, and the offset of the `(` or `=` after the word.
 
     The kinds are ``scalar``, ``list``, ``result`` and an empty text.
     """

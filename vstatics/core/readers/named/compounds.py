@@ -37,7 +37,7 @@ _SYNONYMS = {
     **dict.fromkeys(("clutches", "brakes", "clutch", "brake"), "shift_elements"),
     **dict.fromkeys(("gear_sets", "gearsets", "sets", "planetary"), "elements"),
 }
-"""Keys that users may expect, with the keys of a case."""
+"""Keys that users try, with the keys of a case that have this meaning."""
 _MEMBERS = {"sun", "ring", "carrier", "teeth", "planets"}
 
 

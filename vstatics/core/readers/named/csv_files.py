@@ -37,7 +37,7 @@ def noted_files() -> Iterator[set[str]]:
 
 @contextmanager
 def no_files() -> Iterator[None]:
-    """Refuse to read files that documents name within the block, because they may be untrusted.
+    """Within the block, refuse to read files that documents name, because these can be untrusted.
 
     >>> with no_files():
     ...     lines_of(Path("/etc/passwd"), 100)
@@ -64,7 +64,7 @@ def lines_of(file: Path, most: int) -> list[str]:
     OSError
         If the file cannot be read, or is larger.
     ValueError
-        If the file may not be read, or is not a text.
+        If files must not be read (`are_read`), or the file is not a text.
     """
     if not are_read():
         hint = "`loads` reads files from the folder of `name`, if it has a folder"

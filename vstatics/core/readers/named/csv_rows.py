@@ -18,7 +18,7 @@ _CALCULATION = re.compile(r"[-+*/() .,0-9eE]+")
 _THOUSANDS = re.compile(r"(?<![.,\d])[1-9]\d{0,2}\.\d{3}(?![.,\deE])")
 _COMMA_THOUSANDS = re.compile(r"(?<![.,\d])[1-9]\d{0,2},\d{3}(?![.,\deE])")
 _OF_TWO_SIGNS = re.compile(r"\.\d{3},\d|,\d{3}\.\d")
-"""Grouped digits with a decimal sign, as in 1.234,5: no number of a table."""
+"""Pattern of grouped digits with a decimal sign, such as 1.234,5, which tables must not contain."""
 _FRACTION = re.compile(r"(?<![.,\d])\d*\.\d+(?![.,\d])")
 _SEPARATOR_LINE = re.compile(r'\s*"?sep=[^"\n]"?[\s,;]*', re.IGNORECASE)
 """Line such as `sep=;` for spreadsheets. Here the headings determine the separator."""
@@ -63,7 +63,7 @@ class Decimals:
         self._separator = separator
         self._are_points = False
         self._doubts: dict[str, tuple[int, str]] = {}
-        """First line and number that are ambiguous, by the sign that may separate thousands."""
+        """First line and number that are ambiguous, by the sign that can separate thousands."""
 
     def with_points(self, cell: str, line: int) -> str:
         """Return a cell with a decimal point if it is a number with a decimal comma."""
@@ -176,7 +176,7 @@ def expect_cells(cells: Sequence[str], expected: int, separator: str) -> None:
 
 
 def numbered_rows(lines: Iterable[str]) -> Iterator[tuple[int, list[str]]]:
-    """Yield the non-empty rows of a table, each with the number of the last line.
+    """Yield the non-empty rows of a table, each with the number of its last line.
 
     The first row contains the headings, and no other row is longer. Numbers are converted to
     decimal points.

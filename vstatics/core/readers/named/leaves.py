@@ -36,12 +36,14 @@ _MAY_BE_0 = frozenset(("damping", "pressure", "time", "angle", "velocity", "cool
 
 
 class LeafReading(NamedTuple):
-    """Description, stand-in and parser for a kind of value."""
+    """Description and parser for a kind of value."""
 
     expected: str
+    """Words for a message, such as `a number`."""
     stand_in: Any
+    """Value that replaces an unreadable value, so that reading can continue."""
     parse: Callable[[str], Any] = str
-    """Parser of the text, for values that do not depend on other values."""
+    """Function that converts the text. It is not used for names, flags and choices."""
 
 
 def _in_si(text: str, measure: Measure) -> float:

@@ -67,7 +67,7 @@ class SoughtRatio:
     rows: tuple[int, int]
     """Indices of the converter on the last axes of the arrays `torques` and `speed_ratio`."""
     is_alone: bool
-    """True if only the converter connects its pump and turbine.
+    """True if only the converter connects its pump and turbine, and the input drives the pump.
 
     The speed of the pump and the torque on the pump then do not depend on the speed ratio.
     """
@@ -177,7 +177,10 @@ def without_sought(case: Transmission, given: Columns) -> tuple[Transmission, li
 
 
 def _is_alone(case: Transmission, gear: Gear, place: int) -> bool:
-    """Return whether only a converter connects the trains of its pump and turbine."""
+    """Return whether the input drives a pump that only the converter connects with its turbine.
+
+    It is also required that no speed is prescribed.
+    """
     bodies = list(range(case.links + 1))
     drag, freewheels = case.gear_open_drag(gear), case.freewheels
     joining: list[Iterable[int]] = [
@@ -255,7 +258,7 @@ def with_found_ratios(
 def _ratios_by_slip(
     case: Transmission, sought: Sequence[SoughtRatio], given: Columns, variants: int
 ) -> dict[SoughtRatio, tuple[Floats, Floats]]:
-    """Return speed ratios [-] and pump torques [N*m] of converters beside a slipping lock-up."""
+    """Return speed ratios [-] and pump torques [N*m] of converters with a slipping lock-up."""
     beside = {
         ratio.gear: ratio for ratio in sought if case.gears[ratio.gear].slip and not ratio.is_alone
     }

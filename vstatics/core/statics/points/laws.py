@@ -3,9 +3,10 @@
 Speeds do not depend on losses. Drag torques, efficiencies over speed, and losses measured for whole
 gears (whose input torque is known) therefore follow directly from the speeds. If drag changes the
 states of freewheels, they are recalculated until the states settle. Efficiencies over torque, or
-over speed and torque, result from two fixed-point iterations, which start from the smallest and the
-largest efficiency. If the efficiencies of only one mechanism of a gear depend on torque, a scan of
-the whole range searches for further solutions. A solution is accepted only if it is unique.
+over speed and torque, result from fixed-point iterations, which start from the smallest and the
+largest efficiency and, if a gear has several, from the middle. If the efficiencies of only one
+mechanism of a gear depend on torque, a scan of the whole range searches for further solutions. A
+solution is accepted only if it is unique.
 """
 
 from __future__ import annotations
@@ -34,7 +35,7 @@ MOST_EXTRAPOLATED_STEPS = 40
 MOST_FREEWHEEL_PASSES = 8
 """Largest number of passes until the states of freewheels settle."""
 SCAN_POINTS = 17
-"""Number of trial efficiencies, if a single efficiency of a gear depends on torque."""
+"""Number of trial efficiencies, if only one mechanism of a gear depends on torque."""
 MOST_ROOTS = 3
 """Largest number of sign changes in which an efficiency is searched for."""
 ROOT_BISECTIONS = 60
@@ -296,7 +297,7 @@ class _Search:
         return results, efficiencies
 
     def _from(self, end: Any) -> tuple[dict[CaseNumber, Floats], Booleans, Booleans]:
-        """Iterate to a fixed point from the least or largest efficiencies (`end`: min or max).
+        """Iterate to a fixed point from the least, largest or middle efficiencies.
 
         Returns
         -------
@@ -352,7 +353,7 @@ class _Search:
         return results, columns, state
 
     def _scan(self, best: dict[CaseNumber, Floats], state: Integers) -> None:
-        """Search the whole range of efficiencies for solutions, if a single mechanism has laws."""
+        """Search the whole range of efficiencies, in gears with laws of only one mechanism."""
         single = [
             number
             for numbers in self.of_gear.values()

@@ -38,7 +38,10 @@ class CaseNumber(NamedTuple):
     """Index of the gear; None for the operating point of the case."""
     quantity: OfLoads | OfGear | OfMechanism | Literal["battery", "relative_slip"]
     owner: int = 0
-    """Number of the link or shift element, or index of the mechanism; 0 for an operating point."""
+    """Number of the link or shift element, or index of the mechanism; 0 for an operating point.
+
+    Speed ratios and pump torques have the number of the mechanism in the case, from 1.
+    """
 
 
 RELATIVE_TO_SPEED: tuple[OfGear, ...] = ("speeds", "slip")

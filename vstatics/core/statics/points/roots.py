@@ -60,7 +60,7 @@ class Roots(NamedTuple):
     values: Floats
     """Roots in the order of the grid, shape (roots, points), padded with NaN."""
     has_surplus: Booleans
-    """Flags of points at which the surplus exists for any trial number, shape (points,)."""
+    """Flags of points at which the surplus exists for some trial number, shape (points,)."""
 
     @property
     def first(self) -> Floats:
@@ -206,9 +206,9 @@ def _iterate(
 class _RootSearch:
     """Search for roots between two numbers (the ends), at all points at once.
 
-    The Illinois rule is a regula falsi that halves the surplus of an end that stays. It alternates
-    with bisection. A trial number without torques counts as beyond the root if `beyond` is true,
-    else as before the root.
+    The Illinois rule is a regula falsi that halves the surplus of an end that stays twice. Every
+    fourth step is a bisection. A trial number without torques counts as beyond the root if `beyond`
+    is true, else as before the root.
     """
 
     def __init__(  # noqa: PLR0913

@@ -108,7 +108,10 @@ def figures(  # noqa: PLR0913, PLR0917 - arguments of a picture
     subject: str,
     note: str = "",
 ) -> Iterator[list[Canvas]]:
-    """Yield pages without a gear, or of a gear by number from 1, all with an equal layout."""
+    """Yield a page for each item of `shown`: no gear, or the number of a gear from 1.
+
+    All pages have the same layout.
+    """
     for gears in shown:
         caption = told_of(results, scheme, style, gears, subject=subject)
         yield [painted(sheet, style, *caption, note).canvas]

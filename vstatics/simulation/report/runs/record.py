@@ -35,7 +35,7 @@ _TABLES = {
     "acceleration": "vehicle_acceleration",
     "output": "output_torque",
 }
-"""Kind of panel -> name of its table; other kinds are themselves names of tables."""
+"""Name of the table of a kind of panel; other kinds are themselves names of tables."""
 
 
 class _RunColumns:

@@ -58,8 +58,9 @@ class SetRoom(NamedTuple):
     branches: Integers
     """Target for which a combination is added at each depth, or `ONE`, shape (depths,)."""
     tried: Integers
-    """Number of combinations tried at each depth, or bits of elements not yet tried, shape
-    (depths,).
+    """Number of combinations tried at each depth, shape (depths,).
+
+    In the branch `ONE`, elements not yet tried, as bits.
     """
     lacking: Integers
     """Number of different ratios still missing, not counting the commonest ratio, shape (1,)."""

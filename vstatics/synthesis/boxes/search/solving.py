@@ -50,7 +50,7 @@ class CellRoom(NamedTuple):
 
     cells: RatioCells
     match: MatchRoom
-    """Matching with a gear ratio for each target."""
+    """Assignment of a gear ratio to each target."""
     chains: ChainRoom
     """Assignment of combinations of shift elements to targets."""
     ratio_of: Integers
@@ -105,7 +105,7 @@ def solved(parts: Floats, reach: Integers, asked: Asked, room: CellRoom) -> floa
     asked : Asked
     room : CellRoom
         Work arrays; `ratio_of` contains the gear ratio of each combination. `best_logs` and
-        `best_gears` receive the fit, `given_up` whether a fit may exist that was not found.
+        `best_gears` receive the fit, `given_up` whether a fit can exist that was not found.
 
     Returns
     -------

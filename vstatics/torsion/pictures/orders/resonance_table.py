@@ -219,7 +219,7 @@ def _printed_alike(
     *,
     is_damped: bool,
 ) -> dict[tuple[TableCell, ...], list[int]]:
-    """Group the gears of a mode by their printed cells: cells -> indices of gears."""
+    """Return the indices of the gears of a mode, grouped by their printed cells."""
     places: dict[tuple[TableCell, ...], list[int]] = {}
     for mode in modes:
         first = [number(mode.frequency), typeset(f"{mode.participation:.2g}")]

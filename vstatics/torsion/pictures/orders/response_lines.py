@@ -25,7 +25,7 @@ ABOUT_PEAK = (0.3, 0.6, 1.0, 1.7, 3.0, 6.0)
 
 
 class ResponseLine(NamedTuple):
-    """Amplitudes of a link over its speed, under the torque of an order."""
+    """Amplitudes of a link over its speed, excited by the torque of an order on this link."""
 
     order: Order
     speeds: Floats

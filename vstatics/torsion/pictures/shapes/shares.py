@@ -44,9 +44,9 @@ def largest_shares(
     ----------
     shares : mapping of str to float
     marks : mapping of str to str
-        Name -> text in front of it, for some of the names.
+        Texts in front of some of the names, by name.
     colours : mapping of str to str
-        Name -> colour, for some of the names.
+        Colours of some of the names, by name.
     style : Style
 
     Examples

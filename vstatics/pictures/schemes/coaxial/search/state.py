@@ -46,9 +46,9 @@ class OrderStep(NamedTuple):
     is_turned: bool = False
     """True for a gear set whose planes are drawn in reverse order."""
     left: tuple[bool, bool] = (False, False)
-    """True if the left arm of the carrier meets the last bar below, and the first bar above."""
+    """Flags: the left arm of the carrier meets the last bar below, and the first bar above."""
     right: tuple[bool, bool] = (False, False)
-    """True if the right arm of the carrier meets the last bar below, and the first bar above."""
+    """Flags: the right arm of the carrier meets the last bar below, and the first bar above."""
     before: tuple[Bars, Bars] | None = None
     """Bars to the left of the component, if the component begins new bars."""
 
