@@ -7,8 +7,9 @@ import pytest
 
 from tests.commands import LOCKED, NEUTRAL, ROOT, json_answer, json_file, vstatics
 from tests.core.summary.gearboxes import differential, summary_of
-from vstatics import Gear, solve
+from vstatics import Gear, Mechanism, Transmission, solve
 from vstatics.core.summary import summarize
+from vstatics.core.summary.design_table import design
 
 PUBLISHED = json_file(ROOT / "tests" / "published" / "zf-8hp70.json")["ratio"]
 
@@ -56,3 +57,10 @@ def test_operating_points_have_no_step_and_no_part_in_the_spread() -> None:
     assert math.isnan(summary.design.gears[1].step)
     assert summary.design.spread == pytest.approx(3.5)
     assert [(one.start, one.end) for one in summary.transitions] == [("low", "direct")]
+
+
+def test_a_ratio_of_0_has_no_step() -> None:
+    """1/1e-310 overflows, so the output has no finite speed."""
+    made = design(solve(Transmission(2, [], [Mechanism(1, 2, 0, 1e-310)], [Gear()])))
+    assert math.isnan(made.spread)
+    assert math.isnan(made.gears[0].step)

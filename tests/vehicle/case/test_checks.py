@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from vstatics import Gear, Load, Mechanism, ShiftElement, Transmission, loads, solve
+from vstatics import Gear, Load, Mechanism, ReadError, ShiftElement, Transmission, loads, solve
 from vstatics.core.model.checks import doubts, hints
 from vstatics.core.model.laws import LossUnit, MapLaw
 from vstatics.core.model.springs import Spring
@@ -81,6 +81,24 @@ def test_a_number_without_its_unit_is_told_where_no_part_is_as_large() -> None:
         case = loads(f"{text}vehicle: {{mass: 1200, {vehicle}}}\n", format="yaml")
         said = [doubt.message for doubt in doubts(case) if doubt.id == "N205"]
         assert [text.split(":")[0] for text in said] == told
+
+
+@pytest.mark.parametrize(
+    "given",
+    [
+        "radius: 1e-320",
+        "radius: 1e308",
+        "mass: 1e308",
+        "engine: [[1, 1e300]]",
+        "engine: [[1e300, 1]]",
+    ],
+)
+def test_numbers_that_would_overflow_are_refused(given: str) -> None:
+    vehicle = {"mass": "1200", "radius": "0.3"} | dict([given.split(": ")])
+    keys = ", ".join(map(": ".join, vehicle.items()))
+    text = f"links: 2\nmechanisms: {{a: {{first: 1, second: 2, ratio: 3}}}}\nvehicle: {{{keys}}}\n"
+    with pytest.raises(ReadError, match=rf"vehicle.{given[:4]}.*1e.15.*E268"):
+        loads(text, format="yaml")
 
 
 @pytest.mark.parametrize(

@@ -71,6 +71,7 @@ def test_records_that_are_none() -> None:
         ("t,torques[shaft]\n1,5\n2\n", "3:1: error: torques[shaft]: read ''"),
         ("torques[shaft] [kW]\n5\n6\n", "1:1: error: torques[shaft]: read the unit 'kW'"),
         ("torques[shaft]\n1e300\n-1e300\n", "1:1: error: torques of `shaft` are too lar"),
+        ("torques[shaft]\n1e308\n-1e308\n", "1:1: error: torques of `shaft` are too lar"),
         ("", "1:1: error: the file is empty, expected a record"),
     ):
         Path("record.csv").write_text(record, "utf-8")

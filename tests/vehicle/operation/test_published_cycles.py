@@ -154,6 +154,8 @@ def test_units_below_the_names(units: str) -> None:
 
 SINE = math.sin(math.radians(3))
 
+KMH, MPH, MPS = (f"time [s],speed [{unit}]" for unit in ("km/h", "mph", "m/s"))
+
 
 def test_headings_of_further_programs() -> None:
     for text, slope in (
@@ -168,6 +170,9 @@ def test_headings_of_further_programs() -> None:
         ("t / s;v / (km/h);grade_percent;Speed/Limit\n0;0;75;9\n2;36;75;9\n", 0.6),
         ("time [hh:mm:ss];speed [km/h];grade\n07:59:59,5;0;0,75\n08:00:01,5;36;0,75\n", 0.6),
         ("time [min],speed [km/h],grade\n0:1:30,0,0.75\n00:01:32.0,36,0.75\n", 0.6),
+        # dates and zones, as in https://github.com/OpenRailAssociation/osrd/issues/9345
+        (f"{KMH},grade\n2024-02-29 23:59:59,0,0.75\n2024-03-01 00:00:01,36,0.75\n", 0.6),
+        (f"{KMH},grade\n2024-02-29T23:59Z,0,0.75\n2024-03-01T01:59:02+02:00,36,0.75\n", 0.6),
     ):
         trace = read_trace(text.encode(), "t.csv")
         assert trace.duration.tolist() == [2.0]
@@ -184,9 +189,12 @@ def test_gears_of_published_cycles() -> None:
     text = text.replace("5,0", "5,1")
     driven = drive(CASE, read_trace(text.encode(), "t.csv"), GearChoice())
     assert list(driven.gears) == ["1"] * 4
-
-
-KMH, MPH, MPS = (f"time [s],speed [{unit}]" for unit in ("km/h", "mph", "m/s"))
+    starts = "time [s],speed [m/s],gear\n0,0,{0}\n1,0,{0}\n2,5,1\n3,0,{0}\n4,0,{0}\n"
+    start, same = (
+        drive(CASE, read_trace(starts.format(gear).encode(), "t.csv"), GearChoice())
+        for gear in ("0", "1")
+    )
+    assert start.energy == same.energy
 
 
 def test_faults_of_published_cycles_quote_the_file() -> None:
@@ -208,6 +216,8 @@ def test_faults_of_published_cycles_quote_the_file() -> None:
         (f"{MPH},slope [deg]\n0,0,91\n1,5,0\n", "slope: read .*, expected -1 to 1"),
         (f"{MPS}\n0,0\n1,1e300\n", ":3:1: .*speed: read 1e.300, expected at most 1e"),
         (f"{MPS}\n0,0\n1e300,1\n", ":3:1: .*time: read 1e.300, expected at most 1e"),
+        (f"{MPS}\n00:10,0\n00:20,1\n", ":2:1: .*finite number or a time such as `01:30:00`"),
+        (f"{MPS}\n2024-02-30 00:00,0\n1,1\n", ":2:1: .* or a time such as `01:30:00`"),
         (f"{MPS}\n0,0\n1e-300,1\n", ":3:1: .*speed: read 1, expected a change by"),
         (f"{MPS}\n0,0\n1,-1\n", ":3:1: .*speed: read -1, expected 0 or more"),
     ):

@@ -6,6 +6,7 @@ import re
 import sys
 from array import array
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from datetime import UTC, datetime
 from typing import NamedTuple
 
 import numpy as np
@@ -30,6 +31,7 @@ from vstatics.core.readers.reading import Source
 
 _PLAIN = re.compile(r"[-+0-9.eE, \t]+")
 _CLOCK = re.compile(r"\s*(\d+):([0-5]?\d):([0-5]?\d(?:[.,]\d*)?)\s*")
+_DATED = re.compile(r"\s*[0-9]{4}-[0-9]{2}-[0-9]{2}[T ][0-9]{2}:")
 _BLOCK_LINES = 5000
 MOST_TABLE_ROWS = 1_000_000
 """Maximum number of rows of a table. A day in steps of 0.1 s has 864,000 rows."""
@@ -138,6 +140,7 @@ class _ColumnsRead:
         self.texts: dict[str, list[str]] = {}
         self._sizes: list[tuple[int, str, float, array[float]]] = []
         self._words: list[tuple[int, list[str]]] = []
+        self._midnight: datetime | None = None
         self._times = {h.column.name for h in head.headings if h.column.measure == "time"}
         for heading in head.headings:
             name, place = heading.column.name, heading.place
@@ -202,19 +205,33 @@ class _ColumnsRead:
         self.lines.append(number)
         for place, name, size, column in self._sizes:
             cell = cells[place]
-            clock = _CLOCK.fullmatch(cell) if name in self._times else None
+            is_clock = name in self._times and ":" in cell
+            seconds = self._seconds(cell) if is_clock else None
             try:
-                if clock:
-                    column.append(_seconds(clock))
-                else:
-                    column.append(decimal(self.decimals.with_points(cell, number)) * size)
+                if seconds is None:
+                    seconds = decimal(self.decimals.with_points(cell, number)) * size
+                column.append(seconds)
             except ValueError as error:
-                raise ValueError(f"{name}: read {cell.strip()[:40]!r}, {error}") from None
+                hint = " or a time such as `01:30:00`" if is_clock else ""
+                raise ValueError(f"{name}: read {cell.strip()[:40]!r}, {error}{hint}") from None
         for place, words in self._words:
             words.append(sys.intern(cells[place].strip()))
 
+    def _seconds(self, cell: str) -> float | None:
+        """Return a time such as `01:30:00` in seconds, independent of the unit above, else None.
 
-def _seconds(clock: re.Match[str]) -> float:
-    """Return the time of a cell such as `01:30:00` in seconds, independent of the unit above."""
-    hours, minutes, seconds = clock.groups()
-    return 3600.0 * int(hours) + 60 * int(minutes) + float(seconds.replace(",", "."))
+        A time with a date is counted from the first midnight of the table; without a time zone it
+        is in UTC.
+        """
+        if clock := _CLOCK.fullmatch(cell):
+            hours, minutes, seconds = clock.groups()
+            return 3600.0 * int(hours) + 60 * int(minutes) + float(seconds.replace(",", "."))
+        if not _DATED.match(cell):
+            return None
+        try:
+            moment = datetime.fromisoformat(cell.strip())
+        except ValueError:
+            return None
+        moment = moment if moment.tzinfo else moment.replace(tzinfo=UTC)
+        self._midnight = self._midnight or moment.replace(hour=0, minute=0, second=0, microsecond=0)
+        return (moment - self._midnight).total_seconds()

@@ -128,7 +128,7 @@ def ranges_of(
     """
     alike: dict[Hashable, list[int]] = {}
     for index, (ratio, kind) in enumerate(zip(ratios, kinds, strict=True)):
-        if math.isfinite(ratio) and kind is not None:
+        if math.isfinite(ratio) and ratio and kind is not None:
             alike.setdefault((kind, ratio > 0), []).append(index)
     # gears whose ratios are equal except for rounding keep their order
     for indices in alike.values():

@@ -169,7 +169,8 @@ class Vehicle(NamedTuple):
         128.1
         """
         weight = self.mass * GRAVITY
-        return weight * (self.rolling + slope) + AIR * self.drag_area / 2 * speed**2
+        with np.errstate(over="ignore"):
+            return weight * (self.rolling + slope) + AIR * self.drag_area / 2 * speed**2
 
     def full_torque(self, speed: Any) -> Any:
         """Return the full-load torque of the engine or the machine [N*m] at a speed [rad/s].

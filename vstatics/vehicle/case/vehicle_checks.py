@@ -16,6 +16,8 @@ from vstatics.vehicle.case.vehicle import Vehicle, beside_engine
 
 _NUMBERS = ("mass", "radius", "rolling", "drag_area", "final_drive")
 ABOVE_NOTHING = ("mass", "radius", "final_drive")
+LEAST, MOST = 1e-15, 1e15
+"""Limits of numbers of a vehicle above 0, in SI units; beyond them a cycle could overflow."""
 
 
 def of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
@@ -26,9 +28,10 @@ def of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
     for name in _NUMBERS:
         value = getattr(vehicle, name)
         is_positive = name in ABOVE_NOTHING
-        if not 0 <= value < math.inf or (is_positive and value == 0):
+        if not (LEAST if is_positive else 0) <= value <= MOST:
             least = "above 0" if is_positive else "of 0 or more"
-            message = f"read {value:g}, expected a number {least}"
+            range_ = f"from {LEAST:g} to {MOST:g}" if value > 0 else least
+            message = f"read {value:g}, expected a number {range_}"
             yield Problem("E268", message, ("vehicle", name))
     yield from _of_machine(vehicle)
     machine = vehicle.machine
@@ -41,11 +44,13 @@ def of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
         before = -math.inf
         for number, (speed, torque) in enumerate(points, 1):
             path = "vehicle", *keys, number
-            if not 0 <= speed < math.inf or speed <= before:
-                message = f"read {speed:g} rad/s, expected speeds of 0 or more in ascending order"
+            if not 0 <= speed <= MOST or speed <= before:
+                least = f"up to {MOST:g} rad/s" if speed > MOST else "of 0 or more"
+                message = f"read {speed:g} rad/s, expected speeds {least} in ascending order"
                 yield Problem("E268", message, path)
-            if not 0 <= sign * torque < math.inf:
+            if not 0 <= sign * torque <= MOST:
                 side = "0 or more" if sign > 0 else "0 or less"
+                side = f"up to {MOST:g} N*m in magnitude" if abs(torque) > MOST else side
                 yield Problem("E268", f"read {torque:g} N*m, expected a torque of {side}", path)
             before = speed
 

@@ -81,16 +81,16 @@ def device_damage(fatigue: Fatigue, torques: Floats) -> DeviceDamage:
     """
     if not np.isfinite(torques).all():
         return DeviceDamage(math.nan, None, math.nan, [])
-    counted = rainflow(torques)
-    amplitudes = np.array(
-        [cycle.amplitude + fatigue.asymmetry * abs(cycle.mean) for cycle in counted]
-    )
-    stresses = amplitudes / fatigue.modulus
-    ratios = stresses / fatigue.endurance
-    counts = np.array([cycle.counted for cycle in counted]) * (
-        ratios >= fatigue.threshold * (1 - SAME_TORQUE_CLASS)
-    )
-    with np.errstate(all="ignore"):
+    with np.errstate(all="ignore"):  # an overflow gives NaN
+        counted = rainflow(torques)
+        amplitudes = np.array(
+            [cycle.amplitude + fatigue.asymmetry * abs(cycle.mean) for cycle in counted]
+        )
+        stresses = amplitudes / fatigue.modulus
+        ratios = stresses / fatigue.endurance
+        counts = np.array([cycle.counted for cycle in counted]) * (
+            ratios >= fatigue.threshold * (1 - SAME_TORQUE_CLASS)
+        )
         damage = float(counts @ ratios**fatigue.exponent) / fatigue.cycles
     if not math.isfinite(damage):
         damage = math.nan

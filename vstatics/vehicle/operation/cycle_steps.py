@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -548,13 +549,26 @@ def _gears(
         message = "the trace has no column `gear`, expected this column or one of --shift, "
         message += "--least-speed and --strategy"
         raise CaseError("E426", message, place=trace.place)
+    neutrals = {name for name in {*trace.gears} - {*names} if name.casefold() in _AT_STANDSTILL}
     standing: Booleans = trace.speed <= 0
-    chosen = numbers_of_gears(case, trace.gears)
+    given = _given_gears(trace, neutrals)
+    chosen = numbers_of_gears(case, given)
     problems = [
         Problem("E416", unknown_gear(case, name), (row,))
-        for row, name in enumerate(trace.gears)
-        if chosen[row] is None and not (standing[row] and name.casefold() in _AT_STANDSTILL)
+        for row, name in enumerate(given)
+        if chosen[row] is None and not (standing[row] and name in neutrals)
     ]
     if problems:
         raise CaseError(problems)
     return np.array([number or 0 for number in chosen])
+
+
+def _given_gears(trace: Trace, neutrals: Collection[str]) -> list[str]:
+    """Return the gear names of a trace; from rest in neutral, a step has the gear of its end."""
+    from_rest = np.array(trace.table.numbers["speed"][:-1]) == 0
+    return [
+        end if moves_off and name in neutrals else name
+        for moves_off, (name, end) in zip(
+            from_rest & (trace.speed > 0), pairwise(trace.table.texts["gear"]), strict=True
+        )
+    ]

@@ -30,6 +30,7 @@ _GROUPED = re.compile(
     r"|([.,])[0-9]{3}(?:\2[0-9]{3})*(?!\2)[.,][0-9]+)"
 )
 """Number with grouped digits, such as 1 000, or 1.000,5 with a decimal sign of the other kind."""
+_JOINED = re.compile(r"[0-9]+(?:_[0-9]+)+")
 _PERCENT = re.compile(r"per ?cent|pct|prozent|процент", re.IGNORECASE)
 _PLAIN = re.compile(rf"[-+]?{_FIGURE}\Z")
 _NUMBER = re.compile(rf" *{_FIGURE} *")
@@ -124,11 +125,15 @@ def slip(text: str) -> str:
     (' (with a decimal point)', ' (with `-` instead of `\u2212`)', '')
     >>> slip("1 500 rpm"), slip("1.234,56")
     (' (digits without blanks: 1500)', ' (digits without `.`: 1234.56)')
+    >>> slip("1_00 N*m")
+    ' (digits without `_`: 100)'
     """
     if grouped := _GROUPED.search(with_plain_blanks(text)):
         sign = grouped[1] or grouped[2]
         signs = "blanks" if sign == " " else f"`{sign}`"
         return f" (digits without {signs}: {grouped[0].replace(sign, '').replace(',', '.')})"
+    if joined := _JOINED.search(text):
+        return f" (digits without `_`: {joined[0].replace('_', '')})"
     return " (with a decimal point)" if "," in text else dash_hint(text)
 
 
