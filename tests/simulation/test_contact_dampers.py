@@ -253,6 +253,22 @@ def test_a_damper_alone_slows_what_turns_otherwise(seed: int, written_as: str) -
     assert motion.energy.elastic == 0
 
 
+@each_seed(10, 200)
+@pytest.mark.parametrize("written_as", ["friction: %r", "stiffness: 0, friction: %r"])
+def test_dry_friction_alone_slips_until_the_speeds_are_equal(seed: int, written_as: str) -> None:
+    """The difference falls by M (1/J1 + 1/J2) in each second, then both turn as a single body."""
+    rng = seeded(seed)
+    first, second, friction = (10 ** rng.uniform(-1, 1) for _ in range(3))
+    rate, momentum = friction * (1 / first + 1 / second), first * (slip := rng.uniform(1, 50))
+    for time, left in ((0.6 * slip / rate, 0.4 * slip), (2 * slip / rate, 0.0)):
+        start = f"duration: {time!r}\nstart: {{speeds: {{a: {slip!r}, b: 0}}}}\n"
+        motion = simulated(start, DAMPER % (first, second, written_as % friction))
+        slow = (momentum - first * left) / (first + second)
+        assert motion.speeds[-1] == pytest.approx([slow + left, slow], abs=1e-7)
+        lost = (momentum * slip - first * (slow + left) ** 2 - second * slow**2) / 2
+        assert motion.energy.heat["visc"] == pytest.approx(lost, rel=1e-7)
+
+
 def test_a_settled_start_lets_a_damper_alone_slip() -> None:
     """5 N*m through 20 N*m*s/rad slip by 0.25 rad/s: so the shaft carries 5 N*m from the start."""
     motion = simulated(
@@ -266,7 +282,7 @@ def test_a_settled_start_lets_a_damper_alone_slip() -> None:
 
 def test_what_is_neither_spring_nor_damper_is_refused() -> None:
     for spring, fault in (
-        ("", "`points` and `damping`"),
+        ("", "`damping` and `friction`"),
         ("stiffness: 0", "expected a stiffness above 0"),
         ("damping: {ratio: 0.1}", "which needs a `stiffness`"),
         ("damping: -1", "expected a damping of 0 or more"),

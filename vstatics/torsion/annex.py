@@ -20,6 +20,7 @@ ANNEX = Annex(
         "mode_names": "vstatics.torsion.vibration.varied_frequencies",
         "modes_grids": "vstatics.torsion.vibration.tables",
         "overview_grids": "vstatics.torsion.vibration.tables",
+        "vibrating": "vstatics.torsion.system.state",
     },
     groups={
         "torsion": {

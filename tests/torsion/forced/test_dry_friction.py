@@ -33,6 +33,17 @@ def test_one_mass_slides_by_den_hartogs_approximation() -> None:
         np.testing.assert_allclose(torque, force, rtol=1e-9)  # balance of the mass
 
 
+def test_a_friction_damper_without_spring_moves_its_ring_by_four_pi() -> None:
+    """Lanchester's damper: the ring gets 4 M/pi, and a force below 4 M/pi (1 + J1/J2) none."""
+    ring = Spring({1: 1, 2: -1}, friction=3.0, name="ring")
+    case = Transmission(2, [], [], [], springs=[ring], inertias={1: 0.1, 2: 0.05})
+    for force in (11.0, 12.0, 40.0):
+        [gear] = response(case, 1, [Harmonic(2.0, force)], RPM)
+        omega, slips = 2 * RAD_PER_RPM * gear.speeds, force > 36 / math.pi
+        on_ring = np.abs(gear.orders[0].amplitudes["2"]) * 0.05 * omega**2
+        np.testing.assert_allclose(on_ring, 12 / math.pi if slips else force / 3, rtol=1e-6)
+
+
 def equivalent(
     matrices: tuple[Floats, Floats, Floats], rows: Floats, limits: Floats, force: Floats, w: float
 ) -> Complex:

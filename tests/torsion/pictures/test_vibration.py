@@ -163,6 +163,23 @@ def test_a_gear_that_is_tied_up_says_so_beside_others() -> None:
         picture(tied(), "modes", Style(), (2,))
 
 
+ANCHORED = "inertias: {a: 1}\nsprings: {s: {links: [a], stiffness: 100}}\n"
+"""One mass on a spring to the housing."""
+COUPLED = "links: [a, b]\noutput: b\nshift_elements: {B: [a, housing], C: [a, b]}\n"
+STUCK = ANCHORED + COUPLED + "gears: {free: [C], both: [B, C]}\n"
+
+
+@pytest.mark.parametrize("kind", ["modes", "campbell", "response"])
+def test_springs_that_hold_the_input_in_statics_let_it_vibrate(kind: str, tmp_path: Path) -> None:
+    """Thomson, Theory of vibration: sqrt(100/1) rad/s is 1.592 Hz, with no fault of the case."""
+    call = ("plot", "-", "-k", kind, "-o", tmp_path / "a.svg")
+    assert vstatics(*call, stdin=ANCHORED.encode()) == (0, "", "")
+    assert kind == "response" or "1.592" in (tmp_path / "a.svg").read_text(encoding="utf-8")
+    stuck = vstatics(*call, stdin=STUCK.encode())
+    assert stuck.status == 1
+    assert "gears free and both: tied up" in stuck.err
+
+
 @pytest.mark.parametrize("kind", KINDS)
 def test_what_is_missing_is_said(
     kind: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path

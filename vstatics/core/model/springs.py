@@ -177,7 +177,7 @@ class Spring(NamedTuple):
         Links with their coefficients. The twist of a shaft is the angle of the first link minus
         the angle of the second. The housing can be omitted, because it does not turn.
     stiffness : float, optional
-        Stiffness; a spring without stiffness is a damper. [N*m/rad]
+        Stiffness; a spring without stiffness is a viscous or friction damper. [N*m/rad]
     compliance : float, optional
         Compliance instead of the stiffness. [rad/(N*m)]
     damping : Damping or float

@@ -75,17 +75,19 @@ def _of_elastic_law(case: TransmissionFields, spring: Spring, path: Path) -> Ite
         yield from _of_strut(case, spring, (*path, "strut"))
     given = (spring.stiffness, spring.compliance)
     damped = damping(spring.damping)
+    resists = damped.viscous > 0 or spring.friction > 0
     if spring.is_damper and damped.loss_factor:
         message = "read a loss factor or damping ratio, which needs a `stiffness`"
         yield Problem("E252", f"{message}: expected one", path)
-    elif spring.is_damper and given == (None, None) and not damped.viscous:
-        message = "read none of `stiffness`, `compliance`, `points` and `damping`"
+    elif spring.is_damper and given == (None, None) and not resists:
+        message = "read none of `stiffness`, `compliance`, `points`, `damping` and `friction`"
         yield Problem("E252", f"{message}, expected one of them", path)
     elif None not in given:
         yield Problem("E253", "read both `stiffness` and `compliance`, expected one of them", path)
     if spring.compliance is not None:
         yield from above_0(spring.compliance, "a compliance", (*path, "compliance"))
-    yield from of_elastic(spring.stiffness, spring.damping, path, always=True)
+    stiffness = None if resists and spring.stiffness == 0 else spring.stiffness
+    yield from of_elastic(stiffness, spring.damping, path, always=True)
 
 
 def _of_points(spring: Spring, path: Path) -> Iterator[Problem]:
@@ -221,8 +223,7 @@ def of_elastic(
 ) -> Iterator[Problem]:
     """Check the stiffness and damping of a component; with `always`, a stiffness is required."""
     viscous, loss_factor = damping if isinstance(damping, Damping) else (damping, 0.0)
-    is_damper = always and stiffness == 0 and viscous > 0
-    if stiffness is not None and not is_damper:
+    if stiffness is not None:
         yield from above_0(stiffness, "a stiffness", (*path, "stiffness"))
     here = (*path, "damping")
     if not always:

@@ -27,7 +27,7 @@ from vstatics.core.cli.shared.patterns import expanded
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.values import FILE, above_0, allowable, value, wrong_value
 from vstatics.core.errors import CaseError, Problem, ReadError, not_allowed, of_file
-from vstatics.core.extras import broken
+from vstatics.core.extras import broken, higher
 from vstatics.core.messages.catalogue import causes_of_allowable
 from vstatics.core.model.checks import hints
 from vstatics.core.model.parts import NOMINAL_LOAD, Load
@@ -225,7 +225,7 @@ class CalculatedCase(NamedTuple):
     scenario: DocumentOfCase | None = None
     """Scenario that names the case; None for other commands and files."""
     is_run: bool = False
-    """True if the output concerns a run of the scenario."""
+    """True if the output concerns a run of the scenario, or vibration of gears that can vibrate."""
     locate: Callable[[Problem], Problem] | None = None
     """Function that adds the place in the file to a problem of the model."""
 
@@ -411,6 +411,9 @@ def calculate_one(
             gear_messages = iter(())
         if is_run:
             gear_messages = (problem._replace(id="N004") for problem in gear_messages)
+        elif settings.of_vibration and results.failed and _vibrates(results.case):
+            is_run = True
+            gear_messages = (problem for problem in gear_messages if problem.id != "E452")
         problems = not_allowed([*reading.warnings, *notes, *gear_messages], reading.case.untold)
     except ReadError as error:
         taken = "read_with_case" if settings.scenarios else ""
@@ -420,6 +423,14 @@ def calculate_one(
         results, problems = None, [unexpected(name, error)]
     reported = settings.telling.told(problems)
     return CalculatedCase(name, results, reported, data, settings.telling, scenario, is_run, locate)
+
+
+def _vibrates(case: Transmission) -> bool:
+    """Return whether each gear can vibrate, such as on springs that hold the input in statics."""
+    try:
+        return not any(isinstance(higher("vibrating")(case, gear), str) for gear in case.gears)
+    except CaseError:
+        return False
 
 
 def _solved(reading: Reading, settings: CaseOptions, *, opens: bool) -> Results:
