@@ -48,8 +48,8 @@ class PageOptions(NamedTuple):
 @command
 @arguments.argument
 @arguments.required_output(
-    "Output file for one case, or for two cases to compare, written completely or not at all. For "
-    "several cases: a directory. - is standard output.",
+    "Output file for one case, or for two cases to compare; `-` means standard output. For several "
+    "cases, a directory. A file is written completely or not at all.",
     unless="watch",
 )
 @under(
@@ -87,7 +87,7 @@ class PageOptions(NamedTuple):
             metavar="NAME=TEXT,...",
             multiple=True,
             callback=value(named("NAME=TEXT", str)),
-            help="Entries of the page header, such as author=A. Author,project=P-7.",
+            help="Entries of the page header, such as author=Me,project=P-7.",
         ),
     ),
     provided("duty_options"),

@@ -87,8 +87,8 @@ idle = under(
         cls=RenamedOption,
         former=["--idle"],
         type=click.Choice(get_args(IdleConvention)),
-        help="Power sign of mechanisms that transmit no power: published is +1 or -1 as in the "
-        "published listing, exact is 0.  [default: as in the case]",
+        help="Sign of the power of mechanisms that transmit none: 0 (exact), or +1 or -1 as in "
+        "the listing of the program Visual-Statics (published).  [default: as in the case]",
     ),
 )
 quiet = under(
