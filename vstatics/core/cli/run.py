@@ -81,7 +81,7 @@ def run_command(
     """Calculate every gear of each CASE: a deck, YAML, JSON or XLSX.
 
     The results are speeds, torques with and without losses, efficiency and power flow. The
-    CASE - is standard input.
+    CASE `-` is standard input.
 
     \b
     Examples:

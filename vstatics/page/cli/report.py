@@ -98,7 +98,7 @@ class PageOptions(NamedTuple):
 def report_command(
     cases: tuple[str, ...], output: str | None, watch: bool, page: PageOptions
 ) -> int:
-    """Write each CASE with its results as an HTML page; - is standard input.
+    """Write each CASE with its results as an HTML page; `-` is standard input.
 
     Instead of a case you can give a scenario, whose page includes the simulation, or the
     gearboxes found by `synth box -f json`. Two cases and -o FILE give a page that compares

@@ -57,8 +57,8 @@ files_from = under(
         "--files-from",
         type=FILE,
         metavar="FILE",
-        help="File with names of further cases; - is standard input. Give one name "
-        "per line, where # begins a comment, or separate the names by NUL characters.",
+        help="File with names of further cases; `-` is standard input. Give one name per line, "
+        "or separate the names by NUL characters. A line that begins with # is a comment.",
     ),
 )
 input_format = under(
