@@ -105,7 +105,7 @@ ANNEX = Annex(
         ),
         "response": PictureKind(
             "vstatics.torsion.pictures.orders.response",
-            "amplitude of the input over its speed in each gear, a line for\n"
+            "amplitude of the input against its speed in each gear, a line for\n"
             "each order, under 1 N*m or the torques of --torque",
             90,
             "Response",

@@ -172,7 +172,7 @@ def check_command(
 ) -> int:
     """Report errors, warnings and notes of each CASE, and the constraints of each gear.
 
-    A CASE can also be a scenario, which is checked together with its case; - is standard input.
+    A CASE can also be a scenario, which is checked together with its case; `-` is standard input.
     Messages go to stderr with file, line and column. The number of constraints in each gear
     goes to stdout. With -q, it is printed only for a case that fails.
 

@@ -82,7 +82,7 @@ def compare_command(
 ) -> int:
     """Compare two results: changes of the case, and changes of the results.
 
-    ACTUAL and EXPECTED (- is standard input) are results of `run` in any two formats, two
+    ACTUAL and EXPECTED (`-` is standard input) are results of `run` in any two formats, two
     directories of results, or two tables of `sweep`. Files of two directories are paired by
     their names without suffix. Cases and gears are paired by their names, otherwise by their
     positions. Rows of a sweep are paired by the number of the variant.
@@ -91,7 +91,7 @@ def compare_command(
     listed, and the largest changes of ratios, step ratios, efficiencies and other tables,
     as expected -> actual. The deviation is (actual - expected)/|expected|: a ratio of -3
     that becomes -4 deviates by -33 %. A number from a listing matches everything within
-    half of its last digit. Messages, names, descriptions and sources are not compared.
+    half a unit of its last digit. Messages, names, descriptions and sources are not compared.
 
     Exit status 1: a number differs, or a result is new, missing or unreadable.
 

@@ -36,7 +36,7 @@ def convert_command(
     output_format: str | None,
     telling: Telling,
 ) -> int:
-    """Convert a case from the file IN to the file OUT; - is standard input or output.
+    """Convert a case from the file IN to the file OUT; `-` is standard input or output.
 
     The formats are deck (.dat), YAML, JSON, XLSX and matrices. An existing file OUT is
     replaced. Numbers and names are kept exactly.

@@ -61,7 +61,7 @@ def explain_command(
 ) -> int:
     """Explain each gear: the equations, their solution, and the ratio as a formula.
 
-    For each gear of each CASE (- is standard input) you get the structural-distribution
+    For each gear of each CASE (`-` is standard input) you get the structural-distribution
     matrix of the engaged state, the equations of speeds and torques in symbols and numbers
     with their solution, the direction of power flow with its reason, the links that turn
     together, and the ratio as a formula.

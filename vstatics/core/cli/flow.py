@@ -31,7 +31,7 @@ def flow_command(
 ) -> int:
     """Show the power flow, the losses and the recirculating power in every gear.
 
-    For each gear of each CASE (- is standard input) you get
+    For each gear of each CASE (`-` is standard input) you get
 
     \b
       - the power through links, mechanisms and engaged shift elements, with and

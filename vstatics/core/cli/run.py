@@ -43,7 +43,7 @@ MANY = 100
     click.option(
         "--own-tables",
         is_flag=True,
-        help="Append tables that are not part of the published listing. Needs -f source.",
+        help="Append tables that the listing of Visual-Statics does not have. Needs -f source.",
     ),
 )
 @arguments.files_from
@@ -81,7 +81,7 @@ def run_command(
     """Calculate every gear of each CASE: a deck, YAML, JSON or XLSX.
 
     The results are speeds, torques with and without losses, efficiency and power flow. The
-    CASE - is standard input.
+    CASE `-` is standard input.
 
     \b
     Examples:
@@ -96,9 +96,9 @@ def run_command(
       find . -name '*.dat' | vstatics run --files-from - -o all.jsonl
 
     The default format is a listing with the tables of Visual-Statics. -f source reproduces
-    the published listing character by character. Quoted patterns are expanded by the
-    program, and ** stands for any folders. In a directory, each result has the name of its case.
-    A case that fails does not stop the other cases.
+    the published listing of Visual-Statics character by character. The program expands quoted
+    patterns, in which ** stands for any folders. In a directory, each result has the name of its
+    case. A case that fails does not stop the other cases.
 
     \b
     Exit status 1: a case has an error, a gear is tied up, or a freewheel can

@@ -83,7 +83,7 @@ def summary_command(
     are taken over all gears. A sensitivity is the change of a ratio in % when the basic ratio
     of a mechanism changes by 1 %. Several cases are shown side by side as A, B and C. -o
     DIRECTORY/ writes a separate summary of each case. Instead of cases you can give the
-    gearboxes found by `synth box -f json`. The CASE - is standard input.
+    gearboxes found by `synth box -f json`. The CASE `-` is standard input.
 
     \b
     Examples:

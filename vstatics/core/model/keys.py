@@ -580,7 +580,8 @@ CASE = ByKey(
         KeyShape(
             "idle",
             Leaf("choice", ("exact", "published")),
-            "Power sign of unloaded mechanisms: 0 (exact), or as in the published tables.",
+            "Sign of the power of unloaded mechanisms: 0 (exact), or +1 or -1 as in the listing of "
+            "Visual-Statics (published).",
             default="exact",
         ),
         KeyShape("load", LOAD, "Operating point of all gears that do not give their own."),

@@ -48,8 +48,8 @@ class PageOptions(NamedTuple):
 @command
 @arguments.argument
 @arguments.required_output(
-    "Output file for one case, or for two cases to compare, written completely or not at all. For "
-    "several cases: a directory. - is standard output.",
+    "Output file for one case, or for two cases to compare; `-` means standard output. For several "
+    "cases, a directory. A file is written completely or not at all.",
     unless="watch",
 )
 @under(
@@ -87,7 +87,7 @@ class PageOptions(NamedTuple):
             metavar="NAME=TEXT,...",
             multiple=True,
             callback=value(named("NAME=TEXT", str)),
-            help="Entries of the page header, such as author=A. Author,project=P-7.",
+            help="Entries of the page header, such as author=Me,project=P-7.",
         ),
     ),
     provided("duty_options"),
@@ -98,7 +98,7 @@ class PageOptions(NamedTuple):
 def report_command(
     cases: tuple[str, ...], output: str | None, watch: bool, page: PageOptions
 ) -> int:
-    """Write each CASE with its results as an HTML page; - is standard input.
+    """Write each CASE with its results as an HTML page; `-` is standard input.
 
     Instead of a case you can give a scenario, whose page includes the simulation, or the
     gearboxes found by `synth box -f json`. Two cases and -o FILE give a page that compares

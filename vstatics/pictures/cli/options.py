@@ -132,8 +132,8 @@ options = gathered(
         click.option("--dark", is_flag=True, help="Draw light lines on a dark background."),
     ),
     arguments.required_output(
-        "Picture of one case, or of two cases to compare: SVG, PNG or PDF by the suffix. For "
-        "several cases: a directory. - is standard output: one SVG page of any height."
+        "Picture of one case, or of two cases to compare: SVG, PNG or PDF by the suffix. `-` "
+        "writes one SVG page of any height to standard output. For several cases, a directory."
     ),
     under(
         _KINDS,
@@ -179,7 +179,8 @@ options = gathered(
                 "--orders",
                 metavar="N,...",
                 callback=value(numbers("an order above 0", math.ulp(0.0)), "--orders"),
-                help="For --kind campbell or response: orders of the speed.  "
+                help="For --kind campbell or response: excitation orders, as multiples of the "
+                "speed of the input, or in a response of the --at link.  "
                 "[default: orders of the engine]",
             ),
         ),
@@ -251,7 +252,8 @@ options = gathered(
                 "--at",
                 metavar="LINK",
                 default="",
-                help="For --kind response: link to draw.  [default: input]",
+                help="For --kind response: link on which the torque acts, and whose amplitude is "
+                "drawn.  [default: input]",
             ),
         ),
     ),

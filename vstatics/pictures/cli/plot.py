@@ -72,7 +72,7 @@ def plot_command(
 
     For a scenario, --kind shift and --kind plan draw the simulation. All other kinds draw the
     case. Two cases to one FILE are drawn in one picture, with common axes or as panels A and B.
-    The CASE - is standard input.
+    The CASE `-` is standard input.
 
     Text has a size of 8 pt. A picture that is wider than the page continues below, and a
     picture that is higher than 240 mm continues on further pages: FILE-2.svg and so on, or

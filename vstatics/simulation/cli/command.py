@@ -36,7 +36,7 @@ WITH_COLUMNS = ("csv", "json", "jsonl", "npz", "parquet")
 @command
 @options
 def simulate_command(asked: SimulateOptions) -> int:
-    """Simulate a shift, a launch or another SCENARIO over time; - is standard input.
+    """Simulate a shift, a launch or another SCENARIO over time; `-` is standard input.
 
     SCENARIO is a YAML file with a case, a duration and an initial state. Shifts, or
     capacities of shift elements and external torques over time, determine the run. CASE

@@ -89,7 +89,7 @@ _SAMPLES = gathered(
             help="Seed of the random numbers.  [default: 0]",
         ),
     ),
-    shared("stopped --samples"),
+    shared("a stopped run of --samples"),
 )
 options = gathered(
     "asked",

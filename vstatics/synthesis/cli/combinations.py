@@ -112,7 +112,7 @@ def combinations_command(
     Torques are the torques of the engaged shift elements without losses, divided by the
     input torque. For a direct drive by one shift element, slip is its slip speed while the
     output is at rest, divided by the input speed. The product of torque and slip is 1. The
-    CASE - is standard input.
+    CASE `-` is standard input.
 
     \b
     Examples:

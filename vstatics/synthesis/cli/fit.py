@@ -67,7 +67,8 @@ class FitOptions(NamedTuple):
         multiple=True,
         metavar="GEAR=W,...",
         callback=value(named("GEAR=WEIGHT", number), "--weights"),
-        help="Weights of the squares of ln(i/wanted).  [default: 1]",
+        help="Weights of gears in the sum of squares of ln(i/wanted), with the ratio i of a gear.  "
+        "[default: 1]",
     ),
     click.option(
         "--tolerance",
@@ -75,7 +76,7 @@ class FitOptions(NamedTuple):
         default=TOLERANCE,
         show_default=True,
         metavar="T",
-        help="Largest |ln(i/wanted)| of a ratio that counts as met.",
+        help="Largest |ln(i/wanted)| of a ratio i that counts as met.",
     ),
 )
 @click.option(
@@ -92,7 +93,7 @@ def fit_command(request: OneCase, asked: FitOptions, dry_run: bool, target: str 
     points. All different solutions are listed. The ratios keep the signs that they have in
     CASE. A ratio that the wanted ratios do not determine stays near its value in CASE. Tooth
     numbers are ignored. A gear set with shared planets has several ratios, between its
-    central gears. The CASE - is standard input.
+    central gears. The CASE `-` is standard input.
 
     \b
     Examples:

@@ -161,7 +161,7 @@ def teeth_command(
     warning appears.
 
     A mechanism without teeth is treated as a planetary gear set, or as a gear pair if it
-    has two links. --dry-run lists the result. The CASE - is standard input.
+    has two links. --dry-run lists the result. The CASE `-` is standard input.
 
     \b
     Examples:

@@ -61,8 +61,8 @@ _speed_ratios = click.option(
     multiple=True,
     callback=value(_ratios),
     metavar="TC=I",
-    help="Speed ratio of a converter, turbine divided by pump. Repeatable.  [default: as in the "
-    "gear, else the ratio at which the converter takes the input torque]",
+    help="Speed ratio I of the converter TC, turbine divided by pump. Repeatable.  [default: as in "
+    "the gear, else the ratio at which the converter takes the input torque]",
 )
 
 

@@ -43,7 +43,7 @@ def _rate(given: float) -> float:
     static_torque,
 )
 def dump_command(request: OneCase, rate: float | None, gears: tuple[str, ...]) -> int:
-    """Calculate the largest torque when the clutch is dumped; - is standard input.
+    """Calculate the largest torque when the clutch is dumped; `-` is standard input.
 
     FILE is a YAML file with a system on one shaft:
 

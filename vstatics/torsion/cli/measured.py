@@ -56,7 +56,7 @@ def identify_command(request: OneCase, gear: str | None, mode: int, observation:
     (calculated/W)^2. The mode then has the measured frequency W. Mode shapes do not change.
     With a logarithmic decrement D, each component also gets the damping D/(pi E W), with
     its corrected compliance E. Instead of the two numbers you can give the record of a free
-    vibration, or its extreme values. The CASE - is standard input.
+    vibration, or its extreme values. The CASE `-` is standard input.
 
     \b
     Examples:
@@ -116,7 +116,7 @@ def damping_command(
 
     The damping of a component is D/(pi E W), with its logarithmic decrement D, its
     compliance E and the frequency W. The decrement of the mode is the sum of the given
-    decrements, weighted by their shares in its elastic energy. The CASE - is standard input.
+    decrements, weighted by their shares in its elastic energy. The CASE `-` is standard input.
 
     \b
     Examples:

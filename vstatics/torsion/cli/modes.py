@@ -32,7 +32,7 @@ from vstatics.torsion.cli.case import (
 def modes_command(request: OneCase, chosen: WorkingGears, count: int | None) -> int:
     """Calculate the natural frequencies and mode shapes of CASE in every gear.
 
-    CASE (- is standard input) has `inertias` [kg*m^2] of links, or `masses` [kg] of links in
+    CASE (`-` is standard input) has `inertias` [kg*m^2] of links, or `masses` [kg] of links in
     translation, and `springs`, mechanisms or shift elements with a `stiffness` [N*m/rad, or
     N/m]. All other parts are rigid. For each mode you get the frequency with and without
     damping, the amplitudes of the links (the largest is 1), the torques of all components

@@ -61,7 +61,7 @@ def random_command(
     omega: Floats | None,
     chosen: WorkingGears,
 ) -> int:
-    """Calculate the random vibration of CASE in every gear; - is standard input.
+    """Calculate the random vibration of CASE in every gear; `-` is standard input.
 
     You get the standard deviations of twists, torques and motions of links, the number of
     upward crossings of the mean per second, the half widths of the resonance peaks, and the

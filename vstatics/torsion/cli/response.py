@@ -199,7 +199,7 @@ def response_command(
     with_sum: bool,
     chosen: WorkingGears,
 ) -> int:
-    """Calculate the forced vibration of CASE in every gear; - is standard input.
+    """Calculate the forced vibration of CASE in every gear; `-` is standard input.
 
     A harmonic torque acts on LINK. For each order and speed you get the amplitudes of the
     links [rad] and the torques of the components [N*m]. The speeds at which an order

@@ -143,7 +143,7 @@ def simplify_command(
 
     The partial system with the highest frequency is removed repeatedly. The lowest natural
     frequencies hardly change. A warning lists remaining frequencies that are above half of
-    a removed partial frequency. The CASE - is standard input.
+    a removed partial frequency. The CASE `-` is standard input.
 
     \b
     Examples:

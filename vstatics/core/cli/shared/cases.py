@@ -57,8 +57,8 @@ files_from = under(
         "--files-from",
         type=FILE,
         metavar="FILE",
-        help="File with names of further cases; - is standard input. Give one name "
-        "per line, where # begins a comment, or separate the names by NUL characters.",
+        help="File with names of further cases; `-` is standard input. Give one name per line, "
+        "or separate the names by NUL characters. A line that begins with # is a comment.",
     ),
 )
 input_format = under(
@@ -87,8 +87,8 @@ idle = under(
         cls=RenamedOption,
         former=["--idle"],
         type=click.Choice(get_args(IdleConvention)),
-        help="Power sign of mechanisms that transmit no power: published is +1 or -1 as in the "
-        "published listing, exact is 0.  [default: as in the case]",
+        help="Sign of the power of mechanisms that transmit none: 0 (exact), or +1 or -1 as in "
+        "the listing of the program Visual-Statics (published).  [default: as in the case]",
     ),
 )
 quiet = under(

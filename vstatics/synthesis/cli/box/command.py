@@ -37,7 +37,7 @@ LOADING_SECONDS = 5.0
     click.option(
         "--complete",
         is_flag=True,
-        help="Exit with status 1 if the search can have missed gearboxes.",
+        help="Exit with status 1 if the search may have missed gearboxes.",
     ),
     click.option(
         "--dry-run",
@@ -83,8 +83,8 @@ def box_command(
     source folder. Diagrams also need matplotlib, ".[boxes,plot]".
 
     \b
-    Exit status 1: no gearbox is found, the search is not finished, or gearboxes
-    can be missing with --complete.
+    Exit status 1: no gearbox is found, the search is not finished, or, with
+    --complete, the search may have missed gearboxes.
     """
     try:
         require("boxes", "synth box")

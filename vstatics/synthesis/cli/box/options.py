@@ -217,7 +217,8 @@ options = gathered(
                     default=[str(_TOLERANCE)],
                     callback=value(wanted_tolerances(_TOLERANCE), "--tolerance"),
                     metavar="T,...",
-                    help="Largest |ln(i/wanted)| of all gears, or of one gear: 0.01,1=0.04,R=0.2.  "
+                    help="Largest |ln(i/wanted)| of the ratios i of all gears, or of one gear: "
+                    "0.01,1=0.04,R=0.2.  "
                     "[default: 0.01]",
                 ),
             ),
