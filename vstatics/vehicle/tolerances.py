@@ -20,3 +20,7 @@ LEAST_EXCESS = 1e-9
 """Relative increase of an engine torque that rounding left below the least value. [-]"""
 AT_REST = 1e-10
 """Engine speed for losses at rest, relative to the last engine speed. [-]"""
+SMALLEST_NUMBER = 1e-15
+"""Smallest number above 0 of a vehicle, in SI units, so that its powers differ from 0."""
+LARGEST_NUMBER = 1e15
+"""Largest number of a vehicle, in SI units, so that the results of a cycle are finite."""

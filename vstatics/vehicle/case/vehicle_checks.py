@@ -13,11 +13,10 @@ from vstatics.core.model.parts import RAD_PER_RPM, Law
 from vstatics.core.model.springs import ends
 from vstatics.core.statics.points.gear_loss import power_loss
 from vstatics.vehicle.case.vehicle import Vehicle, beside_engine
+from vstatics.vehicle.tolerances import LARGEST_NUMBER, SMALLEST_NUMBER
 
 _NUMBERS = ("mass", "radius", "rolling", "drag_area", "final_drive")
 ABOVE_NOTHING = ("mass", "radius", "final_drive")
-LEAST, MOST = 1e-15, 1e15
-"""Limits of numbers of a vehicle above 0, in SI units; beyond them a cycle could overflow."""
 
 
 def of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
@@ -28,9 +27,9 @@ def of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
     for name in _NUMBERS:
         value = getattr(vehicle, name)
         is_positive = name in ABOVE_NOTHING
-        if not (LEAST if is_positive else 0) <= value <= MOST:
+        if not (SMALLEST_NUMBER if is_positive else 0) <= value <= LARGEST_NUMBER:
             least = "above 0" if is_positive else "of 0 or more"
-            range_ = f"from {LEAST:g} to {MOST:g}" if value > 0 else least
+            range_ = f"from {SMALLEST_NUMBER:g} to {LARGEST_NUMBER:g}" if value > 0 else least
             message = f"read {value:g}, expected a number {range_}"
             yield Problem("E268", message, ("vehicle", name))
     yield from _of_machine(vehicle)
@@ -44,13 +43,19 @@ def of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
         before = -math.inf
         for number, (speed, torque) in enumerate(points, 1):
             path = "vehicle", *keys, number
-            if not 0 <= speed <= MOST or speed <= before:
-                least = f"up to {MOST:g} rad/s" if speed > MOST else "of 0 or more"
+            if not 0 <= speed <= LARGEST_NUMBER or speed <= before:
+                least = (
+                    f"up to {LARGEST_NUMBER:g} rad/s" if speed > LARGEST_NUMBER else "of 0 or more"
+                )
                 message = f"read {speed:g} rad/s, expected speeds {least} in ascending order"
                 yield Problem("E268", message, path)
-            if not 0 <= sign * torque <= MOST:
+            if not 0 <= sign * torque <= LARGEST_NUMBER:
                 side = "0 or more" if sign > 0 else "0 or less"
-                side = f"up to {MOST:g} N*m in magnitude" if abs(torque) > MOST else side
+                side = (
+                    f"up to {LARGEST_NUMBER:g} N*m in magnitude"
+                    if abs(torque) > LARGEST_NUMBER
+                    else side
+                )
                 yield Problem("E268", f"read {torque:g} N*m, expected a torque of {side}", path)
             before = speed
 
