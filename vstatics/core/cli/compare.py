@@ -50,7 +50,9 @@ def _tolerance(name: str, default: float, says: str) -> Callable[[Command], Comm
 @gathered(
     "how",
     Tolerances,
-    _tolerance("--atol", ATOL, "Absolute tolerance of a number."),
+    _tolerance(
+        "--atol", ATOL, "Absolute part of the allowed deviation of a number; --rtol adds a part."
+    ),
     _tolerance("--rtol", RTOL, "Tolerance of a number, relative to the expected number."),
     click.option(
         "--leave-out",
