@@ -210,7 +210,7 @@ def worksheet(
     by_name = {item.quantity.name: item for item in tables(results)}
     case = results.case
     no_torque = not case.input_torque(case.gears[index])
-    if results.locked[index]:  # no signs agree with the losses
+    if results.locked[index]:  # a self-locking gear has no admissible signs of power
         del by_name["power_sign"]
     wanted = [by_name[name] for name in asked_names(no_torque=no_torque) if name in by_name]
     blanks = list(_blanks(results, index, wanted, telling=True))

@@ -48,12 +48,12 @@ def _in_pieces(state: GearState) -> Iterator[tuple[Node, Sequence[int]]]:
 def divided_by_convention(
     state: GearState, bearing: Container[Node], flows: Iterable[Sequence[Edge]]
 ) -> set[Node]:
-    """Return the devices and links of a gear whose power is a convention.
+    """Return the devices and links of a gear whose power is set by convention.
 
-    In parts that rotate as a block, statics does not determine the power split between two paths.
-    The result contains devices on such cycles, three-link mechanisms in the block, and links that
-    receive power from such devices and give power to such devices. A clutch that transmits all
-    power is not included.
+    If parts that rotate as a block form a cycle, statics does not determine the power split between
+    its two paths. The result contains the devices on cycles, mechanisms with three or more links in
+    a block, and links that receive power from such devices and give power to such devices. A clutch
+    that transmits all power is not included.
 
     Parameters
     ----------

@@ -96,7 +96,7 @@ class StrutCurve(NamedTuple):
         return 0.0, 0.0
 
     def at(self, twist: Any) -> Any:
-        """Return the force [N] at an extension or an array of extensions [m]; NaN out of reach."""
+        """Return the restoring force [N] at one or more extensions [m]; NaN out of reach."""
         import numpy as np  # costs start-up time
 
         n = self.strut.exponent
@@ -107,7 +107,7 @@ class StrutCurve(NamedTuple):
             )
 
     def energy(self, twist: float) -> float:
-        """Return the integral of the force from rest to an extension [J]."""
+        """Return the integral of the restoring force from 0 to the extension `twist` [J]."""
         import numpy as np  # costs start-up time
 
         stored, n = 0.0, self.strut.exponent
@@ -119,7 +119,7 @@ class StrutCurve(NamedTuple):
         return stored
 
     def twist_at(self, force: float) -> float | None:
-        """Find the extension [m] at a force [N] by bisection; None if it is never reached."""
+        """Find the extension [m] at a restoring force [N] by bisection; None if never reached."""
         low, high = self.strut.reach
         if math.isinf(high):
             if force >= self.strut.chambers[0][0]:

@@ -33,9 +33,9 @@ class Source:
 
     @cached_property
     def lines(self) -> list[str]:
-        """Lines of the text, with any line endings.
+        """Lines of the text, without their line endings, which can be of any kind.
 
-        Readers of long tables delete this cached list.
+        Readers of long tables delete this cached list to save memory.
         """
         return self.text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
 

@@ -53,7 +53,8 @@ def read_csv(text: str, file: str) -> list[WrittenResult]:
     Raises
     ------
     ReadError
-        If a line has no number or does not belong to a table.
+        If a line is not a row of a result, a value is neither empty nor a finite number, a table
+        has too many rows, or the file contains no result.
     """
     lines = _csv_lines(text, file)
     has_case = next(lines)[1][0] == "case"
@@ -88,7 +89,8 @@ def read_parquet(data: bytes, file: str) -> list[WrittenResult]:
     Raises
     ------
     ReadError
-        If the file cannot be read, or the package for Parquet is missing.
+        If the file cannot be read or contains no valid result, or the package for Parquet is
+        missing.
     """
     results: dict[str, _Cells] = {}
     try:

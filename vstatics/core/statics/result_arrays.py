@@ -113,8 +113,9 @@ class ResultFields(_NamedFields):
     """Torques without losses, ``(..., gears, shift elements + mechanisms + springs + 1)``. [-]
 
     The torque of a shift element, mechanism or spring is the torque that its first link gives to
-    it. The last row is the output torque, given to the load. A drawn gear set has a row for each
-    member: the torque that the links of the member give to it.
+    it. The last row is the output torque, given to the load. If the case has drawn gear sets, each
+    gear set and mechanism has instead a row for each member: the torque that the member's link
+    gives to the member.
     """
     holding_torques: Floats
     """External torques that hold given speeds, ``(..., gears, links)``. [-]"""

@@ -60,7 +60,7 @@ def with_room(pictures: Sequence[Drawn]) -> int:
 
 
 def flow_sheets(others: int) -> int:
-    """Return the number of printed sheets of power flow if a page has `others` annex sections."""
+    """Return the number of power-flow sheets on a page with `others` sections of annexes."""
     return FLOW_SHEETS - LESS_BESIDE * others
 
 

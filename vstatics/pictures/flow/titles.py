@@ -35,10 +35,10 @@ class FlowTitles(NamedTuple):
         return node in self.texts.flow.by_convention
 
     def is_mild(self, node: Node) -> bool:
-        """Return whether only the friction in a locked-up node leaves the power undetermined.
+        """Return whether convention affects only the friction in a block, not the power around it.
 
-        A locked-up differential divides torque by its ratio. Only the small friction in the teeth
-        is decided by convention.
+        For example, a locked-up differential divides torque by its ratio, and convention decides
+        only the small friction in its teeth.
         """
         return self.is_open(node) and not any(node in pair for pair in self.divided)
 

@@ -179,7 +179,7 @@ def _grounds(
 
 
 def joins(drawn: Sequence[Lever]) -> Iterator[LeverTie]:
-    """Yield the connections of each link that is on several levers, each to the next lever."""
+    """Yield the lines between successive levers that share a link, except for the housing."""
     for link, some in spots_of(drawn).items():
         places = dict(reversed(some)) if link != HOUSING else {}
         for both in pairwise(sorted(places.items())):
@@ -189,7 +189,7 @@ def joins(drawn: Sequence[Lever]) -> Iterator[LeverTie]:
 def ties_of(
     case: Transmission, elements: Iterable[ShiftElement], spots: dict[int, list[Spot]]
 ) -> Iterator[LeverTie]:
-    """Yield the connections by clutches, and by springs between neighbouring links."""
+    """Yield the lines of clutches, and of springs between neighbouring links."""
     for element in elements:
         yield from _tie(element.name, *element.links, spots)
     for spring in case.springs:
@@ -199,7 +199,7 @@ def ties_of(
 
 
 def _tie(name: str, first: int, second: int, spots: dict[int, list[Spot]]) -> Iterator[LeverTie]:
-    """Yield the connection of two links at the nearest points, if both links are on levers."""
+    """Yield the line between two links at the nearest points, if both links are on levers."""
     pairs = [(a, b) for a in spots.get(first, ()) for b in spots.get(second, ()) if a != b]
     if HOUSING not in (first, second) and pairs:
         a, b = min(pairs, key=lambda pair: abs(pair[0][0] - pair[1][0]))

@@ -126,7 +126,10 @@ def speeds_under(
     state: Sequence[Condition],
     output: float | None = None,
 ) -> list[float]:
-    """Return relative speeds of all links under constraints, NaN if undetermined."""
+    """Return the speeds of all links relative to the input `first`; NaN if undetermined.
+
+    The constraints are `state` and, if given, the relative speed `output` of the link `last`.
+    """
     ratios = [mechanism.ratio for mechanism in case.mechanisms]
     speeds = {condition.link: condition.speed for condition in state if condition.other == HOUSING}
     pairs = [{condition.link, condition.other} for condition in state if condition.other != HOUSING]

@@ -319,7 +319,10 @@ class Finder:
     def _refined(
         self, step: TimeStep, time: float, state: Floats, index: int
     ) -> tuple[float, Floats]:
-        """Refine the time of a zero, with states as accurate as at the end of a step."""
+        """Refine the time of a margin's zero by Newton steps, and return it with the state.
+
+        The state is as accurate as at the end of a step.
+        """
         length = step.end - step.start
         near = AHEAD * length
         for _ in range(2):

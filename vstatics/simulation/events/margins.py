@@ -151,7 +151,7 @@ class Margins:
             for place, (mesh, *_) in enumerate(self.cones)
             if largest(structure.redundant[mesh]) > SHARED_TORQUE
         ]
-        """Rows of the two slacks of each mechanism at rest with a redundant torque of any sign."""
+        """Rows of both slacks of each mechanism at rest with a redundant torque, of any sign."""
         self.last_room: SplitRoom | None = None
         """Latest result of `_roomiest`, which is often needed again."""
         self.straight_limits = self._straight_limits()

@@ -40,9 +40,11 @@ class Judge:
     time : float
         The instant. [s]
     state : ndarray
+        State of the equations at the instant.
     scales : LargeSizes
+        Speed and torque that count as large, as scales of rounding errors.
     values : ndarray
-        Large values of control states and temperatures, as scales of rounding errors.
+        Scale of the rounding errors of each control state and temperature.
     """
 
     def __init__(

@@ -369,7 +369,7 @@ class Closed:
         return equations.slopes_by_rate(time, state), equations.slopes_by_state(time, state)
 
     def _bends_elsewhere(self, time: float, state: Floats) -> bool:
-        """Return whether torque slopes in a state differ from the slopes in the matrix."""
+        """Return whether torque slopes in a state differ from those in the present matrix A."""
         return _differ(self._slopes(time, state), self.known)
 
     def _balanced(self) -> Floats:
@@ -382,7 +382,9 @@ class Closed:
         mass = ((free.T @ equations.system.mass) * free.T).sum(axis=1)
         factors[: equations.motions] = np.sqrt(np.maximum(mass, LEAST_MASS))
         drivers = len(equations.structure.drivers)
-        if drivers:  # a contact that slides at a given speed can move links without inertia only
+        # If a driver (contact that sticks at a given speed) moves only links without inertia, its
+        # mass is 0 and gives no factor.
+        if drivers:
             driven = slice(equations.motions - drivers, equations.motions)
             factors[driven] = max(1.0, largest(factors[: equations.angles.start]))
         return factors

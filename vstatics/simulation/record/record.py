@@ -80,7 +80,7 @@ class Record:
         self.drawn, self.numbers = DrawnRun(system, step, asked), 0
         self.sharing: set[tuple[int, ...]] = set()
         self.open: set[frozenset[int]] = set()
-        """Sets of contacts of the notes about other contacts that could break away instead."""
+        """Contacts in each note N606 so far (slipping or alternative), to avoid repetition."""
         self.time = start.time
         self.energy_scale = max(kinetic_energy(system, start.speeds), 1.0)
         self.worked, self.stored = 0.0, 0.0

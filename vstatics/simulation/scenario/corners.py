@@ -30,7 +30,7 @@ COMPARES = frozenset(("<", "<=", ">", ">=", "==", "!="))
 JUMPS = COMPARES | {"sign"}
 BENDS = frozenset(("abs", "min", "max"))
 ENDS = BENDS | {"sqrt"}
-"""Functions whose corners `crossings` searches: functions that bend, and the start of `sqrt`."""
+"""Functions that bend, and `sqrt`, whose domain begins at 0 with an infinite slope."""
 
 
 _MOST_DEGREE = 8

@@ -54,7 +54,7 @@ class LoadedWheel(NamedTuple):
 
     @property
     def is_single(self) -> bool:
-        """True if w(v) rises everywhere, so that each wheel speed has a single vehicle speed."""
+        """True if wheel speed rises with vehicle speed everywhere, so the inverse is unique."""
         speeds, _ = zip(*self.rolling, strict=True)
         corners = np.array([0.0, *speeds, np.inf])
         above = np.nextafter(corners[:-1], np.inf)
@@ -71,7 +71,7 @@ class LoadedWheel(NamedTuple):
         return force
 
     def load(self, velocity: Any) -> Floats:
-        """Return the ratio of the free radius to the rolling radius, 1 + lambda X [-]."""
+        """Return free radius divided by rolling radius, 1 + `by_torque` times resistance [-]."""
         speed = np.abs(velocity)
         force = self.rolls(speed) + self.steady + self.air * speed**2
         ratio: Floats = 1.0 + self.by_torque * force

@@ -35,9 +35,15 @@ first link relative to the third, and of the torque on the first link.
 """
 
 _FIRST_PREFERENCE = 1e-2
-"""Weight of mechanisms, which carry redundant torques first; other constraints have weight 1."""
+"""Weight of mechanisms in the minimised norm of redundant torques; others have weight 1.
+
+Because of the small weight, mechanisms carry redundant torques first.
+"""
 _LAST_PREFERENCE = 1e2
-"""Weight of drags and of friction at rest, which carry redundant torques last."""
+"""Weight of drags and of friction at rest in the minimised norm of redundant torques.
+
+Because of the large weight, drags and friction at rest carry redundant torques last.
+"""
 
 
 class Multiplier(NamedTuple):

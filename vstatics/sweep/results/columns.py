@@ -103,10 +103,10 @@ _NAMED = re.compile(rf"\s*({NAME.pattern})\s*=(?!=)")
 def read_columns(text: str, subject: Subject, targets: Sequence[Varied] | Terms) -> OutputColumns:
     """Read a list of column expressions, separated by commas outside brackets.
 
-    Each expression gives a column for each gear and row of its value: all gears of the first row,
-    then all gears of the second row. A repeated column is written once. Varied numbers are left
-    out, since they have their own columns. ``NAME=EXPR`` names a column; later expressions can use
-    the name.
+    Each expression gives a column for each gear and each row of its table, such as each link. The
+    columns of all gears for the first row come first, then the columns for the second row. A
+    repeated column is written once. Varied numbers are left out, since they have their own columns.
+    ``NAME=EXPR`` names a column; later expressions can use the name.
 
     Parameters
     ----------

@@ -113,7 +113,7 @@ def _clutch(first: int, second: int) -> ShiftElement:
 
 
 def _gears(case: Transmission, engaged: int) -> list[Gear]:
-    """Return a gear for each different ratio that a number of engaged elements gives."""
+    """Return gears with different ratios that engage exactly `engaged` elements, up to a limit."""
     by_ratio: dict[str, tuple[float, tuple[int, ...]]] = {}
     for batch in CombinationSearch(case, [engaged]).batches():
         good = batch.where(batch.gears & ~batch.free)

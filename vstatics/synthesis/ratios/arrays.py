@@ -87,7 +87,11 @@ class RatioArrays(NamedTuple):
         return results
 
     def _part(self, products: Floats, factors: Floats) -> Floats:
-        """Return ``(u/p) dp/du``: the fraction of each polynomial p in products with ratio u."""
+        """Return ``(u/p) dp/du``: the fraction of p that comes from products with the ratio u.
+
+        The fraction is calculated for each mechanism ratio u and each polynomial p, whose
+        coefficients are a column of `factors`.
+        """
         count, mechanisms = self.powers.shape
         with_ratio = factors[:, :, np.newaxis] * self.powers[:, np.newaxis, :]
         parts = products @ with_ratio.reshape(count, -1)

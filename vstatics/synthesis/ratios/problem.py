@@ -222,7 +222,8 @@ def fit_problem(  # noqa: PLR0913 - the arguments of `fit`
     Raises
     ------
     CaseError
-        If arguments are wrong, with all problems; each path begins with the argument.
+        If arguments are wrong or a ratio is impossible. A path begins with the argument, or with
+        `mechanisms` or `gears` if the case does not permit a fit.
     """
     for gear in case.gears:
         for index in case.sought_converters(gear):

@@ -167,7 +167,7 @@ def _with_bodies(sizes: LinkSizes, inside: int) -> tuple[tuple[int, int], ...]:
 
 @cache
 def _link_sizes(sets: int) -> dict[LinkSizes, int]:
-    """Count the sound schemes by the numbers of gear-set members at the links."""
+    """Return the number of sound schemes for each list of member numbers at their links."""
     totals: Counter[LinkSizes] = Counter()
     search = StructureSearch(sets)
     for batch in batches(counted_by(search)):

@@ -236,8 +236,9 @@ def growth_order(
 ) -> list[int]:
     """Return the order in which columns are filled: gears, and the number of planets.
 
-    Gears of a ratio are neighbours, followed by gears that an equation almost determines. The
-    number of planets follows the first planet gear.
+    Gears of a ratio are neighbours, except that a gear follows at once if it is the only gear of an
+    equation that is not in the order yet. The number of planets follows as soon as a planet gear
+    and the gears that determine its axis are in the order.
 
     Parameters
     ----------

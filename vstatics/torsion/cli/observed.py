@@ -1,4 +1,4 @@
-"""Options of a measured mode: frequency and decrement, extremes, or a record."""
+"""Command-line options for a measured mode: frequency and decrement, extremes, or a record."""
 
 from __future__ import annotations
 

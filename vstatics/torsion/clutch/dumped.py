@@ -73,9 +73,9 @@ class DumpTorque(NamedTuple):
     dynamic_factor: float
     """Ratio of `max_torque` to the torque of the slipping clutch, as in table 3.16. [-]"""
     dynamic_factor_of_least: float
-    """Ratio of `max_torque` to the smaller of M_C0 and M_phi, (3.4). [-]"""
+    """Ratio of `max_torque` to the smaller breakaway torque, of clutch or tyres, (3.4). [-]"""
     grip_ratio: float
-    """Ratio of M_C0 to M_phi, (3.1). [-]"""
+    """Clutch breakaway torque M_C0 divided by tyre breakaway torque M_phi, (3.1). [-]"""
     clutch_breaks_at: float
     """Torque of the spring above which a sticking clutch slips. [N*m]"""
     tyres_break_at: float
@@ -102,7 +102,7 @@ class Swing(NamedTuple):
     torque_by_speed: float
     """Amplitude of the torque divided by the amplitude of the rate of twist. [N*m*s/rad]
 
-    It is 1/(K E) for the natural frequency K.
+    It is 1/(K E) for the natural frequency K and the compliance E of the spring.
     """
 
     def largest(self, torque: float, speed: float) -> float:

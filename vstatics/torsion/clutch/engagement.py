@@ -70,6 +70,7 @@ def rate_problems(rate: float | None) -> Iterator[Problem]:
 def _factor(k: float) -> float:
     """Return the first maximum of (3.70) after t = 3/K, for k = K/K_c with K_c = 1/sqrt(J23 E).
 
+    K is the rate of the clutch torque, and K_c the natural frequency of the inertia on the spring.
     With the angle x = K_c t, the derivative of (3.70) is 0 if ``sin(x - a) = -exp(-k x)/sqrt(1 +
     k^2)`` with a = atan(1/k), and (3.70) is then ``1 - cos x``. For x > 3/k the right-hand side is
     smaller than 0.05 in magnitude, so each turn has one maximum, slightly after ``x - a = pi``.

@@ -52,7 +52,9 @@ class MemberLoad(NamedTuple):
     """Load of a link, a member of a mechanism, or a shift element over a duty cycle."""
 
     torque: LargestValue
-    """Largest torque: sum of positive torques for a link, NaN for a planet. [N*m]"""
+    """Largest torque; for a link, the sum of positive torques on it at a point; NaN for a planet.
+    [N*m]
+    """
     speed: LargestValue
     """Largest speed: slip of clutches, relative to the third link for members and planets. [rpm]"""
     revolutions: float

@@ -6,9 +6,9 @@
 `options` combines related options in an argument of a command, and `values` parses the values of
 options: numbers with limits, pairs, lists, names. `formats` determines the output file and its
 format, `sharing` distributes work over processes, and `estimates` predicts time and size.
-`documents` recognises documents other than cases, which annexes declare. `cases` reads and
-calculates cases and defines their options. `problems` selects the problems that are printed or that
-make the command fail.
+`documents` recognises documents that are declared by annexes (optional packages), such as
+scenarios. `cases` reads and calculates cases and defines their options. `problems` selects the
+problems that are printed or that make the command fail.
 
 `texts` creates the output of a case in each format. `one_or_many` runs a command for its cases.
 Several cases are run by `many`, with output to a directory or a stream. `one_case` is for commands

@@ -1,4 +1,4 @@
-"""Recognition of documents other than cases that annexes declare, such as scenarios."""
+"""Recognition of documents that annexes (optional packages) declare, such as scenarios."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Options of commands: headings in the help text, former names, combination in arguments."""
+"""Options of commands: headings in the help text, former names, several options in an argument."""
 
 from __future__ import annotations
 

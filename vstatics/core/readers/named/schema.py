@@ -266,4 +266,4 @@ def _leaf(shape: Leaf) -> Words:  # noqa: PLR0911 - a table
             return dict(_NAME)
         case "text":
             return {"type": ["string", "number", "boolean"]}
-    return _reference(shape.kind)  # used by many keys, such as a number, a link or a measure
+    return _reference(shape.kind)  # kinds shared by many keys: a number, a link, a measure

@@ -35,9 +35,10 @@ class RowSection(NamedTuple):
     def laid_out(
         self, letters: float = 1.0, line_letters: int = 12, *, is_small: bool = False
     ) -> CoaxialLayout:
-        """Return the layout for a ratio of letter size to lengths, with long names broken.
+        """Return the layout with letters enlarged by a factor relative to lengths.
 
-        A small layout has no names of links.
+        Names longer than `line_letters` are broken into lines. A small layout has no names of
+        links.
         """
         bare = CoaxialLayout(
             self.coaxial,

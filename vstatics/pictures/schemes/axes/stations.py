@@ -49,8 +49,8 @@ class Station(NamedTuple):
     axes: Sequence[int]
     """Indices of the axes of the station, two for a gear pair."""
     links: Sequence[int]
-    """Connected links: in the order of the gears for a pair, the drum first for a drum, the left
-    before the right link for a half-section.
+    """Connected links: of a `pair` in the order of the gears, of a `drum` the common link first,
+    of a `section` the left link first.
     """
     half: float
     """Half the width of the station. [pt]"""
@@ -87,7 +87,10 @@ def stations_of(
     letters: int = 12,
     sections: Sequence[CoaxialLayout] = (),
 ) -> list[Station]:
-    """Return the stations of a gearbox in the order of the components, with long names broken."""
+    """Return the stations of a gearbox in the order of the components.
+
+    Long names are broken into lines.
+    """
     joints = {joint.device: joint for joint in axes.joints}
     drum = drum_of(scheme)
     stations = [_section(layout, axes) for layout in sections]

@@ -102,7 +102,8 @@ def _closed_up(bare: CoaxialLayout, wide: float) -> CoaxialLayout:
         for column in section.columns
         for rim in column.rims.values()
     )
-    most = MOST_SHRUNK_NAMED if has_rims else MOST_SHRUNK  # planet gears have texts
+    # Names on planet gears limit the reduction.
+    most = MOST_SHRUNK_NAMED if has_rims else MOST_SHRUNK
     if bare.coaxial.has_boxes:  # the size of boxes depends on the letters
         most = MOST_SHRUNK_NAMED
     for tried in range(FITS):

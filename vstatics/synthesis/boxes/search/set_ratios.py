@@ -78,11 +78,12 @@ class FitRoom(NamedTuple):
     pulls: Floats
     """Amount by which each target's width is narrowed, in widths, shape (targets,). [-]"""
     forces: Floats
-    """First derivative of half the sum of squares with respect to each error, shape (targets,). [-]
+    """First derivative of half the sum of squared errors with respect to each error, shape
+    (targets,). [-]
     """
     weights: Floats
-    """Second derivative of half the sum of squares with respect to each error, shape (targets,).
-    [-]
+    """Second derivative of half the sum of squared errors with respect to each error, shape
+    (targets,). [-]
     """
     corner_weights: Floats
     """Weights of the corners in interpolation, with sum 1, shape (corners,). [-]"""
@@ -112,7 +113,7 @@ def fit_room(targets: int, sets: int) -> FitRoom:
 
 @compiled_part
 def fitted_within(parts: Floats, chosen: Integers, asked: Asked, room: FitRoom) -> float:
-    """Minimise the sum of squares near a point, with all gear ratios within the wanted ranges.
+    """Minimise the squared errors near a point, with all gear ratios within the wanted ranges.
 
     Errors beyond their widths are pulled back more strongly in each turn, as in the method of
     augmented Lagrangians. If the smallest sum of squares exceeds the number of gears, some gear is
@@ -342,7 +343,7 @@ def damped_step(room: FitRoom, least: float, most: float, damping: float) -> flo
 
 @compiled_part
 def _weigh_errors(room: FitRoom, stiffness: float) -> None:
-    """Calculate both derivatives of half the sum of squares with respect to each error."""
+    """Calculate both derivatives of half the sum of squared errors with respect to each error."""
     for target in range(len(room.errors)):
         error = room.errors[target]
         beyond = abs(error) - 1.0 + room.pulls[target]

@@ -123,7 +123,11 @@ def _with_crossings(
 
 
 def _crossing(train: CoaxialTrain, *, is_planar: bool) -> list[int]:
-    """Return the smallest sets of components without which the train is planar, as bit masks."""
+    """Return the smallest sets of connections without which the train is planar, as bit masks.
+
+    If the train is planar, each set contains a single connection. Numbers of connections and of
+    sets are limited; the result can be empty.
+    """
     bits = [*train.pair_bits, *train.top_bits]
     for number in range(1, MOST_CROSSING + 1):
         ways = (sum(way) for way in combinations(bits, number))

@@ -40,7 +40,7 @@ WIDTH_WITHOUT_MIDDLE = 0.1
 
 @compiled_part
 def fitted_choice(parts: Floats, length: int, asked: Asked, room: SequenceRoom) -> float:
-    """Minimise the sum of squares near a point, with all gears of a choice within the ranges.
+    """Minimise the squared errors near a point, with all gears of a choice within the ranges.
 
     Parameters
     ----------
@@ -55,7 +55,7 @@ def fitted_choice(parts: Floats, length: int, asked: Asked, room: SequenceRoom) 
     Returns
     -------
     float
-        Smallest sum of squares; infinity without a solution. [-]
+        Smallest sum of squared errors; infinity without a solution. [-]
     """
     fit, rows = room.fit, _find_rows(length, asked, room)
     fill(fit.pulls, 0.0)
@@ -81,7 +81,7 @@ def fitted_choice(parts: Floats, length: int, asked: Asked, room: SequenceRoom) 
 
 @compiled_part
 def squares_at(parts: Floats, length: int, asked: Asked, room: SequenceRoom) -> float:
-    """Return the sum of squares of a choice at the current point, regardless of the ranges."""
+    """Return the sum of squared errors of a choice at the current point, regardless of ranges."""
     _find_rows(length, asked, room)
     weigh(room.fit.logs, asked, room.fit)
     return _errors(parts, length, asked, room, room.fit.trial)
@@ -127,7 +127,7 @@ def _pulled(error: float, row: int, room: SequenceRoom) -> float:
 def _fitted(
     parts: Floats, length: int, asked: Asked, stiffness: float, room: SequenceRoom
 ) -> float:
-    """Minimise the penalised sum of squares near a point; return the sum without penalties."""
+    """Minimise the penalised squared errors near a point; return their sum without penalties."""
     fit = room.fit
     least, most = math.log(asked.low), math.log(asked.high)
     weigh(fit.logs, asked, fit)
@@ -180,7 +180,7 @@ def _pull(errors: Floats, stiffness: float, room: SequenceRoom) -> float:
 
 @compiled_part
 def _errors(parts: Floats, length: int, asked: Asked, room: SequenceRoom, errors: Floats) -> float:
-    """Calculate all errors at the current point, and return the sum of squares.
+    """Calculate all errors at the current point, and return the sum of their squares.
 
     The sum is infinite if a gear has the wrong direction.
     """
@@ -232,7 +232,7 @@ def _find_slopes(parts: Floats, length: int, asked: Asked, room: SequenceRoom) -
 
 @compiled_part
 def _weigh_errors(stiffness: float, room: SequenceRoom) -> None:
-    """Calculate both derivatives of half the sum of squares with respect to each error."""
+    """Calculate both derivatives of half the sum of squared errors with respect to each error."""
     fit = room.fit
     for row in range(len(fit.errors)):
         error, counts = fit.errors[row], room.rows[row, 4]

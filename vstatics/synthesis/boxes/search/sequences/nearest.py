@@ -28,7 +28,7 @@ GRID = 3
 
 @compiled_part
 def find_nearest(parts: Floats, asked: Asked, room: SequenceRoom) -> None:
-    """Find the choice of gears with the smallest sum of squares among equally long sequences.
+    """Find the choice of gears with the smallest squared errors among equally long sequences.
 
     Every choice that the ranges allow is fitted, starting from its best grid point.
     """

@@ -130,7 +130,7 @@ class SequenceRoom(NamedTuple):
     is_single_left: Booleans
     """True if only an equally long sequence with single shifts is still sought, shape (1,)."""
     squares: Floats
-    """Sum of squares of the best sequence, shape (1,). [-]"""
+    """Sum of the squared errors of the best sequence, shape (1,). [-]"""
     best_chosen: Integers
     """Indices of the gear ratios of the best choice: targets, then the sequence, shape (gears,)."""
     best_gears: Integers
