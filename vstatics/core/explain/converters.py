@@ -8,7 +8,7 @@ from typing import NamedTuple
 from vstatics.core.model.parts import RAD_PER_RPM
 from vstatics.core.model.transmission import Gear
 from vstatics.core.numerics.traced import plain
-from vstatics.core.statics.carried import pump_factor
+from vstatics.core.statics.carried import pump_factor, torque_of_pump
 from vstatics.core.statics.matrix import torque_ratio_of
 from vstatics.core.statics.state import GearState
 from vstatics.core.tables.answer import Known, Sometimes
@@ -63,11 +63,14 @@ def converter_points(state: GearState, given: Gear) -> list[ConverterPoint]:
         if place in case.sought_converters(given):
             speed = plain(state.speeds[converter.first - 1]) * (load.speed or 0.0) * RAD_PER_RPM
             torque = plain(state.lossy_torques.on_first_link[case.among_devices.start + place])
+            by_slip = bool(state.gear.pump_torques)
             point = point._replace(
                 factor=float(pump_factor(converter.points, ratio)),
                 speed=speed,
-                torque=torque * case.torque_unit(state.gear),
-                by_slip=bool(state.gear.pump_torques) or None,
+                torque=torque_of_pump(converter.points, ratio, speed)
+                if by_slip
+                else torque * case.torque_unit(state.gear),
+                by_slip=by_slip or None,
             )
         points.append(point)
     return points

@@ -8,7 +8,7 @@ case, not to arrays of variants.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -412,10 +412,12 @@ def _cure(
 def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     """Report constraints on the speeds that are redundant or contradictory."""
     case, repeated, same = results.case, list[str](), list[str]()
+    at_ratios = _speed_ratios(results, number, gear)
+    if gear.slip:
+        gear = _without_converters(case, gear, at_ratios)
     rows = matrix.speed_rows(case, gear, _rows(case, gear))
     names = matrix.speed_row_names(case, gear)
     always = len(matrix.always_coupled(case, gear))
-    at_ratios = _speed_ratios(results, number, gear)
     for involved, agrees in elimination.dependencies(rows):
         given_speeds = always + len(gear.carrying)
         engaged = [names[i] for i in involved if always <= i < given_speeds]
@@ -458,6 +460,16 @@ def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
     for text in same:
         yield Said("W416", text + shared)
         shared = ""  # the torques are named only in the first message
+
+
+def _without_converters(case: Transmission, gear: Gear, ratios: Mapping[str, float]) -> Gear:
+    """Return a gear without its free converters if the other constraints already contradict."""
+    first = case.own_mechanisms.start - 1
+    names = [mechanism.name for mechanism in case.mechanisms]
+    free = [names.index(name) - first for name, ratio in ratios.items() if math.isnan(ratio)]
+    opened = gear._replace(open=(*gear.open, *free))
+    rows = matrix.speed_rows(case, opened, _rows(case, opened))
+    return gear if all(agrees for _, agrees in elimination.dependencies(rows)) else opened
 
 
 def _lost_digit_messages(results: Results, number: int) -> Iterator[Said]:
@@ -526,6 +538,9 @@ def _driving_messages(results: Results, number: int) -> Iterator[Said]:
     if results.locked[number]:
         columns, drag = matrix.columns(case, state.lossy_ratios), state.drag
     solved = torques.solve_torques(case, state.gear, columns, drag)
+    pumps = state.gear.pump_torques
+    without_pumps = state.gear._replace(pump_torques=dict.fromkeys(pumps, 0.0))
+    unloaded = torques.solve_torques(case, without_pumps, columns, drag)
     for element in ideal.driving(state.ideal, columns, solved):
         slip = state.gear.slip[element]
         # In a driving cycle the solver's input is the wheels, so slip is relative to their speed.
@@ -533,13 +548,13 @@ def _driving_messages(results: Results, number: int) -> Iterator[Said]:
         size, side = relative, "below" if slip > 0 else "above"
         if isinstance(slip, OfLoad):
             size, side = f"{slip.given:g} rpm", "below" if slip.given > 0 else "above"
-        # At a smaller slip the pump of the converter takes less torque.
-        nearer = "nearer to 0 or " * bool(state.gear.pump_torques)
+        nearer = pumps and element not in ideal.driving(state.ideal, columns, unloaded)
+        where = "nearer to 0" if nearer else f"{side} 0"
         yield Said(
             "W438",
             f"with a slip of {size}, {case.shift_elements[element - 1].name} would give power "
             f"instead of taking it, so there are no torques; only a slip "
-            f"{nearer}{side} 0 is possible",
+            f"{where} is possible",
         )
 
 

@@ -327,10 +327,14 @@ def always_coupled(case: Transmission, gear: Gear) -> list[int]:
 
 def pump_torques(case: Transmission, gear: Gear) -> dict[int, Any]:
     """Return the known torques on the pumps of converters by device [-]; see `Gear`."""
-    first = case.among_devices.start + case.own_mechanisms.start - 1
+    if not gear.pump_torques:
+        return {}
+    first, loaded = case.own_mechanisms.start - 1, always_loaded(case, gear)
+    first += case.among_devices.start
     return {
         first + number: given_torque(case, gear, torque)
         for number, torque in gear.pump_torques.items()
+        if first + number in loaded  # a clutch with slip 0 bypasses the converter
     }
 
 

@@ -22,7 +22,8 @@ from vstatics.core.model.open_converters import with_mechanisms, with_open_conve
 from vstatics.core.model.parts import RAD_PER_RPM
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.statics.carried import disagree, disagreement, torque_of_pump
-from vstatics.core.statics.result_arrays import first_rows, row_names
+from vstatics.core.statics.points.converters import ratios_at_slip
+from vstatics.core.statics.result_arrays import first_rows
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
 from vstatics.core.suggestions import nearest
@@ -123,19 +124,27 @@ class _WorkingPoints:
         self.closed = [c for c in self.filled if c.name not in self.joined]
         self.driving: list[Converter] = []
         """Converters with a given speed ratio; the first determines the input torque."""
+        self.at_slip: Results | None = None
+        """Results of a gear whose slip determines a speed ratio."""
 
     def working_gear(self, given: Ratios) -> WorkingGear:
         ratios = self._given() | dict(given)
         self.driving = [pump for pump in self.closed if pump.name in ratios]
         if self.gear.slipping and None not in self.load[:2]:
-            ratios = self._by_slip() | ratios
+            alone = solve(self.case.replace(gears=[self.case.gears[self.path[1] - 1]]))
+            ratios = ratios_at_slip(alone, 0) | ratios
+            if alone.gear_at(0).gear.pump_torques:
+                # The clutch carries the torque that the pump does not take, but no vibration.
+                self.gear, self.at_slip, self.driving = self.gear._replace(slip={}), alone, []
         unknown = [converter for converter in self.closed if converter.name not in ratios]
-        if len(unknown) == 1:
+        if len(unknown) == 1 and self.at_slip is None:
             ratios[unknown[0].name] = self._ratio(unknown[0], ratios)
         elif unknown:
-            raise self._unknown(unknown, "a load determines one converter only")
+            raise self._unknown(
+                unknown, "a load determines one converter only, and a slip a ratio in its points"
+            )
         case, doubts = self._loaded(self._case_at(ratios))
-        results = solve(case)
+        results = self.at_slip or solve(case)
         working = []
         for converter in self.filled:
             name = converter.name
@@ -148,19 +157,6 @@ class _WorkingPoints:
             speed = self._pump_speed(converter, results)
             working.append(working_converter(name, links, converter.points, ratio, speed))
         return WorkingGear(case, case.gears[0], tuple(working), doubts)
-
-    def _by_slip(self) -> dict[str, float]:
-        """Return the speed ratio of a converter in parallel with a slipping lock-up clutch.
-
-        The clutch is then disengaged, because it transmits no vibration.
-        """
-        results = solve(self.case.replace(gears=[self.case.gears[self.path[1] - 1]]))
-        if not results.gear_at(0).gear.pump_torques:
-            return {}
-        self.gear = self.gear._replace(slip={})
-        return dict(
-            zip(row_names(self.case, "converters"), results.speed_ratio[0].tolist(), strict=True)
-        )
 
     def _joined(self) -> Iterator[tuple[str, float]]:
         """Yield the names and speed ratios of converters bridged by other components.

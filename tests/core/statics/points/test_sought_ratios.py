@@ -101,6 +101,24 @@ def test_a_slipping_lock_up_clutch_carries_what_the_pump_does_not_take() -> None
         assert not results.messages
 
 
+def test_a_slip_that_varies_can_be_0_where_the_clutch_is_engaged() -> None:
+    """The pump takes 0.002 * slip * 200 N*m of 100 N*m, and nothing without slip."""
+    for slip in (0, 0.1):
+        case = loads(CASE.replace("{engaged: [L]}", f"{{slip: {{L: {slip}}}}}"))
+        results = solve(case, vary={"gears.2.slip.L": [0.0, 10.0, 20.0]})
+        assert results.lossy_torques_Nm[:, 1, 0].tolist() == pytest.approx([100, 96, 92])
+
+
+def test_a_slip_with_which_the_clutch_would_drive_has_the_right_remedy() -> None:
+    """At i = 0.1 and 200 rad/s the pump takes 72 N*m, more than the load; below 0 the clutch drives."""
+    for slip, torque, side in ((180, 50, "nearer to"), (-5, 50, "above"), (5, -50, "below")):
+        text = CASE.replace("[1, 1, 0]", "[1, 1, 0], [1.2, 1, -0.002]")
+        text = text.replace("{engaged: [L]}", f"{{slip: {{L: {slip} rad/s}}}}")
+        messages = solve(loads(text.replace("100 N*m", f"{torque} N*m"))).messages
+        [said] = [said.text for said in messages if said.id == "W438"]
+        assert said.endswith(f"only a slip {side} 0 is possible")
+
+
 def test_a_clutch_slips_before_or_behind_the_converter() -> None:
     """The pump takes 0.002 (1 - i) w^2 = 10 N*m at w = 100 or 200 rad/s; K = 2 - i."""
     text = """links: [engine, pump, turbine, output]

@@ -34,6 +34,7 @@ from vstatics.core.statics.points.converters import (
     NO_TORQUE,
     unknown_ratio,
     with_found_ratios,
+    with_varied_slips,
     without_sought,
 )
 from vstatics.core.statics.points.laws import Followed, follow_laws
@@ -68,9 +69,10 @@ def solve_varied(case: Transmission, vary: Mapping[str, ArrayLike]) -> Results:
 
 
 def _at_points(case: Transmission, columns: Columns, variants: int) -> Results:
-    if not case.depends:
+    slipping = with_varied_slips(case, columns)
+    if not slipping.depends:
         return solve_points(case, columns, variants)
-    answer = _followed(case, columns, variants)
+    answer = _followed(slipping, columns, variants)
     points = answer.results.points
     assert points is not None  # noqa: S101 - for mypy
     return answer.results._replace(

@@ -151,6 +151,17 @@ def _lossless(converter: Mechanism) -> list[float]:
     return [ratio for ratio in ratios if ratio > 0]
 
 
+def with_varied_slips(case: Transmission, columns: Columns) -> Transmission:
+    """Return a case whose slips of 0 that vary are different from 0, so that converters work."""
+    gears = list(case.gears)
+    for (index, quantity, owner), column in columns.items():
+        if index is not None and quantity in ("slip", "relative_slip") and column.any():
+            gear = gears[index]
+            if gear.slip.get(owner) == 0:
+                gears[index] = gear._replace(slip={**gear.slip, owner: 1.0})
+    return case if gears == list(case.gears) else case.replace(gears=gears)
+
+
 def without_sought(case: Transmission, given: Columns) -> tuple[Transmission, list[SoughtRatio]]:
     """Split a case into a case with trial speed ratios, and the unknown speed ratios.
 
@@ -229,8 +240,11 @@ def with_found_ratios(
         {ratio.number: np.full(variants, _trial(ratio, part)) for ratio in sought}
         for part in TRIALS
     ]
-    columns = {**given, **trials[0]}
     by_slip = _ratios_by_slip(case, sought, given, variants)
+    for trial in trials:
+        for ratio, (at_slip, _) in by_slip.items():
+            trial[ratio.number] = np.where(np.isnan(at_slip), trial[ratio.number], at_slip)
+    columns = {**given, **trials[0]}
     roots = _roots([ratio for ratio in sought if ratio not in by_slip], columns, variants, follow)
     for ratio, (at_slip, torque) in by_slip.items():
         columns[ratio.number._replace(quantity="pump_torques")] = torque
@@ -247,7 +261,8 @@ def with_found_ratios(
     solution = follow(columns, variants)
     results = solution.results
     if state.any():
-        _mark_gaining(sought, columns, variants, follow, state)
+        searched = [ratio for ratio in sought if ratio not in by_slip]
+        _mark_gaining(searched, columns, variants, follow, state)
         other = follow({**columns, **trials[1]}, variants).results
         results = _without_ratios(results, other, state)
     return solution._replace(
@@ -259,19 +274,19 @@ def _ratios_by_slip(
     case: Transmission, sought: Sequence[SoughtRatio], given: Columns, variants: int
 ) -> dict[SoughtRatio, tuple[Floats, Floats]]:
     """Return speed ratios [-] and pump torques [N*m] of converters with a slipping lock-up."""
-    beside = {
+    with_slip = {
         ratio.gear: ratio for ratio in sought if case.gears[ratio.gear].slip and not ratio.is_alone
     }
-    if not beside:
+    if not with_slip:
         return {}
     gears = list(case.gears)
-    for index, ratio in beside.items():
+    for index, ratio in with_slip.items():
         others = {n: i for n, i in gears[index].speed_ratios.items() if n != ratio.owner}
         opened = (*gears[index].open, ratio.owner)
         gears[index] = gears[index]._replace(open=opened, speed_ratios=others)
     speeds = solve_points(without_laws(case.replace(gears=gears)), given, variants).speeds_rpm
-    found = {}
-    for index, ratio in beside.items():
+    ratios = {}
+    for index, ratio in with_slip.items():
         pump, turbine = (
             speeds[:, index, link - 1] * RAD_PER_RPM for link in ratio.converter.links[:2]
         )
@@ -279,9 +294,13 @@ def _ratios_by_slip(
             at_slip = turbine / pump
             points = ratio.converter.points
             inside = (at_slip >= points[0][0] - TIE) & (at_slip <= points[-1][0] + TIE)
+            if case.bypassed(case.gears[index]._replace(engaged=case.gears[index].carrying)):
+                # A slip of 0 bypasses the converter, whose speed ratio is then 1 by definition.
+                locks = np.abs(at_slip - 1) <= ROUNDED
+                at_slip, inside = np.where(locks, 1.0, at_slip), inside | locks
             torque = pump_factor(points, at_slip) * pump * np.abs(pump)
-            found[ratio] = np.where(inside, at_slip, np.nan), torque
-    return found
+            ratios[ratio] = np.where(inside, at_slip, np.nan), torque
+    return ratios
 
 
 def _roots(
@@ -397,3 +416,20 @@ def unknown_ratio(gear: Gear, settled: Gear) -> Gear:
     owners = settled.speed_ratios.keys() - gear.speed_ratios.keys()
     unknown = dict.fromkeys(owners, math.nan)
     return settled._replace(speed_ratios={**settled.speed_ratios, **unknown})
+
+
+def ratios_at_slip(results: Results, number: int) -> dict[str, float]:
+    """Return the known speed ratios of converters if a slipping lock-up clutch determines one.
+
+    The result is empty for other gears.
+
+    Parameters
+    ----------
+    number : int
+        Index of the gear.
+    """
+    if not results.gear_at(number).gear.pump_torques:
+        return {}
+    names = row_names(results.case, "converters")
+    ratios = zip(names, results.speed_ratio[number].tolist(), strict=True)
+    return {name: ratio for name, ratio in ratios if not math.isnan(ratio)}
