@@ -61,8 +61,12 @@ _MARKERS: Mapping[str, Sequence[Point]] = {
 
 @lru_cache(maxsize=4096)
 def _number(value: float) -> str:
-    """Return a length with two decimals, equal for values that differ by rounding noise."""
-    return f"{round(value, 6):.2f}".rstrip("0").rstrip(".")
+    """Return a length with two decimals, equal for values that differ by rounding noise.
+
+    >>> _number(0.0), _number(-0.0), _number(-0.5)
+    ('0', '0', '-0.5')
+    """
+    return f"{round(value, 6):z.2f}".rstrip("0").rstrip(".")
 
 
 def written_as_svg(canvas: Canvas, title: str, number: int = 1) -> bytes:
