@@ -81,7 +81,7 @@ def _of_numbers(part: Any, path: Path, least: float = LEAST_NUMBER) -> Iterator[
     elif isinstance(part, Formula):
         for value in part.constants:
             yield from _of_numbers(value, path)
-    elif not (part is None or isinstance(part, int | str)):
+    else:
         for name, value in _parts(part):
             yield from _of_numbers(value, (*path, name), least)
 

@@ -10,7 +10,7 @@ import math
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import chain
-from typing import NamedTuple, TypeVar
+from typing import NamedTuple
 
 import numpy as np
 
@@ -28,8 +28,6 @@ from vstatics.simulation.scenario.parts import placed_steps
 from vstatics.simulation.scenario.programme import Look, Programme
 from vstatics.simulation.system.curves import curve_along
 from vstatics.simulation.system.matrices import Contact, Elastic, MotionSystem
-
-Quantities = TypeVar("Quantities", list[float], Floats)
 
 
 def place_of(system: MotionSystem, seen: Seen) -> int:
@@ -108,18 +106,19 @@ def _within_limits(system: MotionSystem, look: Look, names: Collection[str]) -> 
 
     def value(time: float, seen: Sequence[float]) -> float:
         number = look.at(time, seen)
-        return number if math.isfinite(number) else float(look.at(time, limited([*seen])))
+        return number if math.isfinite(number) else look.at(time, limited(seen).tolist())
 
     def values(times: Floats, seen: Floats) -> Floats:
         numbers = look.along(times, seen)
         if (finite := np.isfinite(numbers)).all():
             return numbers
-        return np.where(finite, numbers, look.along(times, limited(seen.copy())))
+        return np.where(finite, numbers, look.along(times, limited(seen)))
 
-    def limited(seen: Quantities) -> Quantities:
+    def limited(seen: Sequence[float] | Floats) -> Floats:
+        within = np.array(seen)
         for place, least, most in limits:
-            seen[place] = np.clip(seen[place], least, most)
-        return seen
+            within[place] = np.clip(within[place], least, most)
+        return within
 
     return look._replace(at=value, along=values)
 
