@@ -169,7 +169,7 @@ def test_a_mistake_is_told_with_its_place() -> None:
         assert any(fault in one for one in told), told
     [fault] = faults(REST.replace("{C: 0}", "{C: \"torque('C')\"}"))
     assert fault.startswith("4:16")
-    assert "which only `rate` and `when` can have" in fault
+    assert "which only `rate` and `when` can contain" in fault
 
 
 def test_what_is_no_number_stops_the_run_and_is_named() -> None:

@@ -325,7 +325,7 @@ def _check_name(
         return
     if name in (*OF_TORQUES, *OF_EVENTS) and part.subscripts:
         where = "`when`" if name in OF_EVENTS else "`rate` and `when`"
-        message = f"read `{name}`, which only {where} can have"
+        message = f"read `{name}`, which only {where} can contain"
         raise source.error(message, part.at)
     short = [SHORT_SPEED] * ("speed" in names)
     known = (*names, *short, *words.numbers, *words.values)
