@@ -111,7 +111,7 @@ def test_what_is_wrong_is_told_at_its_place(file: Path, tmp_path: Path) -> None:
         "gears.*.torques.out=1 N*m": "link out is the output",
         "load.speed=1,2": "its values need their unit, such as 2000 rpm",
         "load.speed=1 rpm,nan rpm": "1:18: error: read `nan rpm`, expected a number",
-        "load.speed=1 kg,2 kg": "this is a mass",
+        "load.speed=1 kg,2 kg": "expected a speed with its unit, such as `rad/s`; this is a mass",
         "load.speed=1 rpm,2 rad/s": "expected one unit for all",
         "a.efficiency=.9 rpm": "read `.9 rpm`",
     }.items():

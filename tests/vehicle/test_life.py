@@ -347,7 +347,7 @@ def test_a_deck_holds_neither_bearings_nor_losses_of_gears() -> None:
     text = (CASE % STRENGTH).replace('"1": []', f'"1": {{loss: {loss}}}')
     Path("case.yaml").write_text(text + "load: {speed: 9 rpm, torque: 9 N*m}\n", "utf-8")
     said = vstatics("convert", "case.yaml", "case.dat")
-    for what in ("loss of gear of 1", "bearing of pin, main, out", "fatigue strength of P1.sun"):
+    for what in ("loss of gear 1", "bearing of pin, main, out", "fatigue strength of P1.sun"):
         assert what in said.err
     assert not Path("case.dat").exists()
     printed = vstatics("run", "case.yaml", "-f", "source")

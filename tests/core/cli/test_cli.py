@@ -96,6 +96,7 @@ WRONG = dict.fromkeys(
     "box.yaml": "there is no command `box.yaml`; expected a command before a file; commands are new, ",
     "new zf-8hp70": "zf-8hp70 is a template, not a file: expected --template zf-8hp70",
     f"run {DIFFERENTIAL} --gear 1": "flow, explain and plot have it",
+    f"convert {DIFFERENTIAL} -o a.json": "No such option '-o': expected `convert IN OUT`.",
     f"report {DIFFERENTIAL} --gears 9 -o a.html": "Invalid value for --gears: no gear '9'",
     f"flow {DIFFERENTIAL} --gear 9": "Invalid value for --gear: no gear '9'",
     f"explain {DIFFERENTIAL} --gear 9": "Invalid value for --gear: no gear '9'",

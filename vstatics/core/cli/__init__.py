@@ -111,6 +111,8 @@ def _safe_usage_errors() -> Iterator[None]:
         if unknown in _ELSEWHERE and f"{unknown}s" not in message:
             others = spoken(installed(_ELSEWHERE[unknown]))
             message = f"No such option '{unknown}': {others} have it."
+        if unknown in ("-o", "--output") and error.ctx and error.ctx.info_name == "convert":
+            message = f"No such option '{unknown}': expected `convert IN OUT`."
         raise click.UsageError(_with_hint(message), error.ctx) from None
 
 

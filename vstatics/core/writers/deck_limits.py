@@ -59,11 +59,11 @@ def _unheld(case: Transmission) -> Iterator[tuple[str, list[str]]]:
     laws = [part.name for part in case.mechanisms if isinstance(part.efficiency, Law)]
     laws += [part.name for part in case.mechanisms if isinstance(part.back_efficiency, Law)]
     yield "efficiency over speed or torque", [*dict.fromkeys(laws)]
-    yield "slip", [gear.name for gear in case.gears if gear.slip]
-    yield "loss of gear", [gear.name for gear in case.gears if gear.loss is not None]
+    yield "slip", [f"gear {gear.name}" for gear in case.gears if gear.slip]
+    yield "loss", [f"gear {gear.name}" for gear in case.gears if gear.loss is not None]
     yield "fatigue strength", [*case.fatigue]
     yield "bearing", [*case.bearings]
-    yield "balance of gear", [gear.name for gear in case.gears if gear.balance]
+    yield "balance", [f"gear {gear.name}" for gear in case.gears if gear.balance]
     yield "planet masses", [element.name for element in elements if element.planet_masses]
 
 

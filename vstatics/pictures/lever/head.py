@@ -56,7 +56,7 @@ def gear_head(
     for place, slip in state.gear.slip.items():
         if slip:
             name = case.shift_elements[place - 1].name
-            said.append(f"{style.text('slip')} {name} = {typeset(f'{slip:g}')}")
+            said.append(f"{style.text('slip')} {name} = {typeset(f'{slip:.4g}')}")
     for link, speed in state.gear.speeds.items():
         said.append(f"{case.link_name(link)} = {typeset(case.speed_text(speed))}")
     name = "" if is_alone else gear_title(state.gear.name, style)

@@ -125,7 +125,7 @@ class CasePath(NamedTuple):
 def _size(unit: str, measure: Measure | Literal["power"]) -> float:
     if measure == "power":
         return quantity(f"1 {unit}", measure) * 1000
-    return measured(f"1 {unit}", measure)
+    return measured(f"1 {unit}", measure, bare=False)
 
 
 def case_path(text: str, case: Transmission) -> CasePath | None:

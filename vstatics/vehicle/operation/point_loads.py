@@ -15,6 +15,8 @@ from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Floats, Integers
 from vstatics.core.statics.carried import larger_torques
 from vstatics.core.statics.matrix import column_of, held_links
+from vstatics.core.statics.points.paths import columns_of
+from vstatics.core.statics.points.relative import with_numbers
 from vstatics.core.statics.power import loss_name, slip_name
 from vstatics.core.statics.result_arrays import all_row_names, first_rows
 from vstatics.core.statics.results import Results
@@ -25,7 +27,7 @@ MOST_REASONS = 20
 """Largest number of points without torques for which a reason is sought by solving again."""
 REASONS = (
     *("E451", "E452", "W414", "W415", "W418", "W420", "W421", "W422", "W423", "W426", "W427"),
-    *("W433", "W438"),
+    *("W431", "W433", "W438"),
 )
 """Ids of messages why a gear has no speeds or torques, most important first."""
 
@@ -80,23 +82,24 @@ class PointLoads(NamedTuple):
         vary |= further or {}
         loads = cls(bare, points, solve(bare, vary=vary))
         lacking = ~np.isfinite(loads.taken(loads.results.lossy_output_torque_Nm))
-        most = 0 if further else MOST_REASONS  # a point solved alone would lack its inertia torques
         problems = [
-            Problem("E424", loads._lacking(row, has_reason=place < most), (row,))
+            Problem("E424", loads._lacking(row, vary if place < MOST_REASONS else {}), (row,))
             for place, row in enumerate(np.flatnonzero(lacking).tolist())
         ]
         if problems:
             raise CaseError(problems)
         return loads
 
-    def _lacking(self, row: int, *, has_reason: bool) -> str:
-        """Return the error message for a point without torques, if requested with a reason."""
-        gear = self.case.gears[int(self.points.gears[row])]
-        text = f"gear {gear.name} has no torques with losses at this speed and torque"
-        if not has_reason:
+    def _lacking(self, row: int, vary: Mapping[str, Floats]) -> str:
+        """Return the error message for a point without torques, with a reason if numbers vary."""
+        number = int(self.points.gears[row])
+        text = f"gear {self.case.gears[number].name} has no torques with losses at this speed and "
+        text += "torque"
+        if not vary:
             return text
-        load = Load(float(self.points.speeds[row]) * 30 / math.pi, float(self.points.torques[row]))
-        alone = solve(replace(self.case, gears=[gear], load=load))
+        here = {path: values[row : row + 1] for path, values in vary.items()}
+        settled = with_numbers(self.case, columns_of(self.case, here, {}))
+        alone = solve(replace(settled, gears=[settled.gears[number]]))
         texts = {message.id: message.text for message in reversed(alone.messages)}
         reasons = [texts[id_] for id_ in REASONS if id_ in texts]
         return ": ".join((text, *reasons[:1]))

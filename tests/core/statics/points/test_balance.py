@@ -46,7 +46,7 @@ def test_a_deck_holds_no_balance_and_other_formats_keep_it() -> None:
 
     case = loads(SPLIT)
     assert is_read_again(case)
-    with pytest.raises(CaseError, match="the balance of gear of hold"):
+    with pytest.raises(CaseError, match="the balance of gear hold"):
         check_deck(case)
 
 

@@ -119,6 +119,17 @@ def test_a_slip_with_which_the_clutch_would_drive_has_the_right_remedy() -> None
         assert said.endswith(f"only a slip {side} 0 is possible")
 
 
+def test_a_slip_without_its_unit_is_explained() -> None:
+    """A slip of 60, meant in rpm, is 60 times the input speed, so i = -59 is below the points."""
+    for slip, ending in (
+        ("60", "a slip of 60 is 60 times the input speed"),
+        ("201 rad/s", "points"),
+    ):
+        messages = solve(loads(CASE.replace("{engaged: [L]}", f"{{slip: {{L: {slip}}}}}"))).messages
+        [said] = [said for said in messages if said.gear == "2"]
+        assert (said.id, said.text.endswith(ending)) == ("W431", True)
+
+
 def test_a_clutch_slips_before_or_behind_the_converter() -> None:
     """The pump takes 0.002 (1 - i) w^2 = 10 N*m at w = 100 or 200 rad/s; K = 2 - i."""
     text = """links: [engine, pump, turbine, output]

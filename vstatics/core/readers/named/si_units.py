@@ -106,8 +106,10 @@ _LARGEST_EXPONENT = 4
 _SUPERSCRIPTS = str.maketrans("²³⁴⁻−¹", "234--1")
 
 
-def measured(text: str, measure: Measure) -> float:
+def measured(text: str, measure: Measure, *, bare: bool = True) -> float:
     """Return the value in SI of a number with or without a unit.
+
+    If `bare` is false, messages say that the number needs a unit.
 
     Raises
     ------
@@ -125,7 +127,9 @@ def measured(text: str, measure: Measure) -> float:
     >>> measured("10 mph", "velocity"), measured("10 mi/h", "velocity").__round__(12)
     (4.4704, 4.4704)
     """
-    in_unit = f"expected {with_article(measure)} in {UNIT_OF[measure]}, bare or with its unit"
+    unit = UNIT_OF[measure]
+    form = f"in {unit}, bare or with its unit" if bare else f"with its unit, such as `{unit}`"
+    in_unit = f"expected {with_article(measure)} {form}"
     if not has_digits(text):
         raise ValueError(in_unit)
     value, behind = calculated(text)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from vstatics.core.errors import plural, spoken
-from vstatics.core.model.parts import RAD_PER_RPM
+from vstatics.core.model.parts import RAD_PER_RPM, OfLoad
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.statics.carried import torque_of_pump
 from vstatics.core.statics.points.balance import NO_BALANCE, TWO_BALANCES, sought_link
@@ -58,10 +58,16 @@ def _no_ratio(case: Transmission, gear: Gear, solved: Gear) -> str:
     points = converter.points
     first, last = points[0], points[-1]
     if solved.pump_torques:
-        return (
+        text = (
             f"the slip gives {converter.name} a speed ratio outside its points, {first[0]:g} to "
             f"{last[0]:g}, so the torques are unknown; give another slip, or more points"
         )
+        without_unit = [slip for slip in gear.slip.values() if not isinstance(slip, OfLoad)]
+        if large := [slip for slip in without_unit if abs(slip) > 1]:
+            text += (
+                f"; without a unit, a slip of {large[0]:g} is {large[0]:g} times the input speed"
+            )
+        return text
     text = (
         f"at no speed ratio from {first[0]:g} to {last[0]:g} does the pump of {converter.name} "
         "take the torque of the load, so the torques are unknown"
