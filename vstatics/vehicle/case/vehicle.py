@@ -269,7 +269,7 @@ def free_converters(case: TransmissionFields, gear: Gear) -> list[int]:
 
     The slip of a slipping lock-up clutch determines the speed ratio.
     """
-    locked = case.bypassed(gear._replace(engaged=gear.carrying, slip={}))
+    locked = case.bypassed(gear._replace(engaged=gear.carrying))
     return [place for place in case.sought_converters(gear) if place not in locked]
 
 
