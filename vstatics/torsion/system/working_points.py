@@ -141,7 +141,8 @@ class _WorkingPoints:
             ratios[unknown[0].name] = self._ratio(unknown[0], ratios)
         elif unknown:
             raise self._unknown(
-                unknown, "a load determines one converter only, and a slip a ratio in its points"
+                unknown,
+                "a load determines only one ratio, and a slip only ratios within the points",
             )
         case, doubts = self._loaded(self._case_at(ratios))
         results = self.at_slip or solve(case)

@@ -152,7 +152,7 @@ def _lossless(converter: Mechanism) -> list[float]:
 
 
 def with_varied_slips(case: Transmission, columns: Columns) -> Transmission:
-    """Return a case whose slips of 0 that vary are different from 0, so that converters work."""
+    """Replace each slip of 0 that varies by 1, so that the clutch does not bypass its converter."""
     gears = list(case.gears)
     for (index, quantity, owner), column in columns.items():
         if index is not None and quantity in ("slip", "relative_slip") and column.any():
@@ -274,7 +274,7 @@ def with_found_ratios(
 def _ratios_by_slip(
     case: Transmission, sought: Sequence[SoughtRatio], given: Columns, variants: int
 ) -> dict[SoughtRatio, tuple[Floats, Floats]]:
-    """Return speed ratios [-] and pump torques [N*m] of converters with a slipping lock-up."""
+    """Return speed ratio [-] and pump torque [N*m] of converters whose lock-up clutch slips."""
     with_slip = {
         ratio.gear: ratio for ratio in sought if case.gears[ratio.gear].slip and not ratio.is_alone
     }
