@@ -217,6 +217,7 @@ def test_faults_of_published_cycles_quote_the_file() -> None:
         (f"{MPS}\n0,0\n1,1e300\n", ":3:1: .*speed: read 1e.300, expected at most 1e"),
         (f"{MPS}\n0,0\n1e300,1\n", ":3:1: .*time: read 1e.300, expected at most 1e"),
         (f"{MPS}\n00:10,0\n00:20,1\n", ":2:1: .*finite number or a time such as `01:30:00`"),
+        (f"{MPS}\n{'9' * 309}:00:00,0\n1,1\n", ":2:1: .* or a time such as `01:30:00`"),
         (f"{MPS}\n2024-02-30 00:00,0\n1,1\n", ":2:1: .* or a time such as `01:30:00`"),
         (f"{MPS}\n0,0\n1e-300,1\n", ":3:1: .*speed: read 1, expected a change by"),
         (f"{MPS}\n0,0\n1,-1\n", ":3:1: .*speed: read -1, expected 0 or more"),

@@ -24,11 +24,11 @@ class ConverterPoint(NamedTuple):
     torque_ratio: Known
     """Torque ratio K at the speed ratio. [-]"""
     factor: Sometimes[float] = None
-    """Pump factor lambda, if the load determines the speed ratio. [N*m*s^2]"""
+    """Pump factor lambda, if load or slip determines the speed ratio. [N*m*s^2]"""
     speed: Sometimes[float] = None
-    """Speed of the pump, if the load determines the speed ratio. [rad/s]"""
+    """Speed of the pump, if load or slip determines the speed ratio. [rad/s]"""
     torque: Sometimes[float] = None
-    """Torque on the pump with losses, if the load determines the speed ratio. [N*m]"""
+    """Torque on the pump with losses, if load or slip determines the speed ratio. [N*m]"""
     by_slip: Sometimes[bool] = None
     """True if the slip of a shift element determines the speed ratio."""
 

@@ -30,7 +30,7 @@ from vstatics.core.readers.named.nodes import MOST_PROBLEMS, decode
 from vstatics.core.readers.reading import Source
 
 _PLAIN = re.compile(r"[-+0-9.eE, \t]+")
-_CLOCK = re.compile(r"\s*(\d+):([0-5]?\d):([0-5]?\d(?:[.,]\d*)?)\s*")
+_CLOCK = re.compile(r"\s*(\d{1,9}):([0-5]?\d):([0-5]?\d(?:[.,]\d*)?)\s*")
 _DATED = re.compile(r"\s*[0-9]{4}-[0-9]{2}-[0-9]{2}[T ][0-9]{2}:")
 _BLOCK_LINES = 5000
 MOST_TABLE_ROWS = 1_000_000

@@ -538,9 +538,9 @@ def _driving_messages(results: Results, number: int) -> Iterator[Said]:
     if results.locked[number]:
         columns, drag = matrix.columns(case, state.lossy_ratios), state.drag
     solved = torques.solve_torques(case, state.gear, columns, drag)
-    pumps = state.gear.pump_torques
-    without_pumps = state.gear._replace(pump_torques=dict.fromkeys(pumps, 0.0))
-    unloaded = torques.solve_torques(case, without_pumps, columns, drag)
+    pumps = dict.fromkeys(state.gear.pump_torques, 0.0)
+    unloaded = torques.solve_torques(case, state.gear._replace(pump_torques=pumps), columns, drag)
+    without_pumps = ideal.driving(state.ideal, columns, unloaded)
     for element in ideal.driving(state.ideal, columns, solved):
         slip = state.gear.slip[element]
         # In a driving cycle the solver's input is the wheels, so slip is relative to their speed.
@@ -548,8 +548,7 @@ def _driving_messages(results: Results, number: int) -> Iterator[Said]:
         size, side = relative, "below" if slip > 0 else "above"
         if isinstance(slip, OfLoad):
             size, side = f"{slip.given:g} rpm", "below" if slip.given > 0 else "above"
-        nearer = pumps and element not in ideal.driving(state.ideal, columns, unloaded)
-        where = "nearer to 0" if nearer else f"{side} 0"
+        where = f"{side} 0" if element in without_pumps else "nearer to 0"
         yield Said(
             "W438",
             f"with a slip of {size}, {case.shift_elements[element - 1].name} would give power "

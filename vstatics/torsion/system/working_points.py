@@ -22,7 +22,7 @@ from vstatics.core.model.open_converters import with_mechanisms, with_open_conve
 from vstatics.core.model.parts import RAD_PER_RPM
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.statics.carried import disagree, disagreement, torque_of_pump
-from vstatics.core.statics.points.converters import ratios_at_slip
+from vstatics.core.statics.points.converters import known_speed_ratios
 from vstatics.core.statics.result_arrays import first_rows
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
@@ -132,8 +132,8 @@ class _WorkingPoints:
         self.driving = [pump for pump in self.closed if pump.name in ratios]
         if self.gear.slipping and None not in self.load[:2]:
             alone = solve(self.case.replace(gears=[self.case.gears[self.path[1] - 1]]))
-            ratios = ratios_at_slip(alone, 0) | ratios
             if alone.gear_at(0).gear.pump_torques:
+                ratios = known_speed_ratios(alone, 0) | ratios
                 # The clutch carries the torque that the pump does not take, but no vibration.
                 self.gear, self.at_slip, self.driving = self.gear._replace(slip={}), alone, []
         unknown = [converter for converter in self.closed if converter.name not in ratios]
@@ -141,7 +141,8 @@ class _WorkingPoints:
             ratios[unknown[0].name] = self._ratio(unknown[0], ratios)
         elif unknown:
             raise self._unknown(
-                unknown, "a load determines one converter only, and a slip a ratio in its points"
+                unknown,
+                "a load determines only one ratio, and a slip only ratios within the points",
             )
         case, doubts = self._loaded(self._case_at(ratios))
         results = self.at_slip or solve(case)

@@ -267,9 +267,9 @@ def beside_engine(case: TransmissionFields, gear: Gear) -> str:
 def free_converters(case: TransmissionFields, gear: Gear) -> list[int]:
     """Return the indices of converters whose speed ratio depends on the load of a gear.
 
-    The slip of a slipping lock-up clutch determines the speed ratio.
+    Converters whose lock-up clutch slips are omitted, because the slip determines the speed ratio.
     """
-    locked = case.bypassed(gear._replace(engaged=gear.carrying, slip={}))
+    locked = case.bypassed(gear._replace(engaged=gear.carrying))
     return [place for place in case.sought_converters(gear) if place not in locked]
 
 

@@ -134,19 +134,20 @@ def test_a_clutch_slips_before_or_behind_the_converter() -> None:
     """The pump takes 0.002 (1 - i) w^2 = 10 N*m at w = 100 or 200 rad/s; K = 2 - i."""
     text = """links: [engine, pump, turbine, output]
 load: {speed: 200 rad/s, torque: 10 N*m}
-shift_elements: {K: [engine, pump], L: [turbine, output]}
+shift_elements: {K: [engine, pump], L: [turbine, output], B: [housing, turbine]}
 mechanisms:
   TC: {kind: converter, first: pump, second: turbine, points: [[0, 2, 0.002], [1, 1, 0]]}
 gears:
   before: {engaged: [L], slip: {K: 100 rad/s}}
   behind: {engaged: [K], slip: {L: 20 rad/s}}
   at rest: {engaged: [L], slip: {K: 200 rad/s}}
+  braked: {engaged: [K, L], slip: {B: -175 rad/s}}
 """
     results = solve(loads(text))
-    assert results.speed_ratio[:2, 0].tolist() == pytest.approx([0.5, 0.875])
+    assert results.speed_ratio[[0, 1, 3], 0].tolist() == pytest.approx([0.5, 0.875, 0.875])
     assert results.lossy_output_torque_Nm[:2].tolist() == pytest.approx([15, 11.25])
     assert results.efficiency[:2].tolist() == pytest.approx([15 * 50 / 2000, 11.25 * 155 / 2000])
     point = solve(loads(text.replace("[0, 2, 0.002], [1, 1, 0]", "[0.5, 1.5, 0.001]")))
     assert point.lossy_output_torque_Nm[0] == pytest.approx(15)
-    for outcome, gears in ((results, ["at rest"]), (point, ["behind", "at rest"])):
+    for outcome, gears in ((results, ["at rest"]), (point, ["behind", "at rest", "braked"])):
         assert [said.gear for said in outcome.messages if said.id == "W431"] == gears

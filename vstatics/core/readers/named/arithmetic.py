@@ -30,9 +30,8 @@ _GROUPED = re.compile(
     r"|([.,])[0-9]{3}(?:\2[0-9]{3})*(?!\2)[.,][0-9]+)"
 )
 """Number with grouped digits, such as 1 000, or 1.000,5 with a decimal sign of the other kind."""
-_JOINED = re.compile(
-    r"(?<![0-9_])[0-9]+(?:_[0-9]+)+"
-)  # begins only where digits begin: linear time
+# Begins only where digits begin, so the search takes linear time.
+_JOINED = re.compile(r"(?<![0-9_])[0-9]+(?:_[0-9]+)+")
 _PERCENT = re.compile(r"per ?cent|pct|prozent|процент", re.IGNORECASE)
 _PLAIN = re.compile(rf"[-+]?{_FIGURE}\Z")
 _NUMBER = re.compile(rf" *{_FIGURE} *")

@@ -152,7 +152,7 @@ def _lossless(converter: Mechanism) -> list[float]:
 
 
 def with_varied_slips(case: Transmission, columns: Columns) -> Transmission:
-    """Return a case whose slips of 0 that vary are different from 0, so that converters work."""
+    """Replace each slip of 0 that varies by 1, so that the clutch does not bypass its converter."""
     gears = list(case.gears)
     for (index, quantity, owner), column in columns.items():
         if index is not None and quantity in ("slip", "relative_slip") and column.any():
@@ -204,7 +204,8 @@ def _is_alone(case: Transmission, gear: Gear, place: int) -> bool:
     for links in joining:
         join(bodies, *(link for link in links if link != HOUSING))
     pump, turbine = (bodies[link] for link in case.mechanisms[place].links[:2])
-    slips = {bodies[case.shift_elements[number - 1].links[0]] for number in gear.slipping}
+    slipping = case.elements_at(gear.slipping)
+    slips = {bodies[link] for element in slipping for link in element.links if link != HOUSING}
     is_given = gear.speeds or gear.balance is not None or turbine in slips
     return pump == bodies[case.gear_input(gear)] != turbine and not is_given
 
@@ -273,7 +274,7 @@ def with_found_ratios(
 def _ratios_by_slip(
     case: Transmission, sought: Sequence[SoughtRatio], given: Columns, variants: int
 ) -> dict[SoughtRatio, tuple[Floats, Floats]]:
-    """Return speed ratios [-] and pump torques [N*m] of converters with a slipping lock-up."""
+    """Return speed ratio [-] and pump torque [N*m] of converters whose lock-up clutch slips."""
     with_slip = {
         ratio.gear: ratio for ratio in sought if case.gears[ratio.gear].slip and not ratio.is_alone
     }
@@ -418,18 +419,14 @@ def unknown_ratio(gear: Gear, settled: Gear) -> Gear:
     return settled._replace(speed_ratios={**settled.speed_ratios, **unknown})
 
 
-def ratios_at_slip(results: Results, number: int) -> dict[str, float]:
-    """Return the known speed ratios of converters if a slipping lock-up clutch determines one.
-
-    The result is empty for other gears.
+def known_speed_ratios(results: Results, number: int) -> dict[str, float]:
+    """Return the known speed ratios of converters in a gear, by name [-].
 
     Parameters
     ----------
     number : int
         Index of the gear.
     """
-    if not results.gear_at(number).gear.pump_torques:
-        return {}
     names = row_names(results.case, "converters")
     ratios = zip(names, results.speed_ratio[number].tolist(), strict=True)
     return {name: ratio for name, ratio in ratios if not math.isnan(ratio)}
