@@ -26,10 +26,10 @@ def of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
         return
     for name in _NUMBERS:
         value = getattr(vehicle, name)
-        is_positive = name in ABOVE_NOTHING
-        if not (SMALLEST_NUMBER if is_positive else 0) <= value <= LARGEST_NUMBER:
-            least = "above 0" if is_positive else "of 0 or more"
-            range_ = f"from {SMALLEST_NUMBER:g} to {LARGEST_NUMBER:g}" if value > 0 else least
+        smallest = SMALLEST_NUMBER if name in ABOVE_NOTHING else 0.0
+        if not smallest <= value <= LARGEST_NUMBER:
+            least = "above 0" if smallest else "of 0 or more"
+            range_ = f"from {smallest:g} to {LARGEST_NUMBER:g}" if value > 0 else least
             message = f"read {value:g}, expected a number {range_}"
             yield Problem("E268", message, ("vehicle", name))
     yield from _of_machine(vehicle)
