@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from copy import copy, deepcopy
+from dataclasses import replace
 
 import numpy as np
 
@@ -28,7 +29,7 @@ from vstatics.simulation.events.selection import (
 )
 from vstatics.simulation.events.sequence_commands import StepCommands, value_of, with_states
 from vstatics.simulation.events.sequences import SequenceProgress, SequenceRun
-from vstatics.simulation.events.sides import Judge
+from vstatics.simulation.events.sides import Judge, end_of_slide
 from vstatics.simulation.events.stretches import Closed, KnownSolutions, NoFit
 from vstatics.simulation.events.time_steps import StepTolerances, TimeStep, TooSmall, steps
 from vstatics.simulation.events.unbounded import unbounded
@@ -40,12 +41,15 @@ from vstatics.simulation.system.curves import capacity_at, programme_at
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import SIGNS, Contact, Elastic
 from vstatics.simulation.system.ports import SIGNS_OF_MESHES, States
-from vstatics.simulation.system.sight import Corner, control_path, corners
+from vstatics.simulation.system.shares import Slide
+from vstatics.simulation.system.sight import Corner, control_path, corners, with_settings
+from vstatics.simulation.system.sliding import slides
 from vstatics.simulation.tolerances import (
     AHEAD,
     AHEAD_OF_STOP,
     BEYOND_ALL,
     LEAST_RTOL,
+    NEAR_JUMP,
     NO_PROGRESS,
     SAME_INSTANT,
     SIGHT,
@@ -62,6 +66,8 @@ _BEHIND = 4.0
 """Shortest step tried across the corner of a formula, in units of the rounding error of time."""
 _MOST_LARGER = 8
 """Largest number of attempts with explicit steps, each with a larger scale of control values."""
+_FAR_FROM_JUMP = 1e3
+"""Distance from a jump beyond which a motion does not slide along it, relative to `Slide.near`."""
 _PATIENCE = 500
 """Number of events between checks of progress."""
 _MOST_STEPS_AT_ONCE = 1000
@@ -111,6 +117,10 @@ class EventRun:
         """Length of the last time step. [s]"""
         self.solutions = KnownSolutions()
         self.meetings = CornerMeetings(self.span)
+        self.slides: Mapping[CornerPlace, Slide] = {}
+        """Corners along which the motion slides."""
+        self.slides_from = 0.0
+        """Time at which the latest of these slides began. [s]"""
         self.watched: list[tuple[CornerPlace, Awaited]] = []
         """Nearest corners of formulas, each with the comparison that changes its sign there."""
         self.latest = self.mark = 0.0
@@ -192,6 +202,8 @@ class EventRun:
             selected = self._selected()
             equations, state = selected.equations, selected.state
             self._record_changes(self.at.time, self.before, equations.states)
+            if self.slides and not self._slides_on(equations, state):
+                continue
             if not (self.sequences.going or self.corners):
                 return selected
             judge = Judge(equations, self.at.time, state, self.scales, self.record.value_scales)
@@ -217,9 +229,13 @@ class EventRun:
 
     def _near_corners(self, judge: Judge) -> Iterator[tuple[CornerPlace, Awaited]]:
         """Yield the corners nearest to the present values, without bends that need no event."""
+        for place, slide in self.slides.items():
+            yield place, end_of_slide(self.system, slide.share)
         for index, corner in enumerate(self.corners):
             for number, awaited in judge.nearest(corner.compared):
                 place = CornerPlace(index, number)
+                if place in self.slides:
+                    continue
                 if corner.jumps[number] or not self.meetings.is_passed(place, self.at.time):
                     yield place, awaited
 
@@ -268,20 +284,64 @@ class EventRun:
             within = AHEAD * self.span
             if not corner.jumps[place.number]:
                 continue
+            if place in self.slides:
+                share = self.slides[place].share
+                self._slide([near for near in self.slides if self.slides[near].share != share])
+                return
             if self.meetings.switches(place, judged, within):
-                why = (
-                    "switches back and forth without end: on each side of its jump the motion "
-                    "returns to the other side"
-                )
-            elif self.meetings.hastens(place, event.time, self.until):
-                why = "switches back and forth faster and faster, so the run does not reach its end"
-            else:
-                continue
-            raise CaseError(
-                "E601",
-                f"at {event.time:.9g} s {quoted(corner.text)} {why}; {_CURE_OF_JUMPS}",
-                corner.path,
+                latest = self.meetings.latest(event.time)
+                watched = dict(self.watched)
+                met = [
+                    near
+                    for near in latest
+                    if near in watched and self.corners[near.corner].jumps[near.number]
+                ]
+                self._slide([*self.slides, *met])
+                self.slides_from = event.time
+                return
+            if self.meetings.hastens(place, event.time, self.until):
+                why = "faster and faster, so the run does not reach its end"
+                raise self._endless(place, event.time, why)
+
+    def _endless(self, place: CornerPlace, time: float, why: str) -> CaseError:
+        corner = self.corners[place.corner]
+        message = f"at {time:.9g} s {quoted(corner.text)} switches back and forth {why}"
+        return CaseError("E601", f"{message}; {_CURE_OF_JUMPS}", corner.path)
+
+    def _slide(self, places: Sequence[CornerPlace]) -> None:
+        """Let the motion slide along the jumps of formulas at some corners from now on."""
+        pairs = [self.corners[place.corner].compared[place.number] for place in places]
+        jumps = [self.corners[place.corner].places[place.number] for place in places]
+        sizes = {place: NEAR_JUMP * awaited.size for place, awaited in self.watched}
+        near = [
+            self.slides[place].near if place in self.slides else sizes[place] for place in places
+        ]
+        self.slides = dict(zip(places, slides(self.system, jumps, pairs, near), strict=True))
+        system = replace(self.system, slides=tuple(self.slides.values()))
+        self.system = with_settings(system, system.settings)
+        self.corners = corners(self.system)
+
+    def _slides_on(self, equations: Equations, state: Floats) -> bool:
+        """Return whether the motion slides along all corners in `slides`; drop others from them."""
+        time = math.nextafter(equations.time, math.inf)
+        seen = equations.changes.seen_at(equations.time, state)
+        shares = equations.share(equations.time, state, equations.rates(equations.time, state)[0])
+        along = []
+        for place, slide in self.slides.items():
+            first, second = self.corners[place.corner].compared[place.number].at(time, seen)
+            is_near = abs(first - second) <= _FAR_FROM_JUMP * slide.near
+            if is_near and abs(shares[slide.share]) <= 1 + STANDING:
+                along.append(place)
+        if len(along) == len(self.slides):
+            return True
+        if not along and equations.time <= self.slides_from:
+            why = (
+                "without end: on each side of its jump the motion returns to the other side, but "
+                "no mean of both sides keeps it there"
             )
+            raise self._endless(next(iter(self.slides)), equations.time, why)
+        self._slide(along)
+        return False
 
     def _count(self, event: MarginEnd) -> None:
         close = event.time - self.latest <= SAME_INSTANT * self.span
@@ -487,15 +547,6 @@ class EventRun:
                     return Problem("E606", f"{what} N*m: it grows without bound", ("torques", name))
             if problem := unbounded(equations, time, at, state):
                 return problem
-        for index in equations.ports.switching:
-            name = self.system.names[self.system.outside[index].link]
-            return Problem(
-                "E607",
-                f"at {time:.9g} s the torque on {name} switches back and forth without end: a "
-                "motion can slide along a straight line in speed and angle, but not along this "
-                "curve; smooth the torque",
-                ("torques", name),
-            )
         return self._too_steep(equations, time, state)
 
     def _too_steep(self, equations: Equations, time: float, state: Floats) -> Problem:

@@ -72,8 +72,12 @@ Times have rounding errors, so a difference that changes fast is uncertain.
 """
 MET = 1e-3
 """Fraction of the look-ahead within which numbers that become equal count as equal now."""
+FINE_SWING = 1e-7
+"""Largest swing about a jump that counts as sliding at any frequency; see `SLIDING`."""
 SLIDING = 1e-3
 """Largest distance of a sliding motion from the jump, relative to the compared numbers."""
+NEAR_JUMP = 1e-9
+"""Largest distance from a jump at which a motion is on the jump, relative to compared numbers."""
 NEAR_LIMIT = 1e-3
 """Fraction of the look-ahead within which a state that reaches a limit counts as at the limit."""
 EXACT_SIDES = 1e-13

@@ -84,17 +84,6 @@ def test_a_table_is_the_same_as_points(points: Any, over: str, start: float) -> 
     assert [at for _, at in events[0]] == pytest.approx([at for _, at in events[1]], abs=1e-8)
 
 
-def test_a_jump_to_which_the_motion_returns_without_end_is_reported() -> None:
-    """The slip falls to 20 above the jump, and rises to it below."""
-    text = "300*(slip('C') > 20)"
-    start = "duration: 2\nstart: {speeds: {a: 100, b: 0}}\n"
-    given = f'{start}controls: {{C: "{text}"}}\ntorques: {{a: 50}}\n'
-    stopped = simulate(written(given, ONE_TO_FIVE)).stopped
-    assert stopped is not None
-    assert (stopped.id, stopped.path) == ("E601", ("controls", "C"))
-    assert f"`{text}` switches back and forth without end" in stopped.message
-
-
 JUMPS_OF_LIMITS = [
     "400 + 500*(speed('wheel') - speed('road') > 10)",
     *some([f"400 + 500*(speed('wheel') - speed('road') > {n})" for n in (9.99, 5, 20)]),

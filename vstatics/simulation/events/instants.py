@@ -154,9 +154,13 @@ def start_instant(
 
 
 def seen_at(system: MotionSystem, at: Instant) -> list[float]:
-    """Return the values of all quantities that formulas can read, except functions of torques."""
+    """Return the values of all quantities that formulas can read, except functions of torques.
+
+    Shares of jumps are unknown, so they are 0.
+    """
     rates = system.port_rows @ at.speeds
-    return [*rates.tolist(), *at.twists.tolist(), *at.angles.tolist(), *at.values.tolist()]
+    seen = [*rates.tolist(), *at.twists.tolist(), *at.angles.tolist(), *at.values.tolist()]
+    return seen + [0.0] * len(system.layout.shares)
 
 
 def break_times(system: MotionSystem, until: float) -> list[float]:

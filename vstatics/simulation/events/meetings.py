@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.simulation.events.margins import Awaited
-from vstatics.simulation.tolerances import AHEAD, NO_PROGRESS, NOT_ZERO, SLIDING
+from vstatics.simulation.tolerances import AHEAD, FINE_SWING, NO_PROGRESS, NOT_ZERO, SLIDING
 
 _PASSED = 4
 """Number of arrivals at a bend in quick succession after which the bend is ignored for a while."""
@@ -100,7 +100,8 @@ class CornerMeetings:
         """
         times = self.times[place]
         length = times[-1] - times[0]
-        if len(times) < _SWITCHES or length > NO_PROGRESS * self.span:
+        if len(times) < _SWITCHES:
             return False
         swing = judged.change * length / (_SWITCHES - 1) / within
-        return swing <= SLIDING * judged.size
+        quick = length <= NO_PROGRESS * self.span
+        return swing <= (SLIDING if quick else FINE_SWING) * judged.size

@@ -19,7 +19,8 @@ from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.programme import Look
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.known import DISTANCES
-from vstatics.simulation.system.sight import Compared, compared
+from vstatics.simulation.system.matrices import MotionSystem
+from vstatics.simulation.system.sight import Compared, compared, fixed, place_seen
 from vstatics.simulation.tolerances import EQUAL_SIDES, EXACT_SIDES, MET, ROUNDED_INPUT, SOON
 
 
@@ -148,8 +149,10 @@ class Judge:
             large = self._scales.torque / stiffness if stiffness else 0.0
         elif place < layout.seen_values:
             large = 0.0
-        elif place < layout.seen_derived:
+        elif place < layout.seen_shares:
             large = float(self._values[place - layout.seen_values])
+        elif place < layout.seen_derived:
+            large = 1.0
         else:
             large = self._scales.torque
         return max(large, abs(value))
@@ -159,3 +162,9 @@ def _side(apart: float) -> str:
     if math.isnan(apart):
         return "?"
     return "-+"[apart > 0] if apart else "0"
+
+
+def end_of_slide(system: MotionSystem, share: int) -> Awaited:
+    """Return a comparison whose margin ends where the share of a jump is 1 or -1."""
+    pair = Compared(place_seen(system.layout.seen_shares + share), fixed(0.0))
+    return Awaited(pair, "0", 1 / EQUAL_SIDES, is_equal=True, change=0.0)

@@ -133,6 +133,20 @@ class Formula(NamedTuple):
         return self._replace(tree=tree)
 
     @property
+    def elsewhere(self) -> Formula:
+        """Formula with other names for the speed and angle of the link on which it acts.
+
+        >>> Formula("speed + speed('out')").elsewhere.variables
+        frozenset()
+        """
+
+        def renamed(part: TableName) -> TableName:
+            is_of_link = part.name in ("speed", "angle") and not part.subscripts
+            return part._replace(name=f"{part.name} elsewhere") if is_of_link else part
+
+        return self._replace(tree=with_names(self.whole, renamed))
+
+    @property
     def variables(self) -> frozenset[str]:
         """Variables in the formula: a subset of t, speed and angle.
 

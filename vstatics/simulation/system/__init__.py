@@ -6,6 +6,6 @@ speed in this row. `curves` and `ports` calculate capacities and torques of port
 `structure` contains the constant matrices for a set of sticking contacts. `varying_losses` and
 `variators` calculate torques that depend on constraint torques, by `fixed_point` iterations.
 `values` gives the rates of control states and temperatures, and `sight` the quantities that
-formulas read. `equations` contains the differential equations; if all torques are linear, also
-their matrices.
+formulas read. `shares` replaces jumps in formulas by means, and `sliding` calculates these means.
+`equations` contains the differential equations; if all torques are linear, also their matrices.
 """

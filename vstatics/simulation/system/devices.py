@@ -22,9 +22,10 @@ from vstatics.core.model.struts import StrutCurve
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.statics.matrix import structural_matrix
-from vstatics.simulation.scenario.jumps import LawJump, curve_slope, split_at_jumps
-from vstatics.simulation.scenario.laws import Resistance, Road, constant
-from vstatics.simulation.scenario.parts import Scenario
+from vstatics.simulation.scenario.formula import Formula
+from vstatics.simulation.scenario.jumps import LawJump, LawPiece, curve_slope, split_at_jumps
+from vstatics.simulation.scenario.laws import Points, Resistance, Road, constant
+from vstatics.simulation.scenario.parts import Scenario, formulas
 from vstatics.simulation.scenario.programme import (
     OPEN,
     Programme,
@@ -297,6 +298,8 @@ def _loads(scenario: Scenario, first: int) -> tuple[list[Contact], list[OutsideT
                 outside.append(OutsideTorque(link - 1, growth))
         else:
             jumps, pieces = split_at_jumps(law)
+            if _is_read_elsewhere(scenario, name, law):
+                jumps, pieces = [], [LawPiece(law)]
             number = first + len(contacts)
             for jump in jumps:
                 switch = Switch(link - 1, jump)
@@ -307,6 +310,19 @@ def _loads(scenario: Scenario, first: int) -> tuple[list[Contact], list[OutsideT
         if friction:
             contacts.append(Contact(name, row, Programme(constant(friction))))
     return contacts, outside
+
+
+def _is_read_elsewhere(scenario: Scenario, name: str, law: Points | Formula) -> bool:
+    """Return whether other formulas jump at a speed of the link at which its torque jumps.
+
+    A contact for the jump would not give these formulas the mean of both sides.
+    """
+    if not isinstance(law, Formula):
+        return False
+    jumps = {*law.jumps("speed"), *law.surfaces}
+    others = (other for other in formulas(scenario) if jumps and other is not law)
+    read = (other.elsewhere.on_link(name) for other in others)
+    return any(not jumps.isdisjoint([*other.jumps("speed"), *other.surfaces]) for other in read)
 
 
 def _given_speed_contacts(scenario: Scenario) -> Iterator[Contact]:

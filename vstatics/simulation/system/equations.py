@@ -28,6 +28,7 @@ from vstatics.simulation.scenario.programme import Look
 from vstatics.simulation.system.curves import slope_ahead
 from vstatics.simulation.system.matrices import MotionSystem, MovingVariator, RigidMechanism
 from vstatics.simulation.system.ports import Ports, States
+from vstatics.simulation.system.sliding import Sliding
 from vstatics.simulation.system.structure import MotionStructure, null
 from vstatics.simulation.system.values import ValueChanges
 from vstatics.simulation.system.variators import VariatorTorques
@@ -127,6 +128,7 @@ class Equations:
             self._split_light()
         self.variators = VariatorTorques(self) if system.variators else None
         self.losses = VaryingLosses(self, carried) if system.varying else None
+        self.sliding = Sliding(self) if system.slides else None
         self.changes = ValueChanges(self)
         """Rates of change of control states and temperatures."""
 
@@ -321,7 +323,18 @@ class Equations:
 
     def seen_at(self, times: Floats, states: Floats, rates: Floats, torques: Floats) -> Floats:
         """Return all quantities that formulas can read, shape (quantities, times)."""
-        seen = np.vstack([rates, states[self.motions : self.values.stop]])
+        shares = self.shares_at(times, states, rates)
+        return self.seen_with(times, states, rates, torques, shares)
+
+    def shares_at(self, times: Floats, states: Floats, rates: Floats) -> Floats:
+        """Return the shares of jumps along which the motion slides, shape (shares, times)."""
+        return self.sliding.at(times, states, rates) if self.sliding else np.empty((0, len(times)))
+
+    def seen_with(
+        self, times: Floats, states: Floats, rates: Floats, torques: Floats, shares: Floats
+    ) -> Floats:
+        """Return all quantities that formulas can read, for given shares of jumps."""
+        seen = np.vstack([rates, states[self.motions : self.values.stop], shares])
         if not self.layout.derived:
             return seen
         at = zip(times.tolist(), states.T, rates.T, torques.T, strict=True)
@@ -367,8 +380,13 @@ class Equations:
 
     def torques_at(self, times: Floats, states: Floats, rates: Floats) -> Floats:
         """Return the torques of ports at several times, shape (ports, times) [N*m]."""
+        return self.torques_with(times, states, rates, self.shares_at(times, states, rates))
+
+    def torques_with(self, times: Floats, states: Floats, rates: Floats, shares: Floats) -> Floats:
+        """Return the torques of ports at several times, for given shares of jumps [N*m]."""
+        values = np.vstack([states[self.values], shares])
         torques = self.ports.torques_at(
-            times, rates, states[self.twists], states[self.angles], states[self.values]
+            times, rates, states[self.twists], states[self.angles], values
         )
         if self.losses and not self.variators:
             for place in np.flatnonzero(self.losses.fill_all(rates, torques)).tolist():
@@ -481,12 +499,17 @@ class Equations:
 
     def torques(self, time: float, state: Floats, rates: Floats) -> Floats:
         """Return the torques of ports [N*m]."""
-        torques = self.ports.torques(
-            time, rates, state[self.twists], state[self.angles], state[self.values]
-        )
+        values = state[self.values]
+        if self.sliding:
+            values = np.append(values, self.share(time, state, rates))
+        torques = self.ports.torques(time, rates, state[self.twists], state[self.angles], values)
         if self.variators or self.losses:
             self._couple(time, rates, torques)
         return torques
+
+    def share(self, time: float, state: Floats, rates: Floats) -> Floats:
+        """Return the shares of jumps along which the motion slides, shape (shares,)."""
+        return self.shares_at(np.array([time]), state[:, None], rates[:, None])[:, 0]
 
     def _couple(self, time: float, rates: Floats, torques: Floats) -> None:
         """Fill in the torques that depend on constraint torques."""

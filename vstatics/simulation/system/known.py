@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Protocol
+from typing import Any, Protocol
 
 from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.system.matrices import MotionSystem, PortLayout
@@ -28,6 +28,21 @@ class KnownMotion(Protocol):
     slipped: slice
     light: int
     within: float
+    changes: Any
+
+    def speeds_at(self, times: Floats, states: Floats) -> Floats:
+        """Return the speeds of links at several times, shape (links, times) [rad/s]."""
+
+    def torques_with(self, times: Floats, states: Floats, rates: Floats, shares: Floats) -> Floats:
+        """Return the torques of ports at several times, for given shares of jumps [N*m]."""
+
+    def seen_with(
+        self, times: Floats, states: Floats, rates: Floats, torques: Floats, shares: Floats
+    ) -> Floats:
+        """Return all quantities that formulas can read, for given shares of jumps."""
+
+    def share(self, time: float, state: Floats, rates: Floats) -> Floats:
+        """Return the shares of jumps along which the motion slides, shape (shares,)."""
 
     def speeds(self, time: float, state: Floats) -> Floats:
         """Return the speeds of links [rad/s]."""

@@ -33,6 +33,7 @@ from vstatics.simulation.scenario.jumps import LawJump
 from vstatics.simulation.scenario.laws import Curve, Points, Road
 from vstatics.simulation.scenario.parts import ControlState, Scenario, formulas
 from vstatics.simulation.scenario.programme import Programme
+from vstatics.simulation.system.shares import Slide, share_name
 from vstatics.simulation.tolerances import LEAST_EFFICIENCY
 
 
@@ -293,7 +294,11 @@ class PortLayout:
         self.seen_angles = self.ports + len(system.springs)
         """Index of the first angle among the quantities that formulas read; see `sight`."""
         self.seen_values = self.seen_angles + len(self.angles)
-        self.seen_derived = self.seen_values + len(self.values)
+        count = len({slide.share for slide in system.slides})
+        self.shares = tuple(Seen("value", share_name(number)) for number in range(count))
+        """Shares of the jumps along which the motion slides."""
+        self.seen_shares = self.seen_values + len(self.values)
+        self.seen_derived = self.seen_shares + count
 
 
 @dataclass(frozen=True)
@@ -315,6 +320,8 @@ class MotionSystem:
     settings: Mapping[str, float]
     """Current values of the numbers that sequences set."""
     variators: tuple[MovingVariator, ...] = ()
+    slides: tuple[Slide, ...] = ()
+    """Jumps of formulas along which the motion slides."""
 
     @property
     def case(self) -> Transmission:

@@ -29,6 +29,7 @@ from vstatics.simulation.system.curves import (
     slope_of,
 )
 from vstatics.simulation.system.matrices import SIGNS, Contact, MotionSystem
+from vstatics.simulation.system.shares import shared
 from vstatics.simulation.system.sight import following, looking
 from vstatics.simulation.tolerances import STANDING
 
@@ -109,8 +110,6 @@ class Ports:
             (converter, states.pieces[layout.outside + index])
             for index, converter in enumerate(system.converters)
         )
-        self.switching: list[int] = []
-        """External torques, by index, whose formulas can jump at unknown speeds or angles."""
         self.senses_rate = np.zeros(layout.ports, dtype=bool)
         """Flags of ports whose torque depends on the rate."""
         self._springs(system, states)
@@ -166,11 +165,11 @@ class Ports:
             if not load.acts(states.contacts):
                 continue
             place = layout.angles.index(load.link) if load.link in layout.angles else -1
-            law = load.law.knowing(system.settings) if isinstance(load.law, Formula) else load.law
+            law = load.law
+            if isinstance(law, Formula):
+                law = shared(law, system.slides, index, place).knowing(system.settings)
             if isinstance(law, Formula) and law.seen:
                 self.looks.append((index, looking(system, law, index, place)))
-                if law.switches:
-                    self.switching.append(index)
             else:
                 self._outside(index, law, states.pieces[index], place, time)
         for index, contact in enumerate(system.contacts):
@@ -312,8 +311,6 @@ class Ports:
         elif isinstance(law, Formula):
             self.special.append((port, place, law.function, law.along))
             self.senses_rate[port] = "speed" in law.variables
-            if law.switches:
-                self.switching.append(port)
         elif law.over == "time":
             self.c0[port], self.c1[port] = law.piece(law.piece_at(time))
         else:

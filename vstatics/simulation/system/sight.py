@@ -1,7 +1,7 @@
 """Quantities of the motion that formulas read, in a fixed order (the *seen* quantities).
 
 The order is: rates of ports, twists of springs, angles of links, values (control states and
-temperatures), and quantities derived from torques (`PortLayout.derived`).
+temperatures), shares of jumps, and quantities derived from torques (`PortLayout.derived`).
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from vstatics.core.model.springs import SpringLimit, TwistCurve
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.readers.expressions.grammar import Applied
 from vstatics.core.readers.expressions.operands import Constant
-from vstatics.simulation.scenario.algebra import variables
+from vstatics.simulation.scenario.algebra import bare, variables
 from vstatics.simulation.scenario.conditions import StepCondition
 from vstatics.simulation.scenario.crossings import MeetingParts, Pairs, asked, met
 from vstatics.simulation.scenario.formula import Formula
@@ -28,6 +28,7 @@ from vstatics.simulation.scenario.parts import placed_steps
 from vstatics.simulation.scenario.programme import Look, Programme
 from vstatics.simulation.system.curves import curve_along
 from vstatics.simulation.system.matrices import Contact, Elastic, MotionSystem
+from vstatics.simulation.system.shares import JumpPlace, shared
 
 
 def place_of(system: MotionSystem, seen: Seen) -> int:
@@ -43,7 +44,7 @@ def place_of(system: MotionSystem, seen: Seen) -> int:
         case "angle":
             return layout.seen_angles + layout.angles.index(names.index(seen.of))
         case "value" | "temperature":
-            return layout.seen_values + layout.values.index(seen)
+            return layout.seen_values + (*layout.values, *layout.shares).index(seen)
         case _:
             return layout.seen_derived + layout.derived.index(seen)
 
@@ -68,11 +69,12 @@ def looking(system: MotionSystem, formula: Formula, rate: int = 0, angle: int = 
     angle : int
         Index of the angle of this link among the recorded angles, or -1.
     """
+    formula = shared(formula, system.slides, rate, angle)
     function, along = formula.function, formula.along
     inputs = [
         fixed(system.settings[quantity.of])
         if quantity.word == "value" and quantity.of in system.settings
-        else _place_seen(place_of(system, quantity))
+        else place_seen(place_of(system, quantity))
         for quantity in formula.seen
     ]
     turned = system.layout.seen_angles + angle if angle >= 0 else -1
@@ -145,6 +147,8 @@ class Corner(NamedTuple):
     """Comparisons of a number with breakpoints, ascending; only the nearest breakpoints matter."""
     jumps: Sequence[bool]
     """For each comparison, True if the formula can jump there."""
+    places: Sequence[JumpPlace] = ()
+    """Place of each comparison of a formula."""
 
 
 def compared(system: MotionSystem, difference: Formula, rate: int = 0, angle: int = -1) -> Compared:
@@ -176,7 +180,7 @@ def corners(system: MotionSystem) -> list[Corner]:
         if isinstance(load.law, Formula):  # contacts represent jumps over speed or angle
             path = ("torques", system.names[load.link])
             place = layout.angles.index(load.link) if load.link in layout.angles else -1
-            compares = met if load.law.seen else asked
+            compares = met if load.law.seen or load.law.switches else asked
             candidates.append((path, load.law, compares(load.law.whole), port, place))
     candidates += [
         (("states", state.name, "rate"), state.rate, met(state.rate.whole), 0, -1)
@@ -198,7 +202,9 @@ def corners(system: MotionSystem) -> list[Corner]:
                 looking(system, formula._replace(tree=pair.second), rate, angle) for pair in pairs
             )
             both = [Compared(look, other) for other in others]
-            corner_list.append(Corner(path, formula.text, both, [pair.jumps for pair in pairs]))
+            places = [JumpPlace(bare(pair.first), bare(pair.second), rate, angle) for pair in pairs]
+            jumps = [pair.jumps for pair in pairs]
+            corner_list.append(Corner(path, formula.text, both, jumps, places))
     return corner_list
 
 
@@ -223,7 +229,7 @@ def _rubbing_corners(system: MotionSystem) -> Iterator[Corner]:
             places = [(temperature, column) for column in table.columns]
             places += [(slip, way * x) for way in (1, -1) for x in table.x if x]
             for place, bend in places:
-                pair = Compared(_place_seen(place), fixed(bend))
+                pair = Compared(place_seen(place), fixed(bend))
                 yield Corner(control_path(device), "friction", [pair], [False])
 
 
@@ -238,7 +244,8 @@ def _vanishing_limits(system: MotionSystem) -> Iterator[Corner]:
             yield Corner(control_path(spring), "limit", [pair], [False])
 
 
-def _place_seen(place: int) -> Look:
+def place_seen(place: int) -> Look:
+    """Return a quantity as a function of time and seen quantities."""
     return Look(lambda _time, seen: seen[place], lambda _times, seen: seen[place], (place,))
 
 

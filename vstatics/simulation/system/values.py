@@ -84,6 +84,7 @@ class ValueChanges:
         """Return all quantities that formulas read, in a state."""
         equations = self.equations
         seen = [*rates.tolist(), *state[equations.motions : equations.values.stop].tolist()]
+        seen += equations.share(time, state, rates).tolist()
         return seen + [derived(time, state, rates, torques) for derived in self.derived]
 
     def seen_at(self, time: float, state: Floats) -> list[float]:

@@ -1,0 +1,162 @@
+"""Motions that slide along jumps of formulas, as Filippov's convex combination demands.
+
+The references are closed forms, and Radau of scipy with signs smoothed over `WIDTHS`, extrapolated
+to a width of 0.
+"""
+
+import math
+from collections.abc import Callable
+from random import Random
+from typing import Any
+
+import pytest
+from scipy.integrate import solve_ivp
+
+from tests.chance import seeded, some
+from tests.simulation.control.written import simulated, written
+from vstatics.simulation import simulate
+
+LINKS = "links: [a, b]\ninertias: {a: 1, b: 5}\n"
+CLUTCH = LINKS + "shift_elements: {C: {links: [a, b]}}\n"
+WIDTHS = 1e-3, 1e-4
+Smooth = Callable[[float, Any, Callable[[float], float]], list[float]]
+
+
+def extrapolated(change: Smooth, begin: list[float], duration: float) -> Any:
+    """Final values of ``dy/dt = change(t, y, sign)``, extrapolated to an exact sign."""
+
+    def final(width: float) -> Any:
+        def smooth(t: float, y: Any) -> list[float]:
+            return change(t, y, lambda apart: math.tanh(apart / width))
+
+        steps: Any = {"rtol": 1e-8, "atol": 1e-9, "max_step": 0.02}
+        return solve_ivp(smooth, (0, duration), begin, "Radau", **steps).y[:, -1]
+
+    wide, narrow = map(final, WIDTHS)
+    return narrow + (narrow - wide) * WIDTHS[1] / (WIDTHS[0] - WIDTHS[1])
+
+
+def test_a_clutch_that_switches_with_its_slip_holds_the_slip() -> None:
+    """The slip falls by 310 rad/s^2 to 20 rad/s; then the mean torque 250/6 keeps it."""
+    start = "duration: 2\nstart: {speeds: {a: 100, b: 0}}\n"
+    given = f"{start}controls: {{C: \"300*(slip('C') > 20)\"}}\ntorques: {{a: 50}}\n"
+    begin = 80 / 310
+    last = 60 * begin + 250 / 6 / 5 * (2 - begin)
+    assert simulated(given, CLUTCH).speeds[-1] == pytest.approx([last + 20, last], rel=1e-9)
+
+
+def test_formulas_in_other_words_and_of_other_links_share_the_mean_of_a_jump() -> None:
+    """With the share s, dw/dt of a is 33 - 100 s, of b 15 s - 1, and dx/dt (1 + s)/2."""
+    case = "links: [a, b, c]\ninertias: {a: 1, b: 5, c: 1}\n"
+    given = """duration: 2
+start: {speeds: {a: 0, b: 0, c: 0}}
+states: {x: {rate: "2*speed('b') < 2*speed('a')"}}
+torques:
+  a: ["-100*sign(speed - speed('b'))", 33]
+  b: ["20 - 100*(speed >= speed('a'))", "50*(not speed('b') > speed('a'))"]
+  c: x
+"""
+    share = 34 / 115
+    speed = 2 * (33 - 100 * share)
+    speeds = [speed, speed, 1 + share]
+    assert simulated(given, case).speeds[-1] == pytest.approx(speeds, abs=1e-7)
+
+
+TABLE = "tables: {m: [[-9, 30], [4, 30], [4, -70], [30, -70]]}\n"
+CASES: list[tuple[str, Smooth, list[float]]] = [
+    (
+        """torques:
+  a: ["20*sin(t)", "-60*sign(speed('a') - speed('b'))"]
+  b: [-10, "-150*sign(speed('b') - 4*t)"]
+""",
+        lambda t, y, sign: [
+            20 * math.sin(t) - 60 * sign(y[0] - y[1]), (-10 - 150 * sign(y[1] - 4 * t)) / 5
+        ],
+        [20.0, -10.0],
+    ),
+    (
+        f"""{TABLE}torques:
+  a: ["30*sin(2*t)", "m(speed('a') - speed('b'))"]
+  b: "-m(speed('a') - speed('b'))"
+""",
+        lambda t, y, sign: [
+            30 * math.sin(2 * t) - 20 - 50 * sign(y[0] - y[1] - 4),
+            (20 + 50 * sign(y[0] - y[1] - 4)) / 5,
+        ],
+        [20.0, 0.0],
+    ),
+    (
+        """torques:
+  a: ["80*(speed('a') < 40)*(speed('b') < 30)", "-10 - 5*sin(3*t)"]
+  b: ["60*(speed('b') < 30)*(0.3 + 0.7*(speed('a') < 40))", -20]
+""",
+        lambda t, y, sign: [
+            20 * (1 - sign(y[0] - 40)) * (1 - sign(y[1] - 30)) - 10 - 5 * math.sin(3 * t),
+            (30 * (1 - sign(y[1] - 30)) * (0.65 - 0.35 * sign(y[0] - 40)) - 20) / 5,
+        ],
+        [20.0, 20.0],
+    ),
+    (
+        """torques:
+  a:
+    - "-20*sign(speed('a') - speed('b'))*sqrt(abs(speed('a') - speed('b')))"
+    - "3*sin(5*t)"
+  b: 2
+""",
+        lambda t, y, sign: [
+            -20 * sign(y[0] - y[1]) * math.sqrt(abs(y[0] - y[1])) + 3 * math.sin(5 * t), 0.4
+        ],
+        [20.0, 0.0],
+    ),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("given", "change", "begin"), some(CASES))
+def test_a_motion_slides_along_jumps_also_where_they_meet(
+    given: str, change: Smooth, begin: list[float]
+) -> None:
+    start = f"duration: 2\nstart: {{speeds: {{a: {begin[0]}, b: {begin[1]}}}}}\n"
+    motion = simulated(start + given, LINKS)
+    assert motion.speeds[-1] == pytest.approx(extrapolated(change, begin, 2), abs=1e-5)
+
+
+def random_relays(rng: Random) -> tuple[str, Smooth, list[float]]:
+    """Links a and b with a relay each, and a state that reads the first relay."""
+    weight, place, target = rng.choice([0.0, 0.5, -1.0]), rng.choice([3, 8]), rng.choice([5, 12])
+    by_state, product = rng.choice([0, 1]), rng.choice([0.0, 0.4])
+    first, second = rng.choice([40, 90]), rng.choice([60, 200])
+    wave, drive, load = rng.choice([2, 5]), rng.choice([10, 30]), rng.choice([-15, 20])
+    begin = [rng.choice([0.0, 25.0]), rng.choice([-5.0, 10.0]), 0.0]
+    apart = f"speed('a') + {weight}*speed('b') - {place} - {by_state}*x"
+    other = f"speed('b') - {target} - sin(t)"
+    text = f"""states: {{x: {{rate: "3 - 0.4*x + 2*({apart} > 0)"}}}}
+torques:
+  a: ["{drive}*sin({wave}*t)", "-{first}*sign({apart})"]
+  b: [{load}, "-{second}*sign({other})*(1 - {product}*({apart} > 0))"]
+"""
+
+    def change(t: float, y: Any, sign: Callable[[float], float]) -> list[float]:
+        side = sign(y[0] + weight * y[1] - place - by_state * y[2])
+        held = second * sign(y[1] - target - math.sin(t)) * (1 - product * (1 + side) / 2)
+        return [
+            drive * math.sin(wave * t) - first * side, (load - held) / 5, 4 - 0.4 * y[2] + side
+        ]  # fmt: skip
+
+    return text, change, begin
+
+
+@pytest.mark.parametrize("seed", some([*range(40)]))
+def test_random_relays_agree_with_smoothed_signs(seed: int) -> None:
+    text, change, begin = random_relays(seeded(seed))
+    start = f"duration: 1.5\nstart: {{speeds: {{a: {begin[0]}, b: {begin[1]}}}}}\n"
+    motion = simulated(start + text, LINKS)
+    assert motion.speeds[-1] == pytest.approx(extrapolated(change, begin, 1.5)[:2], abs=1e-6)
+
+
+def test_a_jump_that_does_not_change_the_rate_of_what_it_compares_is_reported() -> None:
+    """The compared acceleration jumps itself."""
+    rate = "5 - 9*(acceleration('a') > 2) - 20*x"
+    given = f'duration: 1\nstart: {{speeds: {{a: 0}}}}\nstates: {{x: {{rate: "{rate}"}}}}\n'
+    stopped = simulate(written(f"{given}torques: {{a: 100*x}}\n", "inertias: {a: 1}\n")).stopped
+    assert stopped is not None
+    assert (stopped.id, stopped.path) == ("E601", ("states", "x", "rate"))

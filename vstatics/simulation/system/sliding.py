@@ -1,0 +1,197 @@
+"""Shares that keep a motion on the jumps of formulas along which it slides.
+
+Let g be the difference of the terms that a formula compares. The shares s of both sides follow from
+``dg/dt = -k g``: the motion stays on the jump, and rounding errors of g decay. Torques and rates of
+states are linear in each share, so Newton's method converges in few steps.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+
+from vstatics.core.numerics.arrays import Floats, largest
+from vstatics.core.readers.expressions.operands import TableName
+from vstatics.simulation.scenario.formula_code import Seen, seen_in
+from vstatics.simulation.system.known import KnownMotion
+from vstatics.simulation.system.matrices import MotionSystem
+from vstatics.simulation.system.shares import NOW, JumpPlace, Slide, total_slope
+from vstatics.simulation.system.sight import Compared, looking, place_of
+
+_RETURN = 1e3
+"""Rate at which a distance from the jump decays, times the duration."""
+_NEWTON_ROUNDS = 12
+"""Largest number of Newton steps."""
+_SAME_SLOPES = 4
+"""Number of Newton steps with the same derivatives."""
+_SAME = 1e-13
+"""Change of a share that counts as rounding error."""
+_SAMPLES = 6
+"""Number of samples in a comparison of two differences."""
+_PROPORTIONAL = 1e-9
+"""Relative difference up to which samples are proportional."""
+
+Change = Callable[[Floats, Floats, Floats], Floats]
+"""Rate of a difference from times, seen quantities and rates of seen quantities."""
+
+
+class Sliding:
+    """Shares of the jumps along which a motion slides, between two events.
+
+    Parameters
+    ----------
+    equations : KnownMotion
+    """
+
+    def __init__(self, equations: KnownMotion) -> None:
+        self.equations = equations
+        system = equations.system
+        self.back = _RETURN / system.scenario.span
+        firsts = {slide.share: slide for slide in reversed(system.slides)}
+        self.slides = [firsts[number] for number in sorted(firsts)]
+        self.looks = [
+            looking(system, slide.place.difference, slide.place.rate, slide.place.angle)
+            for slide in self.slides
+        ]
+        self.changes = [_change(system, slide) for slide in self.slides]
+        known = {*range(equations.layout.seen_values + len(system.scenario.states))}
+        known -= {*np.flatnonzero(np.abs(equations.structure.light_rates).sum(axis=1)).tolist()}
+        known -= {
+            equations.layout.ports + index for index in np.flatnonzero(~equations.ports.bends)
+        }
+        self.is_known = all(self.changes) and all(
+            known.issuperset(look.places) for look in self.looks
+        )
+        """True if the rates of all compared quantities are known."""
+        self.last: tuple[Floats, ...] = ()
+        """Latest arguments and result of `at`, which is often needed again."""
+        self.slopes: Floats | None = None
+        """Latest derivatives with respect to the shares, which change little."""
+
+    def at(self, times: Floats, states: Floats, rates: Floats) -> Floats:
+        """Return the shares at several times, shape (shares, times); NaN if undetermined."""
+        known = times, states, rates
+        if self.last and all(map(np.array_equal, known, self.last)):
+            return self.last[-1]
+        shares = np.zeros((len(self.slides), len(times)))
+        if not self.is_known:
+            return shares * np.nan
+        slopes = self.slopes
+        for number in range(_NEWTON_ROUNDS):
+            left = self._left(*known, shares)
+            if slopes is None or number % _SAME_SLOPES == _SAME_SLOPES - 1:
+                moved = (shares + unit[:, None] for unit in np.eye(len(shares)))
+                slopes = np.array([self._left(*known, near) - left for near in moved])
+            try:
+                by_time = np.linalg.solve(slopes.transpose(2, 1, 0), left.T[..., None])
+            except np.linalg.LinAlgError:
+                return shares * np.nan
+            shares = shares - by_time[..., 0].T
+            if not largest(np.abs(by_time)) > _SAME * max(1.0, largest(np.abs(shares))):
+                break
+        if slopes is not None and np.isfinite(slopes).all():
+            self.slopes = slopes[..., -1:]
+        self.last = *(array.copy() for array in known), shares
+        return shares
+
+    def _left(self, times: Floats, states: Floats, rates: Floats, shares: Floats) -> Floats:
+        """Return ``dg/dt + k g`` for given shares, shape (shares, times)."""
+        equations = self.equations
+        torques = equations.torques_with(times, states, rates, shares)
+        seen = equations.seen_with(times, states, rates, torques, shares)
+        turning = equations.structure.accelerations @ torques
+        moving = np.zeros_like(seen)
+        layout = equations.layout
+        moving[: layout.ports] = equations.structure.rates @ turning
+        moving[layout.ports : layout.seen_angles] = rates[layout.spring_ports]
+        moving[layout.seen_angles : layout.seen_values] = equations.speeds_at(times, states)[
+            list(layout.angles)
+        ]
+        if equations.system.scenario.states:
+            change = equations.changes.along(times, seen)
+            moving[layout.seen_values : layout.seen_values + len(change)] = change
+        inside = equations.ports.inside(times)
+        return np.array(
+            [
+                change(inside, seen, moving) + self.back * look.along(inside, seen)
+                for change, look in zip(self.changes, self.looks, strict=True)
+                if change
+            ]
+        )
+
+
+def _change(system: MotionSystem, slide: Slide) -> Change | None:
+    """Return the derivative with respect to time of a compared difference, None if unknown."""
+    place = slide.place
+    known = total_slope(place.difference, system.settings)
+    if known is None:
+        return None
+    formula, moving = known
+    turned = system.layout.seen_angles + place.angle
+
+    def index(part: TableName) -> int:
+        seen = seen_in(part)
+        if seen is not None:
+            return place_of(system, seen)
+        return place.rate if part.name == "speed" else turned
+
+    along, rates = formula.along, {name: index(part) for name, part in moving.items()}
+
+    def read(quantity: Seen, times: Floats, seen: Floats, moving: Floats) -> Floats | float:
+        name = quantity.of if quantity.word == "value" else ""
+        if name in rates:
+            changing: Floats = moving[rates[name]]
+            return changing
+        if name == NOW:
+            return times
+        return (
+            system.settings[name] if name in system.settings else seen[place_of(system, quantity)]
+        )
+
+    def change(times: Floats, seen: Floats, moving: Floats) -> Floats:
+        inputs = [read(quantity, times, seen, moving) for quantity in formula.seen]
+        angle = seen[turned] if place.angle >= 0 else 0.0
+        return along(times, seen[place.rate], angle, *inputs)
+
+    return change
+
+
+def slides(
+    system: MotionSystem,
+    places: Sequence[JumpPlace],
+    pairs: Sequence[Compared],
+    near: Sequence[float],
+) -> list[Slide]:
+    """Return the slides along jumps; jumps of proportional differences have the same share.
+
+    Parameters
+    ----------
+    system : MotionSystem
+    places : sequence of JumpPlace
+    pairs : sequence of Compared
+        Terms that are compared at each place.
+    near : sequence of float
+        Difference of the terms of each place that is nearly 0.
+    """
+    count = system.layout.seen_derived + len(system.layout.derived)
+    chance = np.random.default_rng(_SAMPLES)
+    samples = chance.uniform(1.0, 2.0, (count, _SAMPLES))
+    speeds = chance.uniform(1.0, 2.0, (len(system.names), _SAMPLES))
+    samples[: system.layout.ports] = system.port_rows @ speeds
+    times = np.full(_SAMPLES, system.scenario.span)
+    firsts: list[Floats] = []
+    result = []
+    for place, pair, distance in zip(places, pairs, near, strict=True):
+        apart = pair.first.along(times, samples) - pair.second.along(times, samples)
+        ratios = [apart @ first / (first @ first) for first in firsts]
+        same = [
+            number
+            for number, (ratio, first) in enumerate(zip(ratios, firsts, strict=True))
+            if np.allclose(apart, ratio * first, rtol=_PROPORTIONAL, atol=0.0)
+        ]
+        if not same:
+            firsts.append(apart)
+        sign = -1.0 if same and ratios[same[0]] < 0 else 1.0
+        result.append(Slide(place, same[0] if same else len(firsts) - 1, sign, distance))
+    return result
