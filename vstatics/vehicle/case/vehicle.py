@@ -95,8 +95,9 @@ class Vehicle(NamedTuple):
         Mass. [kg]
     radius : float
         Rolling radius of the wheels. [m]
-    rolling : float
-        Coefficient of the rolling resistance. [-]
+    rolling : float or sequence of pairs
+        Coefficient of the rolling resistance [-], or points (road speed [m/s], coefficient) in
+        ascending order of speed.
     drag_area : float
         Drag coefficient times frontal area. [m^2]
     final_drive : float
@@ -121,7 +122,7 @@ class Vehicle(NamedTuple):
 
     mass: float
     radius: float
-    rolling: float = 0.0
+    rolling: float | Sequence[tuple[float, float]] = 0.0
     drag_area: float = 0.0
     final_drive: float = 1.0
     engine: EnginePoints = ()
@@ -170,7 +171,21 @@ class Vehicle(NamedTuple):
         """
         weight = self.mass * GRAVITY
         with np.errstate(over="ignore"):
-            return weight * (self.rolling + slope) + AIR * self.drag_area / 2 * speed**2
+            return weight * (self.rolling_at(speed) + slope) + AIR * self.drag_area / 2 * speed**2
+
+    def rolling_at(self, speed: Any) -> Any:
+        """Return the coefficient of the rolling resistance at a road speed [m/s].
+
+        >>> Vehicle(1000.0, 0.3, rolling=[(0.0, 0.01), (40.0, 0.03)]).rolling_at([0.0, 10.0])
+        array([0.01 , 0.015])
+        """
+        points = self.rolling_points
+        return _between(points, speed) if points else self.rolling
+
+    @property
+    def rolling_points(self) -> EnginePoints:
+        """Points of the rolling resistance [m/s, -], empty if the coefficient is constant."""
+        return self.rolling if isinstance(self.rolling, Sequence) else ()
 
     def full_torque(self, speed: Any) -> Any:
         """Return the full-load torque of the engine or the machine [N*m] at a speed [rad/s].
@@ -281,6 +296,8 @@ def vehicle_record(case: TransmissionFields) -> dict[str, Any] | None:
     record: dict[str, Any] = vehicle._asdict()
     for name in ("engine", "overrun"):
         record[name] = [list(point) for point in record[name]]
+    if vehicle.rolling_points:
+        record["rolling"] = {"over": "speed", "points": [*map(list, vehicle.rolling_points)]}
     machine = vehicle.machine
     return record | {
         "fuel": {"file": vehicle.fuel} if vehicle.fuel else None,

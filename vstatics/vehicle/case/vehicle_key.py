@@ -6,7 +6,7 @@ from typing import Any
 
 from vstatics.core.errors import quoted, spoken
 from vstatics.core.model.carried import CaseKey
-from vstatics.core.model.keys import MACHINE_EFFICIENCY
+from vstatics.core.model.keys import MACHINE_EFFICIENCY, ROLLING
 from vstatics.core.model.shape import NUMBER, TEXT, ByKey, KeyShape, Leaf, ListOf, RowOf
 from vstatics.core.model.torsional_keys import ABOVE_0
 from vstatics.vehicle.case.vehicle import Machine, Vehicle, vehicle_record
@@ -89,8 +89,8 @@ VEHICLE = ByKey(
         ),
         KeyShape(
             "rolling",
-            NUMBER,
-            "Coefficient of the rolling resistance.",
+            ROLLING,
+            "Coefficient of the rolling resistance; or points over the speed of the vehicle.",
             default=0,
             limits={"minimum": 0},
             examples=(0.011,),
