@@ -352,7 +352,7 @@ def _overcome(ideal: IdealGear, start: IdealSigns) -> Admissible:
 
     Without drag the gear must also have admissible signs. Otherwise friction in meshes locks it.
     """
-    bare = ideal.without_drag._replace(overcome=False)
+    bare = ideal.without_drag
     without_drag = _admissible(bare, ideal_signs(bare, moving=True))
     return _admissible(ideal, start) if without_drag.lossy else without_drag
 
