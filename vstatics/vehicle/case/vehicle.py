@@ -38,6 +38,8 @@ class Machine(NamedTuple):
         where the machine generates. [-]
     battery_efficiency : float
         Efficiency of the battery in each direction, charging and discharging. [-]
+    auxiliary : float
+        Power that other consumers take from the battery at all times. [kW]
 
     Examples
     --------
@@ -49,6 +51,7 @@ class Machine(NamedTuple):
     generating: EnginePoints = ()
     efficiency: float = 1.0
     battery_efficiency: float = 1.0
+    auxiliary: float = 0.0
 
     @property
     def braking(self) -> EnginePoints:
@@ -76,13 +79,15 @@ class Machine(NamedTuple):
         return electric
 
     def battery_power(self, electric: Floats) -> Floats:
-        """Return the power drawn from the battery for an electric power; below 0 when charging [W].
+        """Return the power drawn from the battery for an electric power of the machine [W].
 
-        >>> machine = Machine([(0, 1)], battery_efficiency=0.8)
-        >>> machine.battery_power(np.array([80.0, -10.0])).tolist()
-        [100.0, -8.0]
+        The power is below 0 where the battery is charged.
+
+        >>> machine = Machine([(0, 1)], battery_efficiency=0.8, auxiliary=0.02)
+        >>> machine.battery_power(np.array([60.0, 0.0, -30.0])).tolist()
+        [100.0, 25.0, -8.0]
         """
-        power: Floats = -battery_power(-electric, self.battery_efficiency)
+        power: Floats = -battery_power(-electric - 1e3 * self.auxiliary, self.battery_efficiency)
         return power
 
 
@@ -304,8 +309,11 @@ def vehicle_record(case: TransmissionFields) -> dict[str, Any] | None:
         "machine": machine
         and {
             **machine._asdict(),
-            "battery": {"efficiency": machine.battery_efficiency}
-            if machine.battery_efficiency != 1
+            "battery": {
+                "efficiency": machine.battery_efficiency,
+                "auxiliary": machine.auxiliary or None,
+            }
+            if machine.battery_efficiency != 1 or machine.auxiliary
             else None,
         },
     }

@@ -92,6 +92,9 @@ def _of_machine(vehicle: Vehicle) -> Iterator[Problem]:
     if not 0 < machine.battery_efficiency <= 1:
         message = f"read {machine.battery_efficiency:g}, expected {what}"
         yield Problem("E268", message, ("vehicle", "machine", "battery", "efficiency"))
+    if not 0 <= machine.auxiliary <= LARGEST_NUMBER:
+        message = f"read {machine.auxiliary:g} kW, expected a power from 0 to {LARGEST_NUMBER:g} kW"
+        yield Problem("E268", message, ("vehicle", "machine", "battery", "auxiliary"))
 
 
 def doubts_of_vehicle(case: TransmissionFields) -> Iterator[Problem]:

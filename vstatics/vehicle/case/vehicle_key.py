@@ -57,13 +57,21 @@ MACHINE = ByKey(
                         limits={"exclusiveMinimum": 0, "maximum": 1},
                         examples=(0.97,),
                     ),
+                    KeyShape(
+                        "auxiliary",
+                        Leaf("power"),
+                        "Power that other consumers take from the battery, also at standstill.",
+                        examples=("800 W",),
+                    ),
                 ),
-                lambda efficiency=1.0: efficiency,
+                lambda efficiency=1.0, auxiliary=0.0: (efficiency, auxiliary),
             ),
             "The battery of the machine; without it the battery has no losses.",
         ),
     ),
-    lambda battery=1.0, **others: Machine(**others, battery_efficiency=battery),
+    lambda battery=(1.0, 0.0), **others: Machine(
+        **others, battery_efficiency=battery[0], auxiliary=battery[1]
+    ),
 )
 
 
