@@ -87,15 +87,19 @@ def rows(case: Transmission, ratios: Sequence[Number]) -> list[Column]:
 
 
 def _by_device(case: Transmission, of_mechanisms: Iterable[Sequence[Coefficient]]) -> list[Column]:
-    of_elements = [
-        _without_housing((element.first, element.second), ON_ELEMENT)
-        for element in case.shift_elements
-    ]
     mechanisms = [
         _without_housing(mechanism.links, torques)
         for mechanism, torques in zip(case.mechanisms, of_mechanisms, strict=True)
     ]
-    return [*of_elements, *mechanisms, *(spring.form for spring in case.springs)]
+    return [
+        *case.derived(_of_elements),
+        *mechanisms,
+        *(spring.form for spring in case.springs),
+    ]
+
+
+def _of_elements(case: Transmission) -> list[Column]:
+    return [_without_housing(element.links, ON_ELEMENT) for element in case.shift_elements]
 
 
 ON_ELEMENT = (1, -1)

@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions
 from vstatics.core.cli.shared.formats import Destination
-from vstatics.core.tables.grid import Grid
 from vstatics.core.texts import speaking
 
 if TYPE_CHECKING:
@@ -21,6 +20,7 @@ if TYPE_CHECKING:
     from vstatics.core.jobs.finished_cases import FinishedCases
     from vstatics.core.statics.results import Results
     from vstatics.core.tables.answer import Answer
+    from vstatics.core.tables.grid import Grid
 
 
 class CaseOutput(NamedTuple):
