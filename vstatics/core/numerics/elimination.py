@@ -23,8 +23,9 @@ import math
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cache
-from typing import Any, NamedTuple
+from typing import Any
 
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.signed import (
     Either,
     Signed,

@@ -16,10 +16,10 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
 
 import numpy as np
 
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 from vstatics.core.numerics.memory import Rows
 from vstatics.core.numerics.replay import Replay, replay

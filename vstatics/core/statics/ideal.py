@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple
 
 from vstatics.core.model.transmission import HOUSING, Gear, Transmission
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.tolerances import TIE
 from vstatics.core.numerics.traced import Number, absolute, is_nan, is_nothing_beside
 from vstatics.core.statics import matrix

@@ -19,13 +19,14 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
 from vstatics.core.model.empty import EMPTY
 from vstatics.core.model.parts import OfLoad
 from vstatics.core.model.transmission import HOUSING, Gear, Mechanism, SpeedOf, Transmission
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.arrays import Booleans, Floats, as_floats
 from vstatics.core.numerics.elimination import RIGHT, Coefficient, Equation
 from vstatics.core.numerics.traced import Number, is_exact

@@ -8,11 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions
 from vstatics.core.cli.shared.formats import Destination
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.texts import speaking
 
 if TYPE_CHECKING:

@@ -7,8 +7,9 @@ from bisect import bisect_right
 from collections.abc import Callable, Iterator, Sequence
 from itertools import islice
 from math import isfinite
-from typing import NamedTuple, TypeVar
+from typing import TypeVar
 
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.readers.deck.text import Field, Scan, latin
 from vstatics.core.readers.signs import dash_hint
 

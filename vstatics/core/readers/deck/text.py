@@ -10,9 +10,10 @@ import re
 from codecs import BOM_UTF8
 from collections.abc import Iterator
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import Any
 
 from vstatics.core.errors import Place, Problem, ReadError
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.readers.reading import Source
 from vstatics.core.readers.signs import with_plain_blanks
 from vstatics.core.tables.quantities import PRINTED
