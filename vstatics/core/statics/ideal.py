@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple
 
 from vstatics.core.model.transmission import HOUSING, Gear, Transmission
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.tolerances import TIE
 from vstatics.core.numerics.traced import Number, absolute, is_nan, is_nothing_beside
 from vstatics.core.statics import matrix
@@ -187,8 +187,8 @@ def _torques_by_link(
     case, gear = ideal.case, ideal.gear
     by_link: list[list[_OnLink]] = [[] for _ in range(case.links + 1)]
     for device, (column, factor) in enumerate(zip(columns, torques.factors, strict=False)):
-        for link, share in matrix.values_of(column).items():
-            by_link[link].append((device, absolute(share * factor)))
+        for link, share in column.items():
+            by_link[link].append((device, absolute(matrix.value(share) * factor)))
     by_link[case.gear_output(gear)].append((OUTSIDE, absolute(torques.on_first_link[-1])))
     for given in (ideal.external, torques.holding, ideal.drag.links):
         for link, torque in given.items():

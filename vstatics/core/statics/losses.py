@@ -10,8 +10,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
 
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.signed import Condition
 from vstatics.core.numerics.tape import Residual
 from vstatics.core.numerics.traced import Number, absolute, chosen, is_nan, residual, sign

@@ -12,8 +12,8 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import reduce
 from itertools import product
 from operator import or_
-from typing import NamedTuple
 
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.signed import Condition
 from vstatics.core.numerics.tape import Residual, Untraceable
 from vstatics.core.numerics.tolerances import NO_POWER, TIE

@@ -58,12 +58,11 @@ def solution(  # noqa: PLR0913
 
         return solve_laws(case, axes, u, eta)
     with np.errstate(all="ignore"):
-        arrays = solve_variants(case, u, eta, math.prod(axes))
+        arrays = solve_variants(case, u, eta, math.prod(axes)).values()
     if axes == ():
-        results = Results(case=case, **{name: array[0] for name, array in arrays.items()})
+        results = Results(case, *(array[0] for array in arrays))
         return results._replace(messages=tuple(diagnosis.messages(results, case)))
-    shaped = {name: array.reshape(*axes, *array.shape[1:]) for name, array in arrays.items()}
-    return Results(case=case, **shaped)
+    return Results(case, *(array.reshape(*axes, *array.shape[1:]) for array in arrays))
 
 
 def _with_numbers(case: Transmission, u: Floats | None, eta: Floats | None) -> Transmission:
