@@ -58,11 +58,12 @@ def solution(  # noqa: PLR0913
 
         return solve_laws(case, axes, u, eta)
     with np.errstate(all="ignore"):
-        arrays = solve_variants(case, u, eta, math.prod(axes)).values()
+        arrays = solve_variants(case, u, eta, math.prod(axes))
     if axes == ():
-        results = Results(case, *(array[0] for array in arrays))
+        results = Results(case=case, **{name: array[0] for name, array in arrays.items()})
         return results._replace(messages=tuple(diagnosis.messages(results, case)))
-    return Results(case, *(array.reshape(*axes, *array.shape[1:]) for array in arrays))
+    shaped = {name: array.reshape(*axes, *array.shape[1:]) for name, array in arrays.items()}
+    return Results(case=case, **shaped)
 
 
 def _with_numbers(case: Transmission, u: Floats | None, eta: Floats | None) -> Transmission:
