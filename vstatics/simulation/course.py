@@ -389,6 +389,7 @@ class EventRun:
             for step in self._steps(selected, end, tolerances):
                 self.length = step.end - step.start
                 event = finder.event_in(step) or MarginEnd(step.end, step.last, ())
+                finder.check_drags(event.time, event.state)
                 self.record.step(step, event.time, event.state)
                 reached = self.record.time
                 if self.watch is not None and reached < self.until and (why := self.watch(reached)):
