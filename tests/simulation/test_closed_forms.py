@@ -313,6 +313,15 @@ def test_a_clutch_that_closes_drags_no_more() -> None:
     assert motion.energy.heat["B"] == pytest.approx(0.5 * after**2 / 2, rel=1e-7)
 
 
+def test_an_open_brake_drags_whose_number_is_above_the_number_of_links() -> None:
+    """J w' = -T: with 3 N*m and 0.5 kg*m^2, 60 rad/s end after 10 s."""
+    brakes = [ShiftElement(1, 0, name, drag=drag) for name, drag in (("A", 0.0), ("B", 0.15))]
+    case = replace(links(0.5), shift_elements=brakes, load=LOAD)
+    motion = run(case, 4.0, {1: 60.0})
+    assert motion.speeds[-1, 0] == pytest.approx(60 - 4 * 3 / 0.5, rel=EXACT)
+    assert motion.energy.losses["B"] == pytest.approx(0.25 * (60**2 - 36**2), rel=EXACT)
+
+
 def test_drag_that_turns_below_0_or_that_a_freewheel_cannot_have_is_refused() -> None:
     coasting = Scenario(dragged_link(DragFormula("1 - w/30")), 30.0, Start(speeds={1: 50.0}))
     stopped = simulate(coasting).stopped
