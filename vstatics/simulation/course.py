@@ -345,11 +345,16 @@ class EventRun:
                 corner.path,
             )
         names = [self._name_of(kind, index) for kind, index in named]
-        return CaseError(
-            "E602",
+        message = (
             f"at {at.time:.9g} s no state is consistent with the torques: neither sticking nor "
-            f"slipping of {', '.join(names) or 'any component'}",
+            f"slipping of {', '.join(names) or 'any component'}"
         )
+        light = np.flatnonzero(~self.system.heavy.any(axis=0)).tolist()
+        if not light:
+            return CaseError("E602", message)
+        links = listed([self.system.names[link] for link in light], 6)
+        message += f"; the speeds of links without inertia can jump: give {links} an inertia"
+        return CaseError("E602", message, ("case", "inertias"))
 
     def _jump_of(self, choices: Collection[tuple[Kind, int]]) -> Corner | None:
         """Return a jump of a formula that is reached now, or was reached by a law in `choices`."""
