@@ -132,9 +132,10 @@ class Plans:
         return plan_of_one_sign(self.function, inputs, place, widening)
 
     def _worth(self, left: int, inputs: Inputs) -> bool:
-        often = (
-            left == inputs.values.shape[1] and self.alone > FEW_VARIANTS and self.special < TRIALS
-        )
+        total = inputs.values.shape[1]
+        often = left == total and self.alone > FEW_VARIANTS and self.special < TRIALS
+        # A single variant with an input of 0 has no plan, but others of its kind can have one.
+        often &= total > 1 or bool(inputs.values.all())
         return left > self.few or (left > 0 and often)
 
     def _promises(self, plan: Plan, inputs: Inputs, rows: Rows, left: Integers) -> bool:

@@ -123,8 +123,8 @@ def _inputs(
     can use its plans.
     """
     mechanisms = case.mechanisms
-    # A ratio is NaN if each gear has its own ratio; 0 is a placeholder.
-    defaults = [0.0 if math.isnan(mechanism.ratio) else mechanism.ratio for mechanism in mechanisms]
+    # A ratio is NaN if each gear has its own ratio; 1 is a placeholder, because 0 has no plan.
+    defaults = [1.0 if math.isnan(mechanism.ratio) else mechanism.ratio for mechanism in mechanisms]
     defaults += [mechanism.efficiency for mechanism in mechanisms]
     given = _columns(ratios, len(mechanisms)) + _columns(efficiencies, len(mechanisms))
     fixed: list[float | None] = []

@@ -261,10 +261,10 @@ def full_load_curves(case: TransmissionFields) -> list[EnginePoints]:
 
 
 def beside_engine(case: TransmissionFields, gear: Gear) -> str:
-    """Return the reason why the engine does not alone drive a gear at a fixed ratio, or "".
+    """Return the reason why the engine does not alone drive a gear, or "".
 
-    A vehicle cannot be driven in such a gear. A case does not describe how other machines are
-    controlled, and a slip is unknown if a free converter determines the engine speed.
+    A vehicle cannot be driven in such a gear, because a case does not describe how other machines
+    are controlled.
 
     >>> from vstatics import Mechanism, Transmission
     >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.0)], [Gear(speeds={2: 0.4})])
@@ -273,8 +273,6 @@ def beside_engine(case: TransmissionFields, gear: Gear) -> str:
     """
     if gear.balance:
         return "a balance"
-    if gear.slipping and free_converters(case, gear):
-        return "a slip and a converter without a given speed ratio"
     for quantity, numbers in (("speed of", gear.speeds), ("torque on", gear.torques)):
         links = [
             link for link, value in numbers.items() if isinstance(value, SpeedOf) or value != 0

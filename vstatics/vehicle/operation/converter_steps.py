@@ -22,6 +22,7 @@ from vstatics.vehicle.operation.converter import (
     Brought,
     ConverterGear,
     EngineSearch,
+    relative_slips,
 )
 
 
@@ -49,6 +50,9 @@ class ConverterSteps(NamedTuple):
         """Return torques on the pump [N*m] in the case `cases[place]`, at engine speeds."""
         ratios = self.converter.ratio(engine, self._output[rows])
         further = {path: numbers[rows] for path, numbers in self.further[place].items()}
+        case = self.converter.case
+        for path, slip in relative_slips(case, case.gears[0]).items():
+            further[path] = slip * engine
         return self.converter.brought(self.cases[place], load, ratios, further)
 
     def _from_engine(self, rows: Integers, engine: Floats, torque: Floats) -> Floats:

@@ -25,6 +25,7 @@ from vstatics.vehicle.operation.converter import (
     ConverterGear,
     bare,
     converters_of,
+    relative_slips,
     solved_slips,
 )
 from vstatics.vehicle.operation.converter_steps import ConverterSteps
@@ -345,6 +346,7 @@ class CycleSteps(NamedTuple):
             turns = self.at_rest[self.gears, link - 1]
             for gear, converter in self.converters.items():
                 by_engine = converter.per_engine[1 + link] * self.engine_speeds
+                by_engine = by_engine + converter.added[1 + link]
                 turns = np.where(self.gears == gear, by_engine, turns)
             change = turned**2 * (after**2 - before**2) + 2 * turns * turned * (after - before)
             change = np.where(self.trace.speed > 0, change, 0.0)
@@ -444,14 +446,13 @@ class CycleSteps(NamedTuple):
         }
 
     def _slips(self, rows: Integers) -> dict[str, Floats]:
-        """Return slips of gears with a relative slip and a slip in rpm, by path [rad/s]."""
+        """Return relative slips, in gears with a slip in rpm or a free converter [rad/s]."""
         engine = self.engine_speeds[rows]
         return {
-            f"gears.{gear.name}.slip.{self.case.shift_elements[number - 1].name}": slip * engine
-            for gear in self.case.gears
-            if any(isinstance(slip, OfLoad) for slip in gear.slip.values())
-            for number, slip in gear.slip.items()
-            if slip and not isinstance(slip, OfLoad)
+            path: slip * engine
+            for index, gear in enumerate(self.case.gears)
+            if index in self.converters or any(isinstance(s, OfLoad) for s in gear.slip.values())
+            for path, slip in relative_slips(self.case, gear).items()
         }
 
     def _with_converters(self, rows: Integers) -> Iterator[ConverterSteps]:

@@ -164,6 +164,7 @@ class Traction:
             links = np.array([case.heavy.get(n + 1, 0.0) for n in range(speeds.shape[1])])
             turns = speeds / self.per_engine[:, None]
             for gear, converter in self.converters.items():
+                self.at_rest[gear] = 0.0  # `added` of the converter contains the slips
                 turns[gear] = converter.per_output[2:] * vehicle.final_drive / vehicle.radius
             turned = np.where(links > 0, links * turns**2, 0.0)
             self.mass = vehicle.mass + np.nan_to_num(turned).sum(axis=1)  # NaN means a free link
