@@ -205,8 +205,9 @@ class _Elimination:
         self.pivots: list[tuple[int, Entry, Row]] = []
         self.left: list[Row] = []
         active: list[Row] = []
+        remains = arithmetic.remains
         for row in rows:
-            entries = {column: e for column, e in row.items() if arithmetic.remains(e[0])}
+            entries = {column: e for column, e in row.items() if remains(e[0])}
             self._sort_in(entries, active)
         while active:
             row, column = _choose(active, arithmetic)
@@ -299,10 +300,11 @@ def row_of(equation: Equation, arithmetic: Arithmetic) -> Row:
     >>> row_of({0: 2.0, 1: (1.5, -1.0)}, FLOATS)
     {0: (2.0, 2.0), 1: (0.5, 2.5)}
     """
+    entry = arithmetic.entry
     return {
         column: _sum_of_terms(coefficient, arithmetic)
         if isinstance(coefficient, tuple)
-        else arithmetic.entry(coefficient)
+        else entry(coefficient)
         for column, coefficient in equation.items()
     }
 

@@ -261,12 +261,13 @@ class Plan:
 
     def run_one(self, inputs: Inputs, rows: Rows) -> bool:
         """Write the results of a single variant, and return whether the plan applies."""
-        for given, bounds in zip(inputs.ranges, self.ranges, strict=True):
-            if not bounds.low <= given.low <= bounds.high:
+        for (number, _), (low, high) in zip(inputs.ranges, self.ranges, strict=True):
+            if not low <= number <= high:
                 return False
-        with contextlib.suppress(ZeroDivisionError):  # a divisor can underflow to 0
+        try:
             return self.replay.run_one(self.numbers(inputs)[:, 0].tolist(), rows)
-        return False
+        except ZeroDivisionError:  # a divisor can underflow to 0
+            return False
 
 
 def plan_of_one_sign(function: Function, inputs: Inputs, place: int, widening: float) -> Plan:

@@ -75,11 +75,11 @@ def held_as_one(case: Transmission, gear: Gear) -> set[int]:
     held: set[int] = set()
     while free := [index for index in range(len(case.mechanisms)) if index not in held]:
         locked_up = _locked_up(case, free, bodies)
-        if not locked_up:
+        held |= locked_up
+        if len(locked_up) in (0, len(free)):
             break
         for index in locked_up:
             join(bodies, *case.mechanisms[index].links)
-        held.update(locked_up)
     return held
 
 

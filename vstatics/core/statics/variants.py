@@ -126,6 +126,9 @@ def _inputs(
     # A ratio is NaN if each gear has its own ratio; 1 is a placeholder, because 0 has no plan.
     defaults = [1.0 if math.isnan(mechanism.ratio) else mechanism.ratio for mechanism in mechanisms]
     defaults += [mechanism.efficiency for mechanism in mechanisms]
+    if variants == 1 and ratios is None and efficiencies is None:
+        single = np.array(defaults, dtype=np.float64)[:, np.newaxis]
+        return [None] * len(defaults), prepared(single)
     given = _columns(ratios, len(mechanisms)) + _columns(efficiencies, len(mechanisms))
     fixed: list[float | None] = []
     varied = []
