@@ -74,7 +74,13 @@ def _number(value: float) -> str:
 
 
 def written_as_svg(canvas: Canvas, title: str, number: int = 1) -> bytes:
-    """Return a canvas as SVG. Equal canvases give equal bytes.
+    """Return a canvas as SVG; parameters as in `svg_of`. Equal canvases give equal bytes."""
+    text = ET.tostring(svg_of(canvas, title, number), encoding="unicode")
+    return f'<?xml version="1.0" encoding="utf-8"?>\n{text}\n'.encode()
+
+
+def svg_of(canvas: Canvas, title: str, number: int = 1) -> ET.Element:
+    """Return a canvas as an SVG element.
 
     Parameters
     ----------
@@ -103,8 +109,7 @@ def written_as_svg(canvas: Canvas, title: str, number: int = 1) -> bytes:
     paper = f"M0 {high}L{wide} {high}L{wide} 0L0 0z"
     ET.SubElement(root, "path", {"d": paper, "fill": canvas.style.paper})
     SvgWriter(canvas, root, {}, {}, {}).write()
-    text = ET.tostring(root, encoding="unicode")
-    return f'<?xml version="1.0" encoding="utf-8"?>\n{text}\n'.encode()
+    return root
 
 
 class SvgWriter(NamedTuple):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple, Protocol
+from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 from vstatics.core.annexes import picture_kinds
 from vstatics.core.errors import CaseError
@@ -14,6 +14,9 @@ from vstatics.pictures import of_each_choice, pages
 from vstatics.pictures.drawing.style import PAGE_HEIGHT, POINTS_PER_MILLIMETRE, Style
 from vstatics.pictures.paged.inline import inline
 from vstatics.pictures.runs import PicturedRun
+
+if TYPE_CHECKING:
+    from xml.etree import ElementTree as ET
 
 PRINTED_WIDTH = 182.0
 """Width between the margins of an A4 page, equal to the width in the style sheet. [mm]"""
@@ -115,7 +118,7 @@ def picture_of(
 
 
 def _inlined(
-    svgs: Sequence[bytes], prefix: str, label: str, *, repeats: bool | None = None
+    svgs: Sequence[bytes | ET.Element], prefix: str, label: str, *, repeats: bool | None = None
 ) -> list[Markup]:
     """Embed the sheets of a picture. Further sheets have a number in the prefix."""
     return [

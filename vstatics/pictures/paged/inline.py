@@ -41,7 +41,9 @@ def palette(*, dark: bool) -> str:
     return " ".join(f"--{name}: {pair[dark]};" for name, pair in _PAIRS.items())
 
 
-def inline(svg: bytes, prefix: str, label: str, *, repeats: bool | None = None) -> Markup:
+def inline(
+    svg: bytes | ET.Element, prefix: str, label: str, *, repeats: bool | None = None
+) -> Markup:
     """Embed an SVG in HTML.
 
     Ids get a prefix, because different pictures use equal ids. Colours become CSS variables of the
@@ -58,9 +60,10 @@ def inline(svg: bytes, prefix: str, label: str, *, repeats: bool | None = None) 
     >>> inline(svg, "plan", "plan").partition(">")[2]
     '<g id="plan-a" fill="var(--ink)"/></svg>'
     """
-    root = ET.fromstring(svg)  # noqa: S314 - this program wrote the SVG
+    # This program wrote the SVG.
+    root = ET.fromstring(svg) if isinstance(svg, bytes) else svg  # noqa: S314
     # The heading on the page replaces the title in the picture.
-    if len(root) and root[0].tag.endswith("}title"):
+    if len(root) and _local(root[0].tag) == "title":
         del root[0]
     _fold(root)
     for element in root.iter():
@@ -82,7 +85,7 @@ def inline(svg: bytes, prefix: str, label: str, *, repeats: bool | None = None) 
         for row in root.findall("g[@class='row']"):
             _share_row(row, repeats=repeats)
     style = f"--width: {root.attrib.get('width', '100%')}"
-    for key in ("width", "height", "font-family", "font-size", "stroke-linejoin"):
+    for key in ("xmlns", "width", "height", "font-family", "font-size", "stroke-linejoin"):
         root.attrib.pop(key, None)
     root.attrib |= {"role": "graphics-document", "aria-label": label, "style": style}
     return Markup(ET.tostring(root, encoding="unicode").replace(" />", "/>"))
