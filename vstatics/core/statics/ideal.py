@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple
 
 from vstatics.core.model.transmission import HOUSING, Gear, Transmission
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.tolerances import TIE
 from vstatics.core.numerics.traced import Number, absolute, is_nan, is_nothing_beside
 from vstatics.core.statics import matrix
@@ -36,6 +36,8 @@ class IdealGear(NamedTuple):
     """Torques with drag, which is all that some mechanisms carry; `torques` if there is no drag."""
     overcome: bool = False
     """True if power can enter at the output to overcome drag that exceeds the input power."""
+    allows_driving: bool = False
+    """True if slipping shift elements can produce power, because drag was left out."""
 
     @property
     def case(self) -> Transmission:
@@ -45,7 +47,14 @@ class IdealGear(NamedTuple):
     @property
     def without_drag(self) -> IdealGear:
         """The gear with all drag left out."""
-        return self._replace(drag=NO_DRAG, torques_with_drag=self.torques)
+        return self._replace(
+            drag=NO_DRAG, torques_with_drag=self.torques, overcome=False, allows_driving=True
+        )
+
+    @property
+    def without_torques(self) -> IdealGear:
+        """The gear without torques, if it has no equilibrium."""
+        return self._replace(torques=no_torques(self.torques))
 
 
 def ideal_gear(variant: Variant, gear: Gear, speeds: Speeds) -> IdealGear:
@@ -54,7 +63,7 @@ def ideal_gear(variant: Variant, gear: Gear, speeds: Speeds) -> IdealGear:
     direction, external = direction_of(case, gear), matrix.external_torques(case, gear)
     torques = solve_torques(case, gear, columns, external=external)
     ideal = IdealGear(variant, gear, direction, external, speeds, torques, NO_DRAG, torques)
-    if gaining(variant, direction, speeds, torques) or driving(ideal, columns, torques):
+    if gaining(variant, direction, speeds, torques):
         torques = no_torques(torques)
     drag = drag_torques(case, gear, speeds.links, speeds.slips)
     with_drag = torques
@@ -178,8 +187,8 @@ def _torques_by_link(
     case, gear = ideal.case, ideal.gear
     by_link: list[list[_OnLink]] = [[] for _ in range(case.links + 1)]
     for device, (column, factor) in enumerate(zip(columns, torques.factors, strict=False)):
-        for link, share in matrix.values_of(column).items():
-            by_link[link].append((device, absolute(share * factor)))
+        for link, share in column.items():
+            by_link[link].append((device, absolute(matrix.value(share) * factor)))
     by_link[case.gear_output(gear)].append((OUTSIDE, absolute(torques.on_first_link[-1])))
     for given in (ideal.external, torques.holding, ideal.drag.links):
         for link, torque in given.items():

@@ -12,8 +12,8 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import reduce
 from itertools import product
 from operator import or_
-from typing import NamedTuple
 
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.signed import Condition
 from vstatics.core.numerics.tape import Residual, Untraceable
 from vstatics.core.numerics.tolerances import NO_POWER, TIE
@@ -352,7 +352,7 @@ def _overcome(ideal: IdealGear, start: IdealSigns) -> Admissible:
 
     Without drag the gear must also have admissible signs. Otherwise friction in meshes locks it.
     """
-    bare = ideal.without_drag._replace(overcome=False)
+    bare = ideal.without_drag
     without_drag = _admissible(bare, ideal_signs(bare, moving=True))
     return _admissible(ideal, start) if without_drag.lossy else without_drag
 
