@@ -278,6 +278,12 @@ def test_a_cycle_shifts_between_gears_of_one_direction(shift: str) -> None:
     assert drive(case, text, skipping).gears == ["3"]
 
 
+def test_coasting_in_neutral_is_refused_as_such() -> None:
+    """Neutral is allowed at standstill, as in published cycles."""
+    with pytest.raises(CaseError, match=r"no gear `N`, expected one of 1, 2: .* in neutral"):
+        drive(CASE, trace((0, 5.0, "N"), (2, 6.0, "1")), GearChoice())
+
+
 @each_seed(5)
 def test_no_gear_is_taken_beyond_the_engine_where_another_one_holds(seed: int) -> None:
     """By both rules, over a random engine and steady speeds; counted by hand where none holds."""

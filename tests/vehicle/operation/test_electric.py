@@ -148,8 +148,9 @@ def test_a_machine_is_written_as_it_was_read() -> None:
     own = (
         ", generating: [[0, -90]], efficiency: 0.92, battery: {efficiency: 0.97, auxiliary: 800 W}"
     )
-    case = loads(CAR % (MACHINE % own + ", recuperation: 0.6"))
+    case = loads(CAR % (MACHINE % own + ", recuperation: 0.6, rolling: 0.011"))
     assert loads(write_yaml(case)) == case
+    assert Vehicle.needed(case).rolling == 0.011
     machine = Vehicle.needed(case).machine
     assert machine is not None
     assert machine.battery_efficiency == 0.97

@@ -56,6 +56,7 @@ FORCE_BISECTIONS = 60
 
 _AT_STANDSTILL = ("", "0", "0.0", "n", "p")
 """Names that published cycles give the neutral gear, allowed at standstill."""
+_IN_NEUTRAL = ": a moving vehicle needs a gear, and coasting in neutral is not calculated"
 
 
 class GearChoice(NamedTuple):
@@ -645,7 +646,7 @@ def _gears(
     given = _given_gears(trace, neutrals)
     chosen = numbers_of_gears(case, given)
     problems = [
-        Problem("E416", unknown_gear(case, name), (row,))
+        Problem("E416", unknown_gear(case, name) + _IN_NEUTRAL * (name in neutrals), (row,))
         for row, name in enumerate(given)
         if chosen[row] is None and not (standing[row] and name in neutrals)
     ]
