@@ -28,3 +28,5 @@ SMALLEST_NUMBER = 1e-15
 """Smallest number above 0 of a vehicle, in SI units, so that its powers differ from 0."""
 LARGEST_NUMBER = 1e15
 """Largest number of a vehicle, in SI units, so that the results of a cycle are finite."""
+LOSSLESS = 1e-9
+"""Distance of the search from speed ratios at which a converter loses no power, relative. [-]"""

@@ -354,6 +354,37 @@ def test_a_trace_that_no_speed_ratio_fits_is_an_error_at_its_row() -> None:
     assert {(p.id, p.path) for p in error.value.problems} == {("E424", (2,))}
 
 
+BEYOND = """links: [engine, turbine]
+load: {speed: 2000 rpm, torque: 80 N*m}
+drag: {turbine: 5 N*m}
+mechanisms:
+  TC: {kind: converter, first: engine, second: turbine}
+gears: {"1": []}
+vehicle: {mass: 1000, radius: 0.3, final_drive: 10, engine: [[10, 200], [900, 200]]}
+"""
+
+
+@pytest.mark.parametrize("turbine", [2.0, -1.0, -7.0])
+def test_converters_brake_beyond_the_ratio_at_which_they_lose_no_power(turbine: float) -> None:
+    """At 100 rad/s the turbine gives 98 (1 - i)/i^2 N*m, but nothing from i = 1 to 1/0.98.
+
+    A torque of -1 N*m is between these ratios, so the converter is free, and the brakes take it.
+    """
+    points = "[[0, 2, 0.02], [0.5, 0.98, 0.005], [1, 0.98, 0], [1.2, 0.98, -2e-3]]"
+    text = BEYOND.replace("turbine}", f"turbine, points: {points}}}")
+    text = text.replace("200]]}", "200]], overrun: [[10, -50], [900, -50]]}")
+    half = (turbine - 5) / 0.03 / 2000
+    trace = read_trace(f"time [s],speed [m/s]\n0,{3 - half}\n1,{3 + half}\n".encode(), "t.csv")
+    cycle = drive(loads(text), trace, GearChoice())
+    i, brakes = (-98 + math.sqrt(98**2 + 4 * 98 * turbine)) / (2 * turbine), 0.0
+    if turbine == -1:
+        i, brakes = 1.0, 100.0
+    speeds, torques = (cycle.steps[f"engine {of}"] for of in ("speed [rpm]", "torque [N*m]"))
+    assert speeds * math.pi / 30 == pytest.approx([100 / i])
+    assert torques == pytest.approx([0.0 if brakes else turbine / 0.98], abs=1e-9)
+    assert cycle.energy.brakes == pytest.approx(brakes, abs=1e-6)
+
+
 BY_TURBINE = """
 links: [engine, turbine, out]
 load: {speed: 1000 rpm, torque: 10 N*m}

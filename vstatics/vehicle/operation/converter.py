@@ -22,11 +22,12 @@ from vstatics.core.errors import CaseError
 from vstatics.core.model.parts import RAD_PER_RPM, Gear, Load, OfLoad
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
+from vstatics.core.statics.points.converters import lossless_ratios
 from vstatics.core.statics.result_arrays import first_rows
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
 from vstatics.vehicle.case.vehicle import beside_engine, free_converters
-from vstatics.vehicle.tolerances import LEAST_EXCESS, NO_SPEED, SAME_SPEED
+from vstatics.vehicle.tolerances import LEAST_EXCESS, LOSSLESS, NO_SPEED, SAME_SPEED
 
 INTERVALS = 2
 """Number of intervals between neighbouring points that are searched for sign changes."""
@@ -150,7 +151,10 @@ class ConverterGear(NamedTuple):
     row: int
     """Index of the torque on the pump among the torques of results."""
     points: Floats
-    """Rows of speed ratio, torque ratio and lambda, including the free ratio, shape (points, 3)."""
+    """Rows of speed ratio, torque ratio and lambda, shape (points, 3).
+
+    Further rows are the free ratio, and the ratios beside which the converter would gain power.
+    """
     per_engine: Floats
     """Speeds of pump, turbine and links divided by engine speed, with the output at rest. [-]"""
     per_output: Floats
@@ -171,7 +175,7 @@ class ConverterGear(NamedTuple):
         alone = known.replace(gears=[known.gears[index]])
         gear, mechanism = alone.gears[0], alone.mechanisms[place]
         free = alone.gear_ratios(gear)[place]
-        points = _with_point(np.array(mechanism.points), free)
+        points = _with_searched(np.array(mechanism.points), free)
         path = f"gears.{gear.name}.speed_ratios.{mechanism.name}"
         trials = {path: [free, free - 0.5]}
         with_slips = solve(alone, vary=trials)
@@ -232,6 +236,12 @@ class ConverterGear(NamedTuple):
         with np.errstate(all="ignore"):
             inverse: Floats = (ratios * pump - turbine) / (by_turbine - ratios * by_pump)
         return inverse
+
+    def engine_at_free_ratio(self, output: Floats) -> Floats:
+        """Return engine speeds at the free ratio, for output speeds, shape (rows,) [rad/s]."""
+        with np.errstate(divide="ignore"):
+            speeds: Floats = 1 / self._inverse(np.array([self.free_ratio]), output)[:, 0]
+        return speeds
 
     def taken(self, engine: Floats, output: Floats) -> tuple[Floats, Floats]:
         """Return the torque that the pump takes [N*m], and the sign of its speed."""
@@ -405,9 +415,15 @@ class ConverterGear(NamedTuple):
         return torques
 
 
-def _with_point(points: Floats, ratio: float) -> Floats:
-    """Return the points of a converter, with a point interpolated at a speed ratio."""
-    ratios = np.union1d(points[:, 0], [ratio])
+def _with_searched(points: Floats, free: float) -> Floats:
+    """Return the points of a converter, with points interpolated where torques can begin or end.
+
+    These are the free ratio, and both sides of each ratio at which the converter loses no power.
+    """
+    lossless = np.array(lossless_ratios(points))
+    sides = np.outer(lossless, [1 - LOSSLESS, 1 + LOSSLESS]).ravel()
+    sides = sides[(sides > points[0, 0]) & (sides < points[-1, 0])]
+    ratios = np.unique([*points[:, 0], free, *sides])
     return np.stack([np.interp(ratios, points[:, 0], column) for column in points.T], axis=1)
 
 

@@ -3,7 +3,8 @@
 The speed ratio is the largest at which speed and torque at the wheels agree with the torque of the
 pump. The engine is at its first full-load point or above. The converter can drive too much even at
 its largest ratio. Then the engine turns at this ratio and supplies the torque that the pump takes,
-and the brakes absorb the excess.
+and the brakes absorb the excess. If the converter can only brake more than necessary, it has its
+free ratio, without torque, and the brakes do all the braking.
 """
 
 from __future__ import annotations
@@ -111,8 +112,11 @@ class ConverterSteps(NamedTuple):
         surplus = search.surplus[:, 0]  # NaN if no speed ratio gives torques
         sign = np.where(self.converter.is_driving(search.ends[:, 0], self._output), 1, -1)
         is_strong = np.where(np.isnan(surplus), are_braking, sign * surplus <= 0)
-        held = np.flatnonzero(np.isnan(engine) & is_strong)
-        engine[held] = search.ends[held, 0]
+        freest = self.converter.engine_at_free_ratio(self._output)
+        # The ratios up to the first with braking torque are free, or would gain power.
+        is_free = are_braking & ~(is_strong & np.isfinite(surplus)) & (search.ends[:, 0] < freest)
+        held = np.flatnonzero(np.isnan(engine) & (is_strong | is_free))
+        engine[held] = np.where(is_free, freest, search.ends[:, 0])[held]
         held = held[np.isfinite(engine[held])]
         torques[held] = self.converter.torque_at(
             engine[held],

@@ -119,6 +119,17 @@ def test_a_slip_with_which_the_clutch_would_drive_has_the_right_remedy() -> None
         assert said.endswith(f"only a slip {side} 0 is possible")
 
 
+def test_a_torque_at_which_a_converter_would_gain_power_is_explained() -> None:
+    """From i = 1 to 1/0.98 the pump would give more power than the turbine takes: 0 to -20 N*m."""
+    points = "[[0, 2, 0.02], [1, 0.98, 0], [1.2, 0.98, -0.02]]"
+    converter = f"{{kind: converter, first: e, second: t, points: {points}}}"
+    for torque, explained in ((-1, [True]), (-30, []), (-300, [False])):
+        load = f"load: {{speed: 100 rad/s, torque: {torque} N*m}}"
+        case = loads(f"links: [e, t]\n{load}\nmechanisms: {{TC: {converter}}}\n")
+        texts = [said.text for said in solve(case).messages if said.id == "W431"]
+        assert [text.endswith("its torque ratio is below 1/i") for text in texts] == explained
+
+
 def test_a_slip_without_its_unit_is_explained() -> None:
     """A slip of 60, meant in rpm, is 60 times the input speed, so i = -59 is below the points."""
     for slip, ending in (
