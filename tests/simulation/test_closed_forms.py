@@ -1,6 +1,7 @@
 """Motions that have a solution on paper: each test derives its numbers where it stands."""
 
 import math
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -312,10 +313,20 @@ def test_a_clutch_that_closes_drags_no_more() -> None:
     assert motion.energy.heat["B"] == pytest.approx(0.5 * after**2 / 2, rel=1e-7)
 
 
+def test_an_open_brake_drags_whose_number_is_above_the_number_of_links() -> None:
+    """J w' = -T: with 3 N*m and 0.5 kg*m^2, 60 rad/s end after 10 s."""
+    brakes = [ShiftElement(1, 0, name, drag=drag) for name, drag in (("A", 0.0), ("B", 0.15))]
+    case = replace(links(0.5), shift_elements=brakes, load=LOAD)
+    motion = run(case, 4.0, {1: 60.0})
+    assert motion.speeds[-1, 0] == pytest.approx(60 - 4 * 3 / 0.5, rel=EXACT)
+    assert motion.energy.losses["B"] == pytest.approx(0.25 * (60**2 - 36**2), rel=EXACT)
+
+
 def test_drag_that_turns_below_0_or_that_a_freewheel_cannot_have_is_refused() -> None:
-    said = r"the drag torque of 1 is -0\.\d+ N\*m, expected 0 or more"
-    with pytest.raises(CaseError, match=said):
-        run(dragged_link(DragFormula("1 - w/30")), 30.0, {1: 50.0})
+    coasting = Scenario(dragged_link(DragFormula("1 - w/30")), 30.0, Start(speeds={1: 50.0}))
+    stopped = simulate(coasting).stopped
+    assert stopped is not None
+    assert re.search(r"the drag torque of 1 is -0\.\d+ N\*m, expected 0 or more", stopped.message)
     wheel = ShiftElement(1, 0, "F", kind="freewheel", drag=DragFormula("w/10"))
     with pytest.raises(CaseError, match="the drag of F depends on speed") as caught:
         run(joined(wheel, 0.5), 1.0, {1: 50.0})

@@ -5,6 +5,7 @@ from random import Random
 import pytest
 
 from tests.chance import each_seed, seeded
+from tests.simulation.control.written import simulated
 from tests.simulation.runs import random_capacity, random_torque
 from tests.simulation.test_closed_forms import links, run
 from vstatics import CaseError, ShiftElement, Spring
@@ -94,3 +95,40 @@ def test_energy_of_any_chain_closes(seed: int) -> None:
     energy = motion.energy
     parts = [energy.work, energy.kinetic, energy.elastic, *energy.heat.values()]
     assert abs(energy.balance) <= 1e-8 * max(1.0, *map(abs, parts))
+
+
+BARE = """inertias: {a: 0.05649, b: 0.003077, e: 10.16}
+shift_elements:
+  C0: {links: [a, b], capacity: 175 N*m}
+  C1:
+    links: [b, c]
+    friction: {radius: 1, area: 1, surfaces: 8, coefficient: [[0, 0.12], [5, 0.1], [50, 0.14]]}
+    capacity: 537.8 N*m
+  B2: {links: [c, housing], capacity: 413.2 N*m}
+  C3: {links: [a, d], capacity: 612.7 N*m}
+  F4: {links: [d, housing], kind: freewheel}
+  C5: {links: [d, e], capacity: 462.8 N*m}
+  F6: {links: [e, c], kind: freewheel}
+drag: {e: 2 N*m}
+gears: {'1': []}
+converters:
+  T0: {links: [a, d], points: [[0, 1.95, 1.337e-3], [0.85, 1, 8e-4], [1, 1, 0], [2, 1, -1e-3]]}
+"""
+LOOP = """duration: 0.01
+start: {speeds: {a: 104.4, b: 146.5, c: 146.5, d: 52.2, e: 259.7}}
+controls:
+  C0: 175
+  C1: "147.4 + 0.8263*abs(slip('C1'))"
+  B2: "min(max(5.019*(speed('c') - 34.21), 0), 413.2)"
+  C3: 612.7
+  C5: 225.4
+torques: {e: -46.95}
+"""
+
+
+def test_an_inertia_is_the_remedy_where_no_state_of_links_without_it_is_consistent() -> None:
+    with pytest.raises(CaseError, match=r"no state is consistent.*give c, d an inertia") as caught:
+        simulated(LOOP, BARE)
+    [problem] = caught.value.problems
+    assert problem.path == ("case", "inertias")
+    simulated(LOOP, BARE.replace("inertias: {", "inertias: {c: 0.001, d: 0.001, "))

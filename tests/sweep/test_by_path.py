@@ -10,7 +10,7 @@ import vstatics
 from tests.chance import seeded
 from tests.commands import vstatics as run
 from tests.core.model.test_bare_drags import BARE
-from vstatics import Load, load, solve
+from vstatics import CaseError, Load, load, loads, solve, sweep
 
 CASE = """
 links: [in, mid, out]
@@ -240,3 +240,16 @@ def test_relative_slip_of_a_case_varies_without_a_unit_or_with_one(tmp_path: Pat
     assert "varied twice" in twice.err
     both = run("sweep", file, slips[0], "gears.troll.slip.C=30 rad/s", "--out", "speeds_rpm[out]")
     assert float(both.out.split(",")[-1]) == pytest.approx(70 / 3.5 * 30 / math.pi)
+
+
+def test_a_case_without_a_load_can_have_laws_if_the_load_varies() -> None:
+    pair = "{first: a, second: b, ratio: -2, efficiency: 0.8 + 1e-3*T + 1e-4*w}"
+    text = f"links: [a, b]\nmechanisms: {{P: {pair}}}"
+    speeds, torques = [100.0, 200.0], [50.0, 80.0]
+    [chunk] = sweep(loads(text), {"load.speed": speeds, "load.torque": torques}, out="efficiency")
+    wanted = [0.8 + 1e-3 * torque + 1e-4 * speed for speed in speeds for torque in torques]
+    assert chunk.columns[:, 0].tolist() == pytest.approx(wanted)
+    with pytest.raises(CaseError, match="has no speed"):
+        [*sweep(loads(text), {"load.torque": torques}, out="efficiency")]
+    varied = solve(loads(text), vary={"load.speed": speeds, "load.torque": torques})
+    assert varied.efficiency[:, 0].tolist() == pytest.approx([wanted[0], wanted[3]])

@@ -33,6 +33,8 @@ from vstatics.core.errors import spoken
 from vstatics.core.extras import require
 
 if TYPE_CHECKING:
+    from xml.etree import ElementTree as ET
+
     from matplotlib.figure import Figure
 
     from vstatics.core.statics.results import Results
@@ -168,14 +170,16 @@ def pages(  # noqa: PLR0913 - arguments of a picture
 
 def of_each_choice(
     results: Results, kind: str, style: Style, shown: Sequence[Sequence[int]]
-) -> list[list[bytes]]:
-    """Draw the pages for each list of gears in `shown` as SVG; other parameters as in `picture`."""
-    from vstatics.pictures.drawing.files import files_of
+) -> list[list[ET.Element]]:
+    """Draw the pages for each list of gears in `shown` as SVG elements without title.
 
-    drawn = drawn_pages(results, kind, style, shown)
+    Other parameters as in `picture`.
+    """
+    from vstatics.pictures.drawing.svg import svg_of
+
     return [
-        files_of(figures, "svg", _alternative(results, kind, style, gears))
-        for gears, figures in zip(shown, drawn, strict=True)
+        [svg_of(page, "", number) for number, page in enumerate(pages_of_gears, 1)]
+        for pages_of_gears in drawn_pages(results, kind, style, shown)
     ]
 
 

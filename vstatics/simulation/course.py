@@ -405,11 +405,16 @@ class EventRun:
                 corner.path,
             )
         names = [self._name_of(kind, index) for kind, index in named]
-        return CaseError(
-            "E602",
+        message = (
             f"at {at.time:.9g} s no state is consistent with the torques: neither sticking nor "
-            f"slipping of {', '.join(names) or 'any component'}",
+            f"slipping of {', '.join(names) or 'any component'}"
         )
+        light = np.flatnonzero(~self.system.heavy.any(axis=0)).tolist()
+        if not light:
+            return CaseError("E602", message)
+        links = listed([self.system.names[link] for link in light], 6)
+        message += f"; the speeds of links without inertia can jump: give {links} an inertia"
+        return CaseError("E602", message, ("case", "inertias"))
 
     def _jump_of(self, choices: Collection[tuple[Kind, int]]) -> Corner | None:
         """Return a jump of a formula that is reached now, or was reached by a law in `choices`."""
@@ -449,6 +454,7 @@ class EventRun:
             for step in self._steps(selected, end, tolerances):
                 self.length = step.end - step.start
                 event = finder.event_in(step) or MarginEnd(step.end, step.last, ())
+                finder.check_drags(event.time, event.state)
                 self.record.step(step, event.time, event.state)
                 reached = self.record.time
                 if self.watch is not None and reached < self.until and (why := self.watch(reached)):

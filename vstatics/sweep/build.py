@@ -11,6 +11,7 @@ import numpy as np
 
 from vstatics.core.errors import CaseError, Place, Problem, ReadError
 from vstatics.core.extras import require
+from vstatics.core.model.laws import with_varied_load
 from vstatics.core.model.transmission import IdleConvention, Transmission
 from vstatics.core.numerics.arrays import Floats, as_list
 from vstatics.core.readers.named.nodes import MOST_PROBLEMS
@@ -97,6 +98,8 @@ def plan(
     try:
         variants, places = linked_variants(subject, variants, places, options.linked)
         _check_ratios(subject, variants.targets, places)
+        if isinstance(subject, Transmission) and subject.depends:
+            subject = with_varied_load(subject, (target.name for target in variants.targets))
         if isinstance(subject, Transmission) and variants.count:
             _check_paths(subject, variants, places)
         sweep_plan = with_expressions(subject, options, variants)

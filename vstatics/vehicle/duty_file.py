@@ -215,8 +215,8 @@ def duty_points(data: bytes, file: str) -> list[tuple[str, float, float]]:
 
     Examples
     --------
-    >>> duty_points(b"share,gear,speed [rad/s],torque [N*m]\n1,low,200,50\n1,,0,0\n", "duty.csv")
-    [('low', 200.0, 50.0)]
+    >>> duty_points(b"share,gear,speed [rad/s],torque [N*m]\n1,low,200,0\n1,,0,0\n", "duty.csv")
+    [('low', 200.0, 0.0)]
     """
     table = read_duty_table(data, file).table
     if problems := wrong_numbers(table.numbers):

@@ -170,6 +170,7 @@ LAYOUTS = (
     ("planetary/4 sun 20 ring 100 planet 40", "touch"),  # 42.43 > 42
     ("planetary sun 20 ring 100 planet 40", "touch"),
     ("planetary/5 sun 20 ring 100 planet 40", "; 3 or 4 planets fit", "warning", ""),
+    ("planetary/3 sun 20 ring 80 planet 30", "; 2 or 4 planets fit", "warning", ""),
     ("planetary/5 sun 20 ring 100 planet 40", "sin(180°/5) = 35.27, exp", "warning", ""),
     # 50 sin 60 = 43.3 of planet2, whose tips take 42; 50 sin 45 = 35.4
     ("stepped/3 sun 30 planet 20 planet2 40 ring2 90", "touch"),

@@ -5,6 +5,7 @@ import pytest
 from tests.core.flow.worked import around, lost, only, sides, through
 from vstatics import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.core.flow.circulation import Edge, Node, cancel
+from vstatics.core.flow.tables import remarks
 
 
 def rig(torque: float, efficiency: float) -> Transmission:
@@ -30,7 +31,8 @@ def test_a_back_to_back_rig_circulates_ten_times_what_drives_it() -> None:
     go from the half through the lock to the other half. Ideal: 10 return to the drive,
     1 comes from outside, 11 go out by the tested pair, 1 is left.
     """
-    ideal, lossy = sides(only(rig(40.0, 0.98)))
+    flow = only(rig(40.0, 0.98))
+    ideal, lossy = sides(flow)
     assert around(ideal) == [("drive tested half lock other half returning", pytest.approx(10))]
     assert through(ideal)["tested"] == pytest.approx(11)
     assert ideal.leaving == pytest.approx(1)
@@ -44,6 +46,7 @@ def test_a_back_to_back_rig_circulates_ten_times_what_drives_it() -> None:
         {"tested": 0.216 / 0.416, "returning": 0.2 / 0.416, "lock": 0}, abs=1e-12
     )
     assert lossy.circulating_share == pytest.approx(9.8)
+    assert any("980.0% of the power in" in line for line in remarks(flow))
     # the torque turned round: 10 go from the other half to the half, 9 come back by `tested`
     ideal, _ = sides(only(rig(-40.0, 0.98)))
     assert around(ideal) == [("drive returning other half lock half tested", pytest.approx(9))]

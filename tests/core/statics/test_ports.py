@@ -21,10 +21,12 @@ def test_the_wheels_of_a_car_on_a_curve() -> None:
     """
     axle = Mechanism(2, 3, 1, ratio=-1.0)
     case = Transmission(3, [], [axle], [Gear(speeds={3: SpeedOf(2, 1.1)})], outputs=[2, 3])
-    found = ports(solve(case).gear(1))
+    results = solve(case)
+    found = ports(results.gear(1))
     ways = [(one.link, one.is_output, one.way) for one in found.ports]
     assert ways == [(1, False, "in"), (2, True, "out"), (3, True, "out")]
     left = 2 / 2.1
+    assert results.with_numbers_only.gears[0].speeds == pytest.approx({3: 1.1 * left})
     assert [one.speed for one in found.ports] == pytest.approx([1, left, 1.1 * left])
     assert [one.torque for one in found.ports] == pytest.approx([1, 0.5, 0.5])
     assert [one.power for one in found.ports] == pytest.approx([1, 0.5 * left, 0.55 * left])

@@ -48,6 +48,21 @@ def test_a_converter_that_would_gain_power_has_no_torques() -> None:
     assert "converter TC would gain power" in results.messages[0].text
 
 
+@pytest.mark.parametrize(("drag", "on_pump"), [(2, -1), (0.5, math.nan)])
+def test_drag_can_reverse_the_power_through_a_converter(drag: float, on_pump: float) -> None:
+    """If the engine gives less than its drag, the turbine drives the pump beyond i = 1."""
+    text = f"""
+links: [engine, turbine]
+load: {{speed: 100 rad/s, torque: 1 N*m}}
+drag: {{engine: {drag} N*m}}
+mechanisms: {{TC: {{kind: converter, first: engine, second: turbine, speed_ratio: 1.2}}}}
+"""
+    results = solve(loads(text.replace("1.2", "1.2, points: [[0, 2], [1, 1], [2, 1]]")))
+    wanted = pytest.approx([on_pump, on_pump], nan_ok=True)
+    assert results.lossy_torques_Nm[0].tolist() == wanted
+    assert {m.id for m in results.messages} == {"W418" if math.isnan(on_pump) else "W422"}
+
+
 def test_a_converter_needs_points_that_ascend() -> None:
     wrong = CONVERTER._replace(points=((0.5, 1.0), (0.2, 2.0)))
     with pytest.raises(CaseError, match="points must ascend"):

@@ -9,6 +9,7 @@ from vstatics import Gear, Load, Mechanism, ShiftElement, Transmission, solve
 from vstatics.core.model.parts import OfLoad
 from vstatics.core.summary import summarize
 from vstatics.core.summary.shifts import transitions
+from vstatics.core.summary.tables import summary_grids
 
 KILOWATTS = math.pi / 30 / 1000
 """Power of 1 N*m at 1 rpm."""
@@ -19,6 +20,9 @@ def test_each_shift_of_the_8hp_changes_one_element() -> None:
     zf = summary_of("zf-8hp70.yaml")
     assert {transition.word for transition in zf.transitions} == {"single"}
     assert [(one.start, one.end) for one in zf.transitions if one.skipped == "5"] == [("4", "6")]
+    [slips] = [grid for grid in summary_grids(zf) if grid.key == "slip power"]
+    pairs = [(row[0], row[1]) for row in slips.texts]
+    assert (("4", "5") in pairs, ("4", "6") in pairs) == (True, False)
     first = zf.transitions[0]
     assert (first.released, first.engaged) == (["C"], ["E"])  # ABC to ABE
 

@@ -15,13 +15,14 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+from tests.simulation.control.written import simulated
 from tests.simulation.test_closed_forms import links, run
 from vstatics import ShiftElement, Spring
 from vstatics.core.model.parts import Friction
 from vstatics.core.model.springs import between
 from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation import Capacity, Formula, Scenario, Start, constant, simulate
-from vstatics.simulation.events.stretches import Closed
+from vstatics.simulation.events.stretches import Closed, Parts, TimeStretch
 
 STIFFNESS, DAMPING, INERTIA = 1e4, 1.0, 0.1
 
@@ -112,6 +113,61 @@ def test_friction_that_bends_with_the_slip_is_passed_piece_by_piece() -> None:
         assert event.event == "locks"
         assert event.time == pytest.approx(time, abs=1e-9)
         assert motion.energy.heat["B"] == pytest.approx(0.5 * 100**2 / 2, rel=1e-9)
+
+
+def test_a_drag_by_formula_needs_few_stretches_before_each_end_of_its_slip(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """``J w' + b w + k e = -+ a``: twists at rest fall from e to ``(e - a/k) d - a/k``.
+
+    The factor d is the decay in half a cycle.
+    """
+    calculated, tried = Closed._calculated, []
+
+    def counted(closed: Closed, parts: Parts, state: Floats) -> TimeStretch | None:
+        tried.append(parts)
+        return calculated(closed, parts, state)
+
+    monkeypatch.setattr(Closed, "_calculated", counted)
+    case = """inertias: {w: 2}
+springs: {S: {links: [w], stiffness: 500}}
+drag: {w: 3 + 0.4*w}
+"""
+    decay, turn = 0.1, math.sqrt(250 - 0.1**2)
+    start = "start: {speeds: {w: 0}, twists: {S: 0.3}}"
+    motion = simulated(f"duration: {5 * math.pi / turn!r}\n{start}", case)
+    twist = 0.3
+    for _ in range(5):
+        twist = (twist - 3 / 500) * math.exp(-decay * math.pi / turn) - 3 / 500
+    assert motion.energy.elastic == pytest.approx(500 * (twist**2 - 0.3**2) / 2, rel=1e-9)
+    assert len(tried) <= 5 * 5
+
+
+def test_a_trial_step_can_reach_speeds_at_which_a_drag_is_infinite() -> None:
+    """The small link d, let go, comes to rest by ``J dw/dt = -(a + b w + c w^2)``."""
+    clutches = "C: {links: [a, b], capacity: 953 N*m, drag: 0.8311 N*m}, "
+    clutches += "E: {links: [b, c], capacity: 447.5 N*m, drag: 4.271 N*m}, "
+    case = f"""inertias: {{a: 0.2777, b: 6.499, c: 0.00386, d: 0.002158}}
+shift_elements: {{{clutches}D: {{links: [c, d], kind: dog_clutch}}}}
+drag: {{d: 1.477 + 0.0181*w}}
+gears: {{'1': []}}
+"""
+    motion = simulated(
+        """duration: 3.737
+start: {speeds: {a: 170.2, b: 170.2, c: 170.2, d: -48.17}}
+controls: {C: 868.3, E: 249.8, D: {dog: [[1.087, closed], [1.584, open]]}}
+torques:
+  a: [[1.225, 0], [1.788, -10.67], [2.342, 35.57], [2.354, -10.67], [2.354, 2.216]]
+  d: -0.01762*speed*abs(speed)
+""",
+        case,
+    )
+    let_go = motion.speeds[motion.time <= 1.584][-1, 3]
+    root = math.sqrt(4 * 1.477 * 0.01762 - 0.0181**2)
+    begin, end = (math.atan((2 * 0.01762 * w + 0.0181) / root) for w in (let_go, 0.0))
+    rests = 1.584 + 2 * 0.002158 / root * (begin - end)
+    assert (motion.speeds[(motion.time > 1.584) & (motion.time < rests - 1e-7), 3] > 0).all()
+    assert motion.speeds[motion.time > rests + 1e-7, 3] == pytest.approx(0.0, abs=1e-9)
 
 
 def taken(what: Callable[[], object]) -> float:

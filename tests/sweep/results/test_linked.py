@@ -11,7 +11,7 @@ import pytest
 from tests.chance import count, generator
 from tests.commands import CASES, vstatics
 from tests.installed import needs
-from vstatics import ReadError, load, sweep
+from vstatics import ReadError, load, loads, sweep
 from vstatics.sweep.build import plan
 from vstatics.sweep.chunk import STATUS
 from vstatics.sweep.options import SweepOptions
@@ -82,6 +82,15 @@ def test_files_tables_samples_and_workers_link_alike(folder: Path) -> None:
     asked = {"sample": 8, "method": "random", "linked": linked, "out": "ratio"}
     [drawn] = sweep(load("box.yaml"), "P1.efficiency=0.9:0.99", **asked)  # type: ignore[arg-type]
     np.testing.assert_allclose(drawn.values[:, 1], 100 * drawn.values[:, 0], rtol=1e-15)
+
+
+def test_ratios_of_the_case_can_be_linked_while_teeth_vary() -> None:
+    text = CASE.replace("carrier]\noutput: carrier", "carrier, out]\noutput: out")
+    case = loads(text + "mechanisms: {pair: {first: carrier, second: out, ratio: -3}}\n")
+    rings, linked = {"P1.teeth.ring": [67.0, 69.0]}, ["load.torque [N*m]=-10*pair.ratio"]
+    [chunk] = sweep(case, rings, linked=linked, out="pair.ratio")
+    assert chunk.values[:, 1].tolist() == [30, 30]
+    assert chunk.columns[:, 0].tolist() == [-3, -3]
 
 
 def test_workers_without_access_to_a_table_receive_its_linked_numbers() -> None:

@@ -354,6 +354,37 @@ def test_a_trace_that_no_speed_ratio_fits_is_an_error_at_its_row() -> None:
     assert {(p.id, p.path) for p in error.value.problems} == {("E424", (2,))}
 
 
+BEYOND = """links: [engine, turbine]
+load: {speed: 2000 rpm, torque: 80 N*m}
+drag: {turbine: 5 N*m}
+mechanisms:
+  TC: {kind: converter, first: engine, second: turbine}
+gears: {"1": []}
+vehicle: {mass: 1000, radius: 0.3, final_drive: 10, engine: [[10, 200], [900, 200]]}
+"""
+
+
+@pytest.mark.parametrize("turbine", [2.0, -1.0, -7.0])
+def test_converters_brake_beyond_the_ratio_at_which_they_lose_no_power(turbine: float) -> None:
+    """At 100 rad/s the turbine gives 98 (1 - i)/i^2 N*m, but nothing from i = 1 to 1/0.98.
+
+    A torque of -1 N*m is between these ratios, so the converter is free, and the brakes take it.
+    """
+    points = "[[0, 2, 0.02], [0.5, 0.98, 0.005], [1, 0.98, 0], [1.2, 0.98, -2e-3]]"
+    text = BEYOND.replace("turbine}", f"turbine, points: {points}}}")
+    text = text.replace("200]]}", "200]], overrun: [[10, -50], [900, -50]]}")
+    half = (turbine - 5) / 0.03 / 2000
+    trace = read_trace(f"time [s],speed [m/s]\n0,{3 - half}\n1,{3 + half}\n".encode(), "t.csv")
+    cycle = drive(loads(text), trace, GearChoice())
+    i, brakes = (-98 + math.sqrt(98**2 + 4 * 98 * turbine)) / (2 * turbine), 0.0
+    if turbine == -1:
+        i, brakes = 1.0, 100.0
+    speeds, torques = (cycle.steps[f"engine {of}"] for of in ("speed [rpm]", "torque [N*m]"))
+    assert speeds * math.pi / 30 == pytest.approx([100 / i])
+    assert torques == pytest.approx([0.0 if brakes else turbine / 0.98], abs=1e-9)
+    assert cycle.energy.brakes == pytest.approx(brakes, abs=1e-6)
+
+
 BY_TURBINE = """
 links: [engine, turbine, out]
 load: {speed: 1000 rpm, torque: 10 N*m}
@@ -399,18 +430,58 @@ def test_a_force_that_a_split_cannot_give_is_an_error(force: float) -> None:
         assert [(p.id, p.path) for p in error.value.problems] == [("E424", (0,))]
 
 
-def test_a_gear_with_a_slip_beside_the_converter_is_omitted() -> None:
-    [alone] = map(loads, [SIMPSON.format(sets="", pairs="P: {first: ring, second: out, ratio: 2}")])
-    slipping = alone.gears[0]._replace(engaged=(3,), slip={1: 0.1}, name="creep")
-    case = alone.replace(gears=[*alone.gears, slipping])
-    assert [(doubt.id, doubt.path) for doubt in doubts(case)] == [("W890", ("gears", 4))]
-    told = performance(case)
-    assert told.gears["1"] == performance(alone).gears["1"]
-    assert math.isnan(told.gears["creep"].slope)
-    trace = read_trace(b"time [s],speed [m/s],gear\n0,9,1\n9,9,creep\n20,9,1\n", "t.csv")
-    with pytest.raises(CaseError, match="a slip and a converter without a given") as error:
-        drive(case, trace, GearChoice())
-    assert [(p.id, p.path) for p in error.value.problems] == [("E428", (1,))]
+CREEP = """links: [engine, turbine, shaft, out]
+load: {{speed: 2000 rpm, torque: 150 N*m}}
+shift_elements: {{C: [turbine, shaft]}}
+drag: {{engine: {drag} N*m}}
+mechanisms:
+  TC: {{kind: converter, first: engine, second: turbine, points: [[0, 2, 4e-3], [0.8, 1.1, 3.8e-3], [1, 1, 0]]}}
+  P: {{first: shaft, second: out, ratio: 3, efficiency: 0.97}}
+gears: {{creep: {{slip: {{C: {slip}}}}}}}
+vehicle: {{mass: 1500, radius: 0.3, rolling: 0, drag_area: 0, final_drive: 3, engine: [[0, 200], [600, 200]]}}
+"""
+
+
+@pytest.mark.parametrize("seed", range(count(4, 60)))
+def test_a_clutch_that_slips_behind_the_converter_makes_the_turbine_faster(seed: int) -> None:
+    """At the engine speed w the turbine turns with 3 x + slip w, or 3 x + slip in rad/s.
+
+    The clutch carries the torque of the turbine, and nothing where the wheels would drive it.
+    """
+    random = generator(seed, 52)
+    relative, absolute = random.choice([[random.uniform(0.02, 0.4), 0], [0, random.uniform(2, 40)]])
+    drag = float(random.choice([0, 3]))
+    case = loads(CREEP.format(drag=drag, slip=relative or f"{absolute} rad/s"))
+    assert not list(doubts(case))
+    pull, points = (
+        Traction(case, Vehicle.needed(case)),
+        np.array([[0, 2, 4e-3], [0.8, 1.1, 3.8e-3], [1, 1, 0]]),
+    )
+
+    def pump(w: Any, x: float) -> Any:
+        i = (3 * x + absolute) / w + relative
+        return np.interp(i, points[:, 0], points[:, 2]) * w**2, np.interp(i, *points[:, :2].T), i
+
+    for part in random.uniform(0, 0.6, 8):
+        x = float(part * pull.last * pull.per_engine[0] / 0.3 * 3)
+        free = (3 * x + absolute) / (1 - relative)
+        w = first_root(lambda w: 200 - drag - pump(w, x)[0], free * (1 + 1e-12), 600)  # noqa: B023
+        force = (200 - drag) * pump(w, x)[1] * 3 * 0.97 * 10
+        assert pull.forces(0, np.array([part * pull.last])) == pytest.approx([force], rel=1e-8)
+        asked, v = float(random.uniform(-3000, 3000)), x / 10
+        table = f"time [s],speed [m/s]\n0,{v - asked / 3e4!r}\n0.1,{v + asked / 3e4!r}\n"
+        if v < abs(asked) / 3e4:
+            continue
+        energy = drive(case, read_trace(table.encode(), "t.csv"), GearChoice()).energy
+        turbine = max(asked / 10 / 3 / 0.97, 0.0)
+        w = first_root(lambda w: turbine - pump(w, x)[0] * pump(w, x)[1], free, 5000)  # noqa: B023
+        w = w if turbine else free
+        lost = {"slip.C": turbine * (absolute + relative * w), "drag.engine": drag * w}
+        engine = pump(w, x)[0] * w + drag * w
+        assert energy.engine == pytest.approx(0.1 * engine, rel=1e-8, abs=1e-5)
+        for name in lost if drag else ["slip.C"]:
+            assert energy.lost[name] == pytest.approx(0.1 * lost[name], rel=1e-8, abs=1e-5)
+        assert energy.brakes == pytest.approx(max(-asked, 0) * v * 0.1, rel=1e-8, abs=1e-5)
 
 
 LOCK_UP = """links: [engine, turbine, output]

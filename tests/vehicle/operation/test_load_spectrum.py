@@ -197,7 +197,8 @@ def test_a_load_spectrum_in_percent_of_a_single_gear(folder: Path) -> None:
     assert vstatics("summary", "case.yaml", "--duty", "duty.csv").gives_nothing(missing)
     # pandas writes whole numbers beside an empty cell as 1.0
     rows = "time,gear,n [rpm],M [N*m]\n0:18:0,1.0,1000,100\n0:30:0,1.0,500,50\n720,,0,0\n"
-    for text in (rows, rows.replace("time", "t [s]")):
+    shaft = rows.replace("n [", "Shaft speed [").replace("M [", "shaft_torque [")
+    for text in (rows, rows.replace("time", "t [s]"), rows.replace("n [", "omega ["), shaft):
         (folder / "duty.csv").write_text(text)
         said = vstatics("summary", "case.yaml", "--duty", "duty.csv", "-f", "json")
         assert said.json["duty"]["bearings"]["b"]["hours"] == pytest.approx(1 / damage)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property
 from typing import Any, Literal, Self, TypeVar
@@ -324,6 +324,22 @@ def with_load(case: ACase, load: Load) -> ACase:
         return case
     gears = [gear._replace(load=None) for gear in case.gears]
     return replace(case, gears=gears, load=load)
+
+
+def with_varied_load(case: ACase, varied: Iterable[str]) -> ACase:
+    """Return a case with placeholders for a missing speed or torque of `load` that varies.
+
+    Parameters
+    ----------
+    varied : iterable of str
+        Paths of varied numbers, also with units, such as `load.speed [rpm]`.
+    """
+    load, paths = case.load or Load(), {path.partition(" ")[0] for path in varied}
+    if load.speed is None and "load.speed" in paths:
+        load = load._replace(speed=1000.0)
+    if load.torque is None and "load.torque" in paths:
+        load = load._replace(torque=1.0)
+    return case if load == (case.load or Load()) else replace(case, load=load)
 
 
 def _of_gear(gear: Gear, number: int) -> list[Path]:

@@ -23,8 +23,9 @@ import math
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cache
-from typing import Any, NamedTuple
+from typing import Any
 
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.signed import (
     Either,
     Signed,
@@ -145,7 +146,9 @@ def solve_with_certainty(
 
 def _has_digits(entry: Entry) -> bool:
     """Return whether a number has enough correct digits, or is NaN because it does not exist."""
-    value, size = _of_first_variant(entry)
+    value, size = entry
+    if not value.__class__ is size.__class__ is float:
+        value, size = _of_first_variant(entry)
     return not EPSILON * size > UNCERTAIN * abs(value)
 
 
@@ -202,8 +205,9 @@ class _Elimination:
         self.pivots: list[tuple[int, Entry, Row]] = []
         self.left: list[Row] = []
         active: list[Row] = []
+        remains = arithmetic.remains
         for row in rows:
-            entries = {column: e for column, e in row.items() if arithmetic.remains(e[0])}
+            entries = {column: e for column, e in row.items() if remains(e[0])}
             self._sort_in(entries, active)
         while active:
             row, column = _choose(active, arithmetic)
@@ -296,10 +300,11 @@ def row_of(equation: Equation, arithmetic: Arithmetic) -> Row:
     >>> row_of({0: 2.0, 1: (1.5, -1.0)}, FLOATS)
     {0: (2.0, 2.0), 1: (0.5, 2.5)}
     """
+    entry = arithmetic.entry
     return {
         column: _sum_of_terms(coefficient, arithmetic)
         if isinstance(coefficient, tuple)
-        else arithmetic.entry(coefficient)
+        else entry(coefficient)
         for column, coefficient in equation.items()
     }
 
@@ -349,6 +354,8 @@ def less_of_floats(entry: FloatEntry, factor: FloatEntry, term: FloatEntry) -> F
     product = a * b
     size += factor_size * abs(b) + abs(a) * term_size
     left = value - product
+    if abs(left) > ZERO * size:  # this is the usual case
+        return left, size
     rounding = min(ZERO * size, TRACED_REAL * max(abs(value), abs(product)))
     return (0.0 if abs(left) <= rounding < math.inf else left), size
 

@@ -16,10 +16,10 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
 
 import numpy as np
 
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 from vstatics.core.numerics.memory import Rows
 from vstatics.core.numerics.replay import Replay, replay
@@ -46,7 +46,8 @@ TRIALS = 6
 WIDENING = (1.05, 1.25, 2.0)
 """Factors by which the input bounds of plans of fixed sign exceed the recorded inputs.
 
-Later plans have wider bounds, so that slowly changing inputs do not need a new plan in each run.
+Later plans, and plans recorded for a single variant, have wider bounds, so that slowly changing
+inputs do not need a new plan in each run.
 """
 SERVED_PART = 0.5
 """Fraction of variants that a plan of fixed sign must serve if a plan of any sign exists."""
@@ -126,13 +127,15 @@ class Plans:
             with contextlib.suppress(Untraceable):
                 again = any(plan.signed for plan in self.plans)
                 return plan_of_any_sign(self.function, inputs, place, again=again)
-        widening = WIDENING[min(len(self.plans), len(WIDENING) - 1)]
+        further = len(self.plans) + (inputs.values.shape[1] == 1)
+        widening = WIDENING[min(further, len(WIDENING) - 1)]
         return plan_of_one_sign(self.function, inputs, place, widening)
 
     def _worth(self, left: int, inputs: Inputs) -> bool:
-        often = (
-            left == inputs.values.shape[1] and self.alone > FEW_VARIANTS and self.special < TRIALS
-        )
+        total = inputs.values.shape[1]
+        often = left == total and self.alone > FEW_VARIANTS and self.special < TRIALS
+        # A single variant with an input of 0 has no plan, but others of its kind can have one.
+        often &= total > 1 or bool(inputs.values.all())
         return left > self.few or (left > 0 and often)
 
     def _promises(self, plan: Plan, inputs: Inputs, rows: Rows, left: Integers) -> bool:
@@ -258,12 +261,13 @@ class Plan:
 
     def run_one(self, inputs: Inputs, rows: Rows) -> bool:
         """Write the results of a single variant, and return whether the plan applies."""
-        for given, bounds in zip(inputs.ranges, self.ranges, strict=True):
-            if not bounds.low <= given.low <= bounds.high:
+        for (number, _), (low, high) in zip(inputs.ranges, self.ranges, strict=True):
+            if not low <= number <= high:
                 return False
-        with contextlib.suppress(ZeroDivisionError):  # a divisor can underflow to 0
+        try:
             return self.replay.run_one(self.numbers(inputs)[:, 0].tolist(), rows)
-        return False
+        except ZeroDivisionError:  # a divisor can underflow to 0
+            return False
 
 
 def plan_of_one_sign(function: Function, inputs: Inputs, place: int, widening: float) -> Plan:

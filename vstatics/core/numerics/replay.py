@@ -5,10 +5,11 @@ from __future__ import annotations
 import operator
 import threading
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.core.numerics.memory import Layout, Rows
 from vstatics.core.numerics.signed import Signed, Truth, upright
@@ -114,6 +115,7 @@ class Replay(NamedTuple):
     working: int
     """Number of working arrays."""
     plain: Sequence[float]
+    """Constants in reverse order."""
     layout: Layout
     """Results that vary and results that are constant."""
     plain_steps: Sequence[PlainStep]
@@ -131,7 +133,6 @@ class Replay(NamedTuple):
         varied = rows.lay_out(self.layout)
         guards = sum(step.result is None for step in self.steps)
         buffers, holds = _working_arrays(self.working, guards, min(CHUNK, variants))
-        plain = self.plain[::-1]
         for start in range(0, variants, CHUNK):
             part = slice(start, min(start + CHUNK, variants))
             size = part.stop - part.start
@@ -139,7 +140,7 @@ class Replay(NamedTuple):
                 *magnitudes[:, part],
                 *[row[part] for row in varied],
                 *buffers[:, :size],
-                *plain,
+                *self.plain,
             ]
             held = iter(holds[:, :size])
             for function, _, first, second, result, third in self.steps:
@@ -157,7 +158,7 @@ class Replay(NamedTuple):
         Floats take a quarter of the time of arrays with a single number.
         """
         none = [0.0] * (len(self.layout.varied) + self.working)
-        cells = [*magnitudes, *none, *self.plain[::-1]]
+        cells = [*magnitudes, *none, *self.plain]
         for function, first, second, result in self.plain_steps:
             number = function(cells[first], cells[second])
             if result is not None:
@@ -206,7 +207,7 @@ def replay(tape: Tape, results: Sequence[Number | Residual | Truth]) -> Replay:
         tape.inputs,
         steps,
         cells.working,
-        [plain.number for plain in cells.plain],
+        [plain.number for plain in reversed(cells.plain)],
         Layout(varied, constants),
         [(step.plain, step.first % count, step.second % count, step.result) for step in steps],
     )

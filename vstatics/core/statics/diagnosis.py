@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from typing import NamedTuple
 
 import numpy as np
 
@@ -17,6 +16,7 @@ from vstatics.core.errors import Problem, not_allowed, path_text, spoken
 from vstatics.core.model.checks import doubts
 from vstatics.core.model.parts import OfLoad
 from vstatics.core.model.transmission import Gear, Mechanism, SpeedOf, Transmission
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics import elimination
 from vstatics.core.numerics.tolerances import TIE, UNCERTAIN
 from vstatics.core.numerics.traced import Number, is_nan, plain
@@ -394,16 +394,20 @@ def _cure(
     others: Sequence[str],
     fixed: Sequence[str],
     sought: Sequence[str],
+    slipping: Sequence[str],
 ) -> str:
     """Return words for the remedies for contradictory constraints on the speeds.
 
     `fixed` are converters and variators with a prescribed speed ratio; for `sought`, the load
-    determines it.
+    determines it. Some of the `engaged` shift elements can be `slipping`.
     """
+    names = spoken(fixed)
+    by_slip = f"remove the speed ratio of {names}, which the slip then determines"
     cures = [
-        "release one of the engaged shift elements" * bool(engaged),
+        "release one of the engaged shift elements" * (len(engaged) > len(slipping)),
+        f"remove the slip of {spoken(slipping)}" * bool(slipping),
         "remove a given speed" * any(name != matrix.INPUT_SPEED for name in others),
-        f"give {spoken(fixed)} another speed ratio" * bool(fixed),
+        (by_slip if slipping else f"give {names} another speed ratio") * bool(fixed),
         f"list {spoken(sought)} under `open`" * bool(sought),
     ]
     return " or ".join(filter(None, cures))
@@ -430,7 +434,9 @@ def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
         if not agrees:
             fixed = [name for name in free if not math.isnan(at_ratios[name])]
             sought = [name for name in free if name not in fixed]
-            cure = _cure(engaged, others, fixed, sought)
+            slips = [element.name for element in case.elements_at(gear.slipping)]
+            slipping = [name for name in engaged if name in slips]
+            cure = _cure(engaged, others, fixed, sought, slipping)
             if free:
                 conditions = spoken(
                     f"{name} at the speed ratio {at_ratios[name]:g}" if name in fixed else name
@@ -502,7 +508,8 @@ def _torque_messages(results: Results, number: int, gear: Gear, *, is_told: bool
         if driving := list(_driving_messages(results, number)):
             yield from driving
             return
-        advice = _gaining_converters(results, number) or _unheld_torques(results, number)
+        advice = _loaded_pumps(results, number) or _gaining_converters(results, number)
+        advice = advice or _unheld_torques(results, number)
         if output in gear.speeds:
             advice = (
                 f"a speed is given on the output, link {case.link_name(output)}; give the "
@@ -557,13 +564,26 @@ def _driving_messages(results: Results, number: int) -> Iterator[Said]:
         )
 
 
+def _loaded_pumps(results: Results, number: int) -> str:
+    """Return words for converters whose pump torque a slip determines."""
+    case, gear = results.case, results.gear_at(number).gear
+    first = case.own_mechanisms.start - 1
+    return spoken(
+        f"with this slip, the pump of {case.mechanisms[first + owner].name} takes "
+        f"{torque.given:.4g} N*m, and no clutch carries the difference to the torque of the "
+        "gear; give another slip, or remove it"
+        for owner, torque in gear.pump_torques.items()
+        if isinstance(torque, OfLoad)
+    )
+
+
 def _gaining_converters(results: Results, number: int) -> str:
     if not results.case.has_converter:
         return ""
-    state = results.gear_at(number)
-    variant = state.ideal.variant
-    torques_ = torques.solve_torques(results.case, state.gear, variant.columns)
-    names = ideal.gaining(variant, state.ideal.direction, state.ideal.speeds, torques_)
+    state = results.gear_at(number).ideal
+    given = state.variant.columns, state.drag, state.external
+    torques_ = torques.solve_torques(results.case, state.gear, *given)
+    names = ideal.gaining(state._replace(torques_with_drag=torques_))
     return f"converter{_s(len(names))} {spoken(names)} would gain power" if names else ""
 
 

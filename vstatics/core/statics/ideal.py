@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple
 
 from vstatics.core.model.transmission import HOUSING, Gear, Transmission
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.tolerances import TIE
 from vstatics.core.numerics.traced import Number, absolute, is_nan, is_nothing_beside
 from vstatics.core.statics import matrix
@@ -36,6 +36,8 @@ class IdealGear(NamedTuple):
     """Torques with drag, which is all that some mechanisms carry; `torques` if there is no drag."""
     overcome: bool = False
     """True if power can enter at the output to overcome drag that exceeds the input power."""
+    allows_driving: bool = False
+    """True if slipping shift elements can produce power, because drag was left out."""
 
     @property
     def case(self) -> Transmission:
@@ -45,7 +47,15 @@ class IdealGear(NamedTuple):
     @property
     def without_drag(self) -> IdealGear:
         """The gear with all drag left out."""
-        return self._replace(drag=NO_DRAG, torques_with_drag=self.torques)
+        return self._replace(
+            drag=NO_DRAG, torques_with_drag=self.torques, overcome=False, allows_driving=True
+        )
+
+    @property
+    def without_torques(self) -> IdealGear:
+        """The gear without torques, if it has no equilibrium."""
+        torques = no_torques(self.torques)
+        return self._replace(torques=torques, torques_with_drag=torques)
 
 
 def ideal_gear(variant: Variant, gear: Gear, speeds: Speeds) -> IdealGear:
@@ -53,14 +63,12 @@ def ideal_gear(variant: Variant, gear: Gear, speeds: Speeds) -> IdealGear:
     case, columns = variant.case, variant.columns
     direction, external = direction_of(case, gear), matrix.external_torques(case, gear)
     torques = solve_torques(case, gear, columns, external=external)
-    ideal = IdealGear(variant, gear, direction, external, speeds, torques, NO_DRAG, torques)
-    if gaining(variant, direction, speeds, torques) or driving(ideal, columns, torques):
-        torques = no_torques(torques)
     drag = drag_torques(case, gear, speeds.links, speeds.slips)
     with_drag = torques
     if drag is not NO_DRAG:
         with_drag = solve_torques(case, gear, columns, drag, external)
-    return ideal._replace(torques=torques, drag=drag, torques_with_drag=with_drag)
+    ideal = IdealGear(variant, gear, direction, external, speeds, torques, drag, with_drag)
+    return ideal.without_torques if gaining(ideal) else ideal
 
 
 def direction_of(case: Transmission, gear: Gear) -> int:
@@ -68,29 +76,27 @@ def direction_of(case: Transmission, gear: Gear) -> int:
     return -1 if case.coasts(gear) else 1
 
 
-def gaining(variant: Variant, direction: int, speeds: Speeds, torques: Torques) -> list[str]:
+def gaining(ideal: IdealGear) -> list[str]:
     """Return the names of converters whose output power would exceed their input power.
 
-    Such a state is impossible. A converter whose speed ratio is unknown (NaN) counts as well.
+    Such a state is impossible. Drag can reverse the power through a converter, so torques with drag
+    decide. A converter whose speed ratio is unknown (NaN) counts as well.
     """
-    mechanisms = enumerate(variant.case.mechanisms)
     return [
         mechanism.name
-        for n, mechanism in mechanisms
-        if _gains(variant, n, speeds, torques, direction)
+        for place, mechanism in enumerate(ideal.case.mechanisms)
+        if mechanism.kind == "converter" and _gains(ideal, place)
     ]
 
 
-def _gains(variant: Variant, place: int, speeds: Speeds, torques: Torques, direction: int) -> bool:
-    if variant.case.mechanisms[place].kind != "converter":
-        return False
-    if is_nan(variant.ratios[place]):
+def _gains(ideal: IdealGear, place: int) -> bool:
+    if is_nan(ideal.variant.ratios[place]):
         return True
     entering = times(
-        torques.on_first_link[len(variant.case.shift_elements) + place],
-        speeds.relative_speeds[place],
+        ideal.torques_with_drag.on_first_link[len(ideal.case.shift_elements) + place],
+        ideal.speeds.relative_speeds[place],
     )
-    return bool(times(entering, converter_slip(variant, place)) * direction < 0)
+    return bool(times(entering, converter_slip(ideal.variant, place)) * ideal.direction < 0)
 
 
 def slip_losses(ideal: IdealGear, columns: Sequence[Column], torques: Torques) -> list[Number]:
@@ -178,8 +184,8 @@ def _torques_by_link(
     case, gear = ideal.case, ideal.gear
     by_link: list[list[_OnLink]] = [[] for _ in range(case.links + 1)]
     for device, (column, factor) in enumerate(zip(columns, torques.factors, strict=False)):
-        for link, share in matrix.values_of(column).items():
-            by_link[link].append((device, absolute(share * factor)))
+        for link, share in column.items():
+            by_link[link].append((device, absolute(matrix.value(share) * factor)))
     by_link[case.gear_output(gear)].append((OUTSIDE, absolute(torques.on_first_link[-1])))
     for given in (ideal.external, torques.holding, ideal.drag.links):
         for link, torque in given.items():

@@ -35,9 +35,11 @@ def solution(  # noqa: PLR0913
     if case.depends:
         from vstatics.core.model.laws import (
             of_sought_ratios,
+            with_varied_load,
             without_loads,
         )  # the import costs start-up time
 
+        case = with_varied_load(case, vary or ())
         if problems := [*without_loads(case), *of_sought_ratios(case)]:
             raise CaseError(problems)
     case = case.with_coast(coast)

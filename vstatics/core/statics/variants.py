@@ -8,7 +8,7 @@ from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from dataclasses import fields
 from functools import lru_cache, partial
 from operator import attrgetter
-from typing import Any, Literal, NamedTuple, get_args
+from typing import Any, Literal, get_args
 
 import numpy as np
 
@@ -16,6 +16,7 @@ from vstatics.core.annexes import KEYS
 from vstatics.core.model.parts import OfLoad
 from vstatics.core.model.springs import Spring
 from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Transmission
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics import memory
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.memory import Form
@@ -122,9 +123,12 @@ def _inputs(
     can use its plans.
     """
     mechanisms = case.mechanisms
-    # A ratio is NaN if each gear has its own ratio; 0 is a placeholder.
-    defaults = [0.0 if math.isnan(mechanism.ratio) else mechanism.ratio for mechanism in mechanisms]
+    # A ratio is NaN if each gear has its own ratio; 1 is a placeholder, because 0 has no plan.
+    defaults = [1.0 if math.isnan(mechanism.ratio) else mechanism.ratio for mechanism in mechanisms]
     defaults += [mechanism.efficiency for mechanism in mechanisms]
+    if variants == 1 and ratios is None and efficiencies is None:
+        single = np.array(defaults, dtype=np.float64)[:, np.newaxis]
+        return [None] * len(defaults), prepared(single)
     given = _columns(ratios, len(mechanisms)) + _columns(efficiencies, len(mechanisms))
     fixed: list[float | None] = []
     varied = []

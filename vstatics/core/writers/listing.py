@@ -54,13 +54,20 @@ def write(results: Results, lang: Language = "en", digits: int = LISTING_DECIMAL
 
 
 def table_lines(results: Results, shown: Iterable[Table], digits: int) -> Iterator[str]:
-    """Yield the lines of tables, with headings."""
+    """Yield the lines of tables, with headings.
+
+    Fields are equally wide: 7 characters for three decimals, 3 for integers. Longer numbers widen
+    the fields.
+    """
     named = results.case.has_own_rows
     for table in shown:
+        kind = table.quantity.kind
+        mark = " (1)" if kind is bool else ""  # in these tables, 1 means yes
+        form = (digits + 4, digits) if kind is float else (3, 0)
         for title, indices, part in parts(table, results.case):
-            mark = " (1)" if part.quantity.kind is bool else ""  # in these tables, 1 means yes
             yield from ("", f"{heading(title)}{mark}:", indices)
-            yield from _rows(part, digits, named=named and table.quantity.rows != "one")
+            rows = fixed_rows(part.values.tolist(), *form)
+            yield from _named(rows, part) if named and table.quantity.rows != "one" else rows
 
 
 def messages(results: Results) -> list[str]:
@@ -95,14 +102,7 @@ def _indices(quantity: Quantity, rows: str = "") -> str:
     return f"({quantity.printed}(I,{column}),{columns}),{rows}:"
 
 
-def _rows(table: Table, digits: int, *, named: bool) -> list[str]:
-    """Return rows with fields of equal width: 7 characters for three decimals, 3 for integers.
-
-    Longer numbers widen the fields. With `named`, each row ends with its name (for cases with gear
-    sets or springs).
-    """
-    decimals, width = (digits, digits + 4) if table.quantity.kind is float else (0, 3)
-    rows = fixed_rows(table.values.tolist(), width, decimals)
-    if not named:
-        return rows
-    return [f"{row}  {BEFORE_NAME} {name}" for row, name in zip(rows, table.rows, strict=True)]
+def _named(rows: Iterable[str], table: Table) -> Iterator[str]:
+    """Yield rows with their names at the end (for cases with gear sets or springs)."""
+    for row, name in zip(rows, table.rows, strict=True):
+        yield f"{row}  {BEFORE_NAME} {name}"

@@ -222,6 +222,8 @@ class _Writer(NamedTuple):
         return {str(name): self.value(item, shape.item) for name, item in value.items()}
 
     def either(self, value: Any, shape: Either) -> Any:
+        if isinstance(value, float) and isinstance(shape.short, Leaf):
+            return self.leaf(value, shape.short)
         data = self.by_key(value, shape.record)
         return data[shape.key] if shape.written and [*data] == [shape.key] else data
 

@@ -10,7 +10,6 @@ from threading import get_ident
 from typing import NamedTuple
 
 import matplotlib as mpl
-from matplotlib.font_manager import get_font
 from matplotlib.ft2font import FT2Font, LoadFlags
 
 from vstatics.pictures.drawing.style import FONT
@@ -38,6 +37,8 @@ def _measured(line: str, size: float, *, bold: bool) -> TextExtent:
     font = _font_in_memory(get_ident(), bold=bold)
     if all(map(font.get_char_index, map(ord, line))):
         return _measured_with(font, line, size)
+    from matplotlib.font_manager import get_font  # which takes long to import
+
     with warnings.catch_warnings(action="ignore"):  # a missing letter is measured as a box
         return _measured_with(get_font(_path(bold=bold)), line, size)
 

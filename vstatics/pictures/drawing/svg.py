@@ -40,8 +40,12 @@ HALO = 2.0
 """Width of the border in the colour of paper around letters that are written over lines. [pt]"""
 LONG_LINE = 128
 """Number of points above which a line is drawn without invisible detail."""
-HATCH_TILE = 72.0
-"""Width and height of the tile that repeats in a hatched area. [pt]"""
+HATCH_TILE = 12.0
+"""Width and height of the tile that repeats in a hatched area. [pt]
+
+Matplotlib repeats a tile of 72 pt with six times as many lines, which gives the same hatch if each
+letter of the hatch occurs an even number of times.
+"""
 MARKER_EDGE = 1.0
 """Default width of the outline of a marker. [pt]"""
 _DIAGONAL = math.sqrt(2)
@@ -70,7 +74,13 @@ def _number(value: float) -> str:
 
 
 def written_as_svg(canvas: Canvas, title: str, number: int = 1) -> bytes:
-    """Return a canvas as SVG. Equal canvases give equal bytes.
+    """Return a canvas as SVG; parameters as in `svg_of`. Equal canvases give equal bytes."""
+    text = ET.tostring(svg_of(canvas, title, number), encoding="unicode")
+    return f'<?xml version="1.0" encoding="utf-8"?>\n{text}\n'.encode()
+
+
+def svg_of(canvas: Canvas, title: str, number: int = 1) -> ET.Element:
+    """Return a canvas as an SVG element.
 
     Parameters
     ----------
@@ -99,8 +109,7 @@ def written_as_svg(canvas: Canvas, title: str, number: int = 1) -> bytes:
     paper = f"M0 {high}L{wide} {high}L{wide} 0L0 0z"
     ET.SubElement(root, "path", {"d": paper, "fill": canvas.style.paper})
     SvgWriter(canvas, root, {}, {}, {}).write()
-    text = ET.tostring(root, encoding="unicode")
-    return f'<?xml version="1.0" encoding="utf-8"?>\n{text}\n'.encode()
+    return root
 
 
 class SvgWriter(NamedTuple):
@@ -136,8 +145,7 @@ class SvgWriter(NamedTuple):
             halo = {"stroke": self.canvas.style.paper, "stroke-width": f"{HALO:g}px"}
             attributes |= {"paint-order": "stroke", **halo}
         if attributes or mark.title:
-            parent = ET.SubElement(parent, "g", attributes)
-            _add_title(parent, mark.title)
+            parent = _titled(parent, mark.title, attributes)
         for element in elements:
             if not (len(parent) and _joins(parent[-1], element)):
                 parent.append(element)
@@ -207,6 +215,16 @@ class SvgWriter(NamedTuple):
 def _add_title(element: ET.Element, text: str) -> None:
     if text:
         ET.SubElement(element, "title").text = text
+
+
+def _titled(parent: ET.Element, title: str, attributes: dict[str, str]) -> ET.Element:
+    """Return the last group of an element if the title and attributes agree, or a new group."""
+    last = parent[-1] if len(parent) else parent
+    if last.tag == "g" and last.attrib == attributes and last.findtext("title", "") == title:
+        return last
+    group = ET.SubElement(parent, "g", attributes)
+    _add_title(group, title)
+    return group
 
 
 def _insert(element: ET.Element, attributes: dict[str, str]) -> None:
@@ -354,7 +372,7 @@ def _hatch_pattern(name: str, hatch: str, face: str, edge: str) -> ET.Element:
     from matplotlib.path import Path
 
     letters = {Path.MOVETO: "M", Path.LINETO: "L", Path.CURVE4: "C", Path.CLOSEPOLY: "z"}
-    path: Any = get_path(hatch, 6)
+    path: Any = get_path(hatch, 1)
     steps = "".join(letters[code] for code in path.codes.tolist())
     data = _outline_data(Outline(path.vertices, steps), CanvasPlace(HATCH_TILE), HATCH_TILE)
     tile = f"{HATCH_TILE:g}"

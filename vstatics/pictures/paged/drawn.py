@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple, Protocol
+from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 from vstatics.core.annexes import picture_kinds
 from vstatics.core.errors import CaseError
@@ -14,6 +14,9 @@ from vstatics.pictures import of_each_choice, pages
 from vstatics.pictures.drawing.style import PAGE_HEIGHT, POINTS_PER_MILLIMETRE, Style
 from vstatics.pictures.paged.inline import inline
 from vstatics.pictures.runs import PicturedRun
+
+if TYPE_CHECKING:
+    from xml.etree import ElementTree as ET
 
 PRINTED_WIDTH = 182.0
 """Width between the margins of an A4 page, equal to the width in the style sheet. [mm]"""
@@ -61,9 +64,15 @@ def of_each(
     except CaseError:  # pictures of other gears can succeed
         return [picture_of(results, kind, gears, style=style) for gears in shown]
     end = tr(", small") * (style is HALF)
+    is_repeated = any(len(gears) == 1 for gears in shown)
     labels = (f"{_label(results, kind, gears)}{end}" for gears in shown)
     return [
-        Drawn(kind, _inlined(svgs, _own(kind, gears, style), label))
+        Drawn(
+            kind,
+            _inlined(
+                svgs, _own(kind, gears, style), label, repeats=is_repeated and len(gears) != 1
+            ),
+        )
         for gears, svgs, label in zip(shown, drawn, labels, strict=True)
     ]
 
@@ -108,6 +117,11 @@ def picture_of(
     return Drawn(kind, _inlined(svgs, prefix, label))
 
 
-def _inlined(svgs: Sequence[bytes], prefix: str, label: str) -> list[Markup]:
+def _inlined(
+    svgs: Sequence[bytes | ET.Element], prefix: str, label: str, *, repeats: bool | None = None
+) -> list[Markup]:
     """Embed the sheets of a picture. Further sheets have a number in the prefix."""
-    return [inline(svg, f"{prefix}-{n}" if n else prefix, label) for n, svg in enumerate(svgs)]
+    return [
+        inline(svg, f"{prefix}-{n}" if n else prefix, label, repeats=repeats)
+        for n, svg in enumerate(svgs)
+    ]

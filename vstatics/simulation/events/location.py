@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from functools import lru_cache, reduce
 from typing import NamedTuple
@@ -9,10 +10,12 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.errors import CaseError
+from vstatics.core.model.parts import Law
 from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.events.margins import FOLLOWING, LargeSizes, Margins, Watch
 from vstatics.simulation.events.time_steps import TimeStep
 from vstatics.simulation.scenario.formula import Formula
+from vstatics.simulation.system.matrices import SIGNS
 from vstatics.simulation.tolerances import (
     AHEAD,
     LARGEST_NUMBER,
@@ -164,6 +167,15 @@ class Finder:
             for port, load in enumerate(system.outside)
             if isinstance(load.law, Formula)
         ]
+        self.drags = [
+            (port, contact.name, contact.friction)
+            for (port, contact), state in zip(
+                enumerate(system.contacts, self.equations.layout.contacts),
+                self.equations.states.contacts,
+                strict=True,
+            )
+            if state in SIGNS and isinstance(contact.friction, Law) and contact.friction.text
+        ]
 
     def event_in(self, step: TimeStep) -> MarginEnd | None:
         """Return the first event in a step."""
@@ -190,6 +202,23 @@ class Finder:
             return None
         above = float(times[first]), margins[:, first]
         return self._located(step, above, under)
+
+    def check_drags(self, time: float, state: Floats) -> None:
+        """Raise an error if a formula of drag gives an invalid torque in a state.
+
+        Raises
+        ------
+        CaseError
+        """
+        rates = self.equations.rates(time, state)[0].tolist() if self.drags else ()
+        for port, name, drag in self.drags:
+            if not 0 <= (torque := drag.at(abs(rates[port]))) < math.inf:
+                raise CaseError(
+                    "E268",
+                    f"at {time:.6g} s the drag torque of {name} is {torque:g} N*m, "
+                    "expected 0 or more at every speed",
+                    ("case",),
+                )
 
     def _dip(
         self, step: TimeStep, margins: Floats, last: int

@@ -51,10 +51,12 @@ _GONE = 40.0
 """Number of time constants after which an eigenmotion has decayed."""
 _FIRST_PARTS = 4
 """Initial number of parts of a stretch with nonlinear torques."""
+_FEWEST_PARTS = 2
+"""Smallest number of parts; a polynomial over a single part has a lower degree."""
 _FIRST_JOINED = 4
 """Number of parts in the first time step of a motion; later steps are longer."""
 _SMOOTH = 4
-"""Number of successful stretches of a single part before a longer stretch is tried."""
+"""Number of successful stretches of the fewest parts before a longer stretch is tried."""
 _LIKE = 1.5
 """Ratio of part lengths below which the last length is kept, to save a new exponential."""
 _MOST_AT_START = 64.0
@@ -250,6 +252,8 @@ class KnownSolutions:
 
         A slipping device adds a variable.
         """
+        self.shorter: dict[int, float] = {}
+        """Longest fitting part since the last event, relative to `_RADIANS`, by the same number."""
 
     def slopes_near(
         self, slopes: tuple[Floats, Floats], bending: Integers, torques: int
@@ -424,7 +428,8 @@ class Closed:
     def _stretches(self, state: Floats, end: float) -> Iterator[TimeStretch | None]:
         """Yield stretches up to a time, and None wherever a time step ends."""
         time = begin = straightened = self.equations.time
-        shorter, smooth = 1.0, 0
+        shorter, longest = self.solutions.shorter.get(self.size, 1.0), 0.0
+        smooth, patience = 0, _SMOOTH
         joined, most_joined, last_length = 0, _FIRST_JOINED, 0.0
         while time < end:
             length, count = self._parts(time - begin, end - time, shorter)
@@ -439,9 +444,10 @@ class Closed:
                 yield stretch
                 time, state = parts.end_near(end), stretch.last
                 joined += count
+                longest = self.solutions.shorter[self.size] = max(longest, shorter)
                 smooth += 1
                 if (self.series and self.series.fit_twice) or (
-                    count == 1 and smooth % _SMOOTH == 0
+                    count <= _FEWEST_PARTS and smooth % patience == 0
                 ):
                     self.most = min(self.most if shorter < 1 else 2 * self.most, _MOST_HALVINGS)
                     shorter = min(1.0, 2 * shorter)
@@ -450,9 +456,10 @@ class Closed:
                 self._straighten(time, state)
                 straightened = time  # only once at a time, as slopes near 0 are rounded differently
             else:
+                patience = min(2 * patience, _MOST_HALVINGS) if smooth else patience
                 smooth = 0
-                shorter = shorter if count > 1 else shorter / 2
-                self.most = max(1, count // 2)
+                shorter = shorter if count > _FEWEST_PARTS else shorter / 2
+                self.most = max(_FEWEST_PARTS, count // 2)
                 if shorter < SHORTEST_PART:
                     yield None
                     raise NoFit

@@ -213,12 +213,13 @@ def _drag_contacts(case: Transmission, dragging: list[DragTorque], rows: Floats)
     """Return a contact for each drag torque, except for overrunning freewheels."""
     contacts = []
     for is_element, number, torque in dragging:
-        name, row, while_open = case.link_name(number), unit(number - 1, case.links), None
-        if is_element:
-            element = case.shift_elements[number - 1]
-            if element.is_freewheel:
-                continue
-            name, row, while_open = element.name, rows[number - 1], number - 1
+        if not is_element:
+            name, row, while_open = case.link_name(number), unit(number - 1, case.links), None
+        elif case.shift_elements[number - 1].is_freewheel:
+            continue
+        else:
+            name = case.shift_elements[number - 1].name
+            row, while_open = rows[number - 1], number - 1
         law = torque if isinstance(torque, Law) else None
         programme = Programme(constant(torque if law is None else 1.0))
         contacts.append(Contact(name, row, programme, law, is_drag=True, while_open=while_open))

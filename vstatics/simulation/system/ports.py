@@ -12,7 +12,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from vstatics.core.errors import CaseError
 from vstatics.core.model.converters import Converter
 from vstatics.core.model.parts import Law
 from vstatics.core.model.struts import StrutCurve
@@ -31,7 +30,7 @@ from vstatics.simulation.system.curves import (
 from vstatics.simulation.system.matrices import SIGNS, Contact, MotionSystem
 from vstatics.simulation.system.shares import shared
 from vstatics.simulation.system.sight import following, looking
-from vstatics.simulation.tolerances import STANDING
+from vstatics.simulation.tolerances import LARGEST_NUMBER, STANDING
 
 _FINE = 0.1
 """Relative change of a slip up to which a torque that depends on the slip is nearly linear."""
@@ -335,7 +334,7 @@ class Ports:
         if contact.one_way and state == "+":
             self.c0[port] = contact.overrun_drag
         elif isinstance(contact.friction, Law) and contact.friction.text:
-            self._formula(port, contact.name, contact.friction, SIGNS[state])
+            self._formula(port, contact.friction, SIGNS[state])
         elif contact.friction is None or not contact.corners:
             mu = friction_at(contact.friction)
             self._programme(port, contact.programme, SIGNS[state] * mu, time)
@@ -371,19 +370,25 @@ class Ports:
             self.limits.append((index, sign, programme))
         self._programme(self.layout.springs + index, programme, sign, time)
 
-    def _formula(self, port: int, name: str, drag: Law, sign: float) -> None:
-        def torque(_time: float, slip: float, _angle: float) -> float:
-            torque_at_slip: float = drag.at(abs(slip))
-            if not (0 <= torque_at_slip < math.inf or math.isnan(slip)):
-                raise CaseError(
-                    "E268",
-                    f"the drag torque of {name} is {torque_at_slip:g} N*m, expected 0 "
-                    "or more at every speed",
-                    ("case",),
-                )
-            return sign * torque_at_slip
+    def _formula(self, port: int, drag: Law, sign: float) -> None:
+        """Set up a drag by formula, continued without a corner beyond the end of the slip.
 
-        self.special.append((port, -1, torque, one_by_one(torque)))
+        A trial step can reach speeds at which the formula is infinite.
+        """
+        formula = Formula(drag.text)
+
+        def torque(_time: float, slip: float, _angle: float) -> float:
+            value = formula.function(0.0, sign * slip, 0.0)
+            if math.isnan(value):  # such as sqrt(w) beyond the end
+                value = formula.function(0.0, abs(slip), 0.0)
+            return sign * min(max(value, -LARGEST_NUMBER), LARGEST_NUMBER)
+
+        def torques(_times: Floats, slips: Floats, _angles: Floats) -> Floats:
+            values: Floats = formula.along(slips, sign * slips, 0.0)
+            values = np.where(np.isnan(values), formula.along(slips, np.abs(slips), 0.0), values)
+            return sign * np.clip(values, -LARGEST_NUMBER, LARGEST_NUMBER)
+
+        self.special.append((port, -1, torque, torques))
         self.senses_rate[port] = True
 
     def _controlled(

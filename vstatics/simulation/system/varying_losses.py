@@ -43,6 +43,8 @@ class LosingMesh:
         self.key = "back_efficiency" if is_back else "efficiency"
         """Key of the efficiency in the case."""
         self.law = mesh.laws[0 if self.drives else 1]
+        self.way = -SIGNS[state[0]] if self.moves else 0.0
+        """Sign of the rate of the port."""
         self.sign = SIGNS[state[1]] if self.moves else 0.0
         self.given = mesh_factor(mesh.efficiency, mesh.back, state)
         """Factor f0 in the constraint of the mechanism."""
@@ -51,7 +53,7 @@ class LosingMesh:
         """Return the port torque [N*m]; an impossible efficiency is clipped."""
         if not self.moves:
             return 0.0
-        value = self.efficiency(speed, on_first)
+        value = self._continued(self.way * speed, self.sign * on_first)
         if not 0 < value <= 1 and self.sign * on_first < 0:
             return 0.0
         value = max(LEAST_EFFICIENCY, min(value, 1.0))  # also replaces NaN
@@ -61,10 +63,28 @@ class LosingMesh:
         """Return the port torques at several instants, NaN for impossible efficiencies."""
         if not (self.moves and isinstance(self.law, Law)):
             return np.array([self.torque(0.0, torque) for torque in on_first.tolist()])
-        sizes = self.law.sizes_of(np.abs(speeds), np.maximum(self.sign * on_first, 0.0))
-        values = self.law.at(*sizes)
+        sizes = np.array(self.law.sizes_of(self.way * speeds, self.sign * on_first))
+        values = self.law.at(*sizes if self.law.text else np.abs(sizes))
+        beyond = sizes.min(axis=0) < 0
+        if beyond.any():
+            if not self.law.text:
+                reflected = 2 * self.law.at(*np.maximum(sizes, 0.0)) - values
+                values = np.where(beyond, reflected, values)
+            values = np.where(beyond, np.clip(values, LEAST_EFFICIENCY, 1.0), values)
         values = np.where((values > 0) & (values <= 1), values, np.nan)
         return ((values if self.drives else 1 / values) - self.given) * on_first
+
+    def _continued(self, speed: float, torque: float) -> float:
+        """Return the efficiency, continued without a corner to a speed or torque below 0.
+
+        There the flow of power reverses, and the polynomials of a time step need no corner.
+        """
+        if isinstance(self.law, Law) and self.law.text:
+            return self.law.at(*self.law.sizes_of(speed, torque))
+        value = efficiency_at(self.law, speed, torque)
+        if speed >= 0 <= torque:
+            return value
+        return 2 * efficiency_at(self.law, max(speed, 0.0), max(torque, 0.0)) - value
 
     def efficiency(self, speed: float, on_first: float) -> float:
         """Return the efficiency; a torque of the wrong sign, as in trials, counts as 0."""

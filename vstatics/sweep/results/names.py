@@ -89,7 +89,7 @@ class SweepNames:
         """Return a number of the case: a varied number, a constant, or a part of a table.
 
         If a stiffness varies, its compliance is calculated. If varied numbers, such as tooth
-        numbers, can change the number of a mechanism, it is part of a table.
+        numbers, can change the number of a gear set, it is part of a table.
         """
         number_in_case = number_of_case(name.written, self.case, self.source.place(name.at))
         for column, varied in enumerate(self.varied):
@@ -109,9 +109,11 @@ class SweepNames:
                 f"{quoted(number_in_case.name)} depends on the operating point: it is not a number"
             )
             raise self.source.error(message, name.at)
-        if number_in_case.quantity in PART_NUMBERS and any(map(_changes_mechanisms, self.varied)):
-            table = PART_NUMBERS[number_in_case.quantity]
-            return Selection(table, 0, number_in_case.owner, len(self.case.mechanisms))
+        quantity, place = number_in_case.quantity, number_in_case.owner
+        follows = place not in range(len(self.case.mechanisms))[self.case.own_mechanisms]
+        if quantity in PART_NUMBERS and follows and any(map(_changes_mechanisms, self.varied)):
+            table = PART_NUMBERS[quantity]
+            return Selection(table, 0, place, len(self.case.mechanisms))
         return Constant(value)
 
     @property

@@ -110,8 +110,9 @@ def scheme_case(scheme: TorsionScheme, name: str, ends: Sequence[str], gear: str
     Examples
     --------
     >>> from vstatics.torsion.reduction.scheme import SchemeSpring
-    >>> springs = (SchemeSpring("s", {0: 1.0, 1: -1.0}, 0.5),)
-    >>> case = scheme_case(TorsionScheme(("a+b", "c"), (1.0, 2.0), springs), "", ("b", "c"), "1")
+    >>> springs = (SchemeSpring("s", {0: 1.0, 1: -1.0}, 0.5), SchemeSpring("t", {1: 1, 2: -1}, 1))
+    >>> scheme = TorsionScheme(("a+b", "c", "d"), (1.0, 2.0, 1.0), springs)
+    >>> case = scheme_case(scheme, "", ("b", "c"), "1")
     >>> case.link_name(case.input), case.link_name(case.output), case.springs[0].compliance
     ('a+b', 'c', 0.5)
     """

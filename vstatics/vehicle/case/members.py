@@ -20,10 +20,11 @@ class Members(NamedTuple):
     --------
     >>> from vstatics import Gear, Mechanism, Transmission
     >>> case = Transmission(3, [], [Mechanism(1, 2, 3, -2.0, name="P")], [Gear()])
-    >>> Members.of(case).with_torque
+    >>> members = Members.of(case)
+    >>> members.with_torque
     ['1', '2', '3', 'P.first', 'P.second', 'P.third']
-    >>> Members.of(case).firsts["P"], Members.of(case).planets
-    ('P.first', ['P'])
+    >>> members.resolved("P"), members.resolved("P", turning=True)
+    ('P.first', 'P')
     """
 
     links: list[str]

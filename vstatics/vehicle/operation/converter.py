@@ -1,11 +1,12 @@
 """Gear of a vehicle with a free converter: its speed ratio i follows from the torque on its pump.
 
-Engine and output turn independently: each link has the speed ``a w + b x`` at the engine speed w
-and the output speed x. Both speeds determine i. At the speed w_P, the pump takes the torque
-``lambda(i) w_P |w_P|``, and the gearbox supplies the torque M to it, with all losses. The engine
-speed is a root of the surplus of torque, ``(M - lambda(i) w_P |w_P|)/w^2``. The surplus is nearly a
-quadratic polynomial of 1/w between the points of engine and converter. Roots are bracketed between
-these points, and approached by the Illinois rule (Dowell, Jarratt 1971).
+Engine and output turn independently: each link has the speed ``a w + b x + c`` at the engine speed
+w and the output speed x. Slips in rpm add the constant c. Both speeds determine i. At the speed
+w_P, the pump takes the torque ``lambda(i) w_P |w_P|``, and the gearbox supplies the torque M to it,
+with all losses. The engine speed is a root of the surplus of torque, ``(M - lambda(i) w_P
+|w_P|)/w^2``. The surplus is nearly a quadratic polynomial of 1/w between the points of engine and
+converter. Roots are bracketed between these points, and approached by the Illinois rule (Dowell,
+Jarratt 1971).
 """
 
 from __future__ import annotations
@@ -18,21 +19,22 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.errors import CaseError
-from vstatics.core.model.parts import Load, OfLoad
+from vstatics.core.model.parts import RAD_PER_RPM, Gear, Load, OfLoad
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
+from vstatics.core.statics.points.converters import lossless_ratios
 from vstatics.core.statics.result_arrays import first_rows
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
 from vstatics.vehicle.case.vehicle import beside_engine, free_converters
-from vstatics.vehicle.tolerances import LEAST_EXCESS, NO_SPEED, SAME_SPEED
+from vstatics.vehicle.tolerances import LEAST_EXCESS, LOSSLESS, NO_SPEED, SAME_SPEED
 
 INTERVALS = 2
 """Number of intervals between neighbouring points that are searched for sign changes."""
 MOST_STEPS = 100
 """Largest number of steps of the Illinois rule."""
 MOST_DOUBLINGS = 40
-"""Largest number of times that a trial engine torque is doubled, to bracket the root."""
+"""Largest number of times that a trial torque or force is doubled, to bracket a root."""
 MOST_POINTS_AT_ONCE = 100_000
 """Largest number of operating points that are solved at once, to limit memory."""
 SLOWEST_PART = 4.0 ** -np.arange(1.0, 6.0)
@@ -82,15 +84,29 @@ def solved_slips(case: Transmission) -> tuple[Results, Floats]:
 
     The speed of a link is its relative speed times the engine speed, plus the added speed [rad/s].
     """
+    results = solve(without_slips_in_rpm(case))
+    added = solve(case).speeds_rpm - results.speeds_rpm
+    return results, added * math.pi / 30
+
+
+def without_slips_in_rpm(case: Transmission) -> Transmission:
+    """Return a case in which slips with a unit are 0."""
     gears = [
         gear._replace(
             slip={n: 0.0 if isinstance(slip, OfLoad) else slip for n, slip in gear.slip.items()}
         )
         for gear in case.gears
     ]
-    results = solve(case.replace(gears=gears))
-    added = solve(case).speeds_rpm - results.speeds_rpm
-    return results, added * math.pi / 30
+    return case.replace(gears=gears)
+
+
+def relative_slips(case: Transmission, gear: Gear) -> dict[str, float]:
+    """Return the slips of a gear relative to the input speed, by path [-]."""
+    return {
+        f"gears.{gear.name}.slip.{case.shift_elements[number - 1].name}": slip
+        for number, slip in gear.slip.items()
+        if slip and not isinstance(slip, OfLoad)
+    }
 
 
 def converters_of(case: Transmission) -> dict[int, ConverterGear]:
@@ -135,11 +151,16 @@ class ConverterGear(NamedTuple):
     row: int
     """Index of the torque on the pump among the torques of results."""
     points: Floats
-    """Rows of speed ratio, torque ratio and lambda, including the free ratio, shape (points, 3)."""
+    """Rows of speed ratio, torque ratio and lambda, shape (points, 3).
+
+    Further rows are the free ratio, and the ratios beside which the converter would gain power.
+    """
     per_engine: Floats
     """Speeds of pump, turbine and links divided by engine speed, with the output at rest. [-]"""
     per_output: Floats
     """Speeds of pump, turbine and links divided by output speed, with the engine at rest. [-]"""
+    added: Floats
+    """Speeds of pump, turbine and links that slips in rpm add. [rad/s]"""
 
     @classmethod
     def of(cls, case: Transmission, index: int) -> ConverterGear | None:
@@ -154,9 +175,11 @@ class ConverterGear(NamedTuple):
         alone = known.replace(gears=[known.gears[index]])
         gear, mechanism = alone.gears[0], alone.mechanisms[place]
         free = alone.gear_ratios(gear)[place]
-        points = _with_point(np.array(mechanism.points), free)
+        points = _with_searched(np.array(mechanism.points), free)
         path = f"gears.{gear.name}.speed_ratios.{mechanism.name}"
-        speeds = solve(alone, vary={path: [free, free - 0.5]}).speeds[:, 0]
+        trials = {path: [free, free - 0.5]}
+        with_slips = solve(alone, vary=trials)
+        speeds = solve(without_slips_in_rpm(alone), vary=trials).speeds[:, 0]
         output = speeds[:, case.gear_output(gear) - 1]
         ends = [mechanism.first - 1, mechanism.second - 1]
         if not np.isfinite([output, *speeds[:, ends].T]).all():
@@ -171,8 +194,12 @@ class ConverterGear(NamedTuple):
         per_output = (speeds[0] - speeds[1]) / (output[0] - output[1])
         per_engine = speeds[0] - per_output * output[0]
         noise = np.abs(per_engine) <= NO_SPEED * fastest
-        both = np.where(noise, 0.0, per_engine), per_output * np.sign(output[0])
-        turns = [np.concatenate([array[ends], array]) for array in both]
+        slipping = with_slips.speeds[0, 0]
+        added = slipping - per_engine - per_output * slipping[case.gear_output(gear) - 1]
+        added *= with_slips.speeds_rpm[0, 0, case.gear_input(gear) - 1] * RAD_PER_RPM
+        added[np.abs(added) <= NO_SPEED * np.abs(with_slips.speeds_rpm[0, 0]).max()] = 0.0
+        arrays = np.where(noise, 0.0, per_engine), per_output * np.sign(output[0]), added
+        turns = [np.concatenate([array[ends], array]) for array in arrays]
         return cls(alone, mechanism.name, path, first_rows(alone)[place], points, *turns)
 
     @property
@@ -180,8 +207,13 @@ class ConverterGear(NamedTuple):
         """Largest speed ratio at which the pump does not brake [-]."""
         return free_ratio(self.points)
 
+    def _turned(self, place: int, output: Floats) -> Floats:
+        """Return the speed of pump (0) or turbine (1) if the engine is at rest [rad/s]."""
+        speeds: Floats = self.per_output[place] * output + self.added[place]
+        return speeds
+
     def _ratio(self, engine: Floats, output: Floats) -> Floats:
-        pump, turbine = (self.per_engine[n] * engine + self.per_output[n] * output for n in (0, 1))
+        pump, turbine = (self.per_engine[n] * engine + self._turned(n, output) for n in (0, 1))
         with np.errstate(all="ignore"):
             ratio: Floats = turbine / pump
         return ratio
@@ -199,16 +231,21 @@ class ConverterGear(NamedTuple):
 
     def _inverse(self, ratios: Floats, output: Floats) -> Floats:
         """Return inverse engine speeds at speed ratios, shape (rows, ratios) [s/rad]."""
-        (pump, turbine), (by_pump, by_turbine) = self.per_engine[:2], self.per_output[:2]
+        pump, turbine = self.per_engine[:2]
+        by_pump, by_turbine = (self._turned(n, output[:, None]) for n in (0, 1))
         with np.errstate(all="ignore"):
-            inverse: Floats = (ratios * pump - turbine) / (
-                output[:, None] * (by_turbine - ratios * by_pump)
-            )
+            inverse: Floats = (ratios * pump - turbine) / (by_turbine - ratios * by_pump)
         return inverse
+
+    def engine_at_free_ratio(self, output: Floats) -> Floats:
+        """Return engine speeds at the free ratio, for output speeds, shape (rows,) [rad/s]."""
+        with np.errstate(divide="ignore"):
+            speeds: Floats = 1 / self._inverse(np.array([self.free_ratio]), output)[:, 0]
+        return speeds
 
     def taken(self, engine: Floats, output: Floats) -> tuple[Floats, Floats]:
         """Return the torque that the pump takes [N*m], and the sign of its speed."""
-        pump = self.per_engine[0] * engine + self.per_output[0] * output
+        pump = self.per_engine[0] * engine + self._turned(0, output)
         factors = np.interp(self.ratio(engine, output), self.points[:, 0], self.points[:, 2])
         return factors * pump * np.abs(pump), np.sign(pump)
 
@@ -287,8 +324,9 @@ class ConverterGear(NamedTuple):
             valid = np.isfinite(places) & (places >= least * (1 - SAME_SPEED))
             valid &= places <= most * (1 + SAME_SPEED)
             valid &= (ratio >= ratios[0] - room) & (ratio <= top + room)
-        (pump, turbine), (by_pump, by_turbine) = self.per_engine[:2], self.per_output[:2]
-        order = -1.0 if pump * by_turbine > turbine * by_pump else 1.0
+        pump, turbine = self.per_engine[:2]
+        by_pump, by_turbine = (self._turned(n, output[:, None]) for n in (0, 1))
+        order = np.where(pump * by_turbine > turbine * by_pump, -1.0, 1.0)
         places = order * np.sort(np.where(valid, order * places, np.nan), axis=1)  # NaN comes last
         parts = np.arange(INTERVALS) / INTERVALS
         between = places[:, :-1, None] * (1 - parts) + places[:, 1:, None] * parts
@@ -377,9 +415,15 @@ class ConverterGear(NamedTuple):
         return torques
 
 
-def _with_point(points: Floats, ratio: float) -> Floats:
-    """Return the points of a converter, with a point interpolated at a speed ratio."""
-    ratios = np.union1d(points[:, 0], [ratio])
+def _with_searched(points: Floats, free: float) -> Floats:
+    """Return the points of a converter, with points interpolated where torques can begin or end.
+
+    These are the free ratio, and both sides of each ratio at which the converter loses no power.
+    """
+    lossless = np.array(lossless_ratios(points))
+    sides = np.outer(lossless, [1 - LOSSLESS, 1 + LOSSLESS]).ravel()
+    sides = sides[(sides > points[0, 0]) & (sides < points[-1, 0])]
+    ratios = np.unique([*points[:, 0], free, *sides])
     return np.stack([np.interp(ratios, points[:, 0], column) for column in points.T], axis=1)
 
 

@@ -3,7 +3,8 @@
 The speed ratio is the largest at which speed and torque at the wheels agree with the torque of the
 pump. The engine is at its first full-load point or above. The converter can drive too much even at
 its largest ratio. Then the engine turns at this ratio and supplies the torque that the pump takes,
-and the brakes absorb the excess.
+and the brakes absorb the excess. If the converter can only brake more than necessary, it has its
+free ratio, without torque, and the brakes do all the braking.
 """
 
 from __future__ import annotations
@@ -22,6 +23,7 @@ from vstatics.vehicle.operation.converter import (
     Brought,
     ConverterGear,
     EngineSearch,
+    relative_slips,
 )
 
 
@@ -49,6 +51,9 @@ class ConverterSteps(NamedTuple):
         """Return torques on the pump [N*m] in the case `cases[place]`, at engine speeds."""
         ratios = self.converter.ratio(engine, self._output[rows])
         further = {path: numbers[rows] for path, numbers in self.further[place].items()}
+        case = self.converter.case
+        for path, slip in relative_slips(case, case.gears[0]).items():
+            further[path] = slip * engine
         return self.converter.brought(self.cases[place], load, ratios, further)
 
     def _from_engine(self, rows: Integers, engine: Floats, torque: Floats) -> Floats:
@@ -107,8 +112,11 @@ class ConverterSteps(NamedTuple):
         surplus = search.surplus[:, 0]  # NaN if no speed ratio gives torques
         sign = np.where(self.converter.is_driving(search.ends[:, 0], self._output), 1, -1)
         is_strong = np.where(np.isnan(surplus), are_braking, sign * surplus <= 0)
-        held = np.flatnonzero(np.isnan(engine) & is_strong)
-        engine[held] = search.ends[held, 0]
+        freest = self.converter.engine_at_free_ratio(self._output)
+        # The ratios up to the first with braking torque are free, or would gain power.
+        is_free = are_braking & ~(is_strong & np.isfinite(surplus)) & (search.ends[:, 0] < freest)
+        held = np.flatnonzero(np.isnan(engine) & (is_strong | is_free))
+        engine[held] = np.where(is_free, freest, search.ends[:, 0])[held]
         held = held[np.isfinite(engine[held])]
         torques[held] = self.converter.torque_at(
             engine[held],

@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from vstatics.core.model.shape import UNIT_OF, Measure
+from vstatics.core.readers.named.arithmetic import further
 from vstatics.core.readers.named.scalars import NUMBER
 from vstatics.core.readers.named.si_units import WITH_UNIT, measured
 from vstatics.core.readers.named.units import LONGEST_UNIT, unit, with_article
@@ -274,6 +275,8 @@ OTHER_UNITS: tuple[tuple[str, Measure, str], ...] = (
     ("3 km/h", "time", "; this is a velocity"),
     ("0,15", "inertia", " (with a decimal point)"),
     ("heavy", "inertia", ""),
+    ("80e9*pi*0.05**4/32", "stiffness", further("pi")),  # of a shaft, as its formula
+    ("80e9*0.05^4/10", "stiffness", further("pi")),
     ("3 furlong", "length", ""),
     ("3 Hz", "si_speed", "; did you mean `rev/s` or `rad/s`?"),
     ("3 nm", "si_torque", "; did you mean `N*m`?"),

@@ -119,6 +119,17 @@ def test_a_slip_with_which_the_clutch_would_drive_has_the_right_remedy() -> None
         assert said.endswith(f"only a slip {side} 0 is possible")
 
 
+def test_a_torque_at_which_a_converter_would_gain_power_is_explained() -> None:
+    """From i = 1 to 1/0.98 the pump would give more power than the turbine takes: 0 to -20 N*m."""
+    points = "[[0, 2, 0.02], [1, 0.98, 0], [1.2, 0.98, -0.02]]"
+    converter = f"{{kind: converter, first: e, second: t, points: {points}}}"
+    for torque, explained in ((-1, [True]), (-30, []), (-300, [False])):
+        load = f"load: {{speed: 100 rad/s, torque: {torque} N*m}}"
+        case = loads(f"links: [e, t]\n{load}\nmechanisms: {{TC: {converter}}}\n")
+        texts = [said.text for said in solve(case).messages if said.id == "W431"]
+        assert [text.endswith("its torque ratio is below 1/i") for text in texts] == explained
+
+
 def test_a_slip_without_its_unit_is_explained() -> None:
     """A slip of 60, meant in rpm, is 60 times the input speed, so i = -59 is below the points."""
     for slip, ending in (
@@ -151,3 +162,24 @@ gears:
     assert point.lossy_output_torque_Nm[0] == pytest.approx(15)
     for outcome, gears in ((results, ["at rest"]), (point, ["behind", "at rest", "braked"])):
         assert [said.gear for said in outcome.messages if said.id == "W431"] == gears
+
+
+def test_a_given_ratio_beside_a_slip_has_its_remedy() -> None:
+    text = CASE.replace("second: turbine,", "second: turbine, speed_ratio: 0.8,")
+    case = loads(text.replace("{engaged: [L]}", "{slip: {L: 0.1}}"))
+    [said] = [said.text for said in solve(case).messages if said.id == "E452"]
+    remedy = "remove the slip of L or remove the speed ratio of TC, which the slip then determines"
+    assert said.endswith(f"as given; {remedy}")
+
+
+def test_a_pump_that_no_clutch_relieves_is_named() -> None:
+    """At w = 50 rad/s and i = 10/50 the pump takes 0.002 (1 - i) w^2 = 4 N*m of 10 N*m."""
+    text = """links: [engine, pump, turbine]
+load: {speed: 200 rad/s, torque: 10 N*m}
+shift_elements: {K: [engine, pump], B: [turbine, housing]}
+mechanisms:
+  TC: {kind: converter, first: pump, second: turbine, points: [[0, 2, 0.002], [1, 1, 0]]}
+gears: {stall: {slip: {K: 150 rad/s, B: 10 rad/s}}}
+"""
+    [said] = solve(loads(text)).messages
+    assert (said.id, "the pump of TC takes 4 N*m, and no clutch" in said.text) == ("W418", True)

@@ -32,6 +32,10 @@ _GROUPED = re.compile(
 """Number with grouped digits, such as 1 000, or 1.000,5 with a decimal sign of the other kind."""
 # Begins only where digits begin, so the search takes linear time.
 _JOINED = re.compile(r"(?<![0-9_])[0-9]+(?:_[0-9]+)+")
+_FURTHER = re.compile(
+    r"(?:^|(?<![\w^.])[0-9.]+) ?(?:\*\*|\^)|(?<![^\W\d_])(?:pi|π|sqrt)(?![^\W\d_])"
+)
+"""Power of a number, pi or a root, which formulas can contain but calculations cannot."""
 _PERCENT = re.compile(r"per ?cent|pct|prozent|процент", re.IGNORECASE)
 _PLAIN = re.compile(rf"[-+]?{_FIGURE}\Z")
 _NUMBER = re.compile(rf" *{_FIGURE} *")
@@ -115,8 +119,19 @@ def expected(text: str) -> str:
 
 
 def slip_or_percent(text: str) -> str:
-    """Return the hint of `slip`, or a hint for a percentage in words."""
-    return slip(text) or " (write `%`, or 0.97 for 97 %)" * bool(_PERCENT.search(text))
+    """Return the hint of `slip` or `further`, or a hint for a percentage in words."""
+    hint = slip(text) or further(text)
+    return hint or " (write `%`, or 0.97 for 97 %)" * bool(_PERCENT.search(text))
+
+
+def further(text: str) -> str:
+    """Return a hint for powers, pi and functions, which calculations must not contain.
+
+    >>> further("80e9*pi"), further("^4/32 N*m/rad") == further("2**3"), further("9 kg*m**3")
+    (' (a calculation has only numbers, `+ - * /` and brackets)', True, '')
+    """
+    hint = " (a calculation has only numbers, `+ - * /` and brackets)"
+    return hint * bool(_FURTHER.search(text))
 
 
 def slip(text: str) -> str:

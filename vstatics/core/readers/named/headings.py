@@ -107,14 +107,13 @@ class TableColumn(NamedTuple):
             raise ValueError(f"{self.name}: read the unit {unit[:40]!r}, {error}") from None
 
 
-_ENGINES = ("engine", "motor", "machine", "input")
+_ENGINES = ("engine", "motor", "machine", "input", "shaft")
+_SPEEDS = ("n", "omega", "ω", "w", "rotational speed", "angular speed", "angular velocity")
 SHAFT_COLUMNS = (
     TableColumn(
         "speed",
         "si_speed",
-        aliases=dict.fromkeys(
-            ("n", "rotational speed", *(f"{engine} speed" for engine in _ENGINES)), ""
-        ),
+        aliases=dict.fromkeys((*_SPEEDS, *(f"{engine} speed" for engine in _ENGINES)), ""),
     ),
     TableColumn(
         "torque",

@@ -13,6 +13,7 @@ from vstatics.core.readers.named.arithmetic import (
     calculated,
     dimensionless,
     expected,
+    further,
     slip,
 )
 from vstatics.core.suggestions import mixed_letters, nearest
@@ -248,7 +249,7 @@ def usual(read: str, kind: Quantity | None) -> str:
     >>> usual("kg", "torque"), usual("N", "torque")
     ('; `kg` is a unit of mass', '; `N` is a unit of force')
     """
-    hint = slip(read)
+    hint = slip(read) or further(read)
     if hint or kind is None:
         return hint or mixed_letters(read)
     letters = _letters(read)

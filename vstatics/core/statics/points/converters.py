@@ -92,7 +92,9 @@ class SoughtRatio:
         by_ratio = [point[0] for point in self.converter.points]
         pieces = math.ceil((LEAST_TRIALS - 1) / max(len(by_ratio) - 1, 1))
         parts = [np.linspace(*ends, pieces, endpoint=False) for ends in pairwise(by_ratio)]
-        lossless = np.outer(_lossless(self.converter), [1 - ROUNDED, 1, 1 + ROUNDED]).ravel()
+        lossless = np.outer(
+            lossless_ratios(self.converter.points), [1 - ROUNDED, 1, 1 + ROUNDED]
+        ).ravel()
         trials = np.concatenate([*parts, by_ratio[-1:], lossless])
         inside = np.unique(trials[(trials >= by_ratio[0]) & (trials <= by_ratio[-1])])[::-1]
         return inside if len(inside) > 1 else np.repeat(inside, 2)
@@ -141,10 +143,14 @@ class SoughtRatio:
         return results.lossy_torques_Nm[:, self.gear, self.rows[0]], speeds * RAD_PER_RPM
 
 
-def _lossless(converter: Mechanism) -> list[float]:
-    """Return the speed ratios i [-] between the points at which the torque ratio is 1/i."""
+def lossless_ratios(points: Iterable[Sequence[float]]) -> list[float]:
+    """Return the speed ratios i [-] at which lines through the torque ratios have the value 1/i.
+
+    >>> lossless_ratios([(0, 1.25, 0.002), (1, 1.25, -0.001)])
+    [0.8]
+    """
     ratios = []
-    for (left, before, _), (right, after, _) in pairwise(converter.points):
+    for (left, before, _), (right, after, _) in pairwise(points):
         slope = (after - before) / (right - left)
         roots = np.roots([slope, before - slope * left, -1])
         ratios += [float(root.real) for root in roots if abs(root.imag) < TIE]

@@ -103,10 +103,7 @@ def find_roots(  # noqa: PLR0913
         Relative surplus at which the search for a root ends. [-]
     """
     surplus = _surpluses(grids, columns, follow)
-    tried = {
-        unknown: _with_edges(unknown, columns, grid, surplus[unknown], follow)
-        for unknown, grid in grids.items()
-    }
+    tried = _with_edges(grids, columns, surplus, follow)
     found: dict[U, list[Floats]] = {unknown: [] for unknown in grids}
     for turn in range(most):
         searches = {unknown: _RootSearch(*_ends(*tried[unknown], turn)) for unknown in grids}
@@ -144,33 +141,85 @@ def _surpluses(grids: Mapping[U, Floats], columns: Columns, follow: Follow) -> d
     return {unknown: np.concatenate(parts) for unknown, parts in surpluses.items()}
 
 
+class _Edges(NamedTuple):
+    """Intervals between two trials of which only one has a surplus."""
+
+    cell: Integers
+    """Index of the first trial of each interval."""
+    point: Integers
+    known: Floats
+    """Trial numbers with a surplus."""
+    beyond: Floats
+    """Trial numbers without a surplus."""
+    last: Floats
+    """Surpluses at `known`."""
+
+    @classmethod
+    def of(cls, trials: Floats, surplus: Floats) -> _Edges:
+        """Return the intervals among trials, which have the shape (trials, points)."""
+        lacks = np.isnan(surplus)
+        wide = np.abs(trials[1:] - trials[:-1]) > SAME_TRIAL * np.abs(trials[1:])
+        cell, point = np.nonzero((lacks[1:] != lacks[:-1]) & wide)
+        second = lacks[cell, point]
+        ends = trials[cell + second, point], trials[cell + ~second, point]
+        return cls(cell, point, *ends, surplus[cell + second, point])
+
+    @property
+    def middle(self) -> Floats:
+        """Trial numbers in the middle of the intervals."""
+        middle: Floats = (self.known + self.beyond) / 2
+        return middle
+
+    def halved(self, surplus: Floats) -> _Edges:
+        """Return the halves that contain the limit, from the surpluses at the middle."""
+        lacks, middle = np.isnan(surplus), self.middle
+        return self._replace(
+            known=np.where(lacks, self.known, middle),
+            beyond=np.where(lacks, middle, self.beyond),
+            last=np.where(lacks, self.last, surplus),
+        )
+
+
 def _with_edges(
-    unknown: Unknown, columns: Columns, trials: Floats, surplus: Floats, follow: Follow
-) -> tuple[Floats, Floats]:
+    grids: Mapping[U, Floats], columns: Columns, surplus: Mapping[U, Floats], follow: Follow
+) -> dict[U, tuple[Floats, Floats]]:
     """Insert a row after each row of trials and surplus, both of shape (trials, points).
 
     If friction locks a gear at only one of two neighbouring trials, the new row contains the limit
     up to which torques exist. A sign change before this limit is then not missed. Otherwise the new
     row repeats the row before.
     """
-    lacks = np.isnan(surplus)
-    wide = np.abs(trials[1:] - trials[:-1]) > SAME_TRIAL * np.abs(trials[1:])
-    cell, point = np.nonzero((lacks[1:] != lacks[:-1]) & wide)
-    is_second = lacks[cell, point]
-    known, beyond = trials[cell + is_second, point], trials[cell + ~is_second, point]
-    last = surplus[cell + is_second, point]
+    edges = {unknown: _Edges.of(grid, surplus[unknown]) for unknown, grid in grids.items()}
+    together = sum(len(edge.cell) for edge in edges.values()) <= MOST_POINTS_AT_ONCE
+    for group in [[*edges]] if together else [[unknown] for unknown in edges]:
+        edges |= _limits({unknown: edges[unknown] for unknown in group}, columns, follow)
+    tried = {}
+    for unknown, edge in edges.items():
+        both = grids[unknown], surplus[unknown]
+        trials, values = (np.repeat(array, 2, axis=0)[:-1] for array in both)
+        place = 2 * edge.cell + 1, edge.point
+        trials[place], values[place] = edge.known, edge.last
+        tried[unknown] = trials, values
+    return tried
+
+
+def _limits(edges: Mapping[U, _Edges], columns: Columns, follow: Follow) -> dict[U, _Edges]:
+    """Bisect intervals of several gears at once, to the limits up to which torques exist."""
+    found = dict(edges)
+    point = np.concatenate([edge.point for edge in edges.values()])
+    ends = np.cumsum([len(edge.point) for edge in edges.values()]).tolist()
+    parts = dict(zip(edges, map(slice, [0, *ends], ends), strict=False))
     at_points = {number: column[point] for number, column in columns.items()}
-    there = unknown.at(point)
-    for _ in range(EDGE_STEPS if len(cell) else 0):
-        middle = (known + beyond) / 2
-        surplus_there = there.surplus(
-            follow({**at_points, unknown.number: middle}, len(cell)).results
-        )
-        known, last = np.where(np.isnan(surplus_there), (known, last), (middle, surplus_there))
-        beyond = np.where(np.isnan(surplus_there), middle, beyond)
-    trials, surplus = (np.repeat(array, 2, axis=0)[:-1] for array in (trials, surplus))
-    trials[2 * cell + 1, point], surplus[2 * cell + 1, point] = known, last
-    return trials, surplus
+    for _ in range(EDGE_STEPS if len(point) else 0):
+        tried = dict(at_points)
+        for unknown, part in parts.items():
+            tried[unknown.number] = at_points[unknown.number].copy()
+            tried[unknown.number][part] = found[unknown].middle
+        results = follow(tried, len(point)).results
+        for unknown, part in parts.items():
+            surplus = unknown.at(point).surplus(results)[part]
+            found[unknown] = found[unknown].halved(surplus)
+    return found
 
 
 def _ends(

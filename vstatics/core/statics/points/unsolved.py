@@ -76,6 +76,8 @@ def _no_ratio(case: Transmission, gear: Gear, solved: Gear) -> str:
     if load.speed and bodies[converter.first] == bodies[case.gear_input(gear)]:
         taken = [torque_of_pump(converter.points, x, load.speed * RAD_PER_RPM) for x, *_ in points]
         text += f"; at the input speed it takes {min(taken):.4g} to {max(taken):.4g} N*m"
+        if case.coasts(gear) and min(taken) < (load.torque or 0.0) < max(taken):
+            text += ", but would gain power where its torque ratio is below 1/i"
     if case.coasts(gear) and last[2] >= 0:
         text += "; to coast, the converter needs points beyond i = 1 with lambda below 0"
     return text
