@@ -51,12 +51,15 @@ _GONE = 40.0
 """Number of time constants after which an eigenmotion has decayed."""
 _FIRST_PARTS = 4
 """Initial number of parts of a stretch with nonlinear torques."""
-_FEWEST_PARTS = 2
-"""Smallest number of parts; a polynomial over a single part has a lower degree."""
+_LEAST_PARTS = 2
+"""Number of parts of full length below which parts become shorter instead of fewer.
+
+Polynomials of a single part have few points and a lower degree.
+"""
 _FIRST_JOINED = 4
 """Number of parts in the first time step of a motion; later steps are longer."""
-_SMOOTH = 4
-"""Number of successful stretches of the fewest parts before a longer stretch is tried."""
+_SMOOTH = 16
+"""Number of successful stretches of few parts before a longer stretch is tried."""
 _LIKE = 1.5
 """Ratio of part lengths below which the last length is kept, to save a new exponential."""
 _MOST_AT_START = 64.0
@@ -247,13 +250,11 @@ class KnownSolutions:
     def __init__(self) -> None:
         self._slopes: list[tuple[Floats, Floats]] = []
         self._exponentials: dict[bytes, Exponential] = {}
-        self.parts: dict[int, int] = {}
-        """Numbers of parts of stretches, by the number of state variables.
+        self.parts: dict[int, tuple[int, float]] = {}
+        """Number of parts, and factor on their length, by the number of state variables.
 
         A slipping device adds a variable.
         """
-        self.shorter: dict[int, float] = {}
-        """Longest fitting part since the last event, relative to `_RADIANS`, by the same number."""
 
     def slopes_near(
         self, slopes: tuple[Floats, Floats], bending: Integers, torques: int
@@ -329,8 +330,8 @@ class Closed:
         """Number of torques in `bending`; the other entries are rates of control values."""
         self.is_given = ports.is_affine and not rates
         self.size = equations.works.start
-        most = min(known.parts.get(self.size, _FIRST_PARTS), _FIRST_PARTS)
-        self.most = _MOST_HALVINGS if self.is_given else most
+        most, self.shorter = known.parts.get(self.size, (_FIRST_PARTS, 1.0))
+        self.most = _MOST_HALVINGS if self.is_given else min(most, _FIRST_PARTS)
         """Largest number of parts of the next stretch."""
         looks = {*rates, *equations.coupled}
         orders = np.array([2 if port in looks else _ORDERS for port in self.bending], dtype=int)
@@ -428,11 +429,10 @@ class Closed:
     def _stretches(self, state: Floats, end: float) -> Iterator[TimeStretch | None]:
         """Yield stretches up to a time, and None wherever a time step ends."""
         time = begin = straightened = self.equations.time
-        shorter, longest = self.solutions.shorter.get(self.size, 1.0), 0.0
-        smooth, patience = 0, _SMOOTH
+        smooth = 0
         joined, most_joined, last_length = 0, _FIRST_JOINED, 0.0
         while time < end:
-            length, count = self._parts(time - begin, end - time, shorter)
+            length, count = self._parts(time - begin, end - time)
             if last_length < length < _LIKE * last_length:  # a new exponential would take longer
                 length, count = _equal_parts(last_length, end - time, self.most)
             if joined >= most_joined or length != last_length:
@@ -444,30 +444,29 @@ class Closed:
                 yield stretch
                 time, state = parts.end_near(end), stretch.last
                 joined += count
-                longest = self.solutions.shorter[self.size] = max(longest, shorter)
                 smooth += 1
                 if (self.series and self.series.fit_twice) or (
-                    count <= _FEWEST_PARTS and smooth % patience == 0
+                    count <= _LEAST_PARTS and smooth % _SMOOTH == 0
                 ):
-                    self.most = min(self.most if shorter < 1 else 2 * self.most, _MOST_HALVINGS)
-                    shorter = min(1.0, 2 * shorter)
-                self.solutions.parts[self.size] = self.most
+                    self.most = min(self.most * (1 + (self.shorter == 1)), _MOST_HALVINGS)
+                    self.shorter = min(1.0, 2 * self.shorter)
+                self.solutions.parts[self.size] = self.most, self.shorter
             elif time > straightened and self._bends_elsewhere(time, state):
                 self._straighten(time, state)
                 straightened = time  # only once at a time, as slopes near 0 are rounded differently
             else:
-                patience = min(2 * patience, _MOST_HALVINGS) if smooth else patience
                 smooth = 0
-                shorter = shorter if count > _FEWEST_PARTS else shorter / 2
-                self.most = max(_FEWEST_PARTS, count // 2)
-                if shorter < SHORTEST_PART:
+                least = _LEAST_PARTS if self.shorter == 1 else 1
+                self.shorter /= 1 if count > least else 2
+                self.most = max(least, count // 2)
+                if self.shorter < SHORTEST_PART:
                     yield None
                     raise NoFit
         yield None
 
-    def _parts(self, gone: float, left: float, shorter: float) -> tuple[float, int]:
+    def _parts(self, gone: float, left: float) -> tuple[float, int]:
         fastest = self._fastest(gone)
-        length = _RADIANS / fastest * shorter if fastest > 0 else left * shorter
+        length = self.shorter * (_RADIANS / fastest if fastest > 0 else left)
         if self.equations.ports.timed:
             length = min(length, self.equations.longest)
         return _equal_parts(length, left, self.most)
