@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 from tests.chance import each_seed, seeded
 from tests.simulation.boxes import capacity, held, points
@@ -320,6 +321,26 @@ def test_an_open_brake_drags_whose_number_is_above_the_number_of_links() -> None
     motion = run(case, 4.0, {1: 60.0})
     assert motion.speeds[-1, 0] == pytest.approx(60 - 4 * 3 / 0.5, rel=EXACT)
     assert motion.energy.losses["B"] == pytest.approx(0.25 * (60**2 - 36**2), rel=EXACT)
+
+
+def test_a_freewheel_between_links_that_come_to_rest_holds_to_the_end() -> None:
+    """``sinh(w/d)`` of the first falls with exp(-M t/(J d)), and 1/w of the second grows by c t/J.
+
+    Torques are formulas alone, so their size at the start is the scale of rounding errors.
+    """
+    wheel = ShiftElement(1, 2, "F", kind="freewheel")
+    case = links(0.404, 0.04709, elements=(wheel,))
+    torques = (1, Formula("-22.67*tanh(speed/0.9451)")), (2, Formula("-0.004164*speed*abs(speed)"))
+    motion = run(case, 3.955, {1: 181.4, 2: 120.93}, torques)
+
+    def slip(time: float) -> float:
+        grown = 181.4 / 0.9451 - 22.67 * time / (0.404 * 0.9451) - math.log(2)  # of sinh, as e^x/2
+        second = 1 / (1 / 120.93 + 0.004164 * time / 0.04709)
+        return 0.9451 * math.asinh(math.exp(grown)) - second
+
+    [event] = [event for event in motion.events if event.event == "locks"]
+    assert event.time == pytest.approx(brentq(slip, 3.0, 3.3), abs=1e-7)
+    assert motion.speeds[-1] == pytest.approx(0.0, abs=1e-7)
 
 
 def test_drag_that_turns_below_0_or_that_a_freewheel_cannot_have_is_refused() -> None:

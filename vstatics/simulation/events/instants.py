@@ -190,5 +190,9 @@ def large_sizes(system: MotionSystem, at: Instant) -> LargeSizes:
     torques += [abs(programme_at(spring.programme, at.time, seen)) for spring in system.springs]
     laws = [load.law for load in system.outside]
     torques += [abs(torque) for law in laws if isinstance(law, Points) for torque in law.y]
+    for load in system.outside:
+        if isinstance(load.law, Formula) and not load.law.seen:
+            speed = float(at.speeds[load.link])
+            torques.append(abs(load.law.function(at.time, speed, 0.0)))
     large = max(filter(math.isfinite, torques), default=0.0)
     return LargeSizes(max(1.0, largest(at.speeds)), max(1.0, large))
