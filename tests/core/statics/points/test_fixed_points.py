@@ -14,7 +14,7 @@ import pytest
 from tests.chance import count, seeded
 from tests.oracle.gears import solve_gear
 from tests.trains import is_regular, random_train, shown
-from vstatics import Load, Results, Transmission, solve
+from vstatics import Load, Results, Transmission, loads, solve
 from vstatics.core.model.laws import PointLaw
 
 NET = 60
@@ -104,3 +104,43 @@ def checked(seed: int) -> str:
 @pytest.mark.parametrize("seeds", [range(count(24, 200))])
 def test_solutions_are_as_many_as_in_exact_fractions(seeds: range) -> None:
     assert "one" in {checked(seed) for seed in seeds}
+
+
+CHAIN = """links: [a, b, c]
+load: {{speed: 100 rad/s, torque: 100 N*m}}
+mechanisms:
+  G: {{first: b, second: a, ratio: 0.8, efficiency: {{over: torque, points: {laws[0]}}}}}
+  H: {{first: c, second: b, ratio: 1.2, efficiency: {{over: torque, points: {laws[1]}}}}}
+"""
+
+
+def crossings(law: list[list[float]], torque: float) -> list[float]:
+    """All efficiencies e that the law has at the torque e T, between its corners in closed form."""
+    places, values = np.transpose([[0, law[0][1]], *law, [1e6, law[-1][1]]])
+    found = []
+    for (left, low), (right, high) in pairwise(zip(places, values, strict=True)):
+        slope = (high - low) / (right - left)
+        e = (low - slope * left) / (1 - slope * torque)
+        found += [float(e)] * bool(left <= e * torque < right)
+    return found
+
+
+def test_the_only_efficiencies_of_two_jagged_laws_are_found() -> None:
+    """The torque on the first link is that behind each pair: e G T/0.8, then e H of it by 1.2."""
+    rng, singles = seeded(528), 0
+    for _ in range(count(8, 600)):
+        laws = [
+            [[x, rng.uniform(0.6, 0.99)] for x in sorted(rng.uniform(35, 110) for _ in range(7))]
+            for _ in "GH"
+        ]
+        pairs = [
+            (e, f)
+            for e in crossings(laws[0], 100 / 0.8)
+            for f in crossings(laws[1], 100 / 0.8 / 1.2 * e)
+        ]
+        if len(pairs) == 1:
+            singles += 1
+            [(e, f)] = pairs
+            torques = solve(loads(CHAIN.format(laws=laws))).lossy_torques_Nm[0, :2]
+            assert np.abs(torques) == pytest.approx([e * 125, e * f * 125 / 1.2]), laws
+    assert singles > 2

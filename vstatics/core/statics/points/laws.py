@@ -5,13 +5,15 @@ gears (whose input torque is known) therefore follow directly from the speeds. I
 states of freewheels, they are recalculated until the states settle. Efficiencies over torque, or
 over speed and torque, result from fixed-point iterations, which start from the smallest and the
 largest efficiency and, if a gear has several, from the middle. If the efficiencies of only one
-mechanism of a gear depend on torque, a scan of the whole range searches for further solutions. A
+mechanism of a gear depend on torque, a scan of the whole range searches for further solutions. If
+iterations fail in a gear with several such mechanisms, their efficiencies are scanned in turn. A
 solution is accepted only if it is unique.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from copy import copy
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -347,6 +349,10 @@ class _Search:
             state[~still & stands] = 0
             still = still | stands
         self._scan(best, state)
+        for gear, of_gear in self.of_gear.items():
+            rows = np.flatnonzero(state[:, gear] == NONE)
+            if rows.size and len({number.owner for number in of_gear}) > 1:
+                self._part(rows).search_in_turn(gear, rows, best, state)
         state[lacking & (state == NONE)] = 0  # missing torques are reported elsewhere
         columns = {**self.columns, **best}
         results = solve_points(self.case, columns, self.variants)
@@ -401,6 +407,50 @@ class _Search:
             solutions += stands
         gear_state[asked & (gear_state == NONE) & (solutions == 1)] = 0
         gear_state[asked & (solutions > 1)] = SEVERAL
+
+    def _part(self, rows: Integers) -> _Search:
+        """Return the search for the points with the indices `rows`."""
+        part = copy(self)
+        part.variants = len(rows)
+        part.columns = {number: column[rows] for number, column in self.columns.items()}
+        part.speeds = {number: speeds[rows] for number, speeds in self.speeds.items()}
+        return part
+
+    def search_in_turn(
+        self, gear: int, rows: Integers, best: dict[CaseNumber, Floats], state: Integers
+    ) -> None:
+        """Search the whole range of each efficiency of a gear in turn, with the others constant.
+
+        Efficiencies that oscillate in fixed-point iterations are found if each of them depends on
+        preceding efficiencies only. `best` and `state` are of all points, with the indices `rows`.
+        """
+        numbers = self.of_gear[gear]
+        trial = {number: efficiencies[rows] for number, efficiencies in best.items()}
+        several = np.zeros(len(rows), np.bool_)
+        for _ in range(len(numbers) + 1):
+            several[:] = False
+            for number in numbers:
+                grid = np.linspace(*_ends(self.laws[number]), SCAN_POINTS)
+                left = np.array([self._left(number, trial, value) for value in grid])
+                turns = np.sign(left[1:]) * np.sign(left[:-1]) <= 0
+                turns[1:] &= left[1:-1] != 0
+                root, stands = self._between(number, trial, grid, left, turns.argmax(axis=0))
+                trial[number] = np.where(stands & turns.any(axis=0), root, trial[number])
+                several |= turns.sum(axis=0) > 1
+        results, efficiencies = self._tried(trial)
+        agrees = np.ones(len(rows), np.bool_)
+        for number in numbers:
+            apart = np.abs(efficiencies[number] - trial[number]) > SAME_SOLUTION
+            agrees &= ~(apart & _is_in_use(self.case, number, results))
+            best[number][rows] = np.where(agrees, trial[number], best[number][rows])
+        agrees &= results.consistent[:, gear]
+        state[rows[agrees], gear] = np.where(several, SEVERAL, 0)[agrees]
+
+    def _left(self, number: CaseNumber, trial: Mapping[CaseNumber, Floats], value: float) -> Floats:
+        """Return the resulting minus the trial value of an efficiency, with the others constant."""
+        _, efficiencies = self._tried({**trial, number: np.full(self.variants, value)})
+        left: Floats = efficiencies[number] - value
+        return left
 
     def _between(
         self,
