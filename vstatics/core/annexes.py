@@ -17,7 +17,7 @@ from importlib import import_module
 from types import MappingProxyType, ModuleType
 from typing import Never, TypeVar
 
-from vstatics.core.named_tuple import NamedTuple
+from vstatics.core.start import NamedTuple
 
 Entry = TypeVar("Entry")
 

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import Any, Self, TypeVar
 
 from vstatics.core.errors import CaseError
-from vstatics.core.named_tuple import NamedTuple
+from vstatics.core.start import NamedTuple
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")

@@ -14,7 +14,7 @@ import textwrap
 from functools import cache
 
 from vstatics.core.errors import Severity, severity
-from vstatics.core.named_tuple import NamedTuple
+from vstatics.core.start import NamedTuple
 
 _FOLDER = os.path.dirname(__file__)  # noqa: PTH120 (pathlib costs start-up time)
 _WIDTH = 80

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from vstatics.core.annexes import KEYS, module, module_of_key
-from vstatics.core.named_tuple import NamedTuple
+from vstatics.core.start import NamedTuple
 
 if TYPE_CHECKING:
     from vstatics.core.errors import Problem

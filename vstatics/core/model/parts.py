@@ -15,7 +15,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Literal, Self, TypeVar, get_args
 
 from vstatics.core.model.empty import EMPTY
-from vstatics.core.named_tuple import NamedTuple
+from vstatics.core.start import NamedTuple
 
 if TYPE_CHECKING:
     from vstatics.core.numerics.arrays import Booleans, Floats  # costs start-up time

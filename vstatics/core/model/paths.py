@@ -13,7 +13,7 @@ from collections.abc import Mapping, Sequence
 from typing import TypeAlias
 
 from vstatics.core.errors import quoted
-from vstatics.core.named_tuple import NamedTuple
+from vstatics.core.start import NamedTuple
 
 Keys: TypeAlias = tuple[str, ...]
 """Keys of a path, without quotes."""

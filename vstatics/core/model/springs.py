@@ -10,7 +10,7 @@ from typing import Any
 
 from vstatics.core.model.parts import HOUSING, NO_DAMPING, Damping
 from vstatics.core.model.struts import Strut, StrutCurve
-from vstatics.core.named_tuple import NamedTuple
+from vstatics.core.start import NamedTuple
 
 Twist = tuple[tuple[int, float], ...]
 """Pairs of link and coefficient. The twist is the sum of link angles times coefficients."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from vstatics.core.named_tuple import NamedTuple
+from vstatics.core.start import NamedTuple
 
 
 class Strut(NamedTuple):

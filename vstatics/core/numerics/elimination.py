@@ -25,7 +25,6 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from typing import Any
 
-from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.signed import (
     Either,
     Signed,
@@ -60,6 +59,7 @@ from vstatics.core.numerics.traced import (
     operand_of,
     plain,
 )
+from vstatics.core.start import NamedTuple
 
 Entry = tuple[Number, Any]
 """Value, and the magnitude to which its rounding error is proportional.

@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from vstatics.core.named_tuple import NamedTuple
+from vstatics.core.start import NamedTuple
 
 KEPT_BYTES = 2**27
 """Largest total size of the stored blocks, in bytes."""

@@ -19,7 +19,6 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 from vstatics.core.numerics.memory import Rows
 from vstatics.core.numerics.replay import Replay, replay
@@ -27,6 +26,7 @@ from vstatics.core.numerics.signed import Signed, Truth
 from vstatics.core.numerics.tape import Residual, Tape, Untraceable
 from vstatics.core.numerics.tolerances import LEAST_INPUT
 from vstatics.core.numerics.traced import Magnitude, Number, Traced
+from vstatics.core.start import NamedTuple
 
 FEW_VARIANTS = 4
 """Number of variants up to which all are calculated individually, without a plan.

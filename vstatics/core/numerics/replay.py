@@ -9,12 +9,12 @@ from typing import Any
 
 import numpy as np
 
-from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.core.numerics.memory import Layout, Rows
 from vstatics.core.numerics.signed import Signed, Truth, upright
 from vstatics.core.numerics.tape import GUARDS, Operand, Plain, Residual, Tape
 from vstatics.core.numerics.traced import Number, Traced
+from vstatics.core.start import NamedTuple
 
 CHUNK = 20480
 """Number of variants calculated together: many for few calls, but few enough for the CPU cache."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Never
 
-from vstatics.core.named_tuple import NamedTuple
+from vstatics.core.start import NamedTuple
 
 MOST_OPERATIONS = 20_000
 """Largest number of operations on a tape. Recording a longer calculation does not save time."""

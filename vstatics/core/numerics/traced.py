@@ -19,7 +19,6 @@ from collections.abc import Callable, Collection, Sequence
 from functools import reduce
 from typing import Any, TypeGuard
 
-from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.signed import Condition, Signed, Truth, bounds_of, upright, value_of
 from vstatics.core.numerics.tape import (
     HUGE,
@@ -32,6 +31,7 @@ from vstatics.core.numerics.tape import (
     ordered,
 )
 from vstatics.core.numerics.tolerances import SURE_MAGNITUDES
+from vstatics.core.start import NamedTuple
 
 
 class Magnitude(NamedTuple):

@@ -18,7 +18,7 @@ from vstatics.core.errors import (
 )
 from vstatics.core.model.checks import doubts
 from vstatics.core.model.transmission import Transmission
-from vstatics.core.named_tuple import NamedTuple
+from vstatics.core.start import NamedTuple
 
 if TYPE_CHECKING:
     from vstatics.core.statics.result_arrays import Message

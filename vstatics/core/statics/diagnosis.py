@@ -16,10 +16,10 @@ from vstatics.core.errors import Problem, not_allowed, path_text, spoken
 from vstatics.core.model.checks import doubts
 from vstatics.core.model.parts import OfLoad
 from vstatics.core.model.transmission import Gear, Mechanism, SpeedOf, Transmission
-from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics import elimination
 from vstatics.core.numerics.tolerances import TIE, UNCERTAIN
 from vstatics.core.numerics.traced import Number, is_nan, plain
+from vstatics.core.start import NamedTuple
 from vstatics.core.statics import carried, digits, freewheels, ideal, matrix, torques
 from vstatics.core.statics.idle_by_coincidence import coincidences, idle_with_torque
 from vstatics.core.statics.result_arrays import Message

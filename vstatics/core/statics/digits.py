@@ -12,11 +12,11 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics import elimination
 from vstatics.core.numerics.elimination import Equation
 from vstatics.core.numerics.tolerances import NO_POWER, UNCERTAIN
 from vstatics.core.numerics.traced import Number, plain
+from vstatics.core.start import NamedTuple
 from vstatics.core.statics.matrix import Column, columns, loaded_devices, speed_rows, torque_rows
 from vstatics.core.statics.state import GearState
 from vstatics.core.statics.torques import Torques

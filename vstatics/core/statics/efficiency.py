@@ -13,8 +13,8 @@ import math
 from collections.abc import Sequence
 
 from vstatics.core.model.transmission import Transmission
-from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.traced import Number, chosen, is_nan
+from vstatics.core.start import NamedTuple
 
 Signs = tuple[Number, ...]
 """Exponent x of the efficiency of each mechanism: +1, -1 or 0; NaN if indeterminate."""

@@ -6,9 +6,9 @@ import math
 from collections.abc import Mapping, Sequence
 
 from vstatics.core.model.transmission import HOUSING, Gear, Transmission
-from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.tolerances import TIE
 from vstatics.core.numerics.traced import Number, absolute, is_nan, is_nothing_beside
+from vstatics.core.start import NamedTuple
 from vstatics.core.statics import matrix
 from vstatics.core.statics.matrix import Column, Variant
 from vstatics.core.statics.speeds import Speeds

@@ -11,10 +11,10 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.signed import Condition
 from vstatics.core.numerics.tape import Residual
 from vstatics.core.numerics.traced import Number, absolute, chosen, is_nan, residual, sign
+from vstatics.core.start import NamedTuple
 from vstatics.core.statics.efficiency import Signs, is_possible, lossy_ratios, passed
 from vstatics.core.statics.ideal import (
     IdealGear,

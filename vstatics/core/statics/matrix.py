@@ -26,10 +26,10 @@ import numpy as np
 from vstatics.core.model.empty import EMPTY
 from vstatics.core.model.parts import OfLoad
 from vstatics.core.model.transmission import HOUSING, Gear, Mechanism, SpeedOf, Transmission
-from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.arrays import Booleans, Floats, as_floats
 from vstatics.core.numerics.elimination import RIGHT, Coefficient, Equation
 from vstatics.core.numerics.traced import Number, is_exact
+from vstatics.core.start import NamedTuple
 from vstatics.core.statics.efficiency import Efficiency, efficiencies_by_direction
 
 if TYPE_CHECKING:

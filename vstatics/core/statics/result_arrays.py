@@ -10,8 +10,8 @@ import numpy as np
 from vstatics.core.errors import Severity, severity
 from vstatics.core.model.empty import EMPTY
 from vstatics.core.model.transmission import Gear, Transmission
-from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
+from vstatics.core.start import NamedTuple
 
 if TYPE_CHECKING:
     from typing import Self, dataclass_transform

@@ -13,7 +13,6 @@ from functools import reduce
 from itertools import product
 from operator import or_
 
-from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.signed import Condition
 from vstatics.core.numerics.tape import Residual, Untraceable
 from vstatics.core.numerics.tolerances import NO_POWER, TIE
@@ -29,6 +28,7 @@ from vstatics.core.numerics.traced import (
     plain,
     sign,
 )
+from vstatics.core.start import NamedTuple
 from vstatics.core.statics.efficiency import Signs, is_possible
 from vstatics.core.statics.ideal import IdealGear, gaining, mechanism_torques
 from vstatics.core.statics.losses import LossyTorques, no_solution, power_ratio, torques_for_signs

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from vstatics.core.model.transmission import HOUSING, Gear, Transmission
-from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics import elimination
 from vstatics.core.numerics.tolerances import TIE
 from vstatics.core.numerics.traced import Number, absolute, is_nothing_beside
+from vstatics.core.start import NamedTuple
 from vstatics.core.statics.matrix import Column, speed_rows
 
 

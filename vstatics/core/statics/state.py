@@ -11,7 +11,6 @@ from typing import Any
 from vstatics.core.model.bodies import Bodies
 from vstatics.core.model.parts import HOUSING, Planet
 from vstatics.core.model.transmission import Gear, Transmission
-from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.signed import Condition
 from vstatics.core.numerics.tape import Residual
 from vstatics.core.numerics.tolerances import CLOSED
@@ -24,6 +23,7 @@ from vstatics.core.numerics.traced import (
     residual,
     where,
 )
+from vstatics.core.start import NamedTuple
 from vstatics.core.statics.bodies import turning_as_one
 from vstatics.core.statics.efficiency import Signs, lossy_ratios
 from vstatics.core.statics.ideal import IdealGear

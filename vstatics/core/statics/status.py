@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.traced import Number, absolute
+from vstatics.core.start import NamedTuple
 
 
 class Status(NamedTuple):

@@ -17,9 +17,9 @@ from collections.abc import Mapping, Sequence
 from vstatics.core.model.empty import EMPTY
 from vstatics.core.model.parts import OfLoad
 from vstatics.core.model.transmission import HOUSING, Gear, Transmission
-from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics import elimination
 from vstatics.core.numerics.traced import Number, absolute, is_nan, sign
+from vstatics.core.start import NamedTuple
 from vstatics.core.statics import matrix
 from vstatics.core.statics.matrix import Column
 from vstatics.core.statics.speeds import is_tie

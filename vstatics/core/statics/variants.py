@@ -16,7 +16,6 @@ from vstatics.core.annexes import KEYS
 from vstatics.core.model.parts import OfLoad
 from vstatics.core.model.springs import Spring
 from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Transmission
-from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics import memory
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.memory import Form
@@ -24,6 +23,7 @@ from vstatics.core.numerics.plans import Function, Inputs, Plans, prepared
 from vstatics.core.numerics.signed import Condition
 from vstatics.core.numerics.tape import Residual
 from vstatics.core.numerics.traced import Number
+from vstatics.core.start import NamedTuple
 from vstatics.core.statics import matrix
 from vstatics.core.statics.efficiency import Efficiency
 from vstatics.core.statics.freewheels import find_state

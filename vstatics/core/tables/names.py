@@ -10,7 +10,7 @@ from vstatics.core.arguments import type_and_value
 from vstatics.core.errors import ReadError, listed, quoted, typed_number
 from vstatics.core.model.paths import in_quotes
 from vstatics.core.model.transmission import Transmission
-from vstatics.core.named_tuple import NamedTuple
+from vstatics.core.start import NamedTuple
 from vstatics.core.statics.matrix import structural_matrix
 from vstatics.core.statics.result_arrays import Rows, row_names
 from vstatics.core.statics.results import Results

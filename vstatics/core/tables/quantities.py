@@ -13,8 +13,8 @@ from typing import Literal
 
 import numpy as np
 
-from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.arrays import Floats
+from vstatics.core.start import NamedTuple
 from vstatics.core.statics.result_arrays import ARRAYS, Rows
 from vstatics.core.statics.results import Results
 

@@ -32,8 +32,8 @@ from vstatics.core.messages.catalogue import causes_of_allowable
 from vstatics.core.model.checks import hints
 from vstatics.core.model.parts import NOMINAL_LOAD, Load
 from vstatics.core.model.transmission import IdleConvention, Transmission
-from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.readers.reading import Reading
+from vstatics.core.start import NamedTuple
 from vstatics.core.tables.file_suffixes import suffix_of
 from vstatics.core.texts import Language
 

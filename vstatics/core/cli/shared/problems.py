@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from vstatics.core.errors import Problem, count_of, listed, of_file
-from vstatics.core.named_tuple import NamedTuple
+from vstatics.core.start import NamedTuple
 
 
 class Telling(NamedTuple):

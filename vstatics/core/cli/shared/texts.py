@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions
 from vstatics.core.cli.shared.formats import Destination
-from vstatics.core.named_tuple import NamedTuple
+from vstatics.core.start import NamedTuple
 from vstatics.core.texts import speaking
 
 if TYPE_CHECKING:

@@ -9,9 +9,9 @@ from itertools import islice
 from math import isfinite
 from typing import TypeVar
 
-from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.readers.deck.text import Field, Scan, latin
 from vstatics.core.readers.signs import dash_hint
+from vstatics.core.start import NamedTuple
 
 Number = TypeVar("Number", int, float)
 Parse = Callable[[str], Number]

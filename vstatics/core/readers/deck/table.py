@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from vstatics.core.named_tuple import NamedTuple
+from vstatics.core.start import NamedTuple
 
 
 class DeckList(NamedTuple):

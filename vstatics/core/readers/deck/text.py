@@ -13,9 +13,9 @@ from functools import lru_cache
 from typing import Any
 
 from vstatics.core.errors import Place, Problem, ReadError
-from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.readers.reading import Source
 from vstatics.core.readers.signs import with_plain_blanks
+from vstatics.core.start import NamedTuple
 from vstatics.core.tables.quantities import PRINTED
 
 SPRINGS = "KSPR"

@@ -1,9 +1,9 @@
-"""Named tuples of the package, compared with those of the standard library."""
+"""Named tuples that start quickly, compared with those of the standard library."""
 
 import pickle
 import typing
 
-from vstatics.core.named_tuple import NamedTuple
+from vstatics.core.start import NamedTuple
 
 
 class Ours(NamedTuple):
