@@ -126,7 +126,12 @@ class PlanetGroup:
         return self.relative(first, train) / self.relative(second, train)
 
     def path(self, first: str, second: str) -> list[tuple[str, str]]:
-        """Return the meshes between two planets on the shortest path, as pairs of rims."""
+        """Return the meshes between two planets on the shortest path, as pairs of rims.
+
+        >>> planets = {name: {name: None} for name in "abc"}
+        >>> PlanetGroup(1, [], planets, [("b", "c"), ("a", "b")]).path("a", "c")
+        [('a', 'b'), ('b', 'c')]
+        """
         ways: dict[str, list[tuple[str, str]]] = {first: []}
         waiting = [first]
         while waiting and second not in ways:

@@ -92,6 +92,8 @@ def test_laws_that_cannot_be_are_refused() -> None:
     ):
         with pytest.raises(CaseError, match=said):
             pair(drag={1: law})
+    with pytest.raises(CaseError, match=r"loss.*: read -7, expected a loss of 0 or more"):
+        pair(loss=MapLaw([0, 9], [[0, 1, 1], [9, 1, -7]], "W"))
     case = pair(Load(200 * RPM, 80), drag={1: DragFormula("1 - 0.01*w")})
     with pytest.raises(CaseError, match=r"drag of 1: read -1, expected a torque of 0 or more"):
         solve(case)
