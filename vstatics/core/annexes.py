@@ -15,7 +15,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from importlib import import_module
 from types import MappingProxyType, ModuleType
-from typing import NamedTuple, Never, TypeVar
+from typing import Never, TypeVar
+
+from vstatics.core.named_tuple import NamedTuple
 
 Entry = TypeVar("Entry")
 

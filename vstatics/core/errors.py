@@ -10,7 +10,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Container, Iterable, Sequence
-from typing import Literal, NamedTuple, Protocol, TypeVar
+from typing import Literal, Protocol, TypeVar
+
+from vstatics.core.named_tuple import NamedTuple
 
 Path = tuple[str | int, ...]
 """Path of a value in a model, such as ``("mechanisms", 2, "ratio")``. Items count from 1."""

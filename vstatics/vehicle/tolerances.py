@@ -18,6 +18,10 @@ NO_SPEED = 1e-12
 """Speed of a link that counts as rounding noise, relative to the largest speed. [-]"""
 LEAST_EXCESS = 1e-9
 """Relative increase of an engine torque that rounding left below the least value. [-]"""
+LEAST_CLUTCH_FORCE = 4e-9
+"""Increase of the least wheel force of a slipping clutch, against rounding, relative and in N."""
+NO_SLIP_POWER = 1e-6
+"""Power of a slipping clutch that counts as 0, relative to the power at the wheels. [-]"""
 AT_REST = 1e-10
 """Engine speed for losses at rest, relative to the last engine speed. [-]"""
 SMALLEST_NUMBER = 1e-15

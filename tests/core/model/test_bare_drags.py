@@ -83,3 +83,16 @@ def test_the_warning_has_the_place_and_the_torque() -> None:
     allowed = vstatics("run", "-", "--allow", "W440", stdin=BARE.encode())
     assert "W440" not in allowed.all
     assert "has no unit" not in allowed.all
+
+
+def test_a_slip_far_beyond_the_input_speed_probably_lacks_its_unit() -> None:
+    """Up to 5 times the input speed is possible, for example if the load turns backward."""
+    text = BARE.replace('drag: {a: "1 + 0.01*w", b: 0.3}', "shift_elements: {C: [a, housing]}")
+    text = text.replace('"1": []', "low: {slip: {C: SLIP}}")
+    for slip, size in (("60", "60 times the input speed, 60000 rpm; if"), ("-5.1", "-5.1 times")):
+        [said] = read(text.replace("SLIP", slip).encode(), "case.yaml").warnings
+        assert said.message.startswith("gears.low.slip.C: ")
+        assert f"the slip of C has no unit, so it is {size}" in said.message
+        assert said.id == "W440"
+    for slip in ("5", "-1.3", "900 rpm"):
+        assert not read(text.replace("SLIP", slip).encode(), "case.yaml").warnings

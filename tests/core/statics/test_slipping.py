@@ -114,8 +114,6 @@ def by_hand(case: Transmission) -> ByHand | None:
     ideal = torques(us)
     flows = [m * w for m, w in zip(ideal[elements:-1], moving, strict=True)]
     idle = [not m and w and eta < 1 for m, w, eta in zip(flows, moving, etas, strict=True)]
-    if drives(ideal):
-        return ByHand(speeds, None, None, None)
     out = ideal[-1] * speeds[case.output]
     best: tuple[Fraction, list[Fraction]] | None = None
     ways = [(1, -1) if m and eta < 1 else (0,) for m, eta in zip(flows, etas, strict=True)]
@@ -132,6 +130,8 @@ def by_hand(case: Transmission) -> ByHand | None:
         ):
             eta = max(power, ZERO) if turn > 0 else 1 / power if power else ZERO
             best = max(best or (eta, lossy), (eta, lossy), key=lambda one: one[0])
+    if drives(ideal) and best is None:
+        return ByHand(speeds, None, None, None)
     return ByHand(speeds, ideal, best and best[1], best and best[0])
 
 
@@ -279,3 +279,37 @@ def test_wrong_slips_in_python_are_located() -> None:
         with pytest.raises(CaseError, match=said) as caught:
             two_shafts(0.1).replace(gears=[Gear(slip={number: slip})])
         assert caught.value.problems[0].path == ("gears", 1, "slip", number)
+
+
+DRAGGED = """\
+links: [engine, shaft, out]
+load: {{speed: {speed} rad/s, torque: {torque} N*m}}
+shift_elements: {{C: [engine, shaft]}}
+mechanisms: {{P: {{first: shaft, second: out, ratio: {ratio}, efficiency: 0.9}}}}
+drag: {{engine: {drags[0]} N*m, shaft: {drags[1]} N*m}}
+gears: {{creep: {{slip: {{C: {slip} rad/s}}}}}}
+"""
+
+
+def test_torques_with_losses_exist_even_if_the_clutch_would_drive_without_losses() -> None:
+    """Link by link: the clutch carries the torque of the engine less the drag before the clutch."""
+    rng, kinds = seeded(57), set()
+    for _ in range(count(60, 600)):
+        speed, torque = rng.choice([-1, 1]) * rng.uniform(50, 300), rng.uniform(-20, 20)
+        drags, ratio = [rng.uniform(0, 12), rng.uniform(0, 12)], rng.choice([-3.0, 2.5])
+        slips = np.array([rng.choice([-1, 1]) * rng.uniform(1, 350) for _ in range(3)])
+        clutch = torque - math.copysign(drags[0], speed)
+        pair = clutch - drags[1] * np.sign(speed - slips)
+        out = pair * ratio * 0.9 ** np.sign(pair * (speed - slips))
+        loses = clutch * slips >= 0
+        text = DRAGGED.format(speed=speed, torque=torque, ratio=ratio, drags=drags, slip=slips[0])
+        results = solve(loads(text), vary={"gears.creep.slip.C": slips})
+        expected = np.transpose([np.full(3, clutch), pair, out])
+        expected[~loses] = math.nan
+        assert results.lossy_torques_Nm[:, 0] == pytest.approx(expected, abs=1e-9, nan_ok=True), (
+            text
+        )
+        alone = solve(loads(text)).lossy_torques_Nm[0]
+        assert alone == pytest.approx(expected[0], abs=1e-9, nan_ok=True)
+        kinds |= {*zip(loses.tolist(), (torque * slips >= 0).tolist(), strict=True)}
+    assert len(kinds) == 4

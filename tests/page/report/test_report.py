@@ -128,8 +128,13 @@ def test_powers_are_those_of_the_flow(zf: Page) -> None:
 
 
 @pytest.mark.slow
+def test_the_page_of_ten_gears_says_repeated_shapes_once() -> None:
+    assert len(report(CASES / "ford-10r80.yaml").encode()) <= 500_000  # [bytes]
+
+
+@pytest.mark.slow
 def test_each_gear_has_pictures_of_its_own(zf: Page) -> None:
-    labels = [one.attributes["aria-label"] or "" for one in zf.all("svg")]
+    labels = [one.attributes.get("aria-label") or "" for one in zf.all("svg")]
     for kind in ("Stick diagram", "Power flow", "Lever diagram"):
         own = [one for one in labels if one.startswith(f"{kind}, gear") and "small" not in one]
         assert own == [f"{kind}, gear {gear}" for gear in zf.data["gears"]]
@@ -153,7 +158,7 @@ def test_sections_have_the_documented_order(zf: Page) -> None:
 @pytest.mark.slow
 def test_many_plans_stand_on_several_sheets(zf: Page) -> None:
     """Each of them fits a printed page, which no long picture does."""
-    sheets = [one for one in zf.all("svg") if one.attributes["aria-label"] == "Kinematic plan"]
+    sheets = [one for one in zf.all("svg") if one.attributes.get("aria-label") == "Kinematic plan"]
     labels = [one.attributes.get("aria-label") or "" for one in zf.all("div")]
     named = [one for one in labels if one.startswith("Kinematic")]
     assert named == [f"Kinematic plan, {n} of {len(sheets)}" for n in range(1, len(sheets) + 1)]

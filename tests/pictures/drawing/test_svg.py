@@ -47,6 +47,17 @@ def test_texts_stay_texts_in_letters_that_other_machines_have() -> None:
     assert figure_of(pen.canvas).texts[0].get_path_effects()
 
 
+def test_parts_with_one_tooltip_are_one_group() -> None:
+    pen = blank(50.0, 50.0, STYLE)
+    for place, name in enumerate(("sun", "sun", "ring")):
+        pen.line((0.0, place), (5.0, place), title=name, kind="wire", color="#000000")
+    groups = parsed(written_as_svg(pen.canvas, "")).iter(f"{SVG}g")
+    assert [(group.findtext(f"{SVG}title"), len(group)) for group in groups] == [
+        ("sun", 3),
+        ("ring", 2),
+    ]
+
+
 def test_spaces_between_parts_of_a_text_stay() -> None:
     pen = blank(144.0, 72.0, STYLE)
     pen.text(72.0, 36.0, "mode 1    6.5 Hz")

@@ -19,6 +19,27 @@ def test_a_look_of_many_is_said_once() -> None:
     assert shared(Markup(LINE)) == (LINE, "")
 
 
+def test_a_shape_of_many_pictures_is_defined_once_and_keeps_its_tooltips() -> None:
+    shape = f'<path d="M0 0{"h9v9" * 9}"'
+    shown = f"<svg>{shape}><title>sun</title></path></svg><svg>{shape}/></svg>"
+    page, _ = shared(Markup(shown * 3))
+    assert page.count(shape[7:]) == 1
+    assert page.count("<use href") == 6
+    assert page.count("<title>sun</title></use>") == 3
+
+
+def test_equal_hatches_of_pictures_are_defined_once() -> None:
+    shown = "".join(
+        f'<svg><defs><pattern id="{name}-h0">{LINE}</pattern></defs>'
+        f'<path fill="url(#{name}-h0)"/><path fill="url(#c)"/></svg>'
+        for name in "ab"
+    )
+    page, rules = shared(Markup(shown))
+    assert page.count("<pattern") == 1
+    assert '<pattern id="h0">' in page
+    assert rules == ".l0{fill:url(#h0)}\n.l1{fill:url(#c)}"
+
+
 def test_texts_that_look_like_attributes_are_left_alone() -> None:
     text = tag("text", '<path fill="none" stroke="red"> fill="none"', x=1)
     page, _ = shared(Markup(text * 2 + LINE * 2))

@@ -52,7 +52,7 @@ def test_all_gears_have_one_campbell_diagram_and_each_its_modes(shown: Page) -> 
     kinds = ("Campbell diagram", "Natural modes")
     captions = [one.text for one in shown.all("figcaption")]
     assert [one for one in captions if one in kinds] == [kinds[0], kinds[1], kinds[1]]
-    labels = [one.attributes["aria-label"] or "" for one in shown.all("svg")]
+    labels = [one.attributes.get("aria-label") or "" for one in shown.all("svg")]
     assert [one for one in labels if one.startswith(kinds)] == [
         "Campbell diagram",
         *(f"Natural modes, gear {gear}" for gear in ("low", "direct")),

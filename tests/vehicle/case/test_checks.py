@@ -91,10 +91,11 @@ def test_a_number_without_its_unit_is_told_where_no_part_is_as_large() -> None:
         "mass: 1e308",
         "engine: [[1, 1e300]]",
         "engine: [[1e300, 1]]",
+        "rolling: {over: speed, points: [[1, 1e300]]}",
     ],
 )
 def test_numbers_that_would_overflow_are_refused(given: str) -> None:
-    vehicle = {"mass": "1200", "radius": "0.3"} | dict([given.split(": ")])
+    vehicle = {"mass": "1200", "radius": "0.3"} | dict([given.split(": ", 1)])
     keys = ", ".join(map(": ".join, vehicle.items()))
     text = f"links: 2\nmechanisms: {{a: {{first: 1, second: 2, ratio: 3}}}}\nvehicle: {{{keys}}}\n"
     with pytest.raises(ReadError, match=rf"vehicle.{given[:4]}.*1e.15.*E268"):

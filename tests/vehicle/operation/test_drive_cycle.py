@@ -452,9 +452,38 @@ def test_a_slip_of_the_wrong_sign_gives_no_cycle() -> None:
     with pytest.raises(CaseError, match=r"engine would turn at -97\.8591 rpm, expected a gear"):
         drive(in_rpm("-900 rpm"), trace((0, 10, "low"), (4, 11, "low")), GearChoice())
     for inertias in ("", "inertias: {engine: 0.1}\n"):
-        case = loads(f"{SLIPPING}{inertias}")
-        with pytest.raises(CaseError, match=r"gear low has no torques .* only a slip below 0 is p"):
-            drive(case, trace((0, 7, "low"), (4, 5, "low")), GearChoice())
+        case = loads(SLIPPING.replace("0.4", "-0.4") + inertias)
+        with pytest.raises(CaseError, match=r"gear low has no torques .* only a slip above 0 is p"):
+            drive(case, trace((0, 5, "low"), (4, 7, "low")), GearChoice())
+
+
+@pytest.mark.parametrize("more", [False, True])
+def test_a_slipping_clutch_leaves_braking_to_the_brakes(more: bool) -> None:
+    """Link by link: where the shaft would drive the clutch, the clutch carries no torque."""
+    drags, inertias = ((2, 3), (0.1, 0.05)) if more else ((0, 0), (0, 0))
+    text = f"drag: {{engine: {drags[0]} N*m, a: {drags[1]} N*m}}\n"
+    text += f"inertias: {{engine: {inertias[0]}, a: {inertias[1]}}}\n"
+    case = in_rpm("20 rad/s", text.replace("N*m", "N*m" if more else ""))
+    rows = trace((0, 7, "low"), (4, 5, "low"), (6, 9, "low"), (9, 0.3, "low"))
+    driven = drive(case, rows, GearChoice())
+    engine = brakes = slip = 0.0
+    for v, a, time in ((6, -0.5, 4), (7, 2, 2), (4.65, -2.9, 3)):
+        shaft, change = v / 0.5 * 4, a / 0.5 * 4
+        asked = 1000 * a * 0.5 / 4
+        clutch = asked / 0.8 ** (1 if a > 0 else -1) + inertias[1] * change + drags[1]
+        is_open = clutch < 0
+        torque = max((0 if is_open else clutch) + drags[0] + inertias[0] * change, 0)
+        clutch = torque - drags[0] - inertias[0] * change
+        pair = clutch - drags[1] - inertias[1] * change
+        force = pair * 0.8 ** (1 if pair > 0 else -1) * 4 / 0.5
+        engine += torque * (shaft + 20) * time
+        brakes += (force - 1000 * a) * v * time
+        slip += clutch * 20 * time
+    energy = driven.energy
+    assert [energy.engine, energy.lost["slip.A"]] == pytest.approx([engine, slip])
+    assert energy.brakes == pytest.approx(brakes)
+    given = energy.wheels + energy.inertias + energy.brakes + sum(energy.lost.values())
+    assert energy.engine == pytest.approx(given, rel=1e-9)
 
 
 def test_slip_in_a_gear_without_a_ratio_hinders_no_cycle() -> None:

@@ -44,14 +44,18 @@ def random_drive(chance: Random) -> tuple[Vehicle, Grid, float]:
     grid = random_map(chance, low=0.6, high=0.95, sides=True)
     battery = chance.uniform(0.9, 1)
     generating = [(0.0, -20.0), (700.0, -90.0)] * (chance.random() < 0.5)
-    machine = Machine([(0, 260), (900, 120)], generating, MapLaw(*grid), battery)
+    auxiliary = chance.choice([0.0, chance.uniform(0.3, 3)])
+    machine = Machine([(0, 260), (900, 120)], generating, MapLaw(*grid), battery, auxiliary)
     part = chance.choice([0.0, 0.5, 0.8, 1.0])
     car = Vehicle(1500, 0.3, 0.012, 0.6, machine=machine, recuperation=part)
     return car, grid, battery
 
 
 def test_each_step_by_hand() -> None:
-    """P of the wheels through pair and inertia to the machine, by its map to the battery."""
+    """P of the wheels through pair and inertia to the machine, by its map to the battery.
+
+    Other consumers as in https://github.com/NatLabRockies/altrios/pull/32.
+    """
     chance = seeded(61)
     for _ in range(count(12, 500)):
         car, grid, battery = random_drive(chance)
@@ -72,7 +76,7 @@ def test_each_step_by_hand() -> None:
             brakes += 2 * (asked - force) * v
             power = torque * w
             e = eta(w, torque)
-            electric = power / e if power > 0 else power * e
+            electric = (power / e if power > 0 else power * e) + 1000 * car.machine.auxiliary
             from_battery = electric / battery if electric > 0 else electric * battery
             mechanical += 2 * power
             out += 2 * max(from_battery, 0)
@@ -96,6 +100,7 @@ def test_energies_add_up_with_a_loss_of_the_gear() -> None:
         found = driven(car, [chance.uniform(1, 25) for _ in range(6)], MapLaw(columns, rows, "N*m"))
         energy, use = found.energy, found.battery
         parts: list[Any] = [energy.machine, energy.machine_lost, energy.battery_lost]
+        parts.append(energy.auxiliary or 0.0)
         assert energy.engine is None
         assert use is not None
         assert energy.battery == pytest.approx(use.out - use.returned, rel=1e-12)
@@ -140,7 +145,9 @@ MACHINE = "machine: {torque: [[0, 200], [9000 rpm, 60]]%s}"
 
 
 def test_a_machine_is_written_as_it_was_read() -> None:
-    own = ", generating: [[0, -90]], efficiency: 0.92, battery: {efficiency: 0.97}"
+    own = (
+        ", generating: [[0, -90]], efficiency: 0.92, battery: {efficiency: 0.97, auxiliary: 800 W}"
+    )
     case = loads(CAR % (MACHINE % own + ", recuperation: 0.6"))
     assert loads(write_yaml(case)) == case
     machine = Vehicle.needed(case).machine
@@ -153,6 +160,7 @@ def test_a_machine_that_cannot_be_is_refused_at_its_place() -> None:
         (MACHINE % "" + ", engine: [[0, 9]]", "read `machine` together with `engine`"),
         (MACHINE % ", generating: [[0, 5]]", "generating[1]: read 5 N*m"),
         (MACHINE % "" + ", recuperation: 1.2", "recuperation: read 1.2"),
+        (MACHINE % ", battery: {auxiliary: -1 W}", "battery.auxiliary: read -0.001 kW"),
         ("recuperation: 0.5", "read `recuperation` without `machine`"),
         (MACHINE % ", efficiency: 1.1", "efficiency: read 1.1, expected an efficiency above 0"),
         (MACHINE % ", battery: {efficiency: 0}", "battery.efficiency: read 0"),

@@ -34,6 +34,7 @@ SPEEDS = {
     "mi/h": Fraction(1609344, 3600000),
 }
 GRADES = {"grade": 1, "Grade [-]": 1, "grade [%]": 100, "Gradient (%)": 100, "cycGrade": 1}
+GRADES |= {"gradient [‰]": 1000}
 IMPLIED = {
     **dict.fromkeys(("Seconds", "sec", "Sec", "s", "SECS", "second", "cycSecs", "<t>"), "s"),
     **dict.fromkeys(("cycMps", "mps", "m/s"), "m/s"),
@@ -101,8 +102,10 @@ class Layout:
         """The file."""
         rng = self.rng
         end = self.separator * rng.choice([0, 0, 1, 3])
+        # https://github.com/OasisLMF/ktools/issues/22: a blank before the quotes of a cell
+        between = self.separator + rng.choice(["", " "])
         lines = [
-            self.separator.join(map(self.cell, row)) + end
+            between.join(map(self.cell, row)) + end
             for row in zip(*([name, *cells] for name, cells in columns), strict=True)
         ]
         titles = ["FTPCOL.TXT\tFederal Test Procedure", "A cycle, by time and speed", "# of 1975"]
@@ -166,6 +169,7 @@ def test_headings_of_further_programs() -> None:
             SINE,
         ),
         ("time [s];vehicle_speed [km/h];slope [°]\n0;0;-3\n2;36;-3\n", -SINE),
+        ("time [s];speed [km/h];slope [rad]\n0;0;0.05236\n2;36;0\n", math.sin(0.05236)),
         ("time [s],speed [km/h],Incline (°)\n0,0,-3\n2,36,-3\n", -SINE),
         ("t / s;v / (km/h);grade_percent;Speed/Limit\n0;0;75;9\n2;36;75;9\n", 0.6),
         ("time [hh:mm:ss];speed [km/h];grade\n07:59:59,5;0;0,75\n08:00:01,5;36;0,75\n", 0.6),

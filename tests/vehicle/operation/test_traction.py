@@ -8,10 +8,13 @@ import numpy as np
 import pytest
 
 from tests.commands import json_answer, json_file, vstatics
-from vstatics import Gear, Mechanism, ShiftElement, Transmission
+from vstatics import Gear, Mechanism, ShiftElement, Transmission, load
 from vstatics.core.model.parts import OfLoad
 from vstatics.core.numerics.constants import AIR, GRAVITY
 from vstatics.vehicle.case.vehicle import Vehicle
+from vstatics.vehicle.operation.cycle_steps import GearChoice
+from vstatics.vehicle.operation.drive_cycle import drive
+from vstatics.vehicle.operation.trace import read_trace
 from vstatics.vehicle.operation.traction import performance
 
 CLUTCHES = [ShiftElement(1, 2), ShiftElement(1, 3)]
@@ -39,6 +42,35 @@ def test_time_against_air_is_that_of_the_closed_form() -> None:
     limited = 3.6 * 2000 / 4 / 2 * 0.25
     assert made.top_speed == pytest.approx(min(fastest, limited), rel=1e-12)
     assert made.gears["1"].slope == pytest.approx(force / (1000 * GRAVITY), rel=1e-12)
+
+
+def test_coastdown_terms_of_a_road_are_rolling_points_and_air() -> None:
+    """R = A + B v + C v^2 (Davis), by the roots of F - R: the time is a logarithm.
+
+    https://github.com/openrails/openrails/pull/203, and A, B, C of road loads by EPA.
+    """
+    a, b, c, force, m = 120.0, 4.0, 0.45, 3200.0, 1000.0
+    rolling = [(0.0, a / m / GRAVITY), (100.0, (a + 100 * b) / m / GRAVITY)]
+    car = Vehicle(m, 0.25, rolling, 2 * c / AIR, 2.0, engine=[(0.0, 100.0), (2000.0, 100.0)])
+    case = one_gear(car)
+    fast, slow = sorted(np.roots([c, b, a - force]), reverse=True)
+    v = 100 / 3.6
+    time = m / c / (fast - slow) * math.log((v - slow) / (fast - v) * fast / -slow)
+    answer = performance(case)
+    assert answer.time_to_100 == pytest.approx(time, rel=1e-12)
+    limited = one_gear(car._replace(engine=[(0.0, 100.0), (9000.0, 100.0)]))
+    assert performance(limited).top_speed == pytest.approx(3.6 * min(fast, 9000 / 8 * 0.25))
+    driven = drive(case, read_trace(b"time [s],speed [m/s]\n0,20\n10,20\n", "t"), GearChoice())
+    assert driven.energy.wheels == pytest.approx((a + 20 * b + 400 * c) * 200, rel=1e-12)
+
+
+@pytest.mark.parametrize(("rise", "at"), [(0.2, 0.0), (3.0, 12.5)])
+def test_the_steepest_slope_is_where_force_outgrows_rolling_most(rise: float, at: float) -> None:
+    """The engine ends at 400/4/2 .25 = 12.5 m/s; its force rises linearly from 3200 N."""
+    car = Vehicle(1000, 0.25, [(0.0, 0.01), (12.5, 0.05)], 0.0, 2.0)
+    case = one_gear(car._replace(engine=[(0.0, 100.0), (400.0, 100.0 * (1 + rise / 10))]))
+    force = 3200 * (1 + rise / 10 * at / 12.5) - 9810 * (0.01 + 0.04 * at / 12.5)
+    assert performance(case).gears["1"].slope == pytest.approx(force / 9810, rel=1e-12)
 
 
 def test_top_speed_is_where_force_is_resistance() -> None:
@@ -116,11 +148,13 @@ def test_summary_tells_the_vehicle(tmp_path: Path) -> None:
     file = tmp_path / "car.yaml"
     file.write_text(
         "links: 2\nmechanisms: {pair: {first: 1, second: 2, ratio: 4}}\ngears: {low: []}\n"
-        "vehicle: {mass: 1 t, radius: 50 cm, engine: [[0, 125], [400 rad/s, 125 N*m]]}\n"
+        "vehicle: {mass: 1 t, radius: 50 cm, engine: [[0, 125], [400 rad/s, 125 N*m]],\n"
+        "  rolling: {over: speed, points: [[0, 0], [180 km/h, 0]]}}\n"
     )
     told = json_answer("summary", file)["vehicle"]
     assert told["top_speed"] == pytest.approx(180)
     assert told["time_to_100"] == pytest.approx(100 / 3.6)
     assert told["gears"]["low"]["slope"] == pytest.approx(1000 / (1000 * GRAVITY))
     assert vstatics("convert", file, tmp_path / "back.json").status == 0
+    assert Vehicle.needed(load(tmp_path / "back.json")) == Vehicle.needed(load(file))
     assert json_file(tmp_path / "back.json")["vehicle"]["radius"] == 0.5

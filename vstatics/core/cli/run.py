@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -20,8 +20,10 @@ from vstatics.core.errors import CaseError, printable
 from vstatics.core.jobs.files import STDOUT, is_stream
 from vstatics.core.jobs.workers import cores
 from vstatics.core.statics.results import Results
-from vstatics.core.tables.grid import Grid
 from vstatics.core.texts import speaking
+
+if TYPE_CHECKING:
+    from vstatics.core.tables.grid import Grid
 
 PLAIN: dict[str, Any] = {"color_system": None, "force_terminal": False}
 """Options of a `rich` console for plain text without colours."""

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator
-from typing import Any, NamedTuple, Self, TypeVar
+from typing import Any, Self, TypeVar
 
 from vstatics.core.errors import CaseError
+from vstatics.core.named_tuple import NamedTuple
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")

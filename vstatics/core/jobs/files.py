@@ -113,9 +113,10 @@ def replacing(
     ChangedFileError
         If the earlier file, which then does not change, has other than the `expected` content.
     """
-    if os.path.islink(path):  # noqa: PTH114
+    mode = _mode(path or os.curdir, os.lstat)
+    if mode is not None and stat.S_ISLNK(mode):
         path = os.path.realpath(path)
-    mode = _mode(path or os.curdir)
+        mode = _mode(path)
     with whole_file(path, mark, mode, source=folder, expected=expected) as write:
         yield write
 
@@ -272,10 +273,10 @@ def write_all(handle: int, data: bytes | memoryview) -> None:
         remaining = remaining[os.write(handle, remaining) :]
 
 
-def _mode(path: str) -> int | None:
+def _mode(path: str, status: Callable[[str], os.stat_result] = os.stat) -> int | None:
     """Return type and permissions of a file, or None without a file; refuse a directory."""
     try:
-        mode = os.stat(path).st_mode  # noqa: PTH116
+        mode = status(path).st_mode
     except FileNotFoundError:
         return None
     if stat.S_ISDIR(mode):

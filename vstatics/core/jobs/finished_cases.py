@@ -18,13 +18,15 @@ from typing import Any, NamedTuple, Self
 
 from vstatics.core.errors import ReadError, of_file
 from vstatics.core.extras import build
-from vstatics.core.jobs.files import hash_of, hash_of_file, write_all
+from vstatics.core.jobs.files import hash_of, hash_of_file, replace, write_all
 from vstatics.core.jobs.lock import lock, unlock
 from vstatics.core.jobs.state_files import StateFolder
 
 Description = dict[str, Any]
 """Options and other data on which finished work depends, except the input files."""
 LOCKED = ".lock"
+PAGED = ("svg", "png")
+"""Formats of pictures whose pages are separate files."""
 _SEAL = 16
 """Number of hexadecimal digits of the hash of a line (64 bits)."""
 NO_RUN = "there is no earlier run to resume"
@@ -254,9 +256,13 @@ class FinishedCases:
         OSError
             If the result cannot be written.
         """
-        from vstatics.core.jobs.page_files import replace_pages  # few runs write pages
+        if self.mark in PAGED:
+            from vstatics.core.jobs.page_files import replace_pages  # few runs write pages
 
-        replace_pages(target, result, self.mark)
+            replace_pages(target, result, self.mark)
+        else:
+            [page] = result
+            replace(target, page, self.mark)
         name, mark = os.path.basename(target), case_mark(case, named_files)  # noqa: PTH119
         entry = [name, *mark, self._run, _state(target), failed]
         self._append(sealed(json.dumps(entry).encode()))

@@ -12,9 +12,9 @@ from __future__ import annotations
 import os
 import textwrap
 from functools import cache
-from typing import NamedTuple
 
 from vstatics.core.errors import Severity, severity
+from vstatics.core.named_tuple import NamedTuple
 
 _FOLDER = os.path.dirname(__file__)  # noqa: PTH120 (pathlib costs start-up time)
 _WIDTH = 80

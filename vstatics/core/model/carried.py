@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from vstatics.core.annexes import KEYS, module, module_of_key
+from vstatics.core.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vstatics.core.errors import Problem

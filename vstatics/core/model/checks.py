@@ -39,6 +39,8 @@ The solver can try all combinations of holding freewheels in every gear: at most
 """
 LARGE_DRAG = 0.05
 """Largest plausible relative drag torque; a larger number was probably meant in N*m. [-]"""
+LARGE_SLIP = 5.0
+"""Largest plausible relative slip; a larger number was probably meant in rpm or rad/s. [-]"""
 
 
 def problems(case: TransmissionFields) -> Iterator[Problem]:
@@ -122,6 +124,23 @@ def doubts(case: TransmissionFields) -> Iterator[Problem]:
     for key in carried_keys(case):
         yield from key.doubts(case)
     yield from case.derived(_bare_drags)
+    yield from _bare_slips(case)
+
+
+def _bare_slips(case: TransmissionFields) -> Iterator[Problem]:
+    """Warn about unitless slips that are probably in rpm or rad/s."""
+    for number, gear in enumerate(case.gears, 1):
+        for owner, slip in gear.slip.items():
+            if abs(slip) > LARGE_SLIP and not isinstance(slip, OfLoad):
+                speed = case.gear_load(gear).speed
+                size = "" if speed is None else f", {slip * speed:g} rpm"
+                yield Problem(
+                    "W440",
+                    f"the slip of {case.shift_elements[owner - 1].name} has no unit, so it is "
+                    f"{slip:g} times the input speed{size}; if it is meant in rpm, write "
+                    f"`{slip:g} rpm`",
+                    ("gears", number, "slip", owner),
+                )
 
 
 def _bare_drags(case: TransmissionFields) -> list[Problem]:

@@ -311,6 +311,27 @@ GEAR_LOSS = ByLaw(
 )
 """Declaration of a loss measured for a whole gear, over input speed [rad/s] and torque [N*m]."""
 
+ROLLING = Either(
+    NUMBER,
+    "points",
+    ByKey(
+        "Rolling resistance over speed",
+        "Points, interpolated linearly and held constant outside.",
+        (
+            KeyShape("over", Leaf("choice", ("speed",)), "Speed of the vehicle.", required=True),
+            KeyShape(
+                "points",
+                ListOf(RowOf((Leaf("velocity"), NUMBER), "speed, coefficient"), unique=False),
+                "Points [speed in m/s, from 0 on, coefficient].",
+                required=True,
+                examples=([[0, 0.01], [30, 0.016]],),
+            ),
+        ),
+        lambda points, over="speed": points if over else (),
+    ),
+)
+"""Declaration of a coefficient of rolling resistance [-]: a number, or points over speed [m/s]."""
+
 ELEMENT = ByKey(
     "Shift element",
     "A clutch, brake, dog clutch or freewheel.",

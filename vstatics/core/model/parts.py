@@ -12,9 +12,10 @@ from __future__ import annotations
 import math
 from bisect import bisect_right
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Self, TypeVar, get_args
+from typing import TYPE_CHECKING, Any, Literal, Self, TypeVar, get_args
 
 from vstatics.core.model.empty import EMPTY
+from vstatics.core.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vstatics.core.numerics.arrays import Booleans, Floats  # costs start-up time

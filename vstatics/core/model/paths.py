@@ -10,9 +10,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple, TypeAlias
+from typing import TypeAlias
 
 from vstatics.core.errors import quoted
+from vstatics.core.named_tuple import NamedTuple
 
 Keys: TypeAlias = tuple[str, ...]
 """Keys of a path, without quotes."""

@@ -6,10 +6,11 @@ import math
 from bisect import bisect_left, bisect_right
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import Any
 
 from vstatics.core.model.parts import HOUSING, NO_DAMPING, Damping
 from vstatics.core.model.struts import Strut, StrutCurve
+from vstatics.core.named_tuple import NamedTuple
 
 Twist = tuple[tuple[int, float], ...]
 """Pairs of link and coefficient. The twist is the sum of link angles times coefficients."""

@@ -6,7 +6,9 @@ Source: Tsitovich, Algin, Vehicle dynamics, Minsk, 1981, (4.12) to (4.18).
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from typing import Any
+
+from vstatics.core.named_tuple import NamedTuple
 
 
 class Strut(NamedTuple):

@@ -23,8 +23,9 @@ import math
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cache
-from typing import Any, NamedTuple
+from typing import Any
 
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.signed import (
     Either,
     Signed,
@@ -145,7 +146,9 @@ def solve_with_certainty(
 
 def _has_digits(entry: Entry) -> bool:
     """Return whether a number has enough correct digits, or is NaN because it does not exist."""
-    value, size = _of_first_variant(entry)
+    value, size = entry
+    if not value.__class__ is size.__class__ is float:
+        value, size = _of_first_variant(entry)
     return not EPSILON * size > UNCERTAIN * abs(value)
 
 
@@ -349,6 +352,8 @@ def less_of_floats(entry: FloatEntry, factor: FloatEntry, term: FloatEntry) -> F
     product = a * b
     size += factor_size * abs(b) + abs(a) * term_size
     left = value - product
+    if abs(left) > ZERO * size:  # this is the usual case
+        return left, size
     rounding = min(ZERO * size, TRACED_REAL * max(abs(value), abs(product)))
     return (0.0 if abs(left) <= rounding < math.inf else left), size
 

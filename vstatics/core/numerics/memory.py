@@ -12,9 +12,11 @@ import math
 from collections import deque
 from collections.abc import Mapping, Sequence
 from itertools import accumulate
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
+
+from vstatics.core.named_tuple import NamedTuple
 
 KEPT_BYTES = 2**27
 """Largest total size of the stored blocks, in bytes."""

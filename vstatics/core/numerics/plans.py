@@ -16,10 +16,10 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
 
 import numpy as np
 
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 from vstatics.core.numerics.memory import Rows
 from vstatics.core.numerics.replay import Replay, replay
@@ -46,7 +46,8 @@ TRIALS = 6
 WIDENING = (1.05, 1.25, 2.0)
 """Factors by which the input bounds of plans of fixed sign exceed the recorded inputs.
 
-Later plans have wider bounds, so that slowly changing inputs do not need a new plan in each run.
+Later plans, and plans recorded for a single variant, have wider bounds, so that slowly changing
+inputs do not need a new plan in each run.
 """
 SERVED_PART = 0.5
 """Fraction of variants that a plan of fixed sign must serve if a plan of any sign exists."""
@@ -126,7 +127,8 @@ class Plans:
             with contextlib.suppress(Untraceable):
                 again = any(plan.signed for plan in self.plans)
                 return plan_of_any_sign(self.function, inputs, place, again=again)
-        widening = WIDENING[min(len(self.plans), len(WIDENING) - 1)]
+        further = len(self.plans) + (inputs.values.shape[1] == 1)
+        widening = WIDENING[min(further, len(WIDENING) - 1)]
         return plan_of_one_sign(self.function, inputs, place, widening)
 
     def _worth(self, left: int, inputs: Inputs) -> bool:

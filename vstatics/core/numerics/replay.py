@@ -5,10 +5,11 @@ from __future__ import annotations
 import operator
 import threading
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.core.numerics.memory import Layout, Rows
 from vstatics.core.numerics.signed import Signed, Truth, upright

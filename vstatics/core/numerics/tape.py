@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple, Never
+from typing import Never
+
+from vstatics.core.named_tuple import NamedTuple
 
 MOST_OPERATIONS = 20_000
 """Largest number of operations on a tape. Recording a longer calculation does not save time."""

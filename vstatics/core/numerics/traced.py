@@ -17,8 +17,9 @@ import math
 import operator
 from collections.abc import Callable, Collection, Sequence
 from functools import reduce
-from typing import Any, NamedTuple, TypeGuard
+from typing import Any, TypeGuard
 
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.signed import Condition, Signed, Truth, bounds_of, upright, value_of
 from vstatics.core.numerics.tape import (
     HUGE,

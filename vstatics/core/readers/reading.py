@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vstatics.core.errors import (
     CaseError,
@@ -18,6 +18,7 @@ from vstatics.core.errors import (
 )
 from vstatics.core.model.checks import doubts
 from vstatics.core.model.transmission import Transmission
+from vstatics.core.named_tuple import NamedTuple
 
 if TYPE_CHECKING:
     from vstatics.core.statics.result_arrays import Message

@@ -100,14 +100,14 @@ def _locked_up(case: Transmission, mechanisms: Iterable[int], bodies: Sequence[i
             locked_up.add(index)
     for first, *others in apart.values():
         for other in others:
-            ours, theirs = (_torques_on_bodies(case.mechanisms[n], bodies) for n in (first, other))
-            body, next_body, _ = sorted(ours)
-            left, right = ours[body] * theirs[next_body], ours[next_body] * theirs[body]
+            ours, theirs = (_torques_by_body(case.mechanisms[n], bodies) for n in (first, other))
+            left, right = ours[0] * theirs[1], ours[1] * theirs[0]
             if abs(left - right) > UNCERTAIN * (abs(left) + abs(right)):
                 locked_up |= {first, other}
     return locked_up
 
 
-def _torques_on_bodies(mechanism: Mechanism, bodies: Sequence[int]) -> dict[int, float]:
-    joined = (bodies[link] for link in mechanism.links)
-    return dict(zip(joined, column(mechanism.ratio), strict=True))
+def _torques_by_body(mechanism: Mechanism, bodies: Sequence[int]) -> list[float]:
+    """Return the torques on three different bodies, in the order of the bodies."""
+    torques = zip(mechanism.links, column(mechanism.ratio), strict=True)
+    return [torque for _, torque in sorted((bodies[link], torque) for link, torque in torques)]

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from typing import NamedTuple
 
 import numpy as np
 
@@ -17,6 +16,7 @@ from vstatics.core.errors import Problem, not_allowed, path_text, spoken
 from vstatics.core.model.checks import doubts
 from vstatics.core.model.parts import OfLoad
 from vstatics.core.model.transmission import Gear, Mechanism, SpeedOf, Transmission
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics import elimination
 from vstatics.core.numerics.tolerances import TIE, UNCERTAIN
 from vstatics.core.numerics.traced import Number, is_nan, plain
@@ -560,10 +560,10 @@ def _driving_messages(results: Results, number: int) -> Iterator[Said]:
 def _gaining_converters(results: Results, number: int) -> str:
     if not results.case.has_converter:
         return ""
-    state = results.gear_at(number).ideal
-    given = state.variant.columns, state.drag, state.external
-    torques_ = torques.solve_torques(results.case, state.gear, *given)
-    names = ideal.gaining(state._replace(torques_with_drag=torques_))
+    state = results.gear_at(number)
+    variant = state.ideal.variant
+    torques_ = torques.solve_torques(results.case, state.gear, variant.columns)
+    names = ideal.gaining(variant, state.ideal.direction, state.ideal.speeds, torques_)
     return f"converter{_s(len(names))} {spoken(names)} would gain power" if names else ""
 
 

@@ -11,9 +11,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import NamedTuple
 
 from vstatics.core.model.transmission import Transmission
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.traced import Number, chosen, is_nan
 
 Signs = tuple[Number, ...]

@@ -10,8 +10,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
 
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.signed import Condition
 from vstatics.core.numerics.tape import Residual
 from vstatics.core.numerics.traced import Number, absolute, chosen, is_nan, residual, sign
@@ -90,9 +90,9 @@ def check_signs(
         if not (x == 0 or efficiencies.lossless):
             agrees = agrees & (x * direction >= 0)
     for mechanism, loss in zip(ideal.case.mechanisms, losses, strict=True):
-        if mechanism.kind == "converter":
+        if mechanism.kind == "converter" and not ideal.allows_driving:
             agrees = agrees & (loss * way >= 0)
-    for number in ideal.gear.slip:
+    for number in () if ideal.allows_driving else ideal.gear.slip:
         if not is_nan(of_slips[number - 1]):
             agrees = agrees & (of_slips[number - 1] * way >= 0)
     passes = ideal.overcome or (efficiency > 0) & (efficiency < math.inf)

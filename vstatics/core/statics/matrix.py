@@ -19,13 +19,14 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
 from vstatics.core.model.empty import EMPTY
 from vstatics.core.model.parts import OfLoad
 from vstatics.core.model.transmission import HOUSING, Gear, Mechanism, SpeedOf, Transmission
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.arrays import Booleans, Floats, as_floats
 from vstatics.core.numerics.elimination import RIGHT, Coefficient, Equation
 from vstatics.core.numerics.traced import Number, is_exact
@@ -87,15 +88,19 @@ def rows(case: Transmission, ratios: Sequence[Number]) -> list[Column]:
 
 
 def _by_device(case: Transmission, of_mechanisms: Iterable[Sequence[Coefficient]]) -> list[Column]:
-    of_elements = [
-        _without_housing((element.first, element.second), ON_ELEMENT)
-        for element in case.shift_elements
-    ]
     mechanisms = [
         _without_housing(mechanism.links, torques)
         for mechanism, torques in zip(case.mechanisms, of_mechanisms, strict=True)
     ]
-    return [*of_elements, *mechanisms, *(spring.form for spring in case.springs)]
+    return [
+        *case.derived(_of_elements),
+        *mechanisms,
+        *(spring.form for spring in case.springs),
+    ]
+
+
+def _of_elements(case: Transmission) -> list[Column]:
+    return [_without_housing(element.links, ON_ELEMENT) for element in case.shift_elements]
 
 
 ON_ELEMENT = (1, -1)

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Literal, NamedTuple
+from typing import Literal
 
 from vstatics.core.model.transmission import HOUSING, Gear, ShiftElement, Transmission
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.traced import Number
 from vstatics.core.statics.matrix import external_torques, held_links
 from vstatics.core.statics.torques import Drag, Torques, times

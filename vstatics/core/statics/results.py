@@ -217,7 +217,7 @@ class Results(PhysicalResults):
         exists = self.calculable
         if name in ("locked", "dragged"):
             exists = exists & ~self.undecided
-        if exists.all():
+        if np.count_nonzero(exists) == exists.size:
             return array.astype(np.float64)
         return np.where(exists[..., None] if name == "idle" else exists, array, np.nan)
 

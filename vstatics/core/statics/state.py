@@ -6,11 +6,12 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from functools import reduce
 from operator import add
-from typing import Any, NamedTuple
+from typing import Any
 
 from vstatics.core.model.bodies import Bodies
 from vstatics.core.model.parts import HOUSING, Planet
 from vstatics.core.model.transmission import Gear, Transmission
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.signed import Condition
 from vstatics.core.numerics.tape import Residual
 from vstatics.core.numerics.tolerances import CLOSED

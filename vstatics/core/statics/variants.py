@@ -8,7 +8,7 @@ from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from dataclasses import fields
 from functools import lru_cache, partial
 from operator import attrgetter
-from typing import Any, Literal, NamedTuple, get_args
+from typing import Any, Literal, get_args
 
 import numpy as np
 
@@ -16,6 +16,7 @@ from vstatics.core.annexes import KEYS
 from vstatics.core.model.parts import OfLoad
 from vstatics.core.model.springs import Spring
 from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Transmission
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics import memory
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.memory import Form

@@ -144,7 +144,7 @@ def table(grid: Grid, *, headed: bool = True, level: int = 3) -> Markup:
 
 def bare(grid: Grid) -> Markup:
     """Return an HTML table without a title."""
-    heads = (tag("th", item.heading, scope="col", class_=_kind(item)) for item in grid.columns)
+    heads = (tag("th", item.heading, class_=_kind(item)) for item in grid.columns)
     rows = [*_over(grid), tag("tr", *heads)]
     levels = grid.levels or [0] * len(grid.rows)
     body = (_row(grid, row, level) for row, level in zip(grid.cells, levels, strict=True))
@@ -158,7 +158,7 @@ def _over(grid: Grid) -> Iterator[Markup]:
         for over, columns in groupby(grid.columns, lambda column: column.over):
             count = len([*columns])
             spans = {"colspan": count} if count > 1 else {}
-            heads.append(tag("th", over, scope="colgroup", **spans) if over else tag("td", **spans))
+            heads.append(tag("th", over, scope="colgroup" if over else False, **spans))
         yield tag("tr", *heads, class_="over")
 
 
@@ -214,7 +214,7 @@ def scrolled(inner: Markup, label: str) -> Markup:
 
 
 def _row(grid: Grid, row: list[Cell], level: int) -> Markup:
-    name = f'<th scope="row"{_marks(row[0])}>{_text(row[0])}</th>'
+    name = f"<th{_marks(row[0])}>{_text(row[0])}</th>"
     cells = "".join(_cell(*pair) for pair in zip(grid.columns[1:], row[1:], strict=True))
     return Markup(f"<tr{_attribute('data_level', level or False)}>{name}{cells}</tr>")
 

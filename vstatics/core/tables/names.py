@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any, NamedTuple, cast
+from typing import Any, cast
 
 from vstatics.core.arguments import type_and_value
 from vstatics.core.errors import ReadError, listed, quoted, typed_number
 from vstatics.core.model.paths import in_quotes
 from vstatics.core.model.transmission import Transmission
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.statics.matrix import structural_matrix
 from vstatics.core.statics.result_arrays import Rows, row_names
 from vstatics.core.statics.results import Results
@@ -162,7 +163,7 @@ def no_row(name: str, kind: Rows, names: Sequence[str], hint: str = "") -> str:
 
 NAME = re.compile(r"[^\W\d]\w*")
 """Pattern of a name that is a plain word."""
-DOTTED = re.compile(rf"{NAME.pattern}(?:\.\w+)*")
+DOTTED = rf"{NAME.pattern}(?:\.\w+)*"
 """Pattern of a name that needs no quotes in brackets, such as `P1.ring`."""
 _QUOTED = r"\"[^\"]*\"|'[^']*'"
 _IN_FORMULA = rf"{_QUOTED}|\[(?:{_QUOTED}|[^\]\"'])*\]|[\w.]+"
@@ -192,8 +193,6 @@ ROWS: Mapping[Rows, RowWords] = {
     "one": RowWords("gear", "gears", "NP"),
 }
 """Words for each kind of row."""
-
-_DIGITS = re.compile(r"[0-9]+")
 
 
 def table_rows(name: str, case: Transmission) -> Sequence[str]:
@@ -227,7 +226,7 @@ def is_bare(name: str) -> bool:
     >>> is_bare("вал"), is_bare("P1.ring"), is_bare("2"), is_bare("1R"), is_bare("4-5")
     (True, True, True, False, False)
     """
-    return bool(DOTTED.fullmatch(name) or _DIGITS.fullmatch(name))
+    return bool(re.fullmatch(rf"{DOTTED}|[0-9]+", name))
 
 
 ALL = slice(None)

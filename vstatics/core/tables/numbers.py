@@ -10,7 +10,7 @@ from math import isfinite
 
 from vstatics.core.numerics.tolerances import ROUNDED_NUMBER
 
-_MINUS = re.compile(r"(?<![\w.)\]-])-(?=\.?\d|[A-Za-z]+[_\[])")
+_MINUS = r"(?<![\w.)\]-])-(?=\.?\d|[A-Za-z]+[_\[])"
 
 EXPONENT_DIGITS = 4
 """Smallest number of significant digits in E format."""
@@ -187,4 +187,4 @@ def typeset(text: str) -> str:
     >>> typeset("-M_C + M_1 = 0; --unloaded exact")
     '−M_C + M_1 = 0; --unloaded exact'
     """
-    return _MINUS.sub("−", text) if "-" in text else text
+    return re.sub(_MINUS, "−", text) if "-" in text else text

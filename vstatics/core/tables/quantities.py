@@ -9,10 +9,11 @@ the end of a deck are derived from these entries.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Literal, NamedTuple
+from typing import Literal
 
 import numpy as np
 
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.statics.result_arrays import ARRAYS, Rows
 from vstatics.core.statics.results import Results

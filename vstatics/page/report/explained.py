@@ -11,7 +11,7 @@ from vstatics.core.explain import explain_gear
 from vstatics.core.explain.explanation import Explanation
 from vstatics.core.explain.text import sections
 from vstatics.core.extras import missing
-from vstatics.core.tables.html import Markup, scrolled, tag
+from vstatics.core.tables.html import Markup, tag
 from vstatics.page.report.material import Material
 
 
@@ -52,7 +52,7 @@ def _gear(explanation: Explanation, digits: int | None) -> Iterator[Markup]:
         name, _, comment = part.heading.partition(":")
         note = [tag("p", _typeset(comment.strip()), class_="note")] * bool(comment)
         heading = tag("h4", name)
-        yield tag("div", heading, *note, scrolled(shown, name), class_="explained")
+        yield tag("div", heading, *note, shown, class_="explained")
 
 
 _BEFORE = re.compile(r"\S.*?\s{2,}|\s*")

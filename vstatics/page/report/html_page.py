@@ -14,7 +14,7 @@ from vstatics.page.report.asked import SECTIONS
 from vstatics.page.report.material import Material
 from vstatics.page.report.parts import chooser
 from vstatics.page.report.sections import sections
-from vstatics.pictures.drawing.style import FAMILIES
+from vstatics.pictures.drawing.style import FAMILIES, SIZE
 from vstatics.pictures.paged.inline import palette, shared
 from vstatics.pictures.paged.parts import SCREEN, Part
 
@@ -243,7 +243,9 @@ def id_of(name: str) -> str:
 def _styles(title: str) -> Markup:
     dark = f"@media screen and (prefers-color-scheme: dark) {{ :root {{ {palette(dark=True)} }} }}"
     light = f":root {{ {palette(dark=False)} }}"
-    letters = f"figure svg {{ font-family: {FAMILIES}; stroke-linejoin: round; }}"
+    letters = (
+        f"figure svg {{ font: {SIZE}px {FAMILIES}; fill: var(--ink); stroke-linejoin: round; }}"
+    )
     running = f"@page {{ @top-left {{ content: {_quoted(title)}; }} }}"
     return joined(
         *map(Markup, (f"{rule}\n" for rule in (light, dark, letters, running))),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Mapping, Sequence
 
 from vstatics.core.tables.grid import NOTHING
@@ -10,9 +9,8 @@ from vstatics.core.tables.html import Markup, tag, terms
 from vstatics.core.texts import tr
 from vstatics.page.report.sheets import MOST_SHEETS, left_out, with_room
 from vstatics.pictures.paged.drawn import Drawn, name_of
+from vstatics.pictures.paged.inline import for_paper
 from vstatics.pictures.paged.parts import PAPER, figures, gear_link
-
-_TITLE = re.compile("<title>[^<]*</title>")
 
 
 def in_gear(kind: str, gear: str) -> str:
@@ -41,14 +39,9 @@ def chooser(gears: Iterable[str]) -> Markup:
     return tag("nav", tr("Gear"), *links, status, class_="chooser", aria_label=tr("Gear"))
 
 
-def _without_titles(drawn: Drawn) -> Drawn:
-    """Return a picture without its tooltips, which paper does not show."""
-    return drawn._replace(sheets=[Markup(_TITLE.sub("", sheet)) for sheet in drawn.sheets])
-
-
 def on_paper(drawn: Drawn, name: str, *, most: int = MOST_SHEETS) -> Markup:
     """Return a picture for print only, with at most `most` of its sheets."""
-    first_sheets = _without_titles(drawn._replace(sheets=drawn.sheets[:most]))
+    first_sheets = drawn._replace(sheets=[*map(for_paper, drawn.sheets[:most])])
     shown = [*figures(first_sheets, name, captioned=False, scrolls=False)]
     omitted = len(drawn.sheets) - len(first_sheets.sheets)
     if omitted:
@@ -63,6 +56,10 @@ def side_by_side(gears: Sequence[str], drawn: Sequence[Drawn]) -> Markup:
     shown = (
         part
         for gear, picture in zip(gears[:count], drawn, strict=False)
-        for part in figures(_without_titles(picture), tr("Gear {gear}", gear=gear), scrolls=False)
+        for part in figures(
+            picture._replace(sheets=[*map(for_paper, picture.sheets)]),
+            tr("Gear {gear}", gear=gear),
+            scrolls=False,
+        )
     )
     return tag("div", *shown, *left_out(gears[count:]), class_=f"{PAPER} side-by-side")

@@ -40,8 +40,12 @@ HALO = 2.0
 """Width of the border in the colour of paper around letters that are written over lines. [pt]"""
 LONG_LINE = 128
 """Number of points above which a line is drawn without invisible detail."""
-HATCH_TILE = 72.0
-"""Width and height of the tile that repeats in a hatched area. [pt]"""
+HATCH_TILE = 12.0
+"""Width and height of the tile that repeats in a hatched area. [pt]
+
+Matplotlib repeats a tile of 72 pt with six times as many lines, which gives the same hatch if each
+letter of the hatch occurs an even number of times.
+"""
 MARKER_EDGE = 1.0
 """Default width of the outline of a marker. [pt]"""
 _DIAGONAL = math.sqrt(2)
@@ -136,8 +140,7 @@ class SvgWriter(NamedTuple):
             halo = {"stroke": self.canvas.style.paper, "stroke-width": f"{HALO:g}px"}
             attributes |= {"paint-order": "stroke", **halo}
         if attributes or mark.title:
-            parent = ET.SubElement(parent, "g", attributes)
-            _add_title(parent, mark.title)
+            parent = _titled(parent, mark.title, attributes)
         for element in elements:
             if not (len(parent) and _joins(parent[-1], element)):
                 parent.append(element)
@@ -207,6 +210,16 @@ class SvgWriter(NamedTuple):
 def _add_title(element: ET.Element, text: str) -> None:
     if text:
         ET.SubElement(element, "title").text = text
+
+
+def _titled(parent: ET.Element, title: str, attributes: dict[str, str]) -> ET.Element:
+    """Return the last group of an element if the title and attributes agree, or a new group."""
+    last = parent[-1] if len(parent) else parent
+    if last.tag == "g" and last.attrib == attributes and last.findtext("title", "") == title:
+        return last
+    group = ET.SubElement(parent, "g", attributes)
+    _add_title(group, title)
+    return group
 
 
 def _insert(element: ET.Element, attributes: dict[str, str]) -> None:
@@ -354,7 +367,7 @@ def _hatch_pattern(name: str, hatch: str, face: str, edge: str) -> ET.Element:
     from matplotlib.path import Path
 
     letters = {Path.MOVETO: "M", Path.LINETO: "L", Path.CURVE4: "C", Path.CLOSEPOLY: "z"}
-    path: Any = get_path(hatch, 6)
+    path: Any = get_path(hatch, 1)
     steps = "".join(letters[code] for code in path.codes.tolist())
     data = _outline_data(Outline(path.vertices, steps), CanvasPlace(HATCH_TILE), HATCH_TILE)
     tile = f"{HATCH_TILE:g}"

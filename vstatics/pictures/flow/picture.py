@@ -65,7 +65,7 @@ def each(results: Results, style: Style, shown: Iterable[Sequence[int]]) -> Iter
             flow, said = every[number - 1], None
             if flow.shown is not None:
                 said = titles(FlowTexts(flow, flow.shown, style), results.gear_at(number - 1))
-            gears.append(FlowGear(flow, placing_of[number], said))
+            gears.append(FlowGear(number, flow, placing_of[number], said))
         if len(gears) == 1:
             yield list(_alone(results, gears[0], style))
             continue

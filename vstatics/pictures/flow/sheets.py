@@ -36,6 +36,8 @@ BELOW_TEXT = 8.0
 class FlowGear(NamedTuple):
     """Gear with the layout of the power flow."""
 
+    number: int
+    """Number of the gear, from 1."""
     flow: GearFlow
     rows: Sequence[FlowLayout]
     """Rows from top to bottom; empty for a gear without power flow."""
@@ -184,14 +186,19 @@ def gear_blocks(gears: Sequence[FlowGear], room: float, style: Style) -> Iterato
 def row_blocks(gear: FlowGear, wide: float) -> list[FlowBlock]:
     """Return a block for each row of a gear."""
     return [
-        FlowBlock([gear], wide, row.height, FLOW_GEAR_GAP, partial(_draw_row, gear, row))
-        for row in gear.rows
+        FlowBlock([gear], wide, row.height, FLOW_GEAR_GAP, partial(_draw_row, gear, number))
+        for number, row in enumerate(gear.rows)
     ]
 
 
-def _draw_row(gear: FlowGear, row: FlowLayout, pen: Pen, left: float, top: float) -> None:
+def _draw_row(gear: FlowGear, number: int, pen: Pen, left: float, top: float) -> None:
     assert gear.titles is not None  # noqa: S101 - a gear with rows has power
-    FlowView(pen, left, top, gear.titles).draw(row)
+    group = pen.within(
+        "row",
+        of=f"{gear.number}.{number}",
+        at=f"{round(left, 1):g} {round(pen.canvas.size[1] - top, 1):g}",
+    )
+    FlowView(group, left, top, gear.titles).draw(gear.rows[number])
 
 
 def nothing(_pen: Pen, _left: float, _top: float) -> None:

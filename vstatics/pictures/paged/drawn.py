@@ -61,9 +61,15 @@ def of_each(
     except CaseError:  # pictures of other gears can succeed
         return [picture_of(results, kind, gears, style=style) for gears in shown]
     end = tr(", small") * (style is HALF)
+    is_repeated = any(len(gears) == 1 for gears in shown)
     labels = (f"{_label(results, kind, gears)}{end}" for gears in shown)
     return [
-        Drawn(kind, _inlined(svgs, _own(kind, gears, style), label))
+        Drawn(
+            kind,
+            _inlined(
+                svgs, _own(kind, gears, style), label, repeats=is_repeated and len(gears) != 1
+            ),
+        )
         for gears, svgs, label in zip(shown, drawn, labels, strict=True)
     ]
 
@@ -108,6 +114,11 @@ def picture_of(
     return Drawn(kind, _inlined(svgs, prefix, label))
 
 
-def _inlined(svgs: Sequence[bytes], prefix: str, label: str) -> list[Markup]:
+def _inlined(
+    svgs: Sequence[bytes], prefix: str, label: str, *, repeats: bool | None = None
+) -> list[Markup]:
     """Embed the sheets of a picture. Further sheets have a number in the prefix."""
-    return [inline(svg, f"{prefix}-{n}" if n else prefix, label) for n, svg in enumerate(svgs)]
+    return [
+        inline(svg, f"{prefix}-{n}" if n else prefix, label, repeats=repeats)
+        for n, svg in enumerate(svgs)
+    ]

@@ -1,6 +1,6 @@
 """SVG pictures embedded in HTML, with unique ids and colours for light and dark screens.
 
-Frequent attributes of appearance are replaced by rules of one style sheet per page.
+A page defines repeated shapes and hatches once, and frequent looks in its style sheet.
 """
 
 from __future__ import annotations
@@ -30,6 +30,7 @@ _PLACES = {"x", "y", "cx", "cy", "transform"}
 _STEP = re.compile(r"([MLQCz])([^MLQCz]*)")
 _DECIMAL = re.compile(r"-?\d+(?:\.\d+)?")
 _MOVED = re.compile(r"translate\((\S+) (\S+)\)")
+_NAMED = re.compile(r'<g(?: (?:class|data-[-\w]+)="[^"]*")+>')
 _INK = "var(--ink)"
 _MOST_PATHS = 4096
 """Largest number of remembered paths. Pictures of gears have many paths in common."""
@@ -40,11 +41,16 @@ def palette(*, dark: bool) -> str:
     return " ".join(f"--{name}: {pair[dark]};" for name, pair in _PAIRS.items())
 
 
-def inline(svg: bytes, prefix: str, label: str) -> Markup:
+def inline(svg: bytes, prefix: str, label: str, *, repeats: bool | None = None) -> Markup:
     """Embed an SVG in HTML.
 
     Ids get a prefix, because different pictures use equal ids. Colours become CSS variables of the
     page. Titles remain as tooltips and for screen readers.
+
+    Parameters
+    ----------
+    repeats : bool, optional
+        True if other pictures of the page, embedded with False, contain the rows of this picture.
 
     Examples
     --------
@@ -72,21 +78,45 @@ def inline(svg: bytes, prefix: str, label: str) -> Markup:
         # Ink is the default colour of texts in the picture.
         if element.tag == "text" and element.get("fill") == _INK:
             del element.attrib["fill"]
+    if repeats is not None:
+        for row in root.findall("g[@class='row']"):
+            _share_row(row, repeats=repeats)
     style = f"--width: {root.attrib.get('width', '100%')}"
-    for key in ("width", "height", "font-family"):
+    for key in ("width", "height", "font-family", "font-size", "stroke-linejoin"):
         root.attrib.pop(key, None)
-    root.attrib |= {"role": "graphics-document", "aria-label": label, "style": style, "fill": _INK}
+    root.attrib |= {"role": "graphics-document", "aria-label": label, "style": style}
     return Markup(ET.tostring(root, encoding="unicode").replace(" />", "/>"))
 
 
+def for_paper(svg: Markup) -> Markup:
+    """Return an SVG without tooltips and names of groups, which paper does not show."""
+    shown = _NAMED.sub("<g>", svg)
+    shown = re.sub("><title>[^<]*</title></(?:path|circle)>", "/>", shown)
+    return Markup(re.sub("<title>[^<]*</title>", "", shown))
+
+
+def _share_row(row: ET.Element, *, repeats: bool) -> None:
+    """Give an id to a row with its corner as origin, or use the row with this id."""
+    name, at, inner = f"row-{row.attrib['data-of']}", row.attrib["data-at"].split(), [*row]
+    row.clear()
+    if repeats:
+        row.tag, row.attrib = "use", {"href": f"#{name}", "x": at[0], "y": at[1]}
+    else:
+        row.set("transform", f"translate({' '.join(at)})")
+        back = " ".join(f"-{length}" for length in at)
+        ET.SubElement(row, "g", {"id": name, "transform": f"translate({back})"}).extend(inner)
+
+
 def _fold(parent: ET.Element) -> None:
-    """Move the title of an SVG group with a single shape into the shape."""
+    """Move the title of an SVG group with a single shape or text into this shape or text."""
     for place, child in enumerate(parent):
         _fold(child)
         kinds = [_local(part.tag) for part in child]
-        if not child.attrib and kinds in (["title", "path"], ["title", "circle"]):
+        if kinds[:1] == ["title"] and len(kinds) == 2 and all(map(is_look, child.attrib)):
             title, shape = child
+            shape.text, title.tail = None, shape.text
             shape.insert(0, title)
+            shape.attrib |= child.attrib
             parent[place] = shape
 
 
@@ -179,14 +209,25 @@ def colour_name(colour: str) -> str:
     return _COLOUR_NAMES[colour]
 
 
-_TAG = re.compile(r"<(?:path|text|g)\b[^<>]*>")
+_TAG = re.compile(r"<(?:path|circle|text|g)\b[^<>]*>")
 _KEY = r"(?:fill|stroke|opacity|font|text-anchor|paint-order)[-a-z]*"
 _CLASS = re.compile(' class="([^"<>]*)"')
 _LOOK = re.compile(f'(?: {_KEY}="[^"<>]*")+(?=[ />])')
+_PATTERN = re.compile(r'(<pattern\b[^<>]*?) id="([^"]*)"(.*?</pattern>)', re.DOTALL)
+_SHAPES = (
+    ("<g id={}>{}</g>", re.compile(r"<g>((?!<title>)(?:(?!</?g\b).)*)()</g>", re.DOTALL)),
+    ("<g id={}>{}</g>", re.compile(r"((?:<path\b[^<>]*/>){2,})()")),
+    (
+        "<path id={}{}/>",
+        re.compile(r"<path\b([^<>]*?)(?:/>|>(<title>[^<]*</title>)</path>)"),
+    ),
+)
+"""Definitions of repeated shapes, and patterns of the shapes, each followed by its tooltip."""
+_USE = len('<use href="#s100"/>')
 
 
 def shared(page: Markup) -> tuple[Markup, Markup]:
-    """Replace frequent attributes of appearance by classes; return the page and the style sheet.
+    """Define repeated shapes and frequent looks once; return the page and the style sheet.
 
     Examples
     --------
@@ -201,6 +242,29 @@ def shared(page: Markup) -> tuple[Markup, Markup]:
     >>> print(shared(Markup('<path fill="red" class="wire"/><path fill="red"/>'))[0])
     <path class="l0 wire"/><path class="l0"/>
     """
+    shown, definitions = _with_common_hatches(page)
+    shown, rules = _with_common_looks(shown)
+    for form, pattern in _SHAPES:
+        shown = _with_common_shapes(shown, form, pattern, definitions)
+    if definitions:
+        shown += f'<svg class="unseen" aria-hidden="true"><defs>{"".join(definitions)}</defs></svg>'
+    return Markup(shown), Markup(rules)
+
+
+def _with_common_hatches(page: str) -> tuple[str, list[str]]:
+    """Return a page with equal patterns of hatches defined once, and the definitions."""
+    names: dict[str, str] = {}
+    ids = {
+        match[2]: names.setdefault(match[1] + match[3], f"h{len(names)}")
+        for match in _PATTERN.finditer(page)
+    }
+    shown = _PATTERN.sub("", page).replace("<defs></defs>", "")
+    shown = _REFERENCE.sub(lambda match: f"url(#{ids.get(match[1], match[1])})", shown)
+    return shown, [f'<pattern id="{name}"{text[len("<pattern") :]}' for text, name in names.items()]
+
+
+def _with_common_looks(page: str) -> tuple[str, str]:
+    """Return a page with classes instead of frequent looks, and the rules of the classes."""
     looks = Counter(look for part in _TAG.findall(page) for look in _LOOK.findall(part))
     often = [look for look, count in looks.most_common() if count > 1]
     names = {look: f' class="l{number}"' for number, look in enumerate(often)}
@@ -217,7 +281,26 @@ def shared(page: Markup) -> tuple[Markup, Markup]:
     for number, look in enumerate(often):  # ``fill="none"`` becomes ``fill:none``
         declarations = re.findall(r'([-a-z]+)="([^"]*)"', look)
         rules.append(f".l{number}{{{';'.join(f'{key}:{value}' for key, value in declarations)}}}")
-    return Markup(_TAG.sub(short, page)), Markup("\n".join(rules))
+    return _TAG.sub(short, page), "\n".join(rules)
+
+
+def _with_common_shapes(
+    page: str, form: str, pattern: re.Pattern[str], definitions: list[str]
+) -> str:
+    """Return a page that uses repeated shapes, and append their definitions."""
+    names = {}
+    for shape, count in Counter(match[1] for match in pattern.finditer(page)).items():
+        if (count - 1) * len(shape) > count * _USE + len(form):
+            names[shape] = f"s{len(definitions)}"
+            definitions.append(form.format(f'"{names[shape]}"', shape))
+
+    def used(match: re.Match[str]) -> str:
+        if match[1] not in names:
+            return match[0]
+        use = f'<use href="#{names[match[1]]}"'
+        return f"{use}>{match[2]}</use>" if match[2] else f"{use}/>"
+
+    return pattern.sub(used, page)
 
 
 @cache

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, NoReturn
 
-from vstatics.core.model.keys import ENGAGED
+from vstatics.core.model.keys import ENGAGED, ROLLING
 from vstatics.core.model.shape import (
     FLAG,
     NUMBER,
@@ -97,25 +97,6 @@ def _control(curve: Parsed) -> ByForm:
     )
 
 
-_ROLLING = Either(
-    NUMBER,
-    "points",
-    ByKey(
-        "Rolling resistance over speed",
-        "Points, interpolated linearly and held constant outside.",
-        (
-            KeyShape("over", Leaf("choice", ("speed",)), "Speed of the vehicle.", required=True),
-            KeyShape(
-                "points",
-                ListOf(RowOf((Leaf("velocity"), NUMBER), "speed, coefficient"), unique=False),
-                "Points [speed in m/s, from 0 on, coefficient].",
-                required=True,
-                examples=([[0, 0.01], [30, 0.016]],),
-            ),
-        ),
-        lambda points, over="speed": points if over else (),
-    ),
-)
 _RADIUS = Either(
     Leaf("length"),
     "free",
@@ -153,7 +134,7 @@ ROAD = ByKey(
         ),
         KeyShape(
             "rolling",
-            _ROLLING,
+            ROLLING,
             "Coefficient of rolling resistance; or points over the speed of the vehicle.",
             default=0,
         ),

@@ -38,6 +38,8 @@ class Machine(NamedTuple):
         where the machine generates. [-]
     battery_efficiency : float
         Efficiency of the battery in each direction, charging and discharging. [-]
+    auxiliary : float
+        Power that other consumers take from the battery at all times. [kW]
 
     Examples
     --------
@@ -49,6 +51,7 @@ class Machine(NamedTuple):
     generating: EnginePoints = ()
     efficiency: float = 1.0
     battery_efficiency: float = 1.0
+    auxiliary: float = 0.0
 
     @property
     def braking(self) -> EnginePoints:
@@ -76,13 +79,15 @@ class Machine(NamedTuple):
         return electric
 
     def battery_power(self, electric: Floats) -> Floats:
-        """Return the power drawn from the battery for an electric power; below 0 when charging [W].
+        """Return the power drawn from the battery for an electric power of the machine [W].
 
-        >>> machine = Machine([(0, 1)], battery_efficiency=0.8)
-        >>> machine.battery_power(np.array([80.0, -10.0])).tolist()
-        [100.0, -8.0]
+        The power is below 0 where the battery is charged.
+
+        >>> machine = Machine([(0, 1)], battery_efficiency=0.8, auxiliary=0.02)
+        >>> machine.battery_power(np.array([60.0, 0.0, -30.0])).tolist()
+        [100.0, 25.0, -8.0]
         """
-        power: Floats = -battery_power(-electric, self.battery_efficiency)
+        power: Floats = -battery_power(-electric - 1e3 * self.auxiliary, self.battery_efficiency)
         return power
 
 
@@ -95,8 +100,9 @@ class Vehicle(NamedTuple):
         Mass. [kg]
     radius : float
         Rolling radius of the wheels. [m]
-    rolling : float
-        Coefficient of the rolling resistance. [-]
+    rolling : float or sequence of pairs
+        Coefficient of the rolling resistance [-], or points (road speed [m/s], coefficient) in
+        ascending order of speed.
     drag_area : float
         Drag coefficient times frontal area. [m^2]
     final_drive : float
@@ -121,7 +127,7 @@ class Vehicle(NamedTuple):
 
     mass: float
     radius: float
-    rolling: float = 0.0
+    rolling: float | Sequence[tuple[float, float]] = 0.0
     drag_area: float = 0.0
     final_drive: float = 1.0
     engine: EnginePoints = ()
@@ -170,7 +176,21 @@ class Vehicle(NamedTuple):
         """
         weight = self.mass * GRAVITY
         with np.errstate(over="ignore"):
-            return weight * (self.rolling + slope) + AIR * self.drag_area / 2 * speed**2
+            return weight * (self.rolling_at(speed) + slope) + AIR * self.drag_area / 2 * speed**2
+
+    def rolling_at(self, speed: Any) -> Any:
+        """Return the coefficient of the rolling resistance at a road speed [m/s].
+
+        >>> Vehicle(1000.0, 0.3, rolling=[(0.0, 0.01), (40.0, 0.03)]).rolling_at([0.0, 10.0])
+        array([0.01 , 0.015])
+        """
+        points = self.rolling_points
+        return _between(points, speed) if points else self.rolling
+
+    @property
+    def rolling_points(self) -> EnginePoints:
+        """Points of the rolling resistance [m/s, -], empty if the coefficient is constant."""
+        return self.rolling if isinstance(self.rolling, Sequence) else ()
 
     def full_torque(self, speed: Any) -> Any:
         """Return the full-load torque of the engine or the machine [N*m] at a speed [rad/s].
@@ -281,14 +301,19 @@ def vehicle_record(case: TransmissionFields) -> dict[str, Any] | None:
     record: dict[str, Any] = vehicle._asdict()
     for name in ("engine", "overrun"):
         record[name] = [list(point) for point in record[name]]
+    if vehicle.rolling_points:
+        record["rolling"] = {"over": "speed", "points": [*map(list, vehicle.rolling_points)]}
     machine = vehicle.machine
     return record | {
         "fuel": {"file": vehicle.fuel} if vehicle.fuel else None,
         "machine": machine
         and {
             **machine._asdict(),
-            "battery": {"efficiency": machine.battery_efficiency}
-            if machine.battery_efficiency != 1
+            "battery": {
+                "efficiency": machine.battery_efficiency,
+                "auxiliary": machine.auxiliary or None,
+            }
+            if machine.battery_efficiency != 1 or machine.auxiliary
             else None,
         },
     }

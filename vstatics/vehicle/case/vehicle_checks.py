@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 
-from vstatics.core.errors import Problem, spoken
+from vstatics.core.errors import Path, Problem, spoken
 from vstatics.core.model.fields import TransmissionFields
 from vstatics.core.model.laws import of_law
 from vstatics.core.model.part_checks import no_unit
@@ -26,6 +26,12 @@ def of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
         return
     for name in _NUMBERS:
         value = getattr(vehicle, name)
+        if isinstance(value, Sequence):
+            path = "vehicle", name, "points"
+            yield from _of_points(value, path, units=("m/s", ""), what="coefficient")
+            if not value:
+                yield Problem("E268", "read no points, expected at least one", path)
+            continue
         smallest = SMALLEST_NUMBER if name in ABOVE_NOTHING else 0.0
         if not smallest <= value <= LARGEST_NUMBER:
             least = "above 0" if smallest else "of 0 or more"
@@ -40,24 +46,30 @@ def of_vehicle(case: TransmissionFields) -> Iterator[Problem]:
         (("machine", "torque"), machine.torque if machine else (), 1),
         (("machine", "generating"), machine.generating if machine else (), -1),
     ):
-        before = -math.inf
-        for number, (speed, torque) in enumerate(points, 1):
-            path = "vehicle", *keys, number
-            if not 0 <= speed <= LARGEST_NUMBER or speed <= before:
-                least = (
-                    f"up to {LARGEST_NUMBER:g} rad/s" if speed > LARGEST_NUMBER else "of 0 or more"
-                )
-                message = f"read {speed:g} rad/s, expected speeds {least} in ascending order"
-                yield Problem("E268", message, path)
-            if not 0 <= sign * torque <= LARGEST_NUMBER:
-                side = "0 or more" if sign > 0 else "0 or less"
-                side = (
-                    f"up to {LARGEST_NUMBER:g} N*m in magnitude"
-                    if abs(torque) > LARGEST_NUMBER
-                    else side
-                )
-                yield Problem("E268", f"read {torque:g} N*m, expected a torque of {side}", path)
-            before = speed
+        yield from _of_points(points, ("vehicle", *keys), sign)
+
+
+def _of_points(
+    points: Sequence[tuple[float, float]],
+    path: Path,
+    sign: int = 1,
+    units: tuple[str, str] = ("rad/s", " N*m"),
+    what: str = "torque",
+) -> Iterator[Problem]:
+    before, (of_speed, unit) = -math.inf, units
+    for number, (speed, value) in enumerate(points, 1):
+        if not 0 <= speed <= LARGEST_NUMBER or speed <= before:
+            most = f"up to {LARGEST_NUMBER:g} {of_speed}"
+            least = most if speed > LARGEST_NUMBER else "of 0 or more"
+            message = f"read {speed:g} {of_speed}, expected speeds {least} in ascending order"
+            yield Problem("E268", message, (*path, number))
+        if not 0 <= sign * value <= LARGEST_NUMBER:
+            side = "0 or more" if sign > 0 else "0 or less"
+            if abs(value) > LARGEST_NUMBER:
+                side = f"up to {LARGEST_NUMBER:g}{unit} in magnitude"
+            message = f"read {value:g}{unit}, expected a {what} of {side}"
+            yield Problem("E268", message, (*path, number))
+        before = speed
 
 
 def _of_machine(vehicle: Vehicle) -> Iterator[Problem]:
@@ -80,6 +92,9 @@ def _of_machine(vehicle: Vehicle) -> Iterator[Problem]:
     if not 0 < machine.battery_efficiency <= 1:
         message = f"read {machine.battery_efficiency:g}, expected {what}"
         yield Problem("E268", message, ("vehicle", "machine", "battery", "efficiency"))
+    if not 0 <= machine.auxiliary <= LARGEST_NUMBER:
+        message = f"read {machine.auxiliary:g} kW, expected a power from 0 to {LARGEST_NUMBER:g} kW"
+        yield Problem("E268", message, ("vehicle", "machine", "battery", "auxiliary"))
 
 
 def doubts_of_vehicle(case: TransmissionFields) -> Iterator[Problem]:

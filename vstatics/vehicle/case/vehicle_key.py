@@ -6,7 +6,7 @@ from typing import Any
 
 from vstatics.core.errors import quoted, spoken
 from vstatics.core.model.carried import CaseKey
-from vstatics.core.model.keys import MACHINE_EFFICIENCY
+from vstatics.core.model.keys import MACHINE_EFFICIENCY, ROLLING
 from vstatics.core.model.shape import NUMBER, TEXT, ByKey, KeyShape, Leaf, ListOf, RowOf
 from vstatics.core.model.torsional_keys import ABOVE_0
 from vstatics.vehicle.case.vehicle import Machine, Vehicle, vehicle_record
@@ -57,13 +57,21 @@ MACHINE = ByKey(
                         limits={"exclusiveMinimum": 0, "maximum": 1},
                         examples=(0.97,),
                     ),
+                    KeyShape(
+                        "auxiliary",
+                        Leaf("power"),
+                        "Power that other consumers take from the battery, also at standstill.",
+                        examples=("800 W",),
+                    ),
                 ),
-                lambda efficiency=1.0: efficiency,
+                lambda efficiency=1.0, auxiliary=0.0: (efficiency, auxiliary),
             ),
             "The battery of the machine; without it the battery has no losses.",
         ),
     ),
-    lambda battery=1.0, **others: Machine(**others, battery_efficiency=battery),
+    lambda battery=(1.0, 0.0), **others: Machine(
+        **others, battery_efficiency=battery[0], auxiliary=battery[1]
+    ),
 )
 
 
@@ -89,8 +97,8 @@ VEHICLE = ByKey(
         ),
         KeyShape(
             "rolling",
-            NUMBER,
-            "Coefficient of the rolling resistance.",
+            ROLLING,
+            "Coefficient of the rolling resistance; or points over the speed of the vehicle.",
             default=0,
             limits={"minimum": 0},
             examples=(0.011,),

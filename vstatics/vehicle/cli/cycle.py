@@ -186,7 +186,7 @@ def _shown(
     def tables() -> Iterator[Grid]:
         energy = driven.energy
         parts = (
-            *("battery", "battery_lost", "machine_lost", "machine", "engine"),
+            *("battery", "battery_lost", "auxiliary", "machine_lost", "machine", "engine"),
             *("wheels", "inertias", "brakes"),
         )
         known = ((name, getattr(energy, name)) for name in parts)

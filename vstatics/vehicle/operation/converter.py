@@ -33,7 +33,7 @@ INTERVALS = 2
 MOST_STEPS = 100
 """Largest number of steps of the Illinois rule."""
 MOST_DOUBLINGS = 40
-"""Largest number of times that a trial engine torque is doubled, to bracket the root."""
+"""Largest number of times that a trial torque or force is doubled, to bracket a root."""
 MOST_POINTS_AT_ONCE = 100_000
 """Largest number of operating points that are solved at once, to limit memory."""
 SLOWEST_PART = 4.0 ** -np.arange(1.0, 6.0)

@@ -16,10 +16,17 @@ from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 from vstatics.core.statics.points.gear_loss import brake_torque, braked_torques
 from vstatics.core.statics.points.relative import RPM
 from vstatics.core.statics.power import loss_name
+from vstatics.core.statics.solve import solve
 from vstatics.core.summary.design_table import is_guess
 from vstatics.core.tables.written_results import GEAR_NUMBER
 from vstatics.vehicle.case.vehicle import Vehicle, beside_engine
-from vstatics.vehicle.operation.converter import ConverterGear, bare, converters_of, solved_slips
+from vstatics.vehicle.operation.converter import (
+    MOST_DOUBLINGS,
+    ConverterGear,
+    bare,
+    converters_of,
+    solved_slips,
+)
 from vstatics.vehicle.operation.converter_steps import ConverterSteps
 from vstatics.vehicle.operation.point_loads import (
     DutyPoints,
@@ -36,7 +43,15 @@ from vstatics.vehicle.operation.shifting import (
     directions,
 )
 from vstatics.vehicle.operation.trace import Trace, blocks
-from vstatics.vehicle.tolerances import SAME_ENGINE_TORQUE, SAME_POWER
+from vstatics.vehicle.tolerances import (
+    LEAST_CLUTCH_FORCE,
+    NO_SLIP_POWER,
+    SAME_ENGINE_TORQUE,
+    SAME_POWER,
+)
+
+FORCE_BISECTIONS = 60
+"""Number of bisections for the least wheel force that a slipping clutch transmits."""
 
 _AT_STANDSTILL = ("", "0", "0.0", "n", "p")
 """Names that published cycles give the neutral gear, allowed at standstill."""
@@ -102,6 +117,11 @@ class CycleSteps(NamedTuple):
     """Magnitudes of engine speeds, shape (steps,). [rad/s]"""
     guessed: Sequence[str]
     """Names of gears that count as forward only because they are written first."""
+    least_forces: Floats
+    """Smallest wheel forces that slipping clutches transmit, shape (steps,); -inf if unknown. [N]
+
+    At this force a clutch carries no torque.
+    """
 
     @classmethod
     def of(
@@ -150,7 +170,8 @@ class CycleSteps(NamedTuple):
         ways = directions(driving, names) if choice.slowest is not None else []
         guessed = [names[index] for index in ways[0]] if is_guess(ways, names) else []
         steps = cls(
-            *(case, vehicle, trace, gears, ratios, converters, engine, at_rest, speeds, guessed)
+            *(case, vehicle, trace, gears, ratios, converters, engine, at_rest, speeds, guessed),
+            np.full(len(gears), -math.inf),
         )
         if not choice.least_loss:
             return steps
@@ -214,8 +235,12 @@ class CycleSteps(NamedTuple):
             acceleration=complete.acceleration[rows],
             slope=complete.slope[rows],
         )
-        speeds = self.engine_speeds[rows]
-        return self._replace(trace=trace, gears=self.gears[rows], engine_speeds=speeds)
+        return self._replace(
+            trace=trace,
+            gears=self.gears[rows],
+            engine_speeds=self.engine_speeds[rows],
+            least_forces=self.least_forces[rows],
+        )
 
     @property
     def forces(self) -> Floats:
@@ -226,9 +251,13 @@ class CycleSteps(NamedTuple):
 
     @property
     def asked_forces(self) -> Floats:
-        """Wheel forces by engine or machine; for braking, only the share `recuperation` [N]."""
+        """Wheel forces by engine or machine [N].
+
+        For braking, these are only the share `recuperation`, and at least `least_forces`.
+        """
         forces = self.forces
-        return np.where(forces < 0, self.vehicle.recuperation * forces, forces)
+        asked = np.where(forces < 0, self.vehicle.recuperation * forces, forces)
+        return np.maximum(asked, self.least_forces)
 
     @property
     def output_speeds(self) -> Floats:
@@ -327,12 +356,69 @@ class CycleSteps(NamedTuple):
         points = DutyPoints(self.gears[rows], *self._load_of_wheels(rows), np.ones(len(rows)))
         return self._solved(turned(self.case, self.ratios), rows, points)
 
-    def _load_of_wheels(self, rows: Integers) -> tuple[Floats, Floats]:
-        """Return speeds [rad/s] and torques [N*m] of the output, for the backward calculation."""
+    def _load_of_wheels(
+        self, rows: Integers, forces: Floats | None = None
+    ) -> tuple[Floats, Floats]:
+        """Return speeds [rad/s] and torques [N*m] of the output, for the backward calculation.
+
+        The default of the wheel forces [N] are `asked_forces`.
+        """
         here = self.at(rows)
         speeds = here.output_speeds
-        torques = -here.asked_forces * self.vehicle.radius / self.vehicle.final_drive
+        forces = here.asked_forces if forces is None else forces
+        torques = -forces * self.vehicle.radius / self.vehicle.final_drive
         return speeds, torques * np.sign(speeds)
+
+    def _with_open_clutches(self, rows: Integers) -> CycleSteps:
+        """Return the steps with `least_forces`, so that no slipping clutch would give power.
+
+        Where the wheels ask for less force, the clutch carries no torque, and brakes absorb the
+        difference.
+        """
+        slips = np.array([bool(gear.slipping) for gear in self.case.gears])
+        rows = rows[slips[self.gears[rows]]]
+        asked = self.asked_forces[rows]
+        lacks = np.isnan(self._slip_power(rows, asked))
+        rows, low = rows[lacks], asked[lacks]
+        if not rows.size:
+            return self
+        size, high = 1 + np.abs(low), np.maximum(low, 0.0)
+        for _ in range(MOST_DOUBLINGS):
+            lacks = np.isnan(self._slip_power(rows, high))
+            if not lacks.any():
+                break
+            low, high = np.where(lacks, high, low), np.where(lacks, 2 * high + size, high)
+        for _ in range(FORCE_BISECTIONS):
+            middle = (low + high) / 2
+            lacks = np.isnan(self._slip_power(rows, middle))
+            low, high = np.where(lacks, middle, low), np.where(lacks, high, middle)
+        excess = np.where(high, LEAST_CLUTCH_FORCE * (1 + np.abs(high)), 0.0)
+        for _ in range(MOST_DOUBLINGS):
+            powers = self._slip_power(rows, high + excess)
+            if not np.isnan(powers).any():
+                break
+            excess = np.where(np.isnan(powers), 2 * excess, excess)
+        is_open = powers <= NO_SLIP_POWER * size * self.trace.speed[rows]
+        least = self.least_forces.copy()
+        least[rows[is_open]] = (high + excess)[is_open]
+        return self._replace(least_forces=least)
+
+    def _slip_power(self, rows: Integers, forces: Floats) -> Floats:
+        """Return the least power of a slipping clutch at wheel forces; NaN without torques [W]."""
+        if not rows.size:
+            return np.zeros(0)
+        speeds, torques = self._load_of_wheels(rows, forces)
+        case = turned(self.case, self.ratios)
+        further = self._elsewhere(case, rows) | self._speed_ratios(rows) | self._slips(rows)
+        vary = {"load.speed": speeds, "load.torque": torques, **further}
+        here = np.arange(len(rows)), self.gears[rows]
+        results = solve(case, vary=vary)
+        powers = 1e3 * np.abs(results.slip_losses_kW[here])
+        for place, gear in enumerate(self.case.gears):
+            idle = [n - 1 for n in range(1, powers.shape[1] + 1) if n not in gear.slipping]
+            powers[np.ix_(here[1] == place, idle)] = math.inf
+        known = np.isfinite(results.lossy_output_torque_Nm[here])
+        return np.where(known, powers.min(axis=1), math.nan)
 
     def _solved(self, case: Transmission, rows: Integers, points: DutyPoints) -> PointLoads:
         try:
@@ -386,6 +472,10 @@ class CycleSteps(NamedTuple):
         CaseError
             If a step has no torques.
         """
+        return self._with_open_clutches(rows).driven_by_engine(rows)
+
+    def driven_by_engine(self, rows: Integers) -> DrivenSteps:
+        """Return the result of `driven` if `least_forces` are known."""
         speeds, torques = self.engine_speeds.copy(), np.zeros(len(self.gears))
         limited = np.zeros(len(self.gears), np.bool_)
         for part in self._with_converters(rows):

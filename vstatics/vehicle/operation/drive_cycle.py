@@ -44,7 +44,7 @@ J_OF_KWH = 3.6e6
 
 
 @json_keys(
-    *("battery", "machine_lost", "battery_lost", "machine", "engine"),
+    *("battery", "machine_lost", "battery_lost", "auxiliary", "machine", "engine"),
     *("wheels", "inertias", "brakes", "lost"),
 )
 class CycleEnergy(NamedTuple):
@@ -68,13 +68,15 @@ class CycleEnergy(NamedTuple):
     """Energy lost in the machine."""
     battery_lost: Sometimes[float] = None
     """Energy lost in the battery."""
+    auxiliary: Sometimes[float] = None
+    """Energy of other consumers of the battery; absent without consumers."""
 
     @property
     def battery(self) -> Sometimes[float]:
-        """Energy from the battery: energy of the machine, plus losses in machine and battery."""
+        """Energy from the battery: of machine and other consumers, plus both losses."""
         if self.machine is None or self.machine_lost is None or self.battery_lost is None:
             return None
-        return self.machine + self.machine_lost + self.battery_lost
+        return self.machine + self.machine_lost + self.battery_lost + (self.auxiliary or 0.0)
 
 
 class BatteryEnergy(NamedTuple):
@@ -208,6 +210,7 @@ class ElectricSupply(NamedTuple):
     mechanical: Floats
     electric: Floats
     battery: Floats
+    auxiliary: float
     is_outside: bool
     """True if the efficiency was evaluated outside its map."""
 
@@ -236,7 +239,8 @@ class ElectricSupply(NamedTuple):
         law, is_outside = machine.efficiency, False
         if isinstance(law, Law):
             is_outside = bool(outside_map(law, speeds, torques, mechanical).any())
-        return cls(mechanical, electric, machine.battery_power(electric), is_outside)
+        battery = machine.battery_power(electric)
+        return cls(mechanical, electric, battery, 1e3 * machine.auxiliary, is_outside)
 
     def energies(self, energy: CycleEnergy, duration: Floats) -> CycleEnergy:
         """Return the energies of a cycle, with machine and battery instead of an engine."""
@@ -244,7 +248,8 @@ class ElectricSupply(NamedTuple):
             engine=None,
             machine=energy.engine,
             machine_lost=float((self.electric - self.mechanical) @ duration),
-            battery_lost=float((self.battery - self.electric) @ duration),
+            battery_lost=float((self.battery - self.electric - self.auxiliary) @ duration),
+            auxiliary=self.auxiliary * float(duration.sum()) if self.auxiliary else None,
         )
 
 

@@ -1,6 +1,6 @@
 """Driving cycle in CSV: time, speed, and optionally gear and slope of the road.
 
-The slope is the sine of the angle of ascent, or the angle in degrees. Published cycles have a grade
+The slope is the sine of the angle of ascent, or the angle itself. Published cycles have a grade
 instead: the rise divided by the horizontal distance.
 """
 
@@ -18,8 +18,8 @@ from vstatics.core.readers.named.headings import TableColumn
 from vstatics.core.readers.unit_table import UnitTable, read_unit_table
 
 SLOPE = "as it is the sine of the angle"
-_DEGREES = ("deg", "°", "degree", "degrees")
-_ANGLES = dict.fromkeys(_DEGREES, math.pi / 180)
+_ANGLES = dict.fromkeys(("deg", "°", "degree", "degrees"), math.pi / 180) | {"rad": 1.0}
+_PARTS = dict.fromkeys(("%", "pct", "percent"), 0.01) | dict.fromkeys(("‰", "permille"), 0.001)
 _TIMES = (
     *("t", "test time", "cycle time", "elapsed time", "total elapsed time", "total time"),
     *("timestamp", "time stamp"),
@@ -62,7 +62,7 @@ COLUMNS = (
     TableColumn(
         "grade",
         optional=True,
-        sizes={"%": 0.01, "": 1.0, "-": 1.0, "pct": 0.01, "percent": 0.01, **_ANGLES},
+        sizes={"": 1.0, "-": 1.0, **_PARTS, **_ANGLES},
         aliases=dict.fromkeys(_GRADES, "") | {"<grad>": "%"},
     ),
 )
@@ -175,11 +175,11 @@ def read_trace(data: bytes, file: str) -> Trace:
 
 
 def _with_sines(table: UnitTable) -> UnitTable:
-    """Return a table with a slope or grade in degrees replaced by the sine, up to 90 degrees."""
+    """Return a table with a slope or grade as an angle replaced by the sine, up to 90 degrees."""
     numbers = dict(table.numbers)
     for heading in table.head.headings:
         name = heading.column.name
-        if name in ("slope", "grade") and heading.unit in _DEGREES:
+        if name in ("slope", "grade") and heading.unit in _ANGLES:
             angles = numbers.pop(name)
             numbers["slope"] = [math.sin(x) if abs(x) <= math.pi / 2 else x for x in angles]
     return table._replace(numbers=numbers)

@@ -290,6 +290,17 @@ class Traction:
             low, high = speeds[last], speeds[last + 1]
         return float(self.road_speeds(gear, np.array((low + high) / 2)))
 
+    def _climbing_force(self, gear: int) -> float:
+        """Return the largest wheel force without the growth of the rolling resistance [N]."""
+        vehicle, weight = self.vehicle, self.vehicle.mass * GRAVITY
+
+        def force(speeds: Floats) -> Floats:
+            rolling = vehicle.rolling_at(self.road_speeds(gear, speeds)) - vehicle.rolling_at(0.0)
+            climbing: Floats = self.forces(gear, speeds) - weight * rolling
+            return climbing
+
+        return _largest(force, self.slowest(gear), self.last)
+
     def largest_force(self, gear: int) -> float:
         """Return the largest wheel force in a gear, NaN if undefined [N]."""
         return _largest(lambda speeds: self.forces(gear, speeds), self.slowest(gear), self.last)
@@ -308,14 +319,14 @@ class Traction:
     def slope(self, gear: int) -> float:
         """Return the sine of the steepest ascent, at most 1; NaN if a gear does not drive [-].
 
-        The sine is ``(F - R)/(m g)`` with the largest wheel force F, and the resistance R on a
-        level road at speed 0. In a gear with a free converter, F is the wheel force at rest.
+        The sine is the largest ``(F - R)/(m g)`` with the wheel force F, and the rolling resistance
+        R on a level road. In a gear with a free converter, F and R are the forces at rest.
         """
         weight = self.vehicle.mass * GRAVITY
         if not (math.isfinite(self.per_engine[gear]) and self.at_rest[gear] < self.last):
             return math.nan
         at_rest = gear in self.converters
-        force = self.forces(gear, np.zeros(1))[0] if at_rest else self.largest_force(gear)
+        force = self.forces(gear, np.zeros(1))[0] if at_rest else self._climbing_force(gear)
         part = float((force - self.vehicle.resistance(0.0)) / weight)
         return part if math.isnan(part) else min(1.0, part)
 
@@ -340,7 +351,8 @@ class Traction:
 
     def time_to_100(self) -> float:
         """Return the time from rest to 100 km/h by Gaussian quadrature, NaN if unreachable [s]."""
-        ends = {0.0, HUNDRED, *np.linspace(0.0, HUNDRED, STEPS_TO_100 + 1).tolist()}
+        corners = [speed for speed, _ in self.vehicle.rolling_points]
+        ends = {0.0, HUNDRED, *np.linspace(0.0, HUNDRED, STEPS_TO_100 + 1).tolist(), *corners}
         for gear in self.ahead:
             points = np.array([point for point, _ in self.vehicle.full_load])
             ends |= {*self.road_speeds(gear, points).tolist()}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple, get_args
+from typing import TYPE_CHECKING, Any, get_args
 
 import click
 from click.core import ParameterSource
@@ -32,6 +32,7 @@ from vstatics.core.messages.catalogue import causes_of_allowable
 from vstatics.core.model.checks import hints
 from vstatics.core.model.parts import NOMINAL_LOAD, Load
 from vstatics.core.model.transmission import IdleConvention, Transmission
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.readers.reading import Reading
 from vstatics.core.tables.file_suffixes import suffix_of
 from vstatics.core.texts import Language

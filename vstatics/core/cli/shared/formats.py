@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import Literal, NamedTuple
+from typing import Literal
 
 import click
 
@@ -15,6 +15,7 @@ from vstatics.core.cli.shared.values import FILE
 from vstatics.core.errors import ReadError
 from vstatics.core.extras import missing
 from vstatics.core.jobs.files import STDOUT, is_stream, missing_folder
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.tables.file_suffixes import SUFFIXES, format_of, known, mismatch, suffix_of
 from vstatics.core.texts import Language
 

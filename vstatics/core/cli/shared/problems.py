@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import NamedTuple
 
 from vstatics.core.errors import Problem, count_of, listed, of_file
+from vstatics.core.named_tuple import NamedTuple
 
 
 class Telling(NamedTuple):

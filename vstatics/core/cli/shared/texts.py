@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.cases import CalculatedCase, CaseOptions
 from vstatics.core.cli.shared.formats import Destination
-from vstatics.core.tables.grid import Grid
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.texts import speaking
 
 if TYPE_CHECKING:
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from vstatics.core.jobs.finished_cases import FinishedCases
     from vstatics.core.statics.results import Results
     from vstatics.core.tables.answer import Answer
+    from vstatics.core.tables.grid import Grid
 
 
 class CaseOutput(NamedTuple):

@@ -7,8 +7,9 @@ from bisect import bisect_right
 from collections.abc import Callable, Iterator, Sequence
 from itertools import islice
 from math import isfinite
-from typing import NamedTuple, TypeVar
+from typing import TypeVar
 
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.readers.deck.text import Field, Scan, latin
 from vstatics.core.readers.signs import dash_hint
 
@@ -18,12 +19,9 @@ Parse = Callable[[str], Number]
 Spot = tuple[int, int]
 """Line and column in the text, from 1."""
 _WRITTEN = r"[-+]?\.?[0-9][-+.0-9EDQЕ*]*(?=[\s,:%]|\Z)"
-TOKEN = re.compile(
-    # Blanks around the sign are permitted only if no word follows, because the sign could begin a
-    # remark.
-    rf"{_WRITTEN}\s*(?::\s*{_WRITTEN}|%)(?=\s*(?:,\s*)?(?:\Z|{_WRITTEN}))|[^\s,]+|,",
-    re.IGNORECASE,
-)
+# Blanks around the sign are permitted only if no word follows, because the sign could begin a
+# remark.
+_TOKEN = rf"{_WRITTEN}\s*(?::\s*{_WRITTEN}|%)(?=\s*(?:,\s*)?(?:\Z|{_WRITTEN}))|[^\s,]+|,"
 """Pattern of a token: a number, a ratio, a percentage, a comma or a word."""
 REPEATED = r"([0-9]{1,18})\*(.+)"
 INTEGER = re.compile(r"[+-]?[0-9]+")
@@ -137,8 +135,9 @@ def value_lines(scan: Scan, field: Field) -> Iterator[tuple[int, str, int, int]]
 
 def token_lines(scan: Scan, field: Field) -> Iterator[list[Token]]:
     """Yield the tokens of each line of a field, without blank lines."""
+    pattern = re.compile(_TOKEN, re.IGNORECASE)  # most decks are read without it
     for number, text, start, end in value_lines(scan, field):
-        matches = TOKEN.finditer(text, start, end)
+        matches = pattern.finditer(text, start, end)
         tokens = [Token(match[0], number, match.start() + 1) for match in matches]
         if tokens:
             yield tokens

@@ -7,11 +7,13 @@ contain blanks, and Cyrillic letters that look like Latin letters. All other tex
 from __future__ import annotations
 
 import re
+from codecs import BOM_UTF8
 from collections.abc import Iterator
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import Any
 
 from vstatics.core.errors import Place, Problem, ReadError
+from vstatics.core.named_tuple import NamedTuple
 from vstatics.core.readers.reading import Source
 from vstatics.core.readers.signs import with_plain_blanks
 from vstatics.core.tables.quantities import PRINTED
@@ -101,7 +103,7 @@ def texts(data: bytes, file: str) -> Iterator[tuple[str, list[Problem]]]:
             file, "the file is binary, expected a deck as text: save it as text in UTF-8"
         )
     try:
-        yield with_plain_blanks(data.decode("utf-8-sig")), []
+        yield with_plain_blanks(data.removeprefix(BOM_UTF8).decode()), []
     except UnicodeDecodeError as error:
         from vstatics.core.readers.deck.encodings import in_each_encoding  # costs start-up time
 

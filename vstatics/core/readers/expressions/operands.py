@@ -21,7 +21,7 @@ _MORE = re.compile(r"(?:\.(?:\w+|\*(?=\.)|\"[^\"]*\"|'[^']*'))+|\.")
 """Pattern of the parts of a name from the first point on: `.ratio`, `.*.torques.x`."""
 _UNTIL_NEXT = re.compile(r"\"[^\"]*\"|'[^']*'|[^,\]\"']*")
 _BLANK = re.compile(r"\s*")
-_SUBSCRIPT = re.compile(rf"\"[^\"]*\"|'[^']*'|:|#?[0-9]+|{DOTTED.pattern}")
+_SUBSCRIPT = re.compile(rf"\"[^\"]*\"|'[^']*'|:|#?[0-9]+|{DOTTED}")
 _COMPARED, _COMPARES = re.compile(r"[!=]=\s*$"), re.compile(r"\s*[!=]=")
 _QUOTES = ('"', "'")
 

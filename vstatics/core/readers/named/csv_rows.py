@@ -108,11 +108,11 @@ def has_cells(line: str) -> bool:
 def cells_of(line: str, separator: str) -> list[str]:
     """Return the cells of a line without surrounding blanks.
 
-    >>> cells_of('"1,5", 2', ","), len(cells_of("x" * 200_000, ",")[0])
-    (['1,5', '2'], 200000)
+    >>> cells_of('2, "1,5"', ","), len(cells_of("x" * 200_000, ",")[0])
+    (['2', '1,5'], 200000)
     """
     try:
-        cells = next(csv.reader([line], delimiter=separator), [])
+        cells = next(csv.reader([line], delimiter=separator, skipinitialspace=True), [])
     except csv.Error:  # a cell is too long
         cells = line.split(separator)
     return [cell.strip() for cell in cells]
@@ -190,7 +190,7 @@ def numbered_rows(lines: Iterable[str]) -> Iterator[tuple[int, list[str]]]:
     above, head = next((line for line in enumerate(below) if has_cells(line[1])), (0, ""))
     separator, columns = separator_of(head), 0
     decimals = Decimals(separator)
-    rows = csv.reader(chain([head], below), delimiter=separator)
+    rows = csv.reader(chain([head], below), delimiter=separator, skipinitialspace=True)
     try:
         for row in rows:
             if not any(map(str.strip, row)):

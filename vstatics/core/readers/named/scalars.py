@@ -55,6 +55,9 @@ def link_number(text: str) -> int | None:
 def count(text: str) -> int:
     """Return a whole number of at least 1, such as a number of teeth.
 
+    Zeros after the point are allowed, because pandas writes whole numbers as floats if a column
+    has gaps.
+
     Parameters
     ----------
     text : str
@@ -71,10 +74,11 @@ def count(text: str) -> int:
 
     Examples
     --------
-    >>> count("48")
-    48
+    >>> count("48"), count("48.0")
+    (48, 48)
     """
-    number = link_number(text)
+    digits, _, decimals = text.partition(".")
+    number = None if decimals.strip("0") else link_number(digits)
     if not number:
         raise ValueError("expected a whole number from 1")
     return number

@@ -42,8 +42,8 @@ from vstatics.core.readers.named.units import QUANTITY
 Words = dict[str, Any]
 
 _DAMPING, _EFFICIENCY = "any_damping", "efficiency"
-_IN_NO_CASE = frozenset(("time", "velocity", *STRAIGHT.values()))
-_IN_NO_CASE -= {"length", "force"}
+_IN_NO_CASE = frozenset(("time", *STRAIGHT.values()))
+_IN_NO_CASE -= {"length", "force", "velocity"}
 """Measures that occur only in scenarios."""
 _NAME: Words = {"type": ["string", "integer"], "minLength": 1}
 _DEFINITIONS: dict[str, Words] = {

@@ -45,16 +45,23 @@
   // --- pictures: what the page says of their looks goes with them, in the colours of paper ------
 
   const svgOf = (svg) => {
-    const copy = svg.cloneNode(true);
+    const copy = svg.cloneNode(true), looks = new Set(), parts = [svg];
     const rules = [...document.styleSheets].flatMap((sheet) => [...sheet.cssRules]);
-    const names = new Set([...svg.querySelectorAll("[class]")].flatMap((one) => [...one.classList]));
-    const looks = rules.filter(({ selectorText }) => /^\.l\d+$/.test(selectorText ?? "") && names.has(selectorText.slice(1)));
-    const style = document.createElementNS(svg.namespaceURI, "style");
-    style.textContent = looks.map(({ cssText }) => cssText).join("\n");
-    copy.prepend(style);
+    for (const part of parts) { // with looks, shapes and hatches that the page defines once
+      const names = new Set([part, ...part.querySelectorAll("[class]")].flatMap((one) => [...one.classList]));
+      for (const { selectorText, cssText } of rules) if (/^\.l\d+$/.test(selectorText ?? "") && names.has(selectorText.slice(1))) looks.add(cssText);
+      for (const [, id] of [part.outerHTML, ...looks].join("").matchAll(/#([\w.-]+)/g)) {
+        const other = document.getElementById(id);
+        if (other && !svg.contains(other) && !parts.includes(other)) parts.push(other);
+      }
+    }
+    const [style, defined] = ["style", "defs"].map((name) => document.createElementNS(svg.namespaceURI, name));
+    style.textContent = [...looks].join("\n");
+    defined.append(...parts.slice(1).map((part) => part.cloneNode(true)));
+    copy.prepend(style, defined);
     const shown = getComputedStyle(svg), [, , wide, high] = svg.getAttribute("viewBox").split(" ");
     copy.removeAttribute("style");
-    for (const [name, value] of Object.entries({ width: `${wide}pt`, height: `${high}pt`, "font-family": shown.fontFamily, "stroke-linejoin": "round" })) copy.setAttribute(name, value);
+    for (const [name, value] of Object.entries({ width: `${wide}pt`, height: `${high}pt`, "font-family": shown.fontFamily, "font-size": shown.fontSize, fill: "var(--ink)", "stroke-linejoin": "round" })) copy.setAttribute(name, value);
     const colours = rules.find(({ selectorText, style: own }) => selectorText === ":root" && own.getPropertyValue("--ink")).style;
     return new XMLSerializer().serializeToString(copy).replace(/var\((--[\w-]+)\)/g, (_, name) => colours.getPropertyValue(name).trim());
   };
