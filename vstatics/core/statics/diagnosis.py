@@ -580,10 +580,10 @@ def _loaded_pumps(results: Results, number: int) -> str:
 def _gaining_converters(results: Results, number: int) -> str:
     if not results.case.has_converter:
         return ""
-    state = results.gear_at(number).ideal
-    given = state.variant.columns, state.drag, state.external
-    torques_ = torques.solve_torques(results.case, state.gear, *given)
-    names = ideal.gaining(state._replace(torques_with_drag=torques_))
+    state = results.gear_at(number)
+    variant = state.ideal.variant
+    torques_ = torques.solve_torques(results.case, state.gear, variant.columns)
+    names = ideal.gaining(variant, state.ideal.direction, state.ideal.speeds, torques_)
     return f"converter{_s(len(names))} {spoken(names)} would gain power" if names else ""
 
 

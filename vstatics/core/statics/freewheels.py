@@ -19,7 +19,14 @@ from vstatics.core.numerics.tolerances import NEAR_ONE
 from vstatics.core.numerics.traced import Number, absolute, is_nan, is_traced, may_lie, plain, sign
 from vstatics.core.statics import matrix
 from vstatics.core.statics.efficiency import Efficiency
-from vstatics.core.statics.ideal import IdealGear, direction_of, driving, ideal_gear, is_nothing
+from vstatics.core.statics.ideal import (
+    IdealGear,
+    direction_of,
+    driving,
+    gaining,
+    ideal_gear,
+    is_nothing,
+)
 from vstatics.core.statics.matrix import Variant, variant_of
 from vstatics.core.statics.signs import find_signs
 from vstatics.core.statics.speeds import Speeds, is_tie, solve_speeds
@@ -208,8 +215,12 @@ def _state(variant: Variant, gear: Gear, speeds: Speeds) -> GearState:
     ideal = ideal_gear(variant, gear, speeds)
     moving = ideal.torques.consistent and speeds.consistent
     search = find_signs(ideal, moving=moving)
-    # Drag and losses can reverse the torque of a slipping clutch that would drive without them.
-    if not search.lossy.admissible and driving(ideal, variant.columns, ideal.torques):
+    # Drag and losses can reverse the torque of a slipping clutch or converter that would give
+    # power without them.
+    if not search.lossy.admissible and (
+        driving(ideal, variant.columns, ideal.torques)
+        or gaining(variant, ideal.direction, speeds, ideal.torques)
+    ):
         ideal = ideal.without_torques
         search = find_signs(ideal, moving=False)
     return GearState(ideal, search)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
+from vstatics.core.model.parts import Mechanism
 from vstatics.core.model.transmission import HOUSING, Gear, Transmission
 from vstatics.core.numerics.tolerances import TIE
 from vstatics.core.numerics.traced import Number, absolute, is_nan, is_nothing_beside
@@ -37,7 +38,7 @@ class IdealGear(NamedTuple):
     overcome: bool = False
     """True if power can enter at the output to overcome drag that exceeds the input power."""
     allows_driving: bool = False
-    """True if slipping shift elements can produce power, because drag was left out."""
+    """True if converters and slipping shift elements can produce power, without drag."""
 
     @property
     def case(self) -> Transmission:
@@ -54,8 +55,7 @@ class IdealGear(NamedTuple):
     @property
     def without_torques(self) -> IdealGear:
         """The gear without torques, if it has no equilibrium."""
-        torques = no_torques(self.torques)
-        return self._replace(torques=torques, torques_with_drag=torques)
+        return self._replace(torques=no_torques(self.torques))
 
 
 def ideal_gear(variant: Variant, gear: Gear, speeds: Speeds) -> IdealGear:
@@ -63,12 +63,13 @@ def ideal_gear(variant: Variant, gear: Gear, speeds: Speeds) -> IdealGear:
     case, columns = variant.case, variant.columns
     direction, external = direction_of(case, gear), matrix.external_torques(case, gear)
     torques = solve_torques(case, gear, columns, external=external)
+    if any(is_nan(variant.ratios[place]) for place, _ in _converters(variant)):
+        torques = no_torques(torques)
     drag = drag_torques(case, gear, speeds.links, speeds.slips)
     with_drag = torques
     if drag is not NO_DRAG:
         with_drag = solve_torques(case, gear, columns, drag, external)
-    ideal = IdealGear(variant, gear, direction, external, speeds, torques, drag, with_drag)
-    return ideal.without_torques if gaining(ideal) else ideal
+    return IdealGear(variant, gear, direction, external, speeds, torques, drag, with_drag)
 
 
 def direction_of(case: Transmission, gear: Gear) -> int:
@@ -76,27 +77,32 @@ def direction_of(case: Transmission, gear: Gear) -> int:
     return -1 if case.coasts(gear) else 1
 
 
-def gaining(ideal: IdealGear) -> list[str]:
+def gaining(variant: Variant, direction: int, speeds: Speeds, torques: Torques) -> list[str]:
     """Return the names of converters whose output power would exceed their input power.
 
-    Such a state is impossible. Drag can reverse the power through a converter, so torques with drag
-    decide. A converter whose speed ratio is unknown (NaN) counts as well.
+    Such a state is impossible. A converter whose speed ratio is unknown (NaN) counts as well.
     """
     return [
         mechanism.name
-        for place, mechanism in enumerate(ideal.case.mechanisms)
-        if mechanism.kind == "converter" and _gains(ideal, place)
+        for place, mechanism in _converters(variant)
+        if _gains(variant, place, speeds, torques, direction)
     ]
 
 
-def _gains(ideal: IdealGear, place: int) -> bool:
-    if is_nan(ideal.variant.ratios[place]):
+def _converters(variant: Variant) -> Iterator[tuple[int, Mechanism]]:
+    for place, mechanism in enumerate(variant.case.mechanisms):
+        if mechanism.kind == "converter":
+            yield place, mechanism
+
+
+def _gains(variant: Variant, place: int, speeds: Speeds, torques: Torques, direction: int) -> bool:
+    if is_nan(variant.ratios[place]):
         return True
     entering = times(
-        ideal.torques_with_drag.on_first_link[len(ideal.case.shift_elements) + place],
-        ideal.speeds.relative_speeds[place],
+        torques.on_first_link[len(variant.case.shift_elements) + place],
+        speeds.relative_speeds[place],
     )
-    return bool(times(entering, converter_slip(ideal.variant, place)) * ideal.direction < 0)
+    return bool(times(entering, converter_slip(variant, place)) * direction < 0)
 
 
 def slip_losses(ideal: IdealGear, columns: Sequence[Column], torques: Torques) -> list[Number]:

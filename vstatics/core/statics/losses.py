@@ -90,7 +90,7 @@ def check_signs(
         if not (x == 0 or efficiencies.lossless):
             agrees = agrees & (x * direction >= 0)
     for mechanism, loss in zip(ideal.case.mechanisms, losses, strict=True):
-        if mechanism.kind == "converter":
+        if mechanism.kind == "converter" and not ideal.allows_driving:
             agrees = agrees & (loss * way >= 0)
     for number in () if ideal.allows_driving else ideal.gear.slip:
         if not is_nan(of_slips[number - 1]):

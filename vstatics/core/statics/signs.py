@@ -30,7 +30,7 @@ from vstatics.core.numerics.traced import (
 )
 from vstatics.core.start import NamedTuple
 from vstatics.core.statics.efficiency import Signs, is_possible
-from vstatics.core.statics.ideal import IdealGear, gaining, mechanism_torques
+from vstatics.core.statics.ideal import IdealGear, mechanism_torques
 from vstatics.core.statics.losses import LossyTorques, no_solution, power_ratio, torques_for_signs
 from vstatics.core.statics.power import power
 from vstatics.core.statics.torques import Torques
@@ -351,11 +351,8 @@ def _overcome(ideal: IdealGear, start: IdealSigns) -> Admissible:
     """Return the signs of a gear if power can enter at the output to overcome drag.
 
     Without drag the gear must also have admissible signs. Otherwise friction in meshes locks it.
-    This cannot be checked if a converter would gain power without drag.
     """
     bare = ideal.without_drag
-    if gaining(bare):
-        return _admissible(ideal, start)
     without_drag = _admissible(bare, ideal_signs(bare, moving=True))
     return _admissible(ideal, start) if without_drag.lossy else without_drag
 
