@@ -52,7 +52,7 @@ _GONE = 40.0
 _FIRST_PARTS = 4
 """Initial number of parts of a stretch with nonlinear torques."""
 _FEWEST_PARTS = 2
-"""Smallest number of parts; a polynomial over a single part has a lower degree."""
+"""Smallest number of parts if torques depend on the motion; one part has a lower degree."""
 _FIRST_JOINED = 4
 """Number of parts in the first time step of a motion; later steps are longer."""
 _SMOOTH = 4
@@ -332,6 +332,7 @@ class Closed:
         most = min(known.parts.get(self.size, _FIRST_PARTS), _FIRST_PARTS)
         self.most = _MOST_HALVINGS if self.is_given else most
         """Largest number of parts of the next stretch."""
+        self.fewest = 1 if self.is_given else _FEWEST_PARTS
         looks = {*rates, *equations.coupled}
         orders = np.array([2 if port in looks else _ORDERS for port in self.bending], dtype=int)
         self.is_used: Booleans = np.arange(_ORDERS) < orders[:, None]
@@ -447,7 +448,7 @@ class Closed:
                 longest = self.solutions.shorter[self.size] = max(longest, shorter)
                 smooth += 1
                 if (self.series and self.series.fit_twice) or (
-                    count <= _FEWEST_PARTS and smooth % patience == 0
+                    count <= self.fewest and smooth % patience == 0
                 ):
                     self.most = min(self.most if shorter < 1 else 2 * self.most, _MOST_HALVINGS)
                     shorter = min(1.0, 2 * shorter)
@@ -458,8 +459,8 @@ class Closed:
             else:
                 patience = min(2 * patience, _MOST_HALVINGS) if smooth else patience
                 smooth = 0
-                shorter = shorter if count > _FEWEST_PARTS else shorter / 2
-                self.most = max(_FEWEST_PARTS, count // 2)
+                shorter = shorter if count > self.fewest else shorter / 2
+                self.most = max(self.fewest, count // 2)
                 if shorter < SHORTEST_PART:
                     yield None
                     raise NoFit
