@@ -14,7 +14,7 @@ import numpy as np
 
 from vstatics.core.errors import Problem, not_allowed, path_text, spoken
 from vstatics.core.model.checks import doubts
-from vstatics.core.model.parts import OfLoad
+from vstatics.core.model.parts import OfLoad, ShiftElement
 from vstatics.core.model.transmission import Gear, Mechanism, SpeedOf, Transmission
 from vstatics.core.numerics import elimination
 from vstatics.core.numerics.tolerances import TIE, UNCERTAIN
@@ -394,13 +394,14 @@ def _cure(
     others: Sequence[str],
     fixed: Sequence[str],
     sought: Sequence[str],
-    slipping: Sequence[str],
+    elements: Sequence[ShiftElement],
 ) -> str:
     """Return words for the remedies for contradictory constraints on the speeds.
 
     `fixed` are converters and variators with a prescribed speed ratio; for `sought`, the load
-    determines it. Some of the `engaged` shift elements can be `slipping`.
+    determines it. The shift elements `elements` slip.
     """
+    slipping = [element.name for element in elements if element.name in engaged]
     names = spoken(fixed)
     by_slip = f"remove the speed ratio of {names}, which the slip then determines"
     cures = [
@@ -434,9 +435,7 @@ def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
         if not agrees:
             fixed = [name for name in free if not math.isnan(at_ratios[name])]
             sought = [name for name in free if name not in fixed]
-            slips = [element.name for element in case.elements_at(gear.slipping)]
-            slipping = [name for name in engaged if name in slips]
-            cure = _cure(engaged, others, fixed, sought, slipping)
+            cure = _cure(engaged, others, fixed, sought, case.elements_at(gear.slipping))
             if free:
                 conditions = spoken(
                     f"{name} at the speed ratio {at_ratios[name]:g}" if name in fixed else name
