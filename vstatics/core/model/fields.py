@@ -9,7 +9,6 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal, Protocol, Self, TypeVar, runtime_checkable
 
 from vstatics.core.errors import Problem, listed, typed_number
-from vstatics.core.model.bodies import Bodies, join
 from vstatics.core.model.parts import (
     NO_LOAD,
     Direction,
@@ -36,8 +35,18 @@ IdleConvention = Literal["published", "exact"]
 """Convention for the sign of power in mechanisms that transmit no power; see docs/method.md."""
 
 
+Bodies = list[int]
+"""Body of each link, housing first, identified by the smallest link number in the body."""
 MOST_CYLINDERS = 48
 """Largest number of cylinders of a four-stroke engine, which fires 24 times per revolution."""
+
+
+def join(bodies: Bodies, *links: int) -> None:
+    """Merge the bodies of several links, in place."""
+    joined = {bodies[link] for link in links}
+    if len(joined) > 1:
+        least = min(joined)
+        bodies[:] = [least if body in joined else body for body in bodies]
 
 
 @runtime_checkable

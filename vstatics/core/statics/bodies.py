@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from vstatics.core.model.bodies import Bodies, join
+from vstatics.core.model.fields import Bodies, join
 from vstatics.core.model.parts import OwnDevice
 from vstatics.core.model.springs import Spring
 from vstatics.core.model.transmission import HOUSING, Gear, Mechanism, Transmission

@@ -8,7 +8,7 @@ from functools import reduce
 from operator import add
 from typing import Any
 
-from vstatics.core.model.bodies import Bodies
+from vstatics.core.model.fields import Bodies
 from vstatics.core.model.parts import HOUSING, Planet
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.numerics.signed import Condition

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from vstatics.core.model.bodies import Bodies
+from vstatics.core.model.fields import Bodies
 from vstatics.core.model.transmission import Gear
 from vstatics.core.numerics.tolerances import NO_POWER
 from vstatics.core.numerics.traced import plain

@@ -19,7 +19,7 @@ from typing import Any
 
 import numpy as np
 
-from vstatics.core.model.bodies import join
+from vstatics.core.model.fields import join
 from vstatics.core.model.parts import HOUSING, RAD_PER_RPM, Mechanism
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.numerics.arrays import Floats, Integers, without
