@@ -44,7 +44,7 @@ if is_command(sys.argv[0] if sys.argv else "", sys.orig_argv):
 
 # These imports follow the settings, so that Ctrl-C is safe during them.
 from collections import namedtuple  # noqa: E402
-from typing import TYPE_CHECKING, Any  # noqa: E402
+from typing import TYPE_CHECKING  # noqa: E402
 
 if TYPE_CHECKING:
     from typing import NamedTuple
@@ -53,7 +53,7 @@ else:
     class _FromAnnotations(type):
         """Metaclass that replaces a class by the named tuple of its annotations."""
 
-        def __new__(cls, name: str, bases: tuple[type, ...], namespace: dict[str, Any]) -> type:
+        def __new__(cls, name: str, bases: tuple[type, ...], namespace: dict[str, object]) -> type:
             if not bases:
                 return super().__new__(cls, name, bases, namespace)
             fields = namespace.pop("__annotations__", {})

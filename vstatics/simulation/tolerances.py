@@ -78,6 +78,10 @@ SLIDING = 1e-3
 """Largest distance of a sliding motion from the jump, relative to the compared numbers."""
 NEAR_JUMP = 1e-9
 """Largest distance from a jump at which a motion is on the jump, relative to compared numbers."""
+ROUNDED_SHARE = 1e-13
+"""Change of the share of a sliding motion that counts as rounding error."""
+PROPORTIONAL = 1e-9
+"""Relative difference up to which samples of two compared differences are proportional."""
 NEAR_LIMIT = 1e-3
 """Fraction of the look-ahead within which a state that reaches a limit counts as at the limit."""
 EXACT_SIDES = 1e-13

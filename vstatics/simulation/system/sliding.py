@@ -18,6 +18,7 @@ from vstatics.simulation.system.known import KnownMotion
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.system.shares import NOW, JumpPlace, Slide, total_slope
 from vstatics.simulation.system.sight import Compared, looking, place_of
+from vstatics.simulation.tolerances import PROPORTIONAL, ROUNDED_SHARE
 
 _RETURN = 1e3
 """Rate at which a distance from the jump decays, times the duration."""
@@ -25,12 +26,8 @@ _NEWTON_ROUNDS = 12
 """Largest number of Newton steps."""
 _SAME_SLOPES = 4
 """Number of Newton steps with the same derivatives."""
-_SAME = 1e-13
-"""Change of a share that counts as rounding error."""
 _SAMPLES = 6
 """Number of samples in a comparison of two differences."""
-_PROPORTIONAL = 1e-9
-"""Relative difference up to which samples are proportional."""
 
 Change = Callable[[Floats, Floats, Floats], Floats]
 """Rate of a difference from times, seen quantities and rates of seen quantities."""
@@ -88,7 +85,7 @@ class Sliding:
             except np.linalg.LinAlgError:
                 return shares * np.nan
             shares = shares - by_time[..., 0].T
-            if not largest(np.abs(by_time)) > _SAME * max(1.0, largest(np.abs(shares))):
+            if not largest(np.abs(by_time)) > ROUNDED_SHARE * max(1.0, largest(np.abs(shares))):
                 break
         if slopes is not None and np.isfinite(slopes).all():
             self.slopes = slopes[..., -1:]
@@ -188,7 +185,7 @@ def slides(
         same = [
             number
             for number, (ratio, first) in enumerate(zip(ratios, firsts, strict=True))
-            if np.allclose(apart, ratio * first, rtol=_PROPORTIONAL, atol=0.0)
+            if np.allclose(apart, ratio * first, rtol=PROPORTIONAL, atol=0.0)
         ]
         if not same:
             firsts.append(apart)
