@@ -52,7 +52,7 @@ MOST_COMBINATIONS = 10_000
     "--output-torque",
     callback=value(torque),
     metavar="TORQUE",
-    help="External torque on the output for the calculated accelerations, such as -1200 or "
+    help="With `inertias`: external torque on the output for accelerations, such as -1200 or "
     "'-1200 N*m'.  [default: 0]",
 )
 @click.option(

@@ -132,7 +132,10 @@ def _front(points: Floats) -> Integers:
 
 
 def _behind(points: Floats, by: Floats) -> Booleans:
-    """Return flags of points that rows of `by` dominate, if no first objective in `by` is worse."""
+    """Return flags of points that rows of `by` dominate.
+
+    The first objective is not compared: it must not be worse in any row of `by`.
+    """
     if points.shape[1] > 3:
         return _dominated(by[:, 1:], points[:, 1:], strictly=False)
     order = np.argsort(by[:, 1], kind="stable")

@@ -218,10 +218,10 @@ class _ColumnsRead:
             words.append(sys.intern(cells[place].strip()))
 
     def _seconds(self, cell: str) -> float | None:
-        """Return a time such as `01:30:00` in seconds, independent of the unit above, else None.
+        """Return a time such as `01:30:00` in seconds, whatever unit the heading gives.
 
-        A time with a date is counted from the first midnight of the table; without a time zone it
-        is in UTC.
+        None for other cells. A time with a date counts from midnight of the first dated row;
+        without a time zone it is in UTC.
         """
         if clock := _CLOCK.fullmatch(cell):
             hours, minutes, seconds = clock.groups()

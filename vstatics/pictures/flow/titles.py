@@ -47,7 +47,10 @@ class FlowTitles(NamedTuple):
         return band.loop is not None and bool(self.texts.side.loops[band.loop].shared)
 
     def band(self, band: Band) -> str:
-        """Return the tooltip of a band. A returning band has no common speed."""
+        """Return the tooltip of a band.
+
+        Torque and speed are left out if the band passes further nodes, as they differ along it.
+        """
         nodes = band.source, *band.between, band.target
         names = " → ".join(map(str, nodes))
         link = next(node for node in nodes if node.kind == "link")

@@ -103,7 +103,7 @@ def run_rows(
     events: Sequence[Event],
     pen: Pen,
 ) -> list[RunRow]:
-    """Return the rows of shift elements, then of `others`; `pen` is as long as a row."""
+    """Return the rows of shift elements, then of `others`; `pen` spans the time axis of a row."""
     style = pen.style
     rows = []
     for name, states in [*((row.name, row) for row in shown), *((name, None) for name in others)]:

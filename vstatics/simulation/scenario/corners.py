@@ -71,8 +71,9 @@ def corners(tree: Tree, name: str) -> dict[float, bool]:
         ]
         bends = {place for place, jumps in within if not jumps}.difference(known)
         fresh = sorted(bends or {place for place, _ in within}.difference(known))
+        # With new bends, only these are added: other new corners can vanish beyond them.
         for place, jumps in within:
-            if place in known or place in fresh:  # beyond a new bend, other corners can vanish
+            if place in known or place in fresh:
                 known[place] = known.get(place, False) or jumps
         if len(known) > MOST_BREAKS:
             return {}

@@ -1,8 +1,9 @@
-"""Formulas with shares of both sides of the jumps along which a motion slides.
+"""Replacement of a formula's jumps by variables, for a motion that slides along the jumps.
 
-On a jump, a formula has a mean of its values on both sides (Filippov). The share of a jump is 1
-above the jump and -1 below. It replaces `sign` and comparisons in the formula. While the motion
-slides, the share has the value that keeps the motion on the jump (Utkin's equivalent control).
+On a jump, a formula has a weighted mean of its values on both sides (Filippov). The weight is given
+by the share of the jump, from -1 (value below) to 1 (value above): it replaces `sign`, and
+(1 + share)/2 replaces `>`. While the motion slides, the share has the value that keeps the motion
+on the jump (Utkin's equivalent control).
 """
 
 from __future__ import annotations

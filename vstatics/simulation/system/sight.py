@@ -148,7 +148,7 @@ class Corner(NamedTuple):
     jumps: Sequence[bool]
     """For each comparison, True if the formula can jump there."""
     places: Sequence[JumpPlace] = ()
-    """Place of each comparison of a formula."""
+    """Terms and link of each comparison of a formula; empty for friction tables and springs."""
 
 
 def compared(system: MotionSystem, difference: Formula, rate: int = 0, angle: int = -1) -> Compared:

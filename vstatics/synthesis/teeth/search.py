@@ -194,7 +194,10 @@ class _Halving:
         self._try(starts, sizes)
 
     def _try(self, starts: Integers, sizes: Integers) -> None:
-        """Try all choices in regions. `starts` and `sizes` give the range of groups per table."""
+        """Try all choices in regions, given by start and size of the range of groups in each table.
+
+        The shape of `starts` and `sizes` is (regions, tables).
+        """
         counts = sizes.prod(axis=1)
         for piece in portions(counts, CHOICES_AT_ONCE):
             of_region, number = counted(counts[piece])

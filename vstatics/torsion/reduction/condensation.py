@@ -70,7 +70,8 @@ def _without(springs: Iterable[SchemeSpring], mass: int) -> list[SchemeSpring]:
         else:
             remaining.append(_in_series(meeting, spring, mass))
             meeting = _side_by_side(meeting, spring, mass)
-    return remaining  # the last spring at the mass carries no torque
+    # `meeting` is left out: a single spring at a mass without inertia carries no torque.
+    return remaining
 
 
 def _in_series(spring: SchemeSpring, other: SchemeSpring, mass: int) -> SchemeSpring:

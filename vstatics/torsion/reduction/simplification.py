@@ -327,11 +327,11 @@ def with_masses_merged(chain: Chain, left: int) -> Chain:
 def _longer(
     spring: ChainSpring, other: ChainSpring, part: float = 1.0, damped: float = 1.0
 ) -> ChainSpring:
-    """Add a fraction of another spring in series to a spring, with damping by (П1.14).
+    """Lengthen a spring by a fraction `part` of another spring, with damping by (П1.14).
 
-    Both fractions of a divided spring dissipate equally at equal torque, (П1.15). With (П1.15) in
-    (П1.16), each fraction adds K/2 times the square of the ratio of the undivided compliance to the
-    total compliance, however small the fraction is.
+    If `other` is divided between two springs, both fractions dissipate equally at equal torque,
+    (П1.15). Each then adds half of the damping of `other` (`damped` = 0.5), times the square of the
+    compliance of all of `other` over that of the result, however small its fraction is (П1.16).
     """
     compliance = spring.compliance + part * other.compliance
     damping = spring.damping * (spring.compliance / compliance) ** 2

@@ -98,7 +98,7 @@ class Members(NamedTuple):
             yield Problem("E880", f"{message}, or two links", path)
 
     def without_torque(self, name: str, path: Path) -> Iterator[Problem]:
-        """Yield an error if no link, member, gear set or shift element has the name."""
+        """Yield an error if the name is unknown, or is a planet, which has no separate torque."""
         known = [*self.with_torque, *self.firsts]
         if name not in known:
             yield self.fault(name, known, "link or member with a torque", path)

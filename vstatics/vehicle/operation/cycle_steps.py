@@ -253,9 +253,9 @@ class CycleSteps(NamedTuple):
 
     @property
     def asked_forces(self) -> Floats:
-        """Wheel forces by engine or machine [N].
+        """Wheel forces that the engine or machine must supply, without the share of brakes [N].
 
-        For braking, these are only the share `recuperation`, and at least `least_forces`.
+        When braking, only the share `recuperation` counts. No force is less than `least_forces`.
         """
         forces = self.forces
         asked = np.where(forces < 0, self.vehicle.recuperation * forces, forces)

@@ -88,7 +88,7 @@ idle = under(
         cls=RenamedOption,
         former=["--idle"],
         type=click.Choice(get_args(IdleConvention)),
-        help="Sign of the power of mechanisms that transmit none: 0 (exact), or +1 or -1 as in "
+        help="Power sign of unloaded mechanisms: 0 (exact), or +1 or -1 as in "
         "the listing of the program Visual-Statics (published).  [default: as in the case]",
     ),
 )

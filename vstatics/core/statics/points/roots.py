@@ -148,9 +148,9 @@ class _Edges(NamedTuple):
     """Index of the first trial of each interval."""
     point: Integers
     known: Floats
-    """Trial numbers with a surplus."""
+    """Trial value at the end of each interval where the surplus exists."""
     beyond: Floats
-    """Trial numbers without a surplus."""
+    """Trial value at the end of each interval where the surplus does not exist (NaN)."""
     last: Floats
     """Surpluses at `known`."""
 

@@ -34,9 +34,9 @@ A variant contains the number of letters per line, and two flags. The first flag
 links at the ends of the axis, the second labels gears by tooth numbers only.
 """
 MOST_SHRUNK_NAMED = 2.5
-"""Largest letter-to-length ratio with named gears; above it, symbols are too small. [-]"""
+"""Largest ratio of letter size to lengths if gears have names or boxes are drawn. [-]"""
 MOST_SHRUNK = 4.0
-"""Largest ratio of letters to lengths; wider pictures exceed the width of the page. [-]"""
+"""Largest ratio of letter size to lengths in other pictures; wider ones exceed the page. [-]"""
 FITS, SLOW_FITS = 16, 5
 """Largest number of reductions, and number of reductions after which the steps grow."""
 LEAST_STEP = 1.01

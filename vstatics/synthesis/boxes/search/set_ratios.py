@@ -189,7 +189,7 @@ def _squares(errors: Floats) -> float:
 
 @compiled_part
 def fitted(parts: Floats, chosen: Integers, asked: Asked, stiffness: float, room: FitRoom) -> float:
-    """Minimise the sum of squares of ln(i/target)/width near a point.
+    """Minimise the sum of squares of ln(i/target)/width, starting from the point `room.logs`.
 
     Parameters
     ----------
@@ -201,7 +201,8 @@ def fitted(parts: Floats, chosen: Integers, asked: Asked, stiffness: float, room
     Returns
     -------
     float
-        Smallest sum of squares; infinity without a solution. [-]
+        Smallest sum of squares, including weighted squares beyond the widths; infinity without a
+        solution. [-]
 
     Examples
     --------

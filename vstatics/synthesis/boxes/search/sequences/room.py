@@ -98,7 +98,7 @@ class SequenceRoom(NamedTuple):
     shape (combinations of a set,).
     """
     chains: ChainRoom
-    """Assignment of combinations of shift elements to gears."""
+    """Work arrays for assigning combinations of shift elements to gears."""
     match: MatchRoom
     steps: Integers
     """Number of examined cells, and the limit, shape (2,)."""
