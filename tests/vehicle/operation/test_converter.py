@@ -545,3 +545,17 @@ vehicle: {mass: 1200, radius: 0.3, engine: [[80, 100], [600, 120]]}
     assert done.status == 1
     assert "car.yaml:7:3: error: gears.1: the speed of the output does not depend on TC" in done.err
     assert not list(Path().glob("x.*"))
+
+
+@pytest.mark.parametrize("is_split", [False, True])
+def test_inertias_can_drive_the_turbine_while_the_wheels_need_a_small_force(is_split: bool) -> None:
+    """The engine then drives as little as possible, and the brakes absorb the excess."""
+    by_hand = train(1, is_split=is_split)
+    car, speed = by_hand.car, 5.0
+    change = -(car.resistance(speed) - 3.0) / car.mass
+    rows = f"0,{speed - change / 2}\n1,{speed + change / 2}\n"
+    trace = read_trace(f"time [s],speed [m/s]\n{rows}".encode(), "t.csv")
+    driven, step = drive(by_hand.case(), trace, GearChoice()), Step.of(by_hand, speed, change, 3.0)
+    assert driven.steps["engine speed [rpm]"][0] * math.pi / 30 == pytest.approx(step.engine)
+    assert driven.steps["engine torque [N*m]"][0] == pytest.approx(step.torque)
+    assert driven.energy.brakes == pytest.approx((step.force - 3.0) * speed)

@@ -40,6 +40,8 @@ class ConverterSteps(NamedTuple):
     """Speeds [rad/s] and torques [N*m] of the output, which is the input of the second case."""
     rows: Integers
     """Indices of the steps in the cycle."""
+    are_slowing: Booleans
+    """True for steps that slow the vehicle down, in which inertias drive the gear train."""
 
     @property
     def _output(self) -> Floats:
@@ -110,6 +112,8 @@ class ConverterSteps(NamedTuple):
         engine = search.engine.copy()
         torques = np.full(len(engine), np.nan)
         surplus = search.surplus[:, 0]  # NaN if no speed ratio gives torques
+        # Inertias of the gear train can drive the turbine although the wheels do not.
+        are_braking = are_braking | (self.are_slowing & np.isnan(surplus))
         sign = np.where(self.converter.is_driving(search.ends[:, 0], self._output), 1, -1)
         is_strong = np.where(np.isnan(surplus), are_braking, sign * surplus <= 0)
         freest = self.converter.engine_at_free_ratio(self._output)

@@ -464,7 +464,8 @@ class CycleSteps(NamedTuple):
                 cases = converter.case, turned(converter.case, self.ratios[[gear]])
                 further = [self._elsewhere(case, places) for case in cases]
                 load = self._load_of_wheels(places)
-                yield ConverterSteps(converter, self.vehicle, cases, further, load, places)
+                slowing = self.trace.acceleration[places] < 0
+                yield ConverterSteps(converter, self.vehicle, cases, further, load, places, slowing)
 
     def driven(self, rows: Integers) -> DrivenSteps:
         """Return the steps `rows` with engine speeds, and torques limited to the overrun torque.
