@@ -62,6 +62,17 @@ torques:
     assert simulated(given, case).speeds[-1] == pytest.approx(speeds, abs=1e-7)
 
 
+def test_products_of_jumps_have_the_mean_of_their_values_on_both_sides() -> None:
+    """Until 4/9 s b receives 18 N*m, then 16 N*m below the jump and 18 above, of weight 7/16."""
+    of_b = "8*sign(speed('a') - 5*t)**2 + 10*max(speed('a') > 5*t, 0.8)"
+    given = f"""duration: 2
+start: {{speeds: {{a: 20, b: 0}}}}
+torques: {{a: "-40*sign(speed - 5*t)", b: "{of_b}"}}
+"""
+    speed = (18 * 4 / 9 + (16 + 2 * 7 / 16) * 14 / 9) / 5
+    assert simulated(given, LINKS).speeds[-1] == pytest.approx([10, speed], rel=1e-9)
+
+
 TABLE = "tables: {m: [[-9, 30], [4, 30], [4, -70], [30, -70]]}\n"
 CASES: list[tuple[str, Smooth, list[float]]] = [
     (
