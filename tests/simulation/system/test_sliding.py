@@ -45,6 +45,20 @@ def test_a_clutch_that_switches_with_its_slip_holds_the_slip() -> None:
     assert simulated(given, CLUTCH).speeds[-1] == pytest.approx([last + 20, last], rel=1e-9)
 
 
+@pytest.mark.parametrize("slip", [2, 8])
+def test_a_slip_that_a_sequence_changes_is_reached_and_held(slip: int) -> None:
+    """The momentum is 20 + 50 t in any case."""
+    given = f"""duration: 2
+start: {{speeds: {{a: 20, b: 0}}}}
+set: {{k: 5}}
+sequences: {{s: [{{when: t >= 1, set: {{k: {slip}}}}}]}}
+controls: {{C: "300*(slip('C') > k)"}}
+torques: {{a: 50}}
+"""
+    speeds = [20 + 5 * slip / 6, 20 - slip / 6]
+    assert simulated(given, CLUTCH).speeds[-1] == pytest.approx(speeds, rel=1e-8)
+
+
 def test_formulas_in_other_words_and_of_other_links_share_the_mean_of_a_jump() -> None:
     """With the share s, dw/dt of a is 33 - 100 s, of b 15 s - 1, and dx/dt (1 + s)/2."""
     case = "links: [a, b, c]\ninertias: {a: 1, b: 5, c: 1}\n"

@@ -28,8 +28,8 @@ from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.formula_code import PI
 from vstatics.simulation.scenario.table_call import TableCall
 
-NOW = "now"
-"""Name of the time in `total_slope`."""
+NOW = "present time"
+"""Name of the time in `total_slope`, which no state can have."""
 
 
 class JumpPlace(NamedTuple):
@@ -164,7 +164,7 @@ def total_slope(
     Returns
     -------
     formula : Formula
-        Derivative. It also reads `now`, which is the time, and rates of change.
+        Derivative. It also reads `NOW`, which is the time, and rates of change.
     rates : mapping of str to TableName
         Name of each rate of change, and the quantity that changes.
 
