@@ -109,7 +109,8 @@ def _on_side(tree: Tree, slides: Sequence[Slide]) -> Tree:
         values[place[:2]] = sign
         apart = place.first if place.second == Constant(0.0) else place.difference.whole
         values[apart,] = near
-    return _with_values(tree, values)
+    whole: Tree = _with_values(tree, values)
+    return whole
 
 
 def _with_values(tree: Any, values: Mapping[tuple[Tree, ...], float]) -> Any:
