@@ -9,6 +9,7 @@ from collections.abc import Callable
 from random import Random
 from typing import Any
 
+import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
@@ -176,6 +177,21 @@ def test_random_relays_agree_with_smoothed_signs(seed: int) -> None:
     start = f"duration: 1.5\nstart: {{speeds: {{a: {begin[0]}, b: {begin[1]}}}}}\n"
     motion = simulated(start + text, LINKS)
     assert motion.speeds[-1] == pytest.approx(extrapolated(change, begin, 1.5)[:2], abs=1e-6)
+
+
+def test_a_margin_of_infinite_slope_does_not_have_earlier_events_without_end() -> None:
+    """The momentum changes by 62 N*m until the angle of a is 1/2, and then by -18 N*m."""
+    apart = "slip('C') + sin(3*t)"
+    given = f"""duration: 0.7
+start: {{speeds: {{a: 20, b: 0}}}}
+controls: {{C: "20 + abs(9*sign({apart})*sqrt(abs({apart})))"}}
+torques: {{a: "-40*sign(2*angle - 1)", b: 22}}
+"""
+    motion = simulated(given, CLUTCH)
+    time, speed = motion.time, motion.speeds[:, 0]
+    angle = np.append(0.0, np.cumsum(np.diff(time) * (speed[1:] + speed[:-1]) / 2))
+    momentum = 20 - 18 * 0.7 + 80 * np.interp(0.5, angle, time)
+    assert motion.speeds[-1] @ [1, 5] == pytest.approx(momentum, abs=1e-3)
 
 
 def test_a_jump_that_does_not_change_the_rate_of_what_it_compares_is_reported() -> None:
