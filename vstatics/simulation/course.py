@@ -168,9 +168,12 @@ class EventRun:
         """
         at = self.at
         self.at = at._replace(values=with_states(self.system.scenario, at.values, values))
+        before = [corner.places for corner in self.corners]
         self.system = self.commands.given(self.system, at.time, step, values)
-        self.selection = self.selection.of(self.system)
         self._look_ahead()
+        if self.slides and before != [corner.places for corner in self.corners]:
+            self._slide([])  # `slides` has the numbers of the corners before the step
+        self.selection = self.selection.of(self.system)
 
     def _look_ahead(self) -> None:
         """Find the bends and jumps of inputs over time, and the corners of formulas."""
@@ -196,8 +199,8 @@ class EventRun:
 
     def _settled(self) -> Selected:
         """Apply all due sequence steps, and select the states of contacts after them."""
-        self.selection = self.selection.of(self.system)
         for _ in range(_MOST_STEPS_AT_ONCE + 1):
+            self.selection = self.selection.of(self.system)
             self.at = self._joined(self.at, self.before)
             selected = self._selected()
             equations, state = selected.equations, selected.state
@@ -336,8 +339,8 @@ class EventRun:
             return True
         if not along and equations.time <= self.slides_from:
             why = (
-                "without end: on each side of its jump the motion returns to the other side, but "
-                "no mean of both sides keeps it there"
+                "without end: on each side of its jump the motion returns to the other side, and "
+                "the program does not find the mean of both sides that keeps it there"
             )
             raise self._endless(next(iter(self.slides)), equations.time, why)
         self._slide(along)

@@ -9,6 +9,7 @@ from collections.abc import Callable
 from random import Random
 from typing import Any
 
+import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
@@ -45,6 +46,20 @@ def test_a_clutch_that_switches_with_its_slip_holds_the_slip() -> None:
     assert simulated(given, CLUTCH).speeds[-1] == pytest.approx([last + 20, last], rel=1e-9)
 
 
+@pytest.mark.parametrize("slip", [2, 8])
+def test_a_slip_that_a_sequence_changes_is_reached_and_held(slip: int) -> None:
+    """The momentum is 20 + 50 t in any case."""
+    given = f"""duration: 2
+start: {{speeds: {{a: 20, b: 0}}}}
+set: {{k: 5}}
+sequences: {{s: [{{when: t >= 1, set: {{k: {slip}}}}}]}}
+controls: {{C: "300*(slip('C') > k)"}}
+torques: {{a: 50}}
+"""
+    speeds = [20 + 5 * slip / 6, 20 - slip / 6]
+    assert simulated(given, CLUTCH).speeds[-1] == pytest.approx(speeds, rel=1e-8)
+
+
 def test_formulas_in_other_words_and_of_other_links_share_the_mean_of_a_jump() -> None:
     """With the share s, dw/dt of a is 33 - 100 s, of b 15 s - 1, and dx/dt (1 + s)/2."""
     case = "links: [a, b, c]\ninertias: {a: 1, b: 5, c: 1}\n"
@@ -60,6 +75,17 @@ torques:
     speed = 2 * (33 - 100 * share)
     speeds = [speed, speed, 1 + share]
     assert simulated(given, case).speeds[-1] == pytest.approx(speeds, abs=1e-7)
+
+
+def test_products_of_jumps_have_the_mean_of_their_values_on_both_sides() -> None:
+    """Until 4/9 s b receives 18 N*m, then 16 N*m below the jump and 18 above, of weight 7/16."""
+    of_b = "8*sign(speed('a') - 5*t)**2 + 10*max(speed('a') > 5*t, 0.8)"
+    given = f"""duration: 2
+start: {{speeds: {{a: 20, b: 0}}}}
+torques: {{a: "-40*sign(speed - 5*t)", b: "{of_b}"}}
+"""
+    speed = (18 * 4 / 9 + (16 + 2 * 7 / 16) * 14 / 9) / 5
+    assert simulated(given, LINKS).speeds[-1] == pytest.approx([10, speed], rel=1e-9)
 
 
 TABLE = "tables: {m: [[-9, 30], [4, 30], [4, -70], [30, -70]]}\n"
@@ -151,6 +177,21 @@ def test_random_relays_agree_with_smoothed_signs(seed: int) -> None:
     start = f"duration: 1.5\nstart: {{speeds: {{a: {begin[0]}, b: {begin[1]}}}}}\n"
     motion = simulated(start + text, LINKS)
     assert motion.speeds[-1] == pytest.approx(extrapolated(change, begin, 1.5)[:2], abs=1e-6)
+
+
+def test_a_margin_of_infinite_slope_does_not_have_earlier_events_without_end() -> None:
+    """The momentum changes by 62 N*m until the angle of a is 1/2, and then by -18 N*m."""
+    apart = "slip('C') + sin(3*t)"
+    given = f"""duration: 0.7
+start: {{speeds: {{a: 20, b: 0}}}}
+controls: {{C: "20 + abs(9*sign({apart})*sqrt(abs({apart})))"}}
+torques: {{a: "-40*sign(2*angle - 1)", b: 22}}
+"""
+    motion = simulated(given, CLUTCH)
+    time, speed = motion.time, motion.speeds[:, 0]
+    angle = np.append(0.0, np.cumsum(np.diff(time) * (speed[1:] + speed[:-1]) / 2))
+    momentum = 20 - 18 * 0.7 + 80 * np.interp(0.5, angle, time)
+    assert motion.speeds[-1] @ [1, 5] == pytest.approx(momentum, abs=1e-3)
 
 
 def test_a_jump_that_does_not_change_the_rate_of_what_it_compares_is_reported() -> None:

@@ -37,7 +37,7 @@ def _measured(line: str, size: float, *, bold: bool) -> TextExtent:
     font = _font_in_memory(get_ident(), bold=bold)
     if all(map(font.get_char_index, map(ord, line))):
         return _measured_with(font, line, size)
-    from matplotlib.font_manager import get_font  # which takes long to import
+    from matplotlib.font_manager import get_font  # the import takes long
 
     with warnings.catch_warnings(action="ignore"):  # a missing letter is measured as a box
         return _measured_with(get_font(_path(bold=bold)), line, size)

@@ -119,7 +119,8 @@ def _fold(parent: ET.Element) -> None:
             title, shape = child
             shape.text, title.tail = None, shape.text
             shape.insert(0, title)
-            shape.attrib |= child.attrib
+            for key, look in child.attrib.items():
+                shape.attrib.setdefault(key, look)  # its own look has priority
             parent[place] = shape
 
 

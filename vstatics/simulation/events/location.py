@@ -35,6 +35,11 @@ _LOW = 0.1
 
 The height is relative to the fall of the margin along its tangent in an interval of the search.
 """
+_MOST_NARROWINGS = 100
+"""Largest number of searches for earlier events in a step.
+
+A margin of infinite slope can have an earlier event each time.
+"""
 _IN_GAP = 4
 """Number of intervals in a gap between two instants in the search for minima."""
 _PLACES = 65
@@ -260,7 +265,11 @@ class Finder:
                 )
 
     def _located(
-        self, step: TimeStep, above: tuple[float, Floats], under: tuple[float, Floats]
+        self,
+        step: TimeStep,
+        above: tuple[float, Floats],
+        under: tuple[float, Floats],
+        most: int = _MOST_NARROWINGS,
     ) -> MarginEnd:
         places = []
         for index in map(int, np.flatnonzero(under[1] < -self.noise)):
@@ -273,10 +282,10 @@ class Finder:
         state = step.exact(time)
         if time > step.start:
             time, state = self._refined(step, time, state, index)
-        if self.follows and above[0] < time < under[0]:
+        if most and self.follows and above[0] < time < under[0]:
             there = self.margins.at(time, state)
             if (there < -self.noise)[self.following].any():
-                return self._located(step, above, (time, there))
+                return self._located(step, above, (time, there), most - 1)
         close = SAME_INSTANT * self.equations.system.scenario.span
         watches = [self.margins.watches[other] for at, other in places if at <= time + close]
         return MarginEnd(float(time), state, tuple(watches) or (self.margins.watches[index],))

@@ -161,7 +161,7 @@ class Judge:
 def _side(apart: float) -> str:
     if math.isnan(apart):
         return "?"
-    return "-+"[apart > 0] if apart else "0"
+    return "-+"[bool(apart > 0)] if apart else "0"
 
 
 def end_of_slide(system: MotionSystem, share: int) -> Awaited:

@@ -330,9 +330,11 @@ class Closed:
         """Number of torques in `bending`; the other entries are rates of control values."""
         self.is_given = ports.is_affine and not rates
         self.size = equations.works.start
-        most, self.shorter = known.parts.get(self.size, (_FIRST_PARTS, 1.0))
+        most, shorter = known.parts.get(self.size, (_FIRST_PARTS, 1.0))
         self.most = _MOST_HALVINGS if self.is_given else min(most, _FIRST_PARTS)
         """Largest number of parts of the next stretch."""
+        self.shorter = 1.0 if self.is_given else shorter
+        """Factor on the length of the parts."""
         looks = {*rates, *equations.coupled}
         orders = np.array([2 if port in looks else _ORDERS for port in self.bending], dtype=int)
         self.is_used: Booleans = np.arange(_ORDERS) < orders[:, None]
@@ -448,7 +450,9 @@ class Closed:
                 if (self.series and self.series.fit_twice) or (
                     count <= _LEAST_PARTS and smooth % _SMOOTH == 0
                 ):
-                    self.most = min(self.most * (1 + (self.shorter == 1)), _MOST_HALVINGS)
+                    self.most = min(
+                        self.most if self.shorter < 1 else 2 * self.most, _MOST_HALVINGS
+                    )
                     self.shorter = min(1.0, 2 * self.shorter)
                 self.solutions.parts[self.size] = self.most, self.shorter
             elif time > straightened and self._bends_elsewhere(time, state):
@@ -457,7 +461,7 @@ class Closed:
             else:
                 smooth = 0
                 least = _LEAST_PARTS if self.shorter == 1 else 1
-                self.shorter /= 1 if count > least else 2
+                self.shorter = self.shorter if count > least else self.shorter / 2
                 self.most = max(least, count // 2)
                 if self.shorter < SHORTEST_PART:
                     yield None

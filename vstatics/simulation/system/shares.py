@@ -1,14 +1,15 @@
-"""Replacement of a formula's jumps by variables, for a motion that slides along the jumps.
+"""Formulas with shares of both sides of the jumps along which a motion slides.
 
-On a jump, a formula has a weighted mean of its values on both sides (Filippov). The weight is given
-by the share of the jump, from -1 (value below) to 1 (value above): it replaces `sign`, and
-(1 + share)/2 replaces `>`. While the motion slides, the share has the value that keeps the motion
-on the jump (Utkin's equivalent control).
+On a jump, a formula has a mean of its values on both sides (Filippov). The share of a jump is 1
+above the jump and -1 below. It is the weight of both values of the whole formula, so that products
+such as ``sign(x)*sign(x)`` have the correct mean. While the motion slides, the share has the value
+that keeps the motion on the jump (Utkin's equivalent control).
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
+from itertools import product
 from typing import Any, NamedTuple
 
 from vstatics.core.numerics.lookup_table import LookupTable
@@ -17,20 +18,18 @@ from vstatics.core.readers.expressions.operands import Constant, TableName
 from vstatics.simulation.scenario.algebra import (
     applied,
     bare,
-    minus,
     plus,
     slope,
     times,
     with_names,
 )
-from vstatics.simulation.scenario.corners import COMPARES, JUMPS
+from vstatics.simulation.scenario.corners import JUMPS
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.formula_code import PI
 from vstatics.simulation.scenario.table_call import TableCall
 
-_LOGIC = ("and", "or", "not")
-NOW = "now"
-"""Name of the time in `total_slope`."""
+NOW = "present time"
+"""Name of the time in `total_slope`, which no state can have."""
 
 
 class JumpPlace(NamedTuple):
@@ -71,7 +70,7 @@ def share_name(number: int) -> str:
 
 
 def shared(formula: Formula, slides: tuple[Slide, ...], rate: int = 0, angle: int = -1) -> Formula:
-    """Return a formula with shares of both sides instead of some of its jumps.
+    """Return a formula with shares of its values on both sides of some of its jumps.
 
     Examples
     --------
@@ -81,81 +80,75 @@ def shared(formula: Formula, slides: tuple[Slide, ...], rate: int = 0, angle: in
     >>> mean.seen[0], [mean.function(0.0, 0.0, 0.0, share, 2.0) for share in (-1.0, 0.0, 0.5)]
     (Seen(word='value', of='share 0'), [0.0, 4.0, 6.0])
     """
-    means: dict[tuple[Tree, ...], Tree] = {}
-    for place, share, sign, near in slides:
-        if place[2:] == (rate, angle):
-            means[place[:2]] = times(Constant(sign), TableName(share_name(share), (), 0))
-            apart = place.first if place.second == Constant(0.0) else place.difference.whole
-            means[apart,] = Constant(near)
-    return formula._replace(tree=_shared(formula.whole, means)) if means else formula
+    tree, here = formula.whole, [slide for slide in slides if slide.place[2:] == (rate, angle)]
+    if not here:
+        return formula
+    read = sorted({slide.share for slide in here if _on_side(tree, [slide]) != _below(tree, slide)})
+    mean: Tree = Constant(0.0)
+    for sides in product((-1.0, 1.0), repeat=len(read)):
+        side_of = dict(zip(read, sides, strict=True))
+        part = _on_side(
+            tree,
+            [slide._replace(sign=slide.sign * side_of.get(slide.share, 1.0)) for slide in here],
+        )
+        for number, side in side_of.items():
+            share = TableName(share_name(number), (), 0)
+            part = times(plus(Constant(0.5), times(Constant(0.5 * side), share)), part)
+        mean = plus(mean, part)
+    return formula._replace(tree=mean)
 
 
-def _shared(tree: Any, means: Mapping[tuple[Tree, ...], Tree]) -> Any:
-    """Replace operations in a tree by means, which are given by the operands."""
+def _below(tree: Tree, slide: Slide) -> Tree:
+    return _on_side(tree, [slide._replace(sign=-slide.sign)])
+
+
+def _on_side(tree: Tree, slides: Sequence[Slide]) -> Tree:
+    """Return a tree on the side of each jump that `sign` gives."""
+    values: dict[tuple[Tree, ...], float] = {}
+    for place, _, sign, near in slides:
+        values[place[:2]] = sign
+        apart = place.first if place.second == Constant(0.0) else place.difference.whole
+        values[apart,] = near
+    whole: Tree = _with_values(tree, values)
+    return whole
+
+
+def _with_values(tree: Any, values: Mapping[tuple[Tree, ...], float]) -> Any:
+    """Replace `abs` and jumps in a tree by their values, which are given by the operands."""
     if not isinstance(tree, Applied):
         return tree
-    if tree.name == "abs" and (size := means.get((bare(tree.operands[0]),))):
-        return size
-    inside = tree._replace(operands=tuple(_shared(part, means) for part in tree.operands))
+    first, *others = map(bare, tree.operands)
+    if tree.name == "abs" and (first,) in values:
+        return Constant(values[first,])
     if isinstance(tree.name, TableCall):
-        return _table(tree.name, bare(tree.operands[0]), inside, means)
-    if tree.name in JUMPS:
-        share = means.get((bare(tree.operands[0]), bare((*tree.operands, Constant(0.0))[1])))
-        return _side(tree.name, share) if share else inside
-    changed = inside != tree and tree.name in _LOGIC
-    return _logic(tree, inside.operands) if changed else inside
+        name: str = _part_of_table(tree.name, first, values)
+        return tree._replace(name=name, operands=(_with_values(tree.operands[0], values),))
+    place = first, *(others or [Constant(0.0)])
+    if tree.name in JUMPS and place in values:
+        return Constant(_value(tree.name, values[place]))
+    return tree._replace(operands=tuple(_with_values(part, values) for part in tree.operands))
 
 
-def _half(share: Tree, sign: float) -> Tree:
-    return plus(Constant(0.5), times(Constant(0.5 * sign), share))
-
-
-def _side(name: str, share: Tree) -> Tree:
-    """Return the mean value of a comparison or of `sign`."""
+def _value(name: str, side: float) -> float:
+    """Return the value of a comparison or of `sign` on a side of its jump."""
     if name == "sign":
-        return share
+        return side
     if name in ("==", "!="):
-        return Constant(float(name == "!="))
-    return _half(share, 1.0 if name[0] == ">" else -1.0)
+        return float(name == "!=")
+    return float((side > 0) == (name[0] == ">"))
 
 
-def _logic(tree: Applied, operands: tuple[Tree, ...]) -> Tree:
-    """Return `and`, `or` or `not` of truth values between 0 and 1 as a product."""
-    truths = [
-        operand
-        if isinstance(part, Applied) and part.name in (*COMPARES, *_LOGIC)
-        else applied("!=", operand, Constant(0.0))
-        for part, operand in zip(tree.operands, operands, strict=True)
-    ]
-    if tree.name == "and":
-        return applied("*", *truths)
-    falses = [plus(Constant(1.0), minus(truth)) for truth in truths]
-    if tree.name == "not":
-        return falses[0]
-    return plus(Constant(1.0), minus(applied("*", *falses)))
-
-
-def _table(
-    call: TableCall, of: Tree, inside: Applied, means: Mapping[tuple[Tree, ...], Tree]
-) -> Tree:
-    """Return a table as the mean of its parts below and above a repeated breakpoint."""
+def _part_of_table(
+    call: TableCall, of: Tree, values: Mapping[tuple[Tree, ...], float]
+) -> TableCall:
+    """Return a table on one side of a repeated breakpoint."""
     table = call.table
     for number, x in enumerate(table.x[1:], 1):
-        if x == table.x[number - 1] and (share := means.get((of, Constant(x)))):
-            below, above = (
-                times(
-                    _half(share, sign),
-                    inside._replace(
-                        name=TableCall(
-                            f"{call}_{number}{sign:+.0f}".replace("+", "p").replace("-", "m"),
-                            LookupTable(table.x[part], table.values[part]),
-                        )
-                    ),
-                )
-                for sign, part in ((-1.0, slice(number)), (1.0, slice(number, None)))
-            )
-            return plus(below, above)
-    return inside
+        if x == table.x[number - 1] and (side := values.get((of, Constant(x)))):
+            part = slice(number, None) if side > 0 else slice(number)
+            name = f"{call}_{number}{'mp'[side > 0]}"
+            return TableCall(name, LookupTable(table.x[part], table.values[part]))
+    return call
 
 
 def total_slope(
@@ -172,7 +165,7 @@ def total_slope(
     Returns
     -------
     formula : Formula
-        Derivative. It also reads `now`, which is the time, and rates of change.
+        Derivative. It also reads `NOW`, which is the time, and rates of change.
     rates : mapping of str to TableName
         Name of each rate of change, and the quantity that changes.
 

@@ -153,7 +153,7 @@ class ConverterGear(NamedTuple):
     points: Floats
     """Rows of speed ratio, torque ratio and lambda, shape (points, 3).
 
-    Further rows are the free ratio, and the ratios beside which the converter would gain power.
+    Further rows are the free ratio, and the ratios next to which the converter would gain power.
     """
     per_engine: Floats
     """Speeds of pump, turbine and links divided by engine speed, with the output at rest. [-]"""
