@@ -51,8 +51,10 @@ from vstatics.simulation.tolerances import (
     LEAST_RTOL,
     NEAR_JUMP,
     NO_PROGRESS,
+    NO_STEP,
     SAME_INSTANT,
     SIGHT,
+    SMALL_VALUE,
     STANDING,
 )
 
@@ -121,6 +123,8 @@ class EventRun:
         """Corners along which the motion slides."""
         self.slides_from = 0.0
         """Time at which the latest of these slides began. [s]"""
+        self.smooth: set[CornerPlace] = set()
+        """Corners at which a formula could jump, but was continuous when last reached."""
         self.watched: list[tuple[CornerPlace, Awaited]] = []
         """Nearest corners of formulas, each with the comparison that changes its sign there."""
         self.latest = self.mark = 0.0
@@ -239,7 +243,8 @@ class EventRun:
                 place = CornerPlace(index, number)
                 if place in self.slides:
                     continue
-                if corner.jumps[number] or not self.meetings.is_passed(place, self.at.time):
+                jumps = corner.jumps[number] and place not in self.smooth
+                if jumps or not self.meetings.is_passed(place, self.at.time):
                     yield place, awaited
 
     def _drags_otherwise(self, judge: Judge) -> bool:
@@ -292,6 +297,7 @@ class EventRun:
                 self._slide([near for near in self.slides if self.slides[near].share != share])
                 return
             if self.meetings.switches(place, judged, within):
+                self.smooth.discard(place)
                 latest = self.meetings.latest(event.time)
                 watched = dict(self.watched)
                 met = [
@@ -302,7 +308,7 @@ class EventRun:
                 self._slide([*self.slides, *met])
                 self.slides_from = event.time
                 return
-            if self.meetings.hastens(place, event.time, self.until):
+            if place not in self.smooth and self.meetings.hastens(place, event.time, self.until):
                 why = "faster and faster, so the run does not reach its end"
                 raise self._endless(place, event.time, why)
 
@@ -337,6 +343,10 @@ class EventRun:
                 along.append(place)
         if len(along) == len(self.slides):
             return True
+        if smooth := self._continuous(equations, state):
+            self.smooth |= smooth
+            self._slide([place for place in self.slides if place not in smooth])
+            return False
         if not along and equations.time <= self.slides_from:
             why = (
                 "without end: on each side of its jump the motion returns to the other side, and "
@@ -345,6 +355,20 @@ class EventRun:
             raise self._endless(next(iter(self.slides)), equations.time, why)
         self._slide(along)
         return False
+
+    def _continuous(self, equations: Equations, state: Floats) -> set[CornerPlace]:
+        """Return the corners in `slides` at which no torque and no rate of a state jumps now."""
+        assert equations.sliding is not None  # noqa: S101 - there are slides
+        steps = equations.sliding.steps(
+            equations.time, state, equations.rates(equations.time, state)[0]
+        )
+        values = self.record.value_scales / SMALL_VALUE
+        are_smooth = [
+            largest(torques) <= NO_STEP * self.scales.torque
+            and bool((np.abs(rates[:, 0]) * self.span <= NO_STEP * values[: len(rates)]).all())
+            for torques, rates in steps
+        ]
+        return {place for place, slide in self.slides.items() if are_smooth[slide.share]}
 
     def _count(self, event: MarginEnd) -> None:
         close = event.time - self.latest <= SAME_INSTANT * self.span

@@ -78,6 +78,8 @@ SLIDING = 1e-3
 """Largest distance of a sliding motion from the jump, relative to the compared numbers."""
 NEAR_JUMP = 1e-9
 """Largest distance from a jump at which a motion is on the jump, relative to compared numbers."""
+NO_STEP = 1e-6
+"""Step of a torque or of a rate at a jump that counts as 0, relative to the largest values."""
 ROUNDED_SHARE = 1e-13
 """Change of the share of a sliding motion that counts as rounding error."""
 PROPORTIONAL = 1e-9

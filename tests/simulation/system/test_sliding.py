@@ -201,3 +201,19 @@ def test_a_jump_that_does_not_change_the_rate_of_what_it_compares_is_reported() 
     stopped = simulate(written(f"{given}torques: {{a: 100*x}}\n", "inertias: {a: 1}\n")).stopped
     assert stopped is not None
     assert (stopped.id, stopped.path) == ("E601", ("states", "x", "rate"))
+
+
+@pytest.mark.parametrize(
+    "share",
+    ["((4*(slip('C') - 10) + i < 100) or slip('C') < 10)", "(0.3 + 0.7*(slip('C') < 10))"],
+)
+def test_a_controller_at_rest_on_a_comparison_that_changes_nothing_goes_on(share: str) -> None:
+    """At the slip of 10 rad/s, `or` is true on both sides, or the rate is 0; by momentum."""
+    given = f"""duration: 10
+start: {{speeds: {{a: 50, b: 0}}}}
+states: {{i: {{rate: "60*(slip('C') - 10)*{share}"}}}}
+controls: {{C: "min(max(4*(slip('C') - 10) + i, 0), 100)"}}
+torques: {{a: 20, b: -5}}
+"""
+    speeds = [190 / 6 + 10, 190 / 6]
+    assert simulated(given, CLUTCH).speeds[-1] == pytest.approx(speeds, abs=1e-7)

@@ -92,6 +92,19 @@ class Sliding:
         self.last = *(array.copy() for array in known), shares
         return shares
 
+    def steps(self, time: float, state: Floats, rates: Floats) -> list[tuple[Floats, Floats]]:
+        """Return the changes of torques and of rates of states across each jump."""
+        equations = self.equations
+        now = np.array([time]), state[:, None], rates[:, None]
+
+        def acting(shares: Floats) -> tuple[Floats, Floats]:
+            torques = equations.torques_with(*now, shares[:, None])
+            seen = equations.seen_with(*now, torques, shares[:, None])
+            return torques, equations.changes.along(now[0], seen)
+
+        sides = ((acting(-unit), acting(unit)) for unit in np.eye(len(self.slides)))
+        return [(above[0] - below[0], above[1] - below[1]) for below, above in sides]
+
     def _left(self, times: Floats, states: Floats, rates: Floats, shares: Floats) -> Floats:
         """Return ``dg/dt + k g`` for given shares, shape (shares, times)."""
         equations = self.equations
