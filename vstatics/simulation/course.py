@@ -203,13 +203,14 @@ class EventRun:
 
     def _settled(self) -> Selected:
         """Apply all due sequence steps, and select the states of contacts after them."""
+        self.selection = self.selection.of(self.system)
         for _ in range(_MOST_STEPS_AT_ONCE + 1):
-            self.selection = self.selection.of(self.system)
             self.at = self._joined(self.at, self.before)
             selected = self._selected()
             equations, state = selected.equations, selected.state
             self._record_changes(self.at.time, self.before, equations.states)
             if self.slides and not self._slides_on(equations, state):
+                self.selection = self.selection.of(self.system)
                 continue
             if not (self.sequences.going or self.corners):
                 return selected

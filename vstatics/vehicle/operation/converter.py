@@ -421,6 +421,7 @@ def _with_searched(points: Floats, free: float) -> Floats:
     These are the free ratio, and both sides of each ratio at which the converter loses no power.
     """
     lossless = np.array(lossless_ratios(points))
+    lossless = lossless[[np.abs(points[:, 0] - ratio).min() > LOSSLESS for ratio in lossless]]
     sides = np.outer(lossless, [1 - LOSSLESS, 1 + LOSSLESS]).ravel()
     sides = sides[(sides > points[0, 0]) & (sides < points[-1, 0])]
     ratios = np.unique([*points[:, 0], free, *sides])

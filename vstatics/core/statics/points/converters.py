@@ -144,7 +144,7 @@ class SoughtRatio:
 
 
 def lossless_ratios(points: Iterable[Sequence[float]]) -> list[float]:
-    """Return the speed ratios i [-] at which lines through the torque ratios have the value 1/i.
+    """Return the speed ratios i [-] at which the interpolated torque ratio has the value 1/i.
 
     >>> lossless_ratios([(0, 1.25, 0.002), (1, 1.25, -0.001)])
     [0.8]
@@ -153,7 +153,8 @@ def lossless_ratios(points: Iterable[Sequence[float]]) -> list[float]:
     for (left, before, _), (right, after, _) in pairwise(points):
         slope = (after - before) / (right - left)
         roots = np.roots([slope, before - slope * left, -1])
-        ratios += [float(root.real) for root in roots if abs(root.imag) < TIE]
+        real = (float(root.real) for root in roots if abs(root.imag) < TIE)
+        ratios += [root for root in real if left <= root <= right]
     return [ratio for ratio in ratios if ratio > 0]
 
 
