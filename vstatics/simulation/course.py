@@ -323,9 +323,8 @@ class EventRun:
         pairs = [self.corners[place.corner].compared[place.number] for place in places]
         jumps = [self.corners[place.corner].places[place.number] for place in places]
         sizes = {place: NEAR_JUMP * awaited.size for place, awaited in self.watched}
-        near = [
-            self.slides[place].near if place in self.slides else sizes[place] for place in places
-        ]
+        sizes |= {place: slide.near for place, slide in self.slides.items()}
+        near = [sizes[place] for place in places]
         self.slides = dict(zip(places, slides(self.system, jumps, pairs, near), strict=True))
         system = replace(self.system, slides=tuple(self.slides.values()))
         self.system = with_settings(system, system.settings)

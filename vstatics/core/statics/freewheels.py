@@ -26,6 +26,7 @@ from vstatics.core.statics.ideal import (
     gaining,
     ideal_gear,
     is_nothing,
+    no_torques,
 )
 from vstatics.core.statics.matrix import Variant, variant_of
 from vstatics.core.statics.signs import find_signs
@@ -221,7 +222,7 @@ def _state(variant: Variant, gear: Gear, speeds: Speeds) -> GearState:
         driving(ideal, variant.columns, ideal.torques)
         or gaining(variant, ideal.direction, speeds, ideal.torques)
     ):
-        ideal = ideal.without_torques
+        ideal = ideal._replace(torques=no_torques(ideal.torques))
         search = find_signs(ideal, moving=False)
     return GearState(ideal, search)
 

@@ -52,11 +52,6 @@ class IdealGear(NamedTuple):
             drag=NO_DRAG, torques_with_drag=self.torques, overcome=False, allows_driving=True
         )
 
-    @property
-    def without_torques(self) -> IdealGear:
-        """The gear without torques, if it has no equilibrium."""
-        return self._replace(torques=no_torques(self.torques))
-
 
 def ideal_gear(variant: Variant, gear: Gear, speeds: Speeds) -> IdealGear:
     """Return the speeds and torques of a gear without losses."""

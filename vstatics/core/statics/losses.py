@@ -89,12 +89,12 @@ def check_signs(
     ):
         if not (x == 0 or efficiencies.lossless):
             agrees = agrees & (x * direction >= 0)
-    for mechanism, loss in zip(ideal.case.mechanisms, losses, strict=True):
-        if mechanism.kind == "converter" and not ideal.allows_driving:
+    if not ideal.allows_driving:
+        mechanisms = zip(ideal.case.mechanisms, losses, strict=True)
+        of_converters = [loss for mechanism, loss in mechanisms if mechanism.kind == "converter"]
+        slipping = (of_slips[number - 1] for number in ideal.gear.slip)
+        for loss in (*of_converters, *(loss for loss in slipping if not is_nan(loss))):
             agrees = agrees & (loss * way >= 0)
-    for number in () if ideal.allows_driving else ideal.gear.slip:
-        if not is_nan(of_slips[number - 1]):
-            agrees = agrees & (of_slips[number - 1] * way >= 0)
     passes = ideal.overcome or (efficiency > 0) & (efficiency < math.inf)
     # `passes` is False only for a single variant, or if it is false in all variants. Variants with
     # slip can differ, so power is tested in any case.

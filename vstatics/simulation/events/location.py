@@ -174,10 +174,9 @@ class Finder:
         ]
         self.drags = [
             (port, contact.name, contact.friction)
-            for (port, contact), state in zip(
-                enumerate(system.contacts, self.equations.layout.contacts),
-                self.equations.states.contacts,
-                strict=True,
+            for port, (contact, state) in enumerate(
+                zip(system.contacts, self.equations.states.contacts, strict=True),
+                self.equations.layout.contacts,
             )
             if state in SIGNS and isinstance(contact.friction, Law) and contact.friction.text
         ]

@@ -298,9 +298,8 @@ def _loads(scenario: Scenario, first: int) -> tuple[list[Contact], list[OutsideT
             if (growth := law.rolling_growth) is not None:
                 outside.append(OutsideTorque(link - 1, growth))
         else:
-            jumps, pieces = split_at_jumps(law)
-            if _is_read_elsewhere(scenario, name, law):
-                jumps, pieces = [], [LawPiece(law)]
+            is_read = _is_read_elsewhere(scenario, name, law)
+            jumps, pieces = ([], [LawPiece(law)]) if is_read else split_at_jumps(law)
             number = first + len(contacts)
             for jump in jumps:
                 switch = Switch(link - 1, jump)

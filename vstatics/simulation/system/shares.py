@@ -83,7 +83,13 @@ def shared(formula: Formula, slides: tuple[Slide, ...], rate: int = 0, angle: in
     tree, here = formula.whole, [slide for slide in slides if slide.place[2:] == (rate, angle)]
     if not here:
         return formula
-    read = sorted({slide.share for slide in here if _on_side(tree, [slide]) != _below(tree, slide)})
+    read = sorted(
+        {
+            slide.share
+            for slide in here
+            if _on_side(tree, [slide]) != _on_side(tree, [slide._replace(sign=-slide.sign)])
+        }
+    )
     mean: Tree = Constant(0.0)
     for sides in product((-1.0, 1.0), repeat=len(read)):
         side_of = dict(zip(read, sides, strict=True))
@@ -96,10 +102,6 @@ def shared(formula: Formula, slides: tuple[Slide, ...], rate: int = 0, angle: in
             part = times(plus(Constant(0.5), times(Constant(0.5 * side), share)), part)
         mean = plus(mean, part)
     return formula._replace(tree=mean)
-
-
-def _below(tree: Tree, slide: Slide) -> Tree:
-    return _on_side(tree, [slide._replace(sign=-slide.sign)])
 
 
 def _on_side(tree: Tree, slides: Sequence[Slide]) -> Tree:

@@ -19,7 +19,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.errors import CaseError
-from vstatics.core.model.parts import RAD_PER_RPM, Gear, Load, OfLoad
+from vstatics.core.model.parts import Gear, Load, OfLoad
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 from vstatics.core.statics.points.converters import lossless_ratios
@@ -84,20 +84,15 @@ def solved_slips(case: Transmission) -> tuple[Results, Floats]:
 
     The speed of a link is its relative speed times the engine speed, plus the added speed [rad/s].
     """
-    results = solve(without_slips_in_rpm(case))
-    added = solve(case).speeds_rpm - results.speeds_rpm
-    return results, added * math.pi / 30
-
-
-def without_slips_in_rpm(case: Transmission) -> Transmission:
-    """Return a case in which slips with a unit are 0."""
     gears = [
         gear._replace(
             slip={n: 0.0 if isinstance(slip, OfLoad) else slip for n, slip in gear.slip.items()}
         )
         for gear in case.gears
     ]
-    return case.replace(gears=gears)
+    results = solve(case.replace(gears=gears))
+    added = solve(case).speeds_rpm - results.speeds_rpm
+    return results, added * math.pi / 30
 
 
 def relative_slips(case: Transmission, gear: Gear) -> dict[str, float]:
@@ -177,10 +172,10 @@ class ConverterGear(NamedTuple):
         free = alone.gear_ratios(gear)[place]
         points = _with_searched(np.array(mechanism.points), free)
         path = f"gears.{gear.name}.speed_ratios.{mechanism.name}"
-        trials = {path: [free, free - 0.5]}
-        with_slips = solve(alone, vary=trials)
-        speeds = solve(without_slips_in_rpm(alone), vary=trials).speeds[:, 0]
-        output = speeds[:, case.gear_output(gear) - 1]
+        results, [change] = solved_slips(alone)
+        speeds = solve(results.case, vary={path: [free, free - 0.5]}).speeds[:, 0]
+        out = case.gear_output(gear) - 1
+        output = speeds[:, out]
         ends = [mechanism.first - 1, mechanism.second - 1]
         if not np.isfinite([output, *speeds[:, ends].T]).all():
             return None
@@ -194,10 +189,8 @@ class ConverterGear(NamedTuple):
         per_output = (speeds[0] - speeds[1]) / (output[0] - output[1])
         per_engine = speeds[0] - per_output * output[0]
         noise = np.abs(per_engine) <= NO_SPEED * fastest
-        slipping = with_slips.speeds[0, 0]
-        added = slipping - per_engine - per_output * slipping[case.gear_output(gear) - 1]
-        added *= with_slips.speeds_rpm[0, 0, case.gear_input(gear) - 1] * RAD_PER_RPM
-        added[np.abs(added) <= NO_SPEED * np.abs(with_slips.speeds_rpm[0, 0]).max()] = 0.0
+        added = change - per_output * change[out]
+        added[np.abs(added) <= NO_SPEED * np.abs(results.speeds_rpm).max()] = 0.0
         arrays = np.where(noise, 0.0, per_engine), per_output * np.sign(output[0]), added
         turns = [np.concatenate([array[ends], array]) for array in arrays]
         return cls(alone, mechanism.name, path, first_rows(alone)[place], points, *turns)

@@ -416,12 +416,12 @@ class CycleSteps(NamedTuple):
         vary = {"load.speed": speeds, "load.torque": torques, **further}
         here = np.arange(len(rows)), self.gears[rows]
         results = solve(case, vary=vary)
-        powers = 1e3 * np.abs(results.slip_losses_kW[here])
-        for place, gear in enumerate(self.case.gears):
-            idle = [n - 1 for n in range(1, powers.shape[1] + 1) if n not in gear.slipping]
-            powers[np.ix_(here[1] == place, idle)] = math.inf
+        losses = results.slip_losses_kW[here]
+        numbers = range(1, losses.shape[1] + 1)
+        slips = np.array([[n in gear.slipping for n in numbers] for gear in self.case.gears])
+        powers = np.where(slips[here[1]], 1e3 * np.abs(losses), math.inf).min(axis=1)
         known = np.isfinite(results.lossy_output_torque_Nm[here])
-        return np.where(known, powers.min(axis=1), math.nan)
+        return np.where(known, powers, math.nan)
 
     def _solved(self, case: Transmission, rows: Integers, points: DutyPoints) -> PointLoads:
         try:

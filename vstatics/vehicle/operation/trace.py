@@ -19,11 +19,7 @@ from vstatics.core.readers.unit_table import UnitTable, read_unit_table
 
 SLOPE = "as it is the sine of the angle"
 _ANGLES = dict.fromkeys(("deg", "°", "degree", "degrees"), math.pi / 180) | {"rad": 1.0}
-_PARTS = {
-    name: 1 / whole
-    for whole, names in ((100, ("%", "pct", "percent")), (1000, ("‰", "permille")))
-    for name in names
-}
+_PARTS = dict.fromkeys(("%", "pct", "percent"), 0.01) | dict.fromkeys(("‰", "permille"), 0.001)
 _TIMES = (
     *("t", "test time", "cycle time", "elapsed time", "total elapsed time", "total time"),
     *("timestamp", "time stamp"),
