@@ -38,7 +38,7 @@ class IdealGear(NamedTuple):
     overcome: bool = False
     """True if power can enter at the output to overcome drag that exceeds the input power."""
     allows_driving: bool = False
-    """True if converters and slipping shift elements can produce power, without drag."""
+    """True if converters and slipping shift elements may produce power, as in `without_drag`."""
 
     @property
     def case(self) -> Transmission:
@@ -54,7 +54,7 @@ class IdealGear(NamedTuple):
 
     @property
     def without_torques(self) -> IdealGear:
-        """The gear without torques, if it has no equilibrium."""
+        """The gear with unknown torques (NaN), because no equilibrium exists."""
         return self._replace(torques=no_torques(self.torques))
 
 
