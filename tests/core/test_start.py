@@ -32,7 +32,7 @@ class Theirs(typing.NamedTuple):
         return len(self.names)
 
 
-def test_named_tuples_are_those_of_the_standard_library() -> None:
+def test_named_tuples_agree_with_the_standard_library() -> None:
     assert vars(Ours).keys() - {"__orig_bases__"} == vars(Theirs).keys() - {"__orig_bases__"}
     for name in ("_fields", "_field_defaults", "__doc__", "__module__", "__mro__"):
         ours, theirs = getattr(Ours, name), getattr(Theirs, name)

@@ -314,7 +314,7 @@ def test_a_clutch_that_closes_drags_no_more() -> None:
     assert motion.energy.heat["B"] == pytest.approx(0.5 * after**2 / 2, rel=1e-7)
 
 
-def test_an_open_brake_drags_whose_number_is_above_the_number_of_links() -> None:
+def test_an_open_brake_whose_number_exceeds_the_number_of_links_drags() -> None:
     """J w' = -T: with 3 N*m and 0.5 kg*m^2, 60 rad/s end after 10 s."""
     brakes = [ShiftElement(1, 0, name, drag=drag) for name, drag in (("A", 0.0), ("B", 0.15))]
     case = replace(links(0.5), shift_elements=brakes, load=LOAD)
@@ -334,9 +334,9 @@ def test_a_freewheel_between_links_that_come_to_rest_holds_to_the_end() -> None:
     motion = run(case, 3.955, {1: 181.4, 2: 120.93}, torques)
 
     def slip(time: float) -> float:
-        grown = 181.4 / 0.9451 - 22.67 * time / (0.404 * 0.9451) - math.log(2)  # of sinh, as e^x/2
+        log_sinh = 181.4 / 0.9451 - 22.67 * time / (0.404 * 0.9451) - math.log(2)  # sinh x = e^x/2
         second = 1 / (1 / 120.93 + 0.004164 * time / 0.04709)
-        return 0.9451 * math.asinh(math.exp(grown)) - second
+        return 0.9451 * math.asinh(math.exp(log_sinh)) - second
 
     [event] = [event for event in motion.events if event.event == "locks"]
     assert event.time == pytest.approx(brentq(slip, 3.0, 3.3), abs=1e-7)

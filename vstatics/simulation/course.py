@@ -331,7 +331,7 @@ class EventRun:
         self.corners = corners(self.system)
 
     def _slides_on(self, equations: Equations, state: Floats) -> bool:
-        """Return whether the motion slides along all corners in `slides`; drop others from them."""
+        """Return whether the motion slides along all corners in `slides`; remove other corners."""
         time = math.nextafter(equations.time, math.inf)
         seen = equations.changes.seen_at(equations.time, state)
         shares = equations.share(equations.time, state, equations.rates(equations.time, state)[0])
@@ -350,7 +350,7 @@ class EventRun:
         if not along and equations.time <= self.slides_from:
             why = (
                 "without end: on each side of its jump the motion returns to the other side, and "
-                "the program does not find the mean of both sides that keeps it there"
+                "the program finds no mean of both sides that keeps the motion on the jump"
             )
             raise self._endless(next(iter(self.slides)), equations.time, why)
         self._slide(along)

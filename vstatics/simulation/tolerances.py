@@ -73,11 +73,11 @@ Times have rounding errors, so a difference that changes fast is uncertain.
 MET = 1e-3
 """Fraction of the look-ahead within which numbers that become equal count as equal now."""
 FINE_SWING = 1e-7
-"""Largest swing about a jump that counts as sliding at any frequency; see `SLIDING`."""
+"""Largest swing about a jump that counts as sliding at any frequency, relative as `SLIDING`."""
 SLIDING = 1e-3
 """Largest distance of a sliding motion from the jump, relative to the compared numbers."""
 NEAR_JUMP = 1e-9
-"""Largest distance from a jump at which a motion is on the jump, relative to compared numbers."""
+"""Distance from a jump that counts as nearly 0, relative to the compared numbers."""
 NO_STEP = 1e-6
 """Step of a torque or of a rate at a jump that counts as 0, relative to the largest values."""
 ROUNDED_SHARE = 1e-13

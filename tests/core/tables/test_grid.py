@@ -73,7 +73,7 @@ def test_what_columns_are_stands_over_them_once() -> None:
     made = table(Grid("t", columns, [["sun", exact(1.0), exact(0.5)]]))
     first, last = made.partition("</tr>")[::2]
     assert '<th></th><th scope="colgroup" colspan="2">gear</th>' in first
-    assert last.count("<th") == 4  # of three columns and of the row
+    assert last.count("<th") == 4  # three columns and the row
 
 
 def test_two_narrow_tables_of_a_page_stand_side_by_side() -> None:

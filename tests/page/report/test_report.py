@@ -128,7 +128,7 @@ def test_powers_are_those_of_the_flow(zf: Page) -> None:
 
 
 @pytest.mark.slow
-def test_the_page_of_ten_gears_says_repeated_shapes_once() -> None:
+def test_the_page_of_ten_gears_defines_repeated_shapes_once() -> None:
     assert len(report(CASES / "ford-10r80.yaml").encode()) <= 500_000  # [bytes]
 
 

@@ -194,8 +194,8 @@ torques: {{a: "-40*sign(2*angle - 1)", b: 22}}
     assert motion.speeds[-1] @ [1, 5] == pytest.approx(momentum, abs=1e-3)
 
 
-def test_a_jump_that_does_not_change_the_rate_of_what_it_compares_is_reported() -> None:
-    """The compared acceleration jumps itself."""
+def test_a_motion_that_would_slide_along_a_jump_over_an_acceleration_is_reported() -> None:
+    """The program does not know the rate of an acceleration."""
     rate = "5 - 9*(acceleration('a') > 2) - 20*x"
     given = f'duration: 1\nstart: {{speeds: {{a: 0}}}}\nstates: {{x: {{rate: "{rate}"}}}}\n'
     stopped = simulate(written(f"{given}torques: {{a: 100*x}}\n", "inertias: {a: 1}\n")).stopped
@@ -208,7 +208,7 @@ def test_a_jump_that_does_not_change_the_rate_of_what_it_compares_is_reported() 
     ["((4*(slip('C') - 10) + i < 100) or slip('C') < 10)", "(0.3 + 0.7*(slip('C') < 10))"],
 )
 def test_a_controller_at_rest_on_a_comparison_that_changes_nothing_goes_on(share: str) -> None:
-    """At the slip of 10 rad/s, `or` is true on both sides, or the rate is 0; by momentum."""
+    """At a slip of 10 rad/s, the rate does not jump; the final speeds follow from momentum."""
     given = f"""duration: 10
 start: {{speeds: {{a: 50, b: 0}}}}
 states: {{i: {{rate: "60*(slip('C') - 10)*{share}"}}}}

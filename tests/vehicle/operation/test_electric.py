@@ -52,7 +52,7 @@ def random_drive(chance: Random) -> tuple[Vehicle, Grid, float]:
 
 
 def test_each_step_by_hand() -> None:
-    """P of the wheels through pair and inertia to the machine, by its map to the battery.
+    """Power of the wheels passes pair and inertia to the machine, and by the map to the battery.
 
     Other consumers as in https://github.com/NatLabRockies/altrios/pull/32.
     """

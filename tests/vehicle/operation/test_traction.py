@@ -45,7 +45,7 @@ def test_time_against_air_is_that_of_the_closed_form() -> None:
 
 
 def test_coastdown_terms_of_a_road_are_rolling_points_and_air() -> None:
-    """R = A + B v + C v^2 (Davis), by the roots of F - R: the time is a logarithm.
+    """R = A + B v + C v^2 (Davis): the time is a logarithm with the roots of F - R.
 
     https://github.com/openrails/openrails/pull/203, and A, B, C of road loads by EPA.
     """
@@ -66,7 +66,7 @@ def test_coastdown_terms_of_a_road_are_rolling_points_and_air() -> None:
 
 @pytest.mark.parametrize(("rise", "at"), [(0.2, 0.0), (3.0, 12.5)])
 def test_the_steepest_slope_is_where_force_outgrows_rolling_most(rise: float, at: float) -> None:
-    """The engine ends at 400/4/2 .25 = 12.5 m/s; its force rises linearly from 3200 N."""
+    """The engine ends at 400/4/2*0.25 = 12.5 m/s; its force rises linearly from 3200 N."""
     car = Vehicle(1000, 0.25, [(0.0, 0.01), (12.5, 0.05)], 0.0, 2.0)
     case = one_gear(car._replace(engine=[(0.0, 100.0), (400.0, 100.0 * (1 + rise / 10))]))
     force = 3200 * (1 + rise / 10 * at / 12.5) - 9810 * (0.01 + 0.04 * at / 12.5)

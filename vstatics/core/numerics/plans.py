@@ -134,7 +134,7 @@ class Plans:
     def _worth(self, left: int, inputs: Inputs) -> bool:
         total = inputs.values.shape[1]
         often = left == total and self.alone > FEW_VARIANTS and self.special < TRIALS
-        # A single variant with an input of 0 has no plan, but others of its kind can have one.
+        # A single variant with an input of 0 has no plan, but later variants can have plans.
         often &= total > 1 or bool(inputs.values.all())
         return left > self.few or (left > 0 and often)
 

@@ -220,8 +220,8 @@ class _ColumnsRead:
     def _seconds(self, cell: str) -> float | None:
         """Return a time such as `01:30:00` in seconds, whatever unit the heading gives.
 
-        None for other cells. A time with a date counts from midnight of the first dated row;
-        without a time zone it is in UTC.
+        The result is None for other cells. A time with a date counts from midnight of the first
+        dated row; without a time zone it is in UTC.
         """
         if clock := _CLOCK.fullmatch(cell):
             hours, minutes, seconds = clock.groups()

@@ -399,7 +399,7 @@ def _cure(
     """Return words for the remedies for contradictory constraints on the speeds.
 
     `fixed` are converters and variators with a prescribed speed ratio; for `sought`, the load
-    determines it. The shift elements `elements` slip.
+    determines it. `elements` are the slipping shift elements.
     """
     slipping = [element.name for element in elements if element.name in engaged]
     names = spoken(fixed)
@@ -468,7 +468,7 @@ def _excess(results: Results, number: int, gear: Gear) -> Iterator[Said]:
 
 
 def _without_converters(case: Transmission, gear: Gear, ratios: Mapping[str, float]) -> Gear:
-    """Return a gear without its free converters if the other constraints already contradict."""
+    """Return a gear, without free converters if its other constraints contradict each other."""
     first = case.own_mechanisms.start - 1
     names = [mechanism.name for mechanism in case.mechanisms]
     free = [names.index(name) - first for name, ratio in ratios.items() if math.isnan(ratio)]
@@ -569,8 +569,8 @@ def _loaded_pumps(results: Results, number: int) -> str:
     first = case.own_mechanisms.start - 1
     return spoken(
         f"with this slip, the pump of {case.mechanisms[first + owner].name} takes "
-        f"{torque.given:.4g} N*m, and no clutch carries the difference to the torque of the "
-        "gear; give another slip, or remove it"
+        f"{torque.given:.4g} N*m, and no clutch carries the difference from the torque of "
+        "the load; give another slip, or remove it"
         for owner, torque in gear.pump_torques.items()
         if isinstance(torque, OfLoad)
     )

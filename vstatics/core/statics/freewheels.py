@@ -216,8 +216,8 @@ def _state(variant: Variant, gear: Gear, speeds: Speeds) -> GearState:
     ideal = ideal_gear(variant, gear, speeds)
     moving = ideal.torques.consistent and speeds.consistent
     search = find_signs(ideal, moving=moving)
-    # Drag and losses can reverse the torque of a slipping clutch or converter that would give
-    # power without them.
+    # A slipping clutch or converter that would give power makes a gear impossible only if no
+    # torques with drag and losses exist, because both can reverse its torque.
     if not search.lossy.admissible and (
         driving(ideal, variant.columns, ideal.torques)
         or gaining(variant, ideal.direction, speeds, ideal.torques)

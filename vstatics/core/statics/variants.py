@@ -123,7 +123,7 @@ def _inputs(
     can use its plans.
     """
     mechanisms = case.mechanisms
-    # A ratio is NaN if each gear has its own ratio; 1 is a placeholder, because 0 has no plan.
+    # A ratio is NaN if each gear has its own ratio; 1 is a placeholder, because 0 prevents plans.
     defaults = [1.0 if math.isnan(mechanism.ratio) else mechanism.ratio for mechanism in mechanisms]
     defaults += [mechanism.efficiency for mechanism in mechanisms]
     if variants == 1 and ratios is None and efficiencies is None:

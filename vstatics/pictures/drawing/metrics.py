@@ -52,7 +52,7 @@ def _measured_with(font: FT2Font, line: str, size: float) -> TextExtent:
 
 @lru_cache(maxsize=64)
 def _font_in_memory(_thread: int, *, bold: bool) -> FT2Font:
-    """Return the font of a thread. In memory, its file is not read again for each letter."""
+    """Return the font of a thread, in memory so that the file is not read for each letter."""
     return FT2Font(BytesIO(_path(bold=bold).read_bytes()))
 
 

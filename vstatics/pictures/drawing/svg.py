@@ -65,7 +65,7 @@ _MARKERS: Mapping[str, Sequence[Point]] = {
 
 @lru_cache(maxsize=4096)
 def _number(value: float) -> str:
-    """Return a length with two decimals, equal for values that differ by rounding noise.
+    """Return a length with at most two decimals, equal for values that differ by rounding noise.
 
     >>> _number(0.0), _number(-0.0), _number(-0.5)
     ('0', '0', '-0.5')
@@ -87,7 +87,7 @@ def svg_of(canvas: Canvas, title: str, number: int = 1) -> ET.Element:
     title : str
         Title and alternative text of the picture.
     number : int, optional
-        Number of the page, from 1; pages after the first have a mark.
+        Number of the page, from 1; later pages have an attribute with the number.
     """
     wide, high = map(_number, canvas.size)
     root = ET.Element(

@@ -49,7 +49,7 @@ class FlowTitles(NamedTuple):
     def band(self, band: Band) -> str:
         """Return the tooltip of a band.
 
-        Torque and speed are left out if the band passes further nodes, as they differ along it.
+        Torque and speed are left out if the band passes further nodes, where they change.
         """
         nodes = band.source, *band.between, band.target
         names = " → ".join(map(str, nodes))

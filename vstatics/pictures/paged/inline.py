@@ -1,6 +1,7 @@
 """SVG pictures embedded in HTML, with unique ids and colours for light and dark screens.
 
-A page defines repeated shapes and hatches once, and frequent looks in its style sheet.
+A page defines repeated shapes and hatches once. Frequent looks (sets of attributes such as `fill`)
+become classes of the style sheet.
 """
 
 from __future__ import annotations
@@ -52,7 +53,8 @@ def inline(
     Parameters
     ----------
     repeats : bool, optional
-        True if other pictures of the page, embedded with False, contain the rows of this picture.
+        True replaces the rows of the picture by references to equal rows of other pictures, which
+        are embedded with False.
 
     Examples
     --------
@@ -99,7 +101,7 @@ def for_paper(svg: Markup) -> Markup:
 
 
 def _share_row(row: ET.Element, *, repeats: bool) -> None:
-    """Give an id to a row with its corner as origin, or use the row with this id."""
+    """Give an id to a row, or replace a repeated row by a reference to this id."""
     name, at, inner = f"row-{row.attrib['data-of']}", row.attrib["data-at"].split(), [*row]
     row.clear()
     if repeats:
@@ -120,7 +122,7 @@ def _fold(parent: ET.Element) -> None:
             shape.text, title.tail = None, shape.text
             shape.insert(0, title)
             for key, look in child.attrib.items():
-                shape.attrib.setdefault(key, look)  # its own look has priority
+                shape.attrib.setdefault(key, look)  # looks of the shape have priority
             parent[place] = shape
 
 
@@ -226,7 +228,7 @@ _SHAPES = (
         re.compile(r"<path\b([^<>]*?)(?:/>|>(<title>[^<]*</title>)</path>)"),
     ),
 )
-"""Definitions of repeated shapes, and patterns of the shapes, each followed by its tooltip."""
+"""Format of the definition of a repeated shape, and pattern with groups for shape and tooltip."""
 _USE = len('<use href="#s100"/>')
 
 

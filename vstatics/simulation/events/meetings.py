@@ -14,7 +14,7 @@ from vstatics.simulation.tolerances import AHEAD, FINE_SWING, NO_PROGRESS, NOT_Z
 _PASSED = 4
 """Number of arrivals at a bend in quick succession after which the bend is ignored for a while."""
 _SWITCHES = 8
-"""Number of arrivals at a jump in quick succession that count as switching without end."""
+"""Number of arrivals at a jump after which a motion can slide along the jump."""
 _DOUBLINGS = 3
 """Number of compared periods, in each of which the number of arrivals doubles."""
 _FIRST_DOUBLING = 3

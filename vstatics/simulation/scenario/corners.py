@@ -71,7 +71,7 @@ def corners(tree: Tree, name: str) -> dict[float, bool]:
         ]
         bends = {place for place, jumps in within if not jumps}.difference(known)
         fresh = sorted(bends or {place for place, _ in within}.difference(known))
-        # With new bends, only these are added: other new corners can vanish beyond them.
+        # If there are new bends, no new jumps are added, because jumps can vanish beyond a bend.
         for place, jumps in within:
             if place in known or place in fresh:
                 known[place] = known.get(place, False) or jumps

@@ -1,9 +1,9 @@
 """Formulas with shares of both sides of the jumps along which a motion slides.
 
-On a jump, a formula has a mean of its values on both sides (Filippov). The share of a jump is 1
-above the jump and -1 below. It is the weight of both values of the whole formula, so that products
-such as ``sign(x)*sign(x)`` have the correct mean. While the motion slides, the share has the value
-that keeps the motion on the jump (Utkin's equivalent control).
+On a jump, a formula has a mean of its values on both sides (Filippov). The share s of a jump is 1
+above the jump and -1 below. The values of the whole formula above and below have the weights
+(1 + s)/2 and (1 - s)/2, so ``sign(x)*sign(x)`` has the correct mean. While the motion slides, s has
+the value that keeps the motion on the jump (Utkin's equivalent control).
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ NOW = "present time"
 
 
 class JumpPlace(NamedTuple):
-    """Place of a jump: two terms that a formula compares, and the link on which it acts."""
+    """Place of a jump: two terms that a formula compares, and the link to which it applies."""
 
     first: Tree
     second: Tree
@@ -116,7 +116,7 @@ def _on_side(tree: Tree, slides: Sequence[Slide]) -> Tree:
 
 
 def _with_values(tree: Any, values: Mapping[tuple[Tree, ...], float]) -> Any:
-    """Replace `abs` and jumps in a tree by their values, which are given by the operands."""
+    """Replace `abs` and jumps in a tree by the values that `values` gives for their operands."""
     if not isinstance(tree, Applied):
         return tree
     first, *others = map(bare, tree.operands)

@@ -30,7 +30,7 @@ _SAMPLES = 6
 """Number of samples in a comparison of two differences."""
 
 Change = Callable[[Floats, Floats, Floats], Floats]
-"""Rate of a difference from times, seen quantities and rates of seen quantities."""
+"""Function of times, seen quantities and rates of these quantities; returns a rate."""
 
 
 class Sliding:
@@ -182,7 +182,7 @@ def slides(
     pairs : sequence of Compared
         Terms that are compared at each place.
     near : sequence of float
-        Difference of the terms of each place that is nearly 0.
+        Distance from each jump that counts as nearly 0; see `Slide.near`.
     """
     count = system.layout.seen_derived + len(system.layout.derived)
     chance = np.random.default_rng(_SAMPLES)

@@ -77,7 +77,7 @@ class LosingMesh:
     def _continued(self, speed: float, torque: float) -> float:
         """Return the efficiency, continued without a corner to a speed or torque below 0.
 
-        There the flow of power reverses, and the polynomials of a time step need no corner.
+        Below 0 the flow of power reverses, and the polynomials of a time step cannot fit a corner.
         """
         if isinstance(self.law, Law) and self.law.text:
             return self.law.at(*self.law.sizes_of(speed, torque))

@@ -194,7 +194,7 @@ class _Halving:
         self._try(starts, sizes)
 
     def _try(self, starts: Integers, sizes: Integers) -> None:
-        """Try all choices in regions, given by start and size of the range of groups in each table.
+        """Try all choices in regions, each given by a range of groups (start, size) in each table.
 
         The shape of `starts` and `sizes` is (regions, tables).
         """

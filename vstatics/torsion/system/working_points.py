@@ -134,7 +134,7 @@ class _WorkingPoints:
             alone = solve(self.case.replace(gears=[self.case.gears[self.path[1] - 1]]))
             if alone.gear_at(0).gear.pump_torques:
                 ratios = known_speed_ratios(alone, 0) | ratios
-                # The clutch carries the torque that the pump does not take, but no vibration.
+                # The clutch carries the torque that the pump does not take, without vibration.
                 self.gear, self.at_slip, self.driving = self.gear._replace(slip={}), alone, []
         unknown = [converter for converter in self.closed if converter.name not in ratios]
         if len(unknown) == 1 and self.at_slip is None:

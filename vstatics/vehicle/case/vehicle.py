@@ -79,9 +79,9 @@ class Machine(NamedTuple):
         return electric
 
     def battery_power(self, electric: Floats) -> Floats:
-        """Return the power drawn from the battery for an electric power of the machine [W].
+        """Return the battery power for an electric power of the machine and other consumers [W].
 
-        The power is below 0 where the battery is charged.
+        The battery power is below 0 where the battery is charged.
 
         >>> machine = Machine([(0, 1)], battery_efficiency=0.8, auxiliary=0.02)
         >>> machine.battery_power(np.array([60.0, 0.0, -30.0])).tolist()
@@ -261,7 +261,7 @@ def full_load_curves(case: TransmissionFields) -> list[EnginePoints]:
 
 
 def beside_engine(case: TransmissionFields, gear: Gear) -> str:
-    """Return the reason why the engine does not alone drive a gear, or "".
+    """Return the reason why the engine is not the only drive of a gear, or "".
 
     A vehicle cannot be driven in such a gear, because a case does not describe how other machines
     are controlled.

@@ -96,7 +96,7 @@ def solved_slips(case: Transmission) -> tuple[Results, Floats]:
 
 
 def relative_slips(case: Transmission, gear: Gear) -> dict[str, float]:
-    """Return the slips of a gear relative to the input speed, by path [-]."""
+    """Return the nonzero slips of a gear relative to the input speed, by path [-]."""
     return {
         f"gears.{gear.name}.slip.{case.shift_elements[number - 1].name}": slip
         for number, slip in gear.slip.items()
@@ -148,7 +148,7 @@ class ConverterGear(NamedTuple):
     points: Floats
     """Rows of speed ratio, torque ratio and lambda, shape (points, 3).
 
-    Further rows are the free ratio, and the ratios next to which the converter would gain power.
+    Interpolated rows are at the free ratio and on both sides of each lossless ratio.
     """
     per_engine: Floats
     """Speeds of pump, turbine and links divided by engine speed, with the output at rest. [-]"""

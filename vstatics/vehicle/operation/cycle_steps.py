@@ -120,7 +120,7 @@ class CycleSteps(NamedTuple):
     guessed: Sequence[str]
     """Names of gears that count as forward only because they are written first."""
     least_forces: Floats
-    """Smallest wheel forces that slipping clutches transmit, shape (steps,); -inf if unknown. [N]
+    """Smallest wheel forces that slipping clutches transmit, shape (steps,); -inf if unlimited. [N]
 
     At this force a clutch carries no torque.
     """
@@ -364,7 +364,7 @@ class CycleSteps(NamedTuple):
     ) -> tuple[Floats, Floats]:
         """Return speeds [rad/s] and torques [N*m] of the output, for the backward calculation.
 
-        The default of the wheel forces [N] are `asked_forces`.
+        `forces` are wheel forces [N], by default `asked_forces`.
         """
         here = self.at(rows)
         speeds = here.output_speeds
@@ -407,7 +407,7 @@ class CycleSteps(NamedTuple):
         return self._replace(least_forces=least)
 
     def _slip_power(self, rows: Integers, forces: Floats) -> Floats:
-        """Return the least power of a slipping clutch at wheel forces; NaN without torques [W]."""
+        """Return the smallest loss of a slipping clutch at wheel forces, NaN if undefined [W]."""
         if not rows.size:
             return np.zeros(0)
         speeds, torques = self._load_of_wheels(rows, forces)
@@ -447,7 +447,7 @@ class CycleSteps(NamedTuple):
         }
 
     def _slips(self, rows: Integers) -> dict[str, Floats]:
-        """Return relative slips, in gears with a slip in rpm or a free converter [rad/s]."""
+        """Return relative slips times engine speed [rad/s], in gears with slips in rpm or converters."""
         engine = self.engine_speeds[rows]
         return {
             path: slip * engine

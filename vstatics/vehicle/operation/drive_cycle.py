@@ -73,7 +73,7 @@ class CycleEnergy(NamedTuple):
 
     @property
     def battery(self) -> Sometimes[float]:
-        """Energy from the battery: of machine and other consumers, plus both losses."""
+        """Energy from the battery: machine, other consumers, and losses of machine and battery."""
         if self.machine is None or self.machine_lost is None or self.battery_lost is None:
             return None
         return self.machine + self.machine_lost + self.battery_lost + (self.auxiliary or 0.0)

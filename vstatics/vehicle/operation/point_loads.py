@@ -91,7 +91,7 @@ class PointLoads(NamedTuple):
         return loads
 
     def _lacking(self, row: int, vary: Mapping[str, Floats]) -> str:
-        """Return the error message for a point without torques, with a reason if numbers vary."""
+        """Return the error for a point without torques, with a reason unless `vary` is empty."""
         number = int(self.points.gears[row])
         text = f"gear {self.case.gears[number].name} has no torques with losses at this speed and "
         text += "torque"

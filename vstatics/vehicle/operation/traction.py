@@ -292,7 +292,7 @@ class Traction:
         return float(self.road_speeds(gear, np.array((low + high) / 2)))
 
     def _climbing_force(self, gear: int) -> float:
-        """Return the largest wheel force without the growth of the rolling resistance [N]."""
+        """Return the largest wheel force less the growth of rolling resistance with speed [N]."""
         vehicle, weight = self.vehicle, self.vehicle.mass * GRAVITY
 
         def force(speeds: Floats) -> Floats:

@@ -275,7 +275,7 @@ OTHER_UNITS: tuple[tuple[str, Measure, str], ...] = (
     ("3 km/h", "time", "; this is a velocity"),
     ("0,15", "inertia", " (with a decimal point)"),
     ("heavy", "inertia", ""),
-    ("80e9*pi*0.05**4/32", "stiffness", further("pi")),  # of a shaft, as its formula
+    ("80e9*pi*0.05**4/32", "stiffness", further("pi")),  # stiffness of a shaft, as a formula
     ("80e9*0.05^4/10", "stiffness", further("pi")),
     ("3 furlong", "length", ""),
     ("3 Hz", "si_speed", "; did you mean `rev/s` or `rad/s`?"),

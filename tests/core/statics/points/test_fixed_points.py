@@ -115,7 +115,7 @@ mechanisms:
 
 
 def crossings(law: list[list[float]], torque: float) -> list[float]:
-    """All efficiencies e that the law has at the torque e T, between its corners in closed form."""
+    """All efficiencies e that the law has at the torque e T, in closed form between corners."""
     places, values = np.transpose([[0, law[0][1]], *law, [1e6, law[-1][1]]])
     found = []
     for (left, low), (right, high) in pairwise(zip(places, values, strict=True)):
@@ -126,7 +126,7 @@ def crossings(law: list[list[float]], torque: float) -> list[float]:
 
 
 def test_the_only_efficiencies_of_two_jagged_laws_are_found() -> None:
-    """The torque on the first link is that behind each pair: e G T/0.8, then e H of it by 1.2."""
+    """The torques on the first links of G and H are e T/0.8 and e f T/(0.8*1.2)."""
     rng, singles = seeded(528), 0
     for _ in range(count(8, 600)):
         laws = [

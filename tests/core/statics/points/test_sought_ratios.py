@@ -120,7 +120,7 @@ def test_a_slip_with_which_the_clutch_would_drive_has_the_right_remedy() -> None
 
 
 def test_a_torque_at_which_a_converter_would_gain_power_is_explained() -> None:
-    """From i = 1 to 1/0.98 the pump would give more power than the turbine takes: 0 to -20 N*m."""
+    """From i = 1 to 1/0.98 the pump would give more power than the turbine receives: 0 to -20 N*m."""
     points = "[[0, 2, 0.02], [1, 0.98, 0], [1.2, 0.98, -0.02]]"
     converter = f"{{kind: converter, first: e, second: t, points: {points}}}"
     for torque, explained in ((-1, [True]), (-30, []), (-300, [False])):
@@ -164,7 +164,7 @@ gears:
         assert [said.gear for said in outcome.messages if said.id == "W431"] == gears
 
 
-def test_a_given_ratio_beside_a_slip_has_its_remedy() -> None:
+def test_a_given_ratio_that_contradicts_a_slip_has_a_remedy() -> None:
     text = CASE.replace("second: turbine,", "second: turbine, speed_ratio: 0.8,")
     case = loads(text.replace("{engaged: [L]}", "{slip: {L: 0.1}}"))
     [said] = [said.text for said in solve(case).messages if said.id == "E452"]

@@ -30,7 +30,7 @@ _GROUPED = re.compile(
     r"|([.,])[0-9]{3}(?:\2[0-9]{3})*(?!\2)[.,][0-9]+)"
 )
 """Number with grouped digits, such as 1 000, or 1.000,5 with a decimal sign of the other kind."""
-# Begins only where digits begin, so the search takes linear time.
+# A match begins only where digits begin, so the search takes linear time.
 _JOINED = re.compile(r"(?<![0-9_])[0-9]+(?:_[0-9]+)+")
 _FURTHER = re.compile(
     r"(?:^|(?<![\w^.])[0-9.]+) ?(?:\*\*|\^)|(?<![^\W\d_])(?:pi|π|sqrt)(?![^\W\d_])"
@@ -125,12 +125,12 @@ def slip_or_percent(text: str) -> str:
 
 
 def further(text: str) -> str:
-    """Return a hint for powers, pi and functions, which calculations must not contain.
+    """Return a hint for powers, pi and roots, which calculations must not contain.
 
     >>> further("80e9*pi"), further("^4/32 N*m/rad") == further("2**3"), further("9 kg*m**3")
-    (' (a calculation has only numbers, `+ - * /` and brackets)', True, '')
+    (' (a calculation can only contain numbers, `+ - * /` and brackets)', True, '')
     """
-    hint = " (a calculation has only numbers, `+ - * /` and brackets)"
+    hint = " (a calculation can only contain numbers, `+ - * /` and brackets)"
     return hint * bool(_FURTHER.search(text))
 
 

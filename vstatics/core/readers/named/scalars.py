@@ -61,7 +61,7 @@ def count(text: str) -> int:
     Parameters
     ----------
     text : str
-        Decimal digits.
+        Decimal number.
 
     Returns
     -------

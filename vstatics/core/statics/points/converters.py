@@ -159,7 +159,7 @@ def lossless_ratios(points: Iterable[Sequence[float]]) -> list[float]:
 
 
 def with_varied_slips(case: Transmission, columns: Columns) -> Transmission:
-    """Replace each slip of 0 that varies by 1, so that the clutch does not bypass its converter."""
+    """Return a case with 1 for each varied slip of 0, which would bypass the converter."""
     gears = list(case.gears)
     for (index, quantity, owner), column in columns.items():
         if index is not None and quantity in ("slip", "relative_slip") and column.any():

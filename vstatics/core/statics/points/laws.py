@@ -422,7 +422,8 @@ class _Search:
         """Search the whole range of each efficiency of a gear in turn, with the others constant.
 
         Efficiencies that oscillate in fixed-point iterations are found if each of them depends on
-        preceding efficiencies only. `best` and `state` are of all points, with the indices `rows`.
+        preceding efficiencies only. `best` and `state` contain all points; this search is for
+        the points `rows`.
         """
         numbers = self.of_gear[gear]
         trial = {number: efficiencies[rows] for number, efficiencies in best.items()}

@@ -166,12 +166,12 @@ class _Edges(NamedTuple):
 
     @property
     def middle(self) -> Floats:
-        """Trial numbers in the middle of the intervals."""
+        """Trial values in the middle of the intervals."""
         middle: Floats = (self.known + self.beyond) / 2
         return middle
 
     def halved(self, surplus: Floats) -> _Edges:
-        """Return the halves that contain the limit, from the surpluses at the middle."""
+        """Return the halves at one end of which no surplus exists, from surpluses at the middle."""
         lacks, middle = np.isnan(surplus), self.middle
         return self._replace(
             known=np.where(lacks, self.known, middle),

@@ -47,7 +47,7 @@
   const svgOf = (svg) => {
     const copy = svg.cloneNode(true), looks = new Set(), parts = [svg];
     const rules = [...document.styleSheets].flatMap((sheet) => [...sheet.cssRules]);
-    for (const part of parts) { // with looks, shapes and hatches that the page defines once
+    for (const part of parts) { // copy the looks, shapes and hatches that the page defines once
       const names = new Set([part, ...part.querySelectorAll("[class]")].flatMap((one) => [...one.classList]));
       for (const { selectorText, cssText } of rules) if (/^\.l\d+$/.test(selectorText ?? "") && names.has(selectorText.slice(1))) looks.add(cssText);
       for (const [, id] of [part.outerHTML, ...looks].join("").matchAll(/#([\w.-]+)/g)) {

@@ -36,7 +36,7 @@ links at the ends of the axis, the second labels gears by tooth numbers only.
 MOST_SHRUNK_NAMED = 2.5
 """Largest ratio of letter size to lengths if gears have names or boxes are drawn. [-]"""
 MOST_SHRUNK = 4.0
-"""Largest ratio of letter size to lengths in other pictures; wider ones exceed the page. [-]"""
+"""Largest ratio of letter size to lengths in other pictures; wider pictures exceed the page. [-]"""
 FITS, SLOW_FITS = 16, 5
 """Largest number of reductions, and number of reductions after which the steps grow."""
 LEAST_STEP = 1.01
