@@ -42,9 +42,10 @@ def shown(text: str, status: int = 0) -> str:
 
 
 def gear_lines(text: str) -> list[str]:
-    """The lines of the table of gears: that of the ports comes after it."""
+    """The lines of the table of gears: that of the ports comes after it, if at all."""
     lines = text.splitlines()
-    return lines[: next(place for place, line in enumerate(lines) if " port " in line)]
+    places = (place for place, line in enumerate(lines) if " port " in line)
+    return lines[: next(places, len(lines))]
 
 
 def rows(text: str) -> dict[str, list[str]]:
@@ -176,6 +177,25 @@ elements: {W: {kind: worm, worm: m, wheel: drum, teeth: {worm: 1, wheel: 40},
 efficiency: {worm: 0.55, wheel: 0}}}}""")
     line = next(line for line in gear_lines(text) if "40.0" in line)
     assert line.split() == ["1", "40.000", "-", "-", "1400", "m", "self-locking"]
+
+
+def test_ports_are_shown_if_they_have_more_than_ratio_and_efficiency() -> None:
+    """Without load M2/M1 = i*eta and P2/P1 = eta; a speed, a slip or a third port adds numbers."""
+    text = shown(STATES, status=1)
+    assert gear_lines(text) == text.splitlines()
+    for more in ("load: {speed: 900 rpm}\n", "drag: {s: 0.1}\n"):
+        assert " port " in shown(more + STATES, status=1)
+
+
+def test_the_headings_of_a_long_table_are_repeated_below_it() -> None:
+    """Seven gears have 21 lines of ports, more than the usual 24 lines of a terminal leave."""
+    for number, times in ((6, 1), (7, 2)):
+        gears = ", ".join(f"{gear}: {{}}" for gear in range(number))
+        text = shown(
+            FREEWHEEL.replace("gears: {low: {}, high: [lock-up clutch]}", f"gears: {{{gears}}}")
+        )
+        assert len(re.findall("^ gear  port .*$", text, re.MULTILINE)) == times
+    assert text.splitlines()[-1].startswith(" gear  port ")
 
 
 def test_the_legend_says_which_numbers_are_relative() -> None:

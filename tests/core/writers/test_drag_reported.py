@@ -40,7 +40,7 @@ def ports_of_text(text: str, gears: list[str]) -> dict[str, Sums]:
     """By gear: the sums of a table of ports, printed for people."""
     found: dict[str, dict[str, float]] = {}
     gear = ""
-    _, table = re.split(r"^ *gear +port .*power, kW.*\n", text, flags=re.MULTILINE)
+    _, table = re.split(r"^ *gear +port .*power, kW.*\n", text, maxsplit=1, flags=re.MULTILINE)
     for line in table.splitlines():
         if not (words := line.split()):
             break

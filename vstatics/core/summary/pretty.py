@@ -8,6 +8,7 @@ from html import escape
 
 import numpy as np
 from rich.console import Group
+from rich.table import Table as RichTable
 from rich.text import Text
 
 from vstatics.core.numerics.tolerances import ROUNDED_NUMBER, SAME_RATIO
@@ -20,7 +21,7 @@ from vstatics.core.summary.tables import Marks, element_signs, state
 from vstatics.core.tables import terminal
 from vstatics.core.tables.grid import Cell, Column, Grid, exact, text
 from vstatics.core.tables.html import table
-from vstatics.core.tables.ports import port_tables, ports_grid
+from vstatics.core.tables.ports import PortTable, port_tables, ports_grid
 from vstatics.core.tables.quantities import Table, headed
 from vstatics.core.tables.text import broken
 from vstatics.core.tables.values import tables
@@ -55,7 +56,8 @@ def view(
 
     If the table is wider than the terminal, numbers replace the names of shift elements, and a line
     above the table explains the numbers. If it is still too wide, the largest speeds and torques
-    have a separate table.
+    have a separate table. The table of ports is omitted if all its numbers follow from ratios and
+    efficiencies.
 
     Parameters
     ----------
@@ -79,7 +81,7 @@ def view(
     >>> case = Transmission(3, [ShiftElement(1, 2, "C"), ShiftElement(2, 0, "B")],
     ...                     [Mechanism(1, 2, 3, -2.5, 0.96, name="set")], [Gear([1]), Gear([2])])
     >>> len(view(solve(case), ASCII).renderables)
-    7
+    6
     """
     case = results.case
     title = [Text(case.name, style="bold")] * bool(case.name)
@@ -94,13 +96,13 @@ def view(
     lines = [*_legend(results, gears, marks), *_inverses(results, digits)]
     if converters := _converters(results):
         lines.append(f"{', '.join(converters)}: {tr('speed ratio of a converter')}")
-    others = [sum(not port.is_output for _, port in gear.rows) for gear in port_tables(results)]
+    gears_ports = port_tables(results)
+    others = [sum(not port.is_output for _, port in gear.rows) for gear in gears_ports]
     if any(number > 1 for number in others):
         lines.append(tr("torque of an output: on its load; of other ports: on their links"))
     legend = (Text(line, style="dim") for line in lines)
-    ports = terminal.tables(_ports(results).with_digits(digits), width, keys=2)
     tables = (table for part in parts for table in terminal.tables(part, width))
-    return Group(*title, *key, *tables, *legend, *ports)
+    return Group(*title, *key, *tables, *legend, *_ports(gears_ports, digits, width))
 
 
 def gears_grid(
@@ -166,14 +168,17 @@ def _speed_ratios(results: Results, number: int) -> list[float]:
     return results.speed_ratio[number].tolist() if _converters(results) else []
 
 
-def _ports(results: Results) -> Grid:
-    grid = ports_grid(port_tables(results))
+def _ports(gears: Sequence[PortTable], digits: int | None, width: int) -> list[RichTable]:
+    """Return the table of ports; empty if all its numbers follow from ratios and efficiencies."""
+    if not any(gear.has_more_than_ratios for gear in gears):
+        return []
+    grid = ports_grid(gears)
     names = [row[0].text for row in grid.cells]
     rows = [
         [Cell("" if place and name == names[place - 1] else name), *row[1:]]
         for place, (name, row) in enumerate(zip(names, grid.cells, strict=True))
     ]
-    return grid._replace(rows=rows)
+    return terminal.tables(grid._replace(rows=rows).with_digits(digits), width, keys=2)
 
 
 def _figures(line: GearLine, digits: int | None) -> list[Cell]:

@@ -79,6 +79,15 @@ class PortTable(NamedTuple):
             for name, lost in self.losses
         ]
 
+    @property
+    def has_more_than_ratios(self) -> bool:
+        """True unless ratio and efficiency determine all numbers.
+
+        Ratio and efficiency suffice without an operating point, further ports and several losses.
+        """
+        known = not all(map(math.isnan, self.scales.values()))
+        return known or len(self.rows) > 2 or len(self.losses) > 1
+
     def relative(self, number: float) -> float:
         """Return a relative torque or power [-]; NaN if the input torque is 0."""
         return number if self.input_torque else math.nan

@@ -13,6 +13,9 @@ from rich.text import Text
 
 from vstatics.core.tables.grid import Cell, Grid
 
+MANY_ROWS = 20
+"""Number of rows above which headings are repeated below a table: a terminal often has 24 lines."""
+
 
 class _TerminalColumn(NamedTuple):
     """Column for a terminal: heading, texts, and three widths in characters."""
@@ -33,7 +36,7 @@ def tables(grid: Grid, width: int, keys: int = 1) -> list[RichTable]:
     """Return a table without a title, or several tables if the columns are too wide.
 
     A word is cut only if it is wider than the terminal. Columns of signs have small gaps, or no
-    gaps if their headings are single letters.
+    gaps if their headings are single letters. A long table repeats its headings below the last row.
 
     Parameters
     ----------
@@ -90,11 +93,13 @@ def _column(grid: Grid, group: Sequence[int]) -> _TerminalColumn:
 
 
 def _table(columns: Sequence[_TerminalColumn], width: int) -> RichTable:
-    table = RichTable(box=box.SIMPLE_HEAD, padding=(0, 1, 0, 0), pad_edge=False)
+    many = len(columns[0].texts) > MANY_ROWS
+    table = RichTable(box=box.SIMPLE_HEAD, padding=(0, 1, 0, 0), pad_edge=False, show_footer=many)
     for number, (column, column_width) in enumerate(
         zip(columns, _widths(columns, width), strict=True)
     ):
         table.add_column(
+            column.heading,
             column.heading,
             justify="right" if column.is_number else "left",
             style="" if number or not column.may_fold else "bold",
