@@ -447,7 +447,7 @@ class CycleSteps(NamedTuple):
         }
 
     def _slips(self, rows: Integers) -> dict[str, Floats]:
-        """Return relative slips times engine speed [rad/s], in gears with slips in rpm or converters."""
+        """Return slips [rad/s] by path, in gears with slips in rpm or with a free converter."""
         engine = self.engine_speeds[rows]
         return {
             path: slip * engine
