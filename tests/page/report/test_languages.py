@@ -94,7 +94,7 @@ def test_a_page_says_the_same_with_other_words() -> None:
 def test_names_that_are_english_words_stay(tmp_path: Path) -> None:
     case = tmp_path / "names.yaml"
     case.write_text(
-        "links: [input, speed, output]\n"
+        "links: [input, speed, output]\nload: {speed: 1000 rpm}\n"
         "shift_elements: {brake: [speed, housing], clutch: [input, speed]}\n"
         "mechanisms: {Gears: {first: input, second: speed, third: output, ratio: -2}}\n"
         "gears: {ratio: [brake], efficiency: [clutch]}\n"
