@@ -45,7 +45,6 @@ from vstatics.simulation.system.shares import Slide
 from vstatics.simulation.system.sight import Corner, control_path, corners, with_settings
 from vstatics.simulation.system.sliding import slides
 from vstatics.simulation.tolerances import (
-    AHEAD,
     AHEAD_OF_STOP,
     BEYOND_ALL,
     LEAST_RTOL,
@@ -290,14 +289,13 @@ class EventRun:
             place, judged = self.watched[watch.of]
             self.meetings.note(place, event.time)
             corner = self.corners[place.corner]
-            within = AHEAD * self.span
             if not corner.jumps[place.number]:
                 continue
             if place in self.slides:
                 share = self.slides[place].share
                 self._slide([near for near in self.slides if self.slides[near].share != share])
                 return
-            if self.meetings.switches(place, judged, within):
+            if self.meetings.switches(place, judged):
                 self.smooth.discard(place)
                 latest = self.meetings.latest(event.time)
                 watched = dict(self.watched)

@@ -430,12 +430,13 @@ def test_a_force_that_a_split_cannot_give_is_an_error(force: float) -> None:
         assert [(p.id, p.path) for p in error.value.problems] == [("E424", (0,))]
 
 
+CREEP_POINTS = [[0, 2, 4e-3], [0.8, 1.1, 3.8e-3], [1, 1, 0]]
 CREEP = """links: [engine, turbine, shaft, out]
 load: {{speed: 2000 rpm, torque: 150 N*m}}
 shift_elements: {{C: [turbine, shaft]}}
 drag: {{engine: {drag} N*m}}
 mechanisms:
-  TC: {{kind: converter, first: engine, second: turbine, points: [[0, 2, 4e-3], [0.8, 1.1, 3.8e-3], [1, 1, 0]]}}
+  TC: {{kind: converter, first: engine, second: turbine, points: {points}}}
   P: {{first: shaft, second: out, ratio: 3, efficiency: 0.97}}
 gears: {{creep: {{slip: {{C: {slip}}}}}}}
 vehicle: {{mass: 1500, radius: 0.3, rolling: 0, drag_area: 0, final_drive: 3, engine: [[0, 200], [600, 200]]}}
@@ -451,12 +452,10 @@ def test_a_clutch_that_slips_behind_the_converter_makes_the_turbine_faster(seed:
     random = generator(seed, 52)
     relative, absolute = random.choice([[random.uniform(0.02, 0.4), 0], [0, random.uniform(2, 40)]])
     drag = float(random.choice([0, 3]))
-    case = loads(CREEP.format(drag=drag, slip=relative or f"{absolute} rad/s"))
+    slip = relative or f"{absolute} rad/s"
+    case = loads(CREEP.format(drag=drag, slip=slip, points=CREEP_POINTS))
     assert not list(doubts(case))
-    pull, points = (
-        Traction(case, Vehicle.needed(case)),
-        np.array([[0, 2, 4e-3], [0.8, 1.1, 3.8e-3], [1, 1, 0]]),
-    )
+    pull, points = Traction(case, Vehicle.needed(case)), np.array(CREEP_POINTS)
 
     def pump(w: Any, x: float) -> Any:
         i = (3 * x + absolute) / w + relative

@@ -334,12 +334,13 @@ def with_varied_load(case: ACase, varied: Iterable[str]) -> ACase:
     varied : iterable of str
         Paths of varied numbers, also with units, such as `load.speed [rpm]`.
     """
-    load, paths = case.load or Load(), {path.partition(" ")[0] for path in varied}
+    paths = {path.partition(" ")[0] for path in varied}
+    load = given = case.load or Load()
     if load.speed is None and "load.speed" in paths:
         load = load._replace(speed=1000.0)
     if load.torque is None and "load.torque" in paths:
         load = load._replace(torque=1.0)
-    return case if load == (case.load or Load()) else replace(case, load=load)
+    return case if load is given else replace(case, load=load)
 
 
 def _of_gear(gear: Gear, number: int) -> list[Path]:

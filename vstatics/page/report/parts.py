@@ -9,7 +9,6 @@ from vstatics.core.tables.html import Markup, tag, terms
 from vstatics.core.texts import tr
 from vstatics.page.report.sheets import MOST_SHEETS, left_out, with_room
 from vstatics.pictures.paged.drawn import Drawn, name_of
-from vstatics.pictures.paged.inline import for_paper
 from vstatics.pictures.paged.parts import PAPER, figures, gear_link
 
 
@@ -41,7 +40,7 @@ def chooser(gears: Iterable[str]) -> Markup:
 
 def on_paper(drawn: Drawn, name: str, *, most: int = MOST_SHEETS) -> Markup:
     """Return a picture for print only, with at most `most` of its sheets."""
-    first_sheets = drawn._replace(sheets=[*map(for_paper, drawn.sheets[:most])])
+    first_sheets = drawn._replace(sheets=drawn.sheets[:most]).printed
     shown = [*figures(first_sheets, name, captioned=False, scrolls=False)]
     omitted = len(drawn.sheets) - len(first_sheets.sheets)
     if omitted:
@@ -56,10 +55,6 @@ def side_by_side(gears: Sequence[str], drawn: Sequence[Drawn]) -> Markup:
     shown = (
         part
         for gear, picture in zip(gears[:count], drawn, strict=False)
-        for part in figures(
-            picture._replace(sheets=[*map(for_paper, picture.sheets)]),
-            tr("Gear {gear}", gear=gear),
-            scrolls=False,
-        )
+        for part in figures(picture.printed, tr("Gear {gear}", gear=gear), scrolls=False)
     )
     return tag("div", *shown, *left_out(gears[count:]), class_=f"{PAPER} side-by-side")

@@ -12,7 +12,7 @@ from vstatics.core.tables.html import Markup
 from vstatics.core.texts import spoken, tr
 from vstatics.pictures import of_each_choice, pages
 from vstatics.pictures.drawing.style import PAGE_HEIGHT, POINTS_PER_MILLIMETRE, Style
-from vstatics.pictures.paged.inline import inline
+from vstatics.pictures.paged.inline import for_paper, inline
 from vstatics.pictures.runs import PicturedRun
 
 if TYPE_CHECKING:
@@ -33,6 +33,11 @@ class Drawn(NamedTuple):
     sheets: Sequence[Markup]
     """SVG elements of the picture, several for a picture on several sheets."""
     why: str = ""
+
+    @property
+    def printed(self) -> Drawn:
+        """The picture without tooltips, which paper does not show."""
+        return self._replace(sheets=[*map(for_paper, self.sheets)])
 
 
 class Draw(Protocol):

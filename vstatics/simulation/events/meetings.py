@@ -87,7 +87,7 @@ class CornerMeetings:
         times = [*self.times.get(place, ())][-_PASSED:]
         return len(times) == _PASSED and time - times[0] <= _PASSED * AHEAD * self.span
 
-    def switches(self, place: CornerPlace, judged: Awaited, within: float) -> bool:
+    def switches(self, place: CornerPlace, judged: Awaited) -> bool:
         """Return whether both sides of a jump drive the motion back to the jump again and again.
 
         Parameters
@@ -95,13 +95,11 @@ class CornerMeetings:
         place : CornerPlace
         judged : Awaited
             Latest state of the comparison.
-        within : float
-            Time of the look-ahead. [s]
         """
         times = self.times[place]
         length = times[-1] - times[0]
         if len(times) < _SWITCHES:
             return False
-        swing = judged.change * length / (_SWITCHES - 1) / within
+        swing = judged.change * length / (_SWITCHES - 1) / (AHEAD * self.span)
         quick = length <= NO_PROGRESS * self.span
         return swing <= (SLIDING if quick else FINE_SWING) * judged.size

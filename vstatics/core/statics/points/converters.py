@@ -253,7 +253,8 @@ def with_found_ratios(
         for ratio, (at_slip, _) in by_slip.items():
             trial[ratio.number] = np.where(np.isnan(at_slip), trial[ratio.number], at_slip)
     columns = {**given, **trials[0]}
-    roots = _roots([ratio for ratio in sought if ratio not in by_slip], columns, variants, follow)
+    searched = [ratio for ratio in sought if ratio not in by_slip]
+    roots = _roots(searched, columns, variants, follow)
     for ratio, (at_slip, torque) in by_slip.items():
         columns[ratio.number._replace(quantity="pump_torques")] = torque
         roots[ratio] = Roots(at_slip[np.newaxis], np.isfinite(torque))
@@ -269,7 +270,6 @@ def with_found_ratios(
     solution = follow(columns, variants)
     results = solution.results
     if state.any():
-        searched = [ratio for ratio in sought if ratio not in by_slip]
         _mark_gaining(searched, columns, variants, follow, state)
         other = follow({**columns, **trials[1]}, variants).results
         results = _without_ratios(results, other, state)
