@@ -5,8 +5,8 @@ middle of an import, before any code can catch it. Garbage is collected less oft
 create many objects but little garbage. If the package is used as a library, this module changes no
 settings.
 
-`typing.NamedTuple` compiles the annotation of each field, which takes a tenth of the
-start-up time. The class `NamedTuple` of this module leaves annotations as texts.
+`typing.NamedTuple` compiles the annotation of each field, which takes a tenth of the start-up time.
+The class `NamedTuple` of this module leaves annotations as texts.
 """
 
 from __future__ import annotations

@@ -33,7 +33,7 @@ NOW = "present time"
 
 
 class JumpPlace(NamedTuple):
-    """Place of a jump: two terms that a formula compares, and the link to which it applies."""
+    """Place of a jump: two compared terms of a formula, and the link on which the formula acts."""
 
     first: Tree
     second: Tree
