@@ -710,7 +710,7 @@ class EventRun:
             return self._name_of(kind, watch.of)
         outside, frictions = self.system.layout.outside, self.system.layout.frictions
         if watch.of >= frictions:
-            return self.system.contacts[watch.of - frictions].name
+            return self.system.may_slip[watch.of - frictions].name
         if watch.of >= outside:
             return self.system.converters[watch.of - outside].name
         return f"the torque on {self.system.names[self.system.outside[watch.of].link]}"

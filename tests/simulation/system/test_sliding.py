@@ -46,6 +46,55 @@ def test_a_clutch_that_switches_with_its_slip_holds_the_slip() -> None:
     assert simulated(given, CLUTCH).speeds[-1] == pytest.approx([last + 20, last], rel=1e-9)
 
 
+@pytest.mark.parametrize("least", [0, 40])
+def test_a_slide_with_a_clipped_control_ends_where_the_clutch_would_have_to_drive(
+    least: int,
+) -> None:
+    """From 1 s on the torque falls to -900 N*m: the clutch opens at 0 N*m, closes at no slip."""
+    given = f"""duration: 1.02
+start: {{speeds: {{a: 100, b: 0}}}}
+controls: {{C: "300*(slip('C') > 20) - {least}"}}
+torques: {{a: [[0, 50], [1, 50], [1.01, -900]]}}
+"""
+    begin = 80 / (310 - 1.2 * least)
+    free = 1 + 50 / 95000
+    last = 20 + (60 - 0.2 * least) * begin + 50 / 6 * (1 - begin) + 25 / 6 * (free - 1)
+    fall = 95000 / 2 * (1.01 - free) ** 2 + 900 * 0.01
+    assert simulated(given, CLUTCH).speeds[-1] == pytest.approx([last - fall, last - 20], rel=1e-8)
+
+
+BRAKE = "links: [a]\ninertias: {a: 1}\nshift_elements: {B: {links: [a, housing]}}\n"
+GEARED = BRAKE.replace("[a]", "[a, b]") + "mechanisms: {m: {first: a, second: b, ratio: -0.5}}\n"
+
+
+@pytest.mark.parametrize("case", [BRAKE, GEARED])
+@pytest.mark.parametrize(
+    ("control", "below", "above"),
+    [
+        ("60*(speed('a') > 0)", 0, 60),
+        ("25 - 15*sign(2*speed('a'))", 40, 10),
+        ("30*(abs(slip('B')) > 0)", 30, 30),
+    ],
+)
+def test_a_brake_that_depends_on_its_direction_holds_with_the_torques_of_both_directions(
+    control: str, below: float, above: float, case: str
+) -> None:
+    if case == GEARED:
+        control = control.replace("speed('a')", "-speed('b')")
+
+    def change(t: float, y: Any, sign: Callable[[float], float]) -> list[float]:
+        side = sign(y[0])
+        return [30 + 40 * math.sin(9 * t) - (above * (1 + side) - below * (1 - side)) / 2]
+
+    given = f"""duration: 1.1
+start: {{speeds: {{a: -3}}}}
+controls: {{B: "{control}"}}
+torques: {{a: [30, "40*sin(9*t)"]}}
+"""
+    motion = simulated(given, case)
+    assert motion.speeds[-1, 0] == pytest.approx(extrapolated(change, [-3.0], 1.1)[0], abs=1e-4)
+
+
 @pytest.mark.parametrize("slip", [2, 8])
 def test_a_slip_that_a_sequence_changes_is_reached_and_held(slip: int) -> None:
     """The momentum is 20 + 50 t in any case."""

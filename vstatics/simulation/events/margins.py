@@ -587,5 +587,5 @@ def _is_limited(device: Contact | Elastic, time: float) -> bool:
 def _limits(contact: Contact, side: int, times: Floats, seen: Floats | None) -> Floats:
     if contact.one_way and side == 1:
         return np.full(len(times), contact.overrun_drag)
-    held = programme_along(contact.programme, times, seen)
+    held = programme_along(contact.programme.on_side(side), times, seen)
     return contact.static * friction_at(contact.friction) * held

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -15,6 +15,7 @@ from vstatics.core.model.springs import SpringLimit
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.lookup_table import LookupTable
+from vstatics.core.readers.expressions.grammar import Tree
 from vstatics.core.readers.expressions.operands import Constant
 from vstatics.simulation.scenario.algebra import applied, times
 from vstatics.simulation.scenario.formula import Formula
@@ -52,14 +53,24 @@ class Programme(NamedTuple):
     """Table of coefficients of friction over slip and temperature."""
     rub: Look | None = None
     """Coefficient of friction from `table`, as a function of the motion."""
+    is_mean: bool = False
+    """True if `look` is a mean of clipped controls, along which a motion slides."""
+    sides: tuple[Look, ...] = ()
+    """Control below and above zero slip, if a formula jumps there; else empty."""
+    jumps: Collection[tuple[Tree, ...]] = ()
+    """Pairs of terms, compared in the formula, that are equal at zero slip."""
     follows: SpringLimit | None = None
     """Torque limit that grows with the torque of another spring; `curve` is its base."""
+
+    def on_side(self, side: float) -> Programme:
+        """Return the programme above (`side` = 1) or below (-1) zero slip."""
+        return self._replace(look=self.sides[side > 0]) if self.sides else self
 
     def seen_at(self, time: float, seen: Sequence[float], *, clipped: bool = True) -> float:
         """Return the capacity under feedback control, clipped from 0 to `largest` by default."""
         assert self.look is not None  # noqa: S101 - only for feedback control
         value = self.look.at(time, seen)
-        if clipped:
+        if clipped and not self.is_mean:
             value = min(max(value, 0.0), math.inf if self.largest is None else self.largest)
         capacity = self.factor * value
         return capacity * self.rub.at(time, seen) if self.rub else capacity
@@ -67,7 +78,8 @@ class Programme(NamedTuple):
     def seen_along(self, times: Floats, seen: Floats) -> Floats:
         """Return the capacity at many times under feedback control, clipped from 0 to `largest`."""
         assert self.look is not None  # noqa: S101 - only for feedback control
-        capacity = self.factor * np.clip(self.look.along(times, seen), 0.0, self.largest)
+        values = self.look.along(times, seen)
+        capacity = self.factor * (values if self.is_mean else np.clip(values, 0.0, self.largest))
         return capacity * self.rub.along(times, seen) if self.rub else capacity
 
 

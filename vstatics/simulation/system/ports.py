@@ -333,7 +333,9 @@ class Ports:
             return
         if contact.one_way and state == "+":
             self.c0[port] = contact.overrun_drag
-        elif isinstance(contact.friction, Law) and contact.friction.text:
+            return
+        contact = contact._replace(programme=contact.programme.on_side(SIGNS[state]))
+        if isinstance(contact.friction, Law) and contact.friction.text:
             self._formula(port, contact.friction, SIGNS[state])
         elif contact.friction is None or not contact.corners:
             mu = friction_at(contact.friction)

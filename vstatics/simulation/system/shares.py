@@ -87,13 +87,13 @@ def shared(formula: Formula, slides: tuple[Slide, ...], rate: int = 0, angle: in
         {
             slide.share
             for slide in here
-            if _on_side(tree, [slide]) != _on_side(tree, [slide._replace(sign=-slide.sign)])
+            if on_sides(tree, [slide]) != on_sides(tree, [slide._replace(sign=-slide.sign)])
         }
     )
     mean: Tree = Constant(0.0)
     for sides in product((-1.0, 1.0), repeat=len(read)):
         side_of = dict(zip(read, sides, strict=True))
-        part = _on_side(
+        part = on_sides(
             tree,
             [slide._replace(sign=slide.sign * side_of.get(slide.share, 1.0)) for slide in here],
         )
@@ -104,13 +104,14 @@ def shared(formula: Formula, slides: tuple[Slide, ...], rate: int = 0, angle: in
     return formula._replace(tree=mean)
 
 
-def _on_side(tree: Tree, slides: Sequence[Slide]) -> Tree:
+def on_sides(tree: Tree, slides: Sequence[Slide]) -> Tree:
     """Return a tree on the side of each jump that `sign` gives."""
     values: dict[tuple[Tree, ...], float] = {}
     for place, _, sign, near in slides:
         values[place[:2]] = sign
-        apart = place.first if place.second == Constant(0.0) else place.difference.whole
-        values[apart,] = near
+        if near:
+            apart = place.first if place.second == Constant(0.0) else place.difference.whole
+            values[apart,] = near
     whole: Tree = _with_values(tree, values)
     return whole
 

@@ -25,10 +25,15 @@ from vstatics.simulation.scenario.crossings import MeetingParts, Pairs, asked, m
 from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.parts import placed_steps
-from vstatics.simulation.scenario.programme import Look, Programme
+from vstatics.simulation.scenario.programme import Look, Programme, within
 from vstatics.simulation.system.curves import curve_along
 from vstatics.simulation.system.matrices import Contact, Elastic, MotionSystem
-from vstatics.simulation.system.shares import JumpPlace, shared
+from vstatics.simulation.system.shares import JumpPlace, Slide, on_sides, shared
+from vstatics.simulation.system.structure import null
+from vstatics.simulation.tolerances import PROPORTIONAL
+
+_SAMPLES = 6
+"""Number of samples in a comparison of two differences."""
 
 
 def place_of(system: MotionSystem, seen: Seen) -> int:
@@ -172,10 +177,15 @@ def corners(system: MotionSystem) -> list[Corner]:
         programme = device.programme
         if programme.look is not None and isinstance(programme.curve, Formula):
             most = () if programme.largest is None else (programme.largest,)
+            own = programme.jumps  # these jumps are part of the states of the contact
             path: Path = control_path(device)
             whole = programme.curve.whole
             bounds = [[MeetingParts(whole, Constant(bound))] for bound in (0.0, *most)]
-            candidates.append((path, programme.curve, [*bounds, *met(whole)], 0, -1))
+            groups = [
+                [pair for pair in pairs if (bare(pair.first), bare(pair.second)) not in own]
+                for pairs in met(whole)
+            ]
+            candidates.append((path, programme.curve, [*bounds, *filter(None, groups)], 0, -1))
     for port, load in enumerate(system.outside):
         if isinstance(load.law, Formula):  # contacts represent jumps over speed or angle
             path = ("torques", system.names[load.link])
@@ -269,7 +279,12 @@ def _seeing(system: MotionSystem, device: Contact | Elastic) -> Programme:
     if programme.follows:
         return programme._replace(look=following(system, programme.follows))
     if isinstance(curve, Formula) and curve.seen:
-        programme = programme._replace(look=looking(system, curve))
+        is_mean = shared(curve, system.slides) != curve
+        if is_mean:
+            curve = within(curve, math.inf if programme.largest is None else programme.largest)
+        programme = programme._replace(look=looking(system, curve), is_mean=is_mean)
+        if isinstance(device, Contact):
+            programme = _on_both_sides(system, device, programme, curve)
     table = programme.table
     if table is None:
         return programme
@@ -282,6 +297,35 @@ def _seeing(system: MotionSystem, device: Contact | Elastic) -> Programme:
     )
     timed = Look(lambda time, _seen: curve.at(time), lambda times, _seen: curve_along(curve, times))
     return programme._replace(look=programme.look or timed, rub=rub)
+
+
+def _on_both_sides(
+    system: MotionSystem, contact: Contact, programme: Programme, curve: Formula
+) -> Programme:
+    """Return a control with its values on both sides of jumps at zero slip of its contact."""
+    chance = np.random.default_rng(_SAMPLES)
+    motions = null(system.rows(mesh.row for mesh in system.meshes))
+    half = motions @ chance.normal(size=(motions.shape[1], _SAMPLES))
+    speeds = np.hstack([half, -half])
+    seen = chance.normal(
+        size=(system.layout.seen_derived + len(system.layout.derived), 2 * _SAMPLES)
+    )
+    seen[: system.layout.ports] = system.port_rows @ speeds
+    slip = contact.row @ speeds
+    own: list[tuple[Slide, Slide]] = []
+    for pair in chain.from_iterable(met(curve.whole)):
+        place = JumpPlace(bare(pair.first), bare(pair.second))
+        apart = looking(system, place.difference).along(np.ones_like(slip), seen)
+        sizes = np.abs(apart * slip[0]), np.abs(slip * apart[0])
+        if pair.jumps and sizes[0][0] and np.allclose(*sizes, rtol=PROPORTIONAL, atol=0.0):
+            sides = (float(np.sign(apart[slip * side > 0][0])) for side in (-1, 1))
+            below, above = (Slide(place, 0, side) for side in sides)
+            own.append((below, above))
+    if not own:
+        return programme
+    trees = (on_sides(curve.whole, slides) for slides in zip(*own, strict=True))
+    looks = tuple(looking(system, curve._replace(tree=tree)) for tree in trees)
+    return programme._replace(sides=looks, jumps=[below.place[:2] for below, _ in own])
 
 
 def following(system: MotionSystem, limit: SpringLimit, pieces: Sequence[int] = ()) -> Look:

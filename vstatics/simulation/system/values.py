@@ -76,7 +76,7 @@ class ValueChanges:
     def along(self, times: Floats, seen: Floats) -> Floats:
         """Return the rates of control states at several times, shape (states, times)."""
         times = self.equations.ports.inside(times)
-        value_rates = np.array([look.along(times, seen) for look in self.rates])
+        value_rates = np.reshape([look.along(times, seen) for look in self.rates], (-1, len(times)))
         value_rates[self.held != 0] = 0.0
         return value_rates
 
