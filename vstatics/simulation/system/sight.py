@@ -280,8 +280,9 @@ def _seeing(system: MotionSystem, device: Contact | Elastic) -> Programme:
         return programme._replace(look=following(system, programme.follows))
     if isinstance(curve, Formula) and curve.seen:
         is_mean = shared(curve, system.slides) != curve
-        if is_mean:
-            curve = within(curve, math.inf if programme.largest is None else programme.largest)
+        clipped = within(curve, math.inf if programme.largest is None else programme.largest)
+        if is_mean and isinstance(clipped, Formula):
+            curve = clipped
         programme = programme._replace(look=looking(system, curve), is_mean=is_mean)
         if isinstance(device, Contact):
             programme = _on_both_sides(system, device, programme, curve)
