@@ -60,6 +60,8 @@ class TwistCurve(NamedTuple):
     @property
     def has_gap(self) -> bool:
         """True if the torque is 0 on some pieces of the curve (a gap or play), but not on all."""
+        if self.torques.count(0.0) < 2:
+            return False
         pieces = self._pieces
         return (0.0, 0.0) in pieces and len({*pieces}) > 1
 

@@ -48,7 +48,8 @@ class Exponential:
         self.series = np.array([*_terms(unit[: self.dense], self.step, self.dense, _TERMS)])
         chains = self.step[self.dense :, self.dense :]
         chained = sum(
-            takewhile(np.any, _terms(np.eye(len(chains)), chains, 0, _TERMS)), np.zeros_like(chains)
+            takewhile(np.ndarray.any, _terms(np.eye(len(chains)), chains, 0, _TERMS)),
+            np.zeros_like(chains),
         )
         lower = np.hstack([unit[self.dense :, : self.dense], chained])
         # Small terms come first, because rounding would lose them after large terms.
@@ -108,11 +109,8 @@ class Exponential:
         numbers = parts * 2.0**self.halvings
         whole = numbers.astype(int)
         bits = (whole >> np.arange(self.halvings, -1, -1)[:, None]) & 1
-        steps: list[tuple[Floats, Integers]] = [
-            (halved, np.flatnonzero(bit))
-            for halved, bit in zip(self.halved, bits, strict=True)
-            if bit.any()
-        ]
+        places = (bit.nonzero()[0] for bit in bits)
+        steps = [(halved, far) for halved, far in zip(self.halved, places, strict=True) if len(far)]
         powers: Floats = (numbers - whole) ** np.arange(len(self.series))[:, None]
         return steps, powers
 

@@ -89,16 +89,13 @@ class SplitRoom(NamedTuple):
     """Signs of slacks, -1 if a mechanism's torque has the opposite sign of the least-norm split."""
     widest: Floats
     """Slacks of the split whose smallest slack is largest."""
+    room: float
+    """Smallest slack of `widest`, negative if no split is within all limits. [N*m]"""
 
     def is_of(self, slack: Floats, directions: Floats) -> bool:
         """Return whether this object was calculated from the slacks and directions."""
         given = self.slack * self.ways, self.directions * self.ways[:, None]
         return np.array_equal(given[0], slack) and np.array_equal(given[1], directions)
-
-    @property
-    def room(self) -> float:
-        """Smallest slack of `widest`, negative if no split is within all limits [N*m]."""
-        return float(self.widest.min())
 
     @property
     def tight(self) -> Booleans:
@@ -107,10 +104,15 @@ class SplitRoom(NamedTuple):
 
     def on_other_side(self, rows: slice) -> SplitRoom:
         """Return the slacks for the opposite torque of the mechanism whose slacks are in `rows`."""
-        slack, directions, ways = (array.copy() for array in self[:3])
-        for array in (slack, directions, ways):
-            array[rows] *= -1
-        return SplitRoom(slack, directions, ways, widest(slack, directions))
+        turn = np.ones(len(self.ways))
+        turn[rows] = -1.0
+        return split_room(self.slack * turn, self.directions * turn[:, None], self.ways * turn)
+
+
+def split_room(slack: Floats, directions: Floats, ways: Floats) -> SplitRoom:
+    """Return the split of redundant torques whose smallest slack is largest."""
+    slacks = widest(slack, directions)
+    return SplitRoom(slack, directions, ways, slacks, float(slacks.min()))
 
 
 class Awaited(NamedTuple):
@@ -463,9 +465,10 @@ class Margins:
 
     def _directions(self, held: Floats) -> Floats:
         """Return the changes of the slacks along redundant torques."""
-        signs = [1.0 if held[mesh] >= 0 else -1.0 for mesh, *_ in self.cones]
-        ways = np.append(np.ones(len(self.holding)), np.repeat(signs, 2))
-        return ways[:, None] * self.directions
+        ways = [1.0] * len(self.holding)
+        for mesh, *_ in self.cones:
+            ways += [1.0, 1.0] if held[mesh] >= 0 else [-1.0, -1.0]
+        return np.array(ways)[:, None] * self.directions
 
     def _together(self, slack: Floats, held: Floats) -> Floats:
         """Return the smallest slack [N*m] of the best split at each time."""
@@ -487,7 +490,7 @@ class Margins:
         directions = self._directions(held)
         if self.last_room and self.last_room.is_of(slack, directions):
             return self.last_room
-        best = SplitRoom(slack, directions, np.ones(len(slack)), widest(slack, directions))
+        best = split_room(slack, directions, np.ones(len(slack)))
         while best.room <= 0:
             tight = best.tight
             others = [best.on_other_side(rows) for rows in self.either if tight[rows].any()]

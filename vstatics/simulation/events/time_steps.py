@@ -73,7 +73,7 @@ def steps(
     ------
     TooSmall
     """
-    if not np.isfinite(equations.derivative(*begin)).all():
+    if first is None and not np.isfinite(equations.derivative(*begin)).all():
         raise TooSmall  # otherwise the solver would search for a first step without end
     longest = equations.longest if equations.ports.timed else np.inf
     if first is not None:
@@ -122,7 +122,7 @@ def _solver(  # noqa: PLR0913, PLR0917
 ) -> DOP853[np.float64]:
     from scipy.integrate import DOP853
 
-    return DOP853(
+    solver = DOP853(
         equations.derivative,
         *begin,
         end,
@@ -131,3 +131,5 @@ def _solver(  # noqa: PLR0913, PLR0917
         first_step=first,
         max_step=longest,
     )
+    solver.fun = equations.derivative  # without scipy's two wrappers, which count and convert
+    return solver

@@ -64,8 +64,10 @@ class Points(NamedTuple):
 
     def piece(self, number: int) -> tuple[float, float]:
         """Return the straight line of a piece: value at abscissa 0 and slope."""
-        if number in (0, len(self.x)):
-            return self.y[min(number, len(self.x) - 1)], 0.0
+        if number == 0:
+            return self.y[0], 0.0
+        if number == len(self.x):
+            return self.y[number - 1], 0.0
         left, right = self.x[number - 1 : number + 1]
         below, above = self.y[number - 1 : number + 1]
         if below == above:

@@ -384,7 +384,9 @@ class Equations:
 
     def torques_with(self, times: Floats, states: Floats, rates: Floats, shares: Floats) -> Floats:
         """Return the torques of ports at several times, for given shares of jumps [N*m]."""
-        values = np.vstack([states[self.values], shares])
+        values = states[self.values]
+        if self.sliding:
+            values = np.vstack([values, shares])
         torques = self.ports.torques_at(
             times, rates, states[self.twists], states[self.angles], values
         )

@@ -359,18 +359,28 @@ class MotionSystem:
         return (self.heavy.T * self.inertias) @ self.heavy
 
     @cached_property
+    def stiffness(self) -> Floats:
+        """Largest stiffnesses of the springs [N*m/rad]."""
+        return np.array([spring.stiffness for spring in self.springs])
+
+    @cached_property
     def straight(self) -> Floats:
         """Stiffnesses of the springs, with 0 for nonlinear springs [N*m/rad]."""
-        return np.array(
-            [0.0 if spring.curve.bends else spring.stiffness for spring in self.springs]
-        )
+        stiffness = self.stiffness.copy()
+        stiffness[list(self.nonlinear)] = 0.0
+        return stiffness
+
+    @cached_property
+    def nonlinear(self) -> tuple[int, ...]:
+        """Indices of the springs whose torque is not proportional to the twist."""
+        return tuple(index for index, spring in enumerate(self.springs) if spring.curve.bends)
 
     def elastic_energy(self, twists: Floats) -> float:
         """Return the elastic energy of all springs [J]."""
         if not self.springs:
             return 0.0
-        bent = zip(self.springs, twists.tolist(), strict=True)
-        stored = sum(spring.curve.energy(twist) for spring, twist in bent if spring.curve.bends)
+        bent = ((self.springs[index].curve, float(twists[index])) for index in self.nonlinear)
+        stored = sum(curve.energy(twist) for curve, twist in bent)
         return float(self.straight @ twists**2) / 2 + stored
 
     def rows(self, rows: Iterable[Floats]) -> Floats:

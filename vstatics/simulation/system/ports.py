@@ -132,8 +132,7 @@ class Ports:
 
     def _springs(self, system: MotionSystem, states: States) -> None:
         layout = self.layout
-        self.stiffness = np.array([spring.stiffness for spring in system.springs])
-        """Largest stiffnesses of the springs. [N*m/rad]"""
+        self.stiffness = system.stiffness
         bends = [state in ("stick", "parted") for state in states.springs]
         parted = np.array([state == "parted" for state in states.springs], dtype=bool)
         self.bends = np.array(bends, dtype=bool)

@@ -142,7 +142,7 @@ class MotionStructure:
         moved = speeds - self.free[:, count:] @ driven
         motions = free.T @ moved
         motions += self.projection @ (moved - free @ motions)
-        return np.append(motions, driven)
+        return np.append(motions, driven) if len(driven) else motions
 
 
 def _driven(

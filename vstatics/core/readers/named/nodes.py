@@ -121,7 +121,7 @@ class DocumentText:
 
     def check_characters(self, text: str, line: int, column: int) -> None:
         """Stop at a lone surrogate (half of a character), which escape sequences can create."""
-        if any("\ud800" <= character <= "\udfff" for character in text):
+        if not text.isascii() and any("\ud800" <= character <= "\udfff" for character in text):
             self.stop("read half a character (a lone surrogate)", line, column)
 
 
