@@ -222,14 +222,9 @@ def spectrum(
 
 def _loads_of(case: Transmission, points: DutyPoints, moving: Integers) -> PointLoads:
     """Solve the points `moving`; problems have indices of `points`."""
-    parts = points._replace(
-        gears=points.gears[moving],
-        speeds=points.speeds[moving],
-        torques=points.torques[moving],
-        weights=points.weights[moving],
-    )
+    *columns, are_shares = points
     try:
-        return PointLoads.of(case, parts)
+        return PointLoads.of(case, DutyPoints(*(column[moving] for column in columns), are_shares))
     except CaseError as error:
         raise at_rows(error, moving) from None
 
