@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import defaultdict
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import NamedTuple
@@ -77,7 +78,7 @@ class GearChoice(NamedTuple):
 class CycleLosses(NamedTuple):
     """Losses over the steps of a cycle, and torques of engaged shift elements."""
 
-    energies: dict[str, float]
+    energies: defaultdict[str, float]
     """Lost energy by gear set, or by ``drag.NAME``, ``slip.NAME`` or ``gear.NAME``. [J]"""
     outside: dict[str, None]
     """Names of laws that were evaluated outside their points, as keys."""
@@ -90,7 +91,7 @@ class CycleLosses(NamedTuple):
         self.held_torques[rows] = loads.held_torques
         self.outside.update(dict.fromkeys(loads.outside))
         for name, powers in (loads.losses() | loads.other_losses()).items():
-            self.energies[name] = self.energies.get(name, 0.0) + float(powers @ duration)
+            self.energies[name] += float(powers @ duration)
 
 
 class CycleSteps(NamedTuple):
@@ -228,9 +229,15 @@ class CycleSteps(NamedTuple):
 
     def at(self, rows: Integers) -> CycleSteps:
         """Return the steps `rows`; `trace.table` still contains all rows."""
-        *columns, gears, table = self.trace
+        complete = self.trace
+        trace = complete._replace(
+            duration=complete.duration[rows],
+            speed=complete.speed[rows],
+            acceleration=complete.acceleration[rows],
+            slope=complete.slope[rows],
+        )
         return self._replace(
-            trace=Trace(*(column[rows] for column in columns), gears, table),
+            trace=trace,
             gears=self.gears[rows],
             engine_speeds=self.engine_speeds[rows],
             least_forces=self.least_forces[rows],
@@ -548,8 +555,7 @@ class CycleSteps(NamedTuple):
                     lost.outside[f"the loss of gear {gear.name}"] = None
                 brake = brake_torque(gear.loss, *sizes)
                 energy = float((brake * speeds[own]) @ here.trace.duration[own])
-                name = loss_name(gear)
-                lost.energies[name] = lost.energies.get(name, 0.0) + energy
+                lost.energies[loss_name(gear)] += energy
         power = (here.asked_forces - here.forces) * here.trace.speed
         return float(power @ here.trace.duration)
 

@@ -222,9 +222,14 @@ def spectrum(
 
 def _loads_of(case: Transmission, points: DutyPoints, moving: Integers) -> PointLoads:
     """Solve the points `moving`; problems have indices of `points`."""
-    *columns, are_shares = points
+    parts = points._replace(
+        gears=points.gears[moving],
+        speeds=points.speeds[moving],
+        torques=points.torques[moving],
+        weights=points.weights[moving],
+    )
     try:
-        return PointLoads.of(case, DutyPoints(*(column[moving] for column in columns), are_shares))
+        return PointLoads.of(case, parts)
     except CaseError as error:
         raise at_rows(error, moving) from None
 
