@@ -169,6 +169,7 @@ OF_OTHER_FILES = {
     "vstatics.core.jobs.page_files",  # outputs
     "vstatics.core.jobs.state_files",
     "vstatics.sweep.variants.table_file",  # tables of variants
+    "vstatics.synthesis.code_cache",  # folder of machine code
 }
 
 

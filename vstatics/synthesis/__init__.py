@@ -2,9 +2,10 @@
 
 `structures` lists the schemes (ways to connect the links) of a number of planetary gear sets. For a
 case with such a scheme, `gears` tries the combinations of shift elements, `ratios` fits the ratios
-of the gear sets to wanted ratios of the gears, and `teeth` finds integer tooth numbers. `boxes`
-finds whole gearboxes at once. `pictures` draws found gearboxes, `report` writes a page about them,
-and `cli` contains the commands `vstatics synth ...`.
+of the gear sets to wanted ratios of the gears, and `teeth` finds integer tooth numbers. `compiled`
+compiles loops with Numba, through `machine_code` and `code_cache`; with these loops, `boxes` finds
+whole gearboxes at once. `pictures` draws found gearboxes, `report` writes a page about them, and
+`cli` contains the commands `vstatics synth ...`.
 
 >>> from vstatics.synthesis import SetScheme, StructureSearch, combinations, find_teeth
 >>> from vstatics.synthesis import fit, scheme_case, schemes

@@ -181,14 +181,18 @@ def read_duty_table(
         If the file has errors, with every problem and its position.
     """
     lines = data.removeprefix(codecs.BOM_UTF8).split(b"\n", MOST_TITLE_LINES)
-    if any(map(_DURATION.search, lines[:MOST_TITLE_LINES])):
-        return _steps(data, file, exponent, classes)
+    has_durations = any(map(_DURATION.search, lines[:MOST_TITLE_LINES]))
+    table = _steps(data, file) if has_durations else _points(data, file)
+    return DutyTable(table, exponent or EXPONENT, classes, _first_load(table))
+
+
+def _points(data: bytes, file: str) -> UnitTable:
     expected = "a duty cycle, such as `vstatics cycle --time-steps` writes: time or share, "
     table = read_unit_table(data, file, f"{expected}gear, speed, torque", _COLUMNS, "E121")
     if ("time" in table.numbers) == ("share" in table.numbers):
         message = "expected exactly one of the columns `time` and `share`"
         raise ReadError("E121", message, place=table.source.place(1))
-    return DutyTable(table, exponent or EXPONENT, classes, _first_load(table))
+    return table
 
 
 def _first_load(table: UnitTable) -> Load | None:
@@ -196,13 +200,12 @@ def _first_load(table: UnitTable) -> Load | None:
     return next((Load(w / RAD_PER_RPM, torque) for w, torque in points if w and torque), None)
 
 
-def _steps(data: bytes, file: str, exponent: float | None, classes: Classes | None) -> DutyTable:
+def _steps(data: bytes, file: str) -> UnitTable:
     what = "steps of a driving cycle: duration, gear, speed, torque"
     table = read_unit_table(data, file, what, _STEP_COLUMNS, "E121", skips=True)
     numbers = {**table.numbers, "time": table.numbers["duration"]}
     texts = {name: list(map(unguarded, words)) for name, words in table.texts.items()}
-    table = table._replace(numbers=numbers, texts=texts)
-    return DutyTable(table, exponent or EXPONENT, classes, _first_load(table))
+    return table._replace(numbers=numbers, texts=texts)
 
 
 def duty_points(data: bytes, file: str) -> list[tuple[str, float, float]]:

@@ -8,6 +8,7 @@ links. Its edges are the powers that nodes exchange. The housing has no power, s
 from __future__ import annotations
 
 import math
+from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple, TypeVar
 
@@ -173,11 +174,10 @@ def _by_link(
     exchanged: Sequence[Exchange], links: Mapping[int, Node]
 ) -> dict[tuple[Node, Node], float]:
     """Return the power that each node receives from each link [-], by node and link."""
-    powers: dict[tuple[Node, Node], float] = {}
+    powers = defaultdict[tuple[Node, Node], float](float)
     for exchange in exchanged:
         if exchange.link != HOUSING:
-            pair = exchange.node, links[exchange.link]
-            powers[pair] = powers.get(pair, 0.0) + exchange.power
+            powers[exchange.node, links[exchange.link]] += exchange.power
     return powers
 
 
@@ -195,7 +195,7 @@ def _throughput(
 
 
 def _losses(state: GearState, exchanged: Sequence[Exchange]) -> dict[Node, float]:
-    losses = {}
+    losses = defaultdict[Node, float](float)
     for number, device in enumerate(state.case.own_devices, 1):
         lost = sum(plain(state.mechanism_losses[index]) for index in device.mechanisms)
         loss = lost * state.ideal.direction + 0.0
@@ -206,5 +206,5 @@ def _losses(state: GearState, exchanged: Sequence[Exchange]) -> dict[Node, float
             number - 1 in state.drag.elements or number in state.gear.slipping
         )
         if dissipates or exchange.node.kind in ("drag", "gear"):
-            losses[exchange.node] = losses.get(exchange.node, 0.0) + exchange.power
+            losses[exchange.node] += exchange.power
     return losses

@@ -550,16 +550,17 @@ def _driving_messages(results: Results, number: int) -> Iterator[Said]:
     for element in ideal.driving(state.ideal, columns, solved):
         slip = state.gear.slip[element]
         # In a driving cycle the solver's input is the wheels, so slip is relative to their speed.
-        relative = f"{slip:g} times the speed of {case.link_name(case.gear_input(state.gear))}"
-        size, side = relative, "below" if slip > 0 else "above"
+        given = slip.given if isinstance(slip, OfLoad) else slip
+        size = f"{given:g} times the speed of {case.link_name(case.gear_input(state.gear))}"
         if isinstance(slip, OfLoad):
-            size, side = f"{slip.given:g} rpm", "below" if slip.given > 0 else "above"
-        where = f"{side} 0" if element in without_pumps else "nearer to 0"
+            size = f"{given:g} rpm"
+        where = "below 0" if given > 0 else "above 0"
+        if element not in without_pumps:
+            where = "nearer to 0"
         yield Said(
             "W438",
             f"with a slip of {size}, {case.shift_elements[element - 1].name} would give power "
-            f"instead of taking it, so there are no torques; only a slip "
-            f"{where} is possible",
+            f"instead of taking it, so there are no torques; only a slip {where} is possible",
         )
 
 

@@ -176,15 +176,6 @@ def value(coefficient: Any) -> Any:
     return coefficient[0] + coefficient[1] if isinstance(coefficient, tuple) else coefficient
 
 
-def values_of(column: Column) -> dict[int, Any]:
-    """Return the values of the coefficients of a column, by link number.
-
-    >>> values_of({1: 1, 3: (-2.5, -1)})
-    {1: 1, 3: -3.5}
-    """
-    return {link: value(coefficient) for link, coefficient in column.items()}
-
-
 def structural_matrix(case: Transmission, ratios: ArrayLike | None = None) -> Floats:
     """Return the structural-distribution matrix, shape (..., links, devices) [-].
 

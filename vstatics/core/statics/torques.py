@@ -219,30 +219,29 @@ def drag_torques(
     external: dict[int, Number] = {}
     losses: list[Number] = []
     for link, given in of_links.items():
-        speed, torque = speeds[link - 1], matrix.given_torque(case, gear, given)
-        against = torque * direction * _direction(speed)
+        speed, torque = speeds[link - 1], matrix.given_torque(case, gear, given) * direction
+        against = torque * _direction(speed)
         if against:
-            links[link] = -against
-            external[link] = -against
-            losses.append(absolute(speed) * (torque * direction))
+            links[link] = external[link] = -against
+            losses.append(absolute(speed) * torque)
     by_link = [0.0, *map(absolute, speeds)]
-    for number, torque in torques.items():
+    for number, given in torques.items():
         element, slip = case.shift_elements[number - 1], slips[number - 1]
-        against = torque * direction * _direction(slip)
+        torque = given * direction
+        against = torque * _direction(slip)
         if against and not is_tie(absolute(slip), by_link[element.first], by_link[element.second]):
             elements[number - 1] = against
             for link, pull in ((element.first, -against), (element.second, against)):
                 if link != HOUSING:
                     external[link] = external.get(link, 0.0) + pull
-            losses.append(absolute(slip) * (torque * direction))
+            losses.append(absolute(slip) * torque)
     drag = Drag(links, elements, external, losses)
     for link, given in gear.loss_torques.items():
-        speed, torque = speeds[link - 1], matrix.given_torque(case, gear, given)
-        against = torque * direction * _direction(speed)
+        speed, torque = speeds[link - 1], matrix.given_torque(case, gear, given) * direction
+        against = torque * _direction(speed)
         if against:
             external[link] = external.get(link, 0.0) - against
-            loss = absolute(speed) * (torque * direction)
-            drag = drag._replace(gear={link: -against}, gear_loss=loss)
+            drag = drag._replace(gear={link: -against}, gear_loss=absolute(speed) * torque)
     return drag
 
 

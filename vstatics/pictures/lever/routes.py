@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import combinations, permutations
 from typing import NamedTuple
@@ -263,9 +264,9 @@ def gaps_of(case: Transmission, drawn: Sequence[Lever], rows: Sequence[PointRows
         engaged = {*gear.carrying, *case.freewheels}
         elements = case.elements_at(sorted(engaged))
         ties = [*joins(drawn), *ties_of(case, elements, spots)]
-        needed: dict[int, float] = {}
+        needed = defaultdict[int, float](float)
         for step in steps(rows, boxes, ties):
-            needed[step.gap] = needed.get(step.gap, 0.0) + step.wide
+            needed[step.gap] += step.wide
         for gap, wide in needed.items():
             gaps[gap] = max(gaps[gap], UPRIGHT_PITCH + wide + UPRIGHT_PITCH / 2 if wide else 0.0)
     return gaps

@@ -84,7 +84,6 @@ class Programme(NamedTuple):
 
 
 OPEN = Programme(constant(0.0))
-HOLDS = Programme(constant(math.inf), is_dog=True)
 
 
 def programmes(scenario: Scenario, engaged: tuple[int, ...]) -> list[Programme]:

@@ -14,12 +14,13 @@ from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase, one_case, war
 from vstatics.core.cli.shared.options import command, gathered
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.cli.shared.progress import progress
-from vstatics.core.cli.shared.values import named, pair, value, wrong_use
+from vstatics.core.cli.shared.values import named, value
 from vstatics.core.errors import Problem, listed, of_file, spoken
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers.named.scalars import number
 from vstatics.core.readers.reading import Reading
 from vstatics.synthesis.cli.case_file import case_format, write_case, written_case
+from vstatics.synthesis.cli.values import pair, wrong_use
 from vstatics.synthesis.ratios.fitting import (
     TOLERANCE,
     Fit,

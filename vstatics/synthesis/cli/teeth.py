@@ -10,11 +10,12 @@ from vstatics.core.cli.shared.files import file_name
 from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase, one_case, warnings_of
 from vstatics.core.cli.shared.options import command, gathered
 from vstatics.core.cli.shared.progress import progress
-from vstatics.core.cli.shared.values import named, pair, separated, told, value, wrong_use
+from vstatics.core.cli.shared.values import named, separated, told, value
 from vstatics.core.errors import Problem, listed, of_file, quoted
 from vstatics.core.readers.named.scalars import number
 from vstatics.core.readers.reading import Reading
 from vstatics.synthesis.cli.case_file import case_format, write_case, written_case
+from vstatics.synthesis.cli.values import pair, wrong_use
 from vstatics.synthesis.teeth.finding import FoundTeeth, NoTeethError, doubts_before, find_teeth
 from vstatics.synthesis.teeth.limits import CLEARANCE, TeethLimits
 from vstatics.synthesis.teeth.problem import own_ratios, teeth_problem

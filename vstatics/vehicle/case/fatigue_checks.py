@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import get_args
 
 from vstatics.core.errors import Path, Problem, listed, quoted
@@ -34,10 +34,12 @@ def of_fatigue(case: TransmissionFields) -> Iterator[Problem]:
     """Yield errors in the fatigue strengths of a case."""
     names = [*element_names(case.shift_elements), *mechanism_names(case.mechanisms)]
     names += spring_names(case.springs)
-    yield from _of_members(case)
-    places = {name: number for number, name in enumerate(case.fatigue, 1)}
+    paths: dict[str, Path] = {
+        name: ("fatigue", number) for number, name in enumerate(case.fatigue, 1)
+    }
+    yield from _of_members(case, paths)
     for name, fatigue in Fatigue.of(case).items():
-        path = ("fatigue", places[name])
+        path = paths[name]
         if name not in names:
             hint = nearest(name, names) or f"; components are {listed(names, 12) or 'none'}"
             yield Problem("E880", f"there is no component {quoted(name)}{hint}", path)
@@ -52,10 +54,10 @@ def of_fatigue(case: TransmissionFields) -> Iterator[Problem]:
                 yield from above_0(value, _STRENGTHS[key], (*path, key))
 
 
-def _of_members(case: TransmissionFields) -> Iterator[Problem]:
-    members, places = Members.of(case), {name: n for n, name in enumerate(case.fatigue, 1)}
+def _of_members(case: TransmissionFields, paths: Mapping[str, Path]) -> Iterator[Problem]:
+    members = Members.of(case)
     for name, strength in TorqueStrength.of(case).items():
-        path: Path = ("fatigue", places[name])
+        path = paths[name]
         member, place = (strength.on or name), (*path, "on") if strength.on else path
         yield from members.unknown(member, place)
         yield from members.at_rest(member, place)

@@ -297,10 +297,8 @@ def vehicle_record(case: TransmissionFields) -> dict[str, Any] | None:
     if vehicle is None:
         return None
     record: dict[str, Any] = vehicle._asdict()
-    for name in ("engine", "overrun"):
-        record[name] = [list(point) for point in record[name]]
     if vehicle.rolling_points:
-        record["rolling"] = {"over": "speed", "points": [*map(list, vehicle.rolling_points)]}
+        record["rolling"] = {"over": "speed", "points": vehicle.rolling_points}
     machine = vehicle.machine
     return record | {
         "fuel": {"file": vehicle.fuel} if vehicle.fuel else None,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterable, Iterator
 from itertools import pairwise
 from typing import NamedTuple
@@ -54,10 +55,9 @@ def rainflow(values: Floats) -> list[LoadCycle]:
     >>> [(c.range, c.counted) for c in rainflow(np.array([-2.0, 1, -3, 5, -1, 3, -4, 4, -2]))]
     [(3.0, 0.5), (4.0, 0.5), (4.0, 1.0), (6.0, 0.5), (8.0, 0.5), (8.0, 0.5), (9.0, 0.5)]
     """
-    counts: dict[tuple[float, float], float] = {}
+    counts = defaultdict[tuple[float, float], float](float)
     for first, second, count in _counted(extremes(values).tolist()):
-        key = abs(second - first), (first + second) / 2
-        counts[key] = counts.get(key, 0.0) + count
+        counts[abs(second - first), (first + second) / 2] += count
     return [LoadCycle(*key, count) for key, count in sorted(counts.items())]
 
 

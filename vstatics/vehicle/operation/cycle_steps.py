@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import defaultdict
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import NamedTuple
@@ -77,7 +78,7 @@ class GearChoice(NamedTuple):
 class CycleLosses(NamedTuple):
     """Losses over the steps of a cycle, and torques of engaged shift elements."""
 
-    energies: dict[str, float]
+    energies: defaultdict[str, float]
     """Lost energy by gear set, or by ``drag.NAME``, ``slip.NAME`` or ``gear.NAME``. [J]"""
     outside: dict[str, None]
     """Names of laws that were evaluated outside their points, as keys."""
@@ -90,7 +91,7 @@ class CycleLosses(NamedTuple):
         self.held_torques[rows] = loads.held_torques
         self.outside.update(dict.fromkeys(loads.outside))
         for name, powers in (loads.losses() | loads.other_losses()).items():
-            self.energies[name] = self.energies.get(name, 0.0) + float(powers @ duration)
+            self.energies[name] += float(powers @ duration)
 
 
 class CycleSteps(NamedTuple):
@@ -139,19 +140,17 @@ class CycleSteps(NamedTuple):
         converters, beside = converters_of(case), [beside_engine(case, gear) for gear in case.gears]
         case = bare(case)
         results, added = solved_slips(case)
-        outputs = np.array([case.gear_output(gear) - 1 for gear in case.gears])
-        inputs = np.array([case.gear_input(gear) - 1 for gear in case.gears])
-        indices = np.arange(len(outputs))
+        of_input, of_output = ((np.arange(len(case.gears)), links - 1) for links in ends_of(case))
         with np.errstate(all="ignore"):
-            ratios = results.speeds / results.speeds[indices, outputs][:, None]
-            at_rest = added - ratios * added[indices, outputs][:, None]
-            ratios *= np.sign(ratios[indices, inputs])[:, None]  # makes the engine speed positive
+            ratios = results.speeds / results.speeds[of_output][:, None]
+            at_rest = added - ratios * added[of_output][:, None]
+            ratios *= np.sign(ratios[of_input])[:, None]  # makes the engine speed positive
         wheels = trace.speed / vehicle.radius * vehicle.final_drive
-        engine_ratios = np.abs(ratios[indices, inputs])
+        engine_ratios = np.abs(ratios[of_input])
         for index, converter in converters.items():
             ratios[index] = converter.per_output[2:]
         engine = EngineSpeeds(
-            *(wheels, engine_ratios, at_rest[indices, inputs], vehicle.may_turn, converters)
+            *(wheels, engine_ratios, at_rest[of_input], vehicle.may_turn, converters)
         )
         driving = np.where([not why for why in beside], results.ratio, math.nan)
         gears = _gears(case, trace, choice, engine, driving)
@@ -264,9 +263,9 @@ class CycleSteps(NamedTuple):
     @property
     def output_speeds(self) -> Floats:
         """Output speeds with sign, for travel in the direction of the gear [rad/s]."""
-        links = np.array([self.case.gear_output(gear) - 1 for gear in self.case.gears])
+        _, links = ends_of(self.case)
         output = self.trace.speed / self.vehicle.radius * self.vehicle.final_drive  # magnitude
-        speeds: Floats = output * self.ratios[self.gears, links[self.gears]]
+        speeds: Floats = output * self.ratios[self.gears, links[self.gears] - 1]
         return speeds
 
     def course(self, engine: Floats) -> dict[str, Floats]:
@@ -297,20 +296,20 @@ class CycleSteps(NamedTuple):
 
     def _input_inertia(self, rows: Integers) -> Floats:
         """Return the inertia torques ``-J dw/dt`` of the input link in the steps `rows` [N*m]."""
-        inputs = np.array([self.case.gear_input(gear) for gear in self.case.gears])[self.gears]
-        torques = np.zeros(len(rows))
-        for link in np.unique(inputs[rows]).tolist():
-            here = inputs[rows] == link
-            torques[here] = self._inertia_torque(rows[here], link)
-        return torques
+        inputs, _ = ends_of(self.case)
+        return self._inertia_torque(rows, inputs[self.gears[rows]])
 
-    def _inertia_torque(self, rows: Integers, link: int) -> Floats:
-        """Return the inertia torques ``-J dw/dt`` of a link in the steps `rows` [N*m]."""
+    def _inertia_torque(self, rows: Integers, link: int | Integers) -> Floats:
+        """Return the inertia torques ``-J dw/dt`` in the steps `rows` [N*m].
+
+        `link` is a link, or the link of each step.
+        """
         change = self.trace.acceleration[rows] / self.vehicle.radius * self.vehicle.final_drive
-        inertia = self.case.heavy.get(link, 0.0)
+        inertias = np.zeros(self.case.links + 1)
+        inertias[[*self.case.heavy]] = [*self.case.heavy.values()]
         # a link of unknown speed is free and not accelerated
         ratios = np.nan_to_num(self.ratios[self.gears[rows], link - 1])
-        torque: Floats = -inertia * ratios * change
+        torque: Floats = -inertias[link] * ratios * change
         return torque
 
     def _elsewhere(self, case: Transmission, rows: Integers) -> dict[str, Floats]:
@@ -329,12 +328,10 @@ class CycleSteps(NamedTuple):
 
     def _output_torques(self, case: Transmission, rows: Integers, loads: PointLoads) -> Floats:
         """Return torques of the outputs of a case on their loads in the steps `rows` [N*m]."""
-        torque = loads.taken(loads.results.lossy_output_torque_Nm)
+        _, outputs = ends_of(case)
         # An output cannot have a given torque in a case, so its inertia torque is added here.
-        for number, gear in enumerate(case.gears):
-            added = self._inertia_torque(rows, case.gear_output(gear))
-            torque = np.where(self.gears[rows] == number, torque + added, torque)
-        return torque
+        added = self._inertia_torque(rows, outputs[self.gears[rows]])
+        return loads.taken(loads.results.lossy_output_torque_Nm) + added
 
     @property
     def inertia_energies(self) -> Floats:
@@ -412,8 +409,7 @@ class CycleSteps(NamedTuple):
             return np.zeros(0)
         speeds, torques = self._load_of_wheels(rows, forces)
         case = turned(self.case, self.ratios)
-        further = self._elsewhere(case, rows) | self._speed_ratios(rows) | self._slips(rows)
-        vary = {"load.speed": speeds, "load.torque": torques, **further}
+        vary = {"load.speed": speeds, "load.torque": torques, **self._further(case, rows)}
         here = np.arange(len(rows)), self.gears[rows]
         results = solve(case, vary=vary)
         losses = results.slip_losses_kW[here]
@@ -425,10 +421,13 @@ class CycleSteps(NamedTuple):
 
     def _solved(self, case: Transmission, rows: Integers, points: DutyPoints) -> PointLoads:
         try:
-            further = self._elsewhere(case, rows) | self._speed_ratios(rows) | self._slips(rows)
-            return PointLoads.of(case, points, further)
+            return PointLoads.of(case, points, self._further(case, rows))
         except CaseError as error:
             raise at_rows(error, rows) from None
+
+    def _further(self, case: Transmission, rows: Integers) -> dict[str, Floats]:
+        """Return the values of numbers other than the load in the steps `rows`, by path."""
+        return self._elsewhere(case, rows) | self._speed_ratios(rows) | self._slips(rows)
 
     def _speed_ratios(self, rows: Integers) -> dict[str, Floats]:
         """Return the speed ratios of free converters in the steps `rows`, by path [-].
@@ -556,8 +555,7 @@ class CycleSteps(NamedTuple):
                     lost.outside[f"the loss of gear {gear.name}"] = None
                 brake = brake_torque(gear.loss, *sizes)
                 energy = float((brake * speeds[own]) @ here.trace.duration[own])
-                name = loss_name(gear)
-                lost.energies[name] = lost.energies.get(name, 0.0) + energy
+                lost.energies[loss_name(gear)] += energy
         power = (here.asked_forces - here.forces) * here.trace.speed
         return float(power @ here.trace.duration)
 
@@ -583,6 +581,13 @@ class DrivenSteps(NamedTuple):
     """Engine torques, shape (steps,). [N*m]"""
     limited: Booleans
     """True in steps in which brakes absorb excess drive, or replace missing engine braking."""
+
+
+def ends_of(case: Transmission) -> tuple[Integers, Integers]:
+    """Return the input link and the output link of each gear, each of shape (gears,)."""
+    ends = [(case.gear_input(gear), case.gear_output(gear)) for gear in case.gears]
+    inputs, outputs = np.array(ends).T
+    return inputs, outputs
 
 
 def turned(case: Transmission, ratios: Floats) -> Transmission:

@@ -14,6 +14,7 @@ mechanical power P requires the electric power P/e, or P e if it generates.
 from __future__ import annotations
 
 import math
+from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
@@ -146,7 +147,7 @@ def drive(
         _total(steps.forces * trace.speed * trace.duration),
         _total(steps.inertia_energies),
         brakes,
-        lost.energies,
+        dict(lost.energies),
     )
     full = vehicle.full_torque(speeds) if vehicle.full_load else np.inf
     is_beyond = np.asarray(engine > full + SAME_ENGINE_TORQUE)
@@ -186,7 +187,8 @@ def _losses(driven: DrivenSteps) -> tuple[CycleLosses, float]:
     """Return the losses in a driving cycle, and the energy of the brakes [J]."""
     steps, engine, limited = driven
     is_moving = steps.trace.speed > 0
-    lost = CycleLosses({}, {}, np.zeros((len(engine), len(steps.case.shift_elements))))
+    held = np.zeros((len(engine), len(steps.case.shift_elements)))
+    lost = CycleLosses(defaultdict(float), {}, held)
     brakes = math.fsum(
         steps.add_losses(rows, engine, lost) for rows in _blocks(is_moving & ~limited)
     )
@@ -295,7 +297,7 @@ def _overloads(case: Transmission, steps: CycleSteps, torques: Floats) -> Iterat
         start = steps.trace.table.numbers["time"][row]
         return f"from {start:.6g} s on, gear {case.gears[int(steps.gears[row])].name}"
 
-    yield from overloads_at_points(case, torques, "steps", where)
+    return overloads_at_points(case, torques, "steps", where)
 
 
 @document("vstatics-cycle")

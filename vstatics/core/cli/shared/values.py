@@ -8,14 +8,13 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import TypeVar
 
 import click
 
 from vstatics.core.errors import CaseError, quoted
-from vstatics.core.model.empty import EMPTY
 from vstatics.core.suggestions import why_not_allowed
 
 Value = TypeVar("Value")
@@ -152,29 +151,6 @@ def each(read: Callable[[str], Value]) -> Callable[[Iterable[str]], tuple[Value,
     return lambda texts: tuple(map(told(read), separated(texts)))
 
 
-def pair(text: str, example: str = "-4:-1.5") -> tuple[float, float]:
-    """Parse LOW:HIGH, or a single number for both limits.
-
-    Raises
-    ------
-    ValueError
-
-    Examples
-    --------
-    >>> pair("-4:-1.5"), pair("-2")
-    ((-4.0, -1.5), (-2.0, -2.0))
-    """
-    from vstatics.core.readers.named.arithmetic import slip
-    from vstatics.core.readers.named.scalars import number
-
-    low, colon, high = text.partition(":")
-    try:
-        return number(low), number(high if colon else low)
-    except ValueError:
-        expected = f"expected LOW:HIGH, such as {example}, or one number{slip(text)}"
-        raise ValueError(expected) from None
-
-
 def shown_speeds(text: str) -> tuple[float, float]:
     """Parse a range of speeds, in rpm or with units, and return the limits in rpm.
 
@@ -244,34 +220,6 @@ def named(
     return read_all
 
 
-@contextmanager
-def wrong_use(options: Sequence[str], spelled: Mapping[str, str] = EMPTY) -> Iterator[None]:
-    """Run the block; report problems whose path begins with an option as wrong use of it.
-
-    `spelled` maps names of options in paths to names on the command line, if they differ.
-
-    Raises
-    ------
-    UsageError
-    CaseError
-        If no problem concerns an option.
-    """
-    try:
-        yield
-    except CaseError as error:
-        of_options = [
-            problem for problem in error.problems if problem.path[:1] and problem.path[0] in options
-        ]
-        if not of_options:
-            raise
-        names = [str(problem.path[0]) for problem in of_options]
-        lines = [
-            f"Invalid value for --{spelled.get(name, name)}: {problem.message}"
-            for name, problem in zip(names, of_options, strict=True)
-        ]
-        raise click.UsageError("\n".join(lines)) from None
-
-
 _ITEM = r'\s*(?:"(?P<quoted>(?:[^"]|"")+)"\s*|(?P<name>[^",=][^,=]*))=(?P<value>[^,=]*)'
 """Pattern of NAME=VALUE. A name in double quotes can contain commas."""
 
@@ -292,17 +240,14 @@ def separated(texts: Iterable[str]) -> list[str]:
         while at <= len(text):
             item = re.compile(_ALONE).match(text, at)
             assert item is not None  # noqa: S101 - for mypy: a name can be empty here
-            parts.append(_unquoted(item["quoted"]) or item["name"].strip())
+            parts.append(_name(item))
             at = item.end() + 1
     return parts
 
 
-def _unquoted(quoted: str | None) -> str:
-    """Return a name without double quotes around it.
-
-    A repeated quote within it becomes one quote.
-    """
-    return (quoted or "").replace('""', '"')
+def _name(item: re.Match[str]) -> str:
+    """Return a name without double quotes around it; a repeated quote within becomes one quote."""
+    return (item["quoted"] or "").replace('""', '"') or item["name"].strip()
 
 
 def named_values(text: str, expected: str = "NAME=NUMBER") -> list[tuple[str, str]]:
@@ -327,7 +272,6 @@ def named_values(text: str, expected: str = "NAME=NUMBER") -> list[tuple[str, st
             if pairs and text[at - 2 : at - 1].isdigit() and text[at : at + 1].isdigit():
                 raise ValueError(f"{message} (and with decimal points)")
             raise ValueError(f"{message}; a name with commas in double quotes: '\"a, b\"=0.2'")
-        name = _unquoted(item["quoted"]) or item["name"].strip()
-        pairs.append((name, item["value"].strip()))
+        pairs.append((_name(item), item["value"].strip()))
         at = item.end() + 1
     return pairs

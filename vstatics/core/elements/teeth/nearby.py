@@ -9,6 +9,7 @@ axis of a planet is shifted, so that all gears around the planet change. Modules
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from functools import lru_cache
 from typing import NamedTuple
@@ -188,11 +189,11 @@ def _around(group: PlanetGroup, rim: str) -> list[tuple[int, CentralWheel]]:
 def ratio_powers(group: PlanetGroup, first: CentralWheel, last: CentralWheel) -> dict[Key, int]:
     """Return the exponents of tooth numbers in the ratio of two central gears, without the sign."""
     wheels = list(group.wheels)
-    powers: dict[Key, int] = {wheels.index(first): -1, wheels.index(last): 1}
+    powers = Counter[Key]({wheels.index(first): -1, wheels.index(last): 1})
     rims = _rims_between(group, first.rim, last.rim)
     for driver, driven in zip(rims[::2], rims[1::2], strict=True):
-        powers[driver] = powers.get(driver, 0) + 1
-        powers[driven] = powers.get(driven, 0) - 1
+        powers[driver] += 1
+        powers[driven] -= 1
     return {key: power for key, power in powers.items() if power}
 
 

@@ -10,6 +10,7 @@ searches a grid of torques of both signs for the torques at which the surplus va
 from __future__ import annotations
 
 import math
+from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -146,7 +147,7 @@ def balanced(
 
 def _outside(case: Transmission, balances: Sequence[OpenBalance], results: Results) -> Outside:
     """Return flags of points at which a machine is outside its efficiency map, by link name."""
-    outside: dict[str, Booleans] = {}
+    outside = defaultdict[str, Booleans](lambda: np.zeros_like(results.consistent))
     for balance in balances:
         for link, law in balance.efficiencies:
             if not isinstance(law, Law):
@@ -155,8 +156,7 @@ def _outside(case: Transmission, balances: Sequence[OpenBalance], results: Resul
             speed, torque = balance.machine(results, link, power)
             wrong = outside_map(law, speed, torque, power)
             if wrong.any():
-                none = np.zeros_like(results.consistent)
-                outside.setdefault(case.link_name(link), none)[:, balance.gear] |= wrong
+                outside[case.link_name(link)][:, balance.gear] |= wrong
     return outside
 
 

@@ -12,6 +12,7 @@ solution is accepted only if it is unique.
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from copy import copy
 from typing import Any, NamedTuple
@@ -99,7 +100,9 @@ def follow_laws(case: Transmission, given: Columns, variants: int) -> Followed:
     for where in wrong.values():
         unsettled[where] = NO_EFFICIENCY
     results = _without_values(results, unsettled)
-    return Followed(results, columns, unsettled, _outside(case, laws, sizes), wrong)
+    return Followed(
+        results, columns, unsettled, _outside(case, laws, sizes, unsettled.shape), wrong
+    )
 
 
 def laws_of(case: Transmission) -> Laws:
@@ -234,15 +237,14 @@ def _wrong_efficiencies(
     case: Transmission, laws: Laws, sizes: _Sizes, results: Results, settled: Booleans
 ) -> Outside:
     """Return flags of points where the formula of an efficiency in use is outside (0, 1]."""
-    by_name: dict[str, Booleans] = {}
     settled = settled & results.consistent
+    by_name = defaultdict[str, Booleans](lambda: np.zeros_like(settled))
     for number, law in laws.items():
         if law.text and _is_efficiency(number):
             wrong = ~_are_efficiencies(law.at(*sizes[number])) & settled[:, number.gear]
             wrong &= _is_in_use(case, number, results)
             if wrong.any():
-                none = np.zeros_like(settled)
-                by_name.setdefault(_name(case, number), none)[:, number.gear] |= wrong
+                by_name[_name(case, number)][:, number.gear] |= wrong
     return by_name
 
 
@@ -505,13 +507,12 @@ def _without_values(results: Results, state: Integers) -> Results:
     return results._replace(**changed, consistent=consistent, undecided=undecided)
 
 
-def _outside(case: Transmission, laws: Laws, sizes: _Sizes) -> Outside:
-    outside: dict[str, Booleans] = {}
+def _outside(case: Transmission, laws: Laws, sizes: _Sizes, shape: tuple[int, ...]) -> Outside:
+    outside = defaultdict[str, Booleans](lambda: np.zeros(shape, np.bool_))
     for number, law in laws.items():
         wrong = law.is_outside(*sizes[number])
         if wrong.any():
-            none = np.zeros((len(wrong), len(case.gears)), np.bool_)
-            outside.setdefault(_name(case, number), none)[:, number.gear] |= wrong
+            outside[_name(case, number)][:, number.gear] |= wrong
     return outside
 
 

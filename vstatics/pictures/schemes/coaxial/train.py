@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -122,13 +123,13 @@ class CoaxialTrain:
     @cached_property
     def masks(self) -> dict[int, int]:
         """Sum of the bits of all connections of each link."""
-        masks: dict[int, int] = {}
+        masks = defaultdict[int, int](int, {self.start: 0})
         for edge in self.edges:
             for link in (edge.first, edge.second):
-                masks[link] = masks.get(link, 0) | edge.bit
+                masks[link] |= edge.bit
         for planes, bit in zip(self.sets, self.carrier_bits, strict=True):
-            masks[planes.carrier] = masks.get(planes.carrier, 0) | bit
-        return masks | {self.start: masks.get(self.start, 0)}
+            masks[planes.carrier] |= bit
+        return dict(masks)
 
     @cached_property
     def edges(self) -> list[TrainEdge]:

@@ -14,12 +14,12 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
-from vstatics.core.numerics.compiled import compiled_part, put, shared
 from vstatics.synthesis.boxes.search.engaged import integers
 from vstatics.synthesis.boxes.search.matching import MatchRoom, is_assigned
 from vstatics.synthesis.boxes.search.planes import PlaneRoom, plane_room, planes_leave
 from vstatics.synthesis.boxes.search.ranges import extremes, has_one_sign, reached
 from vstatics.synthesis.boxes.search.set_ratios import Asked
+from vstatics.synthesis.compiled import compiled_part, put, shared
 from vstatics.synthesis.tolerances import CELL_ROUNDING
 
 NARROW_CELL = 1.001

@@ -11,8 +11,8 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Booleans, Integers
-from vstatics.core.numerics.compiled import compiled_part, shared
 from vstatics.synthesis.boxes.search.engaged import Combinations, integers
+from vstatics.synthesis.compiled import compiled_part, shared
 
 
 @shared

@@ -11,12 +11,12 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from vstatics.core.numerics.arrays import Integers
-from vstatics.core.numerics.compiled import compiled, compiled_part, fill, put, shared
 from vstatics.synthesis.boxes.box import SHAFT_ELEMENTS
 from vstatics.synthesis.boxes.search.engaged import Combinations, number_of
 from vstatics.synthesis.boxes.search.joining import NO_END, ONE, SetRoom, choose, join
 from vstatics.synthesis.boxes.search.matching import matched
 from vstatics.synthesis.boxes.search.shifts import shifts_singly
+from vstatics.synthesis.compiled import compiled, compiled_part, fill, put, shared
 
 
 @shared

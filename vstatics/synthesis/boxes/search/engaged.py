@@ -15,8 +15,8 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Floats, Integers
-from vstatics.core.numerics.compiled import compiled, compiled_part, shared
 from vstatics.synthesis.boxes.box import HELD
+from vstatics.synthesis.compiled import compiled, compiled_part, shared
 
 
 @shared

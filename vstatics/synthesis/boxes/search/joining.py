@@ -13,9 +13,9 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Integers
-from vstatics.core.numerics.compiled import compiled_part, fill, shared
 from vstatics.synthesis.boxes.search.engaged import Combinations, integers
 from vstatics.synthesis.boxes.search.matching import MatchRoom, match_room
+from vstatics.synthesis.compiled import compiled_part, fill, shared
 
 ONE = -1
 """Branch that adds a single element: all targets are reached, or only one element can still be

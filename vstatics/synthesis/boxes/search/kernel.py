@@ -6,7 +6,6 @@ import math
 from typing import NamedTuple
 
 from vstatics.core.numerics.arrays import Floats, Integers
-from vstatics.core.numerics.compiled import compiled, compiled_part, put, shared
 from vstatics.synthesis.boxes.search.elements import PortGears, begun, find_ratios
 from vstatics.synthesis.boxes.search.engaged import Combinations, GearSpeeds, number_of
 from vstatics.synthesis.boxes.search.joining import SetRoom
@@ -15,6 +14,7 @@ from vstatics.synthesis.boxes.search.sequences.room import SequenceRoom
 from vstatics.synthesis.boxes.search.sequences.search import sequence_found
 from vstatics.synthesis.boxes.search.set_ratios import Asked
 from vstatics.synthesis.boxes.search.solving import CellRoom, solved
+from vstatics.synthesis.compiled import compiled, compiled_part, put, shared
 from vstatics.synthesis.tolerances import NO_BOX_SPEED, SAME_BOX_RATIO
 
 

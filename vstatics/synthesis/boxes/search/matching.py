@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Integers
-from vstatics.core.numerics.compiled import compiled_part, fill, shared
+from vstatics.synthesis.compiled import compiled_part, fill, shared
 
 
 @shared

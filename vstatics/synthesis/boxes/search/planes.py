@@ -13,9 +13,9 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Floats, Integers
-from vstatics.core.numerics.compiled import compiled_part, fill, shared
 from vstatics.synthesis.boxes.search.engaged import integers
 from vstatics.synthesis.boxes.search.ranges import has_one_sign
+from vstatics.synthesis.compiled import compiled_part, fill, shared
 from vstatics.synthesis.tolerances import LEAST_STIFFNESS, PLANE_ROUNDING
 
 

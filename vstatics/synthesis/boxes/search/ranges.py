@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 
 from vstatics.core.numerics.arrays import Floats
-from vstatics.core.numerics.compiled import compiled_part
+from vstatics.synthesis.compiled import compiled_part
 from vstatics.synthesis.tolerances import INDEPENDENT_RATIO
 
 

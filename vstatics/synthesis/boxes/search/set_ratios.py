@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Floats, Integers
-from vstatics.core.numerics.compiled import compiled_part, fill, put, shared
+from vstatics.synthesis.compiled import compiled_part, fill, put, shared
 from vstatics.synthesis.tolerances import (
     BEYOND_WIDTH,
     FIRST_DAMPING,

@@ -8,9 +8,9 @@ from itertools import pairwise
 import numpy as np
 
 from vstatics.core.numerics.arrays import Integers
-from vstatics.core.numerics.compiled import compiled_part
 from vstatics.synthesis.boxes.search.engaged import Combinations
 from vstatics.synthesis.boxes.search.joining import SetRoom
+from vstatics.synthesis.compiled import compiled_part
 
 
 def neighbours(targets: Sequence[float]) -> Integers:

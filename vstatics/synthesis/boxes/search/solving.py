@@ -13,7 +13,6 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
-from vstatics.core.numerics.compiled import compiled_part, fill, put, shared
 from vstatics.synthesis.boxes.search.cells import (
     RatioCells,
     cells_room,
@@ -28,6 +27,7 @@ from vstatics.synthesis.boxes.search.engaged import Combinations, integers
 from vstatics.synthesis.boxes.search.joining import NO_END
 from vstatics.synthesis.boxes.search.matching import MatchRoom, match_room, matched
 from vstatics.synthesis.boxes.search.set_ratios import Asked, FitRoom, fit_room, fitted_within
+from vstatics.synthesis.compiled import compiled_part, fill, put, shared
 
 SPREADS = np.array([0.5, 0.2, 0.06, 0.02, 0.006, 0.002])
 """Variations of ln(i) in a cell below which fits of the chosen gears are tried, in turn. [-]

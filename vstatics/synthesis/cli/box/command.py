@@ -144,10 +144,10 @@ class BoxSearchEstimate(NamedTuple):
 
 
 def _print_estimate(asked: BoxAsked, to: Destination, jobs: int, *, quiet: bool) -> None:
-    from vstatics.core.numerics.code_cache import CACHE
-    from vstatics.core.numerics.compiled import HAS_COMPILER, WITHOUT_COMPILER
     from vstatics.synthesis.boxes.batches.estimate import box_estimate
     from vstatics.synthesis.boxes.batches.found import prepare
+    from vstatics.synthesis.code_cache import CACHE
+    from vstatics.synthesis.compiled import HAS_COMPILER, WITHOUT_COMPILER
 
     began = time.process_time()
     with progress(None, "compiled", quiet=quiet):

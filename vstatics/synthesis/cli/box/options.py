@@ -15,11 +15,9 @@ from vstatics.core.cli.shared.values import (
     FILE,
     each,
     named,
-    pair,
     separated,
     told,
     value,
-    wrong_use,
     wrong_value,
 )
 from vstatics.core.errors import plural, spoken, typed_number
@@ -35,6 +33,7 @@ from vstatics.synthesis.cli.box.ratios import (
     wanted_tolerances,
 )
 from vstatics.synthesis.cli.box.sequence import ends, gear_counts, wanted_sequence
+from vstatics.synthesis.cli.values import pair, wrong_use
 
 if TYPE_CHECKING:
     from vstatics.synthesis.boxes.choice import BoxFilter

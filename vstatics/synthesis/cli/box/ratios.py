@@ -6,11 +6,12 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
-from vstatics.core.cli.shared.values import named, pair, separated, told, wrong_value
+from vstatics.core.cli.shared.values import named, separated, told, wrong_value
 from vstatics.core.errors import quoted, spoken
 from vstatics.core.readers.named.scalars import number
 from vstatics.core.suggestions import nearest
 from vstatics.synthesis.boxes.box import COARSEST
+from vstatics.synthesis.cli.values import pair
 from vstatics.synthesis.gears.names import in_order, names_of_gears
 
 

@@ -17,8 +17,6 @@ from vstatics.core.jobs.finished_pieces import FinishedPieces
 from vstatics.core.jobs.piece_file import ASSEMBLED
 from vstatics.core.jobs.stopping import StoppedError
 from vstatics.core.jobs.workers import workers
-from vstatics.core.numerics.code_cache import CACHE_TROUBLE
-from vstatics.core.numerics.compiled import HAS_COMPILER, WITHOUT_COMPILER
 from vstatics.synthesis.boxes.batches.cut import cut
 from vstatics.synthesis.boxes.batches.found import prepare
 from vstatics.synthesis.boxes.batches.work import (
@@ -36,6 +34,8 @@ from vstatics.synthesis.boxes.choice import family_count, ranked
 from vstatics.synthesis.boxes.figures.measured import MeasuredBox, measured
 from vstatics.synthesis.cli.box.options import BoxAsked
 from vstatics.synthesis.cli.box.output import FoundBoxes, write_folder
+from vstatics.synthesis.code_cache import CACHE_TROUBLE
+from vstatics.synthesis.compiled import HAS_COMPILER, WITHOUT_COMPILER
 
 NEAREST_SECONDS = 10.0
 """Time limit of the search for the nearest gearbox. It follows a search without result that took no

@@ -5,8 +5,8 @@ from __future__ import annotations
 from functools import partial
 
 from vstatics.core.cli.shared.options import refuse
-from vstatics.core.cli.shared.values import pair
 from vstatics.synthesis.boxes.box import ANY_QUOTIENT, WantedSequence
+from vstatics.synthesis.cli.values import pair
 
 ends = partial(pair, example="1.2:1.8")
 """Parser of two numbers separated by a colon."""

@@ -64,11 +64,11 @@ def draw_link_names(ink: SchemeInk, layout: CoaxialLayout) -> None:
 
 
 def _joints(pen: Pen, lines: Sequence[Segment], points: set[Point]) -> None:
-    branches: dict[Point, int] = {}
-    for first, second in combinations(lines, 2):
-        at = meeting(first, second)
-        if at is not None and (at not in first or at not in second):
-            branches[at] = branches.get(at, 0) + 1
+    branches = dict.fromkeys(
+        at
+        for first, second in combinations(lines, 2)
+        if (at := meeting(first, second)) is not None and not (at in first and at in second)
+    )
     look: Look = {"width": 4.0, "zorder": 6, "solid_capstyle": "round", "snap": False}
     for color, there in ((pen.style.faint, False), (pen.style.ink, True)):
         dots = [(x, y) for x, y in branches if ((x, y) in points) == there]

@@ -12,10 +12,10 @@ from __future__ import annotations
 import math
 
 from vstatics.core.numerics.arrays import Floats
-from vstatics.core.numerics.compiled import compiled_part, fill
 from vstatics.synthesis.boxes.search.ranges import extremes, has_one_sign, reached
 from vstatics.synthesis.boxes.search.sequences.room import ChoiceRoom
 from vstatics.synthesis.boxes.search.set_ratios import Asked
+from vstatics.synthesis.compiled import compiled_part, fill
 
 
 @compiled_part

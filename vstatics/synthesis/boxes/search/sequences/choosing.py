@@ -9,10 +9,10 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from vstatics.core.numerics.compiled import compiled_part
 from vstatics.synthesis.boxes.search.chains import chained
 from vstatics.synthesis.boxes.search.sequences.room import ChoiceRoom, Sequence, SequenceRoom
 from vstatics.synthesis.boxes.search.set_ratios import Asked
+from vstatics.synthesis.compiled import compiled_part
 
 
 class Goal(NamedTuple):

@@ -11,7 +11,6 @@ from __future__ import annotations
 import math
 
 from vstatics.core.numerics.arrays import Floats
-from vstatics.core.numerics.compiled import compiled_part, fill, put
 from vstatics.synthesis.boxes.search.sequences.room import SequenceRoom
 from vstatics.synthesis.boxes.search.set_ratios import (
     FIRST_TURNS,
@@ -25,6 +24,7 @@ from vstatics.synthesis.boxes.search.set_ratios import (
     weigh,
     weighed,
 )
+from vstatics.synthesis.compiled import compiled_part, fill, put
 from vstatics.synthesis.tolerances import (
     BEYOND_WIDTH,
     FIRST_DAMPING,

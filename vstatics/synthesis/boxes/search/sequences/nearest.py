@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 
 from vstatics.core.numerics.arrays import Floats
-from vstatics.core.numerics.compiled import compiled_part, put
 from vstatics.synthesis.boxes.search.sequences.bounds import find_bounds
 from vstatics.synthesis.boxes.search.sequences.choosing import (
     Goal,
@@ -17,6 +16,7 @@ from vstatics.synthesis.boxes.search.sequences.fitting import fitted_choice, squ
 from vstatics.synthesis.boxes.search.sequences.point import find_logs, note
 from vstatics.synthesis.boxes.search.sequences.room import SequenceRoom
 from vstatics.synthesis.boxes.search.set_ratios import Asked
+from vstatics.synthesis.compiled import compiled_part, put
 
 MOST_NEAREST_LOOKS = 20_000
 """Largest number of trial assignments of gear ratios to gears."""

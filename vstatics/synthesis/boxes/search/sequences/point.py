@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 
 from vstatics.core.numerics.arrays import Floats
-from vstatics.core.numerics.compiled import compiled_part, put
 from vstatics.synthesis.boxes.search.sequences.choosing import set_elements
 from vstatics.synthesis.boxes.search.sequences.room import SequenceRoom
 from vstatics.synthesis.boxes.search.set_ratios import Asked, weigh, weighed
+from vstatics.synthesis.compiled import compiled_part, put
 
 
 @compiled_part

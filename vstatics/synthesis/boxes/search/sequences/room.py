@@ -8,13 +8,13 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
-from vstatics.core.numerics.compiled import shared
 from vstatics.synthesis.boxes.box import LARGEST_BOX_RATIO, WantedSequence
 from vstatics.synthesis.boxes.search.chains import ChainRoom, chain_room
 from vstatics.synthesis.boxes.search.engaged import Combinations, integers
 from vstatics.synthesis.boxes.search.joining import NO_END
 from vstatics.synthesis.boxes.search.matching import MatchRoom, match_room
 from vstatics.synthesis.boxes.search.set_ratios import Asked, FitRoom, fit_room
+from vstatics.synthesis.compiled import shared
 from vstatics.synthesis.tolerances import SAME_FITTED_RATIO, TARGET_MARGIN
 
 NARROW_SEQUENCE_CELL = 1.01

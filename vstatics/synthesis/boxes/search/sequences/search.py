@@ -15,7 +15,6 @@ from __future__ import annotations
 import math
 
 from vstatics.core.numerics.arrays import Floats
-from vstatics.core.numerics.compiled import compiled_part, fill, put
 from vstatics.synthesis.boxes.search.cells import change_along
 from vstatics.synthesis.boxes.search.matching import matched
 from vstatics.synthesis.boxes.search.sequences.bounds import find_bounds
@@ -37,6 +36,7 @@ from vstatics.synthesis.boxes.search.sequences.point import (
 )
 from vstatics.synthesis.boxes.search.sequences.room import NARROW_SEQUENCE_CELL, SequenceRoom
 from vstatics.synthesis.boxes.search.set_ratios import Asked
+from vstatics.synthesis.compiled import compiled_part, fill, put
 
 MOST_CELL_LOOKS = 2000
 """Largest number of trial assignments of gear ratios to gears before a cell is halved."""

@@ -18,7 +18,7 @@ WITHOUT_COMPILER = "without the package numba a long search takes ten to a hundr
 """Clause of messages: why a search without Numba is slow."""
 
 if TYPE_CHECKING or HAS_COMPILER:
-    from vstatics.core.numerics.machine_code import compiled, compiled_part, shared
+    from vstatics.synthesis.machine_code import compiled, compiled_part, shared
 else:
     Plain = TypeVar("Plain")
 

@@ -13,13 +13,13 @@ import pytest
 import vstatics
 from tests.chance import count, seeded, some
 from tests.commands import environment
-from vstatics.core.numerics import code_cache
+from vstatics.synthesis import code_cache
 
 PACKAGE = Path(vstatics.__file__).parent
 
 
 def test_the_key_of_machine_code_is_made_of_all_that_is_compiled() -> None:
-    """It holds the files with the words by which `vstatics.core.numerics.code_cache` tells them."""
+    """It holds the files with the words by which `vstatics.synthesis.code_cache` tells them."""
     pattern = re.compile(r"^from vstatics\.([\w.]+)\.tolerances import", re.MULTILINE)
     for file in PACKAGE.rglob("*.py"):
         text = file.read_text()
@@ -32,7 +32,7 @@ def test_the_key_of_machine_code_is_made_of_all_that_is_compiled() -> None:
 
 PUT = """
 import numpy as np
-from vstatics.core.numerics import code_cache, compiled
+from vstatics.synthesis import code_cache, compiled
 
 values, into = np.arange(3.0), np.zeros(3)
 compiled.put(values, into)

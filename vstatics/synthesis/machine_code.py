@@ -32,7 +32,7 @@ from numba.core.pythonapi import NativeValue, unbox
 from numba.core.typed_passes import NativeLowering, NopythonRewrites
 from numba.core.typing.typeof import typeof_impl
 
-from vstatics.core.numerics.code_cache import CACHE, CACHE_TROUBLE, private
+from vstatics.synthesis.code_cache import CACHE, CACHE_TROUBLE, private
 
 Shared = TypeVar("Shared", bound=type)
 Compiled = TypeVar("Compiled", bound=Callable[..., Any])
