@@ -189,3 +189,11 @@ def test_every_loop_between_the_mechanisms_of_one_set_is_marked() -> None:
         flow = only(Transmission(wheels + 1, held, sets, [Gear([1])], entry, output))
         for side in (flow.ideal, flow.lossy):
             assert all(loop.shared for loop in side.loops) if side else True
+
+
+def test_sets_that_share_their_carrier_alone_are_joined_by_a_third() -> None:
+    ends = {"A": (1, 3), "C": (2, 4), "B": (3, 4)}
+    sets = [Mechanism(*two, 5, -2.0, name=name) for name, two in ends.items()]
+    around = tuple(Node("mechanism", number, name) for number, name in enumerate(ends, 1))
+    told = shared(Transmission(5, [], sets, [Gear()]), Loop(around, 1.0))
+    assert told == (CommonLinks("A", "B", ("3", "5")), CommonLinks("B", "C", ("4", "5")))
