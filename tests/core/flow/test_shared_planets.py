@@ -153,6 +153,8 @@ def test_a_set_with_two_rings_is_three_mechanisms_that_share_a_carrier() -> None
     assert Loop((), 1.0, found).note == (
         "may be an artefact of the model: m1 and m2 share l3 and l5, m1 and m3 share l1 and l5"
     )
+    joined_by_m3 = shared(many((1, 3, 5), (2, 4, 5), (3, 4, 5)), around("m1", "m2", "m3"))
+    assert [one[:2] for one in joined_by_m3] == [("m1", "m3"), ("m3", "m2")]
 
 
 def test_loops_are_real_where_no_carrier_can_be_common() -> None:
@@ -189,11 +191,3 @@ def test_every_loop_between_the_mechanisms_of_one_set_is_marked() -> None:
         flow = only(Transmission(wheels + 1, held, sets, [Gear([1])], entry, output))
         for side in (flow.ideal, flow.lossy):
             assert all(loop.shared for loop in side.loops) if side else True
-
-
-def test_sets_that_share_their_carrier_alone_are_joined_by_a_third() -> None:
-    ends = {"A": (1, 3), "C": (2, 4), "B": (3, 4)}
-    sets = [Mechanism(*two, 5, -2.0, name=name) for name, two in ends.items()]
-    around = tuple(Node("mechanism", number, name) for number, name in enumerate(ends, 1))
-    told = shared(Transmission(5, [], sets, [Gear()]), Loop(around, 1.0))
-    assert told == (CommonLinks("A", "B", ("3", "5")), CommonLinks("B", "C", ("4", "5")))
