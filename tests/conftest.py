@@ -1,10 +1,12 @@
 """Options of the test run."""
 
+import contextlib
 import gc
 import os
 import shutil
 import signal
 from collections.abc import Generator, Iterator
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -42,6 +44,19 @@ def pytest_configure(config: pytest.Config) -> None:
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
         signal.signal(signal.SIGINT, signal.default_int_handler)
     gc.disable()
+
+
+def pytest_sessionstart(session: pytest.Session) -> None:
+    """Import other tests first in each process: what one makes of their asserts serves all."""
+    worker = getattr(session.config, "workerinput", None)
+    if worker is None or session.config.args != session.config.getini("testpaths"):
+        return
+    number = int(worker["workerid"].removeprefix("gw"))
+    for path in sorted(filter(is_tested, TESTS.rglob("test_*.py")))[
+        number :: worker["workercount"]
+    ]:
+        with contextlib.suppress(ImportError, pytest.skip.Exception):
+            import_module(".".join(path.relative_to(TESTS.parent).with_suffix("").parts))
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

@@ -159,13 +159,16 @@ def test_clutch_on_a_link_without_inertia_is_a_limit_of_the_shaft() -> None:
     assert motion.energy.heat["C"] == pytest.approx(heat, rel=EXACT)
 
 
-def test_converter_at_equilibrium() -> None:
+def test_converters_at_equilibrium() -> None:
     """M_P = M_engine, K(i) = M_load/M_engine: here K = 2 - i, lambda = (2 - i)/1000."""
-    converter = Converter("TC", 1, 2, ((0.0, 2.0, 2e-3), (1.0, 1.0, 1e-3)))
-    loads = ((1, constant(100)), (2, constant(-150)))
-    motion = run(links(0.05, 0.05), 20.0, {1: 200.0, 2: 50.0}, loads, converters=(converter,))
-    pump = math.sqrt(100 / 1.5e-3)
-    assert motion.speeds[-1] == pytest.approx([pump, pump / 2], rel=1e-7)
+    points = ((0.0, 2.0, 2e-3), (1.0, 1.0, 1e-3))
+    converters = Converter("TC", 1, 2, points), Converter("TD", 3, 4, points)
+    loads = tuple((n, constant(each)) for n, each in enumerate((100, -150, 50, -75), 1))
+    start = {1: 200.0, 2: 50.0, 3: 200.0, 4: 50.0}
+    motion = run(links(0.05, 0.05, 0.05, 0.05), 20.0, start, loads, converters=converters)
+    pumps = [math.sqrt(torque / 1.5e-3) for torque in (100, 50)]
+    assert motion.speeds[-1, ::2] == pytest.approx(pumps, rel=1e-7)
+    assert motion.speeds[-1, 1::2] == pytest.approx([pump / 2 for pump in pumps], rel=1e-7)
     assert motion.torques[-1, motion.devices.index("TC")] == pytest.approx(100, rel=1e-6)
 
 

@@ -153,17 +153,19 @@ def grip_reference(base: float, times: float, damping: float) -> tuple[list[floa
     return met, x[:3]
 
 
-def test_grip_follows_the_load_of_the_wheel() -> None:
+@pytest.mark.parametrize(
+    "given", [(40, 0.2, 8.0), (20, 0.3, 0.0), (20, 0.3, 20.0), (90, -0.3, 0.0)]
+)
+def test_grip_follows_the_load_of_the_wheel(given: tuple[float, float, float]) -> None:
     """(5.8): the limit is ``(G_2 + F_2) grip r`` while the body squats."""
-    for base, times, damping in ((20, 0.3, 0.0), (20, 0.3, 20.0), (40, 0.2, 8.0), (90, -0.3, 0.0)):
-        start = Start(speeds=dict.fromkeys((1, 2, 3), 0.0))
-        engine = (1, Formula("120*(1-exp(-8*t))"))
-        motion = simulate(Scenario(grip(base, times, damping), 1.0, start, torques=(engine,)))
-        met, speeds = grip_reference(base, times, damping)
-        assert met
-        assert [event.time for event in motion.events] == pytest.approx(met, abs=1e-8)
-        assert motion.speeds[-1] == pytest.approx(speeds, abs=1e-6)
-        assert abs(motion.energy.balance) < 1e-6
+    start = Start(speeds=dict.fromkeys((1, 2, 3), 0.0))
+    engine = (1, Formula("120*(1-exp(-8*t))"))
+    motion = simulate(Scenario(grip(*given), 1.0, start, torques=(engine,)))
+    met, speeds = grip_reference(*given)
+    assert met
+    assert [event.time for event in motion.events] == pytest.approx(met, abs=1e-8)
+    assert motion.speeds[-1] == pytest.approx(speeds, abs=1e-6)
+    assert abs(motion.energy.balance) < 1e-6
 
 
 REAR: list[dict[str, Any]] = [

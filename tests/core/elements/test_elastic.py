@@ -11,6 +11,7 @@ from vstatics.core.elements import CentralWheel, Drawing, Element, PlanetMass, t
 from vstatics.core.elements.drawing import drawing_of
 from vstatics.core.elements.element import DrawingFields
 from vstatics.core.elements.kinds import KINDS
+from vstatics.core.elements.planet_bodies import planet_bodies
 from vstatics.core.elements.planet_inertia import planet_inertias
 from vstatics.core.errors import CaseError
 from vstatics.core.model.parts import Damping
@@ -191,3 +192,24 @@ def test_planets_of_a_bevel_set_turn_about_axes_across() -> None:
     [spin] = planet_inertias(DrawingFields(2, [held]))
     assert spin.speed == {1: 1.6}
     assert math.isclose(spin.inertia, 0.002)
+
+
+@pytest.mark.parametrize("held", ["", "sun", "ring", "carrier"])
+def test_inertias_on_links_have_the_energy_of_planets_in_every_motion(held: str) -> None:
+    """By Willis w_s - w_c = -75/30 (w_r - w_c) and w_p - w_c = -30/22 (w_s - w_c)."""
+    moves = {"": (15.5, -2.0), "sun": (0.0, 4.2), "ring": (10.5, 0.0), "carrier": (-5.0, 2.0)}
+    sun, ring = moves[held]
+    carrier = (30 * sun + 75 * ring) / (30 + 75)
+    speeds = {"sun": sun, "ring": ring, "carrier": carrier}
+    links = {name: place * (name != held) for place, name in enumerate(speeds, 1)}
+    masses, teeth = {"planet": PlanetMass(0.002)}, {"sun": 30, "ring": 75, "planet": 22}
+    element = Element("P", "planetary", links, teeth, planets=4, planet_masses=masses)
+    ends = [link for link in links.values() if link]
+    case = transmission(Drawing(3, [element]), gears=[Gear()], input=ends[0], output=ends[-1])
+    [(body, shares)] = planet_bodies(case)
+    by_link = {links[name] - 1: speed for name, speed in speeds.items()}
+    turning = carrier - 30 / 22 * (sun - carrier)
+    found = sum(part * by_link[link] for link, part in body.form.items())
+    assert found == pytest.approx(turning)
+    replaced = sum(share * by_link[link] ** 2 for link, share in shares.items())
+    assert replaced == pytest.approx(4 * 0.002 * turning**2)

@@ -153,6 +153,8 @@ def test_a_set_with_two_rings_is_three_mechanisms_that_share_a_carrier() -> None
     assert Loop((), 1.0, found).note == (
         "may be an artefact of the model: m1 and m2 share l3 and l5, m1 and m3 share l1 and l5"
     )
+    joined_by_m3 = shared(many((1, 3, 5), (2, 4, 5), (3, 4, 5)), around("m1", "m2", "m3"))
+    assert [one[:2] for one in joined_by_m3] == [("m1", "m3"), ("m3", "m2")]
 
 
 def test_loops_are_real_where_no_carrier_can_be_common() -> None:

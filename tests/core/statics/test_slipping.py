@@ -149,14 +149,15 @@ def check_flow(results: Results, lost: Mapping[int, float]) -> None:
     assert of_ports == pytest.approx({n: turn * loss for n, loss in lost.items()}, abs=1e-12)
 
 
-def test_random_trains_with_slipping_elements_against_exact_fractions() -> None:
-    chance, lossy, driving = seeded(54), 0, 0
+@pytest.mark.parametrize("seed", [54, 55, 56])
+def test_random_trains_with_slipping_elements_against_exact_fractions(seed: int) -> None:
+    chance, lossy, driving = seeded(seed), 0, 0
 
     def same(got: Iterable[float], expected: Iterable[Fraction]) -> bool:
         close = pytest.approx(list(map(float, expected)), rel=1e-9, abs=1e-11)
         return bool(list(got) == close)
 
-    for case in (case for _ in range(count(90, 2000)) for case in random_slipping(chance)):
+    for case in (case for _ in range(count(30, 700)) for case in random_slipping(chance)):
         expected, results = by_hand(case), solve(case)
         if expected is None:
             continue
@@ -177,7 +178,7 @@ def test_random_trains_with_slipping_elements_against_exact_fractions() -> None:
             check_flow(results, lost)
             assert results.power_balance == pytest.approx([0], abs=1e-9)
             assert results.efficiency[0] == pytest.approx(float(expected.efficiency or 0), rel=1e-9)
-    assert min(lossy, driving) > 40
+    assert min(lossy, driving) > 12
 
 
 def test_a_slip_of_0_is_as_engaged() -> None:

@@ -62,7 +62,7 @@ def test_sweeps_of_cases_and_scenarios_read_each_number_where_the_document_has_i
             assert varied.written_number(path, None) == number.field.value
 
 
-@settings(phases=[Phase.generate], max_examples=40)
+@settings(phases=[Phase.generate], max_examples=count(14, 120))
 @given(st.data(), transmissions(torsional=True))
 def test_a_path_of_the_page_is_that_of_sweep_solve_and_compare(
     data: st.DataObject, case: Transmission

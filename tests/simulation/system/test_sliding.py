@@ -114,7 +114,7 @@ def test_formulas_in_other_words_and_of_other_links_share_the_mean_of_a_jump() -
     case = "links: [a, b, c]\ninertias: {a: 1, b: 5, c: 1}\n"
     given = """duration: 2
 start: {speeds: {a: 0, b: 0, c: 0}}
-states: {x: {rate: "2*speed('b') < 2*speed('a')"}}
+states: {x: {start: 1, rate: "2*speed('b') < 2*speed('a')"}}
 torques:
   a: ["-100*sign(speed - speed('b'))", 33]
   b: ["20 - 100*(speed >= speed('a'))", "50*(not speed('b') > speed('a'))"]
@@ -122,7 +122,7 @@ torques:
 """
     share = 34 / 115
     speed = 2 * (33 - 100 * share)
-    speeds = [speed, speed, 1 + share]
+    speeds = [speed, speed, 2 + 1 + share]
     assert simulated(given, case).speeds[-1] == pytest.approx(speeds, abs=1e-7)
 
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from tests.chance import count, each_seed, seeded
+from tests.chance import each_seed, seeded
 from tests.simulation.reference import mechanism_column
 from tests.simulation.runs import random_run
 from vstatics import CaseError, Gear, Load, Mechanism, ShiftElement, Transmission, solve
@@ -91,23 +91,23 @@ def equations_of(scenario: Scenario) -> Callable[[float, Floats], Floats]:
     return derivative
 
 
+@each_seed(5, 30)
 @pytest.mark.parametrize("masses", [2, 3])
-def test_random_trains_move_as_a_plain_integrator(masses: int) -> None:
+def test_random_trains_move_as_a_plain_integrator(masses: int, seed: int) -> None:
     """Speeds within 1e-8 of the largest, losses within 1e-6, energy within 1e-9 of the turnover."""
-    for seed in range(count(5, 30)):
-        scenario = some_motion(seeded(100 * masses + seed), masses)
-        motion, links = simulate(scenario), scenario.case.links
-        assert motion.stopped is None
-        state = np.zeros(4 + len(scenario.case.mechanisms))
-        state[:links] = motion.speeds[0]
-        exact: dict[str, Any] = {"method": "DOP853", "rtol": 1e-9, "atol": 1e-8}
-        for span in ((0, 1), (1, 2)):
-            state = solve_ivp(equations_of(scenario), span, state, **exact).y[:, -1]
-        size = np.abs(motion.speeds).max()
-        assert motion.speeds[-1] == pytest.approx(state[:links], abs=1e-8 * size)
-        losses = [*motion.energy.losses.values()]
-        assert losses == pytest.approx(state[4:], abs=1e-6 * max(losses), rel=0)
-        assert abs(motion.energy.balance) <= 1e-9 * (abs(motion.energy.kinetic) + sum(losses))
+    scenario = some_motion(seeded(100 * masses + seed), masses)
+    motion, links = simulate(scenario), scenario.case.links
+    assert motion.stopped is None
+    state = np.zeros(4 + len(scenario.case.mechanisms))
+    state[:links] = motion.speeds[0]
+    exact: dict[str, Any] = {"method": "DOP853", "rtol": 1e-9, "atol": 1e-8}
+    for span in ((0, 1), (1, 2)):
+        state = solve_ivp(equations_of(scenario), span, state, **exact).y[:, -1]
+    size = np.abs(motion.speeds).max()
+    assert motion.speeds[-1] == pytest.approx(state[:links], abs=1e-8 * size)
+    losses = [*motion.energy.losses.values()]
+    assert losses == pytest.approx(state[4:], abs=1e-6 * max(losses), rel=0)
+    assert abs(motion.energy.balance) <= 1e-9 * (abs(motion.energy.kinetic) + sum(losses))
 
 
 def with_efficiencies(scenario: Scenario, given: Callable[[Mechanism], float]) -> Scenario:
@@ -135,26 +135,26 @@ def test_constant_maps_equal_numbers_and_random_boxes_run_to_their_end(seed: int
     assert abs(motion.energy.balance) <= 1e-9 * through
 
 
-def test_a_steady_state_has_the_losses_of_statics() -> None:
+@each_seed(4, 20)
+def test_a_steady_state_has_the_losses_of_statics(seed: int) -> None:
     """After many time constants, the power at a viscous load is the power of `vstatics run`."""
-    for seed in range(count(4, 20)):
-        random = seeded(seed)
-        parts = [
-            Mechanism(1, 2, 3, random.uniform(-3, -1.5), some_efficiency(random)),
-            Mechanism(3, 4, 0, random.uniform(1, 3), some_efficiency(random)),
-        ]
-        brake, torque, inertias = (
-            ShiftElement(2, name="B"),
-            random.uniform(30, 120),
-            {1: 0.1, 4: 0.1},
-        )
-        case = Transmission(4, [brake], parts, [Gear([1])], inertias=inertias, output=4)
-        load = Points((-1e3, 1e3), (2e4, -2e4), "speed")
-        torques = ((1, constant(torque)), (4, load))
-        motion = simulate(Scenario(case, 60.0, Start(speed=20.0, gear="1"), torques=torques))
-        speeds = motion.speeds[-1]
-        [statics] = solve(replace(case, load=Load(speeds[0] / RAD_PER_RPM, torque))).efficiency
-        assert 20 * speeds[3] ** 2 == pytest.approx(statics * torque * speeds[0], rel=1e-9)
+    random = seeded(seed)
+    parts = [
+        Mechanism(1, 2, 3, random.uniform(-3, -1.5), some_efficiency(random)),
+        Mechanism(3, 4, 0, random.uniform(1, 3), some_efficiency(random)),
+    ]
+    brake, torque, inertias = (
+        ShiftElement(2, name="B"),
+        random.uniform(30, 120),
+        {1: 0.1, 4: 0.1},
+    )
+    case = Transmission(4, [brake], parts, [Gear([1])], inertias=inertias, output=4)
+    load = Points((-1e3, 1e3), (2e4, -2e4), "speed")
+    torques = ((1, constant(torque)), (4, load))
+    motion = simulate(Scenario(case, 60.0, Start(speed=20.0, gear="1"), torques=torques))
+    speeds = motion.speeds[-1]
+    [statics] = solve(replace(case, load=Load(speeds[0] / RAD_PER_RPM, torque))).efficiency
+    assert 20 * speeds[3] ** 2 == pytest.approx(statics * torque * speeds[0], rel=1e-9)
 
 
 def train(efficiency: float) -> Transmission:

@@ -50,6 +50,7 @@ WRONG: dict[str, Callable[[Any], Any]] = {
 }
 WISHES = {
     "wanted.ratios: read list [[2.0, -1.0]], expected a list of r": {"ratios": [[2.0, -1.0]]},
+    "wanted.ratios: read list [[0.0, 3.0]], expected a list of ra": {"ratios": [[0.0, 3.0]]},
     "wanted.gears: read list [6], expected two numbers or none": {"gears": [6]},
     "wanted.tolerance: read str 'low', expected a number": {"tolerance": "low"},
 }

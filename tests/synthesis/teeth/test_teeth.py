@@ -52,6 +52,15 @@ def test_the_table_of_simple_sets() -> None:
     assert Counter(row[-1] for row in found) == {3: 437, 4: 593, 5: 183, 6: 220}
 
 
+def test_wheels_of_an_internal_pair_differ_by_eight_teeth_or_more() -> None:
+    pair, teeth = (
+        drawn("internal_pair", ("first", "second"), {"first": 20, "second": 60}),
+        range(17, 41),
+    )
+    found = {row[:2] for row in rows_of(pair, TeethLimits({"all": (17, 40)}))}
+    assert found == {(a, b) for a in teeth for b in teeth if abs(a - b) >= RULES.less}
+
+
 @pytest.mark.slow
 def test_meshed_planets_stepped_planets_and_ravigneaux_sets() -> None:
     """All rows of small ranges: the very ones that plain loops find."""
@@ -186,8 +195,23 @@ def test_ranges_that_keep_all_wishes_from_being_met_together_are_told() -> None:
 
 
 def test_a_set_that_is_given_by_its_ratios_gets_teeth() -> None:
+    """Its efficiency, that of the former ratios, goes with them."""
     case = of_ratios(85 / 31, -85 / 38)
     assert from_dict(mapping(case)) == case
-    best = find_teeth(case, {case.gears[0].name: 85 / 31}).solutions[0]
-    small, ring = (best.teeth["R"][wheel] for wheel in ("small_sun", "ring"))
+    found = find_teeth(case, {case.gears[0].name: 85 / 31})
+    small, ring = (found.solutions[0].teeth["R"][wheel] for wheel in ("small_sun", "ring"))
     assert ring / small == pytest.approx(85 / 31, rel=1e-2)
+    drawing = drawing_of(case_with_teeth(case, found.problem, found.solutions[0]))
+    assert drawing is not None
+    assert drawing.elements[0].efficiency is None
+
+
+def test_a_variator_behind_a_set_that_gets_teeth_keeps_its_speed_ratio() -> None:
+    """The carrier turns at 1/(1 + z_ring/z_sun) of the sun, the output half as fast."""
+    parts = [Mechanism(1, 2, 3, -2.5, name="P"), Mechanism(3, 4, 0, math.nan, kind="variator")]
+    case = Transmission(4, [ShiftElement(2)], parts, [Gear([1], speed_ratios={2: 0.5})])
+    limits = TeethLimits({"sun": (17, 30), "planet": (17, 24), "ring": (40, 80)}, (3, 4))
+    found = find_teeth(case, {"1": 7.2}, limits)
+    teeth = found.solutions[0].teeth["P"]
+    made = case_with_teeth(case, found.problem, found.solutions[0])
+    assert solve(made).ratio == pytest.approx([(1 + teeth["ring"] / teeth["sun"]) / 0.5])

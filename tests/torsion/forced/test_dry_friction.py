@@ -4,6 +4,7 @@ import math
 from pathlib import Path
 
 import numpy as np
+import pytest
 
 from tests.chance import count, generator
 from tests.commands import json_answer, vstatics
@@ -62,10 +63,11 @@ def equivalent(
     return q
 
 
-def test_random_chains_agree_with_an_iteration_of_dampers() -> None:
+@pytest.mark.parametrize("seed", [508, 509, 510])
+def test_random_chains_agree_with_an_iteration_of_dampers(seed: int) -> None:
     """Chains of 2 to 4 masses, friction in one to three springs; sticking ones, too."""
-    chance, compared, stuck = generator(508), 0, 0
-    for _ in range(count(25, 250)):
+    chance, compared, stuck = generator(seed), 0, 0
+    for _ in range(count(9, 90)):
         size = int(chance.integers(2, 5))
         inertias = chance.uniform(0.05, 2, size)
         rates, dampings = chance.uniform(50, 900, size), chance.uniform(0.5, 4, size)
@@ -93,8 +95,8 @@ def test_random_chains_agree_with_an_iteration_of_dampers() -> None:
             stuck += int((np.abs(forms[dry] @ expected) < 1e-8).sum())
             compared += 1
             np.testing.assert_allclose(column, expected, atol=1e-6 * np.abs(expected).max())
-    assert compared >= 100
-    assert stuck > 5
+    assert compared >= 36
+    assert stuck > 1
 
 
 def test_notes_say_how_friction_counts_and_what_is_stuck(folder: Path) -> None:

@@ -223,7 +223,8 @@ def test_a_cycle_that_stands_has_no_consumption() -> None:
     assert math.isnan(found.consumption)
 
 
-def test_cycles_and_their_pictures_need_no_load_of_the_case(tmp_path: Path) -> None:
+@pytest.mark.parametrize("kinds", ["spectrum traction", "sawtooth structure"])
+def test_cycles_and_their_pictures_need_no_load_of_the_case(kinds: str, tmp_path: Path) -> None:
     """From rest to rest without resistance: nothing remains at the wheels."""
     case = tmp_path / "car.yaml"
     text = (
@@ -241,7 +242,7 @@ def test_cycles_and_their_pictures_need_no_load_of_the_case(tmp_path: Path) -> N
         n423 = "gears are calculated at 900 rpm and 50 N*m, the first of these points"
         assert (n423 in duty.err) == (not load)
         pictures = []
-        for kind in ("spectrum", "traction", "sawtooth", "structure"):
+        for kind in kinds.split():
             points = ("--duty", tmp_path / "d.csv") if kind == "spectrum" else ()
             drawn = vstatics("plot", case, "-k", kind, *points, "-o", tmp_path / "p.svg")
             assert drawn.status == 0

@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.chance import generator
+from tests.chance import each_seed, generator
 from tests.commands import CASES, json_answer
 from tests.pictures.drawn import titled
 from tests.vehicle.pictures.cars import CAR, ENGINE, box, marks
@@ -16,22 +16,25 @@ from vstatics.pictures.drawing.style import Style
 SLOPES = [0, 5, 10, 15, 20, 30]
 
 
-def test_random_vehicles_have_the_forces_of_their_closed_form() -> None:
+@each_seed(5)
+def test_random_vehicles_have_the_forces_of_their_closed_form(seed: int) -> None:
     """T i eta i0/r at the largest torque; n r/(i i0) at the last speed of the engine."""
-    chance = generator(31)
-    for _ in range(5):
-        ratios = [*sorted(chance.uniform(0.6, 5.0, 4).tolist(), reverse=True), -3.0]
-        efficiency, torque, last = chance.uniform([0.8, 50, 300], [1.0, 900, 900])
-        car = CAR._replace(engine=[(50.0, torque), (last, torque)], mass=chance.uniform(800, 9000))
-        lines = marks(box(ratios, efficiency, car), "traction", "line")
-        for ratio, line in zip(ratios, (one for one in lines if "gear" in one), strict=True):
-            force = torque * abs(ratio) * efficiency * 4.1 / 0.3
-            assert float(line["largest-force"]) == pytest.approx(force, rel=1e-8)
-            speed = 3.6 * last * 0.3 / abs(ratio) / 4.1
-            assert float(line["largest-speed"]) == pytest.approx(speed, rel=1e-8)
-        [power] = [one for one in lines if one.get("name") == "hyperbola"]
-        assert float(power["power"]) == pytest.approx(torque * last, rel=1e-8)
-    [gear] = lines_drawn(box([2.0], efficiency=1.0), "gear 1")  # which touches the hyperbola
+    chance = generator(31, seed)
+    ratios = [*sorted(chance.uniform(0.6, 5.0, 4).tolist(), reverse=True), -3.0]
+    efficiency, torque, last = chance.uniform([0.8, 50, 300], [1.0, 900, 900])
+    car = CAR._replace(engine=[(50.0, torque), (last, torque)], mass=chance.uniform(800, 9000))
+    lines = marks(box(ratios, efficiency, car), "traction", "line")
+    for ratio, line in zip(ratios, (one for one in lines if "gear" in one), strict=True):
+        force = torque * abs(ratio) * efficiency * 4.1 / 0.3
+        assert float(line["largest-force"]) == pytest.approx(force, rel=1e-8)
+        speed = 3.6 * last * 0.3 / abs(ratio) / 4.1
+        assert float(line["largest-speed"]) == pytest.approx(speed, rel=1e-8)
+    [power] = [one for one in lines if one.get("name") == "hyperbola"]
+    assert float(power["power"]) == pytest.approx(torque * last, rel=1e-8)
+
+
+def test_the_hyperbola_of_the_largest_power_touches_the_curve_of_a_gear() -> None:
+    [gear] = lines_drawn(box([2.0], efficiency=1.0), "gear 1")
     [hyperbola] = lines_drawn(box([2.0], efficiency=1.0), "largest power")
     x, y = gear[-1]
     assert np.interp(x, hyperbola[:, 0], hyperbola[:, 1]) == pytest.approx(y, abs=0.05)
