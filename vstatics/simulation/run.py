@@ -24,7 +24,11 @@ from vstatics.simulation.events.start import (
     with_fixed_ratios,
 )
 from vstatics.simulation.record.asked import rows_of_tables
-from vstatics.simulation.record.dynamic_factors import dynamic_factors, static_torques
+from vstatics.simulation.record.dynamic_factors import (
+    dynamic_factors,
+    missing_static_torques,
+    static_torques,
+)
 from vstatics.simulation.record.motion import Motion
 from vstatics.simulation.record.record import Record
 from vstatics.simulation.scenario.checks import check_scenario
@@ -105,7 +109,8 @@ def simulate(  # noqa: PLR0913 - all but the first by name
             run = begun(scenario, step=step, rtol=rtol, watch=watch, columns=columns)
             motion = _to_its_end(run)
     factors = dynamic_factors(static, motion.peaks)
-    return motion._replace(case=scenario.case, dynamic_factors=factors)
+    messages = (*motion.messages, *missing_static_torques(static))
+    return motion._replace(case=scenario.case, dynamic_factors=factors, messages=messages)
 
 
 def begun(

@@ -56,6 +56,16 @@ def test_the_speeds_of_a_start_need_not_belong_to_a_gear(tmp_path: Path) -> None
         assert motion.dynamic_factors["half"] == pytest.approx(factor, rel=1e-12)
 
 
+def test_a_gear_that_statics_ties_up_has_no_factors_and_a_warning(tmp_path: Path) -> None:
+    file = scenario_of(tmp_path)
+    case = tmp_path / "box.yaml"
+    stop = "springs: {stop: {links: [lay, housing], stiffness: 1}, "
+    case.write_text(case.read_text().replace("springs: {", stop))
+    motion = simulate(load_scenario(file))
+    assert {*motion.dynamic_factors.values()} == {None}
+    assert [message.id for message in motion.messages] == ["W605"]
+
+
 def test_commands_report_factors(tmp_path: Path) -> None:
     file = str(scenario_of(tmp_path))
     answer = json_answer("simulate", file)

@@ -169,6 +169,12 @@ def test_equal_gears_with_long_names_have_a_readable_map() -> None:
     assert any("efficiency = 0.900" in title for title in titles)
 
 
+def test_panels_of_a_narrow_map_stand_below_each_other() -> None:
+    """The full load from 100 to 300 rad/s is as wide as a panel."""
+    limits = of_class(drawn("--limits", "car.yaml", "--width", "85mm"), "limit")
+    assert [np.ptp(numbers(limit)[:, 0]) > 90 for limit in limits] == [True, True]
+
+
 def test_wrong_options_of_maps_are_reported(folder: Path) -> None:
     write(lambda x, y: {"low": x + y}, "others.csv", "a,b")
     write(lambda x, y: {"low": x if y == 100 else ""}, "line.csv")

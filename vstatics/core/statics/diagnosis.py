@@ -540,14 +540,23 @@ def _driving_messages(results: Results, number: int) -> Iterator[Said]:
     case, state = results.case, results.gear_at(number)
     if not state.gear.slipping:
         return
-    columns, drag = state.ideal.variant.columns, torques.NO_DRAG
+    # The sign of a torque behind a converter does not depend on an unknown speed ratio.
+    ratios = [
+        part.points[0][0] if part.kind == "converter" and is_nan(ratio) else ratio
+        for part, ratio in zip(case.mechanisms, state.ideal.variant.ratios, strict=True)
+    ]
+    slips: list[Number] = [
+        state.gear.slip.get(n, 0.0) for n in range(1, len(case.shift_elements) + 1)
+    ]
+    given = state.ideal._replace(speeds=state.ideal.speeds._replace(slips=slips))
+    columns, drag = matrix.columns(case, ratios), torques.NO_DRAG
     if results.locked[number]:
         columns, drag = matrix.columns(case, state.lossy_ratios), state.drag
     solved = torques.solve_torques(case, state.gear, columns, drag)
     pumps = dict.fromkeys(state.gear.pump_torques, 0.0)
     unloaded = torques.solve_torques(case, state.gear._replace(pump_torques=pumps), columns, drag)
-    without_pumps = ideal.driving(state.ideal, columns, unloaded)
-    for element in ideal.driving(state.ideal, columns, solved):
+    without_pumps = ideal.driving(given, columns, unloaded)
+    for element in ideal.driving(given, columns, solved):
         slip = state.gear.slip[element]
         # In a driving cycle the solver's input is the wheels, so slip is relative to their speed.
         given = slip.given if isinstance(slip, OfLoad) else slip

@@ -10,7 +10,7 @@ import numpy as np
 from vstatics.core.errors import CaseError
 from vstatics.core.model.parts import RAD_PER_RPM
 from vstatics.core.statics.matrix import torque_ratio_of
-from vstatics.core.statics.result_arrays import first_rows, row_names
+from vstatics.core.statics.result_arrays import Message, first_rows, row_names
 from vstatics.core.statics.solve import solve
 from vstatics.simulation.record.converters import turbine
 from vstatics.simulation.record.motion import Peak
@@ -72,3 +72,13 @@ def dynamic_factors(
         for name, peak in peaks.items()
         if static
     }
+
+
+def missing_static_torques(static: Mapping[str, float]) -> list[Message]:
+    """Return a warning if statics has no torques.
+
+    >>> missing_static_torques({"C": 50.0})
+    []
+    """
+    text = "statics has no torques for `static`, so there are no dynamic factors"
+    return [Message("W605", text)] if np.isnan([*static.values()]).any() else []

@@ -31,6 +31,8 @@ from vstatics.sweep.pictures.overlays import Overlay, full_load_look, point_look
 
 MAP_SIZE = (300.0, 230.0)
 """Largest width and height of a panel. [pt]"""
+LEAST_MAP_WIDTH = 90.0
+"""Width below which panels do not stand side by side. [pt]"""
 MAPS_SIDE_BY_SIDE = 2
 MAP_SCALE_WIDTH, MAP_SCALE_HEIGHT = 58.0, 44.0
 """Width and height of the scales of a panel. [pt]"""
@@ -103,9 +105,10 @@ def map_pages(
         Text below the title.
     """
     surfaces = sheet.surfaces
-    columns = min(len(surfaces), MAPS_SIDE_BY_SIDE)
-    room = (style.width - MARGIN - sheet.bar_room) / columns
-    wide = min(MAP_SIZE[0], room - MAP_SCALE_WIDTH - MARGIN)
+    room, scales = style.width - MARGIN - sheet.bar_room, MAP_SCALE_WIDTH + MARGIN
+    fitting = max(1, int(room // (LEAST_MAP_WIDTH + scales)))
+    columns = min(len(surfaces), MAPS_SIDE_BY_SIDE, fitting)
+    wide = min(MAP_SIZE[0], room / columns - scales)
     size = wide, wide * MAP_SIZE[1] / MAP_SIZE[0]
     heads = [wrapped(surface.name, wide, bold_width) for surface in surfaces]
     lines = max(map(height, heads)) - height("")

@@ -162,6 +162,9 @@ gears:
     assert point.lossy_output_torque_Nm[0] == pytest.approx(15)
     for outcome, gears in ((results, ["at rest"]), (point, ["behind", "at rest", "braked"])):
         assert [said.gear for said in outcome.messages if said.id == "W431"] == gears
+    driving = solve(loads(text.replace("L: 20", "L: -20"))).messages
+    [said] = [said.text for said in driving if said.gear == "behind"]
+    assert said.endswith("only a slip above 0 is possible")
 
 
 def test_a_given_ratio_that_contradicts_a_slip_has_a_remedy() -> None:

@@ -300,20 +300,20 @@ class _Search:
             efficiencies[number] = np.where(np.isnan(sizes[number][-1]), np.nan, values)
         return results, efficiencies
 
-    def _from(self, end: Any) -> tuple[dict[CaseNumber, Floats], Booleans, Booleans]:
+    def _from(self, end: Any) -> tuple[dict[CaseNumber, Floats], Booleans, Booleans, Booleans]:
         """Iterate to a fixed point from the least, largest or middle efficiencies.
 
         Returns
         -------
-        guess, is_fixed, is_lacking
-            Efficiencies, and flags of shape (points, gears) that mark convergence and missing
-            torques.
+        guess, is_fixed, is_lacking, starts_without
+            Efficiencies, and flags of shape (points, gears) that mark convergence, and missing
+            torques at the end and at the start.
         """
         guess = {
             number: np.full(self.variants, float(end(_ends(law))))
             for number, law in self.laws.items()
         }
-        still, lacking = np.zeros((2, self.variants, len(self.case.gears)), np.bool_)
+        still, lacking, without = np.zeros((3, self.variants, len(self.case.gears)), np.bool_)
         before = guess
         for step in range(MOST_FIXED_POINT_STEPS + MOST_EXTRAPOLATED_STEPS):
             _, efficiencies = self._tried(guess)
@@ -331,18 +331,20 @@ class _Search:
                     following = np.where(moved & np.isfinite(limit), limit, following)
                 guess[number] = following
             before = latest
+            without |= lacking & (step == 0)
             if still.all():
                 break
-        return guess, still & ~lacking, lacking
+        return guess, still & ~lacking, lacking, without
 
     def solved(self) -> tuple[Results, dict[CaseNumber, Floats], Integers]:
         """Return results, all numbers, and the state of each gear (0 for a unique solution)."""
         several = any(len(numbers) > 1 for numbers in self.of_gear.values())
         starts = [self._from(end) for end in (min, max, *[_middle] * several)]
-        best, still, lacking = starts[0]
+        best, still, lacking, without = starts[0]
         state = np.where(still, 0, NONE).astype(np.int8)
-        for numbers, stands, lacks in starts[1:]:
+        for numbers, stands, lacks, starts_without in starts[1:]:
             lacking &= lacks
+            without &= starts_without
             for number in self.laws:
                 gear = number.gear or 0
                 apart = np.abs(best[number] - numbers[number]) > SAME_SOLUTION
@@ -352,7 +354,8 @@ class _Search:
             still = still | stands
         self._scan(best, state)
         for gear, of_gear in self.of_gear.items():
-            rows = np.flatnonzero(state[:, gear] == NONE)
+            # Without torques at all starts, each trial would need a long search for power signs.
+            rows = np.flatnonzero((state[:, gear] == NONE) & ~without[:, gear])
             if rows.size and len({number.owner for number in of_gear}) > 1:
                 self._part(rows).search_in_turn(gear, rows, best, state)
         state[lacking & (state == NONE)] = 0  # missing torques are reported elsewhere
