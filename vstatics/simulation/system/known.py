@@ -23,6 +23,7 @@ class KnownMotion(Protocol):
     states: States
     motions: int
     twists: slice
+    angles: slice
     values: slice
     works: slice
     slipped: slice
