@@ -200,6 +200,14 @@ class EventRun:
             self.left = [*self.left, before]
         self.before = turned(before, event.watches)
         self.met = [watch.of for watch in event.watches if watch.kind == "slip"]
+        if self.slides and self.slides_from == event.time:
+            # While the motion switched back and forth, contacts at rest began to slip.
+            near, self.left = _FAR_FROM_JUMP * STANDING * self.scales.speed, []
+            self.met += [
+                index
+                for index, contact in enumerate(self.system.contacts)
+                if not contact.switch and abs(float(contact.row @ self.at.speeds)) <= near
+            ]
         self.at_limit = [watch.of for watch in event.watches if watch.kind == "hold"]
 
     def _settled(self) -> Selected:

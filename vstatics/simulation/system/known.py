@@ -22,6 +22,7 @@ class KnownMotion(Protocol):
     ports: Ports
     states: States
     motions: int
+    size: int
     twists: slice
     angles: slice
     values: slice

@@ -55,15 +55,20 @@ class Sliding:
             for slide in self.slides
         ]
         self.changes = [_change(system, slide) for slide in self.slides]
-        known = {*range(equations.layout.seen_values + len(system.scenario.states))}
+        known = {*range(equations.layout.seen_shares)}
         known -= {*np.flatnonzero(np.abs(equations.structure.light_rates).sum(axis=1)).tolist()}
         known -= {
             equations.layout.ports + index for index in np.flatnonzero(~equations.ports.bends)
         }
-        self.is_known = all(self.changes) and all(
-            known.issuperset(look.places) for look in self.looks
+        self.unknown = np.array(
+            [
+                change is None or not known.issuperset(look.places)
+                for change, look in zip(self.changes, self.looks, strict=True)
+            ]
         )
-        """True if the rates of all compared quantities are known."""
+        """Flags of jumps whose dg/dt is a difference quotient."""
+        self.moves_all = not equations.light and bool(equations.ports.bends.all())
+        """True if the derivatives of all states are known."""
         self.slow = np.zeros(len(self.slides), dtype=bool)
         """Flags of jumps with a dg/dt that does not depend on shares."""
         self.last: tuple[Floats, ...] = ()
@@ -77,7 +82,7 @@ class Sliding:
         if self.last and all(map(np.array_equal, known, self.last)):
             return self.last[-1]
         shares = np.zeros((len(self.slides), len(times)))
-        if not self.is_known or (self.slow.any() and self.equations.light):
+        if (self.unknown | self.slow).any() and not self.moves_all:
             return shares * np.nan
         slopes = self.slopes
         for number in range(_NEWTON_ROUNDS):
@@ -85,7 +90,7 @@ class Sliding:
             if slopes is None or number % _SAME_SLOPES == _SAME_SLOPES - 1:
                 moved = (shares + unit[:, None] for unit in np.eye(len(shares)))
                 slopes = np.array([self._left(*known, near) - left for near in moved])
-                slow = ~slopes.any(axis=(0, 2))
+                slow = np.all(slopes == 0, axis=(0, 2))
                 if slow.any() and not self.slow.any():
                     self._slow_down(slow, known)
                     return self.at(times, states, rates)
@@ -127,16 +132,21 @@ class Sliding:
         """Return the remainders of the equations of the shares, shape (shares, times)."""
         apart, speeds, moving = self._moving(times, states, rates, shares)
         left = speeds + self.back * apart
-        if self.slow.any():
-            equations, step = self.equations, SIGHT * self.equations.system.scenario.span
-            turning = equations.structure.rates @ moving[: equations.motions]
-            later, earlier = (
-                self._moving(times + h, states + h * moving, rates + h * turning, shares)[1]
-                for h in (step, -step)
-            )
-            pull = (later - earlier) / (2 * step) + self.back * (speeds + left)
-            left = np.where(self.slow[:, None], pull, left)
-        return left
+        if not (self.unknown | self.slow).any():
+            return left
+        equations, step = self.equations, SIGHT * self.equations.system.scenario.span
+        turning = equations.structure.rates @ moving[: equations.motions]
+        later, earlier = (
+            self._moving(times + h, states + h * moving, rates + h * turning, shares)
+            for h in (step, -step)
+        )
+        change, pull = (
+            (after - before) / (2 * step)
+            for after, before in zip(later[:2], earlier[:2], strict=True)
+        )
+        left = np.where(self.unknown[:, None], change + self.back * apart, left)
+        pull += self.back * (speeds + left)
+        return np.where(self.slow[:, None], pull, left)
 
     def _moving(
         self, times: Floats, states: Floats, rates: Floats, shares: Floats
@@ -145,14 +155,17 @@ class Sliding:
         equations = self.equations
         torques = equations.torques_with(times, states, rates, shares)
         seen = equations.seen_with(times, states, rates, torques, shares)
-        derivative = np.zeros_like(states)
+        change = np.zeros((equations.size, len(times)))
+        change[equations.works] = torques * rates
+        derivative = change[: len(states)]
         derivative[: equations.motions] = equations.structure.accelerations @ torques
         derivative[equations.twists] = rates[equations.layout.spring_ports]
         turned = equations.speeds_at(times, states)[list(equations.layout.angles)]
         derivative[equations.angles] = turned
         if equations.system.scenario.states:
-            change = equations.changes.along(times, seen)
-            derivative[equations.values][: len(change)] = change
+            of_states = equations.changes.along(times, seen)
+            derivative[equations.values][: len(of_states)] = of_states
+        equations.changes.warm(derivative[equations.values], states, change)
         moving = np.zeros_like(seen)
         inner = derivative[equations.motions : equations.values.stop]
         moving[: equations.layout.ports] = (
@@ -162,7 +175,9 @@ class Sliding:
         inside = equations.ports.inside(times)
         return (
             np.array([look.along(inside, seen) for look in self.looks]),
-            np.array([change(inside, seen, moving) for change in self.changes if change]),
+            np.array(
+                [change(inside, seen, moving) if change else 0.0 * times for change in self.changes]
+            ),
             derivative,
         )
 
