@@ -69,6 +69,8 @@ _MOST_LARGER = 8
 """Largest number of attempts with explicit steps, each with a larger scale of control values."""
 _FAR_FROM_JUMP = 1e3
 """Distance from a jump beyond which a motion does not slide along it, relative to `Slide.near`."""
+_MOST_SWITCHES = 500
+"""Number of arrivals at a jump, faster and faster, above which a run stops."""
 _PATIENCE = 500
 """Number of events between checks of progress."""
 _MOST_STEPS_AT_ONCE = 1000
@@ -198,6 +200,14 @@ class EventRun:
             self.left = [*self.left, before]
         self.before = turned(before, event.watches)
         self.met = [watch.of for watch in event.watches if watch.kind == "slip"]
+        if self.slides and self.slides_from == event.time:
+            # While the motion switched back and forth, contacts at rest began to slip.
+            near, self.left = _FAR_FROM_JUMP * STANDING * self.scales.speed, []
+            self.met += [
+                index
+                for index, contact in enumerate(self.system.contacts)
+                if not contact.switch and abs(float(contact.row @ self.at.speeds)) <= near
+            ]
         self.at_limit = [watch.of for watch in event.watches if watch.kind == "hold"]
 
     def _settled(self) -> Selected:
@@ -295,19 +305,22 @@ class EventRun:
                 share = self.slides[place].share
                 self._slide([near for near in self.slides if self.slides[near].share != share])
                 return
-            if self.meetings.switches(place, judged):
+            hastens = place not in self.smooth and self.meetings.hastens(
+                place, event.time, self.until
+            )
+            if self.meetings.switches(place, judged, hastens=hastens):
                 self.smooth.discard(place)
                 latest = self.meetings.latest(event.time)
                 watched = dict(self.watched)
                 met = [
                     near
-                    for near in latest
+                    for near in dict.fromkeys([place, *latest])
                     if near in watched and self.corners[near.corner].jumps[near.number]
                 ]
                 self._slide([*self.slides, *met])
                 self.slides_from = event.time
                 return
-            if place not in self.smooth and self.meetings.hastens(place, event.time, self.until):
+            if hastens and self.meetings.counts[place] > _MOST_SWITCHES:
                 why = "faster and faster, so the run does not reach its end"
                 raise self._endless(place, event.time, why)
 

@@ -14,8 +14,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from tests.chance import seeded, some
-from tests.simulation.control.written import simulated, written
-from vstatics.simulation import simulate
+from tests.simulation.control.written import simulated
 
 LINKS = "links: [a, b]\ninertias: {a: 1, b: 5}\n"
 CLUTCH = LINKS + "shift_elements: {C: {links: [a, b]}}\n"
@@ -171,6 +170,17 @@ CASES: list[tuple[str, Smooth, list[float]]] = [
         ],
         [20.0, 20.0],
     ),
+    (  # the friction of a ends while the motion slides
+        """torques:
+  a: [{resistance: 5}, "-2.7 - 115*(speed('a') - speed('b') > 20)"]
+  b: "115*(speed('a') - speed('b') > 20) - 9"
+""",
+        lambda _, y, sign: [
+            -2.7 - 5 * sign(y[0]) - 57.5 * (1 + sign(y[0] - y[1] - 20)),
+            (57.5 * (1 + sign(y[0] - y[1] - 20)) - 9) / 5,
+        ],
+        [0.0, -18.5],
+    ),
     (
         """torques:
   a:
@@ -243,13 +253,58 @@ torques: {{a: "-40*sign(2*angle - 1)", b: 22}}
     assert motion.speeds[-1] @ [1, 5] == pytest.approx(momentum, abs=1e-3)
 
 
-def test_a_motion_that_would_slide_along_a_jump_over_an_acceleration_is_reported() -> None:
-    """The program does not know the rate of an acceleration."""
-    rate = "5 - 9*(acceleration('a') > 2) - 20*x"
-    given = f'duration: 1\nstart: {{speeds: {{a: 0}}}}\nstates: {{x: {{rate: "{rate}"}}}}\n'
-    stopped = simulate(written(f"{given}torques: {{a: 100*x}}\n", "inertias: {a: 1}\n")).stopped
-    assert stopped is not None
-    assert (stopped.id, stopped.path) == ("E601", ("states", "x", "rate"))
+HOT = "friction: {radius: 1, area: 1, surfaces: 1, coefficient: 1, heat_capacity: 20, cooling: 20}"
+QUICK: list[tuple[str, str, Any, list[float]]] = [
+    (
+        "states: {x: {rate: \"300 - 400*(acceleration('a') > 20)\"}}\ntorques: {a: x}\n",
+        CLUTCH,
+        lambda t, _: [min(300 * t, 20), 0],
+        [0.0, 0.0],
+    ),
+    (
+        "states: {x: {rate: \"100 - 300*(torque('C') > 40)\"}}\n"
+        "controls: {C: x}\ntorques: {a: 50}\n",
+        CLUTCH,
+        lambda t, _: [50 - min(100 * t, 40), min(100 * t, 40) / 5],
+        [100.0, 0.0],
+    ),
+    (
+        "controls: {C: \"40*(temperature('C') < 40)\"}\ntorques: {a: 60}\n",
+        CLUTCH.replace("[a, b]}", f"[a, b], {HOT}}}"),
+        lambda _, y: [60 - (held := 40 if y[2] < 40 else 800 / (y[0] - y[1])), held / 5,
+                      (held * (y[0] - y[1]) - 20 * y[2]) / 20],
+        [50.0, 0.0, 0.0],
+    ),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("given", "case", "change", "begin"), QUICK)
+def test_a_motion_slides_along_jumps_over_accelerations_torques_and_temperatures(
+    given: str, case: str, change: Any, begin: list[float]
+) -> None:
+    """References: 20 rad/s^2, 40 N*m and 800 W are held from the first jump on."""
+    start = f"duration: 0.8\nstart: {{speeds: {{a: {begin[0]}, b: 0}}}}\n"
+    exact = solve_ivp(change, (0, 0.8), begin, rtol=1e-9, max_step=1e-3).y[:2, -1]
+    assert simulated(start + given, case).speeds[-1] == pytest.approx(exact, abs=1e-3)
+
+
+SPIRALS = [
+    (
+        "duration: 1\nstates: {x: {rate: \"(300*(slip('C') > 20) - x)/0.02\"}}\n"
+        "controls: {C: x}\ntorques: {a: 50}\n",
+        [250 / 6, 250 / 6 - 20],
+    ),
+    ('duration: 8\ntorques: {a: "10 - 9*speed - 20*(sin(2*angle) > 0)"}\n', [0.0, 0.0]),
+]
+
+
+@pytest.mark.parametrize(("given", "speeds"), SPIRALS)
+def test_a_motion_that_switches_faster_and_faster_comes_to_rest_on_the_jump(
+    given: str, speeds: list[float]
+) -> None:
+    """A relay behind a lag holds a slip of 20 rad/s; a damped motion bounces against a wall."""
+    motion = simulated(f"{given}start: {{speeds: {{a: 100, b: 0}}}}\n", CLUTCH)
+    assert motion.speeds[-1] == pytest.approx(speeds, abs=1e-4)
 
 
 @pytest.mark.parametrize(

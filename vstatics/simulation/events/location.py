@@ -18,6 +18,8 @@ from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.system.matrices import SIGNS
 from vstatics.simulation.tolerances import (
     AHEAD,
+    EQUAL_SIDES,
+    EXACT_SIDES,
     LARGEST_NUMBER,
     NO_MARGIN,
     NOT_ZERO,
@@ -161,6 +163,9 @@ class Finder:
         )
         """Flags of margins that can become negative and rise again between two instants."""
         self.follows = bool(self.following.any())
+        corners = any(watch.kind == "corner" for watch in margins.watches)
+        self.jumps = corners or margins.sees
+        """True if torques and their limits can jump, because formulas read the motion."""
         system = self.equations.system
         self.by_formula = [
             (contact.name, contact.programme.given)
@@ -194,7 +199,10 @@ class Finder:
         if self.follows:
             sizes = np.abs(later).max(axis=1, initial=0.0)
             seen = self.following & np.isfinite(sizes)
-            self.noise = np.where(seen, np.maximum(self.least, step.accuracy * sizes), self.least)
+            # Numbers count as equal at an event of other numbers just before their own.
+            equal = EQUAL_SIDES / EXACT_SIDES * self.least
+            begun = np.fmax(np.fmin(-2 * margins[:, 0], equal), step.accuracy * sizes)
+            self.noise = np.where(seen, np.maximum(self.least, begun), self.least)
         ends = np.flatnonzero((later < -self.noise[:, None]).any(axis=0))
         first = int(ends[0]) if len(ends) else len(step.times) - 1
         dip = self._dip(step, margins, first)
@@ -333,7 +341,7 @@ class Finder:
         if values[-1] >= 0:
             return last
         kind = self.margins.watches[index].kind
-        jumps = self.margins.sees and kind in ("hold", "limit", "grip")  # a formula can jump
+        jumps = self.jumps and kind in ("hold", "limit", "grip")
         if not jumps and kind not in ("split", *FOLLOWING):  # smooth, so a polynomial fits
             powers: list[float] = (_TO_POWERS @ values).tolist()
 

@@ -21,7 +21,7 @@ _FIRST_DOUBLING = 3
 """Number of such periods left out at first, because the first arrivals are irregular."""
 _LONGER = 1.2
 """Ratio of durations up to which a period counts as no longer than the period before."""
-_MOST_MEETINGS = 1e5
+_MOST_MEETINGS = 1e3
 """Number of arrivals at a jump above which a run would take too long."""
 
 
@@ -47,6 +47,8 @@ class CornerMeetings:
         self.span = span
         self.times: dict[CornerPlace, deque[float]] = {}
         self.counts: Counter[CornerPlace] = Counter()
+        self.swings: dict[CornerPlace, float] = {}
+        """Swings about jumps during the first arrivals, in units of the compared numbers."""
         self.doublings: dict[CornerPlace, list[float]] = {}
         """Times of the arrivals with the numbers 1, 2, 4, 8, ... [s]"""
 
@@ -87,7 +89,7 @@ class CornerMeetings:
         times = [*self.times.get(place, ())][-_PASSED:]
         return len(times) == _PASSED and time - times[0] <= _PASSED * AHEAD * self.span
 
-    def switches(self, place: CornerPlace, judged: Awaited) -> bool:
+    def switches(self, place: CornerPlace, judged: Awaited, *, hastens: bool) -> bool:
         """Return whether both sides of a jump drive the motion back to the jump again and again.
 
         Parameters
@@ -95,6 +97,8 @@ class CornerMeetings:
         place : CornerPlace
         judged : Awaited
             Latest state of the comparison.
+        hastens : bool
+            True if the motion reaches the jump faster and faster.
         """
         times = self.times[place]
         length = times[-1] - times[0]
@@ -102,4 +106,7 @@ class CornerMeetings:
             return False
         swing = judged.change * length / (_SWITCHES - 1) / (AHEAD * self.span)
         quick = length <= NO_PROGRESS * self.span
+        first = self.swings.setdefault(place, swing)
+        if hastens and swing <= SLIDING * max(first, judged.size):
+            return True
         return swing <= (SLIDING if quick else FINE_SWING) * judged.size

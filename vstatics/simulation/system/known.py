@@ -22,7 +22,9 @@ class KnownMotion(Protocol):
     ports: Ports
     states: States
     motions: int
+    size: int
     twists: slice
+    angles: slice
     values: slice
     works: slice
     slipped: slice

@@ -1,8 +1,9 @@
 """Shares that keep a motion on the jumps of formulas along which it slides.
 
 Let g be the difference of the terms that a formula compares. The shares s of both sides follow from
-``dg/dt = -k g``: the motion stays on the jump, and rounding errors of g decay. Torques and rates of
-states are linear in each share, so Newton's method converges in few steps.
+``dg/dt = -k g``: the motion stays on the jump, and rounding errors of g decay. If dg/dt does not
+depend on shares, such as behind a lag, they follow from ``d2g/dt2 = -2 k dg/dt - k^2 g``. Torques
+and rates of states are linear in each share, so Newton's method converges in few steps.
 """
 
 from __future__ import annotations
@@ -11,14 +12,14 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from vstatics.core.numerics.arrays import Floats, largest
+from vstatics.core.numerics.arrays import Booleans, Floats, largest
 from vstatics.core.readers.expressions.operands import TableName
 from vstatics.simulation.scenario.formula_code import Seen, seen_in
 from vstatics.simulation.system.known import KnownMotion
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.system.shares import NOW, JumpPlace, Slide, total_slope
 from vstatics.simulation.system.sight import Compared, looking, place_of
-from vstatics.simulation.tolerances import PROPORTIONAL, ROUNDED_SHARE
+from vstatics.simulation.tolerances import NOT_ZERO, PROPORTIONAL, ROUNDED_SHARE, SIGHT
 
 _RETURN = 1e3
 """Rate at which a distance from the jump decays, times the duration."""
@@ -26,6 +27,8 @@ _NEWTON_ROUNDS = 12
 """Largest number of Newton steps."""
 _SAME_SLOPES = 4
 """Number of Newton steps with the same derivatives."""
+_CALM = 0.1
+"""Part of the second derivative of g on a side of the jump that can slow the motion down."""
 _SAMPLES = 6
 """Number of samples in a comparison of two differences."""
 
@@ -52,15 +55,22 @@ class Sliding:
             for slide in self.slides
         ]
         self.changes = [_change(system, slide) for slide in self.slides]
-        known = {*range(equations.layout.seen_values + len(system.scenario.states))}
+        known = {*range(equations.layout.seen_shares)}
         known -= {*np.flatnonzero(np.abs(equations.structure.light_rates).sum(axis=1)).tolist()}
         known -= {
             equations.layout.ports + index for index in np.flatnonzero(~equations.ports.bends)
         }
-        self.is_known = all(self.changes) and all(
-            known.issuperset(look.places) for look in self.looks
+        self.unknown = np.array(
+            [
+                change is None or not known.issuperset(look.places)
+                for change, look in zip(self.changes, self.looks, strict=True)
+            ]
         )
-        """True if the rates of all compared quantities are known."""
+        """Flags of jumps whose dg/dt is a difference quotient."""
+        self.moves_all = not equations.light and bool(equations.ports.bends.all())
+        """True if the derivatives of all states are known."""
+        self.slow = np.zeros(len(self.slides), dtype=bool)
+        """Flags of jumps with a dg/dt that does not depend on shares."""
         self.last: tuple[Floats, ...] = ()
         """Latest arguments and result of `at`, which is often needed again."""
         self.slopes: Floats | None = None
@@ -72,7 +82,7 @@ class Sliding:
         if self.last and all(map(np.array_equal, known, self.last)):
             return self.last[-1]
         shares = np.zeros((len(self.slides), len(times)))
-        if not self.is_known:
+        if (self.unknown | self.slow).any() and not self.moves_all:
             return shares * np.nan
         slopes = self.slopes
         for number in range(_NEWTON_ROUNDS):
@@ -80,6 +90,10 @@ class Sliding:
             if slopes is None or number % _SAME_SLOPES == _SAME_SLOPES - 1:
                 moved = (shares + unit[:, None] for unit in np.eye(len(shares)))
                 slopes = np.array([self._left(*known, near) - left for near in moved])
+                slow = np.all(slopes == 0, axis=(0, 2))
+                if slow.any() and not self.slow.any():
+                    self._slow_down(slow, known)
+                    return self.at(times, states, rates)
             try:
                 by_time = np.linalg.solve(slopes.transpose(2, 1, 0), left.T[..., None])
             except np.linalg.LinAlgError:
@@ -105,29 +119,66 @@ class Sliding:
         sides = ((acting(-unit), acting(unit)) for unit in np.eye(len(self.slides)))
         return [(above[0] - below[0], above[1] - below[1]) for below, above in sides]
 
+    def _slow_down(self, slow: Booleans, known: tuple[Floats, Floats, Floats]) -> None:
+        """Let shares depend on the second derivatives of g, and k on their size."""
+        self.slow = slow
+        still = np.zeros((len(slow), len(known[0])))
+        _, speeds, _ = self._moving(*known, still)
+        push = self._left(*known, still + 1) - self._left(*known, still)
+        fastest = _CALM * np.abs(push[slow]) / np.maximum(np.abs(speeds[slow]), NOT_ZERO)
+        self.back = min(self.back, float(fastest.min()))
+
     def _left(self, times: Floats, states: Floats, rates: Floats, shares: Floats) -> Floats:
-        """Return ``dg/dt + k g`` for given shares, shape (shares, times)."""
+        """Return the remainders of the equations of the shares, shape (shares, times)."""
+        apart, speeds, moving = self._moving(times, states, rates, shares)
+        left = speeds + self.back * apart
+        if not (self.unknown | self.slow).any():
+            return left
+        equations, step = self.equations, SIGHT * self.equations.system.scenario.span
+        turning = equations.structure.rates @ moving[: equations.motions]
+        later, earlier = (
+            self._moving(times + h, states + h * moving, rates + h * turning, shares)
+            for h in (step, -step)
+        )
+        change, pull = (
+            (after - before) / (2 * step)
+            for after, before in zip(later[:2], earlier[:2], strict=True)
+        )
+        left = np.where(self.unknown[:, None], change + self.back * apart, left)
+        pull += self.back * (speeds + left)
+        return np.where(self.slow[:, None], pull, left)
+
+    def _moving(
+        self, times: Floats, states: Floats, rates: Floats, shares: Floats
+    ) -> tuple[Floats, Floats, Floats]:
+        """Return g and dg/dt, shape (shares, times), and the derivatives of states."""
         equations = self.equations
         torques = equations.torques_with(times, states, rates, shares)
         seen = equations.seen_with(times, states, rates, torques, shares)
-        turning = equations.structure.accelerations @ torques
-        moving = np.zeros_like(seen)
-        layout = equations.layout
-        moving[: layout.ports] = equations.structure.rates @ turning
-        moving[layout.ports : layout.seen_angles] = rates[layout.spring_ports]
-        moving[layout.seen_angles : layout.seen_values] = equations.speeds_at(times, states)[
-            list(layout.angles)
-        ]
+        change = np.zeros((equations.size, len(times)))
+        change[equations.works] = torques * rates
+        derivative = change[: len(states)]
+        derivative[: equations.motions] = equations.structure.accelerations @ torques
+        derivative[equations.twists] = rates[equations.layout.spring_ports]
+        turned = equations.speeds_at(times, states)[list(equations.layout.angles)]
+        derivative[equations.angles] = turned
         if equations.system.scenario.states:
-            change = equations.changes.along(times, seen)
-            moving[layout.seen_values : layout.seen_values + len(change)] = change
+            of_states = equations.changes.along(times, seen)
+            derivative[equations.values][: len(of_states)] = of_states
+        equations.changes.warm(derivative[equations.values], states, change)
+        moving = np.zeros_like(seen)
+        inner = derivative[equations.motions : equations.values.stop]
+        moving[: equations.layout.ports] = (
+            equations.structure.rates @ derivative[: equations.motions]
+        )
+        moving[equations.layout.ports : equations.layout.ports + len(inner)] = inner
         inside = equations.ports.inside(times)
-        return np.array(
-            [
-                change(inside, seen, moving) + self.back * look.along(inside, seen)
-                for change, look in zip(self.changes, self.looks, strict=True)
-                if change
-            ]
+        return (
+            np.array([look.along(inside, seen) for look in self.looks]),
+            np.array(
+                [change(inside, seen, moving) if change else 0.0 * times for change in self.changes]
+            ),
+            derivative,
         )
 
 

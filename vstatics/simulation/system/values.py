@@ -54,6 +54,11 @@ class ValueChanges:
         """Return rates of control states and temperatures; `change` contains friction powers."""
         value_rates = self.unheld(time, state, rates, torques)
         value_rates[: len(self.held)][self.held != 0] = 0.0
+        self.warm(value_rates, state, change)
+        return value_rates
+
+    def warm(self, value_rates: Floats, state: Floats, change: Floats) -> None:
+        """Fill in rates of temperatures; all arrays can have a last axis of several times."""
         equations = self.equations
         for place, index in enumerate(equations.layout.hot, len(self.held)):
             store = equations.system.case.shift_elements[index].heat_store
@@ -62,7 +67,6 @@ class ValueChanges:
             over = state[equations.values][place] - store.ambient
             power = _friction_power(equations, index, change)
             value_rates[place] = (power - store.cooling * over) / store.heat_capacity
-        return value_rates
 
     def unheld(self, time: float, state: Floats, rates: Floats, torques: Floats) -> Floats:
         """Return the rates of control states regardless of limits, then 0 for temperatures."""
@@ -176,13 +180,13 @@ def _side(state: ControlState, value: float, near: float) -> int:
     return 0
 
 
-def _friction_power(equations: KnownMotion, element: int, change: Floats) -> float:
+def _friction_power(equations: KnownMotion, element: int, change: Floats) -> Floats:
     first = equations.works.start + equations.layout.contacts
     contacts = enumerate(equations.system.contacts, first)
     springs = enumerate(equations.system.springs, equations.slipped.start)
     places = [place for place, contact in contacts if contact.element == element]
     places += [place for place, spring in springs if spring.element == element]
-    return float(sum(change[places]))
+    return np.asarray(change[places].sum(axis=0))
 
 
 Derived = Callable[[float, Floats, Floats, Floats], float]
