@@ -10,7 +10,7 @@ parts. In each part, the fastest eigenmotion that has not decayed turns through 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import lru_cache, partial
 from typing import NamedTuple
 
@@ -196,8 +196,8 @@ class GivenSeries(NamedTuple):
     def fit_twice(self) -> bool:
         """True if polynomials of the same degree would fit a stretch of twice the length."""
         last = _degree(self.parts.number)
-        orders = np.arange(last - 1, last + 1)
-        return largest(self.coefficients[:, orders] * 2.0**orders) <= self.limit
+        highest = self.coefficients[:, last - 1 : last + 1]
+        return largest(highest * (2.0 ** (last - 1), 2.0**last)) <= self.limit
 
     def continued(self, parts: Parts) -> Floats | None:
         """Return the coefficients over the next stretch, if at most twice as long."""
@@ -225,10 +225,12 @@ class TimeStretch(NamedTuple):
         state: Floats = self.exponential.nodes[-1] @ self.starts[:, -1]
         return state / self.balance
 
-    def continued(self, following: TimeStretch) -> TimeStretch:
-        """Return this stretch joined to the following stretch, whose parts have equal length."""
-        parts = self.parts._replace(number=self.parts.number + following.parts.number)
-        return self._replace(parts=parts, starts=np.hstack([self.starts, following.starts]))
+
+def joined_stretch(stretches: Sequence[TimeStretch]) -> TimeStretch:
+    """Return consecutive stretches as one; all have the same exponential."""
+    first, starts = stretches[0], np.hstack([stretch.starts for stretch in stretches])
+    parts = first.parts._replace(number=starts.shape[1])
+    return first._replace(parts=parts, starts=starts)
 
 
 def _equal_parts(length: float, left: float, most: int) -> tuple[float, int]:
@@ -417,16 +419,14 @@ class Closed:
         ------
         NoFit
         """
-        joined: TimeStretch | None = None
+        joined: list[TimeStretch] = []
         for stretch in self._stretches(state, end):
-            if joined is not None and (
-                stretch is None or stretch.exponential is not joined.exponential
-            ):
-                step = self._step(joined, state, end)
+            if joined and (stretch is None or stretch.exponential is not joined[0].exponential):
+                step = self._step(joined_stretch(joined), state, end)
                 yield step
-                state, joined = step.last, None
+                state, joined = step.last, []
             if stretch is not None:
-                joined = stretch if joined is None else joined.continued(stretch)
+                joined.append(stretch)
 
     def _stretches(self, state: Floats, end: float) -> Iterator[TimeStretch | None]:
         """Yield stretches up to a time, and None wherever a time step ends."""
@@ -576,8 +576,8 @@ class Closed:
         self, parts: Parts, state: Floats, given: Floats, to_powers: Floats
     ) -> TimeStretch:
         exponential, unit = self._exponential(parts.length)
-        inputs = np.concatenate([[parts.begin, 1.0], (given @ to_powers)[self.is_used]])
-        first = np.concatenate([self.balance * state[: self.size], unit * inputs])
+        known, powers = (unit * parts.begin, unit), unit * (given @ to_powers)[self.is_used]
+        first = np.concatenate([self.balance * state[: self.size], known, powers])
         starts = exponential.repeated(first, parts.number)
         return TimeStretch(parts, exponential, self.balance, starts)
 
