@@ -2,6 +2,7 @@
 
 import json
 import random
+from collections.abc import Iterable
 from dataclasses import replace
 from itertools import combinations, pairwise, permutations
 from xml.etree import ElementTree as ET
@@ -115,9 +116,15 @@ Piece = tuple[tuple[float, float], tuple[float, float]]
 """The ends of a line. [pt]"""
 
 
+def strokes(paths: Iterable[ET.Element]) -> list[Piece]:
+    """Lines of paths, without the gaps between their parts."""
+    parts = [part for path in paths for part in path.attrib["d"].split("M")[1:]]
+    lines = [points(ET.Element("path", d=f"M{part}")) for part in parts]
+    return [piece for line in lines for piece in pairwise(line)]
+
+
 def pieces(group: ET.Element) -> list[Piece]:
-    wires = [one for one in group.iter(f"{SVG}path") if one.get("class") == "wire"]
-    return [piece for wire in wires for piece in pairwise(points(wire))]
+    return strokes(one for one in group.iter(f"{SVG}path") if one.get("class") == "wire")
 
 
 def pieces_by_link(root: ET.Element) -> dict[str, list[Piece]]:
@@ -316,15 +323,10 @@ def test_a_pair_of_every_kind_stands_on_two_axes(kind: str) -> None:
     assert (gap > 10) == (kind in ("chain", "belt", "idler"))
 
 
-def strokes(group: ET.Element) -> list[Piece]:
-    paths = [one.attrib["d"] for one in group.iter(f"{SVG}path")]
-    parts = [ET.Element("path", d=f"M{part}") for path in paths for part in path.split("M")[1:]]
-    return [piece for part in parts for piece in pairwise(points(part))]
-
-
 def slanted(wheel: ET.Element) -> set[frozenset[tuple[float, float]]]:
     """Lines of a wheel that are neither level nor upright."""
-    return {frozenset((a, b)) for a, b in strokes(wheel) if a[0] != b[0] and a[1] != b[1]}
+    lines = strokes(wheel.iter(f"{SVG}path"))
+    return {frozenset((a, b)) for a, b in lines if a[0] != b[0] and a[1] != b[1]}
 
 
 def test_bevel_wheels_are_cones_that_touch_along_one_line() -> None:
@@ -336,7 +338,8 @@ def test_bevel_wheels_are_cones_that_touch_along_one_line() -> None:
 def gaps(root: ET.Element, kind: str, name: str) -> int:
     """How often the sign of a device on a level line is interrupted."""
     [group] = [one for one in of_class(root, kind) if one.get("data-name") == name]
-    spans = sorted((min(a[0], b[0]), max(a[0], b[0])) for a, b in strokes(group))
+    lines = strokes(group.iter(f"{SVG}path"))
+    spans = sorted((min(a[0], b[0]), max(a[0], b[0])) for a, b in lines)
     end, count = spans[0][1], 0
     for low, high in spans:
         count += low > end + ROUNDED
