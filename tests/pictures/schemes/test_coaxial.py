@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import sys
 import xml.etree.ElementTree as ET
-from itertools import combinations, pairwise
+from itertools import pairwise
 from random import Random
 from typing import Any
 
@@ -17,7 +17,8 @@ from tests.chance import each_seed, seeded, seeds_with_slow, with_slow
 from tests.commands import CASES
 from tests.installed import needs
 from tests.pictures.measured import measured
-from tests.pictures.schemes.axes.boxes import of_class
+from tests.pictures.schemes.axes.boxes import SVG, of_class, parsed, svg_of
+from tests.pictures.schemes.lines import assert_connected, bridges, crossings, lines_of, wires
 from tests.pictures.schemes.test_schemes import overlaps
 from tests.shipped import shipped_results
 from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission
@@ -36,7 +37,6 @@ from vstatics.pictures.schemes.scheme import scheme_of
 from vstatics.pictures.schemes.stick import stick_scheme
 from vstatics.pictures.schemes.titles import teeth_of
 
-SVG = "{http://www.w3.org/2000/svg}"
 FAST = ["zf-6hp26", "simpson-th400", "ravigneaux-aod", "wheel-hub"]
 OTHERS = ["driveline-8hp70", "dual-clutch-wheels", "moskvich412", "power-split", "toyota-p410"]
 OTHERS += ["two-stage", "moskvich-start"]
@@ -47,74 +47,19 @@ CROSSED = {"umdm": 2}
 IN_ROWS = {"tarasik-truck"}
 """Links that go on in another row are drawn in two pieces."""
 every_case = pytest.mark.parametrize("name", with_slow(FAST, SLOW))
-Line = tuple[float, float, float, float]
-
-
-def wires(svg: bytes) -> dict[str, list[Line]]:
-    """By link, the level and upright lines of its wires: x, y of the lower left end, of the other."""
-    found: dict[str, list[Line]] = {}
-    for group in ET.fromstring(svg).iter(f"{SVG}g"):  # noqa: S314 - our own
-        if group.get("class") != "link":
-            continue
-        own = found.setdefault(group.attrib["data-name"], [])
-        for path in group.iter(f"{SVG}path"):
-            if path.get("class") == "wire":
-                own += lines_of(path.attrib["d"])
-    return found
-
-
-def lines_of(data: str) -> list[Line]:
-    assert set(re.findall("[A-Za-z]", data)) <= set("MLHV")
-    lines: list[Line] = []
-    x = y = 0.0
-    for letter, numbers in re.findall(r"([MLHV])([^MLHV]*)", data):
-        values = [float(one) for one in re.findall(r"-?[\d.]+", numbers)]
-        for one, other in zip(values[::2], values[1::2], strict=True):
-            if letter == "L":
-                lines.append((min(x, one), min(y, other), max(x, one), max(y, other)))
-            x, y = one, other
-    return lines
-
-
-def touch(one: Line, other: Line, by: float = 0.05) -> bool:
-    level = one[0] <= other[2] + by and other[0] <= one[2] + by
-    return level and one[1] <= other[3] + by and other[1] <= one[3] + by
-
-
-def crossings(svg: bytes) -> int:
-    own = wires(svg)
-    return sum(
-        touch(first, second)
-        for one, other in combinations(own, 2)
-        for first in own[one]
-        for second in own[other]
-    )
-
-
-def bridges(svg: bytes) -> int:
-    paths = ET.fromstring(svg).iter(f"{SVG}path")  # noqa: S314 - our own
-    return sum(path.get("class") == "crossing" for path in paths)
-
-
-def assert_connected(svg: bytes) -> None:
-    for link, lines in wires(svg).items():
-        graph: nx.Graph[int] = nx.empty_graph(len(lines))
-        pairs = combinations(range(len(lines)), 2)
-        graph.add_edges_from((a, b) for a, b in pairs if touch(lines[a], lines[b]))
-        assert link == "housing" or nx.is_connected(graph), link
 
 
 @every_case
 def test_no_links_of_a_gearbox_cross_and_each_hangs_together(name: str) -> None:
     # gearboxes that exist are bodies of revolution one inside another
     results = shipped_results(f"{name}.yaml")
-    svg = render(results, "stick", "svg", Style())
+    root = parsed(render(results, "stick", "svg", Style()))
     figure = picture(results, "stick", Style())
     said = {text.get_text() for text in figure.texts}
-    assert crossings(svg) == bridges(svg) == CROSSED.get(name, 0)
+    assert crossings(root) == bridges(root) == CROSSED.get(name, 0)
     assert any("crossing" in text for text in said) == (name in CROSSED)
     if name not in IN_ROWS:
-        assert_connected(svg)
+        assert_connected(root)
     names = " ".join(" ".join(said).split())
     elements = [" ".join(element.name.split()) for element in results.case.shift_elements]
     for own in (*results.case.link_names[: results.case.own_links], *elements):
@@ -127,7 +72,7 @@ def test_no_links_of_a_gearbox_cross_and_each_hangs_together(name: str) -> None:
 def test_parts_in_svg_are_called_what_the_case_calls_them(name: str) -> None:
     results = shipped_results(f"{name}.yaml")
     case = results.case
-    root = ET.fromstring(render(results, "stick", "svg", Style()))  # noqa: S314 - our own
+    root = parsed(render(results, "stick", "svg", Style()))
     [axis] = of_class(root, "axis")
     assert (axis.tag, axis.get("data-axis")) == (f"{SVG}path", "1")
     links = of_class(root, "link")
@@ -137,8 +82,7 @@ def test_parts_in_svg_are_called_what_the_case_calls_them(name: str) -> None:
     wires = of_class(root, "wire")
     assert {one for link in links for one in link.iter() if one.get("class") == "wire"} == {*wires}
     for one in wires:
-        assert set(re.findall("[A-Za-z]", one.attrib["d"])) <= set("MLHV")
-        for x, y, x2, y2 in lines_of(one.attrib["d"]):
+        for x, y, x2, y2 in lines_of(one):
             assert min(x2 - x, y2 - y) < 0.02
     elements = [one.attrib["data-name"] for one in of_class(root, "element")]
     assert sorted(elements) == sorted(one.name for one in case.shift_elements)
@@ -155,21 +99,21 @@ def test_parts_in_svg_are_called_what_the_case_calls_them(name: str) -> None:
 def test_suns_are_below_their_planets_and_rings_above(name: str) -> None:
     # a link meets a set where its wire ends among the lines of its teeth
     results = shipped_results(f"{name}.yaml")
-    svg = render(results, "stick", "svg", Style())
-    lines, root = wires(svg), ET.fromstring(svg)  # noqa: S314 - our own
+    root = parsed(render(results, "stick", "svg", Style()))
+    lines = wires(root)
     groups = {one.attrib["data-name"]: one for one in of_class(root, "mechanism")}
     scheme = stick_scheme(results.case)
     for device in scheme.devices:
         if "carrier" not in device.members or device.kind == "bevel":
             continue
         paths = groups[device.name].iter(f"{SVG}path")
-        own = [line for path in paths for line in lines_of(path.attrib["d"])]
-        left, right = min(one[0] for one in own), max(one[2] for one in own)
-        high, low = min(one[1] for one in own) - 0.1, max(one[3] for one in own) + 0.1
+        own = [line for path in paths for line in lines_of(path)]
+        left, right = min(one.x for one in own), max(one.x2 for one in own)
+        high, low = min(one.y for one in own) - 0.1, max(one.y2 for one in own) + 0.1
         suns, pins, rings = [], [], []  # heights from the top of the page
         for member, link in device.members.items():
             met = lines["housing" if not link else scheme.name(link)]
-            there = [one for one in met if one[2] >= left and one[0] <= right]
+            there = [one for one in met if one.x2 >= left and one.x <= right]
             if member == "carrier":
                 pins += [y for x, y, x2, y2 in there if y == y2 and x2 > x and high < y < low]
             elif "sun" in member:
@@ -225,9 +169,9 @@ def planar_boxes(count: int) -> list[Transmission]:
     return found
 
 
-def drawn(case: Transmission) -> tuple[bytes, str]:
+def drawn(case: Transmission) -> tuple[ET.Element, str]:
     canvas = bare_stick(case, Style()).drawn("box").canvas
-    return written_as_svg(canvas, "box"), canvas.texts[0]
+    return parsed(written_as_svg(canvas, "box")), canvas.texts[0]
 
 
 @needs("synthesis")
@@ -238,11 +182,11 @@ def test_random_boxes_cross_where_the_title_says_so(seed: int) -> None:
     case = next_box(Random(seed))  # noqa: S311
     is_planar = nx.check_planarity(axis_graph(case))[0]
     assert box_is_planar(case) == is_planar
-    svg, title = drawn(case)
-    count = crossings(svg)
+    root, title = drawn(case)
+    count = crossings(root)
     told = re.search(r"(\d+) crossing", title)
-    assert count == bridges(svg) == (int(told[1]) if told else 0)
-    assert_connected(svg)
+    assert count == bridges(root) == (int(told[1]) if told else 0)
+    assert_connected(root)
     if is_planar:
         assert not count
     if not count:
@@ -252,10 +196,10 @@ def test_random_boxes_cross_where_the_title_says_so(seed: int) -> None:
 @pytest.mark.parametrize("count", with_slow([5], [30]))
 def test_planar_boxes_are_drawn_without_crossings(count: int) -> None:
     for case in planar_boxes(count):
-        svg, title = drawn(case)
-        assert crossings(svg) == bridges(svg) == 0
+        root, title = drawn(case)
+        assert crossings(root) == bridges(root) == 0
         assert title == "box"
-        assert_connected(svg)
+        assert_connected(root)
 
 
 @pytest.mark.slow
@@ -275,7 +219,7 @@ def test_a_carrier_at_the_output_goes_down_to_the_axis_and_never_up() -> None:
         "shift_elements: {T: [ring, housing], F: [sun, ring]}\n"
         "gears: {low: [T], high: [F]}\n"
     )
-    own = wires(render(vstatics.solve(case), "stick", "svg", Style()))
+    own = wires(svg_of(case))
     levels = {round(y) for x, y, x2, y2 in own["carrier"] if y == y2 and x != x2}
     assert len(levels) == 2
     assert max(levels) == round(max(y for lines in own.values() for *_, y in lines))
@@ -336,7 +280,7 @@ def test_what_stands_before_a_box_and_behind_it_has_rows_of_its_own(browser: Any
     [page] = measured(browser, [svg := render(results, "stick", "svg", Style(), [1])])
     assert (page.overlaps, page.outside, page.covered) == ([], [], [])
     assert page.width <= 170.01
-    root = ET.fromstring(svg)  # noqa: S314 - our own
+    root = parsed(svg)
     drawn = [group.attrib["data-name"] for group in of_class(root, "mechanism")]
     devices = scheme_of(results.case).devices
     assert sorted(drawn) == sorted(one.name for one in devices if not one.is_shift_element)
@@ -353,10 +297,9 @@ def test_what_joins_three_links_of_one_axis_is_drawn() -> None:
     axle = Drawing(3, [Element("axle", "bevel", {"left": 2, "right": 3, "carrier": 1}, {})])
     brake = [ShiftElement(3)]
     case = transmission(axle, shift_elements=brake, gears=[Gear([1])], input=1, output=2)
-    svg = render(vstatics.solve(case), "stick", "svg", Style())
-    root = ET.fromstring(svg)  # noqa: S314 - our own
+    root = svg_of(case)
     assert [one.attrib["data-name"] for one in of_class(root, "mechanism")] == ["axle"]
-    assert set(wires(svg)) == {"1", "2", "3"}
+    assert set(wires(root)) == {"1", "2", "3"}
 
 
 def test_sets_stand_in_the_order_of_the_case_on_demand() -> None:

@@ -8,18 +8,17 @@ from __future__ import annotations
 import re
 import xml.etree.ElementTree as ET
 from collections.abc import Iterator, Sequence
-from itertools import combinations
 from math import inf
 from pathlib import Path
 from random import Random
 
-import networkx as nx
 import pytest
 
 import vstatics
 from tests.chance import seeded, some, with_slow
 from tests.commands import SHIPPED
-from tests.pictures.schemes.test_coaxial import SVG, Line, bridges, crossings, lines_of, touch
+from tests.pictures.schemes.axes.boxes import SVG, of_class, parsed
+from tests.pictures.schemes.lines import Line, assert_connected, bridges, crossings, lines_of, touch
 from tests.pictures.schemes.test_schemes import PAIRS, overlaps, ring
 from tests.shipped import shipped_results
 from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission
@@ -37,12 +36,11 @@ ONE_ROW = Style(width=inf)
 
 
 def coloured_wires(root: ET.Element) -> Iterator[tuple[str, Line, str]]:
-    for group in root.iter(f"{SVG}g"):
-        if group.get("class") == "link" and group.attrib["data-name"] != "housing":
-            for path in group.iter(f"{SVG}path"):
-                if path.get("class") == "wire":
-                    for line in lines_of(path.attrib["d"]):
-                        yield group.attrib["data-name"], line, path.attrib["stroke"]
+    for group in of_class(root, "link"):
+        if group.attrib["data-name"] != "housing":
+            for path in of_class(group, "wire"):
+                for line in lines_of(path):
+                    yield group.attrib["data-name"], line, path.attrib["stroke"]
 
 
 def outline(group: ET.Element) -> Line:
@@ -52,7 +50,7 @@ def outline(group: ET.Element) -> Line:
         numbers = [float(number) for number in re.findall(r"-?\d[\d.]*", path.attrib["d"])]
         points += zip(numbers[::2], numbers[1::2], strict=True)
     xs, ys = zip(*points, strict=True)
-    return min(xs), min(ys), max(xs), max(ys)
+    return Line(min(xs), min(ys), max(xs), max(ys))
 
 
 def outlines(root: ET.Element) -> dict[str, Line]:
@@ -73,23 +71,18 @@ def check(case: Transmission, *, is_one_row: bool = True) -> None:
     """Check that components and links are joined as in the case, and that letters can be read."""
     results = vstatics.solve(case)
     scheme = scheme_of(case)
-    svg = render(results, "structure", "svg", ONE_ROW)
-    root = ET.fromstring(svg)  # noqa: S314 - our own
+    root = parsed(render(results, "structure", "svg", ONE_ROW))
     wires = list(coloured_wires(root))
     boxes = outlines(root)
     for device in scheme.devices:
         met = {name for name, line, _ in wires if touch(line, boxes[device.name], 0.3)}
         assert met == names_at(device, scheme), device.name
-    for name in scheme.links if is_one_row else ():
-        lines = [line for own, line, _ in wires if own == name]
-        graph: nx.Graph[int] = nx.empty_graph(len(lines))
-        pairs = combinations(range(len(lines)), 2)
-        graph.add_edges_from((a, b) for a, b in pairs if touch(lines[a], lines[b]))
-        assert not lines or nx.is_connected(graph), name
+    if is_one_row:
+        assert_connected(root)
     figure = picture(results, "structure", ONE_ROW)
-    count = crossings(svg) if is_one_row else 0
+    count = crossings(root) if is_one_row else 0
     told = re.search(r"(\d+) crossing", figure.texts[0].get_text())
-    assert count == bridges(svg) == (int(told[1]) if told else 0)
+    assert count == bridges(root) == (int(told[1]) if told else 0)
     assert overlaps(figure) == []
     shown = {" ".join(text.get_text().split()) for text in figure.texts}
     words = " ".join(text.get_text() for text in figure.texts).split()
@@ -156,9 +149,9 @@ def test_a_chain_has_rows_of_boxes() -> None:
     case = Transmission(13, [], pairs, [Gear()])
     check(case, is_one_row=False)
     svg = render(vstatics.solve(case), "structure", "svg", Style())
-    heights = {line[1] for line in outlines(ET.fromstring(svg)).values()}  # noqa: S314 - our own
+    heights = {line[1] for line in outlines(parsed(svg)).values()}
     assert len(heights) == 3
-    ports = [group.get("data-port") for group in ET.fromstring(svg).iter(f"{SVG}g")]  # noqa: S314 - our own
+    ports = [group.get("data-port") for group in parsed(svg).iter(f"{SVG}g")]
     assert {"input", "output"} <= {*ports}
 
 
@@ -193,8 +186,7 @@ def torques_of(results: Results, gear: int) -> list[dict[int, list[float]]]:
 def pale_arms(results: Results, gear: int) -> set[str]:
     """Return lines without torque, by component and link; check that all others are dark."""
     scheme, style = scheme_of(results.case), Style()
-    svg = render(results, "structure", "svg", ONE_ROW, [gear])
-    root = ET.fromstring(svg)  # noqa: S314 - our own
+    root = parsed(render(results, "structure", "svg", ONE_ROW, [gear]))
     wires, boxes, pale = list(coloured_wires(root)), outlines(root), set[str]()
     for device, by_link in zip(scheme.devices, torques_of(results, gear), strict=True):
         for link in device.links:

@@ -104,21 +104,18 @@ class PlacedWheel(NamedTuple):
     high: float
 
 
+def parsed(svg: bytes | str) -> ET.Element:
+    return ET.fromstring(svg)  # noqa: S314 - our own
+
+
 def svg_of(case: Transmission, gears: tuple[int, ...] = ()) -> ET.Element:
-    return ET.fromstring(render(solve(case), "stick", "svg", Style(), gears))  # noqa: S314
+    return parsed(render(solve(case), "stick", "svg", Style(), gears))
 
 
 def points(path: ET.Element) -> list[tuple[float, float]]:
-    """All points of a path of M and L, H and V."""
-    found: list[tuple[float, float]] = []
-    for word, text in re.findall(r"([MLHV])([^MLHVz]*)", path.attrib["d"]):
-        numbers = [float(one) for one in text.split()]
-        if word in "ML":
-            found += zip(numbers[::2], numbers[1::2], strict=True)
-        for number in numbers if word in "HV" else ():
-            x, y = found[-1]
-            found.append((number, y) if word == "H" else (x, number))
-    return found
+    """All points of a path of M and L."""
+    found = re.findall(r"[ML](\S+) ([^MLz\s]+)", path.attrib["d"])
+    return [(float(x), float(y)) for x, y in found]
 
 
 def of_class(root: ET.Element, kind: str) -> list[ET.Element]:

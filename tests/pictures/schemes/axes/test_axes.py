@@ -3,7 +3,7 @@
 import json
 import random
 from dataclasses import replace
-from itertools import combinations, pairwise, permutations
+from itertools import combinations, permutations
 from xml.etree import ElementTree as ET
 
 import pytest
@@ -24,6 +24,7 @@ from tests.pictures.schemes.axes.boxes import (
     svg_of,
     wheels,
 )
+from tests.pictures.schemes.lines import assert_connected, strokes, wires
 from vstatics.core.elements.drawing import drawing_of
 from vstatics.core.model.transmission import Transmission
 from vstatics.pictures import pages, picture
@@ -111,57 +112,18 @@ def check_apart(root: ET.Element) -> None:
             assert one.low > other.high - ROUNDED or other.low > one.high - ROUNDED
 
 
-Piece = tuple[tuple[float, float], tuple[float, float]]
-"""The ends of a line. [pt]"""
-
-
-def pieces(group: ET.Element) -> list[Piece]:
-    wires = [one for one in group.iter(f"{SVG}path") if one.get("class") == "wire"]
-    return [piece for wire in wires for piece in pairwise(points(wire))]
-
-
-def pieces_by_link(root: ET.Element) -> dict[str, list[Piece]]:
-    found: dict[str, list[Piece]] = {}
-    for group in of_class(root, "link"):
-        found.setdefault(group.attrib["data-name"], []).extend(pieces(group))
-    return found
-
-
-def check_joined(root: ET.Element) -> None:
-    """From each piece of a link's wires one comes to all others."""
-    for name, own in pieces_by_link(root).items():
-        reached, ahead = set(), [0]
-        while ahead:
-            at = ahead.pop()
-            if at not in reached:
-                reached.add(at)
-                ahead += [n for n, one in enumerate(own) if touch(own[at], one)]
-        assert len(reached) == len(own), name
-
-
-def touch(one: Piece, other: Piece) -> bool:
-    """Whether two level or upright lines have a point in common."""
-    return all(
-        min(one[0][place], one[1][place]) <= max(other[0][place], other[1][place]) + ROUNDED
-        and min(other[0][place], other[1][place]) <= max(one[0][place], one[1][place]) + ROUNDED
-        for place in (0, 1)
-    )
-
-
 def check_bridged(root: ET.Element) -> int:
     """Wires of two links meet where a crossing bridges them, and nowhere else."""
-    own = [(name, piece) for name, some in pieces_by_link(root).items() for piece in some]
+    own = [(name, line) for name, some in wires(root).items() for line in some]
     bridges = [points(one) for one in of_class(root, "crossing")]
     middles = [((a[0] + b[0]) / 2, (a[1] + b[1]) / 2) for a, b in bridges]
     met = set()
-    for (name, one), (other_name, other) in combinations(own, 2):
-        level, upright = sorted((one, other), key=lambda piece: piece[0][1] != piece[1][1])
-        if name == other_name or level[0][1] != level[1][1] or upright[0][0] != upright[1][0]:
+    for (name, level), (other_name, upright) in permutations(own, 2):
+        x, y = upright.x, level.y
+        if name == other_name or y != level.y2 or x != upright.x2:
             continue
-        x, y = upright[0][0], level[0][1]
-        left, right = sorted((level[0][0], level[1][0]))
-        low, high = sorted((upright[0][1], upright[1][1]))
-        if left + ROUNDED < x < right - ROUNDED and low + ROUNDED < y < high - ROUNDED:
+        is_within = level.x + ROUNDED < x < level.x2 - ROUNDED
+        if is_within and upright.y + ROUNDED < y < upright.y2 - ROUNDED:
             assert any(abs(x - at) + abs(y - up) < ROUNDED for at, up in middles)
             met.add((round(x, 1), round(y, 1)))
     assert len(bridges) >= len(met)
@@ -172,7 +134,7 @@ def check_built(case: Transmission, root: ET.Element) -> int:
     """Check wheels and wires as if the box were built; return how often links cross."""
     check_wheels(case, root)
     check_apart(root)
-    check_joined(root)
+    assert_connected(root)
     return check_bridged(root)
 
 
@@ -252,9 +214,9 @@ def test_road_wheels_stand_at_the_ends_of_the_half_shafts(name: str) -> None:
     assert set(middles) == {"left wheel", "right wheel"}
     low, high = sorted(middles.values())
     axis = [link for link, y in heights.items() if y == heights["left wheel"]]
-    for link, own in pieces_by_link(root).items():
-        for piece in own if link in axis else ():
-            assert all(low - ROUNDED <= x <= high + ROUNDED for x, _ in piece)
+    for link, own in wires(root).items():
+        for line in own if link in axis else ():
+            assert low - ROUNDED <= line.x <= line.x2 <= high + ROUNDED
 
 
 def dots(root: ET.Element) -> set[tuple[str, float, float]]:
@@ -273,14 +235,13 @@ def branches(root: ET.Element) -> set[tuple[str, float, float]]:
     """Where an upright line of a link begins within a level one, but for those to its wheels."""
     webs = [(one.link, one.x) for one in wheels(root)]
     found = set()
-    for name, own in pieces_by_link(root).items():
-        for one, other in permutations(own, 2):
-            left, right = sorted((other[0][0], other[1][0]))
-            is_web = any(name == link and abs(one[0][0] - x) < 1 for link, x in webs)
-            for x, y in one if one[0][0] == one[1][0] and not is_web else ():
-                is_inside = left + ROUNDED < x < right - ROUNDED
-                if is_inside and other[0][1] == other[1][1] == y:
-                    found.add((name, x, y))
+    for name, own in wires(root).items():
+        for upright, level in permutations(own, 2):
+            x = upright.x
+            is_web = any(name == link and abs(x - at) < 1 for link, at in webs)
+            is_inside = level.x + ROUNDED < x < level.x2 - ROUNDED
+            if x == upright.x2 and not is_web and is_inside and level.y == level.y2:
+                found |= {(name, x, y) for y in (upright.y, upright.y2) if y == level.y}
     return found
 
 
@@ -292,9 +253,8 @@ def test_links_have_dots_where_they_branch_but_not_at_their_wheels(name: str) ->
     assert wanted <= drawn
     for link, x, y in drawn - wanted:  # where several signs hang on one upright line
         assert name == "moskvich412"
-        own = pieces_by_link(root)[link]
-        uprights = [(one, other) for one, other in own if one[0] == other[0] == x]
-        assert any(min(a[1], b[1]) < y < max(a[1], b[1]) for a, b in uprights)
+        own = wires(root)[link]
+        assert any(line.x == line.x2 == x and line.y < y < line.y2 for line in own)
     assert not of_class(root, "road-wheel")  # none of them has an axle
 
 
@@ -302,7 +262,7 @@ def test_links_have_dots_where_they_branch_but_not_at_their_wheels(name: str) ->
 def test_a_pair_of_every_kind_stands_on_two_axes(kind: str) -> None:
     case = one_pair(kind)
     root = svg_of(case)
-    check_joined(root)
+    assert_connected(root)
     assert check_bridged(root) == 0
     first, second = sorted(wheels(root), key=lambda one: one.link)
     assert first.x == pytest.approx(second.x, abs=ROUNDED + 10 * (kind == "internal_pair"))
@@ -316,15 +276,10 @@ def test_a_pair_of_every_kind_stands_on_two_axes(kind: str) -> None:
     assert (gap > 10) == (kind in ("chain", "belt", "idler"))
 
 
-def strokes(group: ET.Element) -> list[Piece]:
-    paths = [one.attrib["d"] for one in group.iter(f"{SVG}path")]
-    parts = [ET.Element("path", d=f"M{part}") for path in paths for part in path.split("M")[1:]]
-    return [piece for part in parts for piece in pairwise(points(part))]
-
-
 def slanted(wheel: ET.Element) -> set[frozenset[tuple[float, float]]]:
     """Lines of a wheel that are neither level nor upright."""
-    return {frozenset((a, b)) for a, b in strokes(wheel) if a[0] != b[0] and a[1] != b[1]}
+    lines = [ends for path in wheel.iter(f"{SVG}path") for ends in strokes(path)]
+    return {frozenset((a, b)) for a, b in lines if a[0] != b[0] and a[1] != b[1]}
 
 
 def test_bevel_wheels_are_cones_that_touch_along_one_line() -> None:
@@ -336,7 +291,8 @@ def test_bevel_wheels_are_cones_that_touch_along_one_line() -> None:
 def gaps(root: ET.Element, kind: str, name: str) -> int:
     """How often the sign of a device on a level line is interrupted."""
     [group] = [one for one in of_class(root, kind) if one.get("data-name") == name]
-    spans = sorted((min(a[0], b[0]), max(a[0], b[0])) for a, b in strokes(group))
+    lines = [ends for path in group.iter(f"{SVG}path") for ends in strokes(path)]
+    spans = sorted((min(a[0], b[0]), max(a[0], b[0])) for a, b in lines)
     end, count = spans[0][1], 0
     for low, high in spans:
         count += low > end + ROUNDED
@@ -378,12 +334,11 @@ def test_the_housing_of_a_brake_is_outside_of_the_ring_that_it_holds() -> None:
     )
     root = svg_of(case)
     (axis, *_), *_ = ([y for _, y in points(one)] for one in of_class(root, "axis"))
-    own = [group for group in of_class(root, "link") if group.attrib["data-name"] == "ring"]
-    link = [at for group in own for piece in pieces(group) for at in piece]
+    ring = wires(root)["ring"]
     [brake] = [one for one in root.iter(f"{SVG}g") if one.get("data-name") == "T"]
     sign = [at for path in brake.iter(f"{SVG}path") for at in points(path)]
-    assert min(y for _, y in sign) < min(y for _, y in link) < axis  # y goes down
-    assert max(y for _, y in sign) <= min(y for _, y in link) + ROUNDED
+    assert min(y for _, y in sign) < min(line.y for line in ring) < axis  # y goes down
+    assert max(y for _, y in sign) <= min(line.y for line in ring) + ROUNDED
 
 
 def test_the_teeth_of_a_planet_stand_within_its_set() -> None:

@@ -4,7 +4,6 @@ import re
 from dataclasses import replace
 from itertools import islice
 from random import Random
-from xml.etree import ElementTree as ET
 
 import pytest
 
@@ -13,8 +12,9 @@ from tests.chance import with_slow
 from tests.commands import CASES
 from tests.installed import needs
 from tests.pictures.schemes.axes.boxes import axes_by_link, of_class, svg_of, wheels
-from tests.pictures.schemes.axes.test_axes import check_bridged, check_joined, colors_of
-from tests.pictures.schemes.test_coaxial import crossings, next_box, planar_boxes
+from tests.pictures.schemes.axes.test_axes import check_bridged, colors_of
+from tests.pictures.schemes.lines import assert_connected, crossings
+from tests.pictures.schemes.test_coaxial import next_box, planar_boxes
 from vstatics import Mechanism, Transmission
 from vstatics.pictures import picture
 from vstatics.pictures.drawing.style import Style
@@ -33,8 +33,8 @@ def test_planar_boxes_before_a_final_drive_are_drawn_without_crossings(count: in
     for box in planar_boxes(count):
         case = transaxle(box)
         root = svg_of(case)
-        check_joined(root)
-        assert check_bridged(root) == crossings(ET.tostring(root)) == 0
+        assert_connected(root)
+        assert check_bridged(root) == crossings(root) == 0
         heights = axes_by_link(root)
         assert heights[str(case.input)] == heights[str(box.output)] != heights[str(case.output)]
         wheel, other = wheels(root)
@@ -67,7 +67,7 @@ def test_the_gearbox_of_a_driveline_is_drawn_like_the_gearbox_alone() -> None:
         orders.append(sorted(("P1", "P2", "P3", "P4", "A", "B", "C", "D", "E"), key=at.__getitem__))
     assert orders[0] == orders[1]
     root = svg_of(case)
-    assert check_bridged(root) == crossings(ET.tostring(root)) == 0
+    assert check_bridged(root) == crossings(root) == 0
     assert len(of_class(root, "axis")) == 2
 
 

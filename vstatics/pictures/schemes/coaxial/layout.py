@@ -170,20 +170,16 @@ class _FrameMaker:
 
     def _set(self, step: OrderStep) -> None:
         carrier = self.train.sets[step.number].carrier
-        left = self._arms(carrier, *step.left)
+        left = self._met(*(carrier * is_there for is_there in step.left))
         wheels: list[tuple[Bar | None, Bar | None]] = []
         planes = self.train.sets[step.number].wheels
         for (sun, ring), bars in zip(
             planes[::-1] if step.is_turned else planes, step.bars[1:-1], strict=True
         ):
             self._go_to(*bars)
-            wheels.append((self.below[-1] if sun else None, self.above[0] if ring else None))
-            if sun and wheels[-1][0] is not None and self.below[-1].link != sun:
-                wheels[-1] = self._last_of(self.below, sun), wheels[-1][1]
-            if ring and self.above[0].link != ring:
-                wheels[-1] = wheels[-1][0], self._last_of(self.above[::-1], ring)
+            wheels.append(self._met(sun, ring))
         self._go_to(*step.bars[-1])
-        right = self._arms(carrier, *step.right)
+        right = self._met(*(carrier * is_there for is_there in step.right))
         self._stand(Upright("set", step.number, [], (), step.is_turned, wheels, left, right))
 
     def _fold(self, before: tuple[Bars, Bars], after: tuple[Bars, Bars]) -> None:
@@ -202,15 +198,11 @@ class _FrameMaker:
     def _last_of(row: Sequence[Bar], link: int) -> Bar:
         return next(bar for bar in row[::-1] if bar.link == link)
 
-    def _arms(
-        self,
-        carrier: int,
-        is_low: bool,  # noqa: FBT001
-        is_high: bool,  # noqa: FBT001
-    ) -> tuple[Bar | None, Bar | None]:
+    def _met(self, low: int, high: int) -> tuple[Bar | None, Bar | None]:
+        """Return the bars of two links nearest to the planets, below and above; 0 is no link."""
         return (
-            self._last_of(self.below, carrier) if is_low else None,
-            self._last_of(self.above[::-1], carrier) if is_high else None,
+            self._last_of(self.below, low) if low else None,
+            self._last_of(self.above[::-1], high) if high else None,
         )
 
     def _nearest(self, first_link: int, second_link: int, place: int) -> list[Bar]:
