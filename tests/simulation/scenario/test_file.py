@@ -162,7 +162,7 @@ FAULTS = [
     ("converters: {T: {links: [in, housing], points: [[0, 1, 1]]}}", "4:30", "a link number from"),
     ("converters: {T: {links: [in, wheel], points: [[0, 1, -1]]}}", "4:54", "lambda of 0 or more"),
     ("shifts: [{at: 1, to: hih}]", "4:22", "expected the name of a gear; did you mean `high`?"),
-    ("shifts: [{at: 2, to: low}, {at: 1, to: high}]", "4:33", "expected shifts in the order of"),
+    ("shifts: [{at: 2, to: low}, {at: 0, to: high}]", "4:33", "expected shifts in the order of"),
     ("shifts: [{at: 2, to: low, overlap: -1}]", "4:36", "read -1, expected a time of 0 or more"),
     ("shifts: [{to: low}]", "4:10", "`at` is missing"),
     ("targets: {in: 50 km/h}", "4:11", "a velocity belongs to a link with a `road`"),
