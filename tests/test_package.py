@@ -37,11 +37,6 @@ PAIR = {
 }
 
 
-def test_every_name_of_the_package_is_there() -> None:
-    for name in vstatics.__all__:
-        assert getattr(vstatics, name) is not None
-
-
 @needs(*ANNEXES)
 def test_checkers_of_types_know_all_public_names() -> None:
     """They read a list that is written; the program asks the records of annexes."""
