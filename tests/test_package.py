@@ -336,6 +336,8 @@ def test_a_picture_is_shown_as_svg_and_saved_by_its_suffix(tmp_path: Path) -> No
         ("plan", {"merge": True}, "`merge` is not for it, only levers can be merged"),
         ("shift", {}, "expected motion=vstatics.simulate(scenario)"),
         ("campbell", {"at": "in"}, "only a response is that of a link"),
+        ("campbell", {"orders": [0]}, "read orders [0], expected numbers above 0"),
+        ("campbell", {"speed": (5, 5)}, "expected a speed from 0 on, and a higher speed"),
     )
     for kind, options, said in wrong:
         with pytest.raises(ValueError, match=re.escape(said)):
