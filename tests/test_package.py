@@ -37,11 +37,6 @@ PAIR = {
 }
 
 
-def test_every_name_of_the_package_is_there() -> None:
-    for name in vstatics.__all__:
-        assert getattr(vstatics, name) is not None
-
-
 @needs(*ANNEXES)
 def test_checkers_of_types_know_all_public_names() -> None:
     """They read a list that is written; the program asks the records of annexes."""
@@ -341,6 +336,8 @@ def test_a_picture_is_shown_as_svg_and_saved_by_its_suffix(tmp_path: Path) -> No
         ("plan", {"merge": True}, "`merge` is not for it, only levers can be merged"),
         ("shift", {}, "expected motion=vstatics.simulate(scenario)"),
         ("campbell", {"at": "in"}, "only a response is that of a link"),
+        ("campbell", {"orders": [0]}, "read orders [0], expected numbers above 0"),
+        ("campbell", {"speed": (5, 5)}, "expected a speed from 0 on, and a higher speed"),
     )
     for kind, options, said in wrong:
         with pytest.raises(ValueError, match=re.escape(said)):

@@ -77,6 +77,10 @@ def test_the_last_line_counts_the_gears_of_each_variant(file: Path) -> None:
     said = run("sweep", file, *asked).err
     assert "<stdout>: 6 rows of 6 gears, 3 in each variant" in said
     assert said.endswith(" gears a second\n")
+    table = file.with_suffix(".md")
+    assert run("sweep", file, *asked, "-o", table).status == 0
+    first = table.read_text("utf-8").split("\n|")[3]
+    assert [cell.strip() for cell in first.split("|")] == ["0", "-2", "ok", "low, 1", "3", ""]
 
 
 def test_many_jobs_and_several_pieces_give_the_same_rows(

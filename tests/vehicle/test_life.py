@@ -237,6 +237,8 @@ def test_shares_give_classes_in_parts_and_a_life_in_hours() -> None:
         assert shared.life[name].hours == pytest.approx(life.hours, rel=1e-9)
     times = [each.time for each in shared.spectrum["s"].classes] + [shared.spectrum["s"].idle.time]
     assert sum(times) == pytest.approx(1)
+    [heads] = [grid.columns for grid in shared.grids() if grid.key == "duty spectrum"]
+    assert [head.heading for head in heads[3:6]] == ["turns a second", "contacts", "share"]
 
 
 def test_strengths_and_bearings_are_written_as_they_were_read() -> None:
@@ -380,9 +382,11 @@ def test_an_unknown_torque_leaves_the_life_unknown() -> None:
         "output: out", "input: s\noutput: out\nshift_elements: {A: [r, housing], B: [r, housing]}"
     )
     text = text.replace('"1": []', '"1": [A, B]')
-    keys = "bearings: {b: {on: s, torque_of: A, load_per_torque: 1, dynamic: 9 kN}}"
+    bearing = "torque_of: A, load_per_torque: 1, dynamic: 9 kN"
+    keys = f"bearings: {{b: {{on: s, {bearing}}}, still: {{on: r, {bearing}}}}}"
     found = spectrum(loads(text % keys), Rows(seeded(76)).points())
     assert found.bearings is not None
+    assert found.bearings["still"].damage == 0
     assert math.isnan(found.bearings["b"].damage)
     assert found.bearings["b"].hours is None
 

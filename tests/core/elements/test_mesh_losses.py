@@ -74,18 +74,6 @@ def test_a_set_is_the_product_of_its_meshes() -> None:
     assert of_set() == pytest.approx(mesh_efficiency(24, 24, 0.06, False) * outer)
 
 
-def test_a_long_planet_fills_the_gap_between_the_large_sun_and_the_ring() -> None:
-    """(90 - 36)/2 = 27 teeth; those of the short planet are not known."""
-    wheels = "small_sun: sun, large_sun: large, ring: ring, carrier: carrier"
-    teeth = "small_sun: 30, large_sun: 36, ring: 90"
-    text = SET.format(ring=72, more="", own="").replace("kind: planetary", "kind: ravigneaux")
-    text = text.replace("sun: sun, ring: ring, carrier: carrier", wheels)
-    text = text.replace("sun: 24, ring: 72", teeth).replace("[sun, ring", "[sun, large, ring")
-    meshes = [mesh_efficiency(36, 27, 0.06, False), mesh_efficiency(27, 90, 0.06, True)]
-    case = read_yaml(text.encode(), "set.yaml").case
-    assert [mechanism.efficiency for mechanism in case.mechanisms][1:3] == pytest.approx(meshes)
-
-
 def test_numbers_that_are_given_hold() -> None:
     outer = mesh_efficiency(24, 72, 0.06, True)
     assert of_set(own=", external: 0.97") == pytest.approx(0.97 * outer)

@@ -115,12 +115,12 @@ def test_a_given_slip_is_on_the_right_of_its_equation() -> None:
 def test_a_converter_has_different_ratios_of_speeds_and_of_torques() -> None:
     """The speed ratio lies where the straight lambda times w^2 is the torque of the load."""
     chance = seeded(279)
-    for _ in range(count(6, 60)):
+    for turn in range(count(3, 60)):
         torque, speed, u = (chance.uniform(low, 2 * low) for low in (80, 150, 1.5))
         at = chance.uniform(0.1, 0.9)
         end = chance.uniform(0, 0.5) * (torque / speed**2)
         start = end + (torque / speed**2 - end) / (1 - at)  # lambda is straight from start to end
-        given = chance.random() < 0.3
+        given = turn % 3 == 1
         case = loads(f"""
 links: [engine, turbine, ring, mid, out]
 load: {{speed: {speed} rad/s, torque: {torque} N*m}}

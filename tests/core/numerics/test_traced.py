@@ -22,6 +22,7 @@ from vstatics.core.numerics.traced import (
     Traced,
     guard_same,
     guard_within,
+    may_lie,
     plain,
     residual,
 )
@@ -130,6 +131,10 @@ def test_bounds_and_signs_settle_a_comparison_without_a_guard() -> None:
         assert -small > -a > -large
         assert -a != a
         assert not noted(a)
+    for sign in (1, -1):
+        spans = ((1.5, 0.0), (1.6, 0.0), (2.9, 9.0), (3.0, 9.0))
+        found = [may_lie(sign * one, *sorted((sign * a, sign * b))) for a, b in spans]
+        assert found == [False, True, True, False]
 
 
 def test_bounds_settle_nothing_within_their_own_rounding() -> None:

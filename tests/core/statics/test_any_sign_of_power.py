@@ -6,10 +6,9 @@ from itertools import product
 import numpy as np
 import pytest
 
-from tests.chance import count, ranges_with_slow, seeded
+from tests.chance import ranges_with_slow
 from tests.core.statics.test_drag import checked, much_drag
 from tests.core.statics.test_freewheels import turned_round, with_freewheels
-from tests.trains import random_train
 from vstatics import Gear, Load, Mechanism, Results, Transmission, solve
 
 PAIR = Mechanism(1, 2, 0, -2.5, 0.96)
@@ -40,21 +39,6 @@ def test_a_gear_may_coast_by_itself() -> None:
     driven = case.with_coast(True)
     assert all(map(driven.coasts, driven.gears))
     assert solve(case, coast=False).lossy_output_torque_Nm[1] == pytest.approx(300 * drive)
-
-
-def test_a_train_that_turns_the_other_way_has_the_same_numbers() -> None:
-    """Statics has no preferred way: relative numbers stay, those in units change signs."""
-    for seed in range(2700, 2700 + count(15, 400)):
-        case = random_train(seeded(seed))
-        for torque in (80.0, -80.0):
-            one = solve(case.replace(load=Load(1500.0, torque), coast=None))
-            other = solve(case.replace(load=Load(-1500.0, -torque), coast=None))
-            for name in ("speeds", "lossy_torques", "efficiency", "losses", "locked", "dragged"):
-                np.testing.assert_array_equal(getattr(one, name), getattr(other, name))
-            np.testing.assert_array_equal(one.lossy_torques_Nm, -other.lossy_torques_Nm + 0.0)
-            by_flag = solve(case.replace(load=Load(1500.0, 80.0), coast=torque < 0))
-            np.testing.assert_array_equal(one.lossy_torques_Nm, by_flag.lossy_torques_Nm)
-            check_power(one)
 
 
 def check_power(results: Results) -> None:

@@ -79,7 +79,7 @@ TWO = TWO.replace("engaged: [A, ", "engaged: [").replace("engaged: [A]", "engage
 
 
 def pair(ratio: float = -1.0, first: int = 2, second: int = 0) -> Transmission:
-    elements = [ShiftElement(first, second, "L", "freewheel")]
+    elements = [ShiftElement(first, second, "L", "freewheel"), ShiftElement(1, 0, "B")]
     return Transmission(2, elements, [Mechanism(1, 2, 0, ratio)], [Gear()])
 
 
@@ -94,7 +94,7 @@ def test_a_freewheel_that_is_driven_backward_is_a_conflict() -> None:
         "conflict: freewheel L can neither overrun (its slip would be -1, below 0) nor hold"
     )
     turned = solved(pair(first=0, second=2))
-    assert turned.slip_speeds.tolist() == [[1]]
+    assert turned.slip_speeds.tolist() == [[1, 1]]
     assert not turned.failed
     [said] = solved(backward(pair(2.0))).messages
     assert "(its slip would be 0.5, above 0, with an input that turns backward)" in said.text

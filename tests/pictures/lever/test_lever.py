@@ -262,6 +262,16 @@ def test_the_ratio_is_the_largest_text() -> None:
         assert largest.get_text() == f"i = {results.ratio[2]:.3f}"
 
 
+def test_speeds_are_drawn_to_one_scale_from_where_a_link_stands() -> None:
+    """Tarasik's set in gear 1: its output turns at 1/2.5 of its input (the case)."""
+    figure = picture(shipped_results("tarasik-set.yaml"), "lever", Style(), [1])
+    lines: list[Any] = figure.findobj(Line2D)
+    bars = [line.get_xdata()[:2] for line in lines if line.get_linewidth() == 3.2]
+    (start, end), (other, shorter) = sorted(bars, key=lambda bar: -bar[1])
+    assert (other, shorter - start) == pytest.approx((start, (end - start) / 2.5))
+    assert 0 < start < end
+
+
 def test_levers_of_a_gear_go_on_in_the_next_row() -> None:
     """8HP70 on 170 mm: a line that is cut goes on as high as it ends, in the next row."""
     assert page("zf-8hp70.yaml").bands == [[0, 1], [2, 3]]

@@ -20,7 +20,7 @@ from tests.simulation.boxes import (
     second_gear,
 )
 from tests.simulation.test_golden import happened
-from vstatics import CaseError, Spring
+from vstatics import CaseError, Mechanism, Spring, Transmission
 from vstatics.core.model.converters import Converter
 from vstatics.core.model.springs import between
 from vstatics.simulation import Dog, Formula, Resistance, Scenario, Shift, Start, constant, simulate
@@ -47,6 +47,8 @@ def test_brake_stops_the_ring() -> None:
     # locked, it has the same acceleration as the event run
     rate = (motion.speeds[-1, 0] - at_lock[0]) / (1 - time)
     assert rate == pytest.approx(25.477707, abs=6e-7)
+    # and passes on what its input leaves, of which the brake takes u - 1
+    assert motion.torques[-1, 0] == pytest.approx(-1.5 * (40 - 0.5 * rate), rel=1e-7)
 
 
 @pytest.mark.parametrize("law", ["-60 - 20*angle", "-60 - 20*speed"])
@@ -185,9 +187,16 @@ def test_points_a_and_c() -> None:
     assert masses.input_inertia(*speeds) == pytest.approx(0.5, abs=1e-12)
     assert masses.ratio == pytest.approx(2.5)
     assert masses.output_inertia == pytest.approx(0.8)
+    pair = Mechanism(4, 2, 0, 2.0)  # on a shaft that turns twice as fast, four times the inertia
+    a_set = planetary_set()
+    names, inertias = [*a_set.link_names, "c"], {**a_set.inertias, 4: 0.1}
+    case = a_set.replace(
+        links=4, link_names=names, mechanisms=[*a_set.mechanisms, pair], inertias=inertias
+    )
+    assert masses_of_set(case).output_inertia == pytest.approx(0.8 + 4 * 0.1)
 
 
-def masses_of_set() -> TwoMasses:
-    scenario = first_gear()
+def masses_of_set(case: Transmission | None = None) -> TwoMasses:
+    scenario = first_gear(case)
     system = motion_system(scenario, programmes(scenario, ()), None)
     return two_masses(system, (0, 1), (), 0)

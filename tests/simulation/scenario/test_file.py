@@ -162,7 +162,7 @@ FAULTS = [
     ("converters: {T: {links: [in, housing], points: [[0, 1, 1]]}}", "4:30", "a link number from"),
     ("converters: {T: {links: [in, wheel], points: [[0, 1, -1]]}}", "4:54", "lambda of 0 or more"),
     ("shifts: [{at: 1, to: hih}]", "4:22", "expected the name of a gear; did you mean `high`?"),
-    ("shifts: [{at: 2, to: low}, {at: 1, to: high}]", "4:33", "expected shifts in the order of"),
+    ("shifts: [{at: 2, to: low}, {at: 0, to: high}]", "4:33", "expected shifts in the order of"),
     ("shifts: [{at: 2, to: low, overlap: -1}]", "4:36", "read -1, expected a time of 0 or more"),
     ("shifts: [{to: low}]", "4:10", "`at` is missing"),
     ("targets: {in: 50 km/h}", "4:11", "a velocity belongs to a link with a `road`"),
@@ -282,3 +282,11 @@ def test_a_run_does_not_start_in_a_gear_with_a_given_slip(tmp_path: Path) -> Non
         file.write_text(f"case: box.yaml\nduration: 6\n{key}{start}", "utf-8")
         with pytest.raises(ReadError, match=rf"shift.yaml:{place}: error: .*B has a given slip in"):
             load_scenario(file)
+
+
+def test_input_speeds_in_rpm_are_those_of_the_start_and_of_laws_over_speed() -> None:
+    """Pi rad/s are 30 rpm; what acts on another link counts nothing."""
+    laws = "in: {over: speed, points: [[-30 rpm, 0], [6 rad/s, 0]]}"
+    laws += ", wheel: {over: speed, points: [[1, 0], [2, 0]]}"
+    file = scenario_file(f"start: {{gear: low, speed: 900 rpm}}\ntorques: {{{laws}}}")
+    assert file.input_speeds == pytest.approx((900, 30, 6 * 30 / math.pi))

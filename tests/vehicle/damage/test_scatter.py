@@ -73,6 +73,7 @@ def test_the_command_tells_the_distribution() -> None:
 def test_what_does_not_scatter_as_it_should_is_wrong_use() -> None:
     for given, said in (
         ("lognormal(9 MPa, 0)|--samples|9", "and a deviation, above 0"),
+        ("lognormal(0 MPa, 1)|--samples|9", "and a deviation, above 0"),
         ("normal(9 MPa, 1)|--samples|9", "a unit of both numbers, or of none"),
         ("normal(9 MPa)|--samples|9", "or a distribution such as"),
         ("normal(9 MPa, 1 MPa)", "expected --samples as well"),
