@@ -548,15 +548,15 @@ def _driving_messages(results: Results, number: int) -> Iterator[Said]:
     slips: list[Number] = [
         state.gear.slip.get(n, 0.0) for n in range(1, len(case.shift_elements) + 1)
     ]
-    given = state.ideal._replace(speeds=state.ideal.speeds._replace(slips=slips))
+    ideal_gear = state.ideal._replace(speeds=state.ideal.speeds._replace(slips=slips))
     columns, drag = matrix.columns(case, ratios), torques.NO_DRAG
     if results.locked[number]:
         columns, drag = matrix.columns(case, state.lossy_ratios), state.drag
     solved = torques.solve_torques(case, state.gear, columns, drag)
     pumps = dict.fromkeys(state.gear.pump_torques, 0.0)
     unloaded = torques.solve_torques(case, state.gear._replace(pump_torques=pumps), columns, drag)
-    without_pumps = ideal.driving(given, columns, unloaded)
-    for element in ideal.driving(given, columns, solved):
+    without_pumps = ideal.driving(ideal_gear, columns, unloaded)
+    for element in ideal.driving(ideal_gear, columns, solved):
         slip = state.gear.slip[element]
         # In a driving cycle the solver's input is the wheels, so slip is relative to their speed.
         given = slip.given if isinstance(slip, OfLoad) else slip
