@@ -49,8 +49,6 @@ ROOT_PART = 1e-14
 """Tolerance of the root of a polynomial, relative to the interval."""
 ROOT_TIME = 1e-15
 """Tolerance of the time at which a margin is 0, relative to the time."""
-TARGET_TIME = 2e-12
-"""Tolerance of the time at which a quantity reaches a target. [s]"""
 
 # speeds, torques, margins
 STANDING = 1e-9

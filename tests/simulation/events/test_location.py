@@ -1,13 +1,11 @@
-"""Events that are short against a time step, and zeros of functions."""
+"""Events that are short against a time step."""
 
 import math
 
 import pytest
-from scipy.optimize import brentq
 
 from tests.chance import count, seeded
 from tests.simulation.control.written import simulated
-from vstatics.simulation.events.brent import zero
 
 STOP = "inertias: {a: 1}\nsprings: {stop: {links: [a], points: [[-1, -1e6], [0, 0], [1, 0]]}}\n"
 
@@ -41,18 +39,3 @@ states: {{x: {{rate: "5 - 2*t"}}}}
 sequences: {{s: [{{when: "x > 6.24", set: {{n: 1}}}}]}}
 """, "inertias: {a: 1}")  # fmt: skip
         assert [event.time for event in motion.events] == pytest.approx([2.4])
-
-
-def test_zeros_equal_those_of_scipy_to_the_last_bit() -> None:
-    rng = seeded(29)
-    for _ in range(count(300, 10_000)):
-        powers = [rng.uniform(-1, 1) * 10 ** rng.uniform(-3, 3) for _ in range(9)]
-        shift, steep = powers[0] / 1e3, powers[1]
-        for function in (
-            lambda x, powers=powers: sum(power * x**n for n, power in enumerate(powers)),
-            lambda x, shift=shift, steep=steep: math.tanh(steep * (x - shift)),
-        ):
-            ends = rng.uniform(-3, 0), rng.uniform(0, 3)
-            if function(ends[0]) * function(ends[1]) < 0:
-                expected = brentq(function, *ends, xtol=1e-15, rtol=1e-15)
-                assert zero(function, ends, 1e-15, 1e-15) == expected

@@ -12,7 +12,6 @@ import numpy as np
 from vstatics.core.errors import CaseError
 from vstatics.core.model.parts import Law
 from vstatics.core.numerics.arrays import Floats
-from vstatics.simulation.events.brent import zero
 from vstatics.simulation.events.margins import FOLLOWING, LargeSizes, Margins, Watch
 from vstatics.simulation.events.time_steps import TimeStep
 from vstatics.simulation.scenario.formula import Formula
@@ -333,6 +332,8 @@ class Finder:
         return self.margins.at(time, step.between(np.array([time]))[:, 0])
 
     def _root(self, step: TimeStep, index: int, first: float, last: float) -> float:
+        from scipy.optimize import brentq
+
         times = first + (last - first) * _NODES
         values = self.margins.along(times, step.between(times))[index]
         if values[0] <= 0:  # dense output and states at the instants have different rounding errors
@@ -348,7 +349,7 @@ class Finder:
                 return reduce(lambda total, power: total * part + power, powers)
 
             if near(0.0) > 0 > near(1.0):
-                return first + (last - first) * zero(near, (0.0, 1.0), ROOT_PART)
+                return first + (last - first) * float(brentq(near, 0.0, 1.0, xtol=ROOT_PART))
 
         def at(time: float) -> float:
             return float(self._margins_at(step, time)[index])
@@ -358,7 +359,7 @@ class Finder:
             return first
         if at(last) >= 0:
             return last
-        return zero(at, (first, last), ROOT_TIME * max(1.0, last), ROOT_TIME)
+        return float(brentq(at, first, last, xtol=ROOT_TIME * max(1.0, last), rtol=ROOT_TIME))
 
     def _refined(
         self, step: TimeStep, time: float, state: Floats, index: int

@@ -7,10 +7,8 @@ from collections.abc import Callable
 import numpy as np
 
 from vstatics.core.numerics.arrays import Floats
-from vstatics.simulation.events.brent import zero
 from vstatics.simulation.events.location import minima
 from vstatics.simulation.events.time_steps import TimeStep
-from vstatics.simulation.tolerances import TARGET_TIME
 
 
 def first_reached(
@@ -47,4 +45,6 @@ def first_reached(
             break
     if bracket is None or height(bracket[1]) >= 0:
         return bracket and bracket[1]
-    return zero(height, bracket, TARGET_TIME)
+    from scipy.optimize import brentq
+
+    return float(brentq(height, *bracket))
