@@ -35,39 +35,31 @@ def zero(
     2.0
     """
     (before, at), beyond = ends, ends[0]
-    height_before, height = function(before), function(at)
-    height_beyond, last = height_before, at - before
+    y_before, y = map(function, ends)
+    y_beyond, last = y_before, at - before
     step = last
     for _ in range(_MOST_STEPS):
-        if (height_before > 0) != (height > 0):
-            beyond, height_beyond = before, height_before
+        if (y_before > 0) != (y > 0):
+            beyond, y_beyond = before, y_before
             last = step = at - before
-        if abs(height_beyond) < abs(height):
+        if abs(y_beyond) < abs(y):
             before, at, beyond = at, beyond, at
-            height_before, height, height_beyond = height, height_beyond, height
+            y_before, y, y_beyond = y, y_beyond, y
         least, half = (absolute + relative * abs(at)) / 2, (beyond - at) / 2
-        if height == 0 or abs(half) < least:
+        if y == 0 or abs(half) < least:
             break
         trial = math.inf
-        if abs(last) > least and abs(height) < abs(height_before):
-            places = (before, height_before), (at, height), (beyond, height_beyond)
-            trial = _interpolated(*places)
+        if abs(last) > least and abs(y) < abs(y_before):
+            if before == beyond:  # a straight line, otherwise an inverse parabola
+                over, under = at - before, y - y_before
+            else:
+                slope, other = (y_before - y) / (before - at), (y_beyond - y) / (beyond - at)
+                over = y_beyond * other - y_before * slope
+                under = other * slope * (y_beyond - y_before)
+            trial = -y * over / under if under else math.inf
         is_short = 2 * abs(trial) < min(abs(last), 3 * abs(half) - least)
         last, step = (step, trial) if is_short else (half, half)
-        before, height_before = at, height
+        before, y_before = at, y
         at += step if abs(step) > least else math.copysign(least, half)
-        height = function(at)
+        y = function(at)
     return at
-
-
-_Point = tuple[float, float]
-
-
-def _interpolated(before: _Point, at: _Point, beyond: _Point) -> float:
-    """Return the step to the zero of a line or of an inverse parabola through three points."""
-    (x0, y0), (x1, y1), (x2, y2) = before, at, beyond
-    if x0 == x2:
-        return -y1 * (x1 - x0) / (y1 - y0)
-    slope, other = (y0 - y1) / (x0 - x1), (y2 - y1) / (x2 - x1)
-    below = other * slope * (y2 - y0)
-    return -y1 * (y2 * other - y0 * slope) / below if below else math.inf
