@@ -92,11 +92,6 @@ class SplitRoom(NamedTuple):
     room: float
     """Smallest slack of `widest`, negative if no split is within all limits. [N*m]"""
 
-    def is_of(self, slack: Floats, directions: Floats) -> bool:
-        """Return whether this object was calculated from the slacks and directions."""
-        given = self.slack * self.ways, self.directions * self.ways[:, None]
-        return np.array_equal(given[0], slack) and np.array_equal(given[1], directions)
-
     @property
     def tight(self) -> Booleans:
         """Flags of the smallest slacks in `widest`."""
@@ -154,8 +149,6 @@ class Margins:
             if largest(structure.redundant[mesh]) > SHARED_TORQUE
         ]
         """Rows of both slacks of each mechanism at rest with a redundant torque, of any sign."""
-        self.last_room: SplitRoom | None = None
-        """Latest result of `_roomiest`, which is often needed again."""
         self.straight_limits = self._straight_limits()
         self.sees = any(device.programme.look is not None for device in system.may_slip)
         """True if a torque limit is a formula that reads the motion."""
@@ -488,8 +481,6 @@ class Margins:
         mechanism at its limit can gain slack by the other sign.
         """
         directions = self._directions(held)
-        if self.last_room and self.last_room.is_of(slack, directions):
-            return self.last_room
         best = split_room(slack, directions, np.ones(len(slack)))
         while best.room <= 0:
             tight = best.tight
@@ -498,7 +489,6 @@ class Margins:
             if roomiest.room <= best.room:
                 break
             best = roomiest
-        self.last_room = best
         return best
 
     def tight(self, time: float, state: Floats) -> list[Watch]:

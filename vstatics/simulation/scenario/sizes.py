@@ -8,7 +8,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import count
-from types import NoneType
 from typing import Any
 
 from vstatics.core.errors import Path, Problem
@@ -18,9 +17,6 @@ from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Points, Road
 from vstatics.simulation.scenario.parts import Scenario
 from vstatics.simulation.tolerances import LARGEST_NUMBER, LEAST_NUMBER, UNLIKE_INERTIAS
-
-_NOT_MEASURED = (str, int, NoneType)
-"""Types of values that are no sizes: names, numbers of parts, missing values."""
 
 
 def size_problems(scenario: Scenario) -> Iterator[Problem]:
@@ -85,7 +81,7 @@ def _of_numbers(part: Any, path: Path, least: float = LEAST_NUMBER) -> Iterator[
     elif isinstance(part, Formula):
         for value in part.constants:
             yield from _of_numbers(value, path)
-    elif not isinstance(part, _NOT_MEASURED):
+    else:
         for name, value in _parts(part):
             yield from _of_numbers(value, (*path, name), least)
 

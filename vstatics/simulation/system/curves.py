@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Callable, Sequence
 from typing import TypeVar
 
 import numpy as np
 
 from vstatics.core.numerics.arrays import Floats
-from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.scenario.laws import Curve, Points
 from vstatics.simulation.scenario.programme import Programme, friction_at
 from vstatics.simulation.system.matrices import Contact
@@ -56,19 +54,11 @@ def programme_along(programme: Programme, times: Floats, seen: Floats | None = N
     return programme.factor * curve_along(programme.curve, times)
 
 
-_LAST: deque[tuple[Formula, Floats, Floats]] = deque(maxlen=16)
-
-
 def curve_along(curve: Curve, times: Floats) -> Floats:
-    """Return the values of a curve at several times; recent results of formulas are cached."""
+    """Return the values of a curve at several times."""
     if isinstance(curve, Points):
         return np.full(len(times), curve.y[0]) if len(set(curve.y)) == 1 else curve.along(times)
-    for known, at, values in _LAST:
-        if at is times and known == curve:
-            return values
-    values = curve.along(times, 0.0, 0.0)
-    _LAST.append((curve, times, values))
-    return values
+    return curve.along(times, 0.0, 0.0)
 
 
 def slope_of(
