@@ -10,8 +10,9 @@ from tests.commands import CASES, MZKT
 from tests.core.statics.test_freewheels import pair
 from tests.sweep.sweeps import DIFFERENTIAL, plan
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, load, solve
+from vstatics.core.jobs.piece_file import Account, Noticed
 from vstatics.sweep import blocks, sweep
-from vstatics.sweep.chunk import STATUS
+from vstatics.sweep.chunk import STATUS, noticed_in
 
 
 def test_numbers_are_those_of_the_case_solved_alone() -> None:
@@ -154,3 +155,10 @@ def test_what_cannot_be_is_told_before_anything_is_calculated() -> None:
     for arguments, words in wrong:
         with pytest.raises(Exception, match=words):
             sweep(DIFFERENTIAL, **arguments)
+
+
+def test_messages_that_differ_in_numbers_are_counted_together() -> None:
+    """With the words of the first variant, whichever piece comes first."""
+    both = Noticed("W1", "slip of 2.5", 7, 3), Noticed("W1", "slip of 4", 2, 5)
+    parts = [Account(piece, 0, {}, (), noticed=(one,)) for piece, one in enumerate(both)]
+    assert noticed_in(parts) == (Noticed("W1", "slip of 4", 2, 3 + 5),)

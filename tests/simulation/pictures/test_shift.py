@@ -10,6 +10,7 @@ import pytest
 from tests.pictures.drawn import titled
 from tests.shipped import shipped_results
 from vstatics import CaseError, Gear, Mechanism, Results, ShiftElement, Transmission, solve
+from vstatics.core.model.parts import SpeedOf
 from vstatics.pictures import picture
 from vstatics.pictures.drawing.line_styles import thing_look
 from vstatics.pictures.drawing.style import Style
@@ -140,6 +141,13 @@ def test_a_run_leaves_a_plan_whose_element_slips() -> None:
     through = course(case, plan, motion)
     assert through.on_plan.tolist() == (time < 0.5).tolist()
     assert np.isnan(through.masked(through.output, on_plan=True)[time >= 0.5]).all()
+    # also that of a link that shall turn twice as fast as another, which turns at 3
+    gears = [Gear([one], speeds={4: SpeedOf(3, 2.0)}) for one in (1, 3)]
+    case = case.replace(gears=gears)
+    [plan] = plans(solve(case))
+    speeds *= 3
+    speeds[:, 3] += 6
+    assert course(case, plan, motion).on_plan.tolist() == (time < 0.5).tolist()
 
 
 def test_nothing_can_be_drawn_without_a_run_or_where_nothing_moves(results: Results) -> None:
