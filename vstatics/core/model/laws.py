@@ -68,6 +68,12 @@ class PointLaw(Law):
         (size,) = sizes
         return _is_outside(size, self.points[0][0], self.points[-1][0])
 
+    @cached_property
+    def table(self) -> LookupTable:
+        """Points as a lookup table with a single row."""
+        x, y = zip(*self.points, strict=True)
+        return LookupTable((0.0,), (y,), x)
+
     @property
     def ends(self) -> tuple[float, float]:
         """Smallest and largest value of the law."""

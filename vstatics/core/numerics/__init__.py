@@ -12,7 +12,8 @@ The same code also runs for arrays of variants. While one variant is calculated,
 (of fixed sign) or `signed` numbers (of any sign) record their operations on a `tape`, with a guard
 for each decision. `replay` repeats the operations on arrays in `memory`. A plan in `plans` is a
 replay with the ranges of its inputs. `exact` converts fractions, `motions` finds the free solutions
-of equations, `lookup_table` interpolates over one or two variables, `sides` locates changes of
-sign, `fronts` selects the best points for several objectives, `steps` spaces numbers evenly, and
-`constants` contains physical constants. No module here depends on transmissions.
+of equations, `lookup_table` interpolates over one or two variables, `fixed_points` finds all
+efficiencies that agree with their torques, `sides` locates changes of sign, `fronts` selects the
+best points for several objectives, `steps` spaces numbers evenly, and `constants` contains physical
+constants. No module here depends on transmissions.
 """

@@ -70,6 +70,55 @@ class LookupTable(NamedTuple):
         )
         return np.asarray(first + part * (last - first))
 
+    def values_over(self, x: Floats, low: Floats, high: Floats) -> tuple[Floats, Floats]:
+        """Return bounds of the values at x from y `low` to `high`.
+
+        They are exact where x is a row, or at most one of the columns is between `low` and `high`.
+        """
+        start = np.searchsorted(self.columns, low, "right")
+        stop = np.searchsorted(self.columns, high, "left")
+        ends = self.along(x, low), self.along(x, high)
+        inner = self._extremes(np.array(self.values), x, start, np.maximum(start + 1, stop))
+        bounds = zip((np.minimum, np.maximum), inner, strict=True)
+        least, largest = (
+            np.where(stop > start, f(f(*ends), values), f(*ends)) for f, values in bounds
+        )
+        return least, largest
+
+    def slopes_over(self, x: Floats, low: Floats, high: Floats) -> tuple[Floats, Floats]:
+        """Return bounds of the slopes over y at x from y `low` to `high`."""
+        slopes = np.diff(self.values) / np.diff(self.columns)
+        start = np.searchsorted(self.columns, low, "right")
+        stop = np.searchsorted(self.columns, high, "left")
+        start, stop = np.minimum(start, stop), np.maximum(start, stop) + 1
+        return self._extremes(np.pad(slopes, ((0, 0), (1, 1))), x, start, stop)
+
+    def _extremes(
+        self, numbers: Floats, x: Floats, start: Integers, stop: Integers
+    ) -> tuple[Floats, Floats]:
+        """Return bounds of the numbers of rows, interpolated at x, from `start` to before `stop`.
+
+        Each level contains the extremes over twice as many neighbours as the level before.
+        """
+        row, part = _places(self.x, x)
+        level = np.frexp(stop - start)[1] - 1
+        extremes = []
+        for function in (np.minimum, np.maximum):
+            levels = [numbers]
+            for width in 2 ** np.arange(int(level.max(initial=0))):
+                levels.append(function(levels[-1], np.roll(levels[-1], -width, axis=1)))
+            both = np.array(levels)
+            at = (
+                np.minimum(start, numbers.shape[1] - 1),
+                np.minimum(stop, numbers.shape[1]) - 2**level,
+            )
+            first, last = (
+                function(*(both[level, index, place] for place in at))
+                for index in (row, row + (part > 0))
+            )
+            extremes.append(first + part * (last - first))
+        return extremes[0], extremes[1]
+
     def line_at(self, x: float) -> tuple[float, float]:
         """Return the straight line that the table follows near x, as value at 0 and slope.
 

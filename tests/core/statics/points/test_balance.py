@@ -176,3 +176,35 @@ def test_a_series_hybrid_is_balanced_as_by_hand() -> None:
         vary = {"gears.series.balance.battery": [0.0, battery], "load.speed": [9.0, speed]}
         varied = solve(case, vary=vary).lossy_holding_torques_Nm[1, 0]
         assert varied == pytest.approx(torques, rel=1e-9, nan_ok=True)
+
+
+def test_all_torques_that_a_jagged_map_balances_are_counted() -> None:
+    """MG2 alone varies: with e = c + s T it gives the battery -W T e, at torques below 0."""
+    rng, numbers = seeded(52), set()
+    case = SPLIT.replace("efficiency: .98", "efficiency: 1").replace(
+        "efficiency: .97", "efficiency: 1"
+    )
+    results = solve(loads(case))
+    powers, speeds = -1000 * results.port_powers_kW[0], results.speeds_rpm[0] * np.pi / 30
+    of_first = powers[0] * 0.92 if powers[0] > 0 else powers[0] / 0.92
+    for _ in range(count(12, 500)):
+        need = rng.uniform(300, 4000)
+        width = need / float(abs(speeds[3]))
+        ends = [-1.6 * width, *sorted(-rng.uniform(0.6, 1.4) * width for _ in range(6)), 0.0]
+        values = [round(rng.uniform(0.5, 0.98), 3) for _ in ends]
+        roots = []
+        for place in range(len(ends) - 1):
+            s = (values[place + 1] - values[place]) / (ends[place + 1] - ends[place])
+            terms = s, values[place] - s * ends[place], width
+            inside = [t for t in np.roots(terms) if ends[place] <= t.real < ends[place + 1]]
+            roots += [t.real for t in inside if t.imag == 0]
+        law = (
+            f"{{over: [speed, torque], columns: {ends}, rows: [{[0, *values]}, {[2000, *values]}]}}"
+        )
+        text = case.replace("MG2: .90", f"MG2: {law}").replace(
+            "-2 kW", f"{need + float(of_first)!r} W"
+        )
+        said = [message.text for message in solve(loads(text)).messages if message.id == "W427"]
+        assert len(said) == (len(roots) > 1), (law, roots)
+        numbers.add(len(roots))
+    assert max(numbers) > 1

@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 
 from vstatics.core.errors import CaseError, spoken
+from vstatics.core.model.laws import MapLaw
 from vstatics.core.model.parts import RAD_PER_RPM, Law
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers, without
@@ -40,6 +41,8 @@ GRID_REFINEMENT = 1000.0
 """
 MOST_SOLUTIONS = 3
 """Largest number of sign changes of the surplus in which a torque is searched for."""
+STEEP_CELL_POINTS = 5
+"""Number of trial torques in a cell of a map in which the battery's power can have an extremum."""
 PROBE_PART = 0.37
 """Arbitrary trial torque, to test if torques are determinate, relative to the input torque. [-]"""
 NO_BALANCE, TWO_BALANCES = 3, 4
@@ -128,7 +131,10 @@ def balanced(
         / GRID_REFINEMENT
         * GRID_WIDTH
     )
-    grids = {balance: np.outer(grid, scales[balance]) for balance in open_balances}
+    grids = {
+        balance: _with_steep_cells(balance, np.outer(grid, scales[balance]), columns, follow)
+        for balance in open_balances
+    }
     roots = find_roots(grids, columns, follow, most=MOST_SOLUTIONS, agreed=BALANCED)
     unknown = np.zeros((variants, len(case.gears)), np.int8)
     for balance in open_balances:
@@ -143,6 +149,38 @@ def balanced(
         open=np.where(unknown, unknown, solution.open),
         outside={**solution.outside, **_outside(case, open_balances, results)},
     )
+
+
+def _with_steep_cells(
+    balance: OpenBalance, grid: Floats, columns: Columns, follow: Follow
+) -> Floats:
+    """Insert trial torques in cells of maps in which the battery's power can have an extremum.
+
+    In such a cell the efficiency changes by a larger part than the torque of the machine.
+    """
+    inner: dict[int, Floats] = {}
+    for link, law in balance.efficiencies:
+        if isinstance(law, MapLaw):
+            values, ends = np.array(law.table.values), np.array(law.columns)
+            sizes = np.maximum(abs(ends[1:]), abs(ends[:-1])) / np.diff(ends)
+            least = np.minimum(values[:, 1:], values[:, :-1])
+            steep = (abs(np.diff(values)) * sizes >= least).any(axis=0)
+            torques = np.linspace(ends[:-1][steep], ends[1:][steep], STEEP_CELL_POINTS).ravel()
+            inner[link] = torques if ends[0] < 0 else np.hstack([torques, -torques])
+    if not any(torques.size for torques in inner.values()):
+        return grid
+    results = [follow({**columns, balance.number: row}, grid.shape[1]).results for row in grid]
+    extra = []
+    for link, wanted in inner.items():
+        powers = [-1000 * at.port_powers_kW[:, balance.gear, link - 1] for at in results]
+        pairs = zip(results, powers, strict=True)
+        of_machine = [np.nan_to_num(balance.machine(at, link, power)[1]) for at, power in pairs]
+        order = np.argsort(of_machine, axis=0)
+        ordered = np.take_along_axis(np.array(of_machine), order, axis=0).T
+        trials = np.take_along_axis(grid, order, axis=0).T
+        grid_of = zip(ordered, trials, strict=True)
+        extra.append(np.array([np.interp(wanted, *pair) for pair in grid_of]).T)
+    return np.sort(np.vstack([grid, *extra]), axis=0)
 
 
 def _outside(case: Transmission, balances: Sequence[OpenBalance], results: Results) -> Outside:

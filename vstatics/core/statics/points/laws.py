@@ -3,28 +3,29 @@
 Speeds do not depend on losses. Drag torques, efficiencies over speed, and losses measured for whole
 gears (whose input torque is known) therefore follow directly from the speeds. If drag changes the
 states of freewheels, they are recalculated until the states settle. Efficiencies over torque, or
-over speed and torque, result from fixed-point iterations, which start from the smallest and the
-largest efficiency and, if a gear has several, from the middle. If the efficiencies of only one
-mechanism of a gear depend on torque, a scan of the whole range searches for further solutions. If
-iterations fail in a gear with several such mechanisms, their efficiencies are scanned in turn. A
-solution is accepted only if it is unique.
+over speed and torque, result from fixed-point iterations, which start from the smallest efficiency.
+The module `numerics.fixed_points` proves that no other efficiencies agree with their torques, or
+searches for all of them. A solution is accepted only if it is unique.
 """
 
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from copy import copy
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from vstatics.core.errors import CaseError, Path, Problem
 from vstatics.core.model.empty import EMPTY
+from vstatics.core.model.laws import MapLaw, PointLaw
 from vstatics.core.model.parts import HOUSING, Law
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers, without
-from vstatics.core.numerics.tolerances import SAME_SOLUTION, STANDS_STILL, TIE
+from vstatics.core.numerics.fixed_points import Extremes, Laws, TrialTorques, find_fixed_points
+from vstatics.core.numerics.tolerances import STANDS_STILL, TIE
 from vstatics.core.statics.points.gear_loss import brake_torque
 from vstatics.core.statics.points.paths import CaseNumber, Columns
 from vstatics.core.statics.points.relative import loads_of, solve_points
@@ -37,12 +38,10 @@ MOST_EXTRAPOLATED_STEPS = 40
 """Largest number of extrapolated iterations, which follow slow or oscillating iterations."""
 MOST_FREEWHEEL_PASSES = 8
 """Largest number of passes until the states of freewheels settle."""
-SCAN_POINTS = 17
-"""Number of trial efficiencies, if only one mechanism of a gear depends on torque."""
-MOST_ROOTS = 3
-"""Largest number of sign changes in which an efficiency is searched for."""
-ROOT_BISECTIONS = 60
-"""Number of bisections for an efficiency, enough for the precision of a float."""
+FORMULA_SAMPLES = 17
+"""Number of torques at which a formula is evaluated to estimate its bounds."""
+LARGEST_FORMULA_TORQUE = 1e6
+"""Torque up to which a formula is evaluated where torques have no limit. [N*m]"""
 LEAST_EFFICIENCY = 1e-6
 """Lower limit of efficiencies from a formula during a search. [-]"""
 NONE, SEVERAL, NO_EFFICIENCY = 1, 2, 5
@@ -54,7 +53,7 @@ WITH_LOSSES = (
 )
 """Arrays that do not exist if the efficiencies have no unique solution."""
 
-Laws = Mapping[CaseNumber, Law]
+LawsOf = Mapping[CaseNumber, Law]
 _Sizes = Mapping[CaseNumber, tuple[Floats, ...]]
 """Magnitudes of speed [rad/s], torque [N*m] or both at which each law is evaluated."""
 
@@ -105,7 +104,7 @@ def follow_laws(case: Transmission, given: Columns, variants: int) -> Followed:
     )
 
 
-def laws_of(case: Transmission) -> Laws:
+def laws_of(case: Transmission) -> LawsOf:
     """Return all laws of a case, by the number that each law determines."""
     numbers: dict[CaseNumber, Any] = {}
     for index, gear in enumerate(case.gears):
@@ -155,7 +154,7 @@ def without_laws(case: Transmission) -> Transmission:
 def _with_speeds(
     case: Transmission,
     plain: Transmission,
-    laws: Laws,
+    laws: LawsOf,
     columns: dict[CaseNumber, Floats],
     variants: int,
 ) -> tuple[Results, dict[CaseNumber, tuple[Floats, ...]], Booleans]:
@@ -234,7 +233,7 @@ def _differ(speeds: Floats, others: Floats) -> Booleans:
 
 
 def _wrong_efficiencies(
-    case: Transmission, laws: Laws, sizes: _Sizes, results: Results, settled: Booleans
+    case: Transmission, laws: LawsOf, sizes: _Sizes, results: Results, settled: Booleans
 ) -> Outside:
     """Return flags of points where the formula of an efficiency in use is outside (0, 1]."""
     settled = settled & results.consistent
@@ -260,13 +259,15 @@ def _is_in_use(case: Transmission, number: CaseNumber, results: Results) -> Bool
 
 
 def _are_efficiencies(values: Floats) -> Booleans:
-    return (values > 0) & (values <= 1)
+    return (values > LEAST_EFFICIENCY) & (values <= 1)
 
 
 class _Search:
     """Search for efficiencies that depend on torque and agree with the resulting torques."""
 
-    def __init__(self, case: Transmission, columns: Columns, laws: Laws, results: Results) -> None:
+    def __init__(
+        self, case: Transmission, columns: Columns, laws: LawsOf, results: Results
+    ) -> None:
         self.case, self.columns, self.laws = case, columns, laws
         self.variants = len(results.speeds)
         self.speeds = {number: _speed(case, results, columns, number) for number in laws}
@@ -300,20 +301,20 @@ class _Search:
             efficiencies[number] = np.where(np.isnan(sizes[number][-1]), np.nan, values)
         return results, efficiencies
 
-    def _from(self, end: Any) -> tuple[dict[CaseNumber, Floats], Booleans, Booleans, Booleans]:
-        """Iterate to a fixed point from the least, largest or middle efficiencies.
+    def iterated(self, end: Any) -> tuple[dict[CaseNumber, Floats], Booleans, Booleans]:
+        """Iterate to a fixed point from the least or largest efficiencies.
 
         Returns
         -------
-        guess, is_fixed, is_lacking, starts_without
-            Efficiencies, and flags of shape (points, gears) that mark convergence, and missing
-            torques at the end and at the start.
+        guess, is_fixed, is_lacking
+            Efficiencies, and flags of shape (points, gears) that mark convergence and missing
+            torques.
         """
         guess = {
             number: np.full(self.variants, float(end(_ends(law))))
             for number, law in self.laws.items()
         }
-        still, lacking, without = np.zeros((3, self.variants, len(self.case.gears)), np.bool_)
+        still, lacking = np.zeros((2, self.variants, len(self.case.gears)), np.bool_)
         before = guess
         for step in range(MOST_FIXED_POINT_STEPS + MOST_EXTRAPOLATED_STEPS):
             _, efficiencies = self._tried(guess)
@@ -331,87 +332,77 @@ class _Search:
                     following = np.where(moved & np.isfinite(limit), limit, following)
                 guess[number] = following
             before = latest
-            without |= lacking & (step == 0)
             if still.all():
                 break
-        return guess, still & ~lacking, lacking, without
+        return guess, still & ~lacking, lacking
 
     def solved(self) -> tuple[Results, dict[CaseNumber, Floats], Integers]:
         """Return results, all numbers, and the state of each gear (0 for a unique solution)."""
-        several = any(len(numbers) > 1 for numbers in self.of_gear.values())
-        starts = [self._from(end) for end in (min, max, *[_middle] * several)]
-        best, still, lacking, without = starts[0]
+        best, still, lacking = self.iterated(min)
         state = np.where(still, 0, NONE).astype(np.int8)
-        for numbers, stands, lacks, starts_without in starts[1:]:
-            lacking &= lacks
-            without &= starts_without
-            for number in self.laws:
-                gear = number.gear or 0
-                apart = np.abs(best[number] - numbers[number]) > SAME_SOLUTION
-                state[still[:, gear] & stands[:, gear] & apart, gear] = SEVERAL
-                best[number] = np.where(still[:, gear], best[number], numbers[number])
-            state[~still & stands] = 0
-            still = still | stands
-        self._scan(best, state)
-        for gear, of_gear in self.of_gear.items():
-            # Without torques at all starts, each trial would need a long search for power signs.
-            rows = np.flatnonzero((state[:, gear] == NONE) & ~without[:, gear])
-            if rows.size and len({number.owner for number in of_gear}) > 1:
-                self._part(rows).search_in_turn(gear, rows, best, state)
-        state[lacking & (state == NONE)] = 0  # missing torques are reported elsewhere
+        for gear in self.of_gear:
+            self._count(gear, best, state)
+        rows = np.flatnonzero((lacking & (state == NONE)).any(axis=1))
+        if rows.size:  # missing torques are reported elsewhere
+            lacking[rows] &= self._part(rows).iterated(max)[2]
+        state[lacking & (state == NONE)] = 0
         columns = {**self.columns, **best}
         results = solve_points(self.case, columns, self.variants)
         return results, columns, state
 
-    def _scan(self, best: dict[CaseNumber, Floats], state: Integers) -> None:
-        """Search the whole range of efficiencies, in gears with laws of only one mechanism."""
-        single = [
-            number
-            for numbers in self.of_gear.values()
-            if len({number.owner for number in numbers}) == 1
-            for number in numbers
-            if len(set(_ends(self.laws[number]))) > 1
-        ]
-        if not single:
+    def _count(self, gear: int, best: dict[CaseNumber, Floats], state: Integers) -> None:
+        """Search all efficiencies of a gear, and set its state."""
+        numbers = [n for n in self.of_gear[gear] if len(set(_ends(self.laws[n]))) > 1]
+        if not numbers:
             return
-        results, _ = self._tried(best)
-        grid = {n: np.linspace(*_ends(self.laws[n]), SCAN_POINTS) for n in single}
-        left = {n: np.empty((SCAN_POINTS, self.variants)) for n in single}
-        for place in range(SCAN_POINTS):
-            guess = {**best, **{n: np.full(self.variants, grid[n][place]) for n in single}}
-            _, efficiencies = self._tried(guess)
-            for n in single:
-                left[n][place] = efficiencies[n] - guess[n]
-        for n in single:
-            if len(self.of_gear[n.gear or 0]) > 1:
-                left[n][:, ~_is_in_use(self.case, n, results)] = np.nan
-            self._count(n, best, state, grid[n], left[n])
+        laws = self._laws_of(gear, numbers, best)
+        none = np.zeros((len(numbers), self.variants))
+        ends = laws.values(np.arange(self.variants), none, none + np.inf)
+        known = np.array([np.where(state[:, gear] == 0, best[n], np.nan) for n in numbers])
+        fixed = find_fixed_points(laws, *ends, known)
+        solutions = np.bincount(fixed.point, minlength=self.variants)
+        state[:, gear] = np.where(solutions > 1, SEVERAL, np.where(solutions, 0, NONE))
+        for n, efficiencies in zip(numbers, fixed.efficiencies, strict=True):
+            best[n] = best[n].copy()
+            best[n][fixed.point] = efficiencies
 
-    def _count(
-        self,
-        number: CaseNumber,
-        best: dict[CaseNumber, Floats],
-        state: Integers,
-        grid: Floats,
-        left: Floats,
-    ) -> None:
-        """Count the solutions for an efficiency, and set the states of gears."""
-        turns = np.sign(left[1:]) * np.sign(left[:-1]) < 0
-        turns |= (left[1:] == 0) & (np.arange(1, SCAN_POINTS) < SCAN_POINTS - 1)[:, None]
-        gear_state, order = state[:, number.gear], np.cumsum(turns, axis=0)
-        beyond = np.abs(best[number] - (grid[1:] + grid[:-1])[:, None] / 2) - SAME_SOLUTION
-        among = (turns & (beyond <= (grid[1:] - grid[:-1])[:, None] / 2)).any(axis=0)
-        asked = (order[-1] > 1) | (((gear_state == NONE) | ~among) & (order[-1] > 0))
-        solutions = ((gear_state == 0) & ~among).astype(np.int64)
-        for turn in range(min(int(order[-1].max()), MOST_ROOTS) if asked.any() else 0):
-            place = np.argmax(turns & (order == turn + 1), axis=0)
-            root, stands = self._between(number, best, grid, left, place)
-            stands &= asked & (order[-1] > turn)
-            first = stands & (gear_state == NONE) & (solutions == 0)
-            best[number] = np.where(first, root, best[number])
-            solutions += stands
-        gear_state[asked & (gear_state == NONE) & (solutions == 1)] = 0
-        gear_state[asked & (solutions > 1)] = SEVERAL
+    def _laws_of(
+        self, gear: int, numbers: list[CaseNumber], best: Mapping[CaseNumber, Floats]
+    ) -> Laws:
+        """Return the laws that determine `numbers` of a gear, calculated without other gears."""
+        alone = self.case.replace(gears=[self.case.gears[gear]])
+        given = {**self.columns, **best}
+        columns = {
+            n._replace(gear=n.gear and 0): column
+            for n, column in given.items()
+            if n.gear in (None, gear)
+        }
+        owners = [n.owner for n in numbers]
+        rows = [self.rows[n] for n in numbers]
+        mechanisms = [self.case.mechanisms[owner] for owner in owners]
+        ways = [[-1 if m.kind == "variator" else 1] for m in mechanisms]
+        is_back = [n.quantity == "back_efficiency" for n in numbers]
+        has_back = [m.back_efficiency is not None for m in mechanisms]
+        unused = [[-has + 2 * back] for has, back in zip(has_back, is_back, strict=True)]
+
+        def torques_at(point: Integers, efficiencies: Floats) -> TrialTorques:
+            at = {number: column[point] for number, column in columns.items()}
+            at |= {n._replace(gear=0): e for n, e in zip(numbers, efficiencies, strict=True)}
+            results = solve_points(alone, at, len(point))
+            torques = results.lossy_torques_Nm[:, 0, rows].T
+            signs = results.power_sign[:, 0, owners].T
+            exist = results.consistent[:, 0]
+            torques = np.where(np.isnan(torques) & exist, 0.0, torques)
+            return TrialTorques(torques, np.where(signs * unused > 0, 0.0, signs * ways), exist)
+
+        def bounds(over: Any, point: Integers, low: Floats, high: Floats) -> Extremes:
+            each = [
+                over(self.laws[n], self.speeds[n][point], *ends)
+                for n, *ends in zip(numbers, low, high, strict=True)
+            ]
+            return Extremes(*map(np.array, zip(*each, strict=True)))
+
+        return Laws(torques_at, partial(bounds, _values_over), partial(bounds, _slopes_over))
 
     def _part(self, rows: Integers) -> _Search:
         """Return the search for the points with the indices `rows`."""
@@ -421,65 +412,35 @@ class _Search:
         part.speeds = {number: speeds[rows] for number, speeds in self.speeds.items()}
         return part
 
-    def search_in_turn(
-        self, gear: int, rows: Integers, best: dict[CaseNumber, Floats], state: Integers
-    ) -> None:
-        """Search the whole range of each efficiency of a gear in turn, with the others constant.
 
-        Efficiencies that oscillate in fixed-point iterations are found if each of them depends on
-        preceding efficiencies only. `best` and `state` contain all points; this search is for
-        the points `rows`.
-        """
-        numbers = self.of_gear[gear]
-        trial = {number: efficiencies[rows] for number, efficiencies in best.items()}
-        several = np.zeros(len(rows), np.bool_)
-        for _ in range(len(numbers) + 1):
-            several[:] = False
-            for number in numbers:
-                grid = np.linspace(*_ends(self.laws[number]), SCAN_POINTS)
-                left = np.array([self._left(number, trial, value) for value in grid])
-                turns = np.sign(left[1:]) * np.sign(left[:-1]) <= 0
-                turns[1:] &= left[1:-1] != 0
-                root, stands = self._between(number, trial, grid, left, turns.argmax(axis=0))
-                trial[number] = np.where(stands & turns.any(axis=0), root, trial[number])
-                several |= turns.sum(axis=0) > 1
-        results, efficiencies = self._tried(trial)
-        agrees = np.ones(len(rows), np.bool_)
-        for number in numbers:
-            apart = np.abs(efficiencies[number] - trial[number]) > SAME_SOLUTION
-            agrees &= ~(apart & _is_in_use(self.case, number, results))
-            best[number][rows] = np.where(agrees, trial[number], best[number][rows])
-        agrees &= results.consistent[:, gear]
-        state[rows[agrees], gear] = np.where(several, SEVERAL, 0)[agrees]
+def _values_over(law: Law, speed: Floats, low: Floats, high: Floats) -> tuple[Floats, Floats]:
+    """Return bounds of the values of a law from a torque `low` to `high`."""
+    if isinstance(law, MapLaw | PointLaw):
+        return law.table.values_over(speed, low, high)
+    _, values = _sampled(law, speed, low, high)
+    slack = np.abs(np.diff(values, 2, axis=0)).max(axis=0) / 4
+    least, largest = values.min(axis=0) - slack, values.max(axis=0) + slack
+    return np.maximum(least, LEAST_EFFICIENCY), np.minimum(largest, 1.0)
 
-    def _left(self, number: CaseNumber, trial: Mapping[CaseNumber, Floats], value: float) -> Floats:
-        """Return the resulting minus the trial value of an efficiency, with the others constant."""
-        _, efficiencies = self._tried({**trial, number: np.full(self.variants, value)})
-        left: Floats = efficiencies[number] - value
-        return left
 
-    def _between(
-        self,
-        number: CaseNumber,
-        best: Mapping[CaseNumber, Floats],
-        grid: Floats,
-        left: Floats,
-        place: Integers,
-    ) -> tuple[Floats, Booleans]:
-        """Return the root in the interval after a grid point, by bisection, and flags of success.
+def _slopes_over(law: Law, speed: Floats, low: Floats, high: Floats) -> tuple[Floats, Floats]:
+    """Return bounds of the slopes of a law from a torque `low` to `high`."""
+    if isinstance(law, MapLaw | PointLaw):
+        return law.table.slopes_over(speed, low, high)
+    torques, values = _sampled(law, speed, low, high)
+    slopes = np.nan_to_num(np.diff(values, axis=0) / np.diff(torques, axis=0))
+    slack = np.abs(np.diff(slopes, axis=0)).max(axis=0)
+    return slopes.min(axis=0) - slack, slopes.max(axis=0) + slack
 
-        The flag is False if the sign changes because of a jump of the efficiency.
-        """
-        low, high = grid[place], grid[place + 1]
-        at_low = np.sign(np.take_along_axis(left, place[None], axis=0)[0])
-        for _ in range(ROOT_BISECTIONS):
-            middle = (low + high) / 2
-            _, efficiencies = self._tried({**best, number: middle})
-            values = efficiencies[number] - middle
-            above = np.sign(values) == at_low
-            low, high = np.where(above, middle, low), np.where(above, high, middle)
-        stands: Booleans = np.abs(values) <= SAME_SOLUTION
-        return middle, stands
+
+def _sampled(law: Law, speed: Floats, low: Floats, high: Floats) -> tuple[Floats, Floats]:
+    """Return torques from `low` to `high`, and the values of a formula there."""
+    share = np.linspace(0, 1, FORMULA_SAMPLES)[:, None]
+    width = np.where(np.isfinite(high), high - low, LARGEST_FORMULA_TORQUE)
+    torques = low + width * np.where(np.isfinite(high), share, share**4)
+    values = law.at(*law.sizes_of(np.broadcast_to(speed, torques.shape).ravel(), torques.ravel()))
+    values = np.nan_to_num(np.reshape(values, torques.shape), nan=LEAST_EFFICIENCY)
+    return torques, np.clip(values, LEAST_EFFICIENCY, 1.0)
 
 
 def _extrapolated(first: Floats, second: Floats, third: Floats) -> Floats:
@@ -494,10 +455,6 @@ def _ends(law: Law) -> tuple[float, float]:
     return ends
 
 
-def _middle(ends: Iterable[float]) -> float:
-    return sum(ends) / 2
-
-
 def _without_values(results: Results, state: Integers) -> Results:
     """Return results with NaN for losses in gears without a unique solution."""
     wrong = state != 0
@@ -510,7 +467,7 @@ def _without_values(results: Results, state: Integers) -> Results:
     return results._replace(**changed, consistent=consistent, undecided=undecided)
 
 
-def _outside(case: Transmission, laws: Laws, sizes: _Sizes, shape: tuple[int, ...]) -> Outside:
+def _outside(case: Transmission, laws: LawsOf, sizes: _Sizes, shape: tuple[int, ...]) -> Outside:
     outside = defaultdict[str, Booleans](lambda: np.zeros(shape, np.bool_))
     for number, law in laws.items():
         wrong = law.is_outside(*sizes[number])
