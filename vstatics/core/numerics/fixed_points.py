@@ -21,13 +21,18 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
-from vstatics.core.numerics.tolerances import EPSILON, SAME_TRIAL, STANDS_STILL
+from vstatics.core.numerics.tolerances import (
+    EPSILON,
+    LEAST_BOX_WIDTH,
+    SAME_CLUSTER,
+    SAME_FIXED_POINT,
+    SAME_TRIAL,
+    STANDS_STILL,
+)
 
 MOST_BOX_CORNERS = 16
 """Largest number of corners of a box. Of more, only those are used at which at most one efficiency
 differs from the others in being least or largest."""
-LEAST_BOX_WIDTH = 1e-7
-"""Width to which boxes are halved, and least distance of corners. [-]"""
 BOX_MARGIN = 0.05
 """Part of the width by which a box is enlarged, so that no fixed point is on a side. [-]"""
 SMALL_BOX = 0.05
@@ -41,10 +46,6 @@ MOST_CHORD_STEPS = 60
 """Largest number of iterations that improve a fixed point."""
 MOST_CORNERS_AT_ONCE = 100_000
 """Largest number of corners at which torques are calculated together."""
-SAME_CLUSTER = 1e-5
-"""Distance below which fixed points are equal whose number near each other is not certain. [-]"""
-SAME_FIXED_POINT = 1e-9
-"""Distance below which two other fixed points are equal. [-]"""
 MOST_SEARCHED_POINTS = 500
 """Largest number of points whose boxes are searched together."""
 

@@ -58,6 +58,12 @@ STANDS_STILL = 1e-13
 """Change of an efficiency per iteration below which the iteration has converged."""
 SAME_SOLUTION = 1e-10
 """Difference up to which two efficiencies or two speed ratios count as equal."""
+LEAST_BOX_WIDTH = 1e-7
+"""Width to which boxes of efficiencies are halved, and least distance of their corners. [-]"""
+SAME_CLUSTER = 1e-5
+"""Difference up to which efficiencies count as equal if a search cannot separate them."""
+SAME_FIXED_POINT = 1e-9
+"""Difference up to which other efficiencies of a search count as equal."""
 BALANCED = 1e-9
 """Largest error of a balanced battery's power, relative to the sum of all powers."""
 

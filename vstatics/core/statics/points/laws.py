@@ -11,7 +11,7 @@ searches for all of them. A solution is accepted only if it is unique.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from copy import copy
 from functools import partial
 from typing import Any, NamedTuple
@@ -395,7 +395,9 @@ class _Search:
             torques = np.where(np.isnan(torques) & exist, 0.0, torques)
             return TrialTorques(torques, np.where(signs * unused > 0, 0.0, signs * ways), exist)
 
-        def bounds(over: Any, point: Integers, low: Floats, high: Floats) -> Extremes:
+        def bounds(
+            over: Callable[..., tuple[Floats, Floats]], point: Integers, low: Floats, high: Floats
+        ) -> Extremes:
             each = [
                 over(self.laws[n], self.speeds[n][point], *ends)
                 for n, *ends in zip(numbers, low, high, strict=True)
