@@ -65,8 +65,8 @@ DRAGGED = Status(
 )
 UNDECIDED = Status(
     "undecided",
-    "signs of losses not found",
-    "the search for directions of power was cut short",
+    "losses not found",
+    "torques with losses are not known; a warning says why",
 )
 
 STATUSES = (TIED_UP, CONFLICT, LOCKED, OUTPUT_STANDS, NEUTRAL, NO_TORQUES, DRAGGED, UNDECIDED)

@@ -346,7 +346,7 @@ _ASKED = (
         with_load="kW",
     ),
     Quantity("speed_ratio", "TCRATIO", "Speed ratios of converters, turbine to pump"),
-    Quantity("undecided", "UNDECIDED", "Search for directions of power was cut short"),
+    Quantity("undecided", "UNDECIDED", "Torques with losses are not known"),
     Quantity("turned", "TURNED", "Losses turn the flow round"),
     Quantity("choices", "CHOICES", "Sets of signs that agree with their flow"),
     Quantity("tied_up", "TIEDUP", "Constraints on the speeds contradict each other"),

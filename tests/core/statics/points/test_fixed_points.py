@@ -147,3 +147,21 @@ def test_all_efficiencies_of_two_jagged_laws_are_searched() -> None:
             assert torques == pytest.approx([e * 125, e * f * 125 / 1.2], rel=1e-10), laws
     assert 1 in numbers
     assert max(numbers) > 1
+
+
+@pytest.mark.parametrize(
+    ("formula", "efficiency"),
+    [("T/50 - 0.5", 0.5), ("1.3 - 0.006*T", 0.8125), ("T/80 - 0.3", None)],
+)
+def test_solutions_outside_0_to_1_do_not_count(formula: str, efficiency: float | None) -> None:
+    """With T = 100 e, each formula is linear in e; 5/4 e - 0.3 = e only at 1.2."""
+    case = loads(f"""links: [a, b]
+load: {{speed: 100 rad/s, torque: 100 N*m}}
+mechanisms:
+  m: {{first: b, second: a, ratio: 1, efficiency: {formula}}}
+""")
+    results = solve(case)
+    if efficiency is None:
+        assert "W433" in [message.id for message in results.messages]
+    else:
+        assert results.efficiency[0] == pytest.approx(efficiency, rel=1e-12)

@@ -24,7 +24,13 @@ from vstatics.core.model.laws import MapLaw, PointLaw
 from vstatics.core.model.parts import HOUSING, Law
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers, without
-from vstatics.core.numerics.fixed_points import Extremes, Laws, TrialTorques, find_fixed_points
+from vstatics.core.numerics.fixed_points import (
+    AllFixedPoints,
+    Extremes,
+    Laws,
+    TrialTorques,
+    find_fixed_points,
+)
 from vstatics.core.numerics.tolerances import STANDS_STILL, TIE
 from vstatics.core.statics.points.gear_loss import brake_torque
 from vstatics.core.statics.points.paths import CaseNumber, Columns
@@ -359,12 +365,26 @@ class _Search:
         none = np.zeros((len(numbers), self.variants))
         ends = laws.values(np.arange(self.variants), none, none + np.inf)
         known = np.array([np.where(state[:, gear] == 0, best[n], np.nan) for n in numbers])
-        fixed = find_fixed_points(laws, *ends, known)
+        fixed = self._in_range(numbers, laws, find_fixed_points(laws, *ends, known))
         solutions = np.bincount(fixed.point, minlength=self.variants)
         state[:, gear] = np.where(solutions > 1, SEVERAL, np.where(solutions, 0, NONE))
         for n, efficiencies in zip(numbers, fixed.efficiencies, strict=True):
             best[n] = best[n].copy()
             best[n][fixed.point] = efficiencies
+
+    def _in_range(
+        self, numbers: list[CaseNumber], laws: Laws, fixed: AllFixedPoints
+    ) -> AllFixedPoints:
+        """Leave out solutions with limited values of formulas, at points that have others."""
+        torques = laws.torques_at(*fixed)
+        valid = np.ones(len(fixed.point), np.bool_)
+        for n, torque, exponent in zip(numbers, *torques[:2], strict=True):
+            law = self.laws[n]
+            if law.text:
+                sizes = law.sizes_of(self.speeds[n][fixed.point], np.abs(torque))
+                valid &= (exponent == 0) | _are_efficiencies(law.at(*sizes))
+        remains = valid | ~np.isin(fixed.point, fixed.point[valid])
+        return AllFixedPoints(fixed.point[remains], fixed.efficiencies[:, remains])
 
     def _laws_of(
         self, gear: int, numbers: list[CaseNumber], best: Mapping[CaseNumber, Floats]
