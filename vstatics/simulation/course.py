@@ -55,6 +55,8 @@ from vstatics.simulation.tolerances import (
     SIGHT,
     SMALL_VALUE,
     STANDING,
+    STEP_PART,
+    STEP_PART_AT_CORNERS,
 )
 
 _MOST_EVENTS_AT_ONCE = 60
@@ -613,7 +615,7 @@ class EventRun:
         return Problem("E608", message, ("torques", name))
 
     def _tolerances(self, equations: Equations) -> StepTolerances:
-        part = 0.001 if self.system.varying else 0.01  # interpolated losses have corners in steps
+        part = STEP_PART_AT_CORNERS if self.system.varying else STEP_PART
         relative = max(part * self.rtol, LEAST_RTOL)
         absolute = np.empty(equations.size)
         speed, torque = self.scales

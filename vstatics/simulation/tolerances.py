@@ -84,6 +84,10 @@ ROUNDED_SHARE = 1e-13
 """Change of the share of a sliding motion that counts as rounding error."""
 PROPORTIONAL = 1e-9
 """Relative difference up to which samples of two compared differences are proportional."""
+STEP_PART = 0.01
+"""Tolerance of a time step, relative to the tolerance of the run."""
+STEP_PART_AT_CORNERS = 0.001
+"""`STEP_PART` for interpolated losses, which have corners within time steps."""
 NEAR_LIMIT = 1e-3
 """Fraction of the look-ahead within which a state that reaches a limit counts as at the limit."""
 EXACT_SIDES = 1e-13
