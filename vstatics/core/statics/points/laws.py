@@ -376,6 +376,8 @@ class _Search:
         self, numbers: list[CaseNumber], laws: Laws, fixed: AllFixedPoints
     ) -> AllFixedPoints:
         """Leave out solutions with limited values of formulas, at points that have others."""
+        if not fixed.point.size or not any(self.laws[n].text for n in numbers):
+            return fixed
         torques = laws.torques_at(*fixed)
         valid = np.ones(len(fixed.point), np.bool_)
         for n, torque, exponent in zip(numbers, *torques[:2], strict=True):
