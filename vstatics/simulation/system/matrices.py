@@ -299,6 +299,8 @@ class PortLayout:
         """Shares of the jumps along which the motion slides."""
         self.seen_shares = self.seen_values + len(self.values)
         self.seen_derived = self.seen_shares + count
+        self.quantities = self.seen_derived + len(self.derived)
+        """Number of quantities that formulas can read."""
 
 
 @dataclass(frozen=True)

@@ -32,7 +32,7 @@ from vstatics.simulation.system.shares import JumpPlace, Slide, on_sides, shared
 from vstatics.simulation.system.structure import null
 from vstatics.simulation.tolerances import PROPORTIONAL
 
-_SAMPLES = 6
+SAMPLES = 6
 """Number of samples in a comparison of two differences."""
 
 
@@ -304,21 +304,22 @@ def _on_both_sides(
     system: MotionSystem, contact: Contact, programme: Programme, curve: Formula
 ) -> Programme:
     """Return a control with its values on both sides of jumps at zero slip of its contact."""
-    chance = np.random.default_rng(_SAMPLES)
+    pairs = [pair for pair in chain.from_iterable(met(curve.whole)) if pair.jumps]
+    if not pairs:
+        return programme
+    chance = np.random.default_rng(SAMPLES)
     motions = null(system.rows(mesh.row for mesh in system.meshes))
-    half = motions @ chance.normal(size=(motions.shape[1], _SAMPLES))
+    half = motions @ chance.normal(size=(motions.shape[1], SAMPLES))
     speeds = np.hstack([half, -half])
-    seen = chance.normal(
-        size=(system.layout.seen_derived + len(system.layout.derived), 2 * _SAMPLES)
-    )
+    seen = chance.normal(size=(system.layout.quantities, 2 * SAMPLES))
     seen[: system.layout.ports] = system.port_rows @ speeds
     slip = contact.row @ speeds
     own: list[tuple[Slide, Slide]] = []
-    for pair in chain.from_iterable(met(curve.whole)):
+    for pair in pairs:
         place = JumpPlace(bare(pair.first), bare(pair.second))
         apart = looking(system, place.difference).along(np.ones_like(slip), seen)
         sizes = np.abs(apart * slip[0]), np.abs(slip * apart[0])
-        if pair.jumps and sizes[0][0] and np.allclose(*sizes, rtol=PROPORTIONAL, atol=0.0):
+        if sizes[0][0] and np.allclose(*sizes, rtol=PROPORTIONAL, atol=0.0):
             sides = (float(np.sign(apart[slip * side > 0][0])) for side in (-1, 1))
             below, above = (Slide(place, 0, side) for side in sides)
             own.append((below, above))

@@ -18,7 +18,7 @@ from vstatics.simulation.scenario.formula_code import Seen, seen_in
 from vstatics.simulation.system.known import KnownMotion
 from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.system.shares import NOW, JumpPlace, Slide, total_slope
-from vstatics.simulation.system.sight import Compared, looking, place_of
+from vstatics.simulation.system.sight import SAMPLES, Compared, looking, place_of
 from vstatics.simulation.tolerances import NOT_ZERO, PROPORTIONAL, ROUNDED_SHARE, SIGHT
 
 _RETURN = 1e3
@@ -29,8 +29,6 @@ _SAME_SLOPES = 4
 """Number of Newton steps with the same derivatives."""
 _CALM = 0.1
 """Part of the second derivative of g on a side of the jump that can slow the motion down."""
-_SAMPLES = 6
-"""Number of samples in a comparison of two differences."""
 
 Change = Callable[[Floats, Floats, Floats], Floats]
 """Function of times, seen quantities and rates of these quantities; returns a rate."""
@@ -235,12 +233,11 @@ def slides(
     near : sequence of float
         Distance from each jump that counts as nearly 0; see `Slide.near`.
     """
-    count = system.layout.seen_derived + len(system.layout.derived)
-    chance = np.random.default_rng(_SAMPLES)
-    samples = chance.uniform(1.0, 2.0, (count, _SAMPLES))
-    speeds = chance.uniform(1.0, 2.0, (len(system.names), _SAMPLES))
+    chance = np.random.default_rng(SAMPLES)
+    samples = chance.uniform(1.0, 2.0, (system.layout.quantities, SAMPLES))
+    speeds = chance.uniform(1.0, 2.0, (len(system.names), SAMPLES))
     samples[: system.layout.ports] = system.port_rows @ speeds
-    times = np.full(_SAMPLES, system.scenario.span)
+    times = np.full(SAMPLES, system.scenario.span)
     firsts: list[Floats] = []
     result = []
     for place, pair, distance in zip(places, pairs, near, strict=True):
