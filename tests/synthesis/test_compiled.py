@@ -19,7 +19,7 @@ PACKAGE = Path(vstatics.__file__).parent
 
 
 def test_the_key_of_machine_code_is_made_of_all_that_is_compiled() -> None:
-    """It holds the files with the words by which `vstatics.synthesis.code_cache` tells them."""
+    """The key contains the files with the words that `vstatics.synthesis.code_cache` looks for."""
     pattern = re.compile(r"^from vstatics\.([\w.]+)\.tolerances import", re.MULTILINE)
     for file in PACKAGE.rglob("*.py"):
         text = file.read_text()

@@ -203,7 +203,7 @@ class EventRun:
         self.before = turned(before, event.watches)
         self.met = [watch.of for watch in event.watches if watch.kind == "slip"]
         if self.slides and self.slides_from == event.time:
-            # While the motion switched back and forth, contacts at rest began to slip.
+            # Contacts at rest can begin to slip while the motion switches back and forth.
             near, self.left = _FAR_FROM_JUMP * STANDING * self.scales.speed, []
             self.met += [
                 index

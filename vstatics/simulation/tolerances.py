@@ -73,7 +73,7 @@ Times have rounding errors, so a difference that changes fast is uncertain.
 MET = 1e-3
 """Fraction of the look-ahead within which numbers that become equal count as equal now."""
 FINE_SWING = 1e-7
-"""Largest swing about a jump that counts as sliding at any frequency, relative as `SLIDING`."""
+"""Largest swing about a jump that counts as sliding at any frequency; relative like `SLIDING`."""
 SLIDING = 1e-3
 """Largest distance of a sliding motion from the jump, relative to the compared numbers."""
 NEAR_JUMP = 1e-9

@@ -121,7 +121,7 @@ def test_drawn_teeth_can_be_put_together_and_change_the_ratios(name: str, seed: 
 
 
 def test_seeds_give_boxes_of_their_own_while_there_are_some() -> None:
-    """As many as teeth fit; a set of 15 and 51 teeth with five planets is none of them."""
+    """Tooth numbers limit the number of boxes; 15 and 51 teeth do not fit five planets."""
     members = {"sun": 1, "ring": 2, "carrier": 3}
     plain = Element("P", "planetary", members, {"sun": 15, "ring": 51}, planets=5)
     case = transmission(Drawing(3, [plain]), shift_elements=[ShiftElement(2)], gears=[Gear([1])])

@@ -1,12 +1,12 @@
 """All fixed points of efficiencies that depend on torques.
 
 Each law gives an efficiency e_i at a torque T_i, and each torque depends on all efficiencies. The
-torques solve a linear system in which e_j, or its inverse, multiplies the column of T_j. By
-Cramer's rule T_i = N_i/D, where both determinants are linear in each efficiency, and N_i does not
-contain e_i. While signs and exponents do not change, the extremes of a torque over a box of
-efficiencies are therefore at its corners. The same is true for (dT_i/de_j)/T_j, which follows from
+torques solve a linear system in which a factor y_j, either e_j or 1/e_j, multiplies the column of
+T_j. By Cramer's rule T_i = N_i/D, where both determinants are linear in each factor, and N_i does
+not contain y_i. While signs and exponents do not change, the extremes of a torque over a box of
+efficiencies are therefore at its corners. The same is true for (dT_i/dy_j)/T_j, which follows from
 differences between the corners. So derivatives are bounded in the whole box, and the operator of
-Krawczyk (1969) recognizes boxes with a single fixed point or none. Other boxes are halved.
+Krawczyk (1969) recognises boxes with a single fixed point or none. Other boxes are halved.
 
 Arrays have a column for each point or box, and a row for each efficiency.
 """
@@ -31,13 +31,13 @@ from vstatics.core.numerics.tolerances import (
 )
 
 MOST_BOX_CORNERS = 16
-"""Largest number of corners of a box. Of more, only those are used at which at most one efficiency
-differs from the others in being least or largest."""
+"""Number of corners of a box up to which all are used. Of more corners, the search uses those at
+which all efficiencies, except at most one, are at the same end of their ranges."""
 BOX_MARGIN = 0.05
 """Part of the width by which a box is enlarged, so that no fixed point is on a side. [-]"""
 SMALL_BOX = 0.05
-"""Width of a box below which torques within it cannot be much larger than those at its corners, or
-exist only between them. [-]"""
+"""Width of a box below which torques are assumed to exist at a corner if they exist in the box, and
+not to be much larger than at the corners. [-]"""
 MOST_BOXES = 2000
 """Largest number of boxes at each point. The search at a point ends at this number."""
 MOST_BOX_HALVINGS = 150
@@ -62,16 +62,16 @@ class TrialTorques(NamedTuple):
 
 
 class Extremes(NamedTuple):
-    """Extremes for each law and point: of its values or its slopes."""
+    """Bounds of the values or slopes of each law at each point."""
 
     least: Floats
     largest: Floats
 
 
 TorquesAt = Callable[[Integers, Floats], TrialTorques]
-"""Function that returns torques for indices of points and efficiencies."""
+"""Function of indices of points and efficiencies; returns torques."""
 BoundsOver = Callable[[Integers, Floats, Floats], Extremes]
-"""Function that returns bounds for indices of points, and the least and the largest torque."""
+"""Function of indices of points, least torques and largest torques; returns bounds."""
 
 
 class Laws(NamedTuple):
@@ -185,7 +185,7 @@ def _searched(laws: Laws, boxes: _Boxes, known: Floats) -> Iterator[tuple[AllFix
 
 
 class _Corners:
-    """Bounds of torques and their derivatives in boxes, from the corners of larger boxes."""
+    """Bounds of torques and their derivatives in boxes, from the corners of enlarged boxes."""
 
     def __init__(self, laws: Laws, boxes: _Boxes) -> None:
         self.laws, self.point, self.boxes = laws, boxes.point, boxes.enlarged
@@ -244,7 +244,7 @@ class _Corners:
 
     @property
     def contracts(self) -> Booleans:
-        """Flags of boxes in which a fixed-point iteration contracts, so that one is possible."""
+        """Flags of boxes in which iterations contract, so at most one fixed point exists."""
         steepest = np.maximum(*map(np.abs, self.slopes))
         largest = np.maximum(*map(np.abs, self.responses)) * self.factors.largest
         gains = steepest * largest.sum(axis=1)
@@ -281,7 +281,7 @@ _Candidates = tuple[Integers, Floats, Floats]
 
 
 def _narrowed(laws: Laws, boxes: _Boxes, known: Floats) -> tuple[_Boxes, _Candidates]:
-    """Return boxes that can contain further fixed points, and boxes that contain a single one."""
+    """Return boxes in which fixed points are still possible, and candidates from other boxes."""
     at = _Corners(laws, boxes)
     width = boxes.width
     values = laws.values(boxes.point, at.least, at.largest)
@@ -317,9 +317,9 @@ def _of(which: Booleans, *arrays: Floats) -> list[Floats]:
 
 
 def _inverse(derivatives: Extremes, where: Booleans) -> tuple[Floats, Floats]:
-    """Return the inverse of the derivatives of the errors in the middle, and its relative spread.
+    """Return the inverse of the mean derivatives of the errors, and its relative spread.
 
-    The spread is infinite where there is none.
+    The spread is infinite where no inverse exists.
     """
     identity = np.eye(len(derivatives.least))
     middle = (derivatives.least + derivatives.largest) / 2 - identity[:, :, None]
@@ -366,7 +366,7 @@ def _of_clusters(laws: Laws, boxes: _Boxes) -> AllFixedPoints:
 
 
 def _distinct(known: Floats, groups: Iterable[tuple[AllFixedPoints, float]]) -> AllFixedPoints:
-    """Return fixed points without repetitions: known ones, and groups with a least distance."""
+    """Return known and searched fixed points without repetitions; groups have a least distance."""
     each: dict[int, list[tuple[Floats, float]]] = {}
     for fixed, distance in groups:
         for point, efficiencies in zip(fixed.point.tolist(), fixed.efficiencies.T, strict=True):

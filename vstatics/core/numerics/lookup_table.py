@@ -71,9 +71,9 @@ class LookupTable(NamedTuple):
         return np.asarray(first + part * (last - first))
 
     def values_over(self, x: Floats, low: Floats, high: Floats) -> tuple[Floats, Floats]:
-        """Return bounds of the values at x from y `low` to `high`.
+        """Return bounds of the values at x for y from `low` to `high`.
 
-        They are exact where x is a row, or at most one of the columns is between `low` and `high`.
+        The bounds are exact where x is a row, or at most one column is between `low` and `high`.
         """
         start = np.searchsorted(self.columns, low, "right")
         stop = np.searchsorted(self.columns, high, "left")
@@ -86,7 +86,7 @@ class LookupTable(NamedTuple):
         return least, largest
 
     def slopes_over(self, x: Floats, low: Floats, high: Floats) -> tuple[Floats, Floats]:
-        """Return bounds of the slopes over y at x from y `low` to `high`."""
+        """Return bounds of the slopes over y at x, for y from `low` to `high`."""
         slopes = np.diff(self.values) / np.diff(self.columns)
         start = np.searchsorted(self.columns, low, "right")
         stop = np.searchsorted(self.columns, high, "left")
@@ -96,7 +96,7 @@ class LookupTable(NamedTuple):
     def _extremes(
         self, numbers: Floats, x: Floats, start: Integers, stop: Integers
     ) -> tuple[Floats, Floats]:
-        """Return bounds of the numbers of rows, interpolated at x, from `start` to before `stop`.
+        """Return bounds of `numbers`, interpolated at x, in columns from `start` to before `stop`.
 
         Each level contains the extremes over twice as many neighbours as the level before.
         """

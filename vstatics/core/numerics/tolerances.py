@@ -59,11 +59,11 @@ STANDS_STILL = 1e-13
 SAME_SOLUTION = 1e-10
 """Difference up to which two efficiencies or two speed ratios count as equal."""
 LEAST_BOX_WIDTH = 1e-7
-"""Width to which boxes of efficiencies are halved, and least distance of their corners. [-]"""
+"""Width below which boxes of efficiencies are not halved, and least distance of corners. [-]"""
 SAME_CLUSTER = 1e-5
 """Difference up to which efficiencies count as equal if a search cannot separate them."""
 SAME_FIXED_POINT = 1e-9
-"""Difference up to which other efficiencies of a search count as equal."""
+"""Difference up to which separate fixed points of a search count as equal."""
 BALANCED = 1e-9
 """Largest error of a balanced battery's power, relative to the sum of all powers."""
 

@@ -199,7 +199,7 @@ class Finder:
         if self.follows:
             sizes = np.abs(later).max(axis=1, initial=0.0)
             seen = self.following & np.isfinite(sizes)
-            # Numbers count as equal at an event of other numbers just before their own.
+            # Numbers count as equal at another event just before they become equal.
             equal = EQUAL_SIDES / EXACT_SIDES * self.least
             begun = np.fmax(np.fmin(-2 * margins[:, 0], equal), step.accuracy * sizes)
             self.noise = np.where(seen, np.maximum(self.least, begun), self.least)

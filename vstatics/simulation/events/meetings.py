@@ -48,7 +48,7 @@ class CornerMeetings:
         self.times: dict[CornerPlace, deque[float]] = {}
         self.counts: Counter[CornerPlace] = Counter()
         self.swings: dict[CornerPlace, float] = {}
-        """Swings about jumps during the first arrivals, in units of the compared numbers."""
+        """Swing about each jump during its first arrivals, in the unit of the compared numbers."""
         self.doublings: dict[CornerPlace, list[float]] = {}
         """Times of the arrivals with the numbers 1, 2, 4, 8, ... [s]"""
 

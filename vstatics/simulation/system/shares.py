@@ -70,7 +70,7 @@ def share_name(number: int) -> str:
 
 
 def shared(formula: Formula, slides: tuple[Slide, ...], rate: int = 0, angle: int = -1) -> Formula:
-    """Return a formula with shares of its values on both sides of some of its jumps.
+    """Return the mean of the values of a formula on both sides of `slides`, weighted by shares.
 
     Examples
     --------
@@ -105,7 +105,7 @@ def shared(formula: Formula, slides: tuple[Slide, ...], rate: int = 0, angle: in
 
 
 def on_sides(tree: Tree, slides: Sequence[Slide]) -> Tree:
-    """Return a tree on the side of each jump that `sign` gives."""
+    """Return a tree with its values on the side of each jump that `Slide.sign` gives."""
     values: dict[tuple[Tree, ...], float] = {}
     for place, _, sign, near in slides:
         values[place[:2]] = sign

@@ -28,7 +28,7 @@ _NEWTON_ROUNDS = 12
 _SAME_SLOPES = 4
 """Number of Newton steps with the same derivatives."""
 _CALM = 0.1
-"""Part of the second derivative of g on a side of the jump that can slow the motion down."""
+"""Largest ratio of k |dg/dt| to the change of d2g/dt2 by a share from 0 to 1, behind a lag. [-]"""
 
 Change = Callable[[Floats, Floats, Floats], Floats]
 """Function of times, seen quantities and rates of these quantities; returns a rate."""
@@ -118,7 +118,7 @@ class Sliding:
         return [(above[0] - below[0], above[1] - below[1]) for below, above in sides]
 
     def _slow_down(self, slow: Booleans, known: tuple[Floats, Floats, Floats]) -> None:
-        """Let shares depend on the second derivatives of g, and k on their size."""
+        """Calculate `slow` shares from second derivatives of g, and limit k by their size."""
         self.slow = slow
         still = np.zeros((len(slow), len(known[0])))
         _, speeds, _ = self._moving(*known, still)

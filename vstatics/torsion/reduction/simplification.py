@@ -330,8 +330,8 @@ def _longer(
     """Lengthen a spring by a fraction `part` of another spring, with damping by (П1.14).
 
     If `other` is divided between two springs, both fractions dissipate equally at equal torque,
-    (П1.15). Each then adds half of the damping of `other` (`damped` = 0.5), times the square of the
-    compliance of all of `other` over that of the result, however small its fraction is (П1.16).
+    (П1.15). Each fraction then adds half of the damping of `other` (`damped` = 0.5), times the
+    squared ratio of the compliances of the whole of `other` and of the result (П1.16).
     """
     compliance = spring.compliance + part * other.compliance
     damping = spring.damping * (spring.compliance / compliance) ** 2

@@ -378,7 +378,7 @@ def _largest(function: Callable[[Floats], Floats], low: float, high: float) -> f
             return math.nan
         top = int(np.nanargmax(values))
         if top in (0, SPEEDS_OF_ENGINE) and values[top] <= best:
-            return best  # at an end, which the first places contain
+            return best  # it is at an end, and the first places contain both ends
         best = max(float(values[top]), best) if math.isfinite(best) else float(values[top])
         low, high = places[max(top - 1, 0)], places[min(top + 1, SPEEDS_OF_ENGINE)]
     return best

@@ -156,7 +156,7 @@ def _with_steep_cells(
 ) -> Floats:
     """Insert trial torques in cells of maps in which the battery's power can have an extremum.
 
-    In such a cell the efficiency changes by a larger part than the torque of the machine.
+    In such a cell the efficiency changes relatively more than the torque of the machine.
     """
     inner: dict[int, Floats] = {}
     for link, law in balance.efficiencies:

@@ -4,8 +4,9 @@ Speeds do not depend on losses. Drag torques, efficiencies over speed, and losse
 gears (whose input torque is known) therefore follow directly from the speeds. If drag changes the
 states of freewheels, they are recalculated until the states settle. Efficiencies over torque, or
 over speed and torque, result from fixed-point iterations, which start from the smallest efficiency.
-The module `numerics.fixed_points` proves that no other efficiencies agree with their torques, or
-searches for all of them. A solution is accepted only if it is unique.
+The module `numerics.fixed_points` checks that no other efficiencies agree with their torques, or
+searches for all of them. For formulas, it uses bounds estimated from samples. A solution is
+accepted only if it is unique.
 """
 
 from __future__ import annotations
@@ -357,7 +358,7 @@ class _Search:
         return results, columns, state
 
     def _count(self, gear: int, best: dict[CaseNumber, Floats], state: Integers) -> None:
-        """Search all efficiencies of a gear, and set its state."""
+        """Search for all efficiencies of a gear, and set its state."""
         numbers = [n for n in self.of_gear[gear] if len(set(_ends(self.laws[n]))) > 1]
         if not numbers:
             return
@@ -375,7 +376,7 @@ class _Search:
     def _in_range(
         self, numbers: list[CaseNumber], laws: Laws, fixed: AllFixedPoints
     ) -> AllFixedPoints:
-        """Leave out solutions with limited values of formulas, at points that have others."""
+        """Remove solutions with limited values of formulas where a point has other solutions."""
         if not fixed.point.size or not any(self.laws[n].text for n in numbers):
             return fixed
         torques = laws.torques_at(*fixed)
@@ -438,7 +439,7 @@ class _Search:
 
 
 def _values_over(law: Law, speed: Floats, low: Floats, high: Floats) -> tuple[Floats, Floats]:
-    """Return bounds of the values of a law from a torque `low` to `high`."""
+    """Return bounds of the values of a law at torques from `low` to `high`."""
     if isinstance(law, MapLaw | PointLaw):
         return law.table.values_over(speed, low, high)
     _, values = _sampled(law, speed, low, high)
@@ -448,7 +449,7 @@ def _values_over(law: Law, speed: Floats, low: Floats, high: Floats) -> tuple[Fl
 
 
 def _slopes_over(law: Law, speed: Floats, low: Floats, high: Floats) -> tuple[Floats, Floats]:
-    """Return bounds of the slopes of a law from a torque `low` to `high`."""
+    """Return bounds of the slopes of a law at torques from `low` to `high`."""
     if isinstance(law, MapLaw | PointLaw):
         return law.table.slopes_over(speed, low, high)
     torques, values = _sampled(law, speed, low, high)
