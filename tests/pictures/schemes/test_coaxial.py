@@ -30,9 +30,12 @@ from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.drawing.svg import written_as_svg
 from vstatics.pictures.paged.drawn import HALF
 from vstatics.pictures.schemes.bare import bare_stick
+from vstatics.pictures.schemes.coaxial.picture import coaxial_sheet
 from vstatics.pictures.schemes.coaxial.planarity import has_half_section
+from vstatics.pictures.schemes.coaxial.rooms import BRAKE_LENGTH
 from vstatics.pictures.schemes.coaxial.search.order import component_order
 from vstatics.pictures.schemes.coaxial.train import CoaxialTrain, Planes
+from vstatics.pictures.schemes.planetary import sections_of
 from vstatics.pictures.schemes.scheme import scheme_of
 from vstatics.pictures.schemes.stick import stick_scheme
 from vstatics.pictures.schemes.titles import teeth_of
@@ -237,6 +240,23 @@ def test_letters_can_be_read_beside_one_another(names: list[str], width: str, br
         assert page.width / 25.4 * 72 <= wider * style.width + 0.1, name
         assert (page.overlaps, page.outside, page.covered) == ([], [], []), name
         assert min(size for _, size in page.letters) >= (7 if style.wheels else 8) - 0.01, name
+
+
+@pytest.mark.parametrize("width", [170.0, 85.0])
+@pytest.mark.parametrize("name", ["zf-8hp70", "aisin-8speed", "allison-6speed", "ford-10r80"])
+def test_names_of_drums_are_below_the_plates_of_brakes(name: str, width: float) -> None:
+    """A line of letters is 8 pt high, and lines are 10 pt apart; plates are 14 pt wide."""
+    case, style = shipped_results(f"{name}.yaml").case, Style(width=width / 25.4 * 72)
+    scheme = stick_scheme(case)
+    sheet = coaxial_sheet(scheme, sections_of(scheme, case, style), style)
+    assert sheet is not None
+    layout, places = sheet.layout, sheet.layout.places
+    tops = [x for up, x in zip(layout.uprights, places.at, strict=True) if up.kind == "top"]
+    for link, (x, y) in places.names.items():
+        text = layout.link_name(link)
+        high = layout.letters * (8 + 10 * text.count("\n"))
+        if any(abs(x - top) < layout.width(text) / 2 + 7 for top in tops):
+            assert y + high / 2 <= places.housing - BRAKE_LENGTH + 0.01, text
 
 
 @pytest.mark.parametrize("width", [170.0, 85.0])

@@ -18,7 +18,9 @@ ROW_CLEARANCE = 9.0
 WHEEL_NAME = 13.0
 """Height for the name of a gear and half of the link name above. [pt, scaled with letters]"""
 HOUSING_BAND = 24.0
-"""Distance from the outermost drum to the housing. [pt]"""
+"""Distance from the outermost drum to the housing, with unreduced names of one line. [pt]"""
+HALF_LINE = 5.0
+"""Half the distance between lines of letters. [pt, scaled with letters]"""
 ROOM_GAP = 5.0
 """Distance between the rectangles reserved for neighbouring components. [pt]"""
 NAME_PAD = 5.0
@@ -53,6 +55,11 @@ class Needs(NamedTuple):
     def clearance(self) -> float:
         """Distance from the edge of the row of planets to the nearest bars [pt]."""
         return ROW_CLEARANCE + WHEEL_NAME * (self.letters - 1) * self.has_wheel_names
+
+    @property
+    def housing_band(self) -> float:
+        """Distance from the outermost drum to the housing, with names below brakes [pt]."""
+        return HOUSING_BAND + HALF_LINE * (self.letters - 1) * bool(self.names)
 
     @property
     def pitch(self) -> float:
@@ -107,7 +114,7 @@ def heights_of(frame: SectionFrame, needs: Needs) -> SectionPlaces:
     places.heights = {
         bar: rise(bar) + (start if bar.is_above else places.axis) for bar in bars
     } | dict.fromkeys(pinned, 0.0)
-    places.housing = max([start - pitch, *places.heights.values()]) + HOUSING_BAND
+    places.housing = max([start - pitch, *places.heights.values()]) + needs.housing_band
     return places
 
 
