@@ -207,7 +207,9 @@ def test_tables_are_saved_with_all_digits_whatever_is_shown(page: Any, box: Path
             assert row == [unguarded(name), *(float(n) if n else None for n in numbers)]
     page.wait_for_timeout(BURST_MS)
     loaded = page.locator("#largest-values [data-save=csv]:visible").last
-    assert downloaded(page, loaded).startswith("element,slip,gear,torque,gear,with losses,gear\n")
+    assert downloaded(page, loaded).startswith(
+        "shift element,slip,gear,torque,gear,with losses,gear\n"
+    )
 
 
 def test_the_page_saves_the_result(page: Any, box: Path) -> None:
@@ -228,6 +230,6 @@ def test_a_picture_is_saved_as_it_stands_in_colours_of_paper(browser: Any, tmp_p
             root = ET.fromstring(text)  # noqa: S314 - our own
             assert root.tag == "{http://www.w3.org/2000/svg}svg"
             assert "var(" not in text
-            words = [one.text for one in root.iter() if one.tag.endswith("}text")]
+            words = ["".join(one.itertext()) for one in root.iter() if one.tag.endswith("}text")]
             assert words == figure.locator("svg text").all_text_contents()
             assert "#1a1a1a" in text or "rgb(26, 26, 26)" in text  # the ink of paper
