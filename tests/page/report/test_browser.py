@@ -20,6 +20,9 @@ from tests.page.report.pages import NASTY_CASE, report, write
 pytestmark = pytest.mark.slow
 LOW, DIRECT = "low <1>", "dir%/'ect"
 TEN_SPEED, POWER_SPLIT, OLD_DECK = "ford-10r80.yaml", "power-split.yaml", "mzkt7922.dat"
+TRUCK = "tarasik-truck.yaml"
+LEAST_LETTERS = 7.0
+"""Of pictures on a telephone. [CSS px]"""
 DESK, PHONE = {"width": 1280, "height": 900}, {"width": 390, "height": 844}
 
 
@@ -139,6 +142,31 @@ def test_a_narrow_page_has_wide_tables_that_scroll_and_fade(
         assert "more" in (wide.get_attribute("class") or "").split()
         wide.evaluate("(one) => { one.scrollLeft = one.scrollWidth; }")
         page.window.locator(f"{name}:not(.more)").wait_for(state="attached")
+    page.context.close()
+
+
+def test_letters_of_pictures_can_be_read_on_a_phone(browser: Any, reports: dict[str, Path]) -> None:
+    page = Opened(browser, reports[TRUCK], viewport=PHONE)
+    sizes = page.window.evaluate("""() => [...document.querySelectorAll("figure text")]
+      .filter((text) => text.checkVisibility() && text.textContent.trim())
+      .map((text) => [text.getScreenCTM(), parseFloat(getComputedStyle(text).fontSize)])
+      .map(([{ c, d }, size]) => Math.hypot(c, d) * size)""")
+    assert min(sizes) > LEAST_LETTERS
+    page.context.close()
+
+
+def test_headings_of_narrow_tables_are_short_and_stand_above_their_columns(
+    browser: Any, reports: dict[str, Path]
+) -> None:
+    """Three lines of 1.45 times 16 px; a first column is aligned as its heading."""
+    page = Opened(browser, reports[TRUCK])
+    highest = """Math.max(...[...document.querySelectorAll("section.table > h3")]
+      .map((head) => head.getBoundingClientRect().height))"""
+    assert page.window.evaluate(highest) <= 3 * 1.45 * 16 + 1
+    aligned = """[...document.querySelectorAll("main table")].map((table) =>
+      ["thead tr:last-child > th:first-child", "tbody th"].map((cell) =>
+        getComputedStyle(table.querySelector(cell)).textAlign))"""
+    assert all(head == body for head, body in page.window.evaluate(aligned))
     page.context.close()
 
 

@@ -10,7 +10,7 @@ import pytest
 from tests.accessibility import serious_faults
 from tests.commands import CASES
 from tests.page.serve.served import BOX
-from tests.page.serve.windows import Program, Window, looked_through
+from tests.page.serve.windows import Program, Window, looked_through, served
 
 pytestmark = pytest.mark.slow
 SERVED = "moskvich412.yaml", "mzkt7922.dat", "scenarios/tarasik-set-lock.yaml"
@@ -56,6 +56,30 @@ def test_a_served_page_fits_a_telephone(browser: Any, shipped: Path) -> None:
     here.state("error")
     assert here.page.evaluate(width) <= PHONE["width"]
     here.context.close()
+
+
+def test_fields_go_on_below_and_not_beside_the_screen(browser: Any, tmp_path: Path) -> None:
+    copy: Path = shutil.copytree(CASES, tmp_path / "cases") / "scenarios" / "8hp70-upshift.yaml"
+    with served(browser, copy) as here:
+        for size in ({"width": 1280, "height": 900}, PHONE):
+            here.page.set_viewport_size(size)
+            [own, all_] = here.page.evaluate(
+                "(({ clientWidth, scrollWidth }) => [clientWidth, scrollWidth])"
+                "(document.querySelector('.fields'))"
+            )
+            assert all_ <= own
+
+
+def test_an_error_does_not_cover_the_field_with_the_focus(window: Callable[[], Window]) -> None:
+    here = window()
+    here.page.set_viewport_size({"width": 390, "height": 500})
+    field = "document.querySelector('input.field[data-path=\"P1.efficiency\"]')"
+    here.page.evaluate(f"{field}.focus({{ preventScroll: true }})")
+    here.page.evaluate(f"{field}.scrollIntoView({{ block: 'end' }})")
+    here.page.keyboard.type("7")
+    here.state("error")
+    top = "document.getElementById('panel').getBoundingClientRect().top"
+    here.until(f"{field}.getBoundingClientRect().bottom <= {top}")
 
 
 def test_all_can_be_done_by_keys(program: Program, window: Callable[[], Window]) -> None:

@@ -40,6 +40,13 @@
     at("errors").textContent = errors;
   }
 
+  // an error makes the panel higher: the field with the focus moves out from below it
+  new ResizeObserver(() => {
+    root.style.setProperty("--panel", `${panel.offsetHeight}px`);
+    const { activeElement } = document;
+    if (activeElement.matches("input.field, input.slider")) activeElement.scrollIntoView({ block: "nearest" });
+  }).observe(panel);
+
   // --- what is shown -----------------------------------------------------------------------
 
   const key = ({ dataset: { result, row, gear } }) => [result, row, gear].join("\n");

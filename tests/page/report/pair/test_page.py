@@ -12,6 +12,7 @@ import pytest
 from tests.chance import count, seeded
 from tests.commands import CASES, SHIPPED, TIED_UP, vstatics
 from tests.page.report.pages import Element, Page
+from tests.page.report.printed import printed
 from vstatics import load, solve
 from vstatics.core.tables.values import tables
 
@@ -131,6 +132,19 @@ def test_shipped_cases_lose_no_number_beside_one_another() -> None:
         for case, file in zip("AB", files, strict=True):
             shown = numbers(page, case)
             assert shown.items() >= results(file).items(), file
+
+
+@pytest.mark.slow
+def test_long_tables_fill_the_paper_and_notes_stay_with_them(browser: Any, tmp_path: Path) -> None:
+    made, cases = (
+        tmp_path / "two.html",
+        [CASES / f"{name}.yaml" for name in ("zf-8hp70", "ford-10r80")],
+    )
+    assert vstatics("report", *cases, "-o", made).status == 0
+    sheets = printed(browser, made)
+    assert "Changes" in sheets[0].lines
+    last = [[line for line in sheet.lines if " / " not in line][-1] for sheet in sheets]
+    assert not [line for line in last if line.startswith("Only B has")]
 
 
 @pytest.mark.slow
