@@ -155,6 +155,15 @@ def test_pages_have_all_modes_and_all_gears() -> None:
     assert sheets == ["gear low", "gear both", "tied up"]
 
 
+def test_links_are_not_crowded_on_half_a_page() -> None:
+    """Letters of 8 pt are 10 pt apart with a gap: every other one of 17 links has its name."""
+    results = shipped_results("driveline-8hp70.yaml")
+    figure = picture(results, "modes", Style(width=PAGE_WIDTH / 2))
+    names = [one for one in figure.texts if one.get_rotation() == 90]
+    at = {one.get_text(): one.get_position()[0] for one in names}
+    assert at["vehicle"] - at["engine"] >= 8 * 10
+
+
 def test_a_gear_that_is_tied_up_says_so_beside_others() -> None:
     assert "gear both: tied up" in "".join(texts(tied(), "campbell"))
     assert any(one.startswith("tied up") for one in texts(tied(), "response"))

@@ -38,6 +38,8 @@ from vstatics.torsion.pictures.shown_modes import modes_of, why_none
 if TYPE_CHECKING:
     from vstatics.torsion.vibration.gear_modes import GearModes, Mode
 
+LEAST_PAGE = 300.0
+"""Width of a page below which the picture is wider than the page. [pt]"""
 LEAST_MODE_HEIGHT = 58.0
 """Smallest height of a mode shape. [pt]"""
 SHAPE_HEIGHT = 84.0
@@ -234,7 +236,7 @@ def _columns(parts: Sequence[_GearModesPart], style: Style) -> _ModeColumns:
     captions -= elastic - named
     whole = max([captions, *map(whole_width, links)])
     least = max([captions, *map(least_width, links)])
-    left = style.width - 2 * MARGIN - AMPLITUDE_SCALE_WIDTH - MODE_GAP
+    left = max(style.width, LEAST_PAGE) - 2 * MARGIN - AMPLITUDE_SCALE_WIDTH - MODE_GAP
     shapes_beside = left - elastic - MODE_GAP - kinetic
     stacked = shapes_beside < least
     shapes = min(whole, left - max(elastic, kinetic) if stacked else shapes_beside)
