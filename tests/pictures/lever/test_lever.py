@@ -16,6 +16,7 @@ from matplotlib.text import Text
 
 from tests.chance import some
 from tests.commands import CASES, SHIPPED, vstatics
+from tests.pictures.drawn import texts
 from tests.pictures.schemes.test_schemes import overlaps as overlaps_of
 from tests.pictures.test_pictures import overlaps
 from tests.shipped import shipped_results
@@ -303,6 +304,20 @@ def test_long_titles_and_names_of_levers_stay_inside_the_figure() -> None:
         assert overlaps_of(figure) == []
     names = [one.get_text().replace("\n", " ") for one in figure.findobj(Text)]
     assert "P1 + P2, блокировано" in names
+
+
+def test_a_long_name_of_a_brake_is_cut_before_the_speed() -> None:
+    case = shipped_results("ravigneaux-gf4a.yaml").case
+    for name in ("low and reverse brake", "brake of a name that is longer than the lever is wide"):
+        brakes = [
+            one._replace(name=name) if one.name == "low and reverse brake" else one
+            for one in case.shift_elements
+        ]
+        reverse = len(case.gears)
+        figure = picture(solve(case.replace(shift_elements=brakes)), "lever", Style(), [reverse])
+        shown = [one for one in texts(figure) if one.startswith(name[:12]) and "," not in one]
+        assert overlaps_of(figure) == []
+        assert [one == name for one in shown] == [name.startswith("low")]
 
 
 def test_the_input_stands_left_of_the_output_and_joints_are_short() -> None:

@@ -116,6 +116,19 @@ def wrapped(text: str, room: float, measure: Callable[[str], float] = width) -> 
     return "\n".join(lines)
 
 
+def shortened(text: str, room: float) -> str:
+    """Return a text, cut and ended by an ellipsis if it is wider than `room` [pt].
+
+    >>> shortened("band", 60.0), shortened("low and reverse brake", 60.0)
+    ('band', 'low and reve…')
+    """
+    shown, end = text, len(text)
+    while end and width(shown) > room:
+        end -= 1
+        shown = f"{text[:end].rstrip()}…"
+    return shown
+
+
 class Label(NamedTuple):
     """Text that names a position on an edge."""
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from vstatics.pictures.drawing.canvas import Look
-from vstatics.pictures.drawing.labels import width, wrapped
+from vstatics.pictures.drawing.labels import shortened, width, wrapped
 from vstatics.pictures.drawing.style import SIZE, Style, number
 from vstatics.pictures.drawing.words import quantity, word
 from vstatics.pictures.lever.gear import LeverGear
@@ -158,9 +158,10 @@ def _draw_ground(view: LeverView, row: LeverRow, name: str) -> None:
         x += FREEWHEEL_WIDTH
     ground(view.sheet, (x, y), style.engaged if name else style.ink)
     if name:
-        said, where = _carried(view.gear, name, style), (x + GROUND_WIDTH - 8, y + 1.5)
-        color = style.engaged
-        view.sheet.pen.text(*where, name, title=said, va="bottom", color=color, over=True)
+        said, left = _carried(view.gear, name, style), x + GROUND_WIDTH - 8
+        shown = shortened(name, view.cell.right - SIZE - left)  # the number after it is 0
+        look: Look = {"va": "bottom", "color": style.engaged, "over": True}
+        view.sheet.pen.text(left, y + 1.5, shown, title=said, **look)
 
 
 def _carried(gear: LeverGear, names: str, style: Style) -> str:
