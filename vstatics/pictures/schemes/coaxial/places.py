@@ -19,7 +19,7 @@ WHEEL_NAME = 13.0
 """Height for the name of a gear and half of the link name above. [pt, scaled with letters]"""
 HOUSING_BAND = 24.0
 """Distance from the outermost drum to the housing, with unreduced names of one line. [pt]"""
-HALF_LINE = 5.0
+HALF_NAME_LINE = 5.0
 """Half the distance between lines of letters. [pt, scaled with letters]"""
 ROOM_GAP = 5.0
 """Distance between the rectangles reserved for neighbouring components. [pt]"""
@@ -59,7 +59,7 @@ class Needs(NamedTuple):
     @property
     def housing_band(self) -> float:
         """Distance from the outermost drum to the housing, with names below brakes [pt]."""
-        return HOUSING_BAND + HALF_LINE * (self.letters - 1) * bool(self.names)
+        return HOUSING_BAND + HALF_NAME_LINE * (self.letters - 1) * bool(self.names)
 
     @property
     def pitch(self) -> float:
