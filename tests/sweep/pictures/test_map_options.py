@@ -79,6 +79,14 @@ def test_the_colour_bar_lists_the_levels() -> None:
         assert any("no level is between" in text for text in texts) is not is_within
 
 
+def test_contours_have_the_decimals_of_the_colour_bar() -> None:
+    """In the panel of each of two gears, and once at the bar."""
+    texts = [
+        element.text for element in drawn("--levels", "90,150.5") if element.tag.endswith("text")
+    ]
+    assert [texts.count(number) for number in ("90.0", "150.5", "90")] == [3, 3, 0]
+
+
 @needs("vehicle")
 def test_full_load_and_operating_points_are_at_their_numbers() -> None:
     """The straight full load from 150 N*m at 200 rad/s to 120 N*m at 300 rad/s."""

@@ -11,7 +11,6 @@ import numpy as np
 from contourpy import contour_generator
 
 from vstatics.core.numerics.arrays import Floats
-from vstatics.core.tables.numbers import typeset
 from vstatics.pictures.drawing.canvas import Canvas, Look, Outline, Point
 from vstatics.pictures.drawing.head import Meaning, SheetHead, sheet_head
 from vstatics.pictures.drawing.labels import (
@@ -200,8 +199,7 @@ def paint_levels(pen: Pen, surface: Surface, levels: Sequence[float]) -> None:
     for place, (low, up) in enumerate(pairwise(edges)):
         _fill(pen, contours.filled(low, up), shade(place, len(levels), pen.style))
     taken: list[Box] = []
-    for level in levels:
-        text = typeset(f"{level:g}")
+    for level, text in zip(levels, tick_texts(levels), strict=True):
         lines = contours.lines(level)
         title = f"{surface.name} {text}".strip()
         for piece in lines:
