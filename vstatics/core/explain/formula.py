@@ -224,7 +224,7 @@ def _shared(
     if not 0 < len(groups) <= len(SHARED):
         return {}, ""
     names, ring = [symbol.name for symbol in symbols], value.numer.ring
-    stands_for, merged = {}, {}
+    stands_for, merged = {}, dict[Any, Any]()
     for letter, (first, *others) in zip(SHARED, groups, strict=False):
         stands_for[letter] = [names[place] for place in (first, *others)]
         names[first] = letter
