@@ -62,7 +62,7 @@ def test_a_stopped_sweep_goes_on_and_gives_the_same(tmp_path: Path) -> None:
     path = tmp_path / "out.csv"
     directory = Path(finished(path).store.directory)
     for gone in (1, 3):
-        Path(piece_file.piece_path(str(directory), gone)).unlink()
+        (directory / piece_file.piece_name(gone)).unlink()
     again = store(path, resume=True)
     assert (again.finished, list(again.pending)) == (16, [1, 3])
     assert calculate(again) == [8, 6]
@@ -81,8 +81,9 @@ def test_pieces_of_another_sweep_of_the_same_layout_are_calculated_again(tmp_pat
         ends = finished(other, vary=f"D.ratio=-4:{last!r}:30"), finished(path)
         replaced = sorted(rng.sample(range(4), rng.randint(1, 4)))
         for piece in replaced:
-            source, target = (piece_file.piece_path(end.store.directory, piece) for end in ends)
-            Path(target).write_bytes(Path(source).read_bytes())
+            name = piece_file.piece_name(piece)
+            source, target = (Path(end.store.directory) / name for end in ends)
+            target.write_bytes(source.read_bytes())
         again = store(path, resume=True)
         assert list(again.pending) == ([] if last == -2 else replaced)
         calculate(again)

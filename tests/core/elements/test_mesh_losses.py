@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from vstatics import CaseError, ReadError
+from vstatics.core import readers
 from vstatics.core.elements.mesh_losses import mesh_efficiency, tip_contact
-from vstatics.core.readers.named.reader import read_yaml
 from vstatics.core.statics.solve import solve
 
 
@@ -63,7 +63,7 @@ mesh_efficiency: {{friction: 0.06{own}}}
 
 
 def of_set(ring: int = 72, more: str = "", own: str = "") -> float:
-    case = read_yaml(SET.format(ring=ring, more=more, own=own).encode(), "set.yaml").case
+    case = readers.read(SET.format(ring=ring, more=more, own=own).encode(), "set.yaml").case
     assert solve(case).consistent.all()
     return float(case.mechanisms[0].efficiency)
 
@@ -85,4 +85,4 @@ def test_a_ring_that_is_too_small_is_told() -> None:
     with pytest.raises(ReadError, match="read 32 teeth, expected 34 at least"):
         of_set(ring=32)
     with pytest.raises((ReadError, CaseError), match="between 0 and 1"):
-        read_yaml(SET.format(ring=72, more="", own="").replace("0.06", "2").encode(), "set.yaml")
+        readers.read(SET.format(ring=72, more="", own="").replace("0.06", "2").encode(), "set.yaml")

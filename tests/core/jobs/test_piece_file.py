@@ -34,10 +34,10 @@ def test_a_piece_is_read_back_as_it_was_written(tmp_path: Path) -> None:
 def test_a_damaged_piece_is_none(damage: str, tmp_path: Path) -> None:
     _, buffers = piece_bytes(3, 2, {"ok": 2}, [b"columns"])
     write_piece(str(tmp_path), 3, buffers)
-    data = Path(piece_file.piece_path(str(tmp_path), 3)).read_bytes()
+    data = (tmp_path / piece_file.piece_name(3)).read_bytes()
     damaged = {"cut": data[:-1], "changed": b"C" + data[1:], "another": data, "empty": b""}
     number = 5 if damage == "another" else 3
-    Path(piece_file.piece_path(str(tmp_path), number)).write_bytes(damaged[damage])
+    (tmp_path / piece_file.piece_name(number)).write_bytes(damaged[damage])
     assert read_account(str(tmp_path), number) is None
 
 

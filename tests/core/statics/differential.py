@@ -6,7 +6,7 @@ import pytest
 
 from tests.commands import vstatics
 from vstatics import Gear, Mechanism, ReadError, Results, ShiftElement, Transmission
-from vstatics.core.readers.named.reader import read_json, read_yaml
+from vstatics.core import readers
 from vstatics.core.writers.named import write_json
 
 SET = Mechanism(1, 2, 3, ratio=-2.0, efficiency=0.97)
@@ -28,7 +28,7 @@ def texts(results: Results) -> list[str]:
 def status(case: Transmission) -> int:
     """Exit status of `vstatics run`."""
     written = write_json(case).encode()
-    assert read_json(written, "").case == case
+    assert readers.read(written, "", "json").case == case
     return vstatics("run", "-", "--from", "json", stdin=written).status
 
 
@@ -37,7 +37,7 @@ def assert_located(text: str, faults: Sequence[tuple[str, str, int, str]]) -> No
     for before, after, line, words in faults:
         assert text.count(before) == 1
         with pytest.raises(ReadError) as caught:
-            read_yaml(text.replace(before, after).encode(), "case.yaml")
+            readers.read(text.replace(before, after).encode(), "case.yaml")
         problem = caught.value.problems[0]
         assert problem.place is not None
         assert (problem.place[1], words in problem.message) == (line, True), after

@@ -15,7 +15,7 @@ from tests.oracle.drag import Admissible, GearWithDrag, solve_gear
 from tests.oracle.drag_of_ports import GearOfPorts, Solution
 from tests.trains import is_regular, random_train, shown
 from vstatics import Gear, Mechanism, Results, ShiftElement, Transmission, solve
-from vstatics.core.readers.named.reader import read_yaml
+from vstatics.core import readers
 from vstatics.core.writers import deck, named
 
 D = 0.02
@@ -54,7 +54,7 @@ gears:
 
 
 def test_what_is_written_is_read_again() -> None:
-    case = read_yaml(TEXT.encode(), "case.yaml").case
+    case = readers.read(TEXT.encode(), "case.yaml").case
     assert case.shift_elements[0] == ShiftElement(1, 2, "C", "clutch", 0.02)
     assert (case.gears[0].drag, case.gears[0].open_drag) == ({2: 0.01}, {1: 0.03, 2: 0.01})
     assert is_read_again(case)

@@ -14,7 +14,7 @@ from tests.core.statics.batches import ARRAYS, large_train, plainly, same
 from tests.core.writers.again import is_read_again
 from tests.trains import random_train
 from vstatics import Gear, Mechanism, ReadError, ShiftElement, Transmission, solve
-from vstatics.core.readers.named.reader import read_yaml
+from vstatics.core import readers
 from vstatics.core.writers import deck
 
 
@@ -98,12 +98,12 @@ gears: {"1": {}}
 
 
 def test_yaml_and_json_keep_it_and_a_deck_cannot() -> None:
-    case = read_yaml(TEXT.encode(), "case.yaml").case
+    case = readers.read(TEXT.encode(), "case.yaml").case
     assert case.mechanisms[0].back_efficiency == 0.7
     assert is_read_again(case)
     assert deck.lost(case) == ["back_efficiency of mechanism W"]
     with pytest.raises(ReadError) as caught:
-        read_yaml(TEXT.replace("0.7", "7").encode(), "case.yaml")
+        readers.read(TEXT.replace("0.7", "7").encode(), "case.yaml")
     (problem,) = caught.value.problems
     assert problem.place is not None
     assert problem.place[1:3] == (3, TEXT.splitlines()[2].index("0.7") + 1)

@@ -22,8 +22,8 @@ from tests.core.writers.again import is_read_again
 from tests.trains import random_train
 from vstatics import CaseError, Gear, Mechanism, Results, ShiftElement, Transmission
 from vstatics import solve as solved
+from vstatics.core import readers
 from vstatics.core.model.checks import hints
-from vstatics.core.readers.named.reader import read_yaml
 from vstatics.core.writers import deck, named
 
 U = -73 / 35
@@ -49,7 +49,7 @@ gears:
 
 
 def simpson(text: str = SIMPSON) -> Transmission:
-    return read_yaml(text.encode(), "simpson.yaml").case
+    return readers.read(text.encode(), "simpson.yaml").case
 
 
 def test_the_freewheel_holds_in_first_gear_and_coasting_in_reverse() -> None:

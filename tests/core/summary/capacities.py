@@ -1,7 +1,7 @@
 """A case with capacities and a load."""
 
 from vstatics import Transmission
-from vstatics.core.readers.named.reader import read_yaml
+from vstatics.core import readers
 
 CASE = """\
 links: 3
@@ -22,4 +22,4 @@ LOW = 3.4 / 3.5
 
 
 def case(text: str = CASE) -> Transmission:
-    return read_yaml(text.encode(), "case.yaml").case
+    return readers.read(text.encode(), "case.yaml").case

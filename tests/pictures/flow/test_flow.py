@@ -21,11 +21,11 @@ from tests.pictures.drawn import texts
 from tests.pictures.schemes.test_schemes import overlaps
 from tests.shipped import shipped_results
 from vstatics import Gear, Mechanism, Results, Transmission, load, solve
+from vstatics.core import readers
 from vstatics.core.flow.circulation import Node
 from vstatics.core.flow.power import flows
 from vstatics.core.flow.power_flow import GearFlow, PowerFlow
 from vstatics.core.model.parts import Load
-from vstatics.core.readers.named.reader import read_yaml
 from vstatics.pictures import picture, render
 from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.drawing.svg import SVG
@@ -215,7 +215,7 @@ def test_a_gear_without_power_says_so() -> None:
         (TIED_UP, "no flow of power: tied up"),
         (LOCKED, "self-locking; drawn without losses"),
     ):
-        figure = picture(solve(read_yaml(deck.encode(), "case.yaml").case), "flow", Style(), [1])
+        figure = picture(solve(readers.read(deck.encode(), "case.yaml").case), "flow", Style(), [1])
         assert words in said_by(figure)
         assert_readable(figure)
 

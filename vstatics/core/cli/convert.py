@@ -25,7 +25,7 @@ from vstatics.core.writers.saving import case_data
     click.option(
         "--to",
         "output_format",
-        type=click.Choice([*readers.READERS, "matrices"]),
+        type=click.Choice([*readers.FORMATS, "matrices"]),
         help="Format of OUT.  [default: by the suffix]",
     ),
 )

@@ -240,11 +240,6 @@ def _efficiency_of_planets(
 
 
 def _teeth(group: PlanetGroup, rim: str) -> float | None:
-    """Return the teeth of a rim, calculated from a ring and a sun if omitted; None if unknown."""
-    if group.is_known(group.planet_of[rim]):
-        return float(group.teeth(rim))
-    suns, rings = (
-        [wheel.teeth for wheel in group.wheels if wheel.rim == rim and wheel.internal == internal]
-        for internal in (False, True)
-    )
-    return (rings[0] - suns[0]) / 2 if suns and rings else None
+    """Return the teeth of a rim; None if unknown."""
+    teeth = group.planets[group.planet_of[rim]][rim]
+    return None if teeth is None else float(teeth)

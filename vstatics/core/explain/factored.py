@@ -18,15 +18,17 @@ class Notation(NamedTuple):
     """Notation of symbols, products and powers."""
 
     symbols: Sequence[str]
+    """Symbol of each generator of the polynomials."""
     times: str = " "
     power: str = "^"
     joined: str = ""
     """Multiplication sign between two factors in brackets; empty to omit the sign."""
 
 
-def python(count: int) -> Notation:
-    """Return the notation of Python and SymPy, with the symbols u1, u2 and so on."""
-    return Notation([f"u{number}" for number in range(1, count + 1)], "*", "**", "*")
+def python(occurring: Sequence[int], count: int) -> Notation:
+    """Return the notation of Python and SymPy, with u1, u2 and so on for occurring generators."""
+    symbols = [f"u{occurring.index(n) + 1}" if n in occurring else "" for n in range(count)]
+    return Notation(symbols, "*", "**", "*")
 
 
 class _Written(NamedTuple):

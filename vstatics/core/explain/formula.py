@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections import Counter
 from collections.abc import Collection, Mapping, Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
@@ -172,16 +171,17 @@ def formula(
 
 
 def _of_ratio(ratio: Any, symbols: Sequence[Symbol], variators: Collection[str]) -> RatioFormula:
-    occurring, [renamed] = _in_occurring([ratio], symbols)
-    text = factored.fraction(renamed, factored.Notation([symbol.name for symbol in occurring]))
-    shared, shorter = _shared(renamed, occurring, variators)
+    occurring = _occurring([ratio])
+    text = factored.fraction(ratio, factored.Notation([symbol.name for symbol in symbols]))
+    fixed = [place for place in occurring if symbols[place].meaning not in variators]
+    shared, shorter = _shared(ratio, symbols, fixed)
     return RatioFormula(
         left="i",
         text=text,
-        expression=factored.fraction(renamed, factored.python(len(occurring))),
-        symbols=occurring,
+        expression=factored.fraction(ratio, factored.python(occurring, len(symbols))),
+        symbols=[symbols[place] for place in occurring],
         speeds={},
-        value=_value(renamed, occurring),
+        value=_value(ratio, symbols),
         shared=shared,
         shared_text=shorter if len(shorter) < len(text) else "",
     )
@@ -190,90 +190,61 @@ def _of_ratio(ratio: Any, symbols: Sequence[Symbol], variators: Collection[str])
 def _of_speed(
     output: str, shares: Sequence[Any], speeds: Mapping[str, float], symbols: Sequence[Symbol]
 ) -> RatioFormula:
-    occurring, renamed = _in_occurring(shares, symbols)
-    notation = factored.Notation([symbol.name for symbol in occurring])
+    occurring = _occurring(shares)
+    notation = factored.Notation([symbol.name for symbol in symbols])
     unknowns = [f"w{number}" for number in range(1, len(speeds) + 1)]
-    numbers = zip(renamed, speeds.values(), strict=True)
+    numbers = zip(shares, speeds.values(), strict=True)
     return RatioFormula(
         left=output,
-        text=factored.weighted(renamed, list(speeds), notation),
-        expression=factored.weighted(renamed, unknowns, factored.python(len(occurring))),
-        symbols=occurring,
+        text=factored.weighted(shares, list(speeds), notation),
+        expression=factored.weighted(shares, unknowns, factored.python(occurring, len(symbols))),
+        symbols=[symbols[place] for place in occurring],
         speeds=speeds,
-        value=math.fsum(_value(share, occurring) * speed for share, speed in numbers),
+        value=math.fsum(_value(share, symbols) * speed for share, speed in numbers),
         shared={},
         shared_text="",
     )
 
 
-def _in_occurring(
-    values: Sequence[Any], symbols: Sequence[Symbol]
-) -> tuple[list[Symbol], list[Any]]:
-    """Return the symbols that occur in fractions, and the fractions in these symbols."""
+def _occurring(values: Sequence[Any]) -> list[int]:
+    """Return the indices of the symbols that occur in fractions."""
     polynomials = [part for value in values for part in (value.numer, value.denom)]
     terms = [powers for part in polynomials for powers in part.monoms()]
-    occurring = sorted({place for powers in terms for place, power in enumerate(powers) if power})
-    places = {number: place for place, number in enumerate(occurring)}
-    return [symbols[number] for number in occurring], [
-        _in_symbols(unmapped, places) for unmapped in values
-    ]
-
-
-def _in_symbols(value: Any, places: Mapping[int, int]) -> Any:
-    """Return a fraction in other symbols; `places` maps old to new numbers of symbols.
-
-    The result is None if the denominator becomes 0 because two symbols are replaced by one.
-    """
-    from sympy import ZZ
-    from sympy.polys.fields import field
-
-    count = len(set(places.values()))
-    fractions, *_ = field([f"u{number}" for number in range(1, count + 1)] or ["u1"], ZZ)
-
-    def image(polynomial: Any) -> Any:
-        terms: Counter[tuple[int, ...]] = Counter()
-        for powers, factor in polynomial.terms():
-            new = [0] * max(count, 1)
-            for old, power in enumerate(powers):
-                if power:
-                    new[places[old]] += power
-            terms[tuple(new)] += factor
-        return fractions.ring({exponents: factor for exponents, factor in terms.items() if factor})
-
-    below = image(value.denom)
-    return fractions(image(value.numer)) / fractions(below) if below else None
+    return sorted({place for powers in terms for place, power in enumerate(powers) if power})
 
 
 def _shared(
-    value: Any, symbols: Sequence[Symbol], variators: Collection[str]
+    value: Any, symbols: Sequence[Symbol], fixed: Sequence[int]
 ) -> tuple[dict[str, list[str]], str]:
-    """Return the formula with common symbols for equal ratios, except ratios of variators."""
+    """Return the formula with common symbols for equal ratios among the ratios `fixed`."""
     by_value: dict[float, list[int]] = {}
-    for number, symbol in enumerate(symbols):
-        if symbol.meaning not in variators:
-            by_value.setdefault(symbol.value, []).append(number)
-    groups = [numbers for numbers in by_value.values() if len(numbers) > 1]
+    for place in fixed:
+        by_value.setdefault(symbols[place].value, []).append(place)
+    groups = [places for places in by_value.values() if len(places) > 1]
     if not 0 < len(groups) <= len(SHARED):
         return {}, ""
-    letters = dict(zip(SHARED, groups, strict=False))
-    letter_of = {number: letter for letter, numbers in letters.items() for number in numbers}
-    written = [letter_of.get(number, symbols[number].name) for number in range(len(symbols))]
-    new = list(dict.fromkeys(written))
-    merged = _in_symbols(value, {number: new.index(name) for number, name in enumerate(written)})
-    if merged is None:
+    names, ring = [symbol.name for symbol in symbols], value.numer.ring
+    stands_for, merged = {}, dict[Any, Any]()
+    for letter, (first, *others) in zip(SHARED, groups, strict=False):
+        stands_for[letter] = [names[place] for place in (first, *others)]
+        names[first] = letter
+        merged |= {ring.gens[place]: ring.gens[first] for place in others}
+    above, below = (part.compose(merged) for part in (value.numer, value.denom))
+    if not below:  # the ratio does not exist for equal symbols
         return {}, ""
-    stands_for = {letter: [symbols[n].name for n in numbers] for letter, numbers in letters.items()}
-    return stands_for, factored.fraction(merged, factored.Notation(new))
+    return stands_for, factored.fraction(value.field(above) / below, factored.Notation(names))
 
 
 def _value(value: Any, symbols: Sequence[Symbol]) -> float:
-    values = [Fraction(symbol.value) for symbol in symbols]
-
     def at(polynomial: Any) -> Fraction:
         total = Fraction(0)
         for powers, factor in polynomial.terms():
-            pairs = zip(values, powers, strict=False)
-            total += math.prod((base**power for base, power in pairs), start=Fraction(int(factor)))
+            ratios = (
+                Fraction(symbols[place].value) ** power
+                for place, power in enumerate(powers)
+                if power
+            )
+            total += math.prod(ratios, start=Fraction(int(factor)))
         return total
 
     divisor = at(value.denom)

@@ -1,14 +1,14 @@
 """Edges on cycles of an undirected graph.
 
-An edge is on a cycle unless it is a bridge. The removal of a bridge separates its two nodes. A
-single depth-first walk over the graph finds the bridges, because no other edge leads back from the
-nodes beyond a bridge (Tarjan, A note on finding the bridges of a graph, Information Processing
-Letters 2, 1974).
+An edge is on a cycle unless it is a bridge. The removal of a bridge separates its two nodes. Each
+edge outside a spanning tree closes one cycle. An edge of the tree is on a cycle if any edge outside
+the tree connects the nodes beyond it with other nodes.
 """
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
+from collections import defaultdict
+from collections.abc import Hashable, Iterable
 from typing import TypeVar
 
 _Node = TypeVar("_Node", bound=Hashable)
@@ -30,43 +30,25 @@ def edges_on_cycles(edges: Iterable[tuple[_Node, _Node]]) -> set[tuple[_Node, _N
     >>> sorted(edges_on_cycles(edges))
     [(1, 2), (2, 3), (3, 1), (4, 5), (5, 6), (6, 4)]
     """
-    given = [(first, second) for first, second in edges]
-    nodes: dict[_Node, list[tuple[int, _Node]]] = {}
-    for number, (first, second) in enumerate(given):
-        nodes.setdefault(first, []).append((number, second))
-        nodes.setdefault(second, []).append((number, first))
-    order: dict[_Node, int] = {}
-    return {given[number] for root in nodes for number in _closed(root, nodes, order)}
-
-
-def _closed(
-    root: _Node, nodes: Mapping[_Node, Sequence[tuple[int, _Node]]], order: dict[_Node, int]
-) -> Iterator[int]:
-    """Yield the numbers of edges on cycles, for all nodes connected to `root`.
-
-    A depth-first walk numbers the nodes in `order`. For each node, `back` is the smallest node
-    number that edges reach from the node or from the nodes visited through it.
-    """
-    if root in order:
-        return
-    order[root] = len(order)
-    back: dict[_Node, int] = {root: order[root]}
-    way = [(root, -1, iter(nodes[root]))]
-    while way:
-        node, entry, ahead = way[-1]
-        for number, other in ahead:
-            if number == entry:
-                continue
-            if other not in order:
-                order[other] = back[other] = len(order)
-                way.append((other, number, iter(nodes[other])))
-                break
-            back[node] = min(back[node], order[other])
-            yield number
-        else:
-            way.pop()
-            if way:
-                before = way[-1][0]
-                back[before] = min(back[before], back[node])
-                if back[node] < order[node]:
-                    yield entry
+    given = {*edges}
+    nodes = defaultdict[_Node, list[tuple[_Node, tuple[_Node, _Node]]]](list)
+    for edge in given:
+        for node, other in (edge, edge[::-1]):
+            nodes[node].append((other, edge))
+    tree: dict[_Node, tuple[_Node, tuple[_Node, _Node]]] = {}
+    waiting = [(node, node, (node, node)) for node in nodes]
+    while waiting:
+        node, before, edge = waiting.pop()
+        if node not in tree:
+            tree[node] = before, edge
+            waiting += ((other, node, edge) for other, edge in nodes[node])
+    closed = given.difference(edge for _, edge in tree.values())
+    crossing = dict.fromkeys(nodes, 0)  # a bit for each edge from beyond the node to other nodes
+    for number, edge in enumerate(closed):
+        for node in edge:
+            crossing[node] ^= 1 << number
+    for node, (before, edge) in reversed(tree.items()):
+        if crossing[node]:
+            closed.add(edge)
+        crossing[before] ^= crossing[node]
+    return closed

@@ -186,11 +186,6 @@ def piece_name(piece: int) -> str:
     return f"{piece:08}"
 
 
-def piece_path(directory: str, piece: int) -> str:
-    """Return the path of the file of a piece."""
-    return StateFolder(directory).file(piece_name(piece))
-
-
 def copy(directory: str, copies: Sequence[Copy]) -> int:
     """Copy parts of pieces into the file `ASSEMBLED`; return the number of bytes copied.
 

@@ -15,12 +15,11 @@ reads YAML and JSON, and `deck` reads decks. Both record the places (line and co
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, nullcontext
-from importlib import import_module
 from os import PathLike, fspath
 from os.path import split, splitext
-from typing import Any, Literal, Protocol, runtime_checkable
+from typing import Any, Literal, Protocol, get_args, runtime_checkable
 
 from vstatics.core.arguments import refusing, type_and_value
 from vstatics.core.errors import ReadError, of_file
@@ -39,15 +38,7 @@ class Stream(Protocol):
         """Read and return at most `size` characters or bytes."""
 
 
-READERS: dict[Format, tuple[str, str]] = {
-    "deck": ("vstatics.core.readers.deck.reader", "read"),
-    "yaml": ("vstatics.core.readers.named.reader", "read_yaml"),
-    "json": ("vstatics.core.readers.named.reader", "read_json"),
-    "xlsx": ("vstatics.core.readers.workbook", "read"),
-}
-"""Module and function that reads each format. Modules are imported when needed to save start-up
-time.
-"""
+FORMATS: tuple[Format, ...] = get_args(Format)
 
 SUFFIXES: dict[str, Format] = {
     ".dat": "deck",
@@ -117,12 +108,17 @@ def read(data: bytes, file: str, format: Format | None = None) -> Reading:  # no
     old.yaml: error: the text is a deck, not YAML: expected the suffix .dat or `--from deck` [E108]
     """
     wanted = format or format_of(file, data)
-    if wanted not in READERS:
-        raise ValueError(f"format {wanted!r}: expected one of {', '.join(READERS)}")
-    module, function = READERS[wanted]
-    reader: Callable[[bytes, str], Reading] = getattr(import_module(module), function)
+    if wanted not in FORMATS:
+        raise ValueError(f"format {wanted!r}: expected one of {', '.join(FORMATS)}")
+    if wanted == "deck":
+        from vstatics.core.readers.deck import reader  # each format costs start-up time
+
+        return reader.read(data, file)
+    from vstatics.core.readers.documents import case_tree
+    from vstatics.core.readers.named.reader import read_case_tree
+
     try:
-        return reader(data, file)
+        return read_case_tree(*case_tree(data, file, wanted))
     except ReadError as error:
         from vstatics.core.readers.deck.text import holds_deck
 

@@ -6,6 +6,7 @@ import re
 from collections.abc import Container, Iterable, Iterator, Sequence
 from itertools import chain, groupby, starmap
 
+from vstatics.core.tables.filling import filled
 from vstatics.core.tables.grid import NO, NOTHING, YES, Cell, Column, Grid
 
 _COMMANDS = {
@@ -84,16 +85,10 @@ def _pages(grid: Grid) -> Iterator[Grid]:
         length if column.is_number else min(length, ENOUGH)
         for length, column in zip(lengths, grid.columns, strict=True)
     ]
-    groups, room = [[0]], SMALL_PAGE - widths[0]
-    for index, width in enumerate(widths[1:], 1):
-        if width > room and groups[-1][1:]:
-            groups.append([0])
-            room = SMALL_PAGE - widths[0]
-        groups[-1].append(index)
-        room -= width
+    groups = [*filled(range(1, len(widths)), SMALL_PAGE - widths[0], widths.__getitem__)]
     for start in range(0, len(grid.rows), MOST_ROWS):
         rows = grid._replace(rows=grid.rows[start : start + MOST_ROWS])
-        yield from map(rows.with_columns, groups)
+        yield from (rows.with_columns([0, *group]) for group in groups)
 
 
 def _lengths(grid: Grid) -> list[int]:

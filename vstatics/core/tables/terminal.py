@@ -11,6 +11,7 @@ from rich.cells import cell_len
 from rich.table import Table as RichTable
 from rich.text import Text
 
+from vstatics.core.tables.filling import filled
 from vstatics.core.tables.grid import Cell, Grid
 
 MANY_ROWS = 20
@@ -48,12 +49,10 @@ def tables(grid: Grid, width: int, keys: int = 1) -> list[RichTable]:
     """
     grid = grid.spoken
     columns = [_column(grid, group) for group in _groups(grid)]
-    parts = [list(range(keys))]
-    for number in range(keys, len(columns)):
-        if len(parts[-1]) > keys and _sum(columns[n].least for n in [*parts[-1], number]) > width:
-            parts.append(list(range(keys)))
-        parts[-1].append(number)
-    return [_table([columns[number] for number in part], width) for part in parts]
+    first, others = columns[:keys], columns[keys:]
+    room = width - _sum(column.least for column in first)
+    parts = filled(others, room, lambda column: _sum([column.least]))
+    return [_table([*first, *part], width) for part in parts]
 
 
 def natural_width(grid: Grid) -> int:

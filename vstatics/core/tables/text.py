@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import chain
 from textwrap import wrap
 
+from vstatics.core.tables.filling import filled
 from vstatics.core.tables.grid import Grid
 
 TABLE_WIDTH = 80
@@ -101,15 +103,12 @@ def broken(parts: Sequence[str], width: int = TABLE_WIDTH, indent: str = 2 * IND
 
 def _pieces(grid: Grid, widths: Sequence[int], room: int, gap: int) -> Iterator[list[int]]:
     """Yield the columns of each piece of a split table. The first column is repeated."""
-    columns, width = [0], widths[0]
-    for group in _inseparable(grid):
-        needed = sum(gap + widths[column] for column in group)
-        if width + needed > room and len(columns) > 1:
-            yield columns
-            columns, width = [0], widths[0]
-        columns += group
-        width += needed
-    yield columns
+    for groups in filled(
+        _inseparable(grid),
+        room - widths[0],
+        lambda group: sum(gap + widths[column] for column in group),
+    ):
+        yield [0, *chain.from_iterable(groups)]
 
 
 def _inseparable(grid: Grid) -> list[list[int]]:

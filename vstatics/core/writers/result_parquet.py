@@ -5,7 +5,6 @@ from __future__ import annotations
 import io
 from collections.abc import Iterable, Iterator
 from importlib import import_module
-from typing import Any
 
 import numpy as np
 
@@ -50,33 +49,17 @@ def joined(parts: Iterable[bytes]) -> Iterator[bytes]:
     columns = [*((name, pa.string()) for name in NAMES), ("value", pa.float64())]
     schema = pa.schema(columns, metadata={"program": PROGRAM})
     read = (pa.ipc.open_stream(part).read_all().cast(schema) for part in filter(None, parts))
-    sink = _Drained()
+    sink = io.BytesIO()
     with parquet.ParquetWriter(pa.PythonFile(sink, mode="w"), schema) as writer:
         for group in row_groups(read, len):
             writer.write_table(pa.concat_tables(group), row_group_size=2 * GROUP)
-            yield sink.drained()
-    yield sink.drained()
+            yield _drained(sink)
+    yield _drained(sink)
 
 
-class _Drained(io.RawIOBase):
-    """File object in memory whose bytes can be taken out while it is written."""
-
-    def __init__(self) -> None:
-        self.pieces: list[bytes] = []
-        self.size = 0
-
-    def writable(self) -> bool:
-        return True
-
-    def write(self, data: Any) -> int:
-        self.pieces.append(bytes(data))
-        self.size += len(self.pieces[-1])
-        return len(self.pieces[-1])
-
-    def tell(self) -> int:
-        return self.size
-
-    def drained(self) -> bytes:
-        """Return the bytes written since the last call."""
-        taken, self.pieces = b"".join(self.pieces), []
-        return taken
+def _drained(sink: io.BytesIO) -> bytes:
+    """Return the bytes written since the last call."""
+    taken = sink.getvalue()
+    sink.seek(0)
+    sink.truncate()
+    return taken

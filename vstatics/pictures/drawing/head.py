@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from operator import attrgetter
 from typing import NamedTuple
 
+from vstatics.core.tables.filling import filled
 from vstatics.pictures.drawing.canvas import Look, Point
 from vstatics.pictures.drawing.labels import LINE_HEIGHT, height, title_width, width, wrapped
 from vstatics.pictures.drawing.pen import Pen, blank
@@ -63,6 +65,11 @@ class KeySign(NamedTuple):
             pen.text(x + SIGN_WIDTH + AFTER_SIGN, at, line, va="center")
 
 
+def rows_of(signs: Iterable[KeySign], room: float) -> list[list[KeySign]]:
+    """Return symbols side by side, in rows no wider than `room` [pt]."""
+    return [row for row in filled(signs, room, attrgetter("wide"), BETWEEN_SIGNS) if row]
+
+
 class SheetHead(NamedTuple):
     """Title, note and key of a picture, wrapped to a given width."""
 
@@ -98,17 +105,13 @@ def sheet_head(
     >>> [[sign.text for sign in row] for row in head.rows]
     [['gear']]
     """
-    rows: list[list[KeySign]] = []
     text_room = room - SIGN_WIDTH - AFTER_SIGN
-    for occurs, said, look in meanings:
-        if not occurs:
-            continue
-        text = said if isinstance(said, NameInKey) else style.text(said)
-        sign = KeySign(wrapped(text, text_room), look)
-        last = sum(placed.wide + BETWEEN_SIGNS for placed in rows[-1]) if rows else room
-        if last + sign.wide > room:
-            rows.append([])
-        rows[-1].append(sign)
+    named = (
+        (said if isinstance(said, NameInKey) else style.text(said), look)
+        for occurs, said, look in meanings
+        if occurs
+    )
+    rows = rows_of((KeySign(wrapped(text, text_room), look) for text, look in named), room)
     texts: list[tuple[str, Look]] = [
         (wrapped(title, room, title_width) * style.titled, {"size": TITLE, "bold": True}),
         (wrapped(note, room), {"size": SIZE, "color": style.soft}),

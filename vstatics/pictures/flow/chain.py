@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import chain
 from typing import NamedTuple
 
 from vstatics.core.flow.circulation import Node
 from vstatics.core.flow.power_flow import GearFlow
+from vstatics.core.tables.filling import filled
 from vstatics.pictures.drawing.labels import height, width
 from vstatics.pictures.drawing.pen import Pen
 from vstatics.pictures.flow.graph import Graph
@@ -81,16 +83,8 @@ class ChainLine(NamedTuple):
 
 def chain_line(drawn: Graph, said: FlowTitles, room: float) -> ChainLine:
     """Return the line of text of a gear, broken to a width [pt]."""
-    lines: list[list[ChainWord]] = [[]]
-    taken = 0.0
-    for group in _words(drawn, said):
-        wide = sum(word.wide for word in group)
-        if taken and taken + wide > room:
-            lines.append([])
-            taken = 0.0
-        lines[-1] += group
-        taken += wide
-    return ChainLine(lines)
+    lines = filled(_words(drawn, said), room, lambda group: sum(word.wide for word in group))
+    return ChainLine([[*chain.from_iterable(groups)] for groups in lines])
 
 
 def _words(drawn: Graph, said: FlowTitles) -> list[list[ChainWord]]:

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 from itertools import pairwise, starmap
+from operator import attrgetter
 from typing import NamedTuple
 
 from vstatics.core.flow.power_flow import GearFlow
+from vstatics.core.tables.filling import filled
 from vstatics.pictures.drawing.canvas import Canvas
 from vstatics.pictures.drawing.head import Meaning, SheetHead, sheet_head
 from vstatics.pictures.drawing.labels import height, width
@@ -74,8 +76,9 @@ def sheets(
         shown = [gear for shelf in shelves for block in shelf for gear in block.shown]
         return sheet_head(name, note, _key(shown, style), room, style)
 
+    shelves = filled(blocks, room, attrgetter("wide"), FLOW_GEAR_GAP)
     left_over = style.height - head_of([blocks]).high - BELOW_TEXT - 2 * WIDE_MARGIN
-    for page in _pages(_shelves(blocks, room), left_over):
+    for page in _pages(shelves, left_over):
         wide = max(room, *(block.wide for shelf in page for block in shelf))
         high = _all_high(page) + BELOW_TEXT + WIDE_MARGIN
         pen = head_of(page).over((wide + 2 * WIDE_MARGIN, high), WIDE_MARGIN, style)
@@ -119,19 +122,6 @@ def _high(shelf: Sequence[FlowBlock]) -> float:
 
 def _gap(shelf: Sequence[FlowBlock], following: Sequence[FlowBlock]) -> float:
     return max(block.gap for block in (*shelf, *following))
-
-
-def _shelves(blocks: Iterable[FlowBlock], room: float) -> list[list[FlowBlock]]:
-    """Place blocks side by side on shelves as far as the width permits."""
-    shelves: list[list[FlowBlock]] = []
-    taken = room
-    for block in blocks:
-        if taken + FLOW_GEAR_GAP + block.wide > room:
-            shelves.append([])
-            taken = -FLOW_GEAR_GAP
-        shelves[-1].append(block)
-        taken += FLOW_GEAR_GAP + block.wide
-    return shelves
 
 
 def _pages(shelves: Iterable[list[FlowBlock]], room: float) -> Iterator[list[list[FlowBlock]]]:

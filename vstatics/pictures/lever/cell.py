@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from vstatics.pictures.drawing.canvas import Look
@@ -150,22 +150,23 @@ def _write(view: LeverView, node: int, row: LeverRow) -> None:
         pen.text(cell.right, y + 1.5, shown, ha="right", va="bottom", color=view.ink)
 
 
-def _draw_ground(view: LeverView, row: LeverRow, name: str) -> None:
+def _draw_ground(view: LeverView, row: LeverRow, names: Sequence[str]) -> None:
     """Draw the support of a held point, with the names of the brakes or a freewheel symbol."""
     style, x, y = view.style, view.cell.at + BESIDE_LEVER + 3, row.at + view.bottom
-    if any_freewheel(view.sheet.page.case, name.split(", ")):
+    if any_freewheel(view.sheet.page.case, names):
         freewheel(view.sheet, (x + 1, y))
         x += FREEWHEEL_WIDTH
-    ground(view.sheet, (x, y), style.engaged if name else style.ink)
-    if name:
-        said, left = _carried(view.gear, name, style), x + GROUND_WIDTH - 8
-        shown = shortened(name, view.cell.right - SIZE - left)  # the number after it is 0
+ground(view.sheet, (x, y), style.engaged if names else style.ink)
+    if names:
+        said, left = _carried(view.gear, names, style), x + GROUND_WIDTH - 8
+        # the number after it is 0
+        shown = shortened(", ".join(names), view.cell.right - SIZE - left)
         look: Look = {"va": "bottom", "color": style.engaged, "over": True}
         view.sheet.pen.text(left, y + 1.5, shown, title=said, **look)
 
 
-def _carried(gear: LeverGear, names: str, style: Style) -> str:
-    loaded = (name for name in names.split(", ") if name in gear.carried)
+def _carried(gear: LeverGear, names: Sequence[str], style: Style) -> str:
+    loaded = (name for name in names if name in gear.carried)
     return ", ".join(f"{name}: {quantity('torque', gear.carried[name], style)}" for name in loaded)
 
 
@@ -209,7 +210,7 @@ def _draw_sign(sheet: LeverSheet, gear: LeverGear, route: LeverRoute, bottom: fl
         freewheel(sheet, (x, y), upright=upright)
     else:
         plates(sheet, (x, y), upright=upright)
-    said, ink = _carried(gear, tie.name, style), style.ink if tie.is_spring else style.engaged
+    said, ink = _carried(gear, [tie.name], style), style.ink if tie.is_spring else style.engaged
     pen = sheet.pen
     if upright:
         where: Look = {"ha": "left", "va": "center"}

@@ -40,7 +40,7 @@ class LeverGear(NamedTuple):
     """Torques on the points of each lever, without losses, relative to the input torque. [-]"""
     roles: Sequence[set[Role]]
     """Roles of components of each lever, such as `locked up`. A shaft can only be `unloaded`."""
-    grounds: dict[Spot, str]
+    grounds: dict[Spot, list[str]]
     """Names of the brakes that hold a point; empty for a point on a link that is the housing."""
     ties: Sequence[LeverTie]
     carried: dict[str, float]
@@ -58,10 +58,9 @@ class LeverGear(NamedTuple):
         """Return whether a lever or shaft carries a torque, or an unknown torque."""
         return self.roles[lever] != {IDLE}
 
-    def is_slack(self, names: str) -> bool:
-        """Return whether all shift elements named in a text are engaged without torque."""
-        torques = [self.carried.get(name, math.nan) for name in names.split(", ")]
-        return all(abs(torque) < NO_LEVER_TORQUE for torque in torques)
+    def is_slack(self, name: str) -> bool:
+        """Return whether a shift element is engaged without torque."""
+        return abs(self.carried.get(name, math.nan)) < NO_LEVER_TORQUE
 
     def is_one_piece(self, lever: int) -> bool:
         """Return whether a lever carries torque and rotates as a block."""
@@ -88,7 +87,7 @@ def in_gear(results: Results, number: int, drawn: Sequence[Lever]) -> LeverGear:
     >>> case = Transmission(3, [ShiftElement(2)], [Mechanism(1, 2, 3, -2.5)], [Gear([1])])
     >>> gear = in_gear(solve(case), 1, levers(case))
     >>> gear.torques, gear.grounds
-    ([[1.0, -3.5, 2.5]], {(0, 2): 'T1'})
+    ([[1.0, -3.5, 2.5]], {(0, 2): ['T1']})
     """
     whole = results.gear_at(number - 1)
     state, members = shown_of(whole), whole.member_torques(lossy=False)
@@ -117,7 +116,9 @@ def in_gear(results: Results, number: int, drawn: Sequence[Lever]) -> LeverGear:
 
 def _acts(gear: LeverGear, drawn: Sequence[Lever]) -> Iterator[Spot]:
     """Yield the points of levers at which links receive or give torque."""
-    yield from (spot for spot, name in gear.grounds.items() if not gear.is_slack(name))
+    for spot, names in gear.grounds.items():
+        if not (names and all(map(gear.is_slack, names))):
+            yield spot
     for tie in gear.ties:
         if tie.name and (tie.is_spring or not gear.is_slack(tie.name)):
             yield from tie.ends
@@ -163,7 +164,7 @@ def brakes_of(
 
 def _grounds(
     case: Transmission, state: PictureState, drawn: Sequence[Lever], spots: dict[int, list[Spot]]
-) -> dict[Spot, str]:
+) -> dict[Spot, list[str]]:
     """Return the held points of a gear, each with the names of the holding brakes.
 
     A held link is supported at one point only; the housing is supported at each of its points.
@@ -172,9 +173,7 @@ def _grounds(
     names: dict[Spot, list[str]] = {spot: [] for spot in [*spots.get(HOUSING, ()), *good]}
     names |= brakes_of(case, state.gear, spots)
     return {
-        (lever, node): ", ".join(some)
-        for (lever, node), some in names.items()
-        if drawn[lever].is_shown(node)
+        (lever, node): some for (lever, node), some in names.items() if drawn[lever].is_shown(node)
     }
 
 

@@ -148,9 +148,9 @@ def _signs(page: LeverPage, gear: LeverGear) -> Iterator[str]:
             yield "slack" if gear.is_slack(tie.name) else clutch
 
 
-def _held_by(case: Transmission, names: str) -> Iterator[str]:
+def _held_by(case: Transmission, names: Sequence[str]) -> Iterator[str]:
     """Yield the kinds of symbols at a held point: the housing, or each brake in `names`."""
     if not names:
         yield "housing"
-    for name in filter(None, names.split(", ")):
+    for name in names:
         yield "freewheel" if any_freewheel(case, [name]) else "brake"

@@ -6,11 +6,13 @@ import json
 from collections.abc import Sequence
 from functools import partial
 from itertools import zip_longest
+from operator import attrgetter
 from typing import NamedTuple
 
 from vstatics.core.errors import CaseError, Problem
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.statics.results import Results
+from vstatics.core.tables.filling import filled
 from vstatics.pictures.drawing.canvas import Canvas
 from vstatics.pictures.drawing.head import SheetHead, sheet_head
 from vstatics.pictures.drawing.labels import widest
@@ -116,7 +118,7 @@ def draw(
     drawn = [drawn_plan(case, plan, run, sheet.wide, style) for plan, run in runs]
     rows = [_row(sheet, drawn[n : n + sheet.columns]) for n in range(0, len(drawn), sheet.columns)]
     room = style.height - sheet.head(drawn).high - MARGIN - ABSCISSA_NAME_HEIGHT
-    return [_page(sheet, some) for some in _pages(rows, room)]
+    return [_page(sheet, some) for some in filled(rows, room, attrgetter("size"))]
 
 
 def _chosen(
@@ -173,15 +175,6 @@ def _row(sheet: PlanSheet, some: Sequence[DrawnPlan]) -> PlanRow:
         max(drawn.high(sheet.style) for drawn in some),
         below,
     )
-
-
-def _pages(rows: Sequence[PlanRow], room: float) -> list[list[PlanRow]]:
-    grouped: list[list[PlanRow]] = [[]]
-    for row in rows:
-        if grouped[-1] and sum(earlier.size for earlier in grouped[-1]) + row.size > room:
-            grouped.append([])
-        grouped[-1].append(row)
-    return grouped
 
 
 def _page(sheet: PlanSheet, rows: Sequence[PlanRow]) -> Canvas:

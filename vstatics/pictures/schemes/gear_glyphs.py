@@ -73,7 +73,6 @@ class Stroke(NamedTuple):
 
     points: tuple[Point, ...]
     width: float = LINE_WIDTH
-    dashed: bool = False
 
 
 class Glyph(NamedTuple):

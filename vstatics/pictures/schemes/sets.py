@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import permutations, product
+from operator import itemgetter
 
 from vstatics.core.elements.element import CentralWheel
 from vstatics.core.elements.group import PlanetGroup
@@ -169,16 +170,8 @@ def _levels(group: PlanetGroup) -> dict[str, int]:
     levels: dict[str, int] = {}
     for train in group.trains:
         start = min(train, key=lambda planet: (wheels[planet][True] > 0, -wheels[planet][False]))
-        waiting = [(start, 0)]
-        while waiting:
-            planet, level = waiting.pop(0)
-            if planet in levels:
-                continue
-            levels[planet] = level
-            for pair in group.meshes:
-                ends = [group.planet_of[rim] for rim in pair]
-                if planet in ends:
-                    waiting.append((ends[planet == ends[0]], level + 1))
+        steps = {planet: len(group.path(start, planet)) for planet in train}
+        levels |= sorted(steps.items(), key=itemgetter(1))
     return levels
 
 

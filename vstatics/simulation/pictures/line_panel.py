@@ -10,7 +10,7 @@ import numpy as np
 from vstatics.core.numerics.arrays import Floats
 from vstatics.pictures.drawing.canvas import Look
 from vstatics.pictures.drawing.ends import LineEnd
-from vstatics.pictures.drawing.head import BETWEEN_SIGNS, SIGN_ROW_HEIGHT, KeySign
+from vstatics.pictures.drawing.head import BETWEEN_SIGNS, SIGN_ROW_HEIGHT, KeySign, rows_of
 from vstatics.pictures.drawing.labels import height, ticks, wrapped
 from vstatics.pictures.drawing.pen import AxisScale, Pen
 from vstatics.pictures.drawing.style import LEADER_WIDTH, Style
@@ -44,14 +44,12 @@ def names_over(
     shown: MotionPanel, style: Style, numbers: Mapping[str, int], room: float
 ) -> list[list[KeySign]]:
     """Return the names of lines in rows above a panel, for a page without room to the right."""
-    rows: list[list[KeySign]] = []
-    for line in shown.lines:
-        for name, look in zip(line.labels, line.looks(style, numbers), strict=True):
-            sign = KeySign(short(name), look)
-            if not rows or sum(last.wide + BETWEEN_SIGNS for last in rows[-1]) + sign.wide > room:
-                rows.append([])
-            rows[-1].append(sign)
-    return rows
+    signs = (
+        KeySign(short(name), look)
+        for line in shown.lines
+        for name, look in zip(line.labels, line.looks(style, numbers), strict=True)
+    )
+    return rows_of(signs, room)
 
 
 def draw_names_over(pen: Pen, rows: Sequence[Sequence[KeySign]]) -> None:

@@ -183,17 +183,3 @@ def rows_by(sweep: WrittenSweep, selected: DrawnColumns) -> Iterator[DrawnRows]:
     column = numbers(sweep, by)
     for value in np.unique(column[np.isfinite(column)]).tolist():
         yield DrawnRows(f"{by} = {value:g}", np.flatnonzero(column == value).tolist())
-
-
-def pages(highs: Sequence[float], room: float) -> list[list[int]]:
-    """Distribute rows of panels with given heights to pages of height `room`.
-
-    >>> pages([2.0, 2.0, 2.0], 5.0)
-    [[0, 1], [2]]
-    """
-    each: list[list[int]] = [[]]
-    for place, high in enumerate(highs):
-        if each[-1] and sum(highs[index] for index in each[-1]) + high > room:
-            each.append([])
-        each[-1].append(place)
-    return each

@@ -9,6 +9,7 @@ import numpy as np
 
 from vstatics.core.errors import CaseError
 from vstatics.core.numerics.arrays import Booleans, Floats
+from vstatics.core.tables.filling import filled
 from vstatics.core.tables.written_results import GEAR_NUMBER, WrittenSweep
 from vstatics.pictures.drawing.canvas import Canvas, Look
 from vstatics.pictures.drawing.ends import LineEnd, beside, height_of, width_of
@@ -22,7 +23,6 @@ from vstatics.sweep.pictures.columns import (
     DrawnRows,
     axis,
     numbers,
-    pages,
     parts,
     results_of,
     running,
@@ -95,7 +95,7 @@ def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Canv
     wide = style.width - CURVES_SCALE_WIDTH - max(map(width_of, ends)) - MARGIN
     room = style.height - head.high - MARGIN - CURVES_SCALE_HEIGHT
     figures = []
-    for some in pages(highs, room):
+    for some in filled(range(len(highs)), room, highs.__getitem__):
         low = CURVES_SCALE_HEIGHT
         up = low + sum(highs[place] for place in some)
         pen = head.over((style.width, up), MARGIN, style)

@@ -14,13 +14,14 @@ import numpy as np
 
 from vstatics.core.errors import CaseError
 from vstatics.core.numerics.arrays import Floats
+from vstatics.core.tables.filling import filled
 from vstatics.core.tables.written_results import WrittenSweep
 from vstatics.pictures.drawing.canvas import Canvas, Look
 from vstatics.pictures.drawing.head import headed, sheet_head
 from vstatics.pictures.drawing.labels import LINE_HEIGHT, height, ticks, widest, wrapped
 from vstatics.pictures.drawing.pen import AxisScale, Pen, tick_texts
 from vstatics.pictures.drawing.style import MARGIN, SIZE, Style, number
-from vstatics.sweep.pictures.columns import DrawnColumns, numbers, pages, results_of, rows_by
+from vstatics.sweep.pictures.columns import DrawnColumns, numbers, results_of, rows_by
 from vstatics.sweep.results.statistics import PARTS, Statistics, statistics
 
 HISTOGRAM_SIZE = (132.0, 84.0)
@@ -84,7 +85,8 @@ def draw(sweep: WrittenSweep, style: Style, selected: DrawnColumns) -> list[Canv
     ]
     head = sheet_head(title, note, key, style.width - 2 * MARGIN, style).high
     highs = [_high(row, wide) for row in rows]
-    for page in pages(highs, style.height - head - 1.5 * MARGIN):
+    room = style.height - head - 1.5 * MARGIN
+    for page in filled(range(len(highs)), room, highs.__getitem__):
         top = sum(highs[place] for place in page) + MARGIN / 2
         pen = headed(title, note, key, (style.width, top), style)
         for place in page:

@@ -45,7 +45,7 @@ equal. [-]
     "-f",
     "--format",
     "form",
-    type=click.Choice([*readers.READERS]),
+    type=click.Choice(readers.FORMATS),
     help="Format of the case.  [default: by the suffix of -o, else yaml]",
 )
 @click.option(

@@ -7,11 +7,11 @@ from random import Random
 import pytest
 
 from tests.chance import count, seeded
+from vstatics.core import readers
 from vstatics.core.errors import ReadError
 from vstatics.core.model.transmission import Mechanism
 from vstatics.core.readers.deck import reader as deck
 from vstatics.core.readers.deck.numbers import NotANumberError, integer, real
-from vstatics.core.readers.named.reader import read_yaml
 
 
 def test_numbers_are_those_of_list_directed_input() -> None:
@@ -82,7 +82,7 @@ def test_ratios_and_percentages_are_exact_fractions() -> None:
 def test_a_deck_reads_them_as_yaml_does(ratio: str, share: str) -> None:
     text = f"{{first: a, second: b, ratio: {ratio!r}, efficiency: {share}}}"
     yaml = f"links: [a, b]\nmechanisms:\n  p: {text}\ngears: {{'1': []}}\n"
-    expected = read_yaml(yaml.encode(), "case.yaml").case.mechanisms[0]
+    expected = readers.read(yaml.encode(), "case.yaml").case.mechanisms[0]
     (mechanism,) = read(f" {ratio}", f" {share}")
     assert (mechanism.ratio, mechanism.efficiency) == (expected.ratio, expected.efficiency)
 

@@ -6,11 +6,11 @@ import pytest
 
 from tests.commands import vstatics
 from tests.core.writers.again import is_read_again
+from vstatics.core import readers
 from vstatics.core.errors import CaseError, ReadError
 from vstatics.core.model.converters import Converter
 from vstatics.core.model.open_converters import with_open_converters
 from vstatics.core.model.transmission import Transmission
-from vstatics.core.readers.named.reader import read_yaml
 from vstatics.core.writers.deck_limits import check_deck
 
 CASE = """links: [engine, turbine, out]
@@ -22,7 +22,7 @@ gears: {"1": {speed_ratios: {TC: 0.6}}}
 
 
 def loaded(text: str) -> Transmission:
-    return read_yaml(text.encode(), "case.yaml").case
+    return readers.read(text.encode(), "case.yaml").case
 
 
 def test_a_converter_is_read_with_its_ratio_and_written_as_it_was() -> None:

@@ -6,8 +6,8 @@ The places were counted in the files, not taken from the program.
 import pytest
 
 from tests.commands import BAD_FILES
+from vstatics.core import readers
 from vstatics.core.errors import ReadError
-from vstatics.core.readers.named.reader import read_json, read_yaml
 
 # file:line:column: words of the message; a line that is set in goes on with the one above
 FAULTS = r"""
@@ -174,9 +174,8 @@ TABLE = dict(line.split(":", 1) for line in FAULTS.replace("\n    ", " ").strip(
 def test_each_fault_is_reported_alone_with_its_place_and_words() -> None:
     wrong = {}
     for file, expected in TABLE.items():
-        read = read_json if file.endswith(".json") else read_yaml
         with pytest.raises(ReadError) as caught:
-            read((BAD_FILES / file).read_bytes(), file)
+            readers.read((BAD_FILES / file).read_bytes(), file)
         problem, *others = caught.value.problems
         assert problem.place is not None
         place, _, words = expected.partition(": ")

@@ -1,18 +1,17 @@
 """Cases in YAML and JSON: what is read, and what is said about what cannot be."""
 
 import codecs
-from collections.abc import Callable
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.chance import count
+from vstatics.core import readers
 from vstatics.core.errors import Problem, ReadError
 from vstatics.core.model.shape import COUNT, TEXT, ByKey, KeyShape, ListOf
 from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, SpeedOf, Transmission
-from vstatics.core.readers.named.reader import read_document, read_json, read_yaml
-from vstatics.core.readers.reading import Reading
+from vstatics.core.readers.named.reader import read_document
 from vstatics.core.writers.named import write_yaml
 
 DIFFERENTIAL = """\
@@ -28,17 +27,13 @@ gears:
 """
 
 
-def reader(file: str) -> Callable[[bytes, str], Reading]:
-    return read_json if file.endswith(".json") else read_yaml
-
-
 def yaml_case(text: str) -> Transmission:
-    return read_yaml(text.encode(), "case.yaml").case
+    return readers.read(text.encode(), "case.yaml").case
 
 
 def errors(data: bytes | str, file: str = "case.yaml") -> list[Problem]:
     with pytest.raises(ReadError) as caught:
-        reader(file)(data.encode() if isinstance(data, str) else data, file)
+        readers.read(data.encode() if isinstance(data, str) else data, file)
     return [problem for problem in caught.value.problems if problem.severity == "error"]
 
 
@@ -87,7 +82,7 @@ def test_json_is_read_like_yaml() -> None:
     text = """{"name": "a\\/b \\ud83d\\ude9c",\t"links": 2, "shift_elements": null, "coast": false,
         "mechanisms": {"P": {"first": 1, "second": "2", "ratio": "3/2"}},
         "gears": {"1": {"engaged": [], "speeds": {}, "torques": {"1": 1e-05}}}}"""
-    assert read_json(text.encode(), "case.json").case == Transmission(
+    assert readers.read(text.encode(), "case.json").case == Transmission(
         name="a/b \U0001f69c",
         links=2,
         shift_elements=[],
@@ -123,7 +118,7 @@ def test_a_gear_may_be_a_list_of_what_is_engaged() -> None:
 def test_encodings_and_ends_of_lines(encoding: str, end: str) -> None:
     text = "name: Коробка\n" + DIFFERENTIAL
     data = text.replace("\n", end).encode(encoding)
-    assert read_yaml(data, "case.yaml").case == yaml_case(text)
+    assert readers.read(data, "case.yaml").case == yaml_case(text)
     problem = errors(text.replace("-2.5", "x").replace("\n", end).encode(encoding))[0]
     assert problem.place is not None
     assert problem.place[1:] == (7, 46, "  D1: {first: 1, second: 2, third: 3, ratio: x}")
@@ -183,7 +178,7 @@ def test_problems_of_the_model_are_located() -> None:
     text = DIFFERENTIAL.replace("ratio: -2.5", "ratio: 2.5").replace("links: 3", "links: [a, 2, 3]")
     text = text.replace("first: 1", "first: a").replace("[1, 2]", "[a, 2]")
     text += "  tow: {engaged: [T1, F2], speeds: {3: 1}}\n"
-    reading = read_yaml(text.encode(), "case.yaml")
+    reading = readers.read(text.encode(), "case.yaml")
     (warning,) = reading.warnings  # no planet speed
     assert str(warning).startswith("case.yaml:6:3: warning: mechanisms.D1: ratio 2.5")
     places = {
@@ -234,7 +229,7 @@ def test_any_bytes_and_punctuation_end_in_a_read_error(data: bytes) -> None:
 
 def check_survival(data: bytes, file: str) -> None:
     try:
-        reading = reader(file)(data, file)
+        reading = readers.read(data, file)
     except ReadError as error:
         files = {problem.place and problem.place.file for problem in error.problems}
         assert files == {file}

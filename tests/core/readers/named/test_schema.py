@@ -13,10 +13,10 @@ from tests.chance import count
 from tests.commands import CASES
 from tests.installed import needs
 from tests.strategies import transmissions
+from vstatics.core import readers
 from vstatics.core.elements.keys import DRAWN
 from vstatics.core.errors import ReadError
 from vstatics.core.model.transmission import Gear, Mechanism, Transmission
-from vstatics.core.readers.named.reader import read_json
 from vstatics.core.readers.named.schema import json_schema
 from vstatics.core.writers.named import mapping
 
@@ -44,7 +44,7 @@ def changed(line: str) -> Any:
 
 def is_read(document: object) -> bool:
     try:
-        read_json(json.dumps(document).encode(), "case.json")
+        readers.read(json.dumps(document).encode(), "case.json")
     except ReadError:
         return False
     return True

@@ -6,11 +6,11 @@ import math
 import pytest
 
 import vstatics as library
+from vstatics.core import readers
 from vstatics.core.errors import CaseError, ReadError
 from vstatics.core.model.parts import Damping, Friction
 from vstatics.core.model.springs import Spring
 from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Transmission
-from vstatics.core.readers.named.reader import read_json, read_yaml
 from vstatics.core.writers.deck_limits import check_deck
 from vstatics.core.writers.named import mapping, write_json, write_yaml
 
@@ -31,19 +31,19 @@ PAIR = "links: 2\nmechanisms: {D: {first: 1, second: 2, ratio: 2}}\ngears: {a: {
 
 
 def loaded(text: str) -> Transmission:
-    return read_yaml(text.encode(), "case.yaml").case
+    return readers.read(text.encode(), "case.yaml").case
 
 
 def kept(case: Transmission) -> bool:
     """Whether a case comes back from YAML and from JSON."""
-    from_json = read_json(write_json(case).encode(), "case.json").case
+    from_json = readers.read(write_json(case).encode(), "case.json").case
     return loaded(write_yaml(case)) == from_json == case
 
 
 def messages(text: str) -> list[str]:
     """Errors of a case that cannot be, warnings of one that can."""
     try:
-        return [str(problem) for problem in read_yaml(text.encode(), "case.yaml").warnings]
+        return [str(problem) for problem in readers.read(text.encode(), "case.yaml").warnings]
     except ReadError as refused:
         return [str(problem) for problem in refused.problems]
 

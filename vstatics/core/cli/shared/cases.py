@@ -67,7 +67,7 @@ input_format = under(
     click.option(
         "--from",
         "input_format",
-        type=click.Choice(list(readers.READERS)),
+        type=click.Choice(readers.FORMATS),
         help="Format of the input.  [default: by the suffix, then by the content]",
     ),
 )

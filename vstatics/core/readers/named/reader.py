@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from vstatics.core.annexes import KEYS, not_installed
 from vstatics.core.errors import Problem, ReadError
@@ -23,75 +23,8 @@ from vstatics.core.readers.named.nodes import (
 from vstatics.core.readers.named.walk import Walk
 from vstatics.core.readers.reading import Reading, finish
 
-if TYPE_CHECKING:
-    from vstatics.core.readers import Format
-
 _CORE_KEYS = (*(key.name for key in CASE.keys), "elements", "losses", "mesh_efficiency")
 """Keys of a case that the core declares."""
-
-
-def read_yaml(data: bytes, file: str) -> Reading:
-    """Read a case in YAML.
-
-    Parameters
-    ----------
-    data : bytes
-        Text in UTF-8, or in another Unicode encoding with its byte order mark.
-    file : str
-        Name of the file, for messages.
-
-    Returns
-    -------
-    Reading
-        The transmission, its warnings, and the places of its parts.
-
-    Raises
-    ------
-    ReadError
-        The error contains every problem that does not follow from another.
-
-    Examples
-    --------
-    >>> text = b'''
-    ... links: [sun, ring, carrier]
-    ... mechanisms: {set: {first: sun, second: ring, third: carrier, ratio: -96/39}}
-    ... shift_elements: {brake: [ring, housing]}
-    ... gears: {"1": {engaged: [brake]}}
-    ... '''
-    >>> read_yaml(text, "case.yaml").case.mechanisms[0].links
-    (1, 2, 3)
-    """
-    document = decode(data, file)
-    return read_case_tree(_tree(document, "yaml"), document)
-
-
-def read_json(data: bytes, file: str) -> Reading:
-    """Read a case in JSON, with the keys of a YAML case; see `read_yaml`."""
-    document = decode(data, file)
-    return read_case_tree(_tree(document, "json"), document)
-
-
-def _tree(document: DocumentText, form: Format) -> Node:
-    """Return the tree of nodes of a text; the parser is imported only when needed."""
-    if form == "json":
-        from vstatics.core.readers.named.json_nodes import json_tree
-
-        return json_tree(document)
-    from vstatics.core.readers.named.yaml_nodes import yaml_tree
-
-    return yaml_tree(document)
-
-
-def case_tree(document: DocumentText, form: Format) -> Node:
-    """Return the case in YAML or JSON as a tree of nodes.
-
-    Raises
-    ------
-    ReadError
-        If the text is not valid YAML or JSON.
-    """
-    root = _tree(document, form)
-    return _case(root) if isinstance(root, Mapping) else root
 
 
 def read_case_tree(root: Node, document: DocumentText) -> Reading:
@@ -109,7 +42,7 @@ def read_case_tree(root: Node, document: DocumentText) -> Reading:
         The error contains every problem that does not follow from another.
     """
     expected = "a case: a mapping with `elements`, `mechanisms`, `springs`, `inertias` or `masses`"
-    root = _case(document.mapping(root, expected))
+    root = document.mapping(within_result(root), expected)
     walk = Walk(Spots(document))
     given = {key.text for key, _ in root.entries}
     masses = any(
@@ -165,9 +98,9 @@ def _with_annexes(root: Mapping, document: DocumentText) -> tuple[Mapping, ByKey
     return root._replace(entries=entries), with_carried(CASE, keys)
 
 
-def _case(root: Mapping) -> Mapping:
-    """Return the case that a JSON result or a solution contains under a key."""
-    entries = {key.text: value for key, value in root.entries}
+def within_result(root: Node) -> Node:
+    """Return the case that a JSON result or a solution contains under a key, else the node."""
+    entries = {key.text: value for key, value in root.entries} if isinstance(root, Mapping) else {}
     inner = entries.get("case")
     return inner if entries.keys() & {"format", "blanks"} and isinstance(inner, Mapping) else root
 
@@ -198,8 +131,10 @@ def read_document(data: bytes, file: str, shape: ByKey, expected: str) -> tuple[
     >>> load, spots.place(("torque",)).column
     (Load(speed=None, torque=200.0, power=None), 9)
     """
+    from vstatics.core.readers.named.yaml_nodes import yaml_tree  # costs start-up time
+
     document = decode(data, file, expected)
-    root = document.mapping(_tree(document, "yaml"), expected)
+    root = document.mapping(yaml_tree(document), expected)
     spots = Spots(document)
     values = Walk(spots).read(Spot((), "", root), shape)
     if document.problems:

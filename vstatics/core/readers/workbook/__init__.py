@@ -4,7 +4,3 @@
 the same tree of nodes as the YAML reader, so that both formats share the checks of keys. `sheets`
 declares the sheets and headings, and converts texts to cells and back, also for the writer.
 """
-
-from vstatics.core.readers.workbook.reader import read
-
-__all__ = ["read"]

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from collections.abc import Set as AbstractSet
 from typing import NamedTuple
 
+from vstatics.core.model.fields import Bodies, join
 from vstatics.core.model.transmission import Transmission
 from vstatics.pictures.drawing.tolerances import SAME_RADIUS
 from vstatics.pictures.schemes.scheme import Device, Scheme
@@ -70,28 +71,27 @@ def parallel_axes(scheme: Scheme, case: Transmission) -> ParallelAxes | None:
     >>> [sorted(axis) for axis in parallel_axes(scheme_of(case), case).axes]
     [[1], [2], [3, 4]]
     """
-    joints, bodies = [], {link: link for link in range(1, len(scheme.links) + 1)}
+    joints, bodies = [], list(range(len(scheme.links) + 1))
     cages = {device.members["third"] for device in scheme.devices if is_bare_differential(device)}
     for index, device in enumerate(scheme.devices):
         joint, groups = joint_of(index, device, case, cages)
         joints += [joint] if joint else []
-        for first, *others in groups:
-            for link in others:
-                joined = bodies[link]
-                bodies |= {end: bodies[first] for end, body in bodies.items() if body == joined}
+        for links in groups:
+            join(bodies, *links)
     joints = [joint for joint in joints if bodies[joint.first] != bodies[joint.second]]
     entry = next(port.link for port in scheme.ports if port.role == "input")
     order = list(_from(bodies[entry], joints, bodies))
-    order += [body for body in dict.fromkeys(bodies.values()) if body not in order]
+    order += [body for body in dict.fromkeys(bodies[1:]) if body not in order]
     if not joints:
         return None
     axes = [
-        frozenset(link for link, link_body in bodies.items() if link_body == body) for body in order
+        frozenset(link for link, link_body in enumerate(bodies) if link_body == body)
+        for body in order
     ]
     return ParallelAxes(axes, joints)
 
 
-def _from(start: int, joints: Sequence[AxisJoint], bodies: dict[int, int]) -> Iterator[int]:
+def _from(start: int, joints: Sequence[AxisJoint], bodies: Bodies) -> Iterator[int]:
     """Yield the groups of connected links in breadth-first order from a start."""
     reached = [start]
     for body in reached:

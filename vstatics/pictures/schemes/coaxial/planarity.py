@@ -7,7 +7,7 @@ a part for each set: around its planets, sun, carrier, ring and carrier follow i
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import chain, combinations, pairwise, product
+from itertools import chain, pairwise, product
 from math import prod
 
 from vstatics.pictures.schemes.coaxial.train import AXIS, HOUSING_VERTEX, CoaxialTrain, Planes
@@ -120,8 +120,7 @@ def _trees(sets: Sequence[_NumberedSet]) -> Iterator[list[_Joined]]:
     """Yield all trees of edges that connect the parts of a split carrier."""
     import networkx as nx  # networkx is an optional package
 
-    places = range(len(sets))
-    for tree in combinations(combinations(places, 2), len(sets) - 1):
-        if len(sets) == 1 or (len(set(chain(*tree))) == len(sets) and nx.is_tree(nx.Graph(tree))):
-            joints = (product(_ends(sets[a]), _ends(sets[b])) for a, b in tree)
-            yield from (list(way) for way in product(*joints))
+    for code in product(range(len(sets)), repeat=max(len(sets) - 2, 0)):
+        tree = nx.from_prufer_sequence(code).edges if len(sets) > 1 else ()
+        joints = (product(_ends(sets[a]), _ends(sets[b])) for a, b in tree)
+        yield from (list(way) for way in product(*joints))

@@ -6,6 +6,7 @@ from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import count, islice
 from typing import NamedTuple
 
 from vstatics.pictures.drawing.groups import grouped
@@ -63,31 +64,31 @@ class CoaxialTrain:
         return hash(repr(self))
 
     @cached_property
+    def _bits(self) -> list[list[int]]:
+        """Bits of gears (also of missing gears), carriers, pairs, tops and the output end."""
+        bits = map((1).__lshift__, count())
+        gears = 2 * sum(len(planes.wheels) for planes in self.sets)
+        sizes = gears, len(self.sets), len(self.pairs), len(self.tops), 1
+        return [[*islice(bits, size)] for size in sizes]
+
+    @cached_property
     def wheel_bits(self) -> list[list[tuple[int, int]]]:
         """Bits of the edges of sun and ring, by gear set and plane; 0 where missing."""
-        bits: list[list[tuple[int, int]]] = []
-        number = 0
-        for planes in self.sets:
-            bits.append([])
-            for sun, ring in planes.wheels:
-                bits[-1].append((bool(sun) << number, bool(ring) << (number + 1)))
-                number += 2
-        return bits
-
-    @property
-    def _first_bit(self) -> int:
-        return 2 * sum(len(planes.wheels) for planes in self.sets)
+        bits = iter(self._bits[0])
+        return [
+            [(bool(sun) * next(bits), bool(ring) * next(bits)) for sun, ring in planes.wheels]
+            for planes in self.sets
+        ]
 
     @cached_property
     def carrier_bits(self) -> list[int]:
         """Bit of the carrier of each gear set."""
-        return [1 << (self._first_bit + n) for n in range(len(self.sets))]
+        return self._bits[1]
 
     @cached_property
     def pair_bits(self) -> list[int]:
         """Bit of each clutch, shaft or spring in `pairs`."""
-        first = self._first_bit + len(self.sets)
-        return [1 << (first + n) for n in range(len(self.pairs))]
+        return self._bits[2]
 
     @cached_property
     def couplings(self) -> dict[tuple[int, int], list[tuple[int, int]]]:
@@ -100,8 +101,7 @@ class CoaxialTrain:
     @cached_property
     def top_bits(self) -> list[int]:
         """Bit of each connection to the housing in `tops`."""
-        first = self._first_bit + len(self.sets) + len(self.pairs)
-        return [1 << (first + n) for n in range(len(self.tops))]
+        return self._bits[3]
 
     @cached_property
     def tops_of(self) -> dict[int, list[tuple[int, int]]]:
@@ -112,7 +112,7 @@ class CoaxialTrain:
     @cached_property
     def end_bit(self) -> int:
         """Bit of the output end of the axis, which is drawn after everything else."""
-        return 1 << (self._first_bit + len(self.sets) + len(self.pairs) + len(self.tops))
+        return self._bits[4][0]
 
     @cached_property
     def all_bits(self) -> int:

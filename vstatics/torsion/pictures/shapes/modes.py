@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from vstatics.core.statics.results import Results
+from vstatics.core.tables.filling import filled
 from vstatics.pictures.drawing.canvas import Canvas
 from vstatics.pictures.drawing.head import BELOW, SheetHead, sheet_head
 from vstatics.pictures.drawing.labels import height, widest, width, wrapped
@@ -258,13 +259,8 @@ def _on_pages(results: Results, part: _GearModesPart, style: Style) -> Iterator[
     columns = _columns([part], style)
     room = style.height - _page_head(results, columns.right, style).high - 3 * MARGIN
     room -= _height_above_modes(part, columns)
-    page: list[_ModeRow] = []
-    for row in part.rows:
-        if page and sum(map(columns.high, [*page, row])) - MODE_GAP > room:
-            yield part._replace(rows=page)
-            page = []
-        page.append(row)
-    yield part._replace(rows=page)
+    pages = filled(part.rows, room + MODE_GAP, columns.high)
+    yield from (part._replace(rows=page) for page in pages)
 
 
 def _page_head(results: Results, wide: float, style: Style) -> SheetHead:

@@ -128,21 +128,19 @@ def _set(sheet: AxesSheet, number: int, station: Station) -> None:
         low, high = sorted(at(*corner) for corner in glyph.wheels)
         low, high = (low[0], min(low[1], high[1])), (high[0], max(low[1], high[1]))
         pen.lines(hatching(low, high), color=pen.style.soft, width=HATCH_WIDTH, zorder=1)
-    looks: dict[tuple[float, bool], list[Sequence[Point]]] = {}
+    looks: dict[float, list[Sequence[Point]]] = {}
     for stroke in glyph.strokes:
         points = [at(*point) for point in stroke.points]
-        looks.setdefault((stroke.width, stroke.dashed), []).append(points)
+        looks.setdefault(stroke.width, []).append(points)
     for tap in glyph.taps:
         if not tap.wire:
             end = tap.side * (glyph.half + 5)
             lines: list[Segment] = [(at(tap.x, tap.side * tap.depth), at(tap.x, end))]
             lines += ground(at(tap.x, end), tap.side * side)
-            looks.setdefault((LINE_WIDTH, False), []).extend(lines)
-    for (thick, dashed), strokes in looks.items():
-        said = sheet.said(index) if thick != TOOTH else ""
-        dashes = (0, (2.5, 1.5)) if dashed else "solid"
-        look: Look = {"linestyle": dashes, "title": said, "solid_capstyle": "projecting"}
-        pen.lines(strokes, color=color, width=thick, zorder=4, **look)
+            looks.setdefault(LINE_WIDTH, []).extend(lines)
+    for thick, strokes in looks.items():
+        look: Look = {"title": sheet.said(index) if thick != TOOTH else "", "zorder": 4}
+        pen.lines(strokes, color=color, width=thick, solid_capstyle="projecting", **look)
     sheet.name(index)
 
 
