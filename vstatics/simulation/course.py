@@ -27,7 +27,7 @@ from vstatics.simulation.events.selection import (
     Selected,
     turned,
 )
-from vstatics.simulation.events.sequence_commands import StepCommands, value_of, with_states
+from vstatics.simulation.events.sequence_commands import value_of, with_actions, with_states
 from vstatics.simulation.events.sequences import SequenceProgress, SequenceRun
 from vstatics.simulation.events.sides import Judge, end_of_slide
 from vstatics.simulation.events.stretches import Closed, KnownSolutions, NoFit
@@ -37,7 +37,9 @@ from vstatics.simulation.record.motion import EventKind
 from vstatics.simulation.record.record import Record
 from vstatics.simulation.record.words import event_of, released, slid_back
 from vstatics.simulation.scenario.parts import SequenceStep
+from vstatics.simulation.scenario.programme import programmes
 from vstatics.simulation.system.curves import capacity_at, programme_at
+from vstatics.simulation.system.devices import with_programmes
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import SIGNS, Contact, Elastic
 from vstatics.simulation.system.ports import SIGNS_OF_MESHES, States
@@ -102,7 +104,8 @@ class EventRun:
         system = self.system = record.system
         self.selection = ModeSelection(system)
         self.sequences = SequenceRun(system.scenario)
-        self.commands = StepCommands(system.scenario, engaged)
+        self.inputs, self.engaged = system.scenario, engaged
+        """`inputs` is the scenario with the shifts and dog clutches of finished sequence steps."""
         self.rtol, self.watch = rtol, watch
         self.duration = self.until = self.horizon = system.scenario.duration
         """`horizon` is the time until which bends and jumps of inputs (`breaks`) are known. [s]"""
@@ -160,8 +163,8 @@ class EventRun:
     def copy(self) -> EventRun:
         """Return an independent copy of the run at the present time."""
         copied = copy(self)
-        copied.record, copied.commands = self.record.copy(), copy(self.commands)
-        copied.sequences, copied.meetings = self.sequences.copy(), deepcopy(self.meetings)
+        copied.record, copied.sequences = self.record.copy(), self.sequences.copy()
+        copied.meetings = deepcopy(self.meetings)
         return copied
 
     def give(self, step: SequenceStep, values: Mapping[str, float]) -> None:
@@ -173,10 +176,14 @@ class EventRun:
         values : mapping of str to float
             Values of the numbers and states that the step sets.
         """
-        at = self.at
-        self.at = at._replace(values=with_states(self.system.scenario, at.values, values))
+        at, system = self.at, self.system
+        self.at = at._replace(values=with_states(system.scenario, at.values, values))
         before = [corner.places for corner in self.corners]
-        self.system = self.commands.given(self.system, at.time, step, values)
+        if step.shift is not None or step.dogs:
+            self.inputs = with_actions(self.inputs, self.engaged, at.time, step)
+            system = with_programmes(system, programmes(self.inputs, self.engaged))
+        settings = {name: values.get(name, value) for name, value in system.settings.items()}
+        self.system = with_settings(system, settings)
         self._look_ahead()
         if self.slides and before != [corner.places for corner in self.corners]:
             self._slide([])  # `slides` has the numbers of the corners before the step
@@ -216,10 +223,10 @@ class EventRun:
         """Apply all due sequence steps, and select the states of contacts after them."""
         self.selection = self.selection.of(self.system)
         for _ in range(_MOST_STEPS_AT_ONCE + 1):
-            self.at = self._joined(self.at, self.before)
+            self.at, joined = self._joined(self.at, self.before)
             selected = self._selected()
             equations, state = selected.equations, selected.state
-            self._record_changes(self.at.time, self.before, equations.states)
+            self._record_changes(self.at.time, self.before, equations.states, joined)
             if self.slides and not self._slides_on(equations, state):
                 self.selection = self.selection.of(self.system)
                 continue
@@ -627,10 +634,11 @@ class EventRun:
         absolute[equations.works.start :] = relative * self.record.energy_scale
         return StepTolerances(relative, absolute)
 
-    def _joined(self, at: Instant, before: States | None) -> Instant:
-        """Return the instant with the speeds after an impact, if contacts close at a slip."""
+    def _joined(self, at: Instant, before: States | None) -> tuple[Instant, Collection[int]]:
+        """Return the instant after an impact, and the indices of contacts that close at a slip."""
         system = self.system
-        rigid, joining = [], []
+        rigid: list[int] = []
+        joining: list[int] = []
         for index, contact in enumerate(system.contacts):
             if contact.one_way or contact.while_open is not None:
                 continue
@@ -642,7 +650,7 @@ class EventRun:
                 ):
                     joining.append(index)
         if not joining:
-            return at
+            return at, joining
         after_impact = impact(system, at, rigid, joining)
         self.record.impact_work += after_impact.work
         for index, energy in zip(joining, after_impact.energies, strict=True):
@@ -650,19 +658,21 @@ class EventRun:
                 joined = event_of(at.time, system.contacts[index], "impact", energy)
                 self.record.events.append(joined)
             self.record.impact += energy
-            self.record.joined.add(index)
-        return at._replace(speeds=after_impact.speeds)
+        return at._replace(speeds=after_impact.speeds), joining
 
-    def _record_changes(self, time: float, before: States | None, states: States) -> None:
-        if before is not None:
-            for index, contact in enumerate(self.system.contacts):
-                if not (contact.is_drag or index in self.record.joined):
-                    change = before.contacts[index], states.contacts[index]
-                    self._record_change(time, contact, *change)
-            for index, spring in enumerate(self.system.springs):
-                self._record_change(time, spring, before.springs[index], states.springs[index])
-            self._record_meshes(time, before, states)
-        self.record.joined.clear()
+    def _record_changes(
+        self, time: float, before: States | None, states: States, joined: Collection[int]
+    ) -> None:
+        """Record the changes of states, except for contacts that have closed in an impact."""
+        if before is None:
+            return
+        for index, contact in enumerate(self.system.contacts):
+            if not (contact.is_drag or index in joined):
+                change = before.contacts[index], states.contacts[index]
+                self._record_change(time, contact, *change)
+        for index, spring in enumerate(self.system.springs):
+            self._record_change(time, spring, before.springs[index], states.springs[index])
+        self._record_meshes(time, before, states)
 
     def _record_meshes(self, time: float, before: States, states: States) -> None:
         for index, (earlier, later) in enumerate(zip(before.meshes, states.meshes, strict=True)):
