@@ -46,6 +46,7 @@ from vstatics.simulation.system.ports import SIGNS_OF_MESHES, States
 from vstatics.simulation.system.shares import Slide
 from vstatics.simulation.system.sight import Corner, control_path, corners, with_settings
 from vstatics.simulation.system.sliding import slides
+from vstatics.simulation.system.structure import moves
 from vstatics.simulation.tolerances import (
     AHEAD_OF_STOP,
     BEYOND_ALL,
@@ -675,27 +676,16 @@ class EventRun:
         self._record_meshes(time, before, states)
 
     def _record_meshes(self, time: float, before: States, states: States) -> None:
-        for index, (earlier, later) in enumerate(zip(before.meshes, states.meshes, strict=True)):
-            if (
-                earlier in SIGNS_OF_MESHES
-                and later == "stick"
-                and self._moves_without_friction(index, states)
-            ):
-                kind: EventKind = "locks"
-            elif (
-                earlier == "stick"
-                and later in SIGNS_OF_MESHES
-                and self._moves_without_friction(index, before)
-            ):
-                kind = "slips"
-            else:
-                continue
-            self.record.events.append(event_of(time, self.system.meshes[index], kind))
-
-    def _moves_without_friction(self, mesh: int, states: States) -> bool:
-        loose = self.selection.structure(states.held, ("",) * len(states.meshes))
-        slip = self.system.meshes[mesh].slip
-        return largest(slip @ np.hstack([loose.free, loose.light])) > STANDING
+        """Record the mechanisms that begin or cease to stick, if only friction holds them."""
+        changes = zip(self.system.meshes, before.meshes, states.meshes, strict=True)
+        for mesh, earlier, later in changes:
+            locks = earlier in SIGNS_OF_MESHES and later == "stick"
+            if locks or (earlier == "stick" and later in SIGNS_OF_MESHES):
+                held = (states if locks else before).held
+                loose = self.selection.structure(held, ("",) * len(states.meshes))
+                if moves(mesh.slip, loose.free, loose.light):
+                    kind: EventKind = "locks" if locks else "slips"
+                    self.record.events.append(event_of(time, mesh, kind))
 
     def _path(self, watch: Watch) -> Path:
         scenario = self.system.scenario
