@@ -28,7 +28,7 @@ from vstatics.simulation.events.selection import (
     turned,
 )
 from vstatics.simulation.events.sequence_commands import value_of, with_actions, with_states
-from vstatics.simulation.events.sequences import SequenceProgress, SequenceRun
+from vstatics.simulation.events.sequences import SequenceProgress
 from vstatics.simulation.events.sides import Judge, end_of_slide
 from vstatics.simulation.events.stretches import Closed, KnownSolutions, NoFit
 from vstatics.simulation.events.time_steps import StepTolerances, TimeStep, TooSmall, steps
@@ -104,7 +104,7 @@ class EventRun:
         self.record = record
         system = self.system = record.system
         self.selection = ModeSelection(system)
-        self.sequences = SequenceRun(system.scenario)
+        self.sequences = [SequenceProgress(sequence) for sequence in system.scenario.sequences]
         self.inputs, self.engaged = system.scenario, engaged
         """`inputs` is the scenario with the shifts and dog clutches of finished sequence steps."""
         self.rtol, self.watch = rtol, watch
@@ -153,7 +153,8 @@ class EventRun:
             selected = self._settled()
             equations = selected.equations
             breaks = (time for time in self.breaks if time > equations.time)
-            end = min(next(breaks, until), self.sequences.next_time(), until)
+            due = (progress.next_time() for progress in self.sequences)
+            end = min(next(breaks, until), until, *due)
             event = self._to_event(selected, end)
             self._go(equations, instant_of(equations, event.time, event.state))
             self._record_ends(event)
@@ -164,8 +165,8 @@ class EventRun:
     def copy(self) -> EventRun:
         """Return an independent copy of the run at the present time."""
         copied = copy(self)
-        copied.record, copied.sequences = self.record.copy(), self.sequences.copy()
-        copied.meetings = deepcopy(self.meetings)
+        copied.record, copied.meetings = self.record.copy(), deepcopy(self.meetings)
+        copied.sequences = [copy(progress) for progress in self.sequences]
         return copied
 
     def give(self, step: SequenceStep, values: Mapping[str, float]) -> None:
@@ -231,22 +232,28 @@ class EventRun:
             if self.slides and not self._slides_on(equations, state):
                 self.selection = self.selection.of(self.system)
                 continue
-            if not (self.sequences.going or self.corners):
+            if not (self.sequences or self.corners):
                 return selected
             judge = Judge(equations, self.at.time, state, self.scales, self.record.value_scales)
             if self._drags_otherwise(judge):
                 continue
-            due = self.sequences.due(self.at.time, judge, self.record.happened)
+            asked = self.at.time, judge, self.record.happened
+            due = next((each for each in self.sequences if each.is_due(*asked)), None)
             if due is None:
                 self.record.cuts(self.system, judge.ahead)
-                selected.margins.follow("awaited", self.sequences.awaited(judge))
+                awaited = (
+                    (number, comparison)
+                    for number, progress in enumerate(self.sequences)
+                    for comparison in progress.awaited(judge)
+                )
+                selected.margins.follow("awaited", awaited)
                 self.watched = [*self._near_corners(judge)]
                 selected.margins.follow("corner", enumerate((margin for _, margin in self.watched)))
                 return selected
             self._go(equations, instant_of(equations, self.at.time, state))
             self.left = []
             self._do(due, judge.now)
-        names = listed([progress.name for progress in self.sequences.going if progress.step], 6)
+        names = listed([progress.name for progress in self.sequences if progress.step], 6)
         raise CaseError(
             "E697",
             f"at {self.at.time:.9g} s more than {_MOST_STEPS_AT_ONCE} steps are done at "
@@ -695,7 +702,7 @@ class EventRun:
         if watch.kind == "state":
             return "states", scenario.states[watch.of].name
         if watch.kind == "awaited":
-            return self.sequences.going[watch.of].path
+            return self.sequences[watch.of].path
         return self._path_of(kind, watch.of) if kind else ()
 
     def _path_of(self, kind: Kind, index: int) -> Path:
@@ -735,7 +742,7 @@ class EventRun:
             return quoted(self.corners[self.watched[watch.of][0].corner].text)
         if watch.kind == "state":
             return f"the state {self.system.scenario.states[watch.of].name}"
-        return f"the sequence {self.sequences.going[watch.of].name}"
+        return f"the sequence {self.sequences[watch.of].name}"
 
     def _record_change(
         self, time: float, device: Contact | Elastic, before: str, after: str
