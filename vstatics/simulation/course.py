@@ -409,7 +409,7 @@ class EventRun:
             self.mark = event.time
         if stays or self.at_once > _MOST_EVENTS_AT_ONCE or len(self.record.events) > _MOST_EVENTS:
             watch = event.watches[0]
-            name = self._name(watch)
+            name, path = self._owner(watch)
             message = (
                 f"at {event.time:.9g} s {name} alternates between sticking and slipping without "
                 "end, so the run cannot continue; let its torque change steadily with the speed, "
@@ -420,7 +420,7 @@ class EventRun:
                     f"at {event.time:.9g} s {name} is reached again and again without end, so "
                     f"the run cannot continue; {_CURE_OF_JUMPS}"
                 )
-            raise CaseError("E601", message, self._path(watch))
+            raise CaseError("E601", message, path)
 
     def _selected(self) -> Selected:
         at, before, met = self.at, self.before, self.met
@@ -694,16 +694,24 @@ class EventRun:
                     kind: EventKind = "locks" if locks else "slips"
                     self.record.events.append(event_of(time, mesh, kind))
 
-    def _path(self, watch: Watch) -> Path:
-        scenario = self.system.scenario
-        kind = KIND_OF.get(watch.kind)
-        if watch.kind == "corner":
-            return self.corners[self.watched[watch.of][0].corner].path
-        if watch.kind == "state":
-            return "states", scenario.states[watch.of].name
-        if watch.kind == "awaited":
-            return self.sequences[watch.of].path
-        return self._path_of(kind, watch.of) if kind else ()
+    def _owner(self, watch: Watch) -> tuple[str, Path]:
+        """Return the name of the owner of a margin, and its path in the scenario."""
+        match watch.kind:
+            case "split":
+                return "a group of sticking components", ()
+            case "corner":
+                corner = self.corners[self.watched[watch.of][0].corner]
+                return quoted(corner.text), corner.path
+            case "state":
+                name = self.system.scenario.states[watch.of].name
+                return f"the state {name}", ("states", name)
+            case "awaited":
+                progress = self.sequences[watch.of]
+                return f"the sequence {progress.name}", progress.path
+            case "piece":
+                return self._name_of_law(watch.of), ()
+        kind = KIND_OF.get(watch.kind) or "meshes"  # the power of a mechanism changes its direction
+        return self._name_of(kind, watch.of), self._path_of(kind, watch.of)
 
     def _path_of(self, kind: Kind, index: int) -> Path:
         scenario, system = self.system.scenario, self.system
@@ -722,27 +730,14 @@ class EventRun:
     def _name_of(self, kind: Kind, index: int) -> str:
         return str(getattr(self.system, kind)[index].name)
 
-    def _name(self, watch: Watch) -> str:
-        if watch.kind == "split":
-            return "a group of sticking components"
-        if watch.kind in FOLLOWING:
-            return self._name_of_value(watch)
-        kind: Kind | None = "meshes" if watch.kind == "flow" else KIND_OF.get(watch.kind)
-        if kind is not None:
-            return self._name_of(kind, watch.of)
+    def _name_of_law(self, index: int) -> str:
+        """Return the name of a law, by its index in `States.pieces`."""
         outside, frictions = self.system.layout.outside, self.system.layout.frictions
-        if watch.of >= frictions:
-            return self.system.may_slip[watch.of - frictions].name
-        if watch.of >= outside:
-            return self.system.converters[watch.of - outside].name
-        return f"the torque on {self.system.names[self.system.outside[watch.of].link]}"
-
-    def _name_of_value(self, watch: Watch) -> str:
-        if watch.kind == "corner":
-            return quoted(self.corners[self.watched[watch.of][0].corner].text)
-        if watch.kind == "state":
-            return f"the state {self.system.scenario.states[watch.of].name}"
-        return f"the sequence {self.sequences[watch.of].name}"
+        if index >= frictions:
+            return self.system.may_slip[index - frictions].name
+        if index >= outside:
+            return self.system.converters[index - outside].name
+        return f"the torque on {self.system.names[self.system.outside[index].link]}"
 
     def _record_change(
         self, time: float, device: Contact | Elastic, before: str, after: str
