@@ -27,8 +27,8 @@ from vstatics.simulation.events.selection import (
     Selected,
     turned,
 )
-from vstatics.simulation.events.sequence_commands import StepCommands, value_of, with_states
-from vstatics.simulation.events.sequences import SequenceProgress, SequenceRun
+from vstatics.simulation.events.sequence_commands import value_of, with_actions, with_states
+from vstatics.simulation.events.sequences import SequenceProgress
 from vstatics.simulation.events.sides import Judge, end_of_slide
 from vstatics.simulation.events.stretches import Closed, KnownSolutions, NoFit
 from vstatics.simulation.events.time_steps import StepTolerances, TimeStep, TooSmall, steps
@@ -37,13 +37,16 @@ from vstatics.simulation.record.motion import EventKind
 from vstatics.simulation.record.record import Record
 from vstatics.simulation.record.words import event_of, released, slid_back
 from vstatics.simulation.scenario.parts import SequenceStep
+from vstatics.simulation.scenario.programme import programmes
 from vstatics.simulation.system.curves import capacity_at, programme_at
+from vstatics.simulation.system.devices import with_programmes
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import SIGNS, Contact, Elastic
 from vstatics.simulation.system.ports import SIGNS_OF_MESHES, States
 from vstatics.simulation.system.shares import Slide
 from vstatics.simulation.system.sight import Corner, control_path, corners, with_settings
 from vstatics.simulation.system.sliding import slides
+from vstatics.simulation.system.structure import moves
 from vstatics.simulation.tolerances import (
     AHEAD_OF_STOP,
     BEYOND_ALL,
@@ -101,8 +104,9 @@ class EventRun:
         self.record = record
         system = self.system = record.system
         self.selection = ModeSelection(system)
-        self.sequences = SequenceRun(system.scenario)
-        self.commands = StepCommands(system.scenario, engaged)
+        self.sequences = [SequenceProgress(sequence) for sequence in system.scenario.sequences]
+        self.inputs, self.engaged = system.scenario, engaged
+        """`inputs` is the scenario with the shifts and dog clutches of finished sequence steps."""
         self.rtol, self.watch = rtol, watch
         self.duration = self.until = self.horizon = system.scenario.duration
         """`horizon` is the time until which bends and jumps of inputs (`breaks`) are known. [s]"""
@@ -149,7 +153,8 @@ class EventRun:
             selected = self._settled()
             equations = selected.equations
             breaks = (time for time in self.breaks if time > equations.time)
-            end = min(next(breaks, until), self.sequences.next_time(), until)
+            due = (progress.next_time() for progress in self.sequences)
+            end = min(next(breaks, until), until, *due)
             event = self._to_event(selected, end)
             self._go(equations, instant_of(equations, event.time, event.state))
             self._record_ends(event)
@@ -160,8 +165,8 @@ class EventRun:
     def copy(self) -> EventRun:
         """Return an independent copy of the run at the present time."""
         copied = copy(self)
-        copied.record, copied.commands = self.record.copy(), copy(self.commands)
-        copied.sequences, copied.meetings = self.sequences.copy(), deepcopy(self.meetings)
+        copied.record, copied.meetings = self.record.copy(), deepcopy(self.meetings)
+        copied.sequences = [copy(progress) for progress in self.sequences]
         return copied
 
     def give(self, step: SequenceStep, values: Mapping[str, float]) -> None:
@@ -173,10 +178,14 @@ class EventRun:
         values : mapping of str to float
             Values of the numbers and states that the step sets.
         """
-        at = self.at
-        self.at = at._replace(values=with_states(self.system.scenario, at.values, values))
+        at, system = self.at, self.system
+        self.at = at._replace(values=with_states(system.scenario, at.values, values))
         before = [corner.places for corner in self.corners]
-        self.system = self.commands.given(self.system, at.time, step, values)
+        if step.shift is not None or step.dogs:
+            self.inputs = with_actions(self.inputs, self.engaged, at.time, step)
+            system = with_programmes(system, programmes(self.inputs, self.engaged))
+        settings = {name: values.get(name, value) for name, value in system.settings.items()}
+        self.system = with_settings(system, settings)
         self._look_ahead()
         if self.slides and before != [corner.places for corner in self.corners]:
             self._slide([])  # `slides` has the numbers of the corners before the step
@@ -216,29 +225,35 @@ class EventRun:
         """Apply all due sequence steps, and select the states of contacts after them."""
         self.selection = self.selection.of(self.system)
         for _ in range(_MOST_STEPS_AT_ONCE + 1):
-            self.at = self._joined(self.at, self.before)
+            self.at, joined = self._joined(self.at, self.before)
             selected = self._selected()
             equations, state = selected.equations, selected.state
-            self._record_changes(self.at.time, self.before, equations.states)
+            self._record_changes(self.at.time, self.before, equations.states, joined)
             if self.slides and not self._slides_on(equations, state):
                 self.selection = self.selection.of(self.system)
                 continue
-            if not (self.sequences.going or self.corners):
+            if not (self.sequences or self.corners):
                 return selected
             judge = Judge(equations, self.at.time, state, self.scales, self.record.value_scales)
             if self._drags_otherwise(judge):
                 continue
-            due = self.sequences.due(self.at.time, judge, self.record.happened)
+            asked = self.at.time, judge, self.record.happened
+            due = next((each for each in self.sequences if each.is_due(*asked)), None)
             if due is None:
                 self.record.cuts(self.system, judge.ahead)
-                selected.margins.follow("awaited", self.sequences.awaited(judge))
+                awaited = (
+                    (number, comparison)
+                    for number, progress in enumerate(self.sequences)
+                    for comparison in progress.awaited(judge)
+                )
+                selected.margins.follow("awaited", awaited)
                 self.watched = [*self._near_corners(judge)]
                 selected.margins.follow("corner", enumerate((margin for _, margin in self.watched)))
                 return selected
             self._go(equations, instant_of(equations, self.at.time, state))
             self.left = []
             self._do(due, judge.now)
-        names = listed([progress.name for progress in self.sequences.going if progress.step], 6)
+        names = listed([progress.name for progress in self.sequences if progress.step], 6)
         raise CaseError(
             "E697",
             f"at {self.at.time:.9g} s more than {_MOST_STEPS_AT_ONCE} steps are done at "
@@ -394,7 +409,7 @@ class EventRun:
             self.mark = event.time
         if stays or self.at_once > _MOST_EVENTS_AT_ONCE or len(self.record.events) > _MOST_EVENTS:
             watch = event.watches[0]
-            name = self._name(watch)
+            name, path = self._owner(watch)
             message = (
                 f"at {event.time:.9g} s {name} alternates between sticking and slipping without "
                 "end, so the run cannot continue; let its torque change steadily with the speed, "
@@ -405,7 +420,7 @@ class EventRun:
                     f"at {event.time:.9g} s {name} is reached again and again without end, so "
                     f"the run cannot continue; {_CURE_OF_JUMPS}"
                 )
-            raise CaseError("E601", message, self._path(watch))
+            raise CaseError("E601", message, path)
 
     def _selected(self) -> Selected:
         at, before, met = self.at, self.before, self.met
@@ -627,10 +642,11 @@ class EventRun:
         absolute[equations.works.start :] = relative * self.record.energy_scale
         return StepTolerances(relative, absolute)
 
-    def _joined(self, at: Instant, before: States | None) -> Instant:
-        """Return the instant with the speeds after an impact, if contacts close at a slip."""
+    def _joined(self, at: Instant, before: States | None) -> tuple[Instant, Collection[int]]:
+        """Return the instant after an impact, and the indices of contacts that close at a slip."""
         system = self.system
-        rigid, joining = [], []
+        rigid: list[int] = []
+        joining: list[int] = []
         for index, contact in enumerate(system.contacts):
             if contact.one_way or contact.while_open is not None:
                 continue
@@ -642,7 +658,7 @@ class EventRun:
                 ):
                     joining.append(index)
         if not joining:
-            return at
+            return at, joining
         after_impact = impact(system, at, rigid, joining)
         self.record.impact_work += after_impact.work
         for index, energy in zip(joining, after_impact.energies, strict=True):
@@ -650,53 +666,52 @@ class EventRun:
                 joined = event_of(at.time, system.contacts[index], "impact", energy)
                 self.record.events.append(joined)
             self.record.impact += energy
-            self.record.joined.add(index)
-        return at._replace(speeds=after_impact.speeds)
+        return at._replace(speeds=after_impact.speeds), joining
 
-    def _record_changes(self, time: float, before: States | None, states: States) -> None:
-        if before is not None:
-            for index, contact in enumerate(self.system.contacts):
-                if not (contact.is_drag or index in self.record.joined):
-                    change = before.contacts[index], states.contacts[index]
-                    self._record_change(time, contact, *change)
-            for index, spring in enumerate(self.system.springs):
-                self._record_change(time, spring, before.springs[index], states.springs[index])
-            self._record_meshes(time, before, states)
-        self.record.joined.clear()
+    def _record_changes(
+        self, time: float, before: States | None, states: States, joined: Collection[int]
+    ) -> None:
+        """Record the changes of states, except for contacts that have closed in an impact."""
+        if before is None:
+            return
+        for index, contact in enumerate(self.system.contacts):
+            if not (contact.is_drag or index in joined):
+                change = before.contacts[index], states.contacts[index]
+                self._record_change(time, contact, *change)
+        for index, spring in enumerate(self.system.springs):
+            self._record_change(time, spring, before.springs[index], states.springs[index])
+        self._record_meshes(time, before, states)
 
     def _record_meshes(self, time: float, before: States, states: States) -> None:
-        for index, (earlier, later) in enumerate(zip(before.meshes, states.meshes, strict=True)):
-            if (
-                earlier in SIGNS_OF_MESHES
-                and later == "stick"
-                and self._moves_without_friction(index, states)
-            ):
-                kind: EventKind = "locks"
-            elif (
-                earlier == "stick"
-                and later in SIGNS_OF_MESHES
-                and self._moves_without_friction(index, before)
-            ):
-                kind = "slips"
-            else:
-                continue
-            self.record.events.append(event_of(time, self.system.meshes[index], kind))
+        """Record the mechanisms that begin or cease to stick, if only friction holds them."""
+        changes = zip(self.system.meshes, before.meshes, states.meshes, strict=True)
+        for mesh, earlier, later in changes:
+            locks = earlier in SIGNS_OF_MESHES and later == "stick"
+            if locks or (earlier == "stick" and later in SIGNS_OF_MESHES):
+                held = (states if locks else before).held
+                loose = self.selection.structure(held, ("",) * len(states.meshes))
+                if moves(mesh.slip, loose.free, loose.light):
+                    kind: EventKind = "locks" if locks else "slips"
+                    self.record.events.append(event_of(time, mesh, kind))
 
-    def _moves_without_friction(self, mesh: int, states: States) -> bool:
-        loose = self.selection.structure(states.held, ("",) * len(states.meshes))
-        slip = self.system.meshes[mesh].slip
-        return largest(slip @ np.hstack([loose.free, loose.light])) > STANDING
-
-    def _path(self, watch: Watch) -> Path:
-        scenario = self.system.scenario
-        kind = KIND_OF.get(watch.kind)
-        if watch.kind == "corner":
-            return self.corners[self.watched[watch.of][0].corner].path
-        if watch.kind == "state":
-            return "states", scenario.states[watch.of].name
-        if watch.kind == "awaited":
-            return self.sequences.going[watch.of].path
-        return self._path_of(kind, watch.of) if kind else ()
+    def _owner(self, watch: Watch) -> tuple[str, Path]:
+        """Return the name of the owner of a margin, and its path in the scenario."""
+        match watch.kind:
+            case "split":
+                return "a group of sticking components", ()
+            case "corner":
+                corner = self.corners[self.watched[watch.of][0].corner]
+                return quoted(corner.text), corner.path
+            case "state":
+                name = self.system.scenario.states[watch.of].name
+                return f"the state {name}", ("states", name)
+            case "awaited":
+                progress = self.sequences[watch.of]
+                return f"the sequence {progress.name}", progress.path
+            case "piece":
+                return self._name_of_law(watch.of), ()
+        kind = KIND_OF.get(watch.kind) or "meshes"  # the power of a mechanism changes its direction
+        return self._name_of(kind, watch.of), self._path_of(kind, watch.of)
 
     def _path_of(self, kind: Kind, index: int) -> Path:
         scenario, system = self.system.scenario, self.system
@@ -715,27 +730,14 @@ class EventRun:
     def _name_of(self, kind: Kind, index: int) -> str:
         return str(getattr(self.system, kind)[index].name)
 
-    def _name(self, watch: Watch) -> str:
-        if watch.kind == "split":
-            return "a group of sticking components"
-        if watch.kind in FOLLOWING:
-            return self._name_of_value(watch)
-        kind: Kind | None = "meshes" if watch.kind == "flow" else KIND_OF.get(watch.kind)
-        if kind is not None:
-            return self._name_of(kind, watch.of)
+    def _name_of_law(self, index: int) -> str:
+        """Return the name of a law, by its index in `States.pieces`."""
         outside, frictions = self.system.layout.outside, self.system.layout.frictions
-        if watch.of >= frictions:
-            return self.system.may_slip[watch.of - frictions].name
-        if watch.of >= outside:
-            return self.system.converters[watch.of - outside].name
-        return f"the torque on {self.system.names[self.system.outside[watch.of].link]}"
-
-    def _name_of_value(self, watch: Watch) -> str:
-        if watch.kind == "corner":
-            return quoted(self.corners[self.watched[watch.of][0].corner].text)
-        if watch.kind == "state":
-            return f"the state {self.system.scenario.states[watch.of].name}"
-        return f"the sequence {self.sequences.going[watch.of].name}"
+        if index >= frictions:
+            return self.system.may_slip[index - frictions].name
+        if index >= outside:
+            return self.system.converters[index - outside].name
+        return f"the torque on {self.system.names[self.system.outside[index].link]}"
 
     def _record_change(
         self, time: float, device: Contact | Elastic, before: str, after: str

@@ -7,8 +7,6 @@ from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from itertools import repeat
 
-import numpy as np
-
 from vstatics.core.model.converters import Converter
 from vstatics.simulation.events.instants import Instant, seen_at, sliding_speed
 from vstatics.simulation.events.margins import LargeSizes
@@ -24,7 +22,7 @@ from vstatics.simulation.system.matrices import (
     sign,
 )
 from vstatics.simulation.system.ports import States
-from vstatics.simulation.system.structure import MotionStructure
+from vstatics.simulation.system.structure import MotionStructure, moves
 from vstatics.simulation.tolerances import AHEAD, STANDING
 
 
@@ -40,20 +38,14 @@ class ModeChoices:
 
     def __init__(self, system: MotionSystem, loose: MotionStructure) -> None:
         self.system, self.layout = system, system.layout
-        rows = system.rows(contact.row for contact in system.contacts)
-        touched = np.abs(rows @ loose.light) if loose.light.size else np.zeros((len(rows), 1))
-        self.touched = touched.max(axis=1, initial=0.0) > STANDING
+        rows, slips = system.port_rows, system.rows(mesh.slip for mesh in system.meshes)
+        self.touched = moves(rows[self.layout.contacts : self.layout.springs], loose.light)
         """Flags of contacts whose slip can jump, because it depends on links without inertia."""
-        motions = np.hstack([loose.free, loose.light])
-        self.idle = [not (np.abs(mesh.slip @ motions) > STANDING).any() for mesh in system.meshes]
+        self.idle = ~moves(slips, loose.free, loose.light)
         """Flags of mechanisms whose links always rotate as a block, so that they have no losses."""
-        self.carried = [
-            bool((np.abs(mesh.slip @ loose.light) > STANDING).any()) for mesh in system.meshes
-        ]
+        self.carried = moves(slips, loose.light)
         """Flags of mechanisms whose slip can jump, because it depends on links without inertia."""
-        self.leaping = [
-            bool((np.abs(loose.light[load.link]) > STANDING).any()) for load in system.outside
-        ]
+        self.leaping = moves(rows[: self.layout.outside], loose.light)
         """Flags of external torques on links whose speeds can jump."""
         self.within = AHEAD * system.scenario.span
         """Length of the look-ahead, the time after which margins are compared with now. [s]"""

@@ -8,7 +8,7 @@ margin is negative, and no margin of 0 falls.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from copy import copy
 from dataclasses import replace
 from functools import lru_cache, partial
@@ -21,12 +21,12 @@ from vstatics.core.errors import CaseError
 from vstatics.core.numerics.arrays import Floats, largest
 from vstatics.simulation.events.choices import ModeChoices
 from vstatics.simulation.events.instants import Instant, Jump, consistent, motions_of, state_of
-from vstatics.simulation.events.margins import LargeSizes, Margins, Watch
+from vstatics.simulation.events.margins import LargeSizes, Margins, Watch, Watched
 from vstatics.simulation.events.search import KIND_OF, Choice, ModeSearch
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import MotionSystem, sign
 from vstatics.simulation.system.ports import States
-from vstatics.simulation.system.structure import MotionStructure
+from vstatics.simulation.system.structure import MotionStructure, moves
 from vstatics.simulation.tolerances import FALLING_MARGIN, STANDING, UNLIKE_INERTIAS
 
 _AMPLE = 1e300
@@ -162,7 +162,7 @@ class ModeSelection:
         contacts = list(states.contacts)
         for index in (index for kind, index, _ in choices if kind == "contacts"):
             contact = self.system.contacts[index]
-            if not (contact.switch or _moves(contact.row, structure.free, structure.light)):
+            if not (contact.switch or moves(contact.row, structure.free, structure.light)):
                 contacts[index] = "stick"
         return states._replace(contacts=tuple(contacts))
 
@@ -193,7 +193,7 @@ class ModeSelection:
         for index, (_, *moving) in options.items():
             slip = self.system.meshes[index].slip
             speed = float(slip @ speeds)
-            if abs(speed) > STANDING * scales.speed and not _moves(slip, motions.light):
+            if abs(speed) > STANDING * scales.speed and not moves(slip, motions.light):
                 meshes[index] = next(state for state in moving if state[0] == sign(speed))
         return states._replace(meshes=tuple(meshes))
 
@@ -206,7 +206,7 @@ class ModeSelection:
             motions = self.structure(states.held, meshes)
         except np.linalg.LinAlgError:
             return True
-        return _moves(self.system.meshes[watch.of].slip, motions.free, motions.light)
+        return bool(moves(self.system.meshes[watch.of].slip, motions.free, motions.light))
 
     def _released(self, states: States, at: Instant, choices: Sequence[Choice]) -> States | None:
         """Return the states in which mechanisms move that would move without friction, or None."""
@@ -276,17 +276,16 @@ class ModeSelection:
 
     def _caught(self, states: States, at: Instant, scales: LargeSizes) -> list[Watch]:
         """Return the margins of components that move at an instant but are assumed to stick."""
-        least = STANDING * scales.speed
-        watches = []
-        for index, contact in enumerate(self.system.contacts):
-            slip = float(contact.row @ at.speeds)
-            if states.contacts[index] == "stick" and abs(slip) > least:
-                watches.append(Watch("hold", index, 1 if slip > 0 else -1))
-        for index, mesh in enumerate(self.system.meshes):
-            slip = float(mesh.slip @ at.speeds)
-            if states.meshes[index] == "stick" and abs(slip) > least:
-                watches.append(Watch("cone", index, 1 if slip > 0 else -1))
-        return watches
+        kinds: Sequence[tuple[Watched, Iterable[Floats], Sequence[str]]] = (
+            ("hold", (contact.row for contact in self.system.contacts), states.contacts),
+            ("cone", (mesh.slip for mesh in self.system.meshes), states.meshes),
+        )
+        return [
+            Watch(kind, index, 1 if slip > 0 else -1)
+            for kind, rows, kept in kinds
+            for index, slip in enumerate((self.system.rows(rows) @ at.speeds).tolist())
+            if kept[index] == "stick" and abs(slip) > STANDING * scales.speed
+        ]
 
     def _failing(
         self, margins: Margins, time: float, state: Floats, scales: LargeSizes
@@ -386,10 +385,6 @@ class SelectionAhead(ModeSelection):
 
 def _finite(margins: Floats) -> Floats:
     return np.where(np.isposinf(margins), _AMPLE, margins)
-
-
-def _moves(slip: Floats, *motions: Floats) -> bool:
-    return any((np.abs(slip @ part) > STANDING).any() for part in motions)
 
 
 def _failed(margins: Margins, time: float, state: Floats, sizes: Floats) -> list[Watch]:

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from copy import copy
 
 from vstatics.core.errors import CaseError, Path
 from vstatics.simulation.events.margins import Awaited
 from vstatics.simulation.events.sides import Judge
 from vstatics.simulation.scenario.formula_code import Seen
-from vstatics.simulation.scenario.parts import Scenario, SequenceStep, StepSequence
+from vstatics.simulation.scenario.parts import SequenceStep, StepSequence
 
 Happened = Callable[[Seen, float], bool]
 """Test whether a named event has happened since a time [s]."""
@@ -78,8 +77,7 @@ class SequenceProgress:
         if step.when is None:
             return True
 
-        awaited = [judge.awaited(comparison) for comparison in step.when.comparisons]
-        sides = [comparison.side + "=" * comparison.is_equal for comparison in awaited]
+        sides = [awaited.side + "=" * awaited.is_equal for awaited in self.awaited(judge)]
         if "?" in "".join(sides):
             raise CaseError(
                 "E650",
@@ -87,6 +85,13 @@ class SequenceProgress:
                 (*self.path, "when"),
             )
         return step.when.holds(sides, lambda seen: happened(seen, self.since))
+
+    def awaited(self, judge: Judge) -> list[Awaited]:
+        """Return the comparisons in the condition of the next step, if it is not yet true."""
+        step = self.step
+        if self.true_at is not None or step is None or step.when is None:
+            return []
+        return [judge.awaited(comparison) for comparison in step.when.comparisons]
 
     def go_on(self, time: float) -> int:
         """Advance to the next step, and return the number of the finished step."""
@@ -96,42 +101,3 @@ class SequenceProgress:
             self.index = 0
         self.since, self.true_at = time, None
         return done
-
-
-class SequenceRun:
-    """Progress of all sequences of a run.
-
-    Parameters
-    ----------
-    scenario : Scenario
-    """
-
-    def __init__(self, scenario: Scenario) -> None:
-        self.going = [SequenceProgress(sequence) for sequence in scenario.sequences]
-
-    def copy(self) -> SequenceRun:
-        """Return an independent copy."""
-        copied = copy(self)
-        copied.going = [copy(progress) for progress in self.going]
-        return copied
-
-    def next_time(self) -> float:
-        """Return the earliest time at which a step is due or a condition is overdue [s]."""
-        return min((progress.next_time() for progress in self.going), default=math.inf)
-
-    def due(self, time: float, judge: Judge, happened: Happened) -> SequenceProgress | None:
-        """Return the first sequence whose next step is due, if any."""
-        return next(
-            (progress for progress in self.going if progress.is_due(time, judge, happened)), None
-        )
-
-    def awaited(self, judge: Judge) -> list[tuple[int, Awaited]]:
-        """Return comparisons in conditions that are not yet true, each with its sequence index."""
-        return [
-            (number, judge.awaited(comparison))
-            for number, progress in enumerate(self.going)
-            if progress.true_at is None
-            and progress.step is not None
-            and progress.step.when is not None
-            for comparison in progress.step.when.comparisons
-        ]

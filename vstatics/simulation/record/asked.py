@@ -15,44 +15,13 @@ from vstatics.core.numerics.arrays import Floats
 from vstatics.core.statics.result_arrays import Message
 from vstatics.core.suggestions import nearest
 from vstatics.simulation.record.account import heat_and_losses
-from vstatics.simulation.record.changes import PieceMotion
 from vstatics.simulation.record.converters import efficiencies, speed_ratios, turning
+from vstatics.simulation.record.moments import Moments
 from vstatics.simulation.record.row_names import Kind, friction_areas, roads_of, rows_of_kind
 from vstatics.simulation.scenario.formula_code import Seen
 from vstatics.simulation.scenario.parts import Scenario
 from vstatics.simulation.scenario.rolling_radius import LoadedWheel
-from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.system.values import outside_torques
-
-
-class Moments(NamedTuple):
-    """State of a run at several times between two events; the last axis of arrays is time."""
-
-    motion: PieceMotion
-    times: Floats
-    states: Floats
-    speeds: Floats
-    """Speeds of links. [rad/s]"""
-    slips: Floats
-    """Slip speeds of shift elements. [rad/s]"""
-    torques: Floats
-    """Torques of components. [N*m]"""
-    ports: Floats
-    """Torques of ports (see `PortLayout`). [N*m]"""
-
-    @property
-    def system(self) -> MotionSystem:
-        """System of the scenario."""
-        return self.motion.equations.system
-
-    def accelerations(self) -> Floats:
-        """Return the accelerations of links [rad/s^2]."""
-        return self.motion.accelerations(self.times, self.states)
-
-    def jerks(self) -> Floats:
-        """Return the jerks of links [rad/s^3]."""
-        return self.motion.jerks(self.times, self.states)
-
 
 Maker: TypeAlias = Callable[[Moments, Sequence[str]], Floats]
 
@@ -60,7 +29,7 @@ Maker: TypeAlias = Callable[[Moments, Sequence[str]], Floats]
 def _powers(at: Moments, rows: Sequence[str]) -> Floats:
     """Return the powers of external torques by link, and of springs [W]."""
     system = at.system
-    of_links = outside_torques(at.motion.equations) @ at.ports * at.speeds
+    of_links = outside_torques(at.equations) @ at.ports * at.speeds
     powers = {
         spring.name: at.torques[spring.device] * (spring.row @ at.speeds)
         for spring in system.springs
@@ -102,7 +71,7 @@ def _on_loaded_wheel(
 
 
 def _heat(at: Moments, rows: Sequence[str]) -> Floats:
-    heat, _ = heat_and_losses(at.motion.equations, at.states)
+    heat, _ = heat_and_losses(at.equations, at.states)
     return np.array([heat.get(name, np.zeros(len(at.times))) for name in rows])
 
 
@@ -149,7 +118,7 @@ def _reduced_inertia(at: Moments, _: Sequence[str]) -> Floats:
 
 
 def _values(word: str, at: Moments, rows: Sequence[str]) -> Floats:
-    equations = at.motion.equations
+    equations = at.equations
     places = [equations.layout.values.index(Seen(word, name)) for name in rows]
     return at.states[equations.values][places]
 

@@ -19,6 +19,15 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
+def main_tables(motion: Motion) -> dict[str, tuple[tuple[str, ...], Floats]]:
+    """Return names and columns, shape (rows, instants), of speeds, slips and torques, by table."""
+    return {
+        "speeds": (motion.links, motion.speeds.T),
+        "slips": (motion.elements, motion.slips.T),
+        "torques": (motion.devices, motion.torques.T),
+    }
+
+
 def columns(motion: Motion) -> dict[str, Floats]:
     """Return the columns of a motion by heading, such as ``speeds[in]``.
 
@@ -26,16 +35,11 @@ def columns(motion: Motion) -> dict[str, Floats]:
     additional columns. A run that stopped early also has `stopped`, which is 1 at the last instant.
     """
     named = {"time": motion.time}
-    for table, names, values in (
-        ("speeds", motion.links, motion.speeds),
-        ("slips", motion.elements, motion.slips),
-        ("torques", motion.devices, motion.torques),
-    ):
-        for index, column in enumerate(values.T):
-            named[f"{table}[{written(index, names)}]"] = column
+    tables = main_tables(motion)
     for table, rows in motion.asked.items():
-        names = tuple(rows)
-        for index, (name, column) in enumerate(rows.items()):
+        tables[table] = tuple(rows), np.array([*rows.values()])
+    for table, (names, values) in tables.items():
+        for index, (name, column) in enumerate(zip(names, values, strict=True)):
             named[f"{table}[{written(index, names)}]" if name else table] = column
     if motion.stopped is not None:
         named["stopped"] = np.zeros(len(motion.time))

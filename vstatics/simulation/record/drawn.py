@@ -10,7 +10,6 @@ import numpy as np
 
 from vstatics.core.numerics.arrays import Booleans, Floats, first_largest
 from vstatics.simulation.events.time_steps import TimeStep
-from vstatics.simulation.record.asked import Moments
 from vstatics.simulation.record.curves import (
     CurveRanges,
     Curves,
@@ -18,6 +17,7 @@ from vstatics.simulation.record.curves import (
     extreme_times,
     ranges,
 )
+from vstatics.simulation.record.moments import Moments
 from vstatics.simulation.record.picture_tables import PictureTables, Tables, chosen, joined
 from vstatics.simulation.record.segments import MotionColumns, Piece
 from vstatics.simulation.system.matrices import MotionSystem

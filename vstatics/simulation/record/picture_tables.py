@@ -10,7 +10,7 @@ import numpy as np
 
 from vstatics.core.numerics.arrays import Booleans, Floats
 from vstatics.simulation.record.account import heat_and_losses
-from vstatics.simulation.record.asked import Moments
+from vstatics.simulation.record.moments import Moments
 from vstatics.simulation.record.row_names import roads_of
 from vstatics.simulation.scenario.laws import Road
 from vstatics.simulation.scenario.programme import friction_at
@@ -32,7 +32,7 @@ def picture_tables(at: Moments) -> Tables:
     - `vehicle_acceleration` of links with a road [m/s^2];
     - `output_torque`, which the gear train gives to the output link [N*m].
     """
-    equations, torques, roads = at.motion.equations, at.ports, roads_of(at.system.scenario)
+    equations, torques, roads = at.equations, at.ports, roads_of(at.system.scenario)
     heat, losses = heat_and_losses(equations, at.states)
     names = [element.name for element in equations.system.case.shift_elements]
     structure = equations.structure
@@ -122,7 +122,7 @@ def _sticking_flags(equations: Equations) -> Iterator[bool]:
 
 def _capacities(at: Moments) -> Iterator[Floats]:
     """Yield the torque capacity of each shift element: static if sticking, otherwise kinetic."""
-    equations, system = at.motion.equations, at.system
+    equations, system = at.equations, at.system
     active, seen = equations.states, None
     if any(device.programme.look is not None for device in system.may_slip):
         rates, _ = equations.acting_at(at.times, at.states)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Hashable, Iterable, Mapping, Sequence
 from copy import copy
 
 import numpy as np
@@ -70,17 +70,12 @@ class Record:
         self.impact = 0.0
         self.impact_work = 0.0
         """Work of impacts at links with given speeds. [J]"""
-        self.joined: set[int] = set()
-        """Indices of contacts that have closed in an impact at the present instant."""
         self.messages: list[Message] = []
-        self.cut: set[str] = set()
-        """Names that already have a note: controls above a capacity, states set beyond limits."""
+        self.noted: set[Hashable] = set()
+        """Subjects that already have a note: names of controls and states, or sets of contacts."""
         self.pieces: list[Piece] = []
         """Latest pieces of the run with all time steps; `drawn` contains the earlier pieces."""
         self.drawn, self.numbers = DrawnRun(system, step, asked), 0
-        self.sharing: set[tuple[int, ...]] = set()
-        self.open: set[frozenset[int]] = set()
-        """Contacts in each note N606 so far (slipping or alternative), to avoid repetition."""
         self.time = start.time
         self.energy_scale = max(kinetic_energy(system, start.speeds), 1.0)
         self.worked, self.stored = 0.0, 0.0
@@ -98,9 +93,7 @@ class Record:
         copied = copy(self)
         copied.events, copied.messages, copied.pieces = [*self.events], [*self.messages], []
         copied.drawn = DrawnRun(self.system, self.every, self.drawn.table.asked)
-        copied.numbers, copied.sharing = 0, {*self.sharing}
-        copied.joined, copied.cut, copied.reached = {*self.joined}, {*self.cut}, dict(self.reached)
-        copied.open = {*self.open}
+        copied.numbers, copied.noted, copied.reached = 0, {*self.noted}, dict(self.reached)
         return copied
 
     @property
@@ -148,8 +141,8 @@ class Record:
         """Add a note if a sequence step sets a state beyond its limits, once for each state."""
         for state in self.system.scenario.states:
             beyond = state.beyond(values.get(state.name, state.start))
-            if beyond and state.name not in self.cut:
-                self.cut.add(state.name)
+            if beyond and state.name not in self.noted:
+                self.noted.add(state.name)
                 text = f"at {time:.6g} s {state.name} is set beyond its limits: {beyond}"
                 self.messages.append(Message("N611", f"{text}; it is kept at this limit"))
 
@@ -157,18 +150,18 @@ class Record:
         """Add a note if a control exceeds the capacity in the case, once for each control."""
         for device in system.may_slip:
             programme = device.programme
-            if programme.look is None or programme.largest is None or device.name in self.cut:
+            if programme.look is None or programme.largest is None or device.name in self.noted:
                 continue
             if programme.look.at(*now) > programme.largest * (1 + MADE_CAPACITY):
-                self.cut.add(device.name)
+                self.noted.add(device.name)
                 text = cut_note(now[0], device.name, programme.largest)
                 self.messages.append(Message("N605", text))
 
     def fits_too(self, time: float, broken: Iterable[int], others: Iterable[int]) -> None:
         """Add a note that other contacts could break away instead, once for each combination."""
-        if (both := frozenset([*broken, *others])) in self.open:
+        if (both := frozenset([*broken, *others])) in self.noted:
             return
-        self.open.add(both)
+        self.noted.add(both)
         shown, alternatives = (
             listed([self.system.contacts[index].name for index in sorted(indices)])
             for indices in (broken, others)
@@ -339,9 +332,9 @@ class Record:
             and contacts[multiplier.of].element is not None
             and largest(structure.redundant[row]) > SHARED_TORQUE
         )
-        if len(sharing) < 2 or sharing in self.sharing:
+        if len(sharing) < 2 or sharing in self.noted:
             return
-        self.sharing.add(sharing)
+        self.noted.add(sharing)
         names = ", ".join(contacts[index].name for index in sharing)
         text = (
             f"{names} together hold more than needed (first at {equations.time:.6g} s), so their "

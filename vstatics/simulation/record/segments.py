@@ -11,10 +11,10 @@ from vstatics.core.numerics.arrays import Floats, first_largest
 from vstatics.simulation.events.margins import Margins
 from vstatics.simulation.events.time_steps import TimeStep
 from vstatics.simulation.record.account import element_heat
-from vstatics.simulation.record.asked import TABLES, Moments
-from vstatics.simulation.record.changes import PieceMotion
+from vstatics.simulation.record.asked import TABLES
 from vstatics.simulation.record.converters import turbine
 from vstatics.simulation.record.curves import Curves
+from vstatics.simulation.record.moments import Moments
 from vstatics.simulation.record.motion import Peak
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.system.matrices import MotionSystem, between
@@ -30,12 +30,6 @@ class Piece:
         self.states = [state]
         self.steps: list[tuple[TimeStep, float]] = []
         """Time steps, each with the time until which it is valid. [s]"""
-
-    @property
-    def motion(self) -> PieceMotion:
-        """Motion from the start to the end of the piece."""
-        end = self.steps[-1][1] if self.steps else self.times[-1]
-        return PieceMotion(self.margins.equations, self.times[0], end)
 
     def add(self, time: float, state: Floats) -> None:
         """Add an instant and its state to the end of the piece."""
@@ -74,12 +68,14 @@ class MotionColumns:
         rates, ports = equations.acting_at(times, states)
         held = margins.split(times, states, rates, ports)
         torques = device_torques(equations, ports, held)
-        return Moments(piece.motion, times, states, speeds, self.rows @ speeds, torques, ports)
+        begin, end = piece.times[0], piece.times[-1]
+        known = times, states, speeds, self.rows @ speeds, torques, ports
+        return Moments(equations, begin, end, *known)
 
     def at(self, at: Moments) -> Floats:
         """Return all columns, shape (columns, times)."""
         asked = [TABLES[table].make(at, rows) for table, rows in self.asked.items()]
-        heat = element_heat(at.motion.equations, at.states)
+        heat = element_heat(at.equations, at.states)
         return np.concatenate([at.speeds, at.slips, at.torques, *asked, heat])
 
     def curves(self, piece: Piece, steps: Sequence[tuple[TimeStep, float]]) -> Curves:

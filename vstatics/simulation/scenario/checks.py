@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, TypeAlias
 
 import numpy as np
 
@@ -22,6 +21,7 @@ from vstatics.core.model.torsional_checks import of_converter
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.core.suggestions import nearest
+from vstatics.simulation.scenario.conditions import StepCondition
 from vstatics.simulation.scenario.control_checks import ascending, control_problems, of_range
 from vstatics.simulation.scenario.formula import (
     OF_EVENTS,
@@ -32,14 +32,29 @@ from vstatics.simulation.scenario.formula import (
     Vocabulary,
     formula_tree,
 )
+from vstatics.simulation.scenario.formula_code import VARIABLES
 from vstatics.simulation.scenario.laws import Points, Resistance, Road, SpeedPoints, TorqueLaw
-from vstatics.simulation.scenario.parts import Capacity, Control, Scenario, Start, placed_steps
+from vstatics.simulation.scenario.parts import (
+    Capacity,
+    Control,
+    Scenario,
+    Start,
+    placed_laws,
+    placed_steps,
+)
 from vstatics.simulation.scenario.programme import bare_capacities, cut_controls
 from vstatics.simulation.scenario.sizes import size_problems
 from vstatics.simulation.scenario.words import elastic_names, vocabulary
 from vstatics.simulation.tolerances import LARGEST_NUMBER, MISSING_MASS
 
 _TRIED_TIMES = 1001
+_FUNCTIONS: Mapping[str | int, Sequence[str]] = {
+    **dict.fromkeys(("controls", "torques", "limits"), OF_MOTION),
+    **dict.fromkeys(("speeds", "speed_ratios"), ()),
+    **dict.fromkeys(("states", "set"), (*OF_MOTION, *OF_TORQUES)),
+    "when": (*OF_MOTION, *OF_TORQUES, *OF_EVENTS),
+}
+"""Functions of the motion that formulas can use, by key of the scenario or of a sequence step."""
 
 
 def check_scenario(scenario: Scenario) -> None:
@@ -357,8 +372,8 @@ def _of_gear(name: str, case: Transmission, path: Path) -> Iterator[Problem]:
         yield Problem("E646", f"{message}: {expected}", path)
 
 
-def _name(case: Transmission, link: int) -> Any:
-    return case.link_name(link) if 0 <= link <= case.links else str(link)
+def _name(case: Transmission, link: int) -> str:
+    return str(case.link_name(link) if 0 <= link <= case.links else link)
 
 
 def _of_road(law: Road, path: Path) -> Iterator[Problem]:
@@ -411,48 +426,16 @@ def _of_formulas(scenario: Scenario) -> Iterator[Problem]:
     names = scenario.value_names
     converters = [converter.name for converter in scenario.converters]
     words = vocabulary(scenario.case, values=names, converters=converters)
-    for law, variables, path, allowed in _placed_formulas(scenario):
-        known = words.only(*allowed) if allowed else Vocabulary()
+    for path, placed in placed_laws(scenario):
+        law = placed.formula if isinstance(placed, StepCondition) else placed
+        functions = _FUNCTIONS[path[3] if path[0] == "sequences" else path[0]]
+        known = words.only(*functions) if functions else Vocabulary()
+        variables = VARIABLES if path[0] == "torques" else ("t",)
         problems = list(of_formula(law, variables, path, known))
         yield from problems
         # `_of_capacity` checks the numbers of controls and limits
         if not problems and path[0] not in ("controls", "limits"):
             yield from _never_a_number(law, scenario.duration, path)
-
-
-_Placed: TypeAlias = tuple[object, Sequence[str], Path, Sequence[str]]
-
-
-def _placed_formulas(scenario: Scenario) -> Iterator[_Placed]:
-    """Yield each value that can be a formula, with its allowed variables, path and functions."""
-    case, elements = scenario.case, scenario.case.shift_elements
-    seen = (*OF_MOTION, *OF_TORQUES)
-    for number, control in (scenario.controls or {}).items():
-        if 0 < number <= len(elements):
-            path: Path = ("controls", elements[number - 1].name)
-            yield getattr(control, "law", None), ["t"], path, OF_MOTION
-    for link, law in scenario.torques:
-        yield law, ["t", "speed", "angle"], ("torques", _name(case, link)), OF_MOTION
-    yield from _placed_curves(scenario)
-    for state in scenario.states:
-        yield state.rate, ["t"], ("states", state.name, "rate"), seen
-    for path, step in placed_steps(scenario):
-        if step.when:
-            yield step.when.formula, ["t"], (*path, "when"), (*seen, *OF_EVENTS)
-        for name, value in step.settings.items():
-            yield value, ["t"], (*path, "set", name), seen
-
-
-def _placed_curves(scenario: Scenario) -> Iterator[_Placed]:
-    """Yield limits, given speeds and given speed ratios, with the items of `_placed_formulas`."""
-    case = scenario.case
-    for number, limit in scenario.limits.items():
-        if 0 < number <= len(case.springs):
-            yield limit, ["t"], ("limits", case.springs[number - 1].name), OF_MOTION
-    for link, speed in scenario.speeds.items():
-        yield speed, ["t"], ("speeds", _name(case, link)), ()
-    for number, ratio in scenario.speed_ratios.items():
-        yield ratio, ["t"], ("speed_ratios", case.mechanisms[number - 1].name), ()
 
 
 def of_formula(

@@ -355,10 +355,8 @@ def _own_path(path: Path, case: Transmission, spots: Spots) -> Path:
     converted = (*start, names.get(str(name), name))
     if path[0] == "sequences" and remainder:
         return _own_step((*converted, *remainder), spots)
-    for number, part in enumerate(remainder):
-        between = (
-            spots.has((*converted, "points")) and isinstance(part, int) and number < len(remainder)
-        )
+    for part in remainder:
+        between = spots.has((*converted, "points")) and isinstance(part, int)
         converted = (
             (*converted, "points", part)
             if between and not spots.has((*converted, part))

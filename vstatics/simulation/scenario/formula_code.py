@@ -1,8 +1,8 @@
 """Compilation of the tree of a formula to a fast Python function.
 
 A Python syntax tree is built from the checked tree of the formula, so the text itself is never
-executed. Where Python raises an error (``1/0``, ``exp(1000)``), the formula is evaluated again by
-the rules of NumPy. The result is then infinite or NaN, as in a sweep.
+executed. Where Python raises an error (``1/0``, ``exp(1000)``), the function for arrays evaluates
+the formula by the rules of NumPy. The result is then infinite or NaN, as in a sweep.
 """
 
 from __future__ import annotations
@@ -11,14 +11,13 @@ import ast
 import math
 import operator
 from collections.abc import Callable, Mapping, Sequence
-from functools import reduce
+from functools import cache, partial, reduce
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.lookup_table import LookupTable
-from vstatics.core.readers.expressions.evaluation import evaluate
 from vstatics.core.readers.expressions.grammar import Applied, Tree
 from vstatics.core.readers.expressions.operands import Constant, TableName
 from vstatics.simulation.scenario.table_call import TableCall
@@ -80,6 +79,7 @@ _BROAD: Mapping[str, Callable[..., Any]] = {
     "log": np.log,
     "atan": np.arctan,
     "pow": np.power,
+    "divide": np.divide,
     "number": lambda condition: np.asarray(condition, float),
     "truth": lambda values: np.isfinite(values) & (np.asarray(values) != 0),
     "and_": np.logical_and,
@@ -95,6 +95,7 @@ _ARITHMETIC = {
     "*": ast.Mult,
     "/": ast.Div,
 }
+_CALLED = {"/": "divide", "**": "pow"}
 _COMPARISONS = {
     "<": ast.Lt,
     "<=": ast.LtE,
@@ -119,12 +120,13 @@ def compiled(tree: Tree, seen: Sequence[Seen] = ()) -> Function:
     """
     functions = {**_PLAIN, **{name: table.at for name, table in _called_tables(tree).items()}}
     plain: Function = _evaluated(tree, functions, seen, is_broad=False)
+    along = cache(partial(compiled_along, tree, seen))
 
-    def function(*known: float) -> float:
+    def function(time: float, *known: float) -> float:
         try:
-            return plain(*known)
+            return plain(time, *known)
         except (ArithmeticError, ValueError):
-            return _as_arrays(tree, [np.array([[value]]) for value in known], seen).item()
+            return along()(np.array([time]), *known).item()
 
     return function
 
@@ -147,14 +149,9 @@ def compiled_along(tree: Tree, seen: Sequence[Seen] = ()) -> Callable[..., Float
     broad = _evaluated(tree, functions, seen, is_broad=True)
 
     def function(times: Floats, *known: Floats | float) -> Floats:
-        with np.errstate(all="ignore"):
-            try:
-                values = broad(times, *known)
-            except (ArithmeticError, ValueError):  # only constants raise, such as 1/0
-                shaped = [np.reshape(value, (-1, 1, 1)) for value in (times, *known)]
-                values = _as_arrays(tree, shaped, seen).reshape(-1)
         result: Floats = np.empty(times.shape)
-        result[...] = values
+        with np.errstate(all="ignore"):
+            result[...] = broad(times, *known)
         return result
 
     return function
@@ -165,23 +162,6 @@ def _called_tables(tree: Any) -> dict[str, LookupTable]:
         return {}
     called = {str(tree.name): tree.name.table} if isinstance(tree.name, TableCall) else {}
     return reduce(operator.or_, map(_called_tables, tree.operands), called)
-
-
-def _as_arrays(tree: Tree, known: Sequence[Floats], seen: Sequence[Seen]) -> Floats:
-    """Return the values of a tree by the rules of NumPy: 1/0 is infinite, 0/0 is NaN."""
-    by_name = dict(zip([*VARIABLES, *seen], known, strict=True))
-
-    def value_of(part: Any) -> Floats:
-        if isinstance(part, Applied):
-            assert isinstance(part.name, TableCall)  # noqa: S101 - `evaluate` knows all other functions
-            return part.name.table.along(
-                *(evaluate(operand, value_of) for operand in part.operands)
-            )
-        if part.name == PI:
-            return np.array([[math.pi]])
-        return by_name[seen_in(part) or part.name]
-
-    return evaluate(tree, value_of)
 
 
 class _CodeWriter:
@@ -208,16 +188,15 @@ class _CodeWriter:
         """Return the Python expression for an operator or function and its operands."""
         if tree.name == "-x":
             return ast.UnaryOp(ast.USub(), operands[0])
-        if tree.name == "**":
-            base, exponent = tree.operands
-            if isinstance(base, TableName) and exponent == Constant(2.0):  # faster than a power
-                return ast.BinOp(operands[0], ast.Mult(), self.number(base))
-            return _call("pow", *operands)
+        base, exponent = tree.operands[0], tree.operands[-1]
+        if tree.name == "**" and isinstance(base, TableName) and exponent == Constant(2.0):
+            return ast.BinOp(operands[0], ast.Mult(), self.number(base))  # faster than a power
         if tree.name in ("min", "max") and len(operands) == 1:
             return operands[0]
-        if tree.name in _ARITHMETIC:
+        is_quotient = self.is_broad and tree.name == "/"  # the operator raises errors for numbers
+        if tree.name in _ARITHMETIC and not is_quotient:
             return ast.BinOp(operands[0], _ARITHMETIC[tree.name](), operands[1])
-        return _call(str(tree.name), *operands)
+        return _call(_CALLED.get(tree.name, str(tree.name)), *operands)
 
     def condition(self, tree: Any) -> ast.expr:
         """Return the Python expression for the truth value of a subtree."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple, TypeAlias
 
 from vstatics.core.errors import Path
@@ -237,13 +237,35 @@ def placed_steps(scenario: Scenario) -> Iterator[tuple[Path, SequenceStep]]:
             yield ("sequences", sequence.name, number), step
 
 
+def placed_laws(scenario: Scenario) -> Iterator[tuple[Path, TorqueLaw | StepCondition]]:
+    """Yield each law and condition with its path in the scenario.
+
+    Laws of links and components that the case does not have are left out.
+    """
+    case, controls = scenario.case, (scenario.controls or {}).items()
+    capacities = [(n, control.law) for n, control in controls if isinstance(control, Capacity)]
+    of_parts: tuple[tuple[str, Sequence[str], Iterable[tuple[int, TorqueLaw]]], ...] = (
+        ("controls", [element.name for element in case.shift_elements], capacities),
+        ("torques", case.link_names, scenario.torques),
+        ("limits", [spring.name for spring in case.springs], scenario.limits.items()),
+        ("speeds", case.link_names, scenario.speeds.items()),
+        ("speed_ratios", [part.name for part in case.mechanisms], scenario.speed_ratios.items()),
+    )
+    for key, names, laws in of_parts:
+        yield from (((key, names[n - 1]), law) for n, law in laws if 0 < n <= len(names))
+    for state in scenario.states:
+        yield ("states", state.name, "rate"), state.rate
+    for path, step in placed_steps(scenario):
+        if step.when:
+            yield (*path, "when"), step.when
+        for name, value in step.settings.items():
+            yield (*path, "set", name), value
+
+
 def formulas(scenario: Scenario) -> Iterator[Formula]:
-    """Yield all formulas of a scenario."""
-    laws = [getattr(control, "law", None) for control in (scenario.controls or {}).values()]
-    laws += [law for _, law in scenario.torques]
-    laws += scenario.limits.values()
-    laws += [state.rate for state in scenario.states]
-    for _, step in placed_steps(scenario):
-        laws += step.settings.values()
-        laws += step.when.comparisons if step.when else ()
-    yield from (law for law in laws if isinstance(law, Formula))
+    """Yield all formulas of a scenario, with the comparisons of each condition."""
+    for _, law in placed_laws(scenario):
+        if isinstance(law, StepCondition):
+            yield from law.comparisons
+        elif isinstance(law, Formula):
+            yield law

@@ -344,32 +344,51 @@ class Equations:
 
     def powers_at(self, times: Floats, states: Floats) -> Floats:
         """Return the integrands of works and losses at several times [W]."""
-        structure = self.structure
         rates, torques = self.acting_at(times, states)
-        powers = np.zeros((self.size - self.works.start, len(times)))
+        slopes = None
+        if not self.ports.bends.all():
+            within = self.within if self.limited.any() else None
+            slopes = self.ports.given_at(times, within)[1][self.layout.spring_ports]
+            if self.seen_limits:
+                columns = zip(times.tolist(), states.T, slopes.T, strict=True)
+                slopes = np.array([self._seen_slopes(*columns_at) for columns_at in columns]).T
+        change = np.zeros((self.size, len(times)))
+        light = self._light_at(times, states) if self.light and self.structure.loses else _NONE
+        self._fill_powers(change, states, torques, (rates, light), slopes)
+        return change[self.works.start :]
+
+    def _fill_powers(
+        self,
+        change: Floats,
+        states: Floats,
+        torques: Floats,
+        known: tuple[Floats, Floats],
+        slopes: Floats | None,
+    ) -> None:
+        """Fill in the rates of twists, works and losses in the derivative of a state.
+
+        Arrays can have a second axis of several times. The derivatives of spring limits are None if
+        no spring slips.
+        """
+        structure, (rates, light) = self.structure, known
         driven = self._with_driving(torques) if self.driving else torques
-        powers[: self.layout.ports] = driven * rates
+        np.multiply(driven, rates, out=change[self.works])
         if self.springs:
             at = self.layout.spring_ports
-            sprung, twisting = torques[at], rates[at]
+            sprung, twisting, twists = torques[at], rates[at], states[self.twists]
             growing = twisting
-            if not self.ports.bends.all():
-                within = self.within if self.limited.any() else None
-                slopes = self.ports.given_at(times, within)[1][at]
-                if self.seen_limits:
-                    columns = zip(times.tolist(), states.T, slopes.T, strict=True)
-                    slopes = np.array([self._seen_slopes(*columns_at) for columns_at in columns]).T
-                growing = self._growing(twisting.T, sprung.T, states[self.twists].T, slopes.T).T
-            first = self.layout.ports
-            powers[first : first + self.springs] = self._damped(growing.T, states[self.twists].T).T
-            powers[first + self.springs : first + 2 * self.springs] = sprung * (twisting - growing)
+            if slopes is not None:
+                growing = self._growing(twisting.T, sprung.T, twists.T, slopes.T).T
+            change[self.twists] = growing
+            grown, (fixed, by_twist) = growing.T, self.ports.taken
+            damped = self.acting_dampers * grown**2 - (fixed + by_twist * twists.T) * grown
+            change[self.damped] = damped.T
+            change[self.slipped] = sprung * (twisting - growing)
         if structure.loses:
             lost = structure.mesh_rates @ states[: self.motions]
             if self.light:
-                lost += structure.mesh_light_rates @ self._light_at(times, states)
-            by_mesh = (structure.torques @ torques)[: len(lost)]
-            powers[self.meshed.start - self.works.start :] = by_mesh * lost
-        return powers
+                lost = lost + structure.mesh_light_rates @ light
+            change[self.meshed] = (structure.torques @ torques)[: len(lost)] * lost
 
     def _with_driving(self, torques: Floats) -> Floats:
         """Return the torques of ports, including drivers, shape (ports,) or (ports, times)."""
@@ -549,19 +568,9 @@ class Equations:
         torques = self.torques(time, state, rates)
         change = np.zeros(self.size)
         change[: self.motions] = structure.accelerations @ torques
-        driven = self._with_driving(torques) if self.driving else torques
-        np.multiply(driven, rates, out=change[self.works])
-        if self.springs:
-            at = self.layout.spring_ports
-            sprung, twisting = torques[at], rates[at]
-            growing = twisting
-            if not self.ports.bends.all():
-                if slopes is None:
-                    slopes = self.limit_slopes(time, rates, state)
-                growing = self._growing(twisting, sprung, state[self.twists], slopes)
-            change[self.twists] = growing
-            change[self.damped] = self._damped(growing, state[self.twists])
-            change[self.slipped] = sprung * (twisting - growing)
+        if slopes is None and not self.ports.bends.all():
+            slopes = self.limit_slopes(time, rates, state)
+        self._fill_powers(change, state, torques, known, slopes)
         if self.angles.stop > self.angles.start:
             turning = self.angle_rows @ state[: self.motions]
             if self.light:
@@ -569,11 +578,6 @@ class Equations:
             change[self.angles] = turning
         if self.layout.values:
             change[self.values] = self.changes.at(time, state, rates, torques, change)
-        if structure.loses:
-            lost = structure.mesh_rates @ state[: self.motions]
-            if self.light:
-                lost = lost + structure.mesh_light_rates @ light
-            change[self.meshed] = (structure.torques @ torques)[: len(lost)] * lost
         return change
 
     def limit_slopes(self, time: float, rates: Floats, state: Floats) -> Floats:
@@ -615,15 +619,6 @@ class Equations:
         """
         step = SIGHT * self.system.scenario.span
         return -step if time - step > self.time else step
-
-    def _damped(self, growing: Floats, twists: Floats) -> Floats:
-        """Return the power loss of spring dampers [W] at rates `growing` of twists.
-
-        The last axis of all arrays is the axis of springs.
-        """
-        fixed, by_twist = self.ports.taken
-        powers: Floats = self.acting_dampers * growing**2 - (fixed + by_twist * twists) * growing
-        return powers
 
     def _growing(self, twisting: Floats, sprung: Floats, twists: Floats, slopes: Floats) -> Floats:
         """Return the rates of twists; slipping springs follow their damper or their torque limit.

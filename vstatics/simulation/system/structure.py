@@ -231,6 +231,23 @@ def solved(matrix: Floats, values: Floats) -> Floats:
     return np.asarray(np.linalg.lstsq(matrix, values, rcond=DEPENDENT)[0], float)
 
 
+def moves(rows: Floats, *motions: Floats) -> Booleans:
+    """Return True for rows whose speed some motion changes; a single row gives a single flag.
+
+    Parameters
+    ----------
+    rows : ndarray, shape (links,) or (rows, links)
+    *motions : ndarray, shape (links, motions)
+        Bases of motions, as columns.
+
+    Examples
+    --------
+    >>> moves(np.eye(2), np.array([[1.0], [0.0]]), np.zeros((2, 0))).tolist()
+    [True, False]
+    """
+    return np.asarray((np.abs(rows @ np.hstack(motions)) > STANDING).any(axis=-1))
+
+
 def _counting(sizes: Floats, large: float) -> int:
     return int((sizes > INDEPENDENT_MOTION * large).sum())
 

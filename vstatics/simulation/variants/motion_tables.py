@@ -15,6 +15,7 @@ import numpy as np
 
 from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.record.asked import TABLES as ASKED
+from vstatics.simulation.record.columns import main_tables
 from vstatics.simulation.record.motion import EventKind, Motion
 from vstatics.simulation.record.row_names import Kind
 from vstatics.sweep.results.meanings import PART_NUMBERS
@@ -155,14 +156,10 @@ def _along_time(motion: Motion, name: str, wanted: Sequence[str]) -> Floats:
     if name in ASKED:
         known = motion.asked.get(name, {})
     else:
-        table, names = {
-            "speeds": (motion.speeds, motion.links),
-            "slips": (motion.slips, motion.elements),
-            "torques": (motion.torques, motion.devices),
-        }[name]
-        if tuple(wanted) == tuple(names):
-            return table
-        known = dict(zip(names, table.T, strict=True))
+        names, table = main_tables(motion)[name]
+        if tuple(wanted) == names:
+            return table.T
+        known = dict(zip(names, table, strict=True))
     lacking = np.full(len(motion.time), math.nan)
     columns = [known.get(row, lacking) for row in wanted]
     return np.array(columns).reshape(len(columns), len(motion.time)).T

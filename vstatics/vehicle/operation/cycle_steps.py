@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.errors import CaseError, Problem
-from vstatics.core.model.parts import OfLoad
+from vstatics.core.model.parts import Law, OfLoad
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 from vstatics.core.statics.points.gear_loss import brake_torque, braked_torques
@@ -510,34 +510,11 @@ class CycleSteps(NamedTuple):
         )
         for number, gear in enumerate(self.case.gears):
             if gear.loss is not None:
-                of_gear = np.flatnonzero(here.gears == number)
-                inertia = self._input_inertia(rows)
-                entering = self._with_loss(rows, of_gear, speeds, torques + inertia)
-                torques[of_gear] = entering - inertia[of_gear]
+                own = here.gears == number
+                inertia = self._input_inertia(rows)[own]
+                entering = _with_loss(gear.loss, rows[own], speeds[own], torques[own] + inertia)
+                torques[own] = entering - inertia
         return torques
-
-    def _with_loss(
-        self, rows: Integers, of_gear: Integers, speeds: Floats, torques: Floats
-    ) -> Floats:
-        """Return input torques in a gear, increased by the overall loss of this gear [N*m]."""
-        loss = self.case.gears[self.gears[rows[of_gear[0]]]].loss if of_gear.size else None
-        if loss is None:
-            return torques[of_gear]
-        with_loss, counts = braked_torques(loss, speeds[of_gear], torques[of_gear])
-        problems = [
-            Problem(
-                "E424",
-                f"{'no torque is' if count == 0 else 'more than one torque is'} consistent with "
-                f"the loss of the gear as a whole, at {speeds[row] * RPM:.6g} rpm; in W, its "
-                "torque loss/|w| has no bound near rest",
-                (int(rows[row]),),
-            )
-            for row, count in zip(of_gear, counts, strict=True)
-            if count != 1
-        ]
-        if problems:
-            raise CaseError(problems)
-        return with_loss
 
     def add_losses(self, rows: Integers, engine: Floats, lost: CycleLosses) -> float:
         """Add the losses of steps in which engine or machine are not limited.
@@ -606,6 +583,25 @@ def turned(case: Transmission, ratios: Floats) -> Transmission:
         }
         gears.append(gear._replace(input=ends[1], output=ends[0], loss=None, slip=slip))
     return case.replace(gears=gears, outputs=())
+
+
+def _with_loss(loss: Law, rows: Integers, speeds: Floats, torques: Floats) -> Floats:
+    """Return input torques in a gear, increased by its overall loss, in the steps `rows` [N*m]."""
+    with_loss, counts = braked_torques(loss, speeds, torques)
+    problems = [
+        Problem(
+            "E424",
+            f"{'no torque is' if count == 0 else 'more than one torque is'} consistent with "
+            f"the loss of the gear as a whole, at {speed * RPM:.6g} rpm; in W, its "
+            "torque loss/|w| has no bound near rest",
+            (row,),
+        )
+        for row, speed, count in zip(rows.tolist(), speeds.tolist(), counts, strict=True)
+        if count != 1
+    ]
+    if problems:
+        raise CaseError(problems)
+    return with_loss
 
 
 def _gears(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import base64
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -19,6 +19,7 @@ from vstatics.simulation.pictures.elements import states
 from vstatics.simulation.pictures.gears import element_sets, gear_pieces
 from vstatics.simulation.pictures.lines import MotionLine, MotionPanel, capacity_side, numbers_of
 from vstatics.simulation.pictures.panels import panels
+from vstatics.simulation.record.columns import main_tables
 from vstatics.simulation.record.motion import Event, Motion
 from vstatics.simulation.record.picture_tables import chosen
 from vstatics.simulation.report.runs.instants import chosen_instants
@@ -216,8 +217,8 @@ def _heading(table: str, name: str, motion: Motion) -> str:
 
     The output torque, or a column without a name, has the name of the table as its heading.
     """
-    names = {"speeds": motion.links, "slips": motion.elements, "torques": motion.devices}
-    rows: Sequence[str] = names.get(table, (name,))
+    tables = main_tables(motion)
+    rows = tables[table][0] if table in tables else (name,)
     if table == "output_torque" or not name:
         return table
     return f"{table}[{written(rows.index(name), rows)}]"

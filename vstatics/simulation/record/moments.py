@@ -1,4 +1,4 @@
-"""Accelerations and jerks of links during a run."""
+"""State of a run at several times, with accelerations and jerks of links."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import numpy as np
 
 from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.system.equations import Equations
+from vstatics.simulation.system.matrices import MotionSystem
 from vstatics.simulation.tolerances import (
     CHANGE_STEP,
     LEAST_DURATION,
@@ -17,22 +18,37 @@ from vstatics.simulation.tolerances import (
 )
 
 
-class PieceMotion(NamedTuple):
-    """Motion between two events, while no contact changes between sticking and slipping."""
+class Moments(NamedTuple):
+    """State of a run at several times between two events; the last axis of arrays is time."""
 
     equations: Equations
     begin: float
     """Time of the first event. [s]"""
     end: float
     """Time of the second event. [s]"""
+    times: Floats
+    states: Floats
+    speeds: Floats
+    """Speeds of links. [rad/s]"""
+    slips: Floats
+    """Slip speeds of shift elements. [rad/s]"""
+    torques: Floats
+    """Torques of components. [N*m]"""
+    ports: Floats
+    """Torques of ports (see `PortLayout`). [N*m]"""
 
-    def accelerations(self, times: Floats, states: Floats) -> Floats:
-        """Return the accelerations of links, shape (links, times) [rad/s^2]."""
-        return self._accelerations(times, states)[0]
+    @property
+    def system(self) -> MotionSystem:
+        """System of the scenario."""
+        return self.equations.system
 
-    def jerks(self, times: Floats, states: Floats) -> Floats:
-        """Return the jerks of links, shape (links, times) [rad/s^3]."""
-        return self._along(times, states, self._accelerations)
+    def accelerations(self) -> Floats:
+        """Return the accelerations of links [rad/s^2]."""
+        return self._accelerations(self.times, self.states)[0]
+
+    def jerks(self) -> Floats:
+        """Return the jerks of links [rad/s^3]."""
+        return self._along(self.times, self.states, self._accelerations)
 
     def _accelerations(self, times: Floats, states: Floats) -> tuple[Floats, Floats]:
         """Return the accelerations [rad/s^2], and for each the scale of its rounding error.
