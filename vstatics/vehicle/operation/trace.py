@@ -37,7 +37,9 @@ COLUMNS = (
     TableColumn(
         "time",
         "time",
-        aliases=dict.fromkeys(_TIMES, "") | dict.fromkeys(_SECONDS, "s") | {"minutes": "min"},
+        aliases=dict.fromkeys(_TIMES, "")
+        | dict.fromkeys(_SECONDS, "s")
+        | {"minutes": "min", "hours": "h"},
     ),
     TableColumn(
         "speed",
