@@ -2,18 +2,13 @@
 
 from __future__ import annotations
 
-from contextlib import suppress
 from pathlib import Path
-from typing import get_args
 
-from vstatics.core.model.shape import Measure
 from vstatics.core.numerics.lookup_table import LookupTable
-from vstatics.core.readers.named.arithmetic import dimensionless
 from vstatics.core.readers.named.csv_files import lines_of
 from vstatics.core.readers.named.csv_rows import numbered_rows
 from vstatics.core.readers.named.headings import with_unit, without_titles
-from vstatics.core.readers.named.si_units import measured
-from vstatics.core.readers.named.units import quantity
+from vstatics.simulation.scenario.given import anything
 
 MOST_TABLE_BYTES = 5_000_000
 """Largest size of a CSV file. [bytes]"""
@@ -74,13 +69,7 @@ def _table(rows: list[tuple[int, list[str]]]) -> LookupTable:
 
 def _number(text: str, line: int) -> float:
     """Return a number in SI units, read without or with any unit, or as a percentage."""
-    text = text.strip()
-    for measure in get_args(Measure):
-        with suppress(ValueError):
-            return measured(text, measure)
-    with suppress(ValueError):
-        return dimensionless(text)
-    with suppress(ValueError):
-        return 1000 * quantity(text, "power")
-    expected = "a number, bare or with its unit, such as `N*m`, `kW` or `%`"
-    raise ValueError(f"line {line}: read {text[:40]}, expected {expected}")
+    try:
+        return anything(text.strip())
+    except ValueError as error:
+        raise ValueError(f"line {line}: read {text.strip()[:40]}, {error}") from None
