@@ -103,6 +103,7 @@ def anything(text: str) -> float:
 
 
 _ANY_NUMBER = "expected a number, bare or with its unit, such as `N*m`, `kW` or `%`"
+_COMPARISONS = frozenset("<>=?")
 ANY_MEASURE = get_args(Measure)
 TORQUE_UNIT, SPEED_UNIT = UNIT_OF["si_torque"], UNIT_OF["si_speed"]
 CAPACITY = _number(["si_torque", "pressure"], "a capacity in N*m, or a pressure in Pa", TORQUE_UNIT)
@@ -132,19 +133,21 @@ def curve(
     unit : str, optional
         Unit of bare numbers.
     """
+    read = anything if measures is ANY_MEASURE else partial(in_any_unit, measures=measures)
 
     def parse(text: str) -> float | Formula:
         try:
             behind = calculated(text).behind
         except ValueError:
             behind = "*"
-        if not behind or behind[0].isalpha() or behind[0] == "°":
-            return in_any_unit(text, measures)
+        is_compared = not _COMPARISONS.isdisjoint(behind)  # as in `5 if t < 1 else 0`
+        if not behind or ((behind[0].isalpha() or behind[0] == "°") and not is_compared):
+            return read(text)
         try:
             return read_formula(Excerpt(text, ""), names, words)
         except ReadError:
             with suppress(ValueError):
-                return in_any_unit(text, measures)  # `3 t` is a mass, but `t` in 3*t is the time
+                return read(text)  # `3 t` is a mass, but `t` in 3*t is the time
             raise
 
     return Parsed(expected, parse, 0.0, unit)
