@@ -226,6 +226,15 @@ def quoted(read: str) -> str:
     return f"`{read if len(read) <= 40 else read[:37] + '...'}`"
 
 
+def percent(value: float) -> str:
+    """Return an example for an efficiency that is too large, as it seems to be in percent.
+
+    >>> percent(95.0), percent(0.0)
+    (', such as 0.95 for 95 %', '')
+    """
+    return f", such as {value / 100:g} for {value:g} %" if 1 < value <= 100 else ""
+
+
 def spoken(names: Iterable[str], last: str = "and") -> str:
     """Return names joined with commas, but with a word before the last name.
 

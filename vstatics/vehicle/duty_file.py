@@ -150,12 +150,8 @@ def _at_rows(problems: Iterable[Problem], table: UnitTable) -> ReadError:
     )
 
 
-_STEP_COLUMNS = (
-    TableColumn("duration", "time", may_be_bare=True),
-    *(column._replace(aliases={}) for column in _COLUMNS[2:]),
-)
+_STEP_COLUMNS = (TableColumn("duration", "time", may_be_bare=True), *_COLUMNS[2:])
 """Columns that are read from the steps of a driving cycle."""
-_DURATION = re.compile(rb"(?:^|[,;\t])[\s\"]*duration\b", re.IGNORECASE)
 
 
 def read_duty_table(
@@ -180,9 +176,7 @@ def read_duty_table(
     ReadError
         If the file has errors, with every problem and its position.
     """
-    lines = data.removeprefix(codecs.BOM_UTF8).split(b"\n", MOST_TITLE_LINES)
-    has_durations = any(map(_DURATION.search, lines[:MOST_TITLE_LINES]))
-    table = _steps(data, file) if has_durations else _points(data, file)
+    table = _steps(data, file) if _has(data, "duration") else _points(data, file)
     return DutyTable(table, exponent or EXPONENT, classes, _first_load(table))
 
 
@@ -200,9 +194,20 @@ def _first_load(table: UnitTable) -> Load | None:
     return next((Load(w / RAD_PER_RPM, torque) for w, torque in points if w and torque), None)
 
 
+def _has(data: bytes, name: str) -> bool:
+    """Return whether a column has this name, not one of its other names."""
+    lines = data.removeprefix(codecs.BOM_UTF8).split(b"\n", MOST_TITLE_LINES)
+    heading = re.compile(rf"(?:^|[,;\t])[\s\"]*{name}\b".encode(), re.IGNORECASE)
+    return any(map(heading.search, lines[:MOST_TITLE_LINES]))
+
+
 def _steps(data: bytes, file: str) -> UnitTable:
     what = "steps of a driving cycle: duration, gear, speed, torque"
-    table = read_unit_table(data, file, what, _STEP_COLUMNS, "E121", skips=True)
+    columns = [
+        column._replace(aliases={}) if _has(data, column.name) else column
+        for column in _STEP_COLUMNS
+    ]
+    table = read_unit_table(data, file, what, columns, "E121", skips=True)
     numbers = {**table.numbers, "time": table.numbers["duration"]}
     texts = {name: list(map(unguarded, words)) for name, words in table.texts.items()}
     return table._replace(numbers=numbers, texts=texts)

@@ -26,6 +26,7 @@ from vstatics.simulation import (
 from vstatics.simulation.scenario.distribution import Distribution
 from vstatics.simulation.scenario.file import ScenarioFile, read_scenario
 from vstatics.simulation.scenario.programme import newton_metres
+from vstatics.simulation.scenario.table_files import table_of
 from vstatics.simulation.system.devices import drags
 
 CASE = b"""
@@ -290,3 +291,29 @@ def test_input_speeds_in_rpm_are_those_of_the_start_and_of_laws_over_speed() -> 
     laws += ", wheel: {over: speed, points: [[1, 0], [2, 0]]}"
     file = scenario_file(f"start: {{gear: low, speed: 900 rpm}}\ntorques: {{{laws}}}")
     assert file.input_speeds == pytest.approx((900, 30, 6 * 30 / math.pi))
+
+
+@pytest.mark.parametrize(
+    ("text", "pedal", "expected"),
+    [
+        # hgrecco/pint/issues/2171: 1140.654898 hp at 5000 rpm are 16.245 bar*litre of torque
+        ("speed [rpm],power [hp]\n0,0\n5000,1140.654898001541\n", 0.0, 1624.5),
+        ("speed [rpm];power [kW]\n0;0\n5000;850,586211\n", 0.0, 1624.5),
+        ("speed [rpm],0%,100 %\n0,0,0\n5000,0,850586.211\n", 0.5, 812.25),
+        ("speed [rpm],0,1\n0,0,0\n5000,0 W,850.586211 kW\n", 1.0, 1624.5),
+    ],
+)
+def test_a_table_file_has_powers_and_percentages(
+    tmp_path: Path, text: str, pedal: float, expected: float
+) -> None:
+    """The torque is the power divided by the speed."""
+    (tmp_path / "engine.csv").write_text(text, "utf-8")
+    power = table_of(str(tmp_path / "run.yaml"), "engine.csv")
+    speed = 5000 * math.pi / 30
+    assert power.at(speed, pedal) / speed == pytest.approx(expected, rel=1e-6)
+
+
+def test_a_table_file_with_another_unit_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "engine.csv").write_text("speed [rpm],power [kVA]\n0,1\n", "utf-8")
+    with pytest.raises(ValueError, match=r"line 2: read 1 kVA, expected .* such as `N\*m`, `kW`"):
+        table_of(str(tmp_path / "run.yaml"), "engine.csv")

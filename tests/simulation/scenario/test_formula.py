@@ -134,3 +134,42 @@ def test_given_speeds_of_logarithm_and_arc_tangent_need_the_torques_of_their_der
         motion = simulated(f'duration: 2\nspeeds: {{a: "{text}"}}\n', "inertias: {a: 1}")
         torques = motion.torques[:, motion.devices.index("a")]
         assert (torques[0], torques[-1]) == pytest.approx((1, last), rel=1e-9)
+
+
+def test_numbers_of_formulas_can_be_powers_or_percentages() -> None:
+    """With a power P, w^2 rises by 2 P t/J; 1 hp is 745.69987 W (NIST SP 811)."""
+    text = (
+        "duration: 1\nstart: {speeds: {a: 50}}\nnumbers: {P: 80 kW, full: 75 %%}\n"
+        "tables: {engine: {columns: [0%%, 100%%], rows: [[0, 0, %s]]}}\n"
+        "torques: {a: 'P*full/speed + engine(speed, 0.5)/speed'}\n"
+    )
+    last = simulated(text % "1 hp", "inertias: {a: 1}").speeds[-1, 0]
+    assert last == pytest.approx(math.sqrt(50**2 + 2 * (60e3 + 745.69987 / 2)), rel=1e-8)
+    with pytest.raises(ReadError, match=r"read '1 kVA', expected a number, .* `kW` or `%`"):
+        simulated(text % "1 kVA", "inertias: {a: 1}")
+
+
+@pytest.mark.parametrize(
+    ("torque", "said"),
+    [
+        ("5 if t < 1 else 0", r"read `if`, .* so write a factor such as `2\*\(x > 1\)`"),
+        ("5*ln(1 + t)", r"there is no function `ln`, .*; did you mean `log`\?"),
+        ("5*sgn(t)", r"there is no function `sgn`, .*; did you mean `sign`\?"),
+    ],
+)
+def test_formulas_of_other_languages_are_refused_with_the_own_spelling(
+    torque: str, said: str
+) -> None:
+    with pytest.raises(ReadError, match=said):
+        simulated(f"duration: 1\ntorques: {{a: '{torque}'}}\n", "inertias: {a: 1}")
+
+
+def test_sequences_set_powers_and_percentages() -> None:
+    """From 0.25 s, a quarter of 4 kW: w^2 rises by 2 P t/J."""
+    motion = simulated(
+        "duration: 1\nstart: {speeds: {a: 50}}\nset: {P: 0, part: 0}\n"
+        "torques: {a: 'P*part/speed'}\n"
+        "sequences: {s: [{when: 't >= 0.25', set: {P: 4 kW, part: 25 %}}]}\n",
+        "inertias: {a: 1}",
+    )
+    assert motion.speeds[-1, 0] == pytest.approx(math.sqrt(50**2 + 2 * 1000 * 0.75), rel=1e-8)

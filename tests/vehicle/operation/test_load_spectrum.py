@@ -323,6 +323,17 @@ def test_wild_numbers_of_a_duty_cycle_end_in_numbers_or_at_their_line(seed: int)
         assert all(problem.place and problem.place.line > 1 for problem in problems)
 
 
+@pytest.mark.parametrize(
+    "headings",
+    ["duration [s],gear,n [rpm],M [Nm]", "t [s],gear,n [rpm],T [Nm]", "time [s],gear,RPM,Nm"],
+)
+def test_a_duty_cycle_has_the_documented_names_of_speed_and_torque(headings: str) -> None:
+    """Names of shafts in docs/units.md, also beside a duration; work is torque times angle."""
+    table = read_duty_table(f"{headings}\n10,1,300,20\n30,1,600,5\n".encode(), "d.csv")
+    work = 20 * 10 * math.pi * 10 + 5 * 20 * math.pi * 30
+    assert table.of(solve(PAIRS)).energy.in_ == pytest.approx(work)
+
+
 def test_a_slipping_clutch_is_among_the_losses() -> None:
     """2000 W for 10 s, of which 0.4 slip and 0.1 of the rest is lost in the pair; then engaged."""
     clutch, pair = ShiftElement(1, 2, "C"), Mechanism(2, 3, 0, 2.0, 0.9, name="pair")

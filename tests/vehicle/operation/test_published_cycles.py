@@ -177,6 +177,15 @@ def test_headings_of_further_programs() -> None:
         # dates and zones, as in https://github.com/OpenRailAssociation/osrd/issues/9345
         (f"{KMH},grade\n2024-02-29 23:59:59,0,0.75\n2024-03-01 00:00:01,36,0.75\n", 0.6),
         (f"{KMH},grade\n2024-02-29T23:59Z,0,0.75\n2024-03-01T01:59:02+02:00,36,0.75\n", 0.6),
+        # a heading without a unit, as in https://github.com/IBA-Group-IT/IoT-data-simulator/issues/19
+        (
+            "datetime,speed_mps,Inclination [%]\n"
+            "2021-12-25T00:58:18Z,0,75\n2021-12-25T00:58:20Z,10,75\n",
+            0.6,
+        ),
+        ("time;speed [km/h];grade\n# 7 am\n 07:59:59;0;0.75\n08:00:01;36;0.75\n", 0.6),
+        # https://github.com/GoldenCheetah/GoldenCheetah/issues/1288: headings that are units
+        ("Minutes,Km/h,grade\n0,0,0.75\n0.033333333333333333,36,0\n", 0.6),
     ):
         trace = read_trace(text.encode(), "t.csv")
         assert trace.duration.tolist() == [2.0]

@@ -10,7 +10,7 @@ from typing import Any, Literal, Self, TypeVar
 
 import numpy as np
 
-from vstatics.core.errors import Path, Problem, spoken
+from vstatics.core.errors import Path, Problem, percent, spoken
 from vstatics.core.model.fields import TransmissionFields
 from vstatics.core.model.parts import Gear, Law, Load, Size
 from vstatics.core.numerics.arrays import Booleans, Floats
@@ -192,7 +192,7 @@ def _of_points(law: Law, path: Path, *, low: float, high: float, what: str) -> I
             message = f"read {x:g}, expected a {law.over} above {least:g}: points must ascend"
             yield Problem("E266", message, (*path, number, 1))
         if not low <= y <= high or not math.isfinite(y):
-            yield Problem("E266", f"read {y:g}, expected {what}", (*path, number, 2))
+            yield Problem("E266", f"read {y:g}, expected {what}{percent(y)}", (*path, number, 2))
         least = max(least, x)
 
 
@@ -223,7 +223,10 @@ def _of_map(  # noqa: PLR0913
             yield Problem("E266", f"{message}value for each of the `columns`", place)
         for column, value in enumerate(row[1:], 2):
             if not low <= value <= high or not math.isfinite(value):
-                yield Problem("E266", f"read {value:g}, expected {what}", (*place, column))
+                is_idle = value == 0 in (row[0], columns[column - 2])
+                hint = "; omit columns of torque 0 and rows of speed 0" if is_idle else ""
+                message = f"read {value:g}, expected {what}{percent(value)}{hint}"
+                yield Problem("E266", message, (*place, column))
 
 
 def _ascending(numbers: Sequence[float], noun: str, least: float, path: Path) -> Iterator[Problem]:

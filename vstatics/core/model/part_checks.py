@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise
 
 from vstatics.core.arguments import type_and_value
-from vstatics.core.errors import Path, Problem
+from vstatics.core.errors import Path, Problem, percent
 from vstatics.core.model.fields import TransmissionFields
 from vstatics.core.model.parts import (
     DIRECTIONS,
@@ -365,7 +365,7 @@ def of_efficiency(value: float, path: Path) -> Iterator[Problem]:
     """Check the efficiency of a mechanism, gear set or mesh."""
     if isinstance(value, Law):
         return _efficiencies(value, path)
-    example = f", such as {value / 100:g} for {value:g} %" if 1 < value <= 100 else ""
+    example = percent(value) if value > 1 else ""
     expected = f"an efficiency above 0 and up to 1{example}"
     return expect(value, expected, path, right=0 < value <= 1)
 

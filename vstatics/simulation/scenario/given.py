@@ -15,8 +15,9 @@ from typing import Any, NamedTuple, get_args
 from vstatics.core.errors import ReadError, quoted, spoken
 from vstatics.core.model.shape import UNIT_OF, Measure, Parsed
 from vstatics.core.readers.expressions.excerpt import Excerpt
-from vstatics.core.readers.named.arithmetic import calculated
+from vstatics.core.readers.named.arithmetic import UnitError, calculated, dimensionless
 from vstatics.core.readers.named.si_units import in_any_unit
+from vstatics.core.readers.named.units import has_digits, quantity
 from vstatics.simulation.scenario.conditions import read_condition
 from vstatics.simulation.scenario.formula import Formula, Vocabulary, read_formula
 from vstatics.simulation.scenario.laws import Road
@@ -76,6 +77,33 @@ def _number(measures: Sequence[Measure], expected: str, unit: str = "") -> Parse
     return Parsed(expected, partial(in_any_unit, measures=measures), 0.0, unit)
 
 
+def anything(text: str) -> float:
+    """Return a number in SI units, without or with any unit, or a percentage.
+
+    Raises
+    ------
+    ValueError
+        The message states the expectation.
+
+    Examples
+    --------
+    >>> anything("2 kN*m"), anything("80 kW"), anything("25 %")
+    (2000.0, 80000.0, 0.25)
+    """
+    with suppress(ValueError):
+        return in_any_unit(text, ANY_MEASURE)
+    with suppress(ValueError):
+        return 1000 * quantity(text, "power")
+    if not has_digits(text):
+        raise ValueError(_ANY_NUMBER)
+    try:
+        return dimensionless(text)
+    except ValueError:
+        raise UnitError(_ANY_NUMBER) from None
+
+
+_ANY_NUMBER = "expected a number, bare or with its unit, such as `N*m`, `kW` or `%`"
+_COMPARISONS = frozenset("<>=?")
 ANY_MEASURE = get_args(Measure)
 TORQUE_UNIT, SPEED_UNIT = UNIT_OF["si_torque"], UNIT_OF["si_speed"]
 CAPACITY = _number(["si_torque", "pressure"], "a capacity in N*m, or a pressure in Pa", TORQUE_UNIT)
@@ -84,7 +112,7 @@ ABSCISSA = _number(
 )
 SPEED = _number(["si_speed", "velocity"], "a speed", SPEED_UNIT)
 TWIST = _number(["angle", "length"], "an angle in rad, or a length in m", UNIT_OF["angle"])
-ANYTHING = _number(ANY_MEASURE, "a number")
+ANYTHING = Parsed("a number", anything, 0.0)
 
 
 def curve(
@@ -105,19 +133,21 @@ def curve(
     unit : str, optional
         Unit of bare numbers.
     """
+    read = anything if measures is ANY_MEASURE else partial(in_any_unit, measures=measures)
 
     def parse(text: str) -> float | Formula:
         try:
             behind = calculated(text).behind
         except ValueError:
             behind = "*"
-        if not behind or behind[0].isalpha() or behind[0] == "°":
-            return in_any_unit(text, measures)
+        is_compared = not _COMPARISONS.isdisjoint(behind)  # as in `5 if t < 1 else 0`
+        if not behind or ((behind[0].isalpha() or behind[0] == "°") and not is_compared):
+            return read(text)
         try:
             return read_formula(Excerpt(text, ""), names, words)
         except ReadError:
             with suppress(ValueError):
-                return in_any_unit(text, measures)  # `3 t` is a mass, but `t` in 3*t is the time
+                return read(text)  # `3 t` is a mass, but `t` in 3*t is the time
             raise
 
     return Parsed(expected, parse, 0.0, unit)

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import get_args
 
-from vstatics.core.model.shape import Measure
 from vstatics.core.numerics.lookup_table import LookupTable
 from vstatics.core.readers.named.csv_files import lines_of
 from vstatics.core.readers.named.csv_rows import numbered_rows
 from vstatics.core.readers.named.headings import with_unit, without_titles
-from vstatics.core.readers.named.si_units import measured
+from vstatics.simulation.scenario.given import anything
 
 MOST_TABLE_BYTES = 5_000_000
 """Largest size of a CSV file. [bytes]"""
@@ -70,10 +68,8 @@ def _table(rows: list[tuple[int, list[str]]]) -> LookupTable:
 
 
 def _number(text: str, line: int) -> float:
-    """Return a number in SI units, read without or with any unit."""
-    for measure in get_args(Measure):
-        try:
-            return measured(text.strip(), measure)
-        except ValueError:
-            continue
-    raise ValueError(f"line {line}: read {text.strip()}, expected a number, bare or with its unit")
+    """Return a number in SI units, read without or with any unit, or as a percentage."""
+    try:
+        return anything(text.strip())
+    except ValueError as error:
+        raise ValueError(f"line {line}: read {text.strip()[:40]}, {error}") from None

@@ -22,7 +22,7 @@ _ANGLES = dict.fromkeys(("deg", "°", "degree", "degrees"), math.pi / 180) | {"r
 _PARTS = dict.fromkeys(("%", "pct", "percent"), 0.01) | dict.fromkeys(("‰", "permille"), 0.001)
 _TIMES = (
     *("t", "test time", "cycle time", "elapsed time", "total elapsed time", "total time"),
-    *("timestamp", "time stamp"),
+    *("timestamp", "time stamp", "datetime", "date time"),
 )
 _SECONDS = ("s", "sec", "secs", "second", "seconds", "cycsecs", "<t>")  # for FASTSim, VECTO
 _SPEEDS = (
@@ -30,14 +30,16 @@ _SPEEDS = (
     *("road speed", "cycle speed", "reference speed", "set speed", "speed target"),
 )
 _GRADES = (
-    *("gradient", "grad", "road grade", "road gradient", "incline"),
+    *("gradient", "grad", "road grade", "road gradient", "incline", "inclination"),
     *("cycgrade",),  # for FASTSim
 )
 COLUMNS = (
     TableColumn(
         "time",
         "time",
-        aliases=dict.fromkeys(_TIMES, "") | dict.fromkeys(_SECONDS, "s"),
+        aliases=dict.fromkeys(_TIMES, "")
+        | dict.fromkeys(_SECONDS, "s")
+        | {"minutes": "min", "hours": "h"},
     ),
     TableColumn(
         "speed",

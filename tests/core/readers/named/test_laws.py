@@ -40,10 +40,16 @@ def test_a_file_of_points_stands_beside_the_case(tmp_path: Path) -> None:
         "Rig 5\nSpeed,Oil,Torque\n# warm\nrpm,C,N*m\n0,90,1\n300,90,4\n",
         "torque [N*m],speed [rpm],note\n1,0,\n# by hand\n4,300,warm\n",
         "speed [rpm];torque [N*m]\n0;1,0\n300;4,0\n",
+        "speed [rpm],drag torque [N*m],T [°C]\n0,1,90\n300,4,90\n",
+        "n [rpm],T [Nm]\n0,1\n300,4\n",
+        "RPM,Nm\n0,1\n300,4\n",
     ],
 )
 def test_a_file_of_points_is_that_of_a_test_bench(tmp_path: Path, text: str) -> None:
-    """Sources: github.com/astropy/astropy/issues/8674 (savetxt), readers of cycles and records."""
+    """Sources: github.com/astropy/astropy/issues/8674 (savetxt), readers of cycles and records.
+
+    Headings that are units alone: github.com/GoldenCheetah/GoldenCheetah/issues/1288.
+    """
     (tmp_path / "drag.csv").write_text(text, "utf-8")
     law = load(case_of(tmp_path, "{file: drag.csv}")).drag[2]
     assert isinstance(law, PointLaw)
@@ -69,8 +75,8 @@ def test_a_file_of_points_is_that_of_a_test_bench(tmp_path: Path, text: str) -> 
         ("speed [rpm],torque [N*m]\n0\n", "line 2: expected 2 numbers"),
         ("speed [rpm],torque [N*m]\n0,nan\n", "line 2: torque: read 'nan', expected a torque"),
         (
-            "Nm,rpm\n0,1\n",
-            "line 1: read the heading 'Nm', expected `speed [rad/s]` or `torque [N*m]`",
+            "kNm,rpm\n0,1\n",
+            "line 1: read the heading 'kNm', expected `speed [rad/s]` or `torque [N*m]`",
         ),
         ("x" * 1_000_001, "cannot be read: larger than 1 MB"),
     ],

@@ -77,7 +77,8 @@ EXACT: dict[Measure, dict[Fraction, str]] = {
         KILO: "t*m^2|kN*m*s^2",
         GRAVITY: "kgf*m*s^2|кгс*м*с^2|kp*m*s^2",
         GRAVITY / 100: "kgf*cm*s^2",
-        POUND * FOOT**2: "lb*ft^2|lb ft^2|lb-ft^2|ft^2*lb|pound*foot^2",
+        # convexengineering/gpkit/issues/487: `lbm`, which is never a force
+        POUND * FOOT**2: "lb*ft^2|lb ft^2|lb-ft^2|ft^2*lb|pound*foot^2|lbm*ft^2",
         POUND * INCH**2: "lb*in^2|lb in²",
         POUND / 16 * INCH**2: "oz*in^2",
         LBF_FT: "lbf*ft*s^2|ft-lbf-s^2|lb*ft*s^2",
@@ -87,7 +88,7 @@ EXACT: dict[Measure, dict[Fraction, str]] = {
         ONE: "kg|кг",
         MILLI: "g|г",
         KILO: "t|т",
-        POUND: "lb|lbs|pounds",
+        POUND: "lb|lbs|pounds|lbm|LBM",
         POUND / 16: "oz",
         GRAVITY: "kgf*s^2/m",
     },
@@ -128,10 +129,11 @@ EXACT: dict[Measure, dict[Fraction, str]] = {
         ONE: "Pa|Па|N/m^2|N/m²",
         Fraction(100): "hPa|mbar",
         KILO: "kPa|кПа",
-        Fraction(10**5): "bar|бар",
+        Fraction(10**5): "bar|Bar|бар",
         MEGA: "MPa|МПа|N/mm^2",
         GRAVITY * 10**4: "kgf/cm^2|кгс/см²|kp/cm²",
-        POUND * GRAVITY / INCH**2: "psi|lbf/in^2|lb/in^2",
+        # angularsen/UnitsNet/pull/591: both `5 PSI` and `5 psi`
+        POUND * GRAVITY / INCH**2: "psi|PSI|lbf/in^2|lb/in^2",
     },
     "time": {ONE: "s|sec|с", MILLI: "ms|мс", Fraction(60): "min", Fraction(3600): "h"},
     "velocity": {ONE: "m/s|м/с|m*s^-1", Fraction(1000, 3600): "km/h|км/ч", FOOT: "ft/s"},
@@ -209,7 +211,8 @@ def test_units_as_pint_prints_them() -> None:
     for text in ("kilogram * meter ** 2", "meter**2 * kilogram", "kilogram_meter**2"):
         assert measured(f"0.2 {text}", "inertia") == 0.2
     assert measured("1 slug", "mass") == pytest.approx(14.593903, abs=5e-7)  # NIST SP 811
-    assert measured("1 slug*ft^2", "inertia") == pytest.approx(LBF_FT)
+    for text in ("slug*ft^2", "slugs*ft^2"):  # the plural: nasa/T-MATS/issues/61
+        assert measured(f"1 {text}", "inertia") == pytest.approx(LBF_FT)
 
 
 def test_an_angle_may_be_in_radians() -> None:
@@ -220,7 +223,23 @@ def test_an_angle_may_be_in_radians() -> None:
 def test_other_units_are_none() -> None:
     others = (
         *("", "1/s", "s^-1", "Hz", "1/h", "rad", "1/min/min", "N", "N*m^2", "N*m/rad", "J", "kW*h"),
-        *("K", "degC", "°C", "°F", "kg*m", "nm", "NM", "KW", "kw", "w", "kNM", "MWatt", "g", "%"),
+        *(
+            "lbm",
+            "K",
+            "degC",
+            "°C",
+            "°F",
+            "kg*m",
+            "nm",
+            "NM",
+            "KW",
+            "kw",
+            "w",
+            "kNM",
+            "MWatt",
+            "g",
+            "%",
+        ),
         *("N**m", "N//m", "-Nm", ".Nm", "Nm*", "N*m^9", "N*m^3^3^3^3", "N*m^-1", "rpm rpm", "m"),
         *("N" * LONGEST_UNIT, "N" * 10**6, "kip " * 10, "1/" * 20 + "min", "*" * 40, "^-1" * 13),
     )
@@ -263,6 +282,7 @@ OTHER_UNITS: tuple[tuple[str, Measure, str], ...] = (
     ("3 rpm", "inertia", "; this is a speed"),
     ("3 kgf*m^2", "inertia", "; write a flywheel effect (GD^2) of 4 kgf*m^2 as 1 kg*m^2"),
     ("3 kW", "damping", "; this is a power"),
+    ("3 lbm", "si_torque", "; this is a mass"),
     ("3 kg", "inertia", "; this is a mass"),
     ("3 lb", "length", "; this is a force"),
     ("3 kg*m^2", "mass", "; this is an inertia"),

@@ -238,7 +238,19 @@ def test_maps_that_cannot_be_are_refused_at_their_places() -> None:
         ("[-1, 5]", flat, r"columns\[1\]: read -1, expected a torque of 0 or"),
         ("[0, 5]", "[[9, 1, 1], [0, 1, 1]]", r"rows\[2\]\[1\]: read 0, expected a speed above 9"),
         ("[0, 5]", "[[0, 1, 1], [9, 1]]", r"rows\[2\]: read 2 numbers, expected 3: the speed, and"),
-        ("[0, 5]", "[[0, 1, 0], [9, 1, 1]]", r"rows\[1\]\[3\]: read 0, expected an efficiency"),
+        # an efficiency says nothing where no power flows: sandialabs/WecOptTool/issues/176
+        (
+            "[0, 5]",
+            "[[0, 1, 0], [9, 1, 1]]",
+            r"rows\[1\]\[3\]: read 0, .*1; omit columns of torque 0",
+        ),
+        (
+            "[0, 5]",
+            "[[1, 0, 1], [9, 1, 1]]",
+            r"rows\[1\]\[2\]: read 0, .*1; omit columns of torque 0",
+        ),
+        ("[1, 5]", "[[1, 1, 0], [9, 1, 1]]", r"rows\[1\]\[3\]: read 0, .*above 0 and up to 1 \["),
+        ("[0, 5]", "[[0, 90, 1], [9, 1, 1]]", r"read 90, .* up to 1, such as 0\.9 for 90 % \["),
         ("[0]", "[[0, 1], [9, 1]]", r"columns: read 1, expected two torques or more"),
     ):
         with pytest.raises(ReadError, match=said):

@@ -280,7 +280,8 @@ class _Parser:
             )
         if call:
             words = (*language.functions, *language.of_names)
-            hint = _CASES if name in _OF_CASES else nearest(name, words) or language.instead
+            meant = nearest(_SAME_FUNCTION.get(name, name), words)
+            hint = _CASES if name in _OF_CASES else meant or language.instead
             known = ", ".join(language.functions)
             raise self.source.error(
                 f"there is no function {quoted(name)}, expected {known}{hint}", at
@@ -330,6 +331,8 @@ ELSEWHERE = {
     "÷": "/",
 }
 """Operators of other languages, with the operators of formulas."""
+_SAME_FUNCTION = {"ln": "log", "sgn": "sign"}
+"""Functions of other languages, with the functions of formulas."""
 _OF_CASES = ("if", "where", "step", "heaviside")
 _CASES = "; a comparison is 1 or 0, so write a factor such as `2*(x > 1)`"
 PYTHON = ("lambda", "for", "in", "if", "else", "is", "await", "async", "yield", "from", "import")

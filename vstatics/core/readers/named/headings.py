@@ -35,6 +35,8 @@ _UNIT_BEHIND = re.compile(
     r"(?:\[(?P<bracket>[^\[\]]*)\]?|\((?P<round>[^()]*(?:\([^()]*\)[^()]*)*)\)|,(?P<comma>[^,]*))"
 )
 _OF_NUMBERS = re.compile(r"[-+0-9.,;eE\s\"]*")
+_CLOCK = "hh:mm:ss"
+"""Unit of a time whose cells are clock times or dates."""
 _LONGEST_WITH_UNIT = 200
 NumberedLine = tuple[int, str]
 """Number and text of a line."""
@@ -113,12 +115,14 @@ SHAFT_COLUMNS = (
     TableColumn(
         "speed",
         "si_speed",
-        aliases=dict.fromkeys((*_SPEEDS, *(f"{engine} speed" for engine in _ENGINES)), ""),
+        aliases=dict.fromkeys((*_SPEEDS, *(f"{engine} speed" for engine in _ENGINES)), "")
+        | {"rpm": "rpm"},
     ),
     TableColumn(
         "torque",
         "si_torque",
-        aliases=dict.fromkeys(("m", *(f"{engine} torque" for engine in _ENGINES)), ""),
+        aliases=dict.fromkeys(("m", "t", *(f"{engine} torque" for engine in _ENGINES)), "")
+        | {"nm": "N*m"},
     ),
 )
 """Columns for the speed and torque of a shaft, in this order."""
@@ -137,7 +141,7 @@ def _size_of(unit: str, measure: Measure) -> float:
     >>> _size_of("KM/H", "velocity") == _size_of("km/h", "velocity"), _size_of("MS", "time")
     (True, 0.001)
     """
-    if measure == "time" and unit.casefold() == "hh:mm:ss":  # the cells are clock times
+    if measure == "time" and unit.casefold() == _CLOCK:
         return 1.0
     try:
         return measured(f"1 {unit}", measure)
@@ -290,10 +294,10 @@ class _ExpectedTable(NamedTuple):
     def heading(self, cell: str, place: int) -> Heading | None:
         """Return the heading in a cell; None if its name is unknown."""
         name, unit = with_unit(cell)
-        known = self.named(name)
+        known = self.named(name, unit)
         if known is None and unit is None:
             for front, sign, behind in (name.partition("/"), name.rpartition("_")):
-                named = self.named(front)
+                named = self.named(front, behind.strip())
                 if known is None and named and (sign == "_" or named[0].accepts(behind.strip())):
                     known, unit = named, behind.strip()
         if known is None:
@@ -301,15 +305,19 @@ class _ExpectedTable(NamedTuple):
         column, implied = known
         return Heading(column, place, implied or None if unit is None else unit)
 
-    def named(self, name: str) -> tuple[TableColumn, str] | None:
-        """Return the column that a name or alias means, and the unit that the alias implies."""
+    def named(self, name: str, unit: str | None) -> tuple[TableColumn, str] | None:
+        """Return the column that a name or alias means, and the unit that the alias implies.
+
+        If a name means several columns, such as `t` a time or a torque, the unit decides.
+        """
         name = _folded(name)
-        for column in self.columns:
-            if name == column.name:
-                return column, ""
-            if name in column.aliases:
-                return column, column.aliases[name]
-        return None
+        known = [
+            (column, column.aliases.get(name, ""))
+            for column in self.columns
+            if name == column.name or name in column.aliases
+        ]
+        fitting = (pair for pair in known if pair[0].accepts(unit))
+        return next(fitting, known[0] if known else None)
 
     def checked(
         self, lines: Sequence[NumberedLine], at: int, separator: str, cells: Sequence[str]
@@ -322,7 +330,7 @@ class _ExpectedTable(NamedTuple):
             The message states the text that was read, and the expected headings.
         """
         number = lines[at][0]
-        headings = self.understood(cells)
+        headings = _with_clock(self.understood(cells), lines[at + 1 :], separator)
         places = {heading.place for heading in headings}
         others = [cell for place, cell in enumerate(cells) if place not in places]
         try:
@@ -381,6 +389,20 @@ def _check_units(headings: Sequence[Heading]) -> None:
     """
     for heading in headings:
         _ = heading.size
+
+
+def _with_clock(
+    headings: Sequence[Heading], below: Sequence[NumberedLine], separator: str
+) -> list[Heading]:
+    """Return headings, where a time without a unit above a clock time or a date has theirs."""
+    row = next((cells_of(line, separator) for _, line in below if not is_comment(line)), [])
+    clocks = {at for at, cell in enumerate(row) if ":" in cell and cell.strip()[:1].isdigit()}
+    return [
+        heading._replace(unit=_CLOCK)
+        if heading.column.measure == "time" and heading.unit is None and heading.place in clocks
+        else heading
+        for heading in headings
+    ]
 
 
 def _with_units(headings: Sequence[Heading], row: Sequence[str]) -> list[Heading]:

@@ -32,15 +32,22 @@ _VALUES = {
 _POWERS: Mapping[str, LossUnit] = {"W": "W", "kW": "kW"}
 _LOSSES = {"W": 1.0, "kW": 1000.0, **dict.fromkeys(("N*m", "Nm", "N m", "N\u00b7m"), math.nan)}
 """Units of a loss, with factors to W; a torque has no factor."""
+_LOSS_NAMES = ("power loss", "torque loss", "loss torque", "losses", "p loss")
+_DRAG_NAMES = ("drag torque", "friction torque", "drag", "friction")
 _COLUMNS = {
-    "": SHAFT_COLUMNS,
+    "": (
+        SHAFT_COLUMNS[0],
+        SHAFT_COLUMNS[1]._replace(
+            aliases={**SHAFT_COLUMNS[1].aliases, **dict.fromkeys(_DRAG_NAMES, "")}
+        ),
+    ),
     "efficiency": (
         *SHAFT_COLUMNS,
         TableColumn("efficiency", aliases={"eta": ""}, sizes={"": 1.0, "-": 1.0, "%": 0.01}),
     ),
     "loss": (
         *SHAFT_COLUMNS,
-        TableColumn("loss", aliases={"power loss": ""}, sizes=_LOSSES),
+        TableColumn("loss", aliases=dict.fromkeys(_LOSS_NAMES, ""), sizes=_LOSSES),
     ),
 }
 _Row = tuple[int, list[float]]

@@ -13,6 +13,7 @@ from vstatics.core.model.shape import STRAIGHT, UNIT_OF, InUnit, Measure
 from vstatics.core.readers.named.arithmetic import ARITHMETIC, UnitError, calculated, slip
 from vstatics.core.readers.named.units import (
     LONGEST_UNIT,
+    POUND_MASS,
     Quantity,
     factors,
     has_digits,
@@ -69,7 +70,9 @@ _GRAMS = {
     "т": _Base(_MASS, 1000),
     "kilogram": _Base(_MASS, 1),
     "gram": _Base(_MASS, 1, 1000),
-    "slug": _Base(_MASS, 45359237 * 980665, 10**8 * 30480),  # lbf*s^2/ft
+    **dict.fromkeys(
+        ("slug", "slugs"), _Base(_MASS, 45359237 * 980665, 10**8 * 30480)
+    ),  # lbf*s^2/ft
 }
 _OTHERS = {
     "K": _Base((0, 0, 0, 0, 1), 1),
@@ -88,12 +91,14 @@ _OTHERS = {
     )
     for word in words.split()
 }
-_VELOCITIES = {
+_IN_ANY_LETTERS = {
     "mph": _Base((0, 1, -1, 0, 0), 44704, 10**5),  # a mile of 1609.344 m per hour
     "mps": _Base((0, 1, -1, 0, 0), 1),
     **dict.fromkeys(("kph", "kmh", "kmph"), _Base((0, 1, -1, 0, 0), 10, 36)),
+    POUND_MASS: _Base(_MASS, 45359237, 10**8),
+    **{word: _OTHERS[word] for word in ("bar", "бар", "psi")},
 }
-"""Units of vehicle speed in a single word; upper and lower case are equivalent."""
+"""Units in a single word; upper and lower case are equivalent."""
 _POUNDS = frozenset(("lb", "lbs", "pound", "pounds", "oz", "ounce", "ounces"))
 """Units that are forces in `units`, but masses in a measure with a mass."""
 _MILLISECONDS = frozenset(("ms", "msec", "мс"))
@@ -277,7 +282,7 @@ def _bases(word: str, *, of_words: bool) -> list[_Base]:
         return [_Base(_MASS, above / _STANDARD_GRAVITY, below)]
     if of_words and word in _MILLISECONDS:
         return [_Base(_TIME, 1, 1000)]
-    if known := _OTHERS.get(word) or _VELOCITIES.get(word.casefold()):
+    if known := _OTHERS.get(word) or _IN_ANY_LETTERS.get(word.casefold()):
         return [known]
     whole = factors(word)
     if not _known(whole):

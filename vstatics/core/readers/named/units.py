@@ -100,6 +100,8 @@ _SPELLED = (
 )
 """Spellings of units in words, as pint prints them, and what `unit` reads."""
 _FACTOR = re.compile(r" *([*./-]?) *(1(?= */)|[^\W\d_]+|°)(?:(?:\^|\*\*)?(-?1)(?![0-9]))?")
+POUND_MASS = "lbm"
+"""Pound as a mass, not the product of a pound and a metre."""
 LONGEST_UNIT = 40
 """Maximum number of characters of a unit."""
 
@@ -156,6 +158,8 @@ def factors(word: str) -> list[_Factor]:
     """Split a word into factors: N and m for `Nm`, an unknown factor for `Mm2`."""
     if word == "1":
         return []
+    if word.casefold() == POUND_MASS:
+        return [("?", 1, 1)]
     for end in range(len(word), 0, -1):
         parts = [_factor(part) for part in (word[:end], word[end:]) if part]
         known = [part for part in parts if part]
@@ -194,7 +198,7 @@ _MEANT = {
 """Suggestions for ambiguous or wrong units, by the letters of the unit."""
 
 
-_MASSES = ("kg", "g", "t")
+_MASSES = ("kg", "g", "t", POUND_MASS)
 _MEASURES = ("force", "length", "time", "angle")
 """Kinds of units that messages name as a measure."""
 
