@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from tests.chance import seeded, seeds_with_slow
+from tests.chance import count, seeded, seeds_with_slow
 from tests.simulation.boxes import held, planetary_set, points
 from tests.simulation.control.written import simulated
 from tests.simulation.test_closed_forms import EXACT, links, run
@@ -274,3 +274,22 @@ def test_a_jump_on_a_link_without_inertia_behind_a_spring() -> None:
     sliding = motion.time > 1
     assert motion.speeds[sliding, 1] == pytest.approx(np.full(sliding.sum(), 60.41), rel=1e-9)
     assert np.abs(motion.speeds[sliding, 0] - 60.41).max() <= 130.5 / math.sqrt(2060 * 3) + 1e-9
+
+
+@pytest.mark.parametrize("apart", ["slip('C')", "speed('a') - speed('b')"])
+def test_links_that_stick_to_each_other_have_no_speed_apart(apart: str) -> None:
+    """Constant torques before the clutch locks; then sign(0) = 0, and b alone is pulled."""
+    rng = seeded(71)
+    for _ in range(count(3, 60)):
+        first, second = rng.uniform(0.5, 3), rng.uniform(0.5, 3)
+        slip, push, pull = rng.uniform(5, 30), rng.uniform(5, 20), rng.uniform(10, 60)
+        motion = simulated(
+            f"duration: 3\nstart: {{speeds: {{a: {slip!r}, b: 0}}}}\ncontrols: {{C: 100}}\n"
+            f'torques: {{a: "-{push!r}*sign({apart})", b: {pull!r}}}\n',
+            f"{{inertias: {{a: {first!r}, b: {second!r}}}, gears: {{g: []}}, "
+            "shift_elements: {C: [a, b]}}",
+        )
+        locks = slip / ((100 + push) / first + (100 + pull) / second)
+        speed = (100 + pull) / second * locks + pull / (first + second) * (3 - locks)
+        assert happened(motion) == [("C", "locks", pytest.approx(locks, rel=1e-9))]
+        assert motion.speeds[-1] == pytest.approx([speed, speed], rel=1e-9)
