@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from tests.chance import seeded, seeds_with_slow
+from tests.chance import count, seeded, seeds_with_slow, with_slow
 from tests.simulation.boxes import held, planetary_set, points
 from tests.simulation.control.written import simulated
 from tests.simulation.test_closed_forms import EXACT, links, run
@@ -274,3 +274,56 @@ def test_a_jump_on_a_link_without_inertia_behind_a_spring() -> None:
     sliding = motion.time > 1
     assert motion.speeds[sliding, 1] == pytest.approx(np.full(sliding.sum(), 60.41), rel=1e-9)
     assert np.abs(motion.speeds[sliding, 0] - 60.41).max() <= 130.5 / math.sqrt(2060 * 3) + 1e-9
+
+
+@pytest.mark.parametrize("apart", ["slip('C')", "speed('a') - speed('b')"])
+def test_links_that_stick_to_each_other_have_no_speed_apart(apart: str) -> None:
+    """Constant torques before the clutch locks; then sign(0) = 0, and b alone is pulled."""
+    rng = seeded(71)
+    for _ in range(count(3, 60)):
+        first, second = rng.uniform(0.5, 3), rng.uniform(0.5, 3)
+        slip, push, pull = rng.uniform(5, 30), rng.uniform(5, 20), rng.uniform(10, 60)
+        motion = simulated(
+            f"duration: 3\nstart: {{speeds: {{a: {slip!r}, b: 0}}}}\ncontrols: {{C: 100}}\n"
+            f'torques: {{a: "-{push!r}*sign({apart})", b: {pull!r}}}\n',
+            f"{{inertias: {{a: {first!r}, b: {second!r}}}, gears: {{g: []}}, "
+            "shift_elements: {C: [a, b]}}",
+        )
+        locks = slip / ((100 + push) / first + (100 + pull) / second)
+        speed = (100 + pull) / second * locks + pull / (first + second) * (3 - locks)
+        assert happened(motion) == [("C", "locks", pytest.approx(locks, rel=1e-9))]
+        assert motion.speeds[-1] == pytest.approx([speed, speed], rel=1e-9)
+
+
+@pytest.mark.parametrize("seed", with_slow([111, 126], [107, 118, 132, *range(count(0, 60))]))
+def test_a_motion_leaves_one_of_two_jumps_that_it_meets_at_once(seed: int) -> None:
+    """Two clutches in a row grip above a slip each: as an integrator with narrow ramps finds it."""
+    rng = seeded(seed)
+    inertias = [rng.uniform(0.3, 3) for _ in range(3)]
+    capacities, slips = ([rng.uniform(*ends) for _ in range(2)] for ends in ((40, 150), (2, 15)))
+    loads = [rng.uniform(-20, 20), rng.uniform(-10, 10), rng.uniform(-40, 0)]
+    start = [0.0, rng.uniform(60, 100), rng.uniform(40, 70)]
+    texts = [
+        f"{{a: {one!r}, b: {two!r}, c: {three!r}}}" for one, two, three in (inertias, loads, start)
+    ]
+    controls = [
+        f"{name}: \"{capacity!r}*(abs(slip('{name}')) > {slip!r})\""
+        for name, capacity, slip in zip("CD", capacities, slips, strict=True)
+    ]
+    motion = simulated(
+        f"duration: 1\nstart: {{speeds: {texts[2]}}}\ntorques: {texts[1]}\n"
+        f"controls: {{{', '.join(controls)}}}\n",
+        f"{{inertias: {texts[0]}, shift_elements: {{C: [a, b], D: [b, c]}}, gears: {{g: []}}}}",
+    )
+
+    def change(_t: float, speeds: Floats) -> list[float]:
+        apart = (speeds[:-1] - speeds[1:]).tolist()
+        first, second = (
+            capacity * (1 + math.tanh((abs(slip) - least) / 1e-4)) / 2 * math.tanh(slip / 1e-4)
+            for capacity, slip, least in zip(capacities, apart, slips, strict=True)
+        )
+        torques = loads[0] - first, loads[1] + first - second, loads[2] + second
+        return [torque / inertia for torque, inertia in zip(torques, inertias, strict=True)]
+
+    found = solve_ivp(change, (0.0, 1.0), start, "Radau", rtol=1e-7, atol=1e-8, max_step=0.01)
+    assert motion.speeds[-1] == pytest.approx(found.y[:, -1], abs=5e-3)

@@ -130,6 +130,8 @@ class EventRun:
         """Corners along which the motion slides."""
         self.slides_from = 0.0
         """Time at which the latest of these slides began. [s]"""
+        self.fewer: list[list[CornerPlace]] = []
+        """Parts of these corners along which the motion can slide if not along all."""
         self.smooth: set[CornerPlace] = set()
         """Corners at which a formula could jump, but was continuous when last reached."""
         self.watched: list[tuple[CornerPlace, Awaited]] = []
@@ -166,7 +168,7 @@ class EventRun:
         """Return an independent copy of the run at the present time."""
         copied = copy(self)
         copied.record, copied.meetings = self.record.copy(), deepcopy(self.meetings)
-        copied.sequences = [copy(progress) for progress in self.sequences]
+        copied.sequences, copied.fewer = [copy(each) for each in self.sequences], [*self.fewer]
         return copied
 
     def give(self, step: SequenceStep, values: Mapping[str, float]) -> None:
@@ -310,11 +312,11 @@ class EventRun:
 
     def _meet(self, event: MarginEnd) -> None:
         """Record the corners that an event reaches; raise an error on endless switching there."""
-        for watch in event.watches:
-            if watch.kind != "corner":
-                continue
-            place, judged = self.watched[watch.of]
+        met = [self.watched[watch.of] for watch in event.watches if watch.kind == "corner"]
+        for place, _ in met:
             self.meetings.note(place, event.time)
+        # Another jump can be the reason for the end of a slide, so slides come last.
+        for place, judged in sorted(met, key=lambda each: each[0] in self.slides):
             corner = self.corners[place.corner]
             if not corner.jumps[place.number]:
                 continue
@@ -329,13 +331,19 @@ class EventRun:
                 self.smooth.discard(place)
                 latest = self.meetings.latest(event.time)
                 watched = dict(self.watched)
-                met = [
+                near_jumps = [
                     near
                     for near in dict.fromkeys([place, *latest])
                     if near in watched and self.corners[near.corner].jumps[near.number]
                 ]
-                self._slide([*self.slides, *met])
+                self._slide(list(dict.fromkeys([*self.slides, *near_jumps])))
                 self.slides_from = event.time
+                shares = {slide.share for slide in self.slides.values()}
+                self.fewer = [
+                    [near for near in self.slides if self.slides[near].share != share]
+                    for share in shares
+                    if len(shares) > 1
+                ]
                 return
             if hastens and self.meetings.counts[place] > _MOST_SWITCHES:
                 why = "faster and faster, so the run does not reach its end"
@@ -375,6 +383,8 @@ class EventRun:
             self.smooth |= smooth
             self._slide([place for place in self.slides if place not in smooth])
             return False
+        if not along and equations.time <= self.slides_from and self.fewer:
+            along = self.fewer.pop()
         if not along and equations.time <= self.slides_from:
             why = (
                 "without end: on each side of its jump the motion returns to the other side, and "

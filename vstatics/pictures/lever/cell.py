@@ -156,7 +156,7 @@ def _draw_ground(view: LeverView, row: LeverRow, names: Sequence[str]) -> None:
     if any_freewheel(view.sheet.page.case, names):
         freewheel(view.sheet, (x + 1, y))
         x += FREEWHEEL_WIDTH
-ground(view.sheet, (x, y), style.engaged if names else style.ink)
+    ground(view.sheet, (x, y), style.engaged if names else style.ink)
     if names:
         said, left = _carried(view.gear, names, style), x + GROUND_WIDTH - 8
         # the number after it is 0

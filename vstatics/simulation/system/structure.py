@@ -110,7 +110,7 @@ class MotionStructure:
             left, left_light = split_motions(system.heavy, null(columns.T))
         momenta = self.free.T @ mass
         self.projection = np.asarray(np.linalg.solve(momenta @ self.free, momenta), float)
-        self.light_rates = ports @ self.light
+        self.light_rates = _exact(ports @ self.light)
         self.balances = left_light.T @ forces
         reduced = left.T @ mass @ self.free
         self.accelerations = np.linalg.solve(reduced, left.T @ forces)
@@ -121,7 +121,7 @@ class MotionStructure:
             forces[:, at] = 0.0
             self.free = np.column_stack([self.free, driven])
             self.accelerations = np.vstack([self.accelerations, np.eye(len(ports))[at]])
-        self.rates = ports @ self.free
+        self.rates = _exact(ports @ self.free)
         residual = forces - mass @ self.free @ self.accelerations
         weights = np.array([_weight(system, multiplier) for multiplier in self.multipliers])
         fixed = np.vstack([columns, conditions.T])
@@ -143,6 +143,19 @@ class MotionStructure:
         motions = free.T @ moved
         motions += self.projection @ (moved - free @ motions)
         return np.append(motions, driven) if len(driven) else motions
+
+
+def _exact(rates: Floats) -> Floats:
+    """Return rates of ports in which rates that differ only by rounding are equal, and 0 is 0.
+
+    Formulas can jump where two speeds are equal, such as those of links that stick to each other.
+    """
+    if not rates.size:
+        return rates
+    clean = np.where(np.abs(rates) < ROUNDED_MOTION, 0.0, rates)
+    apart = np.abs(clean[:, None] - clean).max(axis=-1)
+    equal: Floats = clean[(apart < ROUNDED_MOTION).argmax(axis=1)]
+    return equal
 
 
 def _driven(
