@@ -53,7 +53,7 @@ TOGETHER = 32
 """Number of cases whose steps are carried out together."""
 TOGETHER_SECONDS = 0.1
 """Time after which the outcomes of cases no longer wait for steps of other cases."""
-STEPS = 4
+STEPS = 5
 """Number of steps before the result of a case is written."""
 
 

@@ -410,6 +410,8 @@ def case_in_steps(
     regular: bool = False,
 ) -> Steps[CalculatedCase]:
     """Read and calculate a case in steps; see `calculate_one`."""
+    from vstatics.core.statics.solution import explained  # not needed for the help text
+
     name, data = files.file_name(file), b""
     scenario, locate, is_run = None, None, False
     try:
@@ -433,6 +435,8 @@ def case_in_steps(
         locate = reading.locate
         yield
         results = _solved(reading, settings, opens=settings.of_vibration or is_run)
+        yield
+        results = explained(results)
         notes = map(reading.locate, hints(reading.case)) if settings.telling.notes else ()
         each_gear = settings.telling.each_gear
         gear_messages = reading.located_messages(results, each_gear=each_gear)
@@ -482,7 +486,7 @@ def _solved(reading: Reading, settings: CaseOptions, *, opens: bool) -> Results:
             from vstatics.core.model.laws import with_load
 
             case = with_load(case, settings.load)
-        return solution(case, coast=settings.coast, idle=settings.idle)
+        return solution(case, coast=settings.coast, idle=settings.idle, explain=False)
     except CaseError as error:
         raise ReadError(map(reading.locate, error.problems)) from None
 
