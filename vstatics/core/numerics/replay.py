@@ -25,8 +25,7 @@ def _absolute(operand: Floats, _: Floats, result: Floats) -> None:
 
 
 def _choose(margin: Floats, yes: Floats, no: Floats, result: Floats) -> None:
-    np.copyto(result, no)
-    np.copyto(result, yes, where=margin > 0)
+    np.copyto(result, np.where(margin > 0, yes, no))
 
 
 def _store(value: Floats, factor: float, result: Any) -> None:
