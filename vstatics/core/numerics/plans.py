@@ -76,10 +76,6 @@ class Plans:
     def run(self, inputs: Inputs, rows: Rows) -> None:
         """Calculate all variants, and write each result to a row of `rows`."""
         total = inputs.values.shape[1]
-        if total == 1:
-            for plan in self.plans:
-                if not plan.signed and plan.run_one(inputs, rows):
-                    return
         usable = [plan for plan in self.plans if not plan.signed or total > 1]
         self.calls += 1
         left = np.arange(total)
@@ -91,6 +87,20 @@ class Plans:
         self._alone(inputs, rows, left)
         # This is a new list, because another thread can be using the old list.
         self.plans = sorted(self.plans, key=lambda plan: (plan.signed, -plan.served))
+
+    def run_one(self, values: Floats, results: int) -> Sequence[float]:
+        """Return the results of a single variant; `results` is their number.
+
+        The array `values` of inputs has the shape (inputs, 1).
+        """
+        numbers = values[:, 0].tolist()
+        for plan in self.plans:
+            if not plan.signed and (found := plan.run_one(numbers)):
+                return found
+        rows = np.empty((results, 1))
+        self.run(prepared(values), Rows([*rows]))
+        of_all: list[float] = rows[:, 0].tolist()
+        return of_all
 
     def _with_new_plans(self, inputs: Inputs, rows: Rows, left: Integers) -> Integers:
         """Record plans while this saves time; return the variants that remain without a plan."""
@@ -259,15 +269,15 @@ class Plan:
         self.replay.run(self.numbers(inputs), rows, passed)
         return passed
 
-    def run_one(self, inputs: Inputs, rows: Rows) -> bool:
-        """Write the results of a single variant, and return whether the plan applies."""
-        for (number, _), (low, high) in zip(inputs.ranges, self.ranges, strict=True):
+    def run_one(self, numbers: Sequence[float]) -> list[float] | None:
+        """Return the results of a single variant, or None if the plan does not apply."""
+        for number, (low, high) in zip(numbers, self.ranges, strict=True):
             if not low <= number <= high:
-                return False
+                return None
         try:
-            return self.replay.run_one(self.numbers(inputs)[:, 0].tolist(), rows)
+            return self.replay.run_one(map(abs, numbers))
         except ZeroDivisionError:  # a divisor can underflow to 0
-            return False
+            return None
 
 
 def plan_of_one_sign(function: Function, inputs: Inputs, place: int, widening: float) -> Plan:

@@ -25,8 +25,7 @@ def _absolute(operand: Floats, _: Floats, result: Floats) -> None:
 
 
 def _choose(margin: Floats, yes: Floats, no: Floats, result: Floats) -> None:
-    np.copyto(result, no)
-    np.copyto(result, yes, where=margin > 0)
+    np.copyto(result, np.where(margin > 0, yes, no))
 
 
 def _store(value: Floats, factor: float, result: Any) -> None:
@@ -110,7 +109,6 @@ class Replay(NamedTuple):
     follow in reverse order, so that negative numbers count them from the end.
     """
 
-    inputs: int
     steps: Sequence[Step]
     working: int
     """Number of working arrays."""
@@ -120,6 +118,10 @@ class Replay(NamedTuple):
     """Results that vary and results that are constant."""
     plain_steps: Sequence[PlainStep]
     """Steps with the functions for floats."""
+    after_inputs: Sequence[float]
+    """Cells after the inputs for `run_one`: zeros, constants of steps, constant results."""
+    results: Sequence[int]
+    """Cells of the results for `run_one`."""
 
     def run(self, magnitudes: Floats, rows: Rows, passed: Booleans) -> None:
         """Write the results of all variants, and set `passed` to False where a guard fails.
@@ -152,22 +154,19 @@ class Replay(NamedTuple):
                     function(cells[first], cells[second], cells[third], cells[result])
             passed[part] &= holds[:, :size].all(axis=0)
 
-    def run_one(self, magnitudes: Sequence[float], rows: Rows) -> bool:
-        """Write the results of a single variant of fixed sign, and return whether the guards pass.
+    def run_one(self, magnitudes: Iterable[float]) -> list[float] | None:
+        """Return the results of a single variant of fixed sign, or None if a guard fails.
 
         Floats take a quarter of the time of arrays with a single number.
         """
-        none = [0.0] * (len(self.layout.varied) + self.working)
-        cells = [*magnitudes, *none, *self.plain]
+        cells = [*magnitudes, *self.after_inputs]
         for function, first, second, result in self.plain_steps:
             number = function(cells[first], cells[second])
             if result is not None:
                 cells[result] = number
             elif not number:
-                return False
-        for array, value in zip(rows.lay_out(self.layout), cells[self.inputs :], strict=False):
-            array[0] = value
-        return True
+                return None
+        return [cells[cell] for cell in self.results]
 
 
 def replay(tape: Tape, results: Sequence[Number | Residual | Truth]) -> Replay:
@@ -201,15 +200,22 @@ def replay(tape: Tape, results: Sequence[Number | Residual | Truth]) -> Replay:
             steps.append(Step(function, PLAIN.get(name, _of_arrays), *operands, cell, more))
             steps += cells.copied(slot, copies)
     varies = set(varied)
-    constants = [(row, value) for row, value in enumerate(results) if row not in varies]
-    count = tape.inputs + len(varied) + cells.working + len(cells.plain)
+    constants: list[tuple[int, Any]] = [
+        (row, value) for row, value in enumerate(results) if row not in varies
+    ]
+    plain = [constant.number for constant in reversed(cells.plain)]
+    unknown = len(varied) + cells.working
+    count = tape.inputs + unknown + len(plain)
+    cell_of = {row: cell for cell, row in enumerate(varied, tape.inputs)}
+    cell_of |= {row: cell for cell, (row, _) in enumerate(constants, count)}
     return Replay(
-        tape.inputs,
         steps,
         cells.working,
-        [plain.number for plain in reversed(cells.plain)],
+        plain,
         Layout(varied, constants),
         [(step.plain, step.first % count, step.second % count, step.result) for step in steps],
+        [*[0.0] * unknown, *plain, *(value for _, value in constants)],
+        [cell_of[row] for row in range(len(results))],
     )
 
 

@@ -30,8 +30,12 @@ def solution(  # noqa: PLR0913
     coast: bool | None = None,
     idle: IdleConvention | None = None,
     vary: Mapping[str, ArrayLike] | None = None,
+    explain: bool = True,
 ) -> Results:
-    """Return the results of `solve` without checking the types of the arguments."""
+    """Return the results of `solve` without checking the types of the arguments.
+
+    If `explain` is False, `explained` must add the messages about the gears of a case.
+    """
     if case.depends:
         from vstatics.core.model.laws import (
             of_sought_ratios,
@@ -63,9 +67,19 @@ def solution(  # noqa: PLR0913
         arrays = solve_variants(case, u, eta, math.prod(axes))
     if axes == ():
         results = Results(case=case, **{name: array[0] for name, array in arrays.items()})
-        return results._replace(messages=tuple(diagnosis.messages(results, case)))
+        return explained(results) if explain else results
     shaped = {name: array.reshape(*axes, *array.shape[1:]) for name, array in arrays.items()}
     return Results(case=case, **shaped)
+
+
+def explained(results: Results) -> Results:
+    """Return the results of a case with messages about the gears.
+
+    Results at operating points already contain the messages.
+    """
+    if results.points is not None:
+        return results
+    return results._replace(messages=tuple(diagnosis.messages(results, results.case)))
 
 
 def _with_numbers(case: Transmission, u: Floats | None, eta: Floats | None) -> Transmission:

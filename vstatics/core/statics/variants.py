@@ -7,6 +7,7 @@ import threading
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from dataclasses import fields
 from functools import lru_cache, partial
+from itertools import accumulate
 from operator import attrgetter
 from typing import Any, Literal, get_args
 
@@ -19,7 +20,7 @@ from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Tran
 from vstatics.core.numerics import memory
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.memory import Form
-from vstatics.core.numerics.plans import Function, Inputs, Plans, prepared
+from vstatics.core.numerics.plans import Function, Plans, prepared
 from vstatics.core.numerics.signed import Condition
 from vstatics.core.numerics.tape import Residual
 from vstatics.core.numerics.traced import Number
@@ -82,41 +83,80 @@ def solve_variants(
     by_gear : sequence of mapping
         For each gear, the numbers that vary only in this gear.
     """
-    fixed, inputs = _inputs(case, ratios, efficiencies, variants)
-    counts = case.derived(row_counts)
-    empty = HOLDING if not any(gear.speeds for gear in case.gears) else frozenset()
-    empty |= SLIPPING if not any(gear.slip for gear in case.gears) else frozenset()
-    block = memory.block(_forms(tuple(counts.items()), len(case.gears), variants, empty))
-    names = tuple(block.forms)
+    fixed, values = _inputs(case, ratios, efficiencies, variants)
+    widths = case.derived(_widths)
+    names = tuple(widths)
     structure = (*_case_key(case), tuple(fixed), names)
     gear_keys = case.derived(_gear_keys)
-    for number, gear in enumerate(case.gears_with_drag if variants else ()):
-        key, gear_inputs, numbers = (*structure, *gear_keys[number]), NO_GEAR_INPUTS, inputs
+    calls = []
+    for number, gear in enumerate(case.gears_with_drag):
+        key, gear_inputs, numbers = (*structure, *gear_keys[number]), NO_GEAR_INPUTS, values
         if by_gear:
             gear_inputs = _gear_inputs(by_gear[number])
             of_gear = _gear_key(case, gear_inputs.left_out_of(gear))
             key = (*structure, *gear_inputs.key, *of_gear)
         if gear_inputs.rows:
-            numbers = prepared(np.vstack([inputs.values, *gear_inputs.rows]))
+            numbers = np.vstack([values, *gear_inputs.rows])
         function = partial(_function, case, gear, fixed, names, gear_inputs)
-        _remembered(key, function).run(numbers, block.gears[number])
-    tables = memory.shown(block)
-    arrays = {}
-    for name, width in counts.items():
-        table = tables.get(name)
-        if table is None:
-            shape = variants, len(case.gears), width or 0
-            arrays[name] = _placeholder(
-                ARRAYS[name].dtype, shape, 0.0 if name in SLIPPING else math.nan
-            )
-        else:
-            arrays[name] = table[:, 0].T if width is None else table.transpose(2, 0, 1)
-    return arrays
+        calls.append((_remembered(key, function), numbers))
+    tables = _tables_of_one(calls, widths) if variants == 1 else _tables(calls, widths, values)
+    shape = variants, len(case.gears)
+    return {
+        name: _placeholder(name, (*shape, width or 0))
+        if (table := tables.get(name)) is None
+        else table[..., 0]
+        if width is None
+        else table
+        for name, width in case.derived(row_counts).items()
+    }
+
+
+def _widths(case: Transmission) -> dict[str, int]:
+    """Return the number of rows of each array of `Results` that needs memory.
+
+    Arrays without rows and arrays of equal values need no memory. The largest data type is first.
+    """
+    empty = HOLDING if not any(gear.speeds for gear in case.gears) else frozenset()
+    empty |= SLIPPING if not any(gear.slip for gear in case.gears) else frozenset()
+    counts = row_counts(case).items()
+    widths = {name: 1 if n is None else n for name, n in counts if n != 0 and name not in empty}
+    return dict(sorted(widths.items(), key=lambda item: -np.dtype(ARRAYS[item[0]].dtype).itemsize))
+
+
+def _tables(
+    calls: Sequence[tuple[Plans, Floats]], widths: Mapping[str, int], values: Floats
+) -> dict[str, Any]:
+    """Return read-only tables of shape (variants, gears, rows) from the plans of each gear."""
+    variants = values.shape[1]
+    forms = {
+        name: Form((len(calls), width, variants), ARRAYS[name].dtype)
+        for name, width in widths.items()
+    }
+    block, inputs = memory.block(forms), prepared(values)
+    for rows, (plans, numbers) in zip(block.gears, calls, strict=True):
+        plans.run(inputs if numbers is values else prepared(numbers), rows)
+    return {name: table.transpose(2, 0, 1) for name, table in memory.shown(block).items()}
+
+
+def _tables_of_one(
+    calls: Sequence[tuple[Plans, Floats]], widths: Mapping[str, int]
+) -> dict[str, Any]:
+    """Return the tables of a single variant."""
+    count = sum(widths.values())
+    numbers = np.array([[plans.run_one(values, count) for plans, values in calls]], np.float64)
+    by_kind: dict[type, Any] = {}
+    for kind in {ARRAYS[name].dtype for name in widths}:
+        by_kind[kind] = numbers.astype(kind)
+        by_kind[kind].flags.writeable = False
+    return {
+        name: by_kind[ARRAYS[name].dtype][..., end - width : end]
+        for (name, width), end in zip(widths.items(), accumulate(widths.values()), strict=True)
+    }
 
 
 def _inputs(
     case: Transmission, ratios: Floats | None, efficiencies: Floats | None, variants: int
-) -> tuple[list[float | None], Inputs]:
+) -> tuple[list[float | None], Floats]:
     """Return the constant numbers (None for numbers that vary), and the numbers that vary.
 
     For a single variant all numbers count as varying, so that other cases with the same structure
@@ -127,8 +167,7 @@ def _inputs(
     defaults = [1.0 if math.isnan(mechanism.ratio) else mechanism.ratio for mechanism in mechanisms]
     defaults += [mechanism.efficiency for mechanism in mechanisms]
     if variants == 1 and ratios is None and efficiencies is None:
-        single = np.array(defaults, dtype=np.float64)[:, np.newaxis]
-        return [None] * len(defaults), prepared(single)
+        return [None] * len(defaults), np.array(defaults, dtype=np.float64)[:, np.newaxis]
     given = _columns(ratios, len(mechanisms)) + _columns(efficiencies, len(mechanisms))
     fixed: list[float | None] = []
     varied = []
@@ -143,7 +182,7 @@ def _inputs(
     values = np.empty((len(varied), variants))
     for row, column in zip(values, varied, strict=True):
         row[:] = column
-    return fixed, prepared(values)
+    return fixed, values
 
 
 class _GearInputs(NamedTuple):
@@ -209,25 +248,10 @@ def _columns(given: Floats | None, mechanisms: int) -> list[Any]:
 
 
 @lru_cache(maxsize=REMEMBERED)
-def _forms(
-    counts: tuple[tuple[str, int | None], ...], gears: int, variants: int, empty: frozenset[str]
-) -> dict[str, Form]:
-    """Return the shapes and types of the arrays of `Results`, largest type first.
-
-    Arrays without rows and the arrays in `empty` are left out, because they need no memory.
-    """
-    forms = {
-        name: Form((gears, 1 if width is None else width, variants), ARRAYS[name].dtype)
-        for name, width in counts
-        if width != 0 and name not in empty
-    }
-    return dict(sorted(forms.items(), key=lambda item: -np.dtype(item[1].kind).itemsize))
-
-
-@lru_cache(maxsize=REMEMBERED)
-def _placeholder(kind: type, shape: tuple[int, ...], value: float) -> Any:
-    """Return a read-only array of equal values (True for booleans) that needs no memory."""
-    return np.broadcast_to(kind(value), shape)
+def _placeholder(name: str, shape: tuple[int, int, int]) -> Any:
+    """Return a read-only array of equal values (True for flags) that needs no memory."""
+    value = 0.0 if name in SLIPPING else math.nan
+    return np.broadcast_to(ARRAYS[name].dtype(value), shape)
 
 
 WITHOUT_EFFECT: dict[type, frozenset[str]] = {

@@ -2,13 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
+from itertools import islice
+from time import perf_counter
 from typing import NamedTuple
 
 import click
 
 from vstatics.core.cli.shared import files, texts
 from vstatics.core.cli.shared.case_tasks import CaseTask
-from vstatics.core.cli.shared.cases import CalculatedCase, calculate_one, unexpected
+from vstatics.core.cli.shared.cases import (
+    CalculatedCase,
+    Steps,
+    case_in_steps,
+    completed,
+    unexpected,
+)
 from vstatics.core.cli.shared.texts import Job
 from vstatics.core.errors import Problem, ReadError, of_file
 from vstatics.core.jobs.alone import Rules
@@ -37,7 +46,42 @@ class Done(NamedTuple):
 
 def calculate_and_write(job: Job, task: CaseTask) -> Done:
     """Read, calculate and write a case; return all errors as problems."""
-    case, shown = _shown_of_case(job, calculate_one(task.file, job.options))
+    return completed(_in_steps(job, task))
+
+
+TOGETHER = 32
+"""Number of cases whose steps are carried out together."""
+TOGETHER_SECONDS = 0.1
+"""Time after which the outcomes of cases no longer wait for steps of other cases."""
+STEPS = 5
+"""Number of steps before the result of a case is written."""
+
+
+def in_groups(job: Job, tasks: Iterable[CaseTask]) -> Iterator[Done]:
+    """Yield the outcomes of cases, calculated by this process in groups.
+
+    Each step is carried out for all cases of a group before the next step. Many small cases take
+    three quarters of the time in this way, because code and data stay in the processor's cache.
+    """
+    remaining = iter(tasks)
+    while group := [_with_outcome(job, task) for task in islice(remaining, TOGETHER)]:
+        outcomes: list[Done | None] = [None] * len(group)
+        end = perf_counter() + TOGETHER_SECONDS
+        for _ in range(STEPS):
+            for number, steps in enumerate(group):
+                if perf_counter() < end:
+                    outcomes[number] = outcomes[number] or next(steps)
+        for outcome, steps in zip(outcomes, group, strict=True):
+            yield outcome or next(filter(None, steps))
+
+
+def _with_outcome(job: Job, task: CaseTask) -> Iterator[Done | None]:
+    """Yield None after each step of a case, then the outcome."""
+    yield (yield from _in_steps(job, task))
+
+
+def _in_steps(job: Job, task: CaseTask) -> Steps[Done]:
+    case, shown = _shown_of_case(job, (yield from case_in_steps(task.file, job.options)))
     file, problems = case.file, case.problems
     try:
         if task.target is None or job.finished is None:
@@ -48,6 +92,7 @@ def calculate_and_write(job: Job, task: CaseTask) -> Done:
         if shown is None or case.results is None:
             return Done(file, problems, left=set_pages_aside(task.target))
         result = texts.alone(file, shown, job.to)
+        yield
         named_files = _named_files(case)
         job.finished.put(task.target, result, case.data, named_files, failed=case.failed)
     except ReadError as error:  # a page would overwrite a file that is not a page

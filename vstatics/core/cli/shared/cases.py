@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, get_args
+from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar, get_args
 
 import click
 from click.core import ParameterSource
@@ -214,6 +214,11 @@ def language(of: str, *more: str) -> Callable[[Command], Command]:
     )
 
 
+Value = TypeVar("Value")
+Steps: TypeAlias = Generator[None, None, Value]
+"""Work in steps. Many cases take less time step by step; see `case_work.in_groups`."""
+
+
 class CalculatedCase(NamedTuple):
     """Outcome of a case: results and problems, or only problems."""
 
@@ -384,6 +389,29 @@ def calculate_one(
     `texts` contains texts that are read instead of the files with these names. If `regular` is
     True, pipes and devices are not accepted.
     """
+    return completed(case_in_steps(file, settings, texts, regular=regular))
+
+
+def completed(steps: Steps[Value]) -> Value:
+    """Carry out the remaining steps of some work, and return the result."""
+    while True:
+        try:
+            next(steps)
+        except StopIteration as end:
+            value: Value = end.value
+            return value
+
+
+def case_in_steps(
+    file: str,
+    settings: CaseOptions,
+    texts: Mapping[str, bytes] = documents.NO_TEXTS,
+    *,
+    regular: bool = False,
+) -> Steps[CalculatedCase]:
+    """Read and calculate a case in steps; see `calculate_one`."""
+    from vstatics.core.statics.solution import explained  # not needed for the help text
+
     name, data = files.file_name(file), b""
     scenario, locate, is_run = None, None, False
     try:
@@ -391,6 +419,7 @@ def calculate_one(
             data, name = texts[file], file
         else:
             data, name = files.read_input(file, regular=regular)
+        yield
         with_case = None
         if settings.scenarios:
             from vstatics.core.readers.kinds import document_function  # costs start-up time
@@ -404,7 +433,10 @@ def calculate_one(
             reading = readers.read(data, name, settings.input_format)
             reading = reading.allowing(settings.telling.allow)
         locate = reading.locate
+        yield
         results = _solved(reading, settings, opens=settings.of_vibration or is_run)
+        yield
+        results = explained(results)
         notes = map(reading.locate, hints(reading.case)) if settings.telling.notes else ()
         each_gear = settings.telling.each_gear
         gear_messages = reading.located_messages(results, each_gear=each_gear)
@@ -454,7 +486,7 @@ def _solved(reading: Reading, settings: CaseOptions, *, opens: bool) -> Results:
             from vstatics.core.model.laws import with_load
 
             case = with_load(case, settings.load)
-        return solution(case, coast=settings.coast, idle=settings.idle)
+        return solution(case, coast=settings.coast, idle=settings.idle, explain=False)
     except CaseError as error:
         raise ReadError(map(reading.locate, error.problems)) from None
 

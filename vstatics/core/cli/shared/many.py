@@ -10,7 +10,7 @@ import click
 
 from vstatics.core.cli.shared import files, texts
 from vstatics.core.cli.shared.case_tasks import CaseTask, tasks
-from vstatics.core.cli.shared.case_work import RULES_OF_CASES, Done, calculate_and_write
+from vstatics.core.cli.shared.case_work import RULES_OF_CASES, Done, calculate_and_write, in_groups
 from vstatics.core.cli.shared.exit_status import DONE, FAILED, stopped_by
 from vstatics.core.cli.shared.formats import STREAMS
 from vstatics.core.cli.shared.problems import Telling
@@ -242,6 +242,9 @@ def _in_order(
 @contextmanager
 def _results(job: Job, todo: Sequence[CaseTask], jobs: int) -> Iterator[Iterator[Done]]:
     """Yield an iterator of the outcomes of cases in their order, calculated by `jobs` processes."""
+    if min(jobs, len(todo)) <= 1:
+        yield in_groups(job, todo)
+        return
     with workers(job, str, jobs=min(jobs, len(todo)), rules=RULES_OF_CASES) as called:
         yield (done for _, done in called.each(calculate_and_write, todo, ordered=True))
 
