@@ -49,6 +49,11 @@ _PLACES = 65
 _NEAR = np.append(2.0 ** np.arange(-32, 0), 1.0)
 """Fractions of an interval at which a margin that begins at 0 is evaluated."""
 
+_STRAIGHT = 1e-7
+"""Largest move along the tangent of a motion, relative to the time step, in a Newton step.
+
+The error is the square of this ratio.
+"""
 _CONSTANT = 1e-4
 """Largest change of a constant margin, relative to the violation that counts as rounding."""
 
@@ -372,12 +377,15 @@ class Finder:
         near = AHEAD * length
         for _ in range(2):
             now = float(self.margins.at(time, state)[index])
-            ahead = state + near * self.equations.derivative(time, state)
+            change = self.equations.derivative(time, state)
+            ahead = state + near * change
             slope = (float(self.margins.at(time + near, ahead)[index]) - now) / near
             better = time - now / slope if slope < 0 else time
             if abs(better - time) < ROOT_TIME * max(1.0, time):
                 break
             if not step.start < better <= step.end or abs(better - time) > 0.1 * length:
                 break
+            if abs(better - time) <= _STRAIGHT * length:
+                return better, state + (better - time) * change
             time, state = better, step.exact(better)
         return time, state

@@ -40,6 +40,22 @@ class Curves(NamedTuple):
     """Values at the nodes, shape (columns, parts, nodes)."""
 
 
+def joined_curves(curves: Sequence[Curves]) -> list[Curves]:
+    """Return curves in which the parts of all curves with the same nodes are joined."""
+    by_nodes: dict[tuple[float, ...], list[Curves]] = {}
+    for curve in curves:
+        by_nodes.setdefault(curve.nodes, []).append(curve)
+    return [
+        Curves(
+            np.concatenate([part.begins for part in same]),
+            np.concatenate([part.lengths for part in same]),
+            nodes,
+            np.concatenate([part.values for part in same], axis=1),
+        )
+        for nodes, same in by_nodes.items()
+    ]
+
+
 class CurveRanges(NamedTuple):
     """Least and largest value of each column; `size` is infinite for constant columns."""
 
@@ -107,34 +123,41 @@ def _counts(curves: Curves, column_ranges: CurveRanges) -> Integers:
     return np.asarray(np.maximum(1, np.ceil(np.sqrt(np.minimum(chords, _MOST_CHORDS)))), dtype=int)
 
 
-def extreme_times(curves: Sequence[Curves], column_ranges: CurveRanges) -> list[Floats]:
-    """Return, for each curve, the times at which columns are largest or least [s].
+def extreme_times(
+    curves: Sequence[Curves], together: Sequence[Curves], column_ranges: CurveRanges
+) -> Floats:
+    """Return the times at which columns are largest or least [s].
 
     The first of several equal extremes is included.
+
+    Parameters
+    ----------
+    together : sequence of Curves
+        Result of `joined_curves`.
 
     Examples
     --------
     >>> nodes = (0.0, 0.3, 0.7, 1.0)
     >>> values = np.array([[[x * (1 - x) for x in nodes]]])
-    >>> curve = Curves(np.zeros(1), np.full(1, 2.0), nodes, values)
-    >>> [times] = extreme_times([curve], ranges([curve], [slice(None)]))
+    >>> curves = [Curves(np.zeros(1), np.full(1, 2.0), nodes, values)]
+    >>> times = extreme_times(curves, joined_curves(curves), ranges(curves, [slice(None)]))
     >>> sorted(set(times.round(9).tolist()))
     [0.0, 1.0]
     """
-    if not np.isfinite(column_ranges.size).any():  # all columns are constant
-        return [np.zeros(0) for _ in curves]
-    candidates = [_turns(curve, column_ranges) for curve in curves]
+    moving = np.flatnonzero(np.isfinite(column_ranges.size))
+    if not len(moving):  # all columns are constant
+        return np.zeros(0)
+    candidates = [_outermost(curve, moving) for curve in curves]
+    candidates += [_turns(curve, moving, column_ranges) for curve in together]
     columns, times, values = (np.concatenate(parts) for parts in zip(*candidates, strict=True))
-    owner = np.repeat(np.arange(len(curves)), [len(turns.columns) for turns in candidates])
     near = EQUAL_EXTREMES * column_ranges.size
-    chosen: list[list[float]] = [[] for _ in curves]
-    for column in np.flatnonzero(np.isfinite(column_ranges.size)).tolist():
+    chosen: list[float] = []
+    for column in moving.tolist():
         places = np.flatnonzero(columns == column)
         for heights in (values[places], -values[places]):
             equal = places[heights >= heights.max() - near[column]]
-            for place in (places[heights.argmax()], equal[times[equal].argmin()]):
-                chosen[owner[place]].append(float(times[place]))
-    return [np.array(times_of_curve) for times_of_curve in chosen]
+            chosen += times[[places[heights.argmax()], equal[times[equal].argmin()]]].tolist()
+    return np.array(chosen)
 
 
 class _Turns(NamedTuple):
@@ -146,10 +169,9 @@ class _Turns(NamedTuple):
     values: Floats
 
 
-def _turns(curves: Curves, column_ranges: CurveRanges) -> _Turns:
-    """Return the highest and lowest nodes of columns, and turning points nearly as high or low."""
-    moving, nodes = np.flatnonzero(np.isfinite(column_ranges.size)), np.array(curves.nodes)
-    values = curves.values[moving]
+def _outermost(curves: Curves, moving: Integers) -> _Turns:
+    """Return the highest and lowest nodes of columns."""
+    nodes, values = np.array(curves.nodes), curves.values[moving]
     flat = values.reshape(len(values), -1)
     highest, lowest = flat.argmax(axis=1), flat.argmin(axis=1)
     unknown = np.isnan(flat)
@@ -158,23 +180,26 @@ def _turns(curves: Curves, column_ranges: CurveRanges) -> _Turns:
         lowest = np.where(unknown, np.inf, flat).argmin(axis=1)
     parts, at = np.divmod(np.concatenate([highest, lowest]), len(nodes))
     twice = np.concatenate([moving, moving])
-    candidates = [_Turns(twice, _times(curves, parts, nodes[at]), curves.values[twice, parts, at])]
+    return _Turns(twice, _times(curves, parts, nodes[at]), curves.values[twice, parts, at])
+
+
+def _turns(curves: Curves, moving: Integers, column_ranges: CurveRanges) -> _Turns:
+    """Return the turning points of columns that are nearly as high or low as the extremes."""
+    nodes, values = np.array(curves.nodes), curves.values[moving]
     polynomials = _polynomials(curves.nodes)
     rises = _risen(values)
     up = rises @ polynomials.slopes.T > 0
     turns = up[..., :-1] != up[..., 1:]
-    if turns.any():
-        room = (_NEAR_TOP * column_ranges.size[moving])[:, None, None]
-        high = values >= column_ranges.largest[moving, None, None] - room
-        low = values <= column_ranges.least[moving, None, None] + room
-        extreme = high | low
-        turns &= extreme[..., :-1] | extreme[..., 1:]
-        column, part, node = np.nonzero(turns)
-        powers = rises[column, part] @ polynomials.powers.T
-        place = _turning(powers, nodes[node], nodes[node + 1])
-        reached = values[column, part, 0] + _values_at(powers, place)
-        candidates.append(_Turns(moving[column], _times(curves, part, place), reached))
-    return _Turns(*(np.concatenate(fields) for fields in zip(*candidates, strict=True)))
+    room = (_NEAR_TOP * column_ranges.size[moving])[:, None, None]
+    high = values >= column_ranges.largest[moving, None, None] - room
+    low = values <= column_ranges.least[moving, None, None] + room
+    extreme = high | low
+    turns &= extreme[..., :-1] | extreme[..., 1:]
+    column, part, node = np.nonzero(turns)
+    powers = rises[column, part] @ polynomials.powers.T
+    place = _turning(powers, nodes[node], nodes[node + 1])
+    reached = values[column, part, 0] + _values_at(powers, place)
+    return _Turns(moving[column], _times(curves, part, place), reached)
 
 
 def _turning(powers: Floats, low: Floats, high: Floats) -> Floats:

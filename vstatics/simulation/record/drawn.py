@@ -15,6 +15,7 @@ from vstatics.simulation.record.curves import (
     Curves,
     drawn_times,
     extreme_times,
+    joined_curves,
     ranges,
 )
 from vstatics.simulation.record.moments import Moments
@@ -151,18 +152,19 @@ class DrawnRun:
         if not courses:
             return
         curves = [course.curves for course in courses]
-        table = self.table
+        table, together = self.table, joined_curves(curves)
         moves = slice(table.speeds.start, table.slips.stop)
-        column_ranges = self._ranges = ranges(curves, [moves, *table.kinds[2:]], self._ranges)
+        column_ranges = self._ranges = ranges(together, [moves, *table.kinds[2:]], self._ranges)
         parts = sum(len(curve.begins) for curve in curves)
         self._parts += parts
         room = most * parts // self._parts if self._is_thin else most - len(self.times)
         drawn, extremes = (
-            drawn_times(curves, column_ranges, room),
-            extreme_times(curves, column_ranges),
+            drawn_times(together, column_ranges, room),
+            extreme_times(curves, together, column_ranges),
         )
-        for course, *times in zip(courses, drawn, extremes, strict=True):
-            inside, piece = course.inside(np.concatenate(times)), pieces[course.piece]
+        times = np.concatenate([*drawn, extremes])
+        for course in courses:
+            inside, piece = course.inside(times), pieces[course.piece]
             if piece.margins.shared and not hurried:
                 inside = self._with_corners(piece, course, inside, column_ranges.size)
             yield course, inside

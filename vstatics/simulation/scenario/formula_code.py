@@ -126,7 +126,8 @@ def compiled(tree: Tree, seen: Sequence[Seen] = ()) -> Function:
         try:
             return plain(time, *known)
         except (ArithmeticError, ValueError):
-            return along()(np.array([time]), *known).item()
+            with np.errstate(all="ignore"):
+                return along()(np.array([time]), *known).item()
 
     return function
 
@@ -135,7 +136,7 @@ def compiled_along(tree: Tree, seen: Sequence[Seen] = ()) -> Callable[..., Float
     """Compile a tree to a function for many times.
 
     Its first argument is an array of times; each other argument is an array of the same shape or a
-    number.
+    number. Callers ignore the floating-point errors of NumPy, once for many evaluations.
 
     Examples
     --------
@@ -150,8 +151,7 @@ def compiled_along(tree: Tree, seen: Sequence[Seen] = ()) -> Callable[..., Float
 
     def function(times: Floats, *known: Floats | float) -> Floats:
         result: Floats = np.empty(times.shape)
-        with np.errstate(all="ignore"):
-            result[...] = broad(times, *known)
+        result[...] = broad(times, *known)
         return result
 
     return function
