@@ -154,7 +154,7 @@ def test_shipped_boxes_can_be_built_and_have_all_that_is_theirs(
     assert {one.get("data-port") for one in of_class(root, "port")} == {"input", "output"}
 
 
-@pytest.mark.parametrize("seed", with_slow(range(6), range(100, 130)))
+@pytest.mark.parametrize("seed", with_slow([3, 0, 1, 2, 4, 5], range(100, 130)))
 def test_boxes_made_by_chance_can_be_built(seed: int) -> None:
     case = countershaft_box(random.Random(seed))  # noqa: S311 - no secret
     check_built(case, svg_of(case))
