@@ -70,8 +70,8 @@ GEARED = BRAKE.replace("[a]", "[a, b]") + "mechanisms: {m: {first: a, second: b,
 @pytest.mark.parametrize(
     ("control", "below", "above"),
     [
-        ("60*(speed('a') > 0)", 0, 60),
         ("25 - 15*sign(2*speed('a'))", 40, 10),
+        ("60*(speed('a') > 0)", 0, 60),
         ("30*(abs(slip('B')) > 0)", 30, 30),
     ],
 )

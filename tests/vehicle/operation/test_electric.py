@@ -226,7 +226,7 @@ def test_a_cycle_that_stands_has_no_consumption() -> None:
     assert math.isnan(found.consumption)
 
 
-@pytest.mark.parametrize("kinds", ["spectrum traction", "sawtooth structure"])
+@pytest.mark.parametrize("kinds", ["sawtooth structure", "spectrum traction"])
 def test_cycles_and_their_pictures_need_no_load_of_the_case(kinds: str, tmp_path: Path) -> None:
     """From rest to rest without resistance: nothing remains at the wheels."""
     case = tmp_path / "car.yaml"
