@@ -27,6 +27,11 @@ def count(usual: int, nightly: int) -> int:
     return nightly if FRESH else usual
 
 
+def examples(few: int, usual: int, nightly: int) -> pytest.MarkDecorator:
+    """Parametrise a test by its number of examples: a few in ``make test``, or all others."""
+    return pytest.mark.parametrize("examples", [nightly] if FRESH else [few, usual])
+
+
 def some(cases: Sequence[Each]) -> Sequence[Each]:
     """Every third case, all of them by `make nightly`."""
     return cases[:: count(3, 1)]
@@ -51,7 +56,7 @@ def seeds_with_slow(few: int, usual: int, nightly: int = 0) -> pytest.MarkDecora
 def ranges_with_slow(
     few: int | range, usual: int, nightly: int, start: int = 0
 ) -> pytest.MarkDecorator:
-    """Parametrise a test by a range of seeds, and by one of further seeds, which is slow."""
-    first = range(few) if isinstance(few, int) else few
-    more = range(start or first.stop, start + count(usual, nightly))
-    return pytest.mark.parametrize("seeds", with_slow([first], [more]))
+    """Parametrise a test by half of a range, by all of it, and by further seeds, which are slow."""
+    quick = range(few) if isinstance(few, int) else few
+    more = range(start or quick.stop, start + count(usual, nightly))
+    return pytest.mark.parametrize("seeds", with_slow([quick[: len(quick) // 2], quick], [more]))

@@ -106,10 +106,7 @@ shift_elements:
     capacity: 537.8 N*m
   B2: {links: [c, housing], capacity: 413.2 N*m}
   C3: {links: [a, d], capacity: 612.7 N*m}
-  F4: {links: [d, housing], kind: freewheel}
   C5: {links: [d, e], capacity: 462.8 N*m}
-  F6: {links: [e, c], kind: freewheel}
-drag: {e: 2 N*m}
 gears: {'1': []}
 converters:
   T0: {links: [a, d], points: [[0, 1.95, 1.337e-3], [0.85, 1, 8e-4], [1, 1, 0], [2, 1, -1e-3]]}

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.chance import count, seeded
+from tests.chance import examples, seeded
 from tests.commands import json_answer, vstatics
 from vstatics import Bearing, CaseError, ReadError, Transmission, example, load, loads, solve
 from vstatics.core.explain import explain_gear
@@ -84,10 +84,11 @@ def duty(rows: Rows, classes: Any = None, keys: str = STRENGTH) -> Spectrum:
     return spectrum(loads(CASE % keys), rows.points(), classes=classes)
 
 
-def test_the_classes_of_a_member_hold_its_rows() -> None:
+@examples(6, 20, 500)
+def test_the_classes_of_a_member_hold_its_rows(examples: int) -> None:
     """Each row is in one class of its sign; a sun meets its three planets in a turn."""
     chance = seeded(71)
-    for _ in range(count(20, 500)):
+    for _ in range(examples):
         rows = Rows(chance)
         bounds = sorted(chance.uniform(5, 150) for _ in range(3))
         number = chance.randint(1, 8)
@@ -119,9 +120,10 @@ def test_the_classes_of_a_member_hold_its_rows() -> None:
             assert "P1.planet" not in found
 
 
-def test_life_of_members_and_bearings_sums_up_by_rows() -> None:
+@examples(6, 20, 500)
+def test_life_of_members_and_bearings_sums_up_by_rows(examples: int) -> None:
     chance = seeded(72)
-    for _ in range(count(20, 500)):
+    for _ in range(examples):
         rows = Rows(chance)
         found = duty(rows)
         life, bearings = found.life, found.bearings

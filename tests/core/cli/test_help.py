@@ -8,8 +8,9 @@ from pathlib import Path
 
 import click
 import pytest
+from click.testing import CliRunner
 
-from tests.commands import CASES, process, vstatics
+from tests.commands import CASES, vstatics
 from tests.installed import HERE, missing, skip_without, used_in
 from tests.test_readme import prepared, run_all
 from vstatics.core.cli import main
@@ -134,12 +135,9 @@ def test_a_former_name_works_but_is_neither_listed_nor_completed() -> None:
         assert re.search(rf"{option}\b", shown)
         assert not re.search(rf"(?<!\w){former}\b", shown)
         words = ["vstatics", *name.split(), "--"]
-        _, out, _ = process(
-            _VSTATICS_COMPLETE="bash_complete",
-            COMP_WORDS=" ".join(words),
-            COMP_CWORD=str(len(words) - 1),
-        )
-        completed = out.decode().split()
+        asked = {"COMP_WORDS": " ".join(words), "COMP_CWORD": str(len(words) - 1)}
+        asked["_VSTATICS_COMPLETE"] = "bash_complete"
+        completed = CliRunner().invoke(main, prog_name="vstatics", env=asked).output.split()
         assert (f"plain,{option}" in completed, f"plain,{former}" in completed) == (True, False)
 
 

@@ -262,11 +262,12 @@ def test_the_planet_of_a_planetary_set_that_is_one_mechanism(drawn: Set) -> None
         assert results.planet_speeds[number] == pytest.approx([expected], rel=PRECISION, abs=1e-11)
 
 
+@pytest.mark.parametrize("kinds", [("ravigneaux", "stepped pair", "bevel"), [*SETS]])
 @given(data=st.data())
 @EXAMPLES
-def test_sets_turn_as_willis_says(data: st.DataObject) -> None:
-    for kind in SETS.values():
-        assert_turns_as_willis_says(*data.draw(kind.filter(is_far_from_one)))
+def test_sets_turn_as_willis_says(kinds: Sequence[str], data: st.DataObject) -> None:
+    for kind in kinds:
+        assert_turns_as_willis_says(*data.draw(SETS[kind].filter(is_far_from_one)))
 
 
 def pairs(draw: Callable[..., Any]) -> Iterator[tuple[dict[str, Any], float]]:

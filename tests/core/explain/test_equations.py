@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.chance import count, seeded
+from tests.chance import count, examples, seeded
 from tests.commands import CASES
 from tests.core.explain.explained import check, equations, explained, holds
 from tests.trains import random_slipping, random_train, with_variators
@@ -71,10 +71,13 @@ def test_equations_hold_and_formulas_give_the_ratios_of_random_trains() -> None:
         check(results, range(len(results.case.gears)))
 
 
-def test_converters_have_their_speed_ratio_in_speeds_and_their_torque_ratio_in_torques() -> None:
+@examples(4, 12, 200)
+def test_converters_have_their_speed_ratio_in_speeds_and_their_torque_ratio_in_torques(
+    examples: int,
+) -> None:
     """Interpolated by numpy, the torque ratio is in the column of both tables."""
     chance = seeded(58)
-    for _ in range(count(12, 200)):
+    for _ in range(examples):
         train = with_variators(chance, random_train(chance, regular=True))
         points = ((0.0, chance.uniform(1.5, 3)), (chance.uniform(0.5, 0.9), 1.0))
         mechanisms = [

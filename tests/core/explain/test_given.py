@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from tests.chance import count, seeded
+from tests.chance import examples, seeded
 from tests.commands import CASES, SHIPPED
 from tests.core.explain.explained import equations
 from tests.shipped import shipped_results
@@ -124,7 +124,8 @@ def test_maps_and_formulas_stand_on_the_sheet() -> None:
     assert explain_gear(solve(case), "g").ratio == pytest.approx((1 + 72 / 30) * 20)
 
 
-def test_what_changes_a_blank_stands_on_the_sheet(tmp_path: Path) -> None:
+@examples(1, 5, 12)
+def test_what_changes_a_blank_stands_on_the_sheet(tmp_path: Path, examples: int) -> None:
     file = tmp_path / "laws.yaml"
     file.write_text(LAWFUL, "utf-8")
     case = load(file)
@@ -133,7 +134,7 @@ def test_what_changes_a_blank_stands_on_the_sheet(tmp_path: Path) -> None:
     }
     assert unsaid(case, seeded(1), 99) == []
     random = seeded(2)
-    for path in random.sample(SHIPPED, count(5, 12)):
+    for path in random.sample(SHIPPED, examples):
         assert unsaid(load(path), random, 4) == []
 
 

@@ -11,16 +11,17 @@ import openpyxl
 import pytest
 import yaml
 
-from tests.chance import count, seeded
+from tests.chance import count, examples, seeded
 from tests.commands import vstatics
 from tests.trains import random_train
 from vstatics import ReadError, Transmission, load, loads, solve
 from vstatics.core.writers.named import mapping
 
 
-def test_a_chain_of_pairs_has_the_product_of_their_ratios() -> None:
+@examples(25, 100, 1000)
+def test_a_chain_of_pairs_has_the_product_of_their_ratios(examples: int) -> None:
     chance = seeded(15)
-    for _ in range(count(100, 1000)):
+    for _ in range(examples):
         ratios = [Fraction(chance.randint(-9, 9) or 1, chance.randint(1, 9)) for _ in range(4)]
         pairs = {
             f"p{n}": {"first": n, "second": n + 1, "ratio": str(ratio)}
@@ -50,9 +51,10 @@ def test_a_workbook_may_go_without_its_sheet_of_gears(tmp_path: Path) -> None:
     assert solve(load(tmp_path / "case.xlsx")).ratio == pytest.approx([64])
 
 
-def test_the_gears_that_a_message_shows_can_be_written() -> None:
+@examples(25, 100, 1000)
+def test_the_gears_that_a_message_shows_can_be_written(examples: int) -> None:
     chance = seeded(16)
-    for _ in range(count(100, 1000)):
+    for _ in range(examples):
         train = random_train(chance)
         if not train.shift_elements:
             continue

@@ -6,7 +6,7 @@ from random import Random
 import numpy as np
 import pytest
 
-from tests.chance import count, seeded
+from tests.chance import examples, seeded
 from vstatics.core.numerics.arrays import Floats, Integers
 from vstatics.core.numerics.fixed_points import Extremes, Laws, TrialTorques, find_fixed_points
 from vstatics.core.numerics.lookup_table import LookupTable
@@ -56,9 +56,10 @@ def jagged(rng: Random, x: int) -> tuple[LookupTable, float, float]:
 
 
 @pytest.mark.parametrize("x", [1, -1])
-def test_all_roots_of_quadratics_are_fixed_points(x: int) -> None:
+@examples(8, 20, 2000)
+def test_all_roots_of_quadratics_are_fixed_points(x: int, examples: int) -> None:
     rng, numbers = seeded(51), set()
-    for _ in range(count(20, 2000)):
+    for _ in range(examples):
         table, a, b = jagged(rng, x)
         low, high = (np.array([[f(table.values[0])]]) for f in (min, max))
         fixed = find_fixed_points(laws_of(table, a, b, x), low, high, NEVER)

@@ -6,7 +6,7 @@ from itertools import product
 import numpy as np
 import pytest
 
-from tests.chance import ranges_with_slow
+from tests.chance import examples, ranges_with_slow
 from tests.core.statics.test_drag import checked, much_drag
 from tests.core.statics.test_freewheels import turned_round, with_freewheels
 from vstatics import Gear, Load, Mechanism, Results, Transmission, solve
@@ -68,9 +68,10 @@ def test_all_quadrants_with_drag_are_those_of_exact_fractions(seeds: range) -> N
                 np.testing.assert_allclose(found, expected, rtol=1e-12, atol=1e-12)
 
 
-def test_freewheels_go_by_physical_signs() -> None:
+@examples(6, 20, 200)
+def test_freewheels_go_by_physical_signs(examples: int) -> None:
     """Turned the other way with the links of each freewheel swapped a train is the same."""
-    for made in map(with_freewheels, range(20)):
+    for made in map(with_freewheels, range(examples)):
         bare = [gear._replace(load=None, coast=None, input_turns="") for gear in made.gears]
         case = made.replace(gears=bare, coast=None)
         for torque in (80.0, -80.0):

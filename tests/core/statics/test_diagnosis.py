@@ -12,7 +12,7 @@ from random import Random
 import numpy as np
 import pytest
 
-from tests.chance import count, seeded
+from tests.chance import examples, seeded
 from tests.core.statics.differential import status, texts, train
 from tests.core.statics.test_status import FAULTY
 from tests.shipped import shipped_results
@@ -160,10 +160,11 @@ gears: {{straight: {{speeds: {{right: left}}}}}}
 """
 
 
-def test_straight_ahead_with_sets_that_drag_is_a_note() -> None:
+@examples(20, 60, 600)
+def test_straight_ahead_with_sets_that_drag_is_a_note(examples: int) -> None:
     """All sets turn as one with the differential, whatever their ratios are."""
     chance = seeded(425)
-    for _ in range(count(60, 600)):
+    for _ in range(examples):
         said = [one.id for one in solve(loads(vectoring_axle(chance))).messages]
         assert "N413" in said
         assert "W425" not in said

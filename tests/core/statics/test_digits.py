@@ -62,7 +62,7 @@ def test_the_rounding_of_a_ratio_counts_too() -> None:
         assert [text[: len(one)] for text, one in zip(told, expected, strict=True)] == expected
 
 
-@ranges_with_slow(15, 60, 400)
+@ranges_with_slow(16, 60, 400)
 def test_every_wrong_speed_is_told(seeds: range) -> None:
     """Random trains whose ratios are nearly 1, against exact fractions of their decimals."""
     wrong = 0

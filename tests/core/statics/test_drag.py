@@ -205,7 +205,7 @@ def compared(case: Transmission) -> Counter[str]:
     return states
 
 
-@ranges_with_slow(range(2, 6), 60, 600)
+@ranges_with_slow(range(2, 10), 60, 600)
 def test_random_trains_of_several_ports_agree_with_all_sets_of_signs(seeds: range) -> None:
     cases = (much_drag(seed, regular=False, gears=4) for seed in seeds)
     states = sum(map(compared, cases), Counter[str]())

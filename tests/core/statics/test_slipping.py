@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from tests.chance import count, seeded
+from tests.chance import count, examples, seeded
 from tests.oracle.linear import ONE, ZERO, Linear, Row, exact, sign
 from tests.oracle.systems import Torques, element_column, mechanism_column, ratios
 from tests.trains import random_slipping, random_train
@@ -149,7 +149,7 @@ def check_flow(results: Results, lost: Mapping[int, float]) -> None:
     assert of_ports == pytest.approx({n: turn * loss for n, loss in lost.items()}, abs=1e-12)
 
 
-@pytest.mark.parametrize("seed", [54, 55, 56])
+@pytest.mark.parametrize("seed", range(54, 63))
 def test_random_trains_with_slipping_elements_against_exact_fractions(seed: int) -> None:
     chance, lossy, driving = seeded(seed), 0, 0
 
@@ -157,7 +157,7 @@ def test_random_trains_with_slipping_elements_against_exact_fractions(seed: int)
         close = pytest.approx(list(map(float, expected)), rel=1e-9, abs=1e-11)
         return bool(list(got) == close)
 
-    for case in (case for _ in range(count(30, 700)) for case in random_slipping(chance)):
+    for case in (case for _ in range(count(10, 250)) for case in random_slipping(chance)):
         expected, results = by_hand(case), solve(case)
         if expected is None:
             continue
@@ -178,7 +178,7 @@ def test_random_trains_with_slipping_elements_against_exact_fractions(seed: int)
             check_flow(results, lost)
             assert results.power_balance == pytest.approx([0], abs=1e-9)
             assert results.efficiency[0] == pytest.approx(float(expected.efficiency or 0), rel=1e-9)
-    assert min(lossy, driving) > 12
+    assert min(lossy, driving) > 3
 
 
 def test_a_slip_of_0_is_as_engaged() -> None:
@@ -197,10 +197,11 @@ def test_a_slip_of_0_is_as_engaged() -> None:
         assert repr(flows(ours)[0].shown) == repr(flows(engaged)[0].shown)
 
 
-def test_slips_of_arrays_are_those_of_single_cases() -> None:
+@examples(3, 10, 200)
+def test_slips_of_arrays_are_those_of_single_cases(examples: int) -> None:
     """Through 0 and both signs, with the load that relates them; also at a drawn gear set."""
     chance = seeded(56)
-    for _ in range(count(10, 200)):
+    for _ in range(examples):
         speed = chance.choice((-900.0, 1500.0))
         case = random_slipping(chance)[0].replace(load=Load(speed, 80.0))
         [gear] = case.gears
@@ -292,10 +293,13 @@ gears: {{creep: {{slip: {{C: {slip} rad/s}}}}}}
 """
 
 
-def test_torques_with_losses_exist_even_if_the_clutch_would_drive_without_losses() -> None:
+@examples(20, 60, 600)
+def test_torques_with_losses_exist_even_if_the_clutch_would_drive_without_losses(
+    examples: int,
+) -> None:
     """Link by link: the clutch carries the torque of the engine less the drag before the clutch."""
     rng, kinds = seeded(57), set()
-    for _ in range(count(60, 600)):
+    for _ in range(examples):
         speed, torque = rng.choice([-1, 1]) * rng.uniform(50, 300), rng.uniform(-20, 20)
         drags, ratio = [rng.uniform(0, 12), rng.uniform(0, 12)], rng.choice([-3.0, 2.5])
         slips = np.array([rng.choice([-1, 1]) * rng.uniform(1, 350) for _ in range(3)])

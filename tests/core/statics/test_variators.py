@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.chance import count, seeded
+from tests.chance import examples, seeded
 from tests.core.writers.again import is_read_again
 from tests.trains import random_train
 from vstatics import CaseError, Gear, Load, Mechanism, ReadError, ShiftElement, Transmission, solve
@@ -152,9 +152,10 @@ def with_converter(case: Transmission, *, damper: bool) -> Transmission:
     )
 
 
-def test_a_locked_up_converter_is_as_none() -> None:
+@examples(12, 40, 600)
+def test_a_locked_up_converter_is_as_none(examples: int) -> None:
     chance, seen = seeded(0), 0
-    for number in range(count(40, 600)):
+    for number in range(examples):
         case = random_train(chance, regular=chance.random() < 0.8)
         if any(gear.input or case.input in gear.torques for gear in case.gears):
             continue  # it is another port then
@@ -173,7 +174,7 @@ def test_a_locked_up_converter_is_as_none() -> None:
         for name in ("missing", "excess", "consistent", "balanced", "locked", "tied_up"):
             assert getattr(results, name)[:gears].tolist() == getattr(bare, name).tolist(), name
         seen += int(np.isfinite(bare.efficiency).sum())
-    assert seen > count(40, 600) / 2
+    assert seen > examples / 2
 
 
 BOX = """

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from hypothesis import given, settings
 
-from tests.chance import count, seeded
+from tests.chance import count, examples, seeded
 from tests.commands import CASES, MZKT, NEUTRAL, vstatics
 from tests.oracle import gears as oracle
 from tests.strategies import transmissions
@@ -142,10 +142,11 @@ def numbers(values: Iterable[Fraction | None]) -> list[float]:
     return [math.nan if value is None else float(value) for value in values]
 
 
-def test_random_trains_are_those_of_exact_fractions() -> None:
+@examples(5, 16, 1000)
+def test_random_trains_are_those_of_exact_fractions(examples: int) -> None:
     """Speeds, output torque and efficiency of the case itself, by `tests/oracle`; seed 11."""
     rng, printed = seeded(11), 0
-    for _ in range(count(16, 1000)):
+    for _ in range(examples):
         case = random_train(rng, regular=True, gears=2, coast=False)
         ends = rng.sample(range(1, case.links + 1), 2)
         if not all(is_regular(case.replace(input=ends[0], output=ends[1]), g) for g in case.gears):
@@ -173,7 +174,7 @@ def test_random_trains_are_those_of_exact_fractions() -> None:
             if gear.consistent and not gear.several:
                 [right] = numbers([gear.efficiency])
                 assert efficiency == pytest.approx(right, abs=1e-8, nan_ok=True)
-    assert printed > 7
+    assert printed > examples / 3
 
 
 @settings(max_examples=count(5, 300))

@@ -196,7 +196,7 @@ def test_random_boxes_cross_where_the_title_says_so(seed: int) -> None:
         assert ("through the housing" in title) == (not is_planar)
 
 
-@pytest.mark.parametrize("count", with_slow([5], [30]))
+@pytest.mark.parametrize("count", with_slow([2, 5], [30]))
 def test_planar_boxes_are_drawn_without_crossings(count: int) -> None:
     for case in planar_boxes(count):
         root, title = drawn(case)

@@ -3,14 +3,15 @@
 import numpy as np
 from scipy.linalg import expm
 
-from tests.chance import count, generator
+from tests.chance import examples, generator
 from vstatics.simulation.events.exponential import Exponential
 
 
-def test_random_exponentials_with_chains_agree_with_scipy() -> None:
+@examples(6, 20, 200)
+def test_random_exponentials_with_chains_agree_with_scipy(examples: int) -> None:
     """Within 1e-12 of the largest entry, at given times, at nodes and over equal parts."""
     chance = generator(22)
-    for _ in range(count(20, 200)):
+    for _ in range(examples):
         rows, orders = int(chance.integers(1, 6)), [*chance.integers(1, 12, chance.integers(0, 3))]
         matrix = np.zeros((rows + sum(orders),) * 2)
         matrix[:rows] = chance.normal(size=(rows, len(matrix))) * 10 ** chance.uniform(-2, 1)

@@ -4,20 +4,21 @@ import math
 
 import pytest
 
-from tests.chance import count, seeded
+from tests.chance import examples, seeded
 from tests.simulation.control.written import simulated
 
 STOP = "inertias: {a: 1}\nsprings: {stop: {links: [a], points: [[-1, -1e6], [0, 0], [1, 0]]}}\n"
 
 
-def test_a_stop_that_is_touched_for_a_moment_is_not_passed() -> None:
+@examples(15, 60, 1000)
+def test_a_stop_that_is_touched_for_a_moment_is_not_passed(examples: int) -> None:
     """A step over several zeros must find the first (https://github.com/scipy/scipy/issues/9228).
 
     A torque turns a drum of 1 kg*m^2 back just below an elastic stop (w = 1000 rad/s). From contact
     at the speed v, the drum returns after 2 atan(v w/torque)/w with the speed v.
     """
     rng = seeded(73)
-    for _ in range(count(60, 1000)):
+    for _ in range(examples):
         torque, depth = rng.choice((1, 5, 20)), 10 ** rng.uniform(-6, -2)
         away = -torque * rng.uniform(0.1, 9.9)
         angle = away**2 / (2 * torque) - depth

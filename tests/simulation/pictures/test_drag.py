@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import pytest
 
-from tests.chance import count, seeded
+from tests.chance import examples, seeded
 from tests.simulation.control.written import simulated
 from vstatics import Results, solve
 from vstatics.pictures import render
@@ -104,9 +104,10 @@ def expected(motion: Motion, texts: Texts) -> list[tuple[str, float, float]]:
     return found
 
 
-def test_phases_of_random_shifts_are_those_without_drag(tmp_path: Path) -> None:
+@examples(1, 4, 300)
+def test_phases_of_random_shifts_are_those_without_drag(tmp_path: Path, examples: int) -> None:
     """Each shift twice: phases by its own events, and the same ones, later or earlier by 10 ms."""
-    for seed in range(count(4, 300)):
+    for seed in range(examples):
         found = []
         for with_drag in (False, True):
             texts = shift(seeded(seed), with_drag=with_drag)

@@ -9,7 +9,7 @@ from xml.etree import ElementTree as ET
 import numpy as np
 import pytest
 
-from tests.chance import generator
+from tests.chance import examples, generator
 from tests.commands import vstatics
 from tests.installed import needs
 from tests.sweep.sweeps import DIFFERENTIAL
@@ -122,11 +122,12 @@ def test_regions_of_planes_meet_where_the_planes_do() -> None:
         np.testing.assert_allclose(share.sum(axis=1), 1, atol=1e-3)  # ordinates of SVG run down
 
 
-def test_random_planes_have_the_region_of_the_largest() -> None:
+@examples(15, 60, 600)
+def test_random_planes_have_the_region_of_the_largest(examples: int) -> None:
     """At nodes, the leader is that of NumPy's argmax over the planes; a circle has its area."""
     chance = generator(51)
     x, y = np.linspace(0, 1, 9), np.linspace(0, 2, 7)
-    for _ in range(60):
+    for _ in range(examples):
         count = int(chance.integers(2, 7))
         a, b, c = chance.normal(size=(3, count, 1, 1))
         xs, ys, fine = refined(x, y, a * x + b * y[:, None] + c)

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.chance import count, generator
+from tests.chance import examples, generator
 from tests.commands import CASES, vstatics
 from tests.installed import needs
 from vstatics import ReadError, load, loads, sweep
@@ -35,10 +35,11 @@ def _files(folder: Path) -> None:
     (folder / "box.yaml").write_text(CASE)
 
 
-def test_linked_numbers_are_those_of_a_table() -> None:
+@examples(4, 15, 200)
+def test_linked_numbers_are_those_of_a_table(examples: int) -> None:
     """The table has the numbers of Python's own arithmetic, to the last bit."""
     case, chance = load("box.yaml"), generator(17)
-    for _ in range(count(15, 200)):
+    for _ in range(examples):
         rings = chance.integers(60, 90, 6).astype(float)
         a, b = chance.uniform(0.5, 2, 2).round(3).tolist()
         links = {

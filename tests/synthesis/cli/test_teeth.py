@@ -58,8 +58,8 @@ def test_many_gears_of_a_set_continue_in_the_next_row() -> None:
 
 
 def test_one_module_of_all_gears_is_given_once() -> None:
-    options = "--modules", "2.5", "--largest-diameter", "400"
-    printed = said(*GOLDEN, *RANGES, *options).out
+    asked = "--ratios", "2=4.3217", "--range", "sun=14:58,planet=14:58,ring=20:70"
+    printed = said(*asked, "--planets", "3", "--modules", "2.5", "--largest-diameter", "400").out
     assert ("2.5" in printed, "sun 2.5" in printed) == (True, False)
 
 

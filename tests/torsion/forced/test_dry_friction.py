@@ -63,11 +63,11 @@ def equivalent(
     return q
 
 
-@pytest.mark.parametrize("seed", [508, 509, 510])
+@pytest.mark.parametrize("seed", range(508, 517))
 def test_random_chains_agree_with_an_iteration_of_dampers(seed: int) -> None:
     """Chains of 2 to 4 masses, friction in one to three springs; sticking ones, too."""
     chance, compared, stuck = generator(seed), 0, 0
-    for _ in range(count(9, 90)):
+    for _ in range(count(3, 30)):
         size = int(chance.integers(2, 5))
         inertias = chance.uniform(0.05, 2, size)
         rates, dampings = chance.uniform(50, 900, size), chance.uniform(0.5, 4, size)
@@ -95,7 +95,7 @@ def test_random_chains_agree_with_an_iteration_of_dampers(seed: int) -> None:
             stuck += int((np.abs(forms[dry] @ expected) < 1e-8).sum())
             compared += 1
             np.testing.assert_allclose(column, expected, atol=1e-6 * np.abs(expected).max())
-    assert compared >= 36
+    assert compared >= 12
     assert stuck > 1
 
 

@@ -186,19 +186,19 @@ def test_absurd_speeds_have_no_value_and_absurd_orders_no_resonance() -> None:
     assert gear.resonances == []
 
 
-def test_the_largest_value_of_several_orders() -> None:
+@pytest.mark.parametrize(
+    ("orders", "amplitudes"),
+    [([2.0, 4.5], [1, 1j]), ([1.0, 3.0], [1, -1]), ([0.5, 1.0, 1.5], [1 + 1j, 0.3 - 2j, 0.7])],
+)
+def test_the_largest_value_of_several_orders(
+    orders: list[float], amplitudes: list[complex]
+) -> None:
     """Against two million points of the wave itself."""
-    x = np.linspace(0, 2 * np.pi, 2_000_001)
-    for orders, amplitudes in (
-        ([1.0, 3.0], [1.0 + 0j, -1.0 + 0j]),
-        ([0.5, 1.0, 1.5], [1.0 + 1j, 0.3 - 2j, 0.7 + 0j]),
-        ([2.0, 4.5], [1.0 + 0j, 1j]),
-    ):
-        turning = np.exp(2j * np.outer(orders, x))
-        wave = (np.array(amplitudes)[:, np.newaxis] * turning).real.sum(axis=0)
-        found = summed(orders, [np.array([a]) for a in amplitudes])
-        assert found.largest[0] == pytest.approx(np.abs(wave).max(), rel=1e-9)
-        assert found.rms[0] == pytest.approx(math.sqrt(np.mean(wave[:-1] ** 2)), rel=1e-9)
+    turning = np.exp(2j * np.outer(orders, np.linspace(0, 2 * np.pi, 2_000_001)))
+    wave = (np.array(amplitudes)[:, np.newaxis] * turning).real.sum(axis=0)
+    found = summed(orders, [np.array([a], complex) for a in amplitudes])
+    assert found.largest[0] == pytest.approx(np.abs(wave).max(), rel=1e-9)
+    assert found.rms[0] == pytest.approx(math.sqrt(np.mean(wave[:-1] ** 2)), rel=1e-9)
 
 
 def test_the_sum_of_one_order_is_that_order() -> None:

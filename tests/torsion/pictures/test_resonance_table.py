@@ -9,7 +9,7 @@ from random import Random
 
 import numpy as np
 
-from tests.chance import count, seeded
+from tests.chance import examples, seeded
 from tests.torsion.systems import Array
 from vstatics import Damping, Gear, Mechanism, ShiftElement, Spring, Transmission, solve
 from vstatics.core.tables.numbers import typeset
@@ -80,10 +80,11 @@ def own_rows(matrices: tuple[Array, ...], fastest: float) -> list[Row]:
     return rows
 
 
-def test_rows_of_random_drivelines() -> None:
+@examples(5, 15, 600)
+def test_rows_of_random_drivelines(examples: int) -> None:
     random, shared, alone = seeded(146), 0, 0
     style = Style(excited=Excitation(orders=ORDERS))
-    for _ in range(count(15, 600)):
+    for _ in range(examples):
         ratios = ratios_of(random)
         case, matrices = driveline(random, ratios)
         sheet = campbell_sheet(solve(case), style, ())

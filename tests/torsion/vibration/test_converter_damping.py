@@ -11,7 +11,7 @@ from random import Random
 import numpy as np
 import pytest
 
-from tests.chance import count, seeded
+from tests.chance import count, examples, seeded
 from tests.torsion.systems import Array, chain, eigenvalues, matrices
 from tests.torsion.vibration.test_gear_modes import omegas, only
 from vstatics import CaseError, Damping, Gear, Load, Mechanism, ShiftElement, Spring, Transmission
@@ -70,10 +70,11 @@ def test_a_fluid_coupling_leaves_out_the_zero_of_both_turning() -> None:
 
 
 @pytest.mark.parametrize("reverse", [1, -1])
-def test_slopes_are_differences_of_the_torques(reverse: int) -> None:
+@examples(6, 20, 400)
+def test_slopes_are_differences_of_the_torques(reverse: int, examples: int) -> None:
     """Within a piece, of random points, turning either way; (i A2 + A1) w = 2 M_P, by Euler."""
     random = seeded(38)
-    for _ in range(count(20, 400)):
+    for _ in range(examples):
         ratios = sorted(random.uniform(-0.3, 1.2) for _ in range(5))
         rows = [(i, random.uniform(0, 3), random.uniform(0.001, 0.01)) for i in ratios]
         ratio, pump = random.uniform(-0.4, 1.3), reverse * random.uniform(20, 300)
@@ -113,10 +114,11 @@ def with_converter(random: Random) -> Transmission:
     )  # fmt: skip
 
 
-def test_random_systems_have_the_eigenvalues_of_a_first_order_form() -> None:
+@examples(8, 25, 1000)
+def test_random_systems_have_the_eigenvalues_of_a_first_order_form(examples: int) -> None:
     """It has 2 zeros of angles that nothing holds."""
     random = seeded(29)
-    for _ in range(count(25, 1000)):
+    for _ in range(examples):
         case = with_converter(random)
         gear = only(case)
         assert gear.converters

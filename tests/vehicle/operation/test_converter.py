@@ -443,7 +443,7 @@ vehicle: {{mass: 1500, radius: 0.3, rolling: 0, drag_area: 0, final_drive: 3, en
 """
 
 
-@pytest.mark.parametrize("seed", range(count(4, 60)))
+@pytest.mark.parametrize("seed", range(count(11, 160)))
 def test_a_clutch_that_slips_behind_the_converter_makes_the_turbine_faster(seed: int) -> None:
     """At the engine speed w the turbine turns with 3 x + slip w, or 3 x + slip in rad/s.
 
@@ -461,7 +461,7 @@ def test_a_clutch_that_slips_behind_the_converter_makes_the_turbine_faster(seed:
         i = (3 * x + absolute) / w + relative
         return np.interp(i, points[:, 0], points[:, 2]) * w**2, np.interp(i, *points[:, :2].T), i
 
-    for part in random.uniform(0, 0.6, 8):
+    for part in random.uniform(0, 0.6, 3):
         x = float(part * pull.last * pull.per_engine[0] / 0.3 * 3)
         free = (3 * x + absolute) / (1 - relative)
         w = first_root(lambda w: 200 - drag - pump(w, x)[0], free * (1 + 1e-12), 600)  # noqa: B023

@@ -186,29 +186,30 @@ def test_a_link_that_is_held_at_0_rpm_is_braked() -> None:
     assert performance(held) == performance(SET)
 
 
-def test_where_machines_drive_too_nothing_of_the_vehicle_is_told() -> None:
-    """Their power is none of the engine's: energies would not close."""
-    alone = performance(SET)
-    for gear, why in (
+@pytest.mark.parametrize(
+    ("gear", "why"),
+    [
+        (Gear([1], torques={2: 0.2}), "a given torque on 2"),
         (Gear(speeds={2: 1.5}), "a given speed of 2"),
         (Gear(speeds={2: SpeedOf(3, 0.5)}), "a given speed of 2"),
-        (Gear([1], torques={2: 0.2}), "a given torque on 2"),
         (Gear(speeds={}, balance=BatteryBalance([(1, 0.9), (2, 0.9)], -1.0)), "a balance"),
-    ):
-        case = SET.replace(gears=[SET.gears[0], gear._replace(name="split")])
-        assert [(doubt.id, why in doubt.message) for doubt in doubts(case)] == [("W890", True)]
-        told = performance(case)
-        assert told._replace(gears=alone.gears) == alone
-        assert told.gears["low"] == alone.gears["low"]
-        assert all(map(math.isnan, told.gears["split"]))
-        rows = trace((0, 3, "low"), (4, 9, "split"), (8, 30, ""))
-        with pytest.raises(
-            CaseError, match=f"gear split has {why}, expected a gear in w"
-        ) as caught:
-            drive(case, rows, GearChoice())
-        assert caught.value.problems[0].path == (1,)
-        unnamed = rows._replace(gears=[])
-        assert drive(case, unnamed, GearChoice(least_speed=1.0)).gears == ["low", "low"]
+    ],
+)
+def test_where_machines_drive_too_nothing_of_the_vehicle_is_told(gear: Gear, why: str) -> None:
+    """Their power is none of the engine's: energies would not close."""
+    alone = performance(SET)
+    case = SET.replace(gears=[SET.gears[0], gear._replace(name="split")])
+    assert [(doubt.id, why in doubt.message) for doubt in doubts(case)] == [("W890", True)]
+    told = performance(case)
+    assert told._replace(gears=alone.gears) == alone
+    assert told.gears["low"] == alone.gears["low"]
+    assert all(map(math.isnan, told.gears["split"]))
+    rows = trace((0, 3, "low"), (4, 9, "split"), (8, 30, ""))
+    with pytest.raises(CaseError, match=f"gear split has {why}, expected a gear in w") as caught:
+        drive(case, rows, GearChoice())
+    assert caught.value.problems[0].path == (1,)
+    unnamed = rows._replace(gears=[])
+    assert drive(case, unnamed, GearChoice(least_speed=1.0)).gears == ["low", "low"]
 
 
 @pytest.mark.parametrize("turned", [1, -1])

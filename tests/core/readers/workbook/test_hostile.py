@@ -11,7 +11,7 @@ import openpyxl
 import pytest
 from openpyxl.utils.datetime import MAC_EPOCH, WINDOWS_EPOCH
 
-from tests.chance import count, seeded
+from tests.chance import examples, seeded
 from tests.commands import CASES, vstatics
 from tests.core.readers.workbook.test_reader import faults, read, typed
 from vstatics import load
@@ -21,10 +21,11 @@ from vstatics.core.readers.workbook.cells import MOST_SHEET_CELLS, read_sheets
 SECONDS, MEMORY = 5, 400 * 2**20
 
 
-def test_cells_are_those_that_openpyxl_reads() -> None:
+@examples(10, 30, 600)
+def test_cells_are_those_that_openpyxl_reads(examples: int) -> None:
     rng = seeded(17)
     values = (None, True, False, 1e300, 0.1 + 0.2, " текст ", "a & <b>", "line\nline", "_x000D_")
-    for _ in range(count(30, 600)):
+    for _ in range(examples):
         book = openpyxl.Workbook()
         written: Any = book.active
         size = rng.randint(1, 8), rng.randint(1, 30)

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from tests.chance import count, ranges_with_slow, seeded
+from tests.chance import examples, ranges_with_slow, seeded
 from tests.core.writers.again import is_read_again
 from vstatics import CaseError, ReadError, solve
 from vstatics.core.numerics.arrays import Floats
@@ -154,9 +154,10 @@ gears:
 """A series hybrid: two trains that the battery alone connects, a gear pair before each machine."""
 
 
-def test_a_series_hybrid_is_balanced_as_by_hand() -> None:
+@examples(6, 24, 400)
+def test_a_series_hybrid_is_balanced_as_by_hand(examples: int) -> None:
     """The engine's train gives MGA all of its power but the loss; the battery gives the rest."""
-    for seed in range(count(24, 400)):
+    for seed in range(examples):
         rng, given = seeded(seed), ("MGB", "output")[seed % 2]
         u = [rng.choice([-1, 1]) * rng.uniform(0.4, 3) for _ in range(2)] + [-rng.uniform(1.3, 3)]
         eta, of = [rng.uniform(0.9, 1) for _ in range(3)], [rng.uniform(0.8, 1) for _ in range(2)]
@@ -178,7 +179,8 @@ def test_a_series_hybrid_is_balanced_as_by_hand() -> None:
         assert varied == pytest.approx(torques, rel=1e-9, nan_ok=True)
 
 
-def test_all_torques_that_a_jagged_map_balances_are_counted() -> None:
+@examples(4, 12, 500)
+def test_all_torques_that_a_jagged_map_balances_are_counted(examples: int) -> None:
     """MG2 alone varies: with e = c + s T it gives the battery -W T e, at torques below 0."""
     rng, numbers = seeded(52), set()
     case = SPLIT.replace("efficiency: .98", "efficiency: 1").replace(
@@ -187,7 +189,7 @@ def test_all_torques_that_a_jagged_map_balances_are_counted() -> None:
     results = solve(loads(case))
     powers, speeds = -1000 * results.port_powers_kW[0], results.speeds_rpm[0] * np.pi / 30
     of_first = powers[0] * 0.92 if powers[0] > 0 else powers[0] / 0.92
-    for _ in range(count(12, 500)):
+    for _ in range(examples):
         need = rng.uniform(300, 4000)
         width = need / float(abs(speeds[3]))
         ends = [-1.6 * width, *sorted(-rng.uniform(0.6, 1.4) * width for _ in range(6)), 0.0]

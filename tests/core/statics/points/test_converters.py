@@ -14,7 +14,7 @@ import pytest
 from scipy.interpolate import RegularGridInterpolator
 from scipy.optimize import brentq
 
-from tests.chance import count, seeded
+from tests.chance import count, examples, seeded
 from vstatics import solve
 from vstatics.core.readers import loads
 
@@ -193,10 +193,11 @@ gears: {{slip: {{engaged: [B], slip: {{LU: {slip} rad/s}}}}}}
 """
 
 
-def test_beside_a_slipping_lock_up_the_slip_determines_the_speed_ratio() -> None:
+@examples(15, 60, 600)
+def test_beside_a_slipping_lock_up_the_slip_determines_the_speed_ratio(examples: int) -> None:
     """The pump takes lambda w |w|, and the clutch carries the rest, in the direction of its slip."""
     rng, kinds = seeded(515), set()
-    for _ in range(count(60, 600)):
+    for _ in range(examples):
         points = [[0, rng.uniform(1.8, 2.5), 0.003], [0.9, 1.0, rng.uniform(0.001, 0.002)]]
         points += [[1.0, 1.0, 0.0], [1.3, 1.0, -rng.uniform(0.001, 0.002)]]
         w, torque = rng.choice([-1, 1]) * rng.uniform(60, 400), rng.uniform(-300, 300)

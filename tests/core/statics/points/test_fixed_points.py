@@ -11,7 +11,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from tests.chance import count, seeded
+from tests.chance import count, examples, seeded
 from tests.oracle.gears import solve_gear
 from tests.trains import is_regular, random_train, shown
 from vstatics import Load, Results, Transmission, loads, solve
@@ -125,10 +125,11 @@ def crossings(law: list[list[float]], torque: float) -> list[float]:
     return found
 
 
-def test_all_efficiencies_of_two_jagged_laws_are_searched() -> None:
+@examples(3, 8, 600)
+def test_all_efficiencies_of_two_jagged_laws_are_searched(examples: int) -> None:
     """The torque on the first link is that behind each pair: e G T/0.8, then e H of it by 1.2."""
     rng, numbers = seeded(528), set()
-    for _ in range(count(8, 600)):
+    for _ in range(examples):
         laws = [
             [[x, rng.uniform(0.6, 0.99)] for x in sorted(rng.uniform(35, 110) for _ in range(7))]
             for _ in "GH"

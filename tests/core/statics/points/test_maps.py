@@ -11,7 +11,7 @@ import pytest
 from scipy.interpolate import RegularGridInterpolator
 from scipy.optimize import brentq
 
-from tests.chance import count, seeded
+from tests.chance import count, examples, seeded
 from tests.core.writers.again import is_read_again
 from vstatics import CaseError, Gear, Load, Mechanism, ReadError, Transmission, load, loads, solve
 from vstatics.core.model.laws import MapLaw
@@ -50,13 +50,14 @@ def interpolated(columns: list[float], rows: list[list[float]]) -> Callable[[flo
     return value
 
 
-def test_a_chain_of_gear_pairs_with_maps() -> None:
+@examples(5, 15, 2000)
+def test_a_chain_of_gear_pairs_with_maps(examples: int) -> None:
     """Forward, by its first link, a pair passes T u eta(w, T); by its second, T/u eta(w, T/u eta).
 
     The loss of the gear brakes the input by L/w.
     """
     chance = seeded(51)
-    for _ in range(count(15, 2000)):
+    for _ in range(examples):
         speed, torque = chance.uniform(20, 500), chance.uniform(10, 350)
         of_gear = random_map(chance, low=0, high=900)
         mechanisms, passed, turning = [], torque, speed
@@ -106,20 +107,20 @@ def test_a_formula_that_gives_no_efficiency_leaves_no_torques() -> None:
         assert (said.id, "of pair " in said.text) == ("W433", True)
 
 
-def test_the_iteration_may_be_slow() -> None:
+@pytest.mark.parametrize("rises", [0.009, 0.0092])
+def test_the_iteration_may_be_slow(rises: float) -> None:
     """Driven by its second link at 100 N*m, a pair has eta = 0.04 + rises 100 eta."""
-    for rises in (0.009, 0.0092):
-        law = EfficiencyFormula(f"0.04 + {rises}*T")
-        part = Mechanism(2, 1, 0, 1.0, 0.9, back_efficiency=law)
-        pair = Mechanism(2, 3, 0, 1.0, EfficiencyFormula("1 + 0*T"))
-        results = solve(Transmission(3, [], [part, pair], [Gear()], load=Load(900, 100)))
-        assert results.efficiency == pytest.approx([0.04 / (1 - 100 * rises)], rel=1e-11)
+    law = EfficiencyFormula(f"0.04 + {rises}*T")
+    part = Mechanism(2, 1, 0, 1.0, 0.9, back_efficiency=law)
+    pair = Mechanism(2, 3, 0, 1.0, EfficiencyFormula("1 + 0*T"))
+    results = solve(Transmission(3, [], [part, pair], [Gear()], load=Load(900, 100)))
+    assert results.efficiency == pytest.approx([0.04 / (1 - 100 * rises)], rel=1e-11)
 
 
-@pytest.mark.parametrize("seed", [54, 55, 56])
+@pytest.mark.parametrize("seed", range(54, 60))
 def test_a_map_of_the_other_direction_changes_nothing(seed: int) -> None:
     chance, ahead = seeded(seed), MapLaw([0, 9], [[0, 0.8, 0.9], [9, 0.8, 0.9]])
-    for _ in range(count(4, 170)):
+    for _ in range(count(2, 85)):
         back = MapLaw(*random_map(chance, low=0.2, high=1))
         parts = (Mechanism(2, 1, 0, 1.0, each, back_efficiency=back) for each in (0.9, ahead))
         cases = (Transmission(2, [], [part], [Gear()], load=Load(900, 400)) for part in parts)
@@ -144,11 +145,12 @@ def test_a_formula_that_is_not_used_takes_no_torques_away() -> None:
     assert "W433" not in {message.id for message in results.messages}
 
 
-def test_machines_with_maps_balance_a_battery() -> None:
+@examples(8, 25, 500)
+def test_machines_with_maps_balance_a_battery(examples: int) -> None:
     """Sum of P eta of generators less P/eta of motors is the power of the battery."""
     chance = seeded(52)
     balanced = 0
-    for _ in range(count(25, 500)):
+    for _ in range(examples):
         grids = [random_map(chance, low=0.7, high=0.95, sides=n > 0, rise=0.5) for n in range(2)]
         grids[0][0][0] = 0.0  # the least torque of either direction
         battery = chance.uniform(-3, 3)
@@ -169,7 +171,7 @@ def test_machines_with_maps_balance_a_battery() -> None:
             eta = interpolated(*grid)(abs(speed), along if min(grid[0]) < 0 else abs(along))
             total += power * eta if power > 0 else power / eta
         assert total == pytest.approx(battery, abs=1e-9)
-    assert balanced > 5
+    assert balanced > examples / 5
 
 
 def test_the_input_torque_of_a_passed_torque() -> None:

@@ -154,7 +154,7 @@ def test_shipped_boxes_can_be_built_and_have_all_that_is_theirs(
     assert {one.get("data-port") for one in of_class(root, "port")} == {"input", "output"}
 
 
-@pytest.mark.parametrize("seed", with_slow(range(6), range(100, 130)))
+@pytest.mark.parametrize("seed", with_slow([3, 0, 1, 2, 4, 5], range(100, 130)))
 def test_boxes_made_by_chance_can_be_built(seed: int) -> None:
     case = countershaft_box(random.Random(seed))  # noqa: S311 - no secret
     check_built(case, svg_of(case))
@@ -300,17 +300,18 @@ def gaps(root: ET.Element, kind: str, name: str) -> int:
     return count
 
 
-def test_what_is_elastic_behind_a_gap_shows_it_until_it_is_engaged() -> None:
+@pytest.mark.parametrize("has_play", [False, True])
+def test_what_is_elastic_behind_a_gap_shows_it_until_it_is_engaged(has_play: bool) -> None:
     # moskvich412: dog clutches with a stiffness; the first shaft is a plain spring
     case = load("moskvich412")
+    if has_play:
+        shaft, *others = case.springs
+        loose = shaft._replace(compliance=None, points=[(0, 0), (0.1, 0), (0.2, 300)])
+        case = replace(case, springs=[loose, *others])
     bare, gear = svg_of(case), svg_of(case, (1,))
     assert [gaps(bare, "element", one) for one in ("damper", "shaft 1", "shaft 2")] == [1, 1, 1]
     assert [gaps(gear, "element", one) for one in ("damper", "shaft 1", "shaft 2")] == [0, 0, 1]
-    assert gaps(bare, "mechanism", "first shaft") == 0
-    shaft, *others = case.springs
-    loose = shaft._replace(compliance=None, points=[(0, 0), (0.1, 0), (0.2, 300)])
-    with_play = svg_of(replace(case, springs=[loose, *others]))
-    assert gaps(with_play, "mechanism", "first shaft") == 1
+    assert gaps(bare, "mechanism", "first shaft") == has_play
 
 
 def test_a_manual_box_has_its_idler_between_two_axes() -> None:

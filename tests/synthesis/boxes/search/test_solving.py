@@ -5,6 +5,7 @@ from itertools import combinations, pairwise, permutations
 import numpy as np
 import pytest
 
+from tests.chance import examples
 from vstatics.core.numerics.arrays import Floats, Integers
 from vstatics.synthesis.boxes.search.engaged import combinations_table
 from vstatics.synthesis.boxes.search.set_ratios import Asked
@@ -44,12 +45,15 @@ def can_be_engaged(chosen: tuple[int, ...], ratio_of: Integers, shifts: Integers
 
 
 @pytest.mark.parametrize("is_single", [False, True])
-def test_boxes_are_found_where_a_grid_has_them_and_no_others(is_single: bool) -> None:
+@examples(20, 60, 600)
+def test_boxes_are_found_where_a_grid_has_them_and_no_others(
+    is_single: bool, examples: int
+) -> None:
     random = np.random.default_rng(32)
     grid = np.geomspace(LOW, HIGH, 60)
     points = np.array([(one, other) for one in grid for other in grid])
     found_some = beyond_grid = 0
-    for _ in range(60):
+    for _ in range(examples):
         parts = random.uniform(0.4, 2, (5, 2, 4))
         parts[4] = 1.0  # a direct drive
         ratio_of = np.array([*random.permutation(5), random.integers(5)])
