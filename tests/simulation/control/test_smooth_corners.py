@@ -107,21 +107,6 @@ springs: {tyre: {links: [wheel, road], stiffness: 20000}}
 
 
 @pytest.mark.slow
-def test_a_relay_behind_a_lag_whose_periods_shrink_is_reported() -> None:
-    """Near slip 20 the n-th period is about 1/n, so the time grows as log n without end."""
-    text = """duration: 2
-start: {speeds: {a: 24, b: 0}}
-states: {p: {rate: "(400*(slip('C') > 20) - p)/0.02"}}
-controls: {C: p}
-torques: {a: 50}
-"""
-    motion = simulate(written(text, ONE_TO_FIVE))
-    assert motion.stopped is not None
-    assert (motion.stopped.id, motion.stopped.path) == ("E601", ("states", "p", "rate"))
-    assert "back and forth faster and faster" in motion.stopped.message
-
-
-@pytest.mark.slow
 def test_a_relay_of_constant_period_goes_on() -> None:
     """A state with x'' = 60 - 120 (x > 0) moves along parabolas of equal length."""
     states = 'states: {v: {rate: "60 - 120*(x > 0)"}, x: {start: 0.012, rate: v}}\n'
