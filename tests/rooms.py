@@ -18,7 +18,7 @@ import vstatics
 TESTS = Path(__file__).parent
 PACKAGE = Path(vstatics.__file__).parent
 ROOMS = (
-    "core.start", "core.annexes", "core.record", "core.errors", "core.messages",
+    "core.start", "core.annexes", "core.record", "core.groups", "core.errors", "core.messages",
     "core.suggestions", "core.extras", "core.arguments", "core.texts",
     "core.numerics", "core.model", "core.statics", "core.elements", "core.jobs",
     "core.tables", "core.readers", "core.examples", "core.checking",

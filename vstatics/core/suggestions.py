@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable, Sequence
 
 from vstatics.core.errors import quoted, spoken
+from vstatics.core.groups import grouped
 from vstatics.core.messages.catalogue import causes_of_allowable
 
 _LEAST_PART = 4
@@ -31,11 +32,11 @@ def lookalike(word: str, known: Iterable[str]) -> str:
     name = next((name for name in known if name != word and name.translate(_LOOKS) == looks), "")
     if not name:
         return ""
-    places: dict[tuple[str, str], list[int]] = {}
-    for place, (read, meant) in enumerate(zip(word, name, strict=True)):
-        if read != meant:
-            both = _SCRIPTS.get(read, "Latin"), _SCRIPTS.get(meant, "Latin")
-            places.setdefault(both, []).append(place)
+    places = grouped(
+        ((_SCRIPTS.get(read, "Latin"), _SCRIPTS.get(meant, "Latin")), place)
+        for place, (read, meant) in enumerate(zip(word, name, strict=True))
+        if read != meant
+    )
     said = "; ".join(
         f"{_letters(word, which)} {read} in what was read, but {meant} in this name"
         for (read, meant), which in places.items()
@@ -86,9 +87,7 @@ def nearest(word: str, known: Iterable[str]) -> str:
     names = [*known]
     if alike := lookalike(word, names):
         return alike
-    words: dict[str, list[str]] = {}
-    for name in names:
-        words.setdefault(name.casefold(), []).append(name)
+    words = grouped((name.casefold(), name) for name in names)
     asked = word.casefold()
     longer = [name for name in words if asked in name and len(asked) >= _LEAST_PART]
     matches = sorted(longer, key=len) or difflib.get_close_matches(asked, words, n=1)

@@ -14,6 +14,7 @@ from vstatics.core.elements.group import group_of
 from vstatics.core.elements.kinds import Planetary
 from vstatics.core.elements.lower import DrawnPart, parts
 from vstatics.core.errors import Problem
+from vstatics.core.groups import grouped
 from vstatics.core.model.parts import HOUSING, Member, OwnDevice, Planet, WheelOfPlanet
 from vstatics.core.model.transmission import ShiftElement, Transmission
 
@@ -142,10 +143,11 @@ def _devices(drawn: Sequence[DrawnPart]) -> Iterator[OwnDevice]:
     for part in drawn:
         numbers = tuple(range(number, number + len(part.lowered)))
         number += len(part.lowered)
-        places: dict[str, list[tuple[int, int]]] = {}
-        for index, lowered in zip(numbers, part.lowered, strict=True):
-            for place, member in enumerate(lowered.members):
-                places.setdefault(member, []).append((index, place))
+        places = grouped(
+            (member, (index, place))
+            for index, lowered in zip(numbers, part.lowered, strict=True)
+            for place, member in enumerate(lowered.members)
+        )
         members = [Member(name, link, tuple(places[name])) for name, link in part.members.items()]
         yield OwnDevice(
             part.name,

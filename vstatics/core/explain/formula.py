@@ -13,6 +13,7 @@ from vstatics.core.explain.bodies import OwnLinks, Structure
 from vstatics.core.explain.names import Names
 from vstatics.core.explain.shares import NoFormula, shares
 from vstatics.core.extras import missing
+from vstatics.core.groups import grouped
 from vstatics.core.model.transmission import HOUSING, Gear, SpeedOf, Transmission
 from vstatics.core.tables.answer import Flat, json_keys
 
@@ -217,9 +218,7 @@ def _shared(
     value: Any, symbols: Sequence[Symbol], fixed: Sequence[int]
 ) -> tuple[dict[str, list[str]], str]:
     """Return the formula with common symbols for equal ratios among the ratios `fixed`."""
-    by_value: dict[float, list[int]] = {}
-    for place in fixed:
-        by_value.setdefault(symbols[place].value, []).append(place)
+    by_value = grouped((symbols[place].value, place) for place in fixed)
     groups = [places for places in by_value.values() if len(places) > 1]
     if not 0 < len(groups) <= len(SHARED):
         return {}, ""

@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from typing import Literal, NamedTuple
 
+from vstatics.core.groups import grouped
 from vstatics.core.numerics.tolerances import CYCLE
 from vstatics.core.tables.answer import json_keys
 from vstatics.core.texts import translated
@@ -135,9 +136,9 @@ def _shortest_cycle(
     powers: Mapping[tuple[Node, Node], float], nodes: Sequence[Node]
 ) -> Loop | None:
     """Return the shortest cycle; of several, the cycle with the most power."""
-    following: dict[Node, list[tuple[Node, float]]] = {}
-    for (source, target), power in _without_ends(powers).items():
-        following.setdefault(source, []).append((target, power))
+    following = grouped(
+        (source, (target, power)) for (source, target), power in _without_ends(powers).items()
+    )
     best: Loop | None = None
     for node in (node for node in nodes if node in following):
         cycle = _shortest_cycle_through(node, following)

@@ -19,13 +19,16 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, nullcontext
 from os import PathLike, fspath
 from os.path import split, splitext
-from typing import Any, Literal, Protocol, get_args, runtime_checkable
+from typing import TYPE_CHECKING, Any, Literal, Protocol, get_args, runtime_checkable
 
 from vstatics.core.arguments import refusing, type_and_value
 from vstatics.core.errors import ReadError, of_file
 from vstatics.core.jobs.input_files import DOCUMENT_BYTES, read_file, read_stream
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.readers.reading import Reading
+
+if TYPE_CHECKING:
+    from vstatics.core.readers.named.nodes import DocumentText, Node
 
 Format = Literal["deck", "yaml", "json", "xlsx"]
 
@@ -114,7 +117,6 @@ def read(data: bytes, file: str, format: Format | None = None) -> Reading:  # no
         from vstatics.core.readers.deck import reader  # each format costs start-up time
 
         return reader.read(data, file)
-    from vstatics.core.readers.documents import case_tree
     from vstatics.core.readers.named.reader import read_case_tree
 
     try:
@@ -128,6 +130,32 @@ def read(data: bytes, file: str, format: Format | None = None) -> Reading:  # no
             f"the text is a deck, not {wanted.upper()}: expected the suffix .dat or `--from deck`"
         )
         raise ReadError([of_file("E108", file, message)]) from None
+
+
+def case_tree(data: bytes, file: str, form: Format) -> tuple[Node, DocumentText]:
+    """Return the tree of nodes of a case in YAML, JSON or a workbook, and the text.
+
+    Modules are imported when needed to save start-up time.
+
+    Raises
+    ------
+    ReadError
+        If the text is not valid YAML, JSON or workbook.
+    """
+    if form == "xlsx":
+        from vstatics.core.readers.workbook.reader import workbook_tree
+
+        return workbook_tree(data, file)
+    from vstatics.core.readers.named.nodes import decode
+
+    document = decode(data, file)
+    if form == "json":
+        from vstatics.core.readers.named.json_nodes import json_tree
+
+        return json_tree(document), document
+    from vstatics.core.readers.named.yaml_nodes import yaml_tree
+
+    return yaml_tree(document), document
 
 
 @refusing()

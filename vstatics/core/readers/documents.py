@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
-from vstatics.core.readers.named.nodes import DocumentText, Node, decode
+from vstatics.core.readers.named.nodes import DocumentText, Node
 from vstatics.core.readers.named.reader import read_case_tree, within_result
 from vstatics.core.readers.reading import Reading, Source
 
@@ -43,34 +43,10 @@ def case_document(data: bytes, file: str, form: Format | None) -> CaseDocument |
     >>> [key.text for key, _ in document.root.entries], case_document(b"", "a.dat", None)
     (['links', 'gears'], None)
     """
-    from vstatics.core.readers import format_of
+    from vstatics.core.readers import case_tree, format_of
 
     form = form or format_of(file, data)
     if form == "deck":
         return None
     root, document = case_tree(data, file, form)
     return CaseDocument(within_result(root), document.source)
-
-
-def case_tree(data: bytes, file: str, form: Format) -> tuple[Node, DocumentText]:
-    """Return the tree of nodes of a case in YAML, JSON or a workbook, and the text.
-
-    Modules are imported when needed to save start-up time.
-
-    Raises
-    ------
-    ReadError
-        If the text is not valid YAML, JSON or workbook.
-    """
-    if form == "xlsx":
-        from vstatics.core.readers.workbook.reader import workbook_tree
-
-        return workbook_tree(data, file)
-    document = decode(data, file)
-    if form == "json":
-        from vstatics.core.readers.named.json_nodes import json_tree
-
-        return json_tree(document), document
-    from vstatics.core.readers.named.yaml_nodes import yaml_tree
-
-    return yaml_tree(document), document

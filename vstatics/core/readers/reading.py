@@ -16,12 +16,12 @@ from vstatics.core.errors import (
     plural,
     spoken,
 )
+from vstatics.core.groups import grouped
 from vstatics.core.model.checks import doubts
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.start import NamedTuple
 
 if TYPE_CHECKING:
-    from vstatics.core.statics.result_arrays import Message
     from vstatics.core.statics.results import Results
 
 
@@ -69,11 +69,11 @@ class Reading(NamedTuple):
         if not results.messages:
             return
         numbers = {gear.name: number for number, gear in enumerate(results.case.gears, 1)}
-        together: dict[object, list[Message]] = {}
-        for message in results.messages:
-            if message.gear:
-                key = message if each_gear else message._replace(gear="")
-                together.setdefault(key, []).append(message)
+        together = grouped(
+            (message if each_gear else message._replace(gear=""), message)
+            for message in results.messages
+            if message.gear
+        )
         for first, *others in together.values():
             place = self.locate(Problem(first.id, "", ("gears", numbers[first.gear]))).place
             names = spoken([first.gear, *(other.gear for other in others)])

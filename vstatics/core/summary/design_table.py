@@ -12,6 +12,7 @@ from collections.abc import Hashable, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
+from vstatics.core.groups import grouped
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.tolerances import SAME_RATIO
 from vstatics.core.statics.results import Results
@@ -126,10 +127,11 @@ def ranges_of(
     >>> ranges_of([3.3, -4.7], ["a", "a"], ["road 1", "low R"])
     [[0], [1]]
     """
-    alike: dict[Hashable, list[int]] = {}
-    for index, (ratio, kind) in enumerate(zip(ratios, kinds, strict=True)):
-        if math.isfinite(ratio) and ratio and kind is not None:
-            alike.setdefault((kind, ratio > 0), []).append(index)
+    alike = grouped(
+        ((kind, ratio > 0), index)
+        for index, (ratio, kind) in enumerate(zip(ratios, kinds, strict=True))
+        if math.isfinite(ratio) and ratio and kind is not None
+    )
     # gears whose ratios are equal except for rounding keep their order
     for indices in alike.values():
         indices.sort(key=lambda index: -float(f"{abs(ratios[index]):.9e}"))

@@ -6,7 +6,7 @@ import re
 from collections.abc import Container, Iterable, Iterator, Sequence
 from itertools import chain, groupby, starmap
 
-from vstatics.core.tables.filling import filled
+from vstatics.core.groups import filled
 from vstatics.core.tables.grid import NO, NOTHING, YES, Cell, Column, Grid
 
 _COMMANDS = {

@@ -11,7 +11,7 @@ from rich.cells import cell_len
 from rich.table import Table as RichTable
 from rich.text import Text
 
-from vstatics.core.tables.filling import filled
+from vstatics.core.groups import filled
 from vstatics.core.tables.grid import Cell, Grid
 
 MANY_ROWS = 20

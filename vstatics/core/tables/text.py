@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain
 from textwrap import wrap
 
-from vstatics.core.tables.filling import filled
+from vstatics.core.groups import filled
 from vstatics.core.tables.grid import Grid
 
 TABLE_WIDTH = 80

@@ -5,7 +5,7 @@ styles of links and shift elements, `tolerances` the limits of visible differenc
 contains the lines, areas and texts of a page. `metrics` measures letters, `lettering` places the
 lines of a text, and `labels` places texts. `pen` draws on a canvas, also the scales of panels;
 `ends` names lines at the edges of panels, and `head` is the heading above them. `gear_state`
-contains the state of a gear as pictures show it; `groups` collects values by key; `free` finds
-places for texts within a panel; `join` puts pictures of two cases on one sheet. `svg` writes a
-canvas as SVG, `figures` as a figure of matplotlib, and `files` in any format.
+contains the state of a gear as pictures show it; `free` finds places for texts within a panel;
+`join` puts pictures of two cases on one sheet. `svg` writes a canvas as SVG, `figures` as a figure
+of matplotlib, and `files` in any format.
 """

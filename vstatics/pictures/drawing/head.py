@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from operator import attrgetter
 from typing import NamedTuple
 
-from vstatics.core.tables.filling import filled
+from vstatics.core.groups import filled
 from vstatics.pictures.drawing.canvas import Look, Point
 from vstatics.pictures.drawing.labels import LINE_HEIGHT, height, title_width, width, wrapped
 from vstatics.pictures.drawing.pen import Pen, blank

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from vstatics.core.flow.circulation import Node
 from vstatics.core.flow.power_flow import GearFlow
-from vstatics.core.tables.filling import filled
+from vstatics.core.groups import filled
 from vstatics.pictures.drawing.labels import height, width
 from vstatics.pictures.drawing.pen import Pen
 from vstatics.pictures.flow.graph import Graph

@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from itertools import combinations, pairwise
 
-from vstatics.pictures.drawing.groups import grouped
+from vstatics.core.groups import grouped
 from vstatics.pictures.drawing.tolerances import SAME_CROSSINGS
 from vstatics.pictures.flow.columns import Key, NodeColumns
 from vstatics.pictures.flow.graph import Graph

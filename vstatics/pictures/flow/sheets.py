@@ -9,7 +9,7 @@ from operator import attrgetter
 from typing import NamedTuple
 
 from vstatics.core.flow.power_flow import GearFlow
-from vstatics.core.tables.filling import filled
+from vstatics.core.groups import filled
 from vstatics.pictures.drawing.canvas import Canvas
 from vstatics.pictures.drawing.head import Meaning, SheetHead, sheet_head
 from vstatics.pictures.drawing.labels import height, width

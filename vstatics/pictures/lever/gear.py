@@ -7,12 +7,12 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
+from vstatics.core.groups import grouped
 from vstatics.core.model.transmission import HOUSING, Gear, ShiftElement, Transmission
 from vstatics.core.numerics.traced import plain
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.roles import IDLE, ONE_PIECE, Role, roles
 from vstatics.pictures.drawing.gear_state import PictureState, shown_of
-from vstatics.pictures.drawing.groups import grouped
 from vstatics.pictures.drawing.tolerances import NO_LEVER_TORQUE
 from vstatics.pictures.lever.points import Lever, held_for_good
 

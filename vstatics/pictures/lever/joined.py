@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
+from vstatics.core.groups import grouped
 from vstatics.pictures.drawing.canvas import Point
-from vstatics.pictures.drawing.groups import grouped
 from vstatics.pictures.drawing.style import WIDE_MARGIN
 from vstatics.pictures.lever.gear import LeverTie
 from vstatics.pictures.lever.places import LeverPage

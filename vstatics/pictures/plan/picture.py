@@ -10,9 +10,9 @@ from operator import attrgetter
 from typing import NamedTuple
 
 from vstatics.core.errors import CaseError, Problem
+from vstatics.core.groups import filled
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.statics.results import Results
-from vstatics.core.tables.filling import filled
 from vstatics.pictures.drawing.canvas import Canvas
 from vstatics.pictures.drawing.head import SheetHead, sheet_head
 from vstatics.pictures.drawing.labels import widest

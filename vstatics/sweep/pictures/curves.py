@@ -8,8 +8,8 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.errors import CaseError
+from vstatics.core.groups import filled
 from vstatics.core.numerics.arrays import Booleans, Floats
-from vstatics.core.tables.filling import filled
 from vstatics.core.tables.written_results import GEAR_NUMBER, WrittenSweep
 from vstatics.pictures.drawing.canvas import Canvas, Look
 from vstatics.pictures.drawing.ends import LineEnd, beside, height_of, width_of

@@ -13,8 +13,8 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.errors import CaseError
+from vstatics.core.groups import filled
 from vstatics.core.numerics.arrays import Floats
-from vstatics.core.tables.filling import filled
 from vstatics.core.tables.written_results import WrittenSweep
 from vstatics.pictures.drawing.canvas import Canvas, Look
 from vstatics.pictures.drawing.head import headed, sheet_head

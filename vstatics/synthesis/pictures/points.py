@@ -6,9 +6,9 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
+from vstatics.core.groups import grouped
 from vstatics.core.tables.numbers import certain
 from vstatics.pictures.drawing.canvas import Look
-from vstatics.pictures.drawing.groups import grouped
 from vstatics.pictures.drawing.labels import (
     LINE_HEIGHT,
     Span,

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import NamedTuple
 
+from vstatics.core.groups import grouped
 from vstatics.pictures.schemes.coaxial.layout import Bar, SectionFrame, Upright
 
 PITCH, SIGN_PITCH = 13.0, 27.0
@@ -93,11 +94,11 @@ def heights_of(frame: SectionFrame, needs: Needs) -> SectionPlaces:
                 signs.get(bars_of_sign, 0.0), needs.signs[up.index], 2 * needs.pitch
             )
     pinned, pitch = set(_pinned(frame)), needs.pitch
-    rises: dict[Bar, list[tuple[Bar, float]]] = {}
-    for low, high in frame.neighbours():
-        if low not in pinned and high not in pinned:
-            step = signs.get(frozenset((low, high)), pitch)
-            rises.setdefault(high, []).append((low, step))
+    rises = grouped(
+        (high, (low, signs.get(frozenset((low, high)), pitch)))
+        for low, high in frame.neighbours()
+        if low not in pinned and high not in pinned
+    )
     ends = {bar for up in frame.uprights if up.kind in ("start", "end") for bar in up.bars}
 
     def rise(bar: Bar) -> float:

@@ -10,6 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain, pairwise, product
 from math import prod
 
+from vstatics.core.groups import grouped
 from vstatics.pictures.schemes.coaxial.train import AXIS, HOUSING_VERTEX, CoaxialTrain, Planes
 
 MOST_GRAPHS = 512
@@ -46,9 +47,8 @@ def has_half_section(train: CoaxialTrain, left_out: int = 0) -> bool:
     """
     import networkx as nx  # networkx is an optional package
 
-    by_carrier: dict[int, list[_NumberedSet]] = {}
-    for number, planes in enumerate(train.sets):
-        by_carrier.setdefault(planes.carrier, []).append((number, planes))
+    numbered = enumerate(train.sets)
+    by_carrier = grouped((planes.carrier, (number, planes)) for number, planes in numbered)
     apart = {
         carrier: sets
         for carrier, sets in by_carrier.items()

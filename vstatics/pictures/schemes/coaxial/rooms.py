@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from vstatics.core.groups import grouped
 from vstatics.pictures.drawing.canvas import Point
-from vstatics.pictures.drawing.groups import grouped
 from vstatics.pictures.drawing.style import WIDE_MARGIN
 from vstatics.pictures.schemes.boxes import BoxSection
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout

@@ -9,7 +9,7 @@ from functools import cached_property
 from itertools import count, islice
 from typing import NamedTuple
 
-from vstatics.pictures.drawing.groups import grouped
+from vstatics.core.groups import grouped
 
 AXIS, HOUSING_VERTEX = -1, 0
 """Vertices of the axis and of the housing. The vertices of links are the link numbers, from 1."""

@@ -7,9 +7,9 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from vstatics.core.groups import grouped
 from vstatics.pictures.drawing.canvas import Look
 from vstatics.pictures.drawing.ends import LineEnd, beside, height_of, width_of
-from vstatics.pictures.drawing.groups import grouped
 from vstatics.pictures.drawing.labels import Label, height, width
 from vstatics.pictures.drawing.pen import Pen
 from vstatics.pictures.drawing.style import Style

@@ -6,8 +6,8 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
+from vstatics.core.groups import filled
 from vstatics.core.statics.results import Results
-from vstatics.core.tables.filling import filled
 from vstatics.pictures.drawing.canvas import Canvas
 from vstatics.pictures.drawing.head import BELOW, SheetHead, sheet_head
 from vstatics.pictures.drawing.labels import height, widest, width, wrapped

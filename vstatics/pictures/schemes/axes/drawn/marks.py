@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from vstatics.core.groups import grouped
 from vstatics.core.tables.numbers import typeset
 from vstatics.pictures.drawing.canvas import Look, Point
 from vstatics.pictures.drawing.labels import Segment
@@ -128,10 +129,9 @@ def _set(sheet: AxesSheet, number: int, station: Station) -> None:
         low, high = sorted(at(*corner) for corner in glyph.wheels)
         low, high = (low[0], min(low[1], high[1])), (high[0], max(low[1], high[1]))
         pen.lines(hatching(low, high), color=pen.style.soft, width=HATCH_WIDTH, zorder=1)
-    looks: dict[float, list[Sequence[Point]]] = {}
-    for stroke in glyph.strokes:
-        points = [at(*point) for point in stroke.points]
-        looks.setdefault(stroke.width, []).append(points)
+    looks: dict[float, list[Sequence[Point]]] = grouped(
+        (stroke.width, [at(*point) for point in stroke.points]) for stroke in glyph.strokes
+    )
     for tap in glyph.taps:
         if not tap.wire:
             end = tap.side * (glyph.half + 5)

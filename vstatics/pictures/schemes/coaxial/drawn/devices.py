@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from vstatics.core.groups import grouped
 from vstatics.pictures.drawing.canvas import Look, Point
 from vstatics.pictures.drawing.pen import LINE_WIDTH
 from vstatics.pictures.drawing.style import SMALL
@@ -44,10 +45,10 @@ def _set(ink: SchemeInk, layout: CoaxialLayout, up: Upright, at: float) -> None:
         draw_box(ink, index, section, at, any(up.left))
         return
     pen = ink.of_device(index).pen
-    looks: dict[float, list[Sequence[Point]]] = {}
-    for stroke in planet_strokes(section):
-        points = [(at + x, y) for x, y in stroke.points]
-        looks.setdefault(stroke.width, []).append(points)
+    looks: dict[float, list[Sequence[Point]]] = grouped(
+        (stroke.width, [(at + x, y) for x, y in stroke.points])
+        for stroke in planet_strokes(section)
+    )
     faces = [(at + tap.x, tap.side * tap.depth) for tap in taps]
     looks.setdefault(TOOTH, []).extend(((x - FACE, y), (x + FACE, y)) for x, y in faces)
     if index in ink.state.pieces:

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations
 from typing import NamedTuple
 
+from vstatics.core.groups import grouped
 from vstatics.pictures.drawing.canvas import Point
-from vstatics.pictures.drawing.groups import grouped
 from vstatics.pictures.drawing.labels import Segment
 from vstatics.pictures.schemes.coaxial.half_section import CoaxialLayout
 from vstatics.pictures.schemes.coaxial.layout import Upright
