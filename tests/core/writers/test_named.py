@@ -52,6 +52,13 @@ def test_odd_names_stay_what_they_are() -> None:
         assert is_read_again(case), name
 
 
+def test_typographic_blanks_are_kept() -> None:
+    for blank in "\u00a0\u2007\u3000":
+        for text in (blank, f"{blank}x{blank}", f"{blank}\n", f"a{blank}b"):
+            case = differential(source=text, description=text)
+            assert is_read_again(case), ascii(text)
+
+
 def test_defaults_are_left_out() -> None:
     assert mapping(differential()) == {
         "links": 3,

@@ -19,6 +19,15 @@ def with_plain_blanks(text: str) -> str:
     return text if text.isascii() else re.sub(_BLANKS, " ", text)
 
 
+def with_escaped_blanks(text: str) -> str:
+    r"""Return JSON or quoted YAML with escapes for typographic blanks, which readers keep.
+
+    >>> print(with_escaped_blanks('"a\u00a0b"'))
+    "a\u00a0b"
+    """
+    return re.sub(_BLANKS, lambda blank: f"\\u{ord(blank[0]):04x}", text)
+
+
 def dash_hint(text: str) -> str:
     """Return a hint to write a plain minus; empty if the text contains no dash.
 

@@ -32,6 +32,7 @@ from vstatics.core.model.shape import (
 )
 from vstatics.core.model.springs import spring_record
 from vstatics.core.model.transmission import SpeedOf, Transmission
+from vstatics.core.readers.signs import with_escaped_blanks, with_plain_blanks
 
 if TYPE_CHECKING:
     import yaml
@@ -105,7 +106,7 @@ def write_yaml(case: Transmission) -> str:
             name: _OnOneLine(element) if isinstance(element, dict) else element
             for name, element in data["shift_elements"].items()
         }
-    return yaml.dump(
+    written: str = yaml.dump(
         data,
         Dumper=_dumper(),
         sort_keys=False,
@@ -113,13 +114,14 @@ def write_yaml(case: Transmission) -> str:
         default_flow_style=None,
         width=100,
     )
+    return with_escaped_blanks(written)
 
 
 def write_json(case: Transmission) -> str:
     """Write a case as JSON; see `mapping`."""
     import json  # costs start-up time
 
-    return json.dumps(mapping(case), indent=2, ensure_ascii=False) + "\n"
+    return with_escaped_blanks(json.dumps(mapping(case), indent=2, ensure_ascii=False)) + "\n"
 
 
 def _wholes(case: Transmission) -> set[float]:
@@ -315,7 +317,7 @@ def _dumper() -> type[yaml.SafeDumper]:
 
     def text(dumper: yaml.SafeDumper, data: str) -> yaml.ScalarNode:
         # other texts need escapes, and therefore quotes
-        plain = printable(data, lines=True) == data
+        plain = printable(data, lines=True) == data == with_plain_blanks(data)
         style = ("|" if "\n" in data else None) if plain else '"'
         if data in {*"yYnN"}:  # in YAML 1.1 these mean true or false
             style = "'"
