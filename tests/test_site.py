@@ -99,6 +99,13 @@ def test_each_page_is_told_with_its_kind(site: Path, told: list[dict[str, str]])
         assert one["title"], one
 
 
+def test_entries_of_the_sidebar_differ(site: Path) -> None:
+    tree = (site / "index.html").read_text("utf-8").partition('class="sidebar-tree"')[2]
+    names = re.findall(r"toctree-l1[^>]*><a[^>]*>([^<]+)<", tree)
+    assert "Menu" in names
+    assert len({*names}) == len(names)
+
+
 def test_nothing_is_told_of_the_machine_that_builds(site: Path) -> None:
     places = {str(documents.ROOT), str(Path.home()), str(site.parent)}
     for path in [*site.glob("**/*.html"), *site.glob("**/*.js*")]:

@@ -26,6 +26,8 @@ FIRST = {
     "messages": "messages/messages",
     "sources": "sources/index",
 }
+SIDEBAR = {"start/readme": "Start here", "start/menu": "Menu"}
+"""Names in the sidebar of pages whose titles other pages have, too."""
 """First page of each kind, in the order of the sidebar."""
 
 
@@ -79,7 +81,10 @@ def _with_contents(pages: Sequence[Page]) -> Iterator[Page]:
     below["start"] += [first for kind, first in FIRST.items() if kind != "start"]
     for page in pages:
         if page.name == FIRST[page.kind] and below[page.kind]:
-            names = "\n".join(f"/{name}" for name in below[page.kind])
+            names = "\n".join(
+                f"{SIDEBAR[name]} </{name}>" if name in SIDEBAR else f"/{name}"
+                for name in below[page.kind]
+            )
             more = f"\n\n```{{toctree}}\n:hidden:\n:maxdepth: 1\n\n{names}\n```\n"
             yield page._replace(text=page.text + more)
         else:

@@ -21,6 +21,7 @@ html_title = "vstatics"
 html_static_path = ["static"]
 html_css_files = ["site.css"]
 html_show_sourcelink = False
+html_show_copyright = False
 html_copy_source = False
 html_show_search_summary = False  # fetches pages, which browsers refuse for files on a disk
 suppress_warnings = [

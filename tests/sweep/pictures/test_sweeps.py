@@ -77,7 +77,7 @@ def test_contours_are_even_and_each_has_its_number() -> None:
     figure = drawn(map_, read("variant,sun,ring,status,z", rows))
     levels = sorted({float(said) for said, _ in titled(figure)})
     np.testing.assert_allclose(np.diff(levels), 0.2)
-    assert {f"{level:g}" for level in levels} <= {*texts(figure)}
+    assert {f"{level:.1f}" for level in levels} <= {*texts(figure)}
 
 
 def test_a_panel_without_a_number_says_why() -> None:
