@@ -9,9 +9,9 @@ import pytest
 from tests.chance import count
 from tests.commands import BAD, MZKT, NEUTRAL, TIED_UP, json_answer, vstatics
 from tests.processes import names
-from vstatics import solve
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.statics.results import Results
+from vstatics.core.statics.solution import solution
 
 GOOD = ("in/mzkt.dat", "in/neutral.yaml")
 ALL = (*GOOD, "in/bad.yaml", "in/tied.yaml")
@@ -105,7 +105,7 @@ def test_an_error_of_the_program_in_one_case_harms_no_other(
     def faulty(case: Transmission, **options: Any) -> Results:
         if case.links == 3:
             raise ZeroDivisionError("by\nnothing")
-        return solve(case, **options)
+        return solution(case, **options)
 
     monkeypatch.setattr("vstatics.core.statics.solution.solution", faulty)
     said = vstatics("run", *reversed(GOOD), "-o", "out", "--jobs", jobs)
