@@ -98,16 +98,17 @@ def _locked_up(case: Transmission, mechanisms: Iterable[int], bodies: Sequence[i
         # with ratio 1 and first and second link joined, the third link can still turn
         elif ends[0] != ends[1] or mechanism.ratio != 1:
             locked_up.add(index)
-    for first, *others in apart.values():
+    for bodies_joined, (first, *others) in apart.items():
+        a, b, _ = sorted(bodies_joined)
         for other in others:
             ours, theirs = (_torques_by_body(case.mechanisms[n], bodies) for n in (first, other))
-            left, right = ours[0] * theirs[1], ours[1] * theirs[0]
+            left, right = ours[a] * theirs[b], ours[b] * theirs[a]
             if abs(left - right) > UNCERTAIN * (abs(left) + abs(right)):
                 locked_up |= {first, other}
     return locked_up
 
 
-def _torques_by_body(mechanism: Mechanism, bodies: Sequence[int]) -> list[float]:
-    """Return the torques on three different bodies, in the order of the bodies."""
+def _torques_by_body(mechanism: Mechanism, bodies: Sequence[int]) -> dict[int, float]:
+    """Return the torques on three different bodies."""
     torques = zip(mechanism.links, column(mechanism.ratio), strict=True)
-    return [torque for _, torque in sorted((bodies[link], torque) for link, torque in torques)]
+    return {bodies[link]: torque for link, torque in torques}

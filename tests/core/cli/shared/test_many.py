@@ -9,9 +9,10 @@ import pytest
 from tests.chance import count
 from tests.commands import BAD, MZKT, NEUTRAL, TIED_UP, json_answer, vstatics
 from tests.processes import names
-from vstatics import solve
+from vstatics.core.cli.shared import case_work
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.statics.results import Results
+from vstatics.core.statics.solution import solution
 
 GOOD = ("in/mzkt.dat", "in/neutral.yaml")
 ALL = (*GOOD, "in/bad.yaml", "in/tied.yaml")
@@ -43,6 +44,35 @@ def test_each_case_gives_the_file_that_it_gives_alone(form: str) -> None:
         for case in GOOD:
             written = Path(f"new/{jobs}", f"{Path(case).stem}.{suffix}")
             assert written.read_text("utf-8") == vstatics("run", case, "-f", form).out
+
+
+@pytest.mark.parametrize("seconds", [0.0, 60.0])
+def test_cases_of_a_group_give_the_messages_and_results_that_they_give_alone(
+    seconds: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Whether the steps of a group are carried out together or the time for this is over."""
+    monkeypatch.setattr(case_work, "TOGETHER", 3)
+    monkeypatch.setattr(case_work, "TOGETHER_SECONDS", seconds)
+    files = (*ALL, "nowhere.dat", *ALL[::-1])
+    said = vstatics("run", *files, "-f", "jsonl")
+    alone = [vstatics("run", file, "-f", "jsonl") for file in files]
+    assert said == (1, "".join(one.out for one in alone), "".join(one.err for one in alone))
+
+
+def test_a_slow_case_does_not_delay_the_results_of_earlier_cases(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Each solution takes longer than a group has; it sees the results of the cases before."""
+    monkeypatch.setattr(case_work, "TOGETHER_SECONDS", 0.0)
+    seen: list[list[str]] = []
+
+    def observed(case: Transmission, **options: Any) -> Results:
+        seen.append(shown("out"))
+        return solution(case, **options)
+
+    monkeypatch.setattr("vstatics.core.statics.solution.solution", observed)
+    assert vstatics("run", *GOOD, "-o", "out").status == 0
+    assert seen == [[], ["mzkt.lst"]]
 
 
 def test_names_of_directories_and_of_files_in_them() -> None:
@@ -105,7 +135,7 @@ def test_an_error_of_the_program_in_one_case_harms_no_other(
     def faulty(case: Transmission, **options: Any) -> Results:
         if case.links == 3:
             raise ZeroDivisionError("by\nnothing")
-        return solve(case, **options)
+        return solution(case, **options)
 
     monkeypatch.setattr("vstatics.core.statics.solution.solution", faulty)
     said = vstatics("run", *reversed(GOOD), "-o", "out", "--jobs", jobs)
