@@ -213,7 +213,8 @@ def _never_a_number(law: object, duration: float, path: Path) -> Iterator[Proble
         return
     times = np.linspace(0.0, duration, _TRIED_TIMES)
     speeds, angles = 1e3 * np.sin(7.3 * np.arange(_TRIED_TIMES)), np.cos(np.arange(_TRIED_TIMES))
-    values = law.along(times, speeds, angles)
+    with np.errstate(all="ignore"):
+        values = law.along(times, speeds, angles)
     if law.variables and not np.isfinite(values).any():
         yield Problem(
             "E633",
@@ -231,7 +232,8 @@ def _of_capacity(control: Capacity, duration: float, path: Path) -> Iterator[Pro
         yield from of_points(law, path)
     elif not law.seen and 0 < duration < math.inf:
         times = np.linspace(0.0, duration, _TRIED_TIMES)
-        values = law.along(times, 0.0, 0.0) * scale
+        with np.errstate(all="ignore"):
+            values = law.along(times, 0.0, 0.0) * scale
         wrong = np.flatnonzero(~(np.abs(values) <= LARGEST_NUMBER))
         if len(wrong):
             first = int(wrong[0])

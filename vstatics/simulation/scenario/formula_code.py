@@ -133,7 +133,7 @@ def compiled_along(tree: Tree, seen: Sequence[Seen] = ()) -> Callable[..., Float
     """Compile a tree to a function for many times.
 
     Its first argument is an array of times; each other argument is an array of the same shape or a
-    number.
+    number. Callers ignore the floating-point errors of NumPy, once for many evaluations.
 
     Examples
     --------
@@ -147,12 +147,11 @@ def compiled_along(tree: Tree, seen: Sequence[Seen] = ()) -> Callable[..., Float
     broad = _evaluated(tree, functions, seen, is_broad=True)
 
     def function(times: Floats, *known: Floats | float) -> Floats:
-        with np.errstate(all="ignore"):
-            try:
-                values = broad(times, *known)
-            except (ArithmeticError, ValueError):  # only constants raise, such as 1/0
-                shaped = [np.reshape(value, (-1, 1, 1)) for value in (times, *known)]
-                values = _as_arrays(tree, shaped, seen).reshape(-1)
+        try:
+            values = broad(times, *known)
+        except (ArithmeticError, ValueError):  # only constants raise, such as 1/0
+            shaped = [np.reshape(value, (-1, 1, 1)) for value in (times, *known)]
+            values = _as_arrays(tree, shaped, seen).reshape(-1)
         result: Floats = np.empty(times.shape)
         result[...] = values
         return result
