@@ -10,6 +10,7 @@ parts. In each part, the fastest eigenmotion that has not decayed turns through 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from functools import lru_cache, partial
 from typing import NamedTuple
@@ -111,7 +112,13 @@ def fitting(count: int) -> tuple[Floats, Floats, Floats]:
 
 def _places(count: int) -> Floats:
     """Return the Gauss points and ends of `count` parts, as fractions of the stretch."""
-    return ((np.arange(count)[:, None] + NODES) / count).reshape(-1)
+    return _steps(count)[1:] / count
+
+
+@lru_cache(maxsize=16)
+def _steps(count: int) -> Floats:
+    """Return the start, Gauss points and ends of `count` parts, with part lengths as the unit."""
+    return np.append(0.0, np.arange(count)[:, None] + NODES)
 
 
 @lru_cache(maxsize=32)
@@ -138,6 +145,17 @@ def _powers() -> Floats:
         series = np.polynomial.Chebyshev.basis(number, domain=[0.0, 1.0])
         powers[number, : number + 1] = series.convert(kind=np.polynomial.Polynomial).coef
     return powers
+
+
+@lru_cache(maxsize=32)
+def _rates(matrix: bytes, size: int) -> tuple[Floats, Floats]:
+    """Return the magnitudes of eigenvalues and of their real parts [rad/s].
+
+    After most events, the matrix returns to an earlier value.
+    """
+    square = np.frombuffer(matrix).reshape(size, size)
+    rates: Complex = np.asarray(np.linalg.eigvals(square), complex)
+    return np.abs(rates), np.abs(rates.real)
 
 
 def _largest_rate(matrix: Floats) -> float:
@@ -174,8 +192,8 @@ class Parts(NamedTuple):
 
     @property
     def times(self) -> Floats:
-        """Gauss points and end of each part, shape (parts, points) [s]."""
-        return self.begin + self.length * (np.arange(self.number)[:, None] + NODES)
+        """Start of the first part, then Gauss points and end of each part [s]."""
+        return self.begin + self.length * _steps(self.number)
 
     def end_near(self, end: float) -> float:
         """Return the end of the last part, or `end` itself if both differ by rounding only."""
@@ -480,8 +498,8 @@ class Closed:
         if self.rates is None:
             if self.size > _FEW and not gone:  # eigenvalues would take too long
                 return _largest_rate(self.matrix)
-            rates: Complex = np.asarray(np.linalg.eigvals(self.affine.change.by_state), complex)
-            self.rates = np.abs(rates), np.abs(rates.real)
+            matrix = self.affine.change.by_state
+            self.rates = _rates(matrix.tobytes(), len(matrix))
         speeds, decays = self.rates
         return float(speeds[decays * gone < _GONE].max(initial=0.0))
 
@@ -521,8 +539,7 @@ class Closed:
     def _calculated(self, parts: Parts, state: Floats) -> TimeStretch | None:
         """Return a stretch that begins with a state, or None if polynomials do not fit."""
         given, self.series = self._expected(parts), None
-        times = np.concatenate([[parts.begin], parts.times.reshape(-1)])
-        times = self.equations.ports.inside(times)
+        times = self.equations.ports.inside(parts.times)
         to_series, to_powers, to_values = fitting(parts.number)
         before: Floats | None = given @ to_values
         change = 0.0
@@ -534,10 +551,11 @@ class Closed:
             else:
                 at[:, 1:] = self._states(self._followed(parts, state, given, to_powers))
                 now = self._bent(times, at, given, to_values)
-            if not np.isfinite(now).all():
+            size = largest(now)
+            if not math.isfinite(size):
                 return None
             given = now[:, 1:] @ to_series
-            limit = max(FITTING_TORQUE * max(self.large, largest(now)), self.noise)
+            limit = max(FITTING_TORQUE * max(self.large, size), self.noise)
             if not self.is_used.all() and self._uses_more(given, limit):
                 before, change = None, 0.0
             if before is not None:
@@ -606,7 +624,7 @@ class Closed:
 
     def _step(self, stretch: TimeStretch, state: Floats, end: float) -> TimeStep:
         parts = stretch.parts
-        times = parts.times
+        times: Floats = parts.times[1:].reshape(parts.number, -1)
         times[-1, -1] = parts.end_near(end)
         states = np.zeros((self.equations.size, parts.number, len(NODES)))
         states[: self.size] = self._states(stretch).reshape(self.size, *times.shape)
