@@ -18,6 +18,7 @@ from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.system.matrices import SIGNS
 from vstatics.simulation.tolerances import (
     AHEAD,
+    ALONG_TANGENT,
     EQUAL_SIDES,
     EXACT_SIDES,
     LARGEST_NUMBER,
@@ -49,11 +50,6 @@ _PLACES = 65
 _NEAR = np.append(2.0 ** np.arange(-32, 0), 1.0)
 """Fractions of an interval at which a margin that begins at 0 is evaluated."""
 
-_STRAIGHT = 1e-7
-"""Largest move along the tangent of a motion, relative to the time step, in a Newton step.
-
-The error is the square of this ratio.
-"""
 _CONSTANT = 1e-4
 """Largest change of a constant margin, relative to the violation that counts as rounding."""
 
@@ -385,7 +381,7 @@ class Finder:
                 break
             if not step.start < better <= step.end or abs(better - time) > 0.1 * length:
                 break
-            if abs(better - time) <= _STRAIGHT * length:
+            if abs(better - time) <= ALONG_TANGENT * length:
                 return better, state + (better - time) * change
             time, state = better, step.exact(better)
         return time, state

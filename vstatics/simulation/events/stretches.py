@@ -624,7 +624,7 @@ class Closed:
 
     def _step(self, stretch: TimeStretch, state: Floats, end: float) -> TimeStep:
         parts = stretch.parts
-        times = parts.times[1:].reshape(parts.number, -1)
+        times: Floats = parts.times[1:].reshape(parts.number, -1)
         times[-1, -1] = parts.end_near(end)
         states = np.zeros((self.equations.size, parts.number, len(NODES)))
         states[: self.size] = self._states(stretch).reshape(self.size, *times.shape)
