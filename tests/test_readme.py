@@ -66,6 +66,10 @@ def commands(block: Block) -> Iterator[tuple[str, str]]:
         yield command, "".join(lines[count:])
 
 
+def is_run(command: str) -> bool:
+    return not command.startswith(NOT_RUN)
+
+
 def matches(actual: str, shown: str) -> bool:
     """Whether an output is as shown; blanks at the ends of lines do not count."""
     actual, shown = (
@@ -149,7 +153,7 @@ def installed(blocks: Iterable[Block]) -> Iterator[Block]:
 
 def check_console(block: Block, folder: Path) -> Iterator[str]:
     """What differs from the outputs shown."""
-    asked = [both for both in commands(block) if not both[0].startswith(NOT_RUN)]
+    asked = [(command, shown) for command, shown in commands(block) if is_run(command)]
     printed = run_all([command for command, _ in asked], folder)
     for (command, shown), actual in zip(asked, printed, strict=True):
         if not matches(actual, shown):
