@@ -15,6 +15,7 @@ import vstatics
 from tests import commands
 from tests.commands import BAD, CASES, NEUTRAL, ROOT, TIED_UP
 from tests.installed import ANNEXES, HERE, needs, skip_without
+from tests.rejects import rejects
 from vstatics.core.annexes import COMMANDS
 
 pytestmark = pytest.mark.usefixtures("folder")
@@ -92,7 +93,7 @@ def test_a_transmission_says_what_it_takes() -> None:
         "expected a sequence of a ShiftElement": {"shift_elements": [1]},
     }
     for why, changes in wrong.items():
-        with pytest.raises(TypeError, match=re.escape(why)):
+        with rejects(TypeError, why):
             vstatics.loads(NEUTRAL).replace(**changes)
 
 

@@ -1,12 +1,10 @@
 """What is shipped, by its names."""
 
-import re
 from pathlib import Path
-
-import pytest
 
 import vstatics
 from tests.commands import CASES, ROOT
+from tests.rejects import rejects
 
 
 def test_every_shipped_file_has_a_name_and_yaml_comes_before_a_deck() -> None:
@@ -17,7 +15,7 @@ def test_every_shipped_file_has_a_name_and_yaml_comes_before_a_deck() -> None:
 
 
 def test_another_name_is_told_with_the_nearest() -> None:
-    with pytest.raises(vstatics.CaseError, match=re.escape("did you mean `zf-8hp70`? [E800]")):
+    with rejects(vstatics.CaseError, "did you mean `zf-8hp70`? [E800]"):
         vstatics.example("zf-8hp7")
 
 

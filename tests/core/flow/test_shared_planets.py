@@ -12,7 +12,7 @@ from dataclasses import replace
 
 import pytest
 
-from tests.chance import examples, seeded
+from tests.chance import count, seeded
 from tests.commands import json_answer, vstatics
 from tests.core.flow.worked import only, sides
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, loads
@@ -171,13 +171,12 @@ def test_loops_are_real_where_no_carrier_can_be_common() -> None:
         assert shared(many(*sets), around(*loop.split())) == found
 
 
-@examples(20, 60, 200)
-def test_every_loop_between_the_mechanisms_of_one_set_is_marked(examples: int) -> None:
+def test_every_loop_between_the_mechanisms_of_one_set_is_marked() -> None:
     """Toothed gears on one carrier, each written with any of those before it; one link is held.
 
     Of such loops the most run through two mechanisms, one in eight through three.
     """
-    for seed in range(examples):
+    for seed in range(count(60, 200)):
         rng = seeded(seed)
         wheels = rng.randint(3, 6)
         ratios = [

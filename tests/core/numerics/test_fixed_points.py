@@ -56,7 +56,7 @@ def jagged(rng: Random, x: int) -> tuple[LookupTable, float, float]:
 
 
 @pytest.mark.parametrize("x", [1, -1])
-@examples(8, 20, 2000)
+@examples(12, 20, 2000)
 def test_all_roots_of_quadratics_are_fixed_points(x: int, examples: int) -> None:
     rng, numbers = seeded(51), set()
     for _ in range(examples):

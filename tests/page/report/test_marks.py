@@ -5,7 +5,7 @@ import re
 import numpy as np
 import pytest
 
-from tests.chance import examples, seeded
+from tests.chance import count, seeded
 from tests.commands import CASES, json_answer
 from tests.page.report.pages import Page
 from tests.shipped import shipped_results
@@ -54,11 +54,10 @@ def test_a_page_that_stays_is_the_same_without_its_marks() -> None:
     assert re.sub(rf'{marks}|{own}| data-links="[^"]*"', "", live) == static
 
 
-@examples(6, 20, 200)
-def test_a_torque_is_of_the_links_where_the_matrix_has_its_device(examples: int) -> None:
+def test_a_torque_is_of_the_links_where_the_matrix_has_its_device() -> None:
     """Rows know the links on which their component acts."""
     chance = seeded(7)
-    for _ in range(examples):
+    for _ in range(count(20, 200)):
         case = random_train(chance, regular=True)
         [grid] = [one for one in of_results(solve(case)) if one.key == "torques"]
         rows = [row[0] for row in with_tool_marks(grid, case).cells]

@@ -24,7 +24,7 @@ from vstatics import Gear, Mechanism, Results, Transmission, load, solve
 from vstatics.core import readers
 from vstatics.core.flow.circulation import Node
 from vstatics.core.flow.power import flows
-from vstatics.core.flow.power_flow import GearFlow, PowerFlow
+from vstatics.core.flow.power_flow import PowerFlow
 from vstatics.core.model.parts import Load
 from vstatics.pictures import picture, render
 from vstatics.pictures.drawing.style import Style
@@ -46,11 +46,6 @@ DRAWN = [
     if path.name in SOME[3:] or path in some(SHIPPED)
 ]
 """Drawing all gears takes longer."""
-
-
-def shown(flow: GearFlow) -> PowerFlow | None:
-    """With losses if there are any."""
-    return flow.lossy or flow.ideal
 
 
 def layouts(results: Results) -> list[tuple[PowerFlow, FlowLayout]]:
@@ -102,7 +97,7 @@ def titles(results: Results, gear: int, style: Style | None = None) -> dict[str,
 def in_rows(results: Results, style: Style) -> list[tuple[PowerFlow, list[FlowLayout]]]:
     """Gears that have a flow, each in its rows."""
     found = flows(results)
-    drawn = zip(map(shown, found), placed(found, style), strict=True)
+    drawn = zip((each.lossy or each.ideal for each in found), placed(found, style), strict=True)
     return [(side, rows) for side, rows in drawn if side is not None and rows]
 
 

@@ -28,7 +28,7 @@ from vstatics.core.numerics.traced import plain
 from vstatics.core.statics.results import Results
 from vstatics.pictures import picture, render
 from vstatics.pictures.drawing.style import Style
-from vstatics.pictures.schemes.scheme import Device, Scheme, scheme_of
+from vstatics.pictures.schemes.scheme import scheme_of
 
 FEW = ["mzkt7922.dat", "umdm.yaml", "wheel-hub.yaml", "power-split.yaml", "moskvich-start.yaml"]
 """Cases of each kind for the fast tests: a deck, shared planets, held links, axes, springs."""
@@ -63,10 +63,6 @@ def outlines(root: ET.Element) -> dict[str, Line]:
     return found
 
 
-def names_at(device: Device, scheme: Scheme) -> set[str]:
-    return {scheme.name(link) for link in device.links}
-
-
 def check(case: Transmission, *, is_one_row: bool = True) -> None:
     """Check that components and links are joined as in the case, and that letters can be read."""
     results = vstatics.solve(case)
@@ -76,7 +72,7 @@ def check(case: Transmission, *, is_one_row: bool = True) -> None:
     boxes = outlines(root)
     for device in scheme.devices:
         met = {name for name, line, _ in wires if touch(line, boxes[device.name], 0.3)}
-        assert met == names_at(device, scheme), device.name
+        assert met == {scheme.name(link) for link in device.links}, device.name
     if is_one_row:
         assert_connected(root)
     figure = picture(results, "structure", ONE_ROW)

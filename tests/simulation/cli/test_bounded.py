@@ -74,23 +74,30 @@ def test_a_row_of_a_sweep_is_stopped_and_the_next_goes_on() -> None:
     assert vstatics("sweep", "mass.yaml", "--vary", "inertia.m=1,2", "--limit", "1").status == 2
 
 
-def test_long_runs_say_how_far_they_are(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize(
+    ("command", "said"),
+    [
+        ("sweep long.yaml --vary duration=2e9 --out work", "variants: 0 % after a second\n"),
+        ("simulate long.yaml -o out.json", " left\n"),
+        ("simulate few.yaml --samples 1 --out work", "runs: 0 % after a second\n"),
+        (
+            "sweep long.yaml --vary duration=2e9 --out work --jobs 2 -o out.csv",
+            "variants: 0 % after a second\n",
+        ),
+    ],
+)
+def test_long_runs_say_how_far_they_are(
+    command: str, said: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Also where no run has ended yet, and with several processes; with -q nothing is said."""
     assert progress.FIRST_WORD < 10
     monkeypatch.setattr(progress, "FIRST_WORD", 0.05)
     few = ", samples: {duration: {uniform: [1e9, 2e9]}}}"
     Path("few.yaml").write_text(SCENARIO.replace("DURATION", LONG)[:-1] + few, "utf-8")
-    sweep = ("sweep", "long.yaml", "--vary", "duration=2e9", "--out", "work")
-    for command, said in (
-        (("simulate", "long.yaml", "-o", "out.json"), " left\n"),
-        (sweep, "variants: 0 % after a second\n"),
-        ((*sweep, "--jobs", "2", "-o", "out.csv"), "variants: 0 % after a second\n"),
-        (("simulate", "few.yaml", "--samples", "1", "--out", "work"), "runs: 0 % after a second\n"),
-    ):
-        shown = vstatics(*command, "--limit", "0.2").err
-        assert said in shown
-        assert " % after " in shown
-        assert " % after " not in vstatics(*command, "--limit", "0.06", "-q").err
+    shown = vstatics(*command.split(), "--limit", "0.2").err
+    assert said in shown
+    assert " % after " in shown
+    assert " % after " not in vstatics(*command.split(), "--limit", "0.06", "-q").err
 
 
 def test_check_tells_a_run_of_hours(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -80,7 +80,11 @@ def random_gear(seed: int) -> tuple[Transmission, Gear, dict[int, float], float]
         free = null_space(np.array(rows))
         if free.shape[1] != 1 or len(rows) != case.links - 1 or case.gear_input(gear) != 1:
             continue
-        if len(case.mechanisms) > 5 or any(map(may_jam, case.mechanisms)):
+        # friction could hold the third link of such a set by the others alone, whatever it carries
+        jams = (
+            n.efficiency <= n.ratio <= 1 / n.efficiency and n.third != 0 for n in case.mechanisms
+        )
+        if len(case.mechanisms) > 5 or any(jams):
             continue
         first, last = free[[0, case.output - 1], 0]
         if case.output != 1 and abs(first) > 1e-6 and 1e-3 < abs(last / first) < 1e3:
@@ -96,11 +100,6 @@ def random_gear(seed: int) -> tuple[Transmission, Gear, dict[int, float], float]
     torque = rng.choice((100.0, -100.0))
     torques = {1: torque, case.output: -torque * part / speed}
     return case, gear, torques, rng.choice((100.0, -100.0, 5.0, -5.0, 0.0))
-
-
-def may_jam(one: Mechanism) -> bool:
-    """Whether friction could hold the third link by the others alone, whatever it carries."""
-    return one.efficiency <= one.ratio <= 1 / one.efficiency and one.third != 0
 
 
 def agrees(seed: int) -> bool:

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.chance import examples, seeded
+from tests.chance import count, seeded
 from tests.commands import json_answer, vstatics
 from vstatics import ReadError, load_scenario, simulate
 
@@ -33,12 +33,9 @@ def scenario_of(folder: Path, scenario: str = SCENARIO, **numbers: float) -> Pat
     return folder / "run.yaml"
 
 
-@examples(3, 8, 40)
-def test_factors_are_largest_torques_divided_by_torques_of_statics(
-    tmp_path: Path, examples: int
-) -> None:
+def test_factors_are_largest_torques_divided_by_torques_of_statics(tmp_path: Path) -> None:
     """150 N*m at the pair, and 150 u eta at clutch and spring; the other clutch is open."""
-    for seed in range(examples):
+    for seed in range(count(8, 40)):
         random = seeded(seed)
         ratio, efficiency = random.uniform(1, 4), random.uniform(0.8, 1)
         file = scenario_of(tmp_path, ratio=ratio, efficiency=efficiency)

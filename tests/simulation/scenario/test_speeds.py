@@ -1,12 +1,12 @@
 """Speeds in formulas: names of the variable, and speeds of vehicles in conditions."""
 
 import math
-import re
 from pathlib import Path
 
 import pytest
 
 from tests.chance import each_seed, seeded
+from tests.rejects import rejects
 from tests.simulation.control.written import faults, simulated
 from vstatics import CaseError, ReadError, loads, solve
 from vstatics.simulation import Formula, Scenario, Start, constant, load_scenario, simulate
@@ -66,7 +66,7 @@ def test_a_wrong_drag_is_refused_with_the_name_of_the_variable() -> None:
         ("0.3 + 2e-3*n", unknown), ("sqrt(x)", "a formula of w: read `x` in it"),
         ("3 N", "a formula of the speed `w` is allowed too"),
     ):  # fmt: skip
-        with pytest.raises(ReadError, match=re.escape(message)):
+        with rejects(ReadError, message):
             loads(LOSSY % drag)
 
 

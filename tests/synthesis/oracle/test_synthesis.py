@@ -50,23 +50,20 @@ def random_case(chance: random.Random) -> Transmission:
     )
 
 
-def train_of(case: Transmission) -> Train:
-    return Train(
-        [mechanism.links for mechanism in case.mechanisms],
-        [Fraction(repr(mechanism.ratio)) for mechanism in case.mechanisms],
-        [element.links for element in case.shift_elements],
-        case.input,
-        case.output,
-    )
-
-
 @each_seed(40)
 def test_kinds_and_ratios_are_those_of_the_null_space(seed: int) -> None:
     chance = seeded(seed)
     case = random_case(chance)
     size = chance.randint(0, min(len(case.shift_elements), 5))
     seen = combinations(case, size)
-    expected = list(every(train_of(case), size))
+    train = Train(
+        [mechanism.links for mechanism in case.mechanisms],
+        [Fraction(repr(mechanism.ratio)) for mechanism in case.mechanisms],
+        [element.links for element in case.shift_elements],
+        case.input,
+        case.output,
+    )
+    expected = list(every(train, size))
     assert len(seen) == len(expected)
     for one, (_, other) in zip(seen, expected, strict=True):
         assert (one.kind, one.free) == (other.kind, other.free)

@@ -4,6 +4,7 @@ import math
 
 import pytest
 
+from tests.rejects import rejects
 from tests.torsion.table_3_8 import TABLE_3_8
 from vstatics.core.errors import ReadError
 from vstatics.torsion.clutch.file import read_dump
@@ -50,6 +51,5 @@ def test_a_fault_is_told_with_its_place() -> None:
         (GOOD, "[1, 2]", "1:1: error: read a list, expected a clutch that is dumped"),
         (GOOD, "", "the file is empty, expected a clutch that is dumped"),
     ):
-        with pytest.raises(ReadError) as caught:
+        with rejects(ReadError, message):
             read_dump(GOOD.replace(old, new).encode(), "dump.yaml")
-        assert message in str(caught.value)

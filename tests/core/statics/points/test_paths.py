@@ -1,12 +1,12 @@
 """Paths of numbers that vary: what they name, and what is said of those that name nothing."""
 
-import re
 from typing import Any
 
 import numpy as np
 import pytest
 
 from tests.installed import needs
+from tests.rejects import rejects
 from vstatics import CaseError, Gear, Load, Mechanism, ShiftElement, Transmission, solve
 
 CASE = Transmission(
@@ -25,7 +25,7 @@ def test_a_path_that_names_nothing_is_told_with_the_nearest() -> None:
         ("load.torqe", "vary: the case has no number `load.torqe`; did you mean `load.torque`?"),
         ("gears.lo.drag.out", "did you mean `gears.low.drag.out`?"),
     ):
-        with pytest.raises(CaseError, match=re.escape(near)):
+        with rejects(CaseError, near):
             solve(CASE, vary={path: [0.5, 1]})
 
 
