@@ -295,6 +295,35 @@ def test_links_that_stick_to_each_other_have_no_speed_apart(apart: str) -> None:
         assert motion.speeds[-1] == pytest.approx([speed, speed], rel=1e-9)
 
 
+def test_a_clutch_at_its_capacity_and_a_jump_of_its_slip_hold_a_link_together() -> None:
+    """The clutch carries its ramp from the instant at which it alone no longer holds a on b."""
+    rng = seeded(72)
+    for number in range(count(6, 60)):
+        first, second, pull = rng.uniform(0.5, 3), rng.uniform(0.5, 3), rng.uniform(10, 60)
+        needed = pull * first / (first + second)
+        capacity, push = needed * rng.uniform(1.2, 3), rng.uniform(0.1, 0.9) * pull * first / second
+        apart = ["slip('C')", "speed('a') - speed('b')"][number % 2]
+        motion = simulated(
+            "duration: 1\nstart: {speeds: {a: 0, b: 0}}\n"
+            f"controls: {{C: [[0, {capacity!r}], [0.8, 0]]}}\n"
+            f'torques: {{a: "-{push!r}*sign({apart})", b: {pull!r}}}\n',
+            f"{{inertias: {{a: {first!r}, b: {second!r}}}, gears: {{g: []}}, "
+            "shift_elements: {C: [a, b]}}",
+        )
+        slips = 0.8 * (1 - needed / capacity)
+        parts = 0.8 * (1 - (needed - push * second / (first + second)) / capacity)
+
+        def carried(since: float, capacity: float = capacity) -> float:
+            return capacity * (0.8 - since) ** 2 / 1.6
+
+        before = pull / (first + second) * slips
+        b = before + (pull * (1 - slips) - carried(slips)) / second
+        at_parting = before + (pull * (parts - slips) - carried(slips) + carried(parts)) / second
+        a = at_parting + (push * (1 - parts) + carried(parts)) / first
+        assert happened(motion)[0] == ("C", "slips", pytest.approx(slips, rel=1e-8))
+        assert motion.speeds[-1] == pytest.approx([a, b], rel=1e-8)
+
+
 @pytest.mark.parametrize("seed", with_slow([111, 126], [107, 118, 132, *range(count(0, 60))]))
 def test_a_motion_leaves_one_of_two_jumps_that_it_meets_at_once(seed: int) -> None:
     """Two clutches in a row grip above a slip each: as an integrator with narrow ramps finds it."""

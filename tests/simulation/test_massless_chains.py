@@ -8,6 +8,7 @@ from tests.chance import each_seed, seeded
 from tests.simulation.control.written import simulated
 from tests.simulation.runs import random_capacity, random_torque
 from tests.simulation.test_closed_forms import links, run
+from tests.simulation.test_golden import closes
 from vstatics import CaseError, ShiftElement, Spring
 from vstatics.core.model.springs import between
 from vstatics.simulation import Capacity, Formula, Points, Scenario, Start, constant, simulate
@@ -95,6 +96,23 @@ def test_energy_of_any_chain_closes(seed: int) -> None:
     energy = motion.energy
     parts = [energy.work, energy.kinetic, energy.elastic, *energy.heat.values()]
     assert abs(energy.balance) <= 1e-8 * max(1.0, *map(abs, parts))
+
+
+@pytest.mark.parametrize("step", ["15*(t > {0})", "-15*({0} < t)", "3*(t >= {0})"])
+@pytest.mark.parametrize("friction", ["", ", friction: 1"])
+def test_the_time_at_which_a_formula_jumps_is_not_seen_before(step: str, friction: str) -> None:
+    """Friction in a spring of a link without inertia: momentum and energy, also beside a jump."""
+    for at in (0.36, 0.375, 0.38, 0.5):
+        made = simulated(
+            f"duration: 1\nstart: {{speeds: {{a: 4, c: -2}}}}\n"
+            f'torques: {{b: "{step.format(at)}", c: -100}}\n',
+            "{links: [a, b, c], inertias: {a: 1, c: 1}, springs: {"
+            f"S: {{links: [a, b], stiffness: 1000{friction}}}, "
+            "T: {links: [b, c], stiffness: 400, friction: 14.5}}}",
+        )
+        momentum = 4 - 2 - 100 + float(step.split("*", maxsplit=1)[0]) * (1 - at)
+        assert made.speeds[-1, [0, 2]].sum() == pytest.approx(momentum, rel=1e-9)
+        assert closes(made)
 
 
 BARE = """inertias: {a: 0.05649, b: 0.003077, e: 10.16}

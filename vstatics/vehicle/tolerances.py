@@ -30,3 +30,5 @@ LARGEST_NUMBER = 1e15
 """Largest number of a vehicle, in SI units, so that the results of a cycle are finite."""
 LOSSLESS = 1e-9
 """Distance of the search from speed ratios at which a converter loses no power, relative. [-]"""
+BELOW_LOCK = 1 - 1e-6
+"""Speed ratio just below the ratio at which a freewheel locks a converter up. [-]"""

@@ -558,3 +558,53 @@ def test_inertias_can_drive_the_turbine_while_the_wheels_need_a_small_force(is_s
     assert driven.steps["engine speed [rpm]"][0] * math.pi / 30 == pytest.approx(step.engine)
     assert driven.steps["engine torque [N*m]"][0] == pytest.approx(step.torque, abs=1e-9)
     assert driven.energy.brakes == pytest.approx((step.force - 3.0) * speed, abs=1e-6)
+
+
+FREEWHEEL = """links: [engine, turbine, output]
+load: {{speed: 2000 rpm, torque: 200 N*m}}
+shift_elements: {{F: {{kind: freewheel, links: [engine, turbine]}}}}
+drag: {{engine: {drag!r} N*m}}
+mechanisms:
+  TC: {{kind: converter, first: engine, second: turbine, points: {points}}}
+  P: {{first: turbine, second: output, ratio: 3, efficiency: 0.97}}
+gears: {{"1": []}}
+vehicle: {{mass: 1500, radius: 0.3, final_drive: 3, engine: [[0, 200], [900, 200]], overrun: {overrun}}}
+"""
+
+
+@pytest.mark.parametrize("beyond", ["", ", [1.3, 0.97, -2e-3]"])
+def test_a_freewheel_beside_the_converter_lets_the_engine_brake(beyond: str) -> None:
+    """At v m/s the turbine turns at 30 v rad/s; below that the freewheel takes the engine along."""
+    random, points = generator(53), f"[[0, 2, 3e-3], [0.9, 1, 2e-3], [1, 0.98, 0]{beyond}]"
+    for number in range(count(12, 200)):
+        drag, most, asked = random.uniform(0, 5), random.uniform(5, 60), random.uniform(-3e3, 1e3)
+        speed, drag = float(random.uniform(3, 20)), float(drag) if number % 3 else 0.0
+        case = loads(FREEWHEEL.format(drag=drag, points=points, overrun=f"[[0, {-most!r}]]"))
+        table = f"time [s],speed [m/s]\n0,{speed - asked / 3e4!r}\n0.1,{speed + asked / 3e4!r}\n"
+        cycle = drive(case, read_trace(table.encode(), "t.csv"), GearChoice())
+        torque, w = asked / 10 / 3 * (0.97 if asked < 0 else 1 / 0.97), 30 * speed
+        lost = {"P": abs(asked) * speed * 0.03 / (0.97 if asked > 0 else 1)}
+        if asked > 0:
+            low, high = w * (1 + 1e-12), 20 * w + 2e3
+
+            def taken(engine: float, turbine: float = w) -> Any:
+                by_ratio = np.interp(turbine / engine, [0, 0.9, 1], [3e-3, 2e-3, 0])
+                return by_ratio * engine**2
+
+            def factor(engine: float, turbine: float = w) -> Any:
+                return np.interp(turbine / engine, [0, 0.9, 1], [2, 1, 0.98])
+
+            w = brentq(lambda w: taken(w) * factor(w) - torque, low, high)  # noqa: B023
+            lost["TC"] = taken(w) * w - torque * 30 * speed
+            engine, brakes = taken(w) + drag, 0.0
+        else:
+            engine = max(torque + drag, -most)
+            given = (engine - drag) * 3 / (0.97 if engine < drag else 1 / 0.97) * 10
+            brakes = (given - asked) * speed
+            lost["P"] = abs(given) * speed * 0.03 / (1 if given < 0 else 0.97)
+        lost["drag.engine"] = drag * w
+        assert cycle.energy.engine == pytest.approx(0.1 * engine * w, rel=1e-8)
+        assert cycle.energy.brakes == pytest.approx(0.1 * brakes, rel=1e-8, abs=1e-6)
+        found = {name: cycle.energy.lost.get(name, 0.0) for name in ("TC", *lost)}
+        expected = {"TC": 0.0} | {name: 0.1 * power for name, power in lost.items()}
+        assert found == pytest.approx(expected, rel=1e-8, abs=1e-6)

@@ -64,7 +64,7 @@ def curve_along(curve: Curve, times: Floats) -> Floats:
 def slope_of(
     function: Torque, time: float, within: float, rate: float = 0.0, angle: float = 0.0
 ) -> float:
-    """Return the derivative of a torque with respect to time, from values at later times."""
+    """Return the derivative of a torque with respect to time, from values within a step."""
     now, middle, later = (function(time + part * within, rate, angle) for part in (0.0, 0.5, 1.0))
     return slope_ahead(now, middle, later, within)
 

@@ -274,7 +274,10 @@ class Ports:
         for port, formula, factor in self.timed:
             given[port] = factor * curve_along(formula, times)
             if within is not None:
-                changes = [slope_of(formula.function, time, within) for time in times.tolist()]
+                changes = [
+                    slope_of(formula.function, time, self._step(time, within))
+                    for time in times.tolist()
+                ]
                 slopes[port] = factor * np.array(changes)
         return given, slopes
 
@@ -288,12 +291,19 @@ class Ports:
         for index, curve in self.struts:
             port = self.layout.springs + index
             slopes[port] += curve.strut.slope(twists[index]) * rates[port]
+        time = min(max(time, self.after), self.until)
+        step = self._step(time, within)
         for port, formula, factor in self.timed:
-            slopes[port] = factor * slope_of(formula.function, time, within)
+            slopes[port] = factor * slope_of(formula.function, time, step)
         for port, place, function, _ in self.special:
             angle = float(angles[place]) if place >= 0 else 0.0
-            slopes[port] = slope_of(function, time, within, float(rates[port]), angle)
+            slopes[port] = slope_of(function, time, step, float(rates[port]), angle)
         return slopes
+
+    def _step(self, time: float, within: float) -> float:
+        """Return a step for difference quotients that does not cross a jump ahead [s]."""
+        is_near = time + within > self.until and time - within >= self.after
+        return -within if is_near else within
 
     def _outside(
         self, port: int, law: Points | Formula | Road, piece: int, place: int, time: float

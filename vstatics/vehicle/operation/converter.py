@@ -23,11 +23,11 @@ from vstatics.core.model.parts import Gear, Load, OfLoad
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 from vstatics.core.statics.points.converters import lossless_ratios
-from vstatics.core.statics.result_arrays import first_rows
+from vstatics.core.statics.result_arrays import first_rows, row_names
 from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
 from vstatics.vehicle.case.vehicle import beside_engine, free_converters
-from vstatics.vehicle.tolerances import LEAST_EXCESS, LOSSLESS, NO_SPEED, SAME_SPEED
+from vstatics.vehicle.tolerances import BELOW_LOCK, LEAST_EXCESS, LOSSLESS, NO_SPEED, SAME_SPEED
 
 INTERVALS = 2
 """Number of intervals between neighbouring points that are searched for sign changes."""
@@ -222,6 +222,12 @@ class ConverterGear(NamedTuple):
             ratio = np.where(np.abs(ratio - point) <= SAME_SPEED, point, ratio)
         return np.clip(ratio, self.points[0, 0], self.points[-1, 0])
 
+    def driven_ratio(self, engine: Floats, output: Floats) -> Floats:
+        """Return the result of `ratio`, but `BELOW_LOCK` where a freewheel can hold at 1."""
+        ratio = self.ratio(engine, output)
+        at_lock = (ratio == 1) & bool(self.case.freewheels)
+        return np.where(at_lock, BELOW_LOCK, ratio)
+
     def _inverse(self, ratios: Floats, output: Floats) -> Floats:
         """Return inverse engine speeds at speed ratios, shape (rows, ratios) [s/rad]."""
         pump, turbine = self.per_engine[:2]
@@ -230,10 +236,10 @@ class ConverterGear(NamedTuple):
             inverse: Floats = (ratios * pump - turbine) / (by_turbine - ratios * by_pump)
         return inverse
 
-    def engine_at_free_ratio(self, output: Floats) -> Floats:
-        """Return engine speeds at the free ratio, for output speeds, shape (rows,) [rad/s]."""
+    def engine_at(self, ratio: float, output: Floats) -> Floats:
+        """Return engine speeds at a speed ratio, for output speeds, shape (rows,) [rad/s]."""
         with np.errstate(divide="ignore"):
-            speeds: Floats = 1 / self._inverse(np.array([self.free_ratio]), output)[:, 0]
+            speeds: Floats = 1 / self._inverse(np.array([ratio]), output)[:, 0]
         return speeds
 
     def taken(self, engine: Floats, output: Floats) -> tuple[Floats, Floats]:
@@ -252,6 +258,23 @@ class ConverterGear(NamedTuple):
         _, direction = self.taken(engine, output)
         driving: Booleans = direction * (factors * self.per_output[1] - self.per_output[0]) > 0
         return driving
+
+    def is_bypassed(
+        self, case: Transmission, load: tuple[Floats, Floats], further: Mapping[str, Floats]
+    ) -> Booleans:
+        """Return True where a freewheel connects pump and turbine, so the converter has no torque.
+
+        Parameters are as in `brought`. Where the converter drives, the freewheel overruns at every
+        speed ratio below 1.
+        """
+        if not case.freewheels or not len(load[0]):
+            return np.zeros(len(load[0]), np.bool_)
+        below = np.full(len(load[0]), min(self.free_ratio, 1.0) * BELOW_LOCK)
+        vary = {"load.speed": load[0], "load.torque": load[1], self.path: below}
+        results = solve(case, vary={**vary, **further})
+        number = row_names(case, "converters").index(self.name)
+        bypassed: Booleans = np.isnan(results.speed_ratio[:, 0, number]) & results.consistent[:, 0]
+        return bypassed
 
     def brought(
         self,

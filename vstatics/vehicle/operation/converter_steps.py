@@ -52,11 +52,16 @@ class ConverterSteps(NamedTuple):
     ) -> Floats:
         """Return torques on the pump [N*m] in the case `cases[place]`, at engine speeds."""
         ratios = self.converter.ratio(engine, self._output[rows])
+        further = self._further(place, rows, engine)
+        return self.converter.brought(self.cases[place], load, ratios, further)
+
+    def _further(self, place: int, rows: Integers, engine: Floats) -> dict[str, Floats]:
+        """Return other numbers of the case `cases[place]` at engine speeds [rad/s], by path."""
         further = {path: numbers[rows] for path, numbers in self.further[place].items()}
         case = self.converter.case
         for path, slip in relative_slips(case, case.gears[0]).items():
             further[path] = slip * engine
-        return self.converter.brought(self.cases[place], load, ratios, further)
+        return further
 
     def _from_engine(self, rows: Integers, engine: Floats, torque: Floats) -> Floats:
         return self._brought(0, rows, (engine, torque), engine)
@@ -74,7 +79,8 @@ class ConverterSteps(NamedTuple):
     def from_wheels(self) -> tuple[Floats, Floats]:
         """Return engine speeds [rad/s] and torques [N*m] for the wheel forces of the steps.
 
-        Torques are NaN, except in steps whose brakes absorb an excess.
+        Torques are NaN, except in steps whose brakes absorb an excess. In steps in which a
+        freewheel locks the converter up, the engine turns with the turbine.
 
         Raises
         ------
@@ -109,14 +115,17 @@ class ConverterSteps(NamedTuple):
 
     def _settled(self, search: EngineSearch, are_braking: Booleans) -> tuple[Floats, Floats]:
         """Return engine speeds [rad/s], and torques [N*m] of steps at the largest speed ratio."""
-        engine = search.engine.copy()
+        at_lock = self.converter.engine_at(1.0, self._output)
+        further = self._further(1, np.arange(len(self.rows)), at_lock)
+        locked = self.converter.is_bypassed(self.cases[1], self.load, further)
+        engine = np.where(locked, at_lock, search.engine)
         torques = np.full(len(engine), np.nan)
         surplus = search.surplus[:, 0]  # NaN if no speed ratio gives torques
         # Inertias of the gear train can drive the turbine although the wheels do not.
         are_braking = are_braking | (self.are_slowing & np.isnan(surplus))
         sign = np.where(self.converter.is_driving(search.ends[:, 0], self._output), 1, -1)
         is_strong = np.where(np.isnan(surplus), are_braking, sign * surplus <= 0)
-        freest = self.converter.engine_at_free_ratio(self._output)
+        freest = self.converter.engine_at(self.converter.free_ratio, self._output)
         # The ratios up to the first with braking torque are free, or would gain power.
         is_free = are_braking & ~(is_strong & np.isfinite(surplus)) & (search.ends[:, 0] < freest)
         held = np.flatnonzero(np.isnan(engine) & (is_strong | is_free))

@@ -432,14 +432,15 @@ class CycleSteps(NamedTuple):
     def _speed_ratios(self, rows: Integers) -> dict[str, Floats]:
         """Return the speed ratios of free converters in the steps `rows`, by path [-].
 
-        In steps of other gears, a converter has its `free_ratio`.
+        In steps of other gears, a converter has its `free_ratio`. A freewheel that holds at the
+        ratio 1 also holds slightly below, where the converter itself cannot brake.
         """
         here = self.at(rows)
         output = np.abs(here.output_speeds)
         return {
             converter.path: np.where(
                 here.gears == gear,
-                converter.ratio(here.engine_speeds, output),
+                converter.driven_ratio(here.engine_speeds, output),
                 converter.free_ratio,
             )
             for gear, converter in self.converters.items()
