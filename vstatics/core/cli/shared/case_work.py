@@ -61,7 +61,7 @@ def in_groups(job: Job, tasks: Iterable[CaseTask]) -> Iterator[Done]:
     """Yield the outcomes of cases, calculated by this process in groups.
 
     Each step is carried out for all cases of a group before the next step. Many small cases take
-    three quarters of the time in this way, because code and data stay in the processor's cache.
+    less time in this way, because code and data of a step stay in the processor's cache.
     """
     remaining = iter(tasks)
     while group := [_with_outcome(job, task) for task in islice(remaining, TOGETHER)]:
