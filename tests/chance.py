@@ -28,7 +28,7 @@ def count(usual: int, nightly: int) -> int:
 
 
 def examples(few: int, usual: int, nightly: int) -> pytest.MarkDecorator:
-    """Parametrise a test by its number of examples: a few in ``make test``, or all others."""
+    """Parametrise a test by its number of examples; `make test` runs only the smaller one."""
     return pytest.mark.parametrize("examples", [nightly] if FRESH else [few, usual])
 
 
@@ -56,7 +56,7 @@ def seeds_with_slow(few: int, usual: int, nightly: int = 0) -> pytest.MarkDecora
 def ranges_with_slow(
     few: int | range, usual: int, nightly: int, start: int = 0
 ) -> pytest.MarkDecorator:
-    """Parametrise a test by half of a range, by all of it, and by further seeds, which are slow."""
+    """Parametrise a test by half of a range of seeds, the whole range, and further, slow seeds."""
     quick = range(few) if isinstance(few, int) else few
     more = range(start or quick.stop, start + count(usual, nightly))
     return pytest.mark.parametrize("seeds", with_slow([quick[: len(quick) // 2], quick], [more]))

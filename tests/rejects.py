@@ -13,7 +13,7 @@ Error = TypeVar("Error", bound=BaseException)
 def rejects(
     errors: type[Error] | tuple[type[Error], ...], *words: str
 ) -> Iterator[pytest.ExceptionInfo[Error]]:
-    """Check that an error is raised, and that its text has all words."""
+    """Check that an error is raised whose text contains all `words`."""
     with pytest.raises(errors) as caught:
         yield caught
     assert [word for word in words if word not in str(caught.value)] == []

@@ -17,17 +17,17 @@ from vstatics.core.annexes import picture_kinds
 PICTURES_THERE = list(documented())
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e-?\d+)?")
 LINE = re.compile(r"M[-\d. ]+(L[-\d. ]+){3,}")
-"""A line of several points."""
+"""Path of a line of at least four points."""
 NEAR = 0.1
 """So far may places be from one another where letters or processors differ. [pt]"""
 MOST_BETWEEN = 0.4
-"""So far may a line be from another that keeps other points of the same curve. [pt]"""
+"""Largest distance between two lines that keep different points of the same curve. [pt]"""
 DRAWN_WITH = "3.11."
 """The version of matplotlib with which `make pictures` drew them; others write other SVG."""
 
 
 def marks(svg: bytes) -> Iterator[tuple[str, list[float], NDArray[np.float64]]]:
-    """What each element says without its numbers, these, and the points of a line."""
+    """Yield the text of each element without numbers, its numbers, and the points of a line."""
     for element in ET.fromstring(svg).iter():  # noqa: S314 - our own
         course = element.attrib.get("d", "")
         is_line = LINE.fullmatch(course) is not None
@@ -58,7 +58,7 @@ def test_a_picture_is_as_it_is_drawn(one: DocumentedPicture) -> None:
     assert [said for said, *_ in shown] == [said for said, *_ in drawn], advice
     for (said, there, line), (_, here, other_line) in zip(shown, drawn, strict=True):
         assert there == pytest.approx(here, abs=NEAR), f"{said}: {advice}"
-        if len(line):  # rounding can decide which of its points a line keeps
+        if len(line):  # rounding can decide which points of a curve a line keeps
             both = farthest(line, other_line), farthest(other_line, line)
             assert max(both) <= MOST_BETWEEN, f"{said}: {advice}"
 

@@ -26,9 +26,9 @@ FIRST = {
     "messages": "messages/messages",
     "sources": "sources/index",
 }
-SIDEBAR = {"start/readme": "Start here", "start/menu": "Menu"}
-"""Names in the sidebar of pages whose titles other pages have, too."""
 """First page of each kind, in the order of the sidebar."""
+SIDEBAR = {"start/readme": "Start here", "start/menu": "Menu"}
+"""Names in the sidebar for pages whose titles are also titles of other pages."""
 
 
 def written(folder: Path) -> list[Page]:

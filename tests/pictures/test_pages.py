@@ -27,7 +27,7 @@ QUICK = ("umdm.yaml", "power-split.yaml", "tarasik-set-upshift.yaml")
 """Files that are looked at each time; of the vibration the next one."""
 QUICK_DRIVELINE = "moskvich412.yaml"
 WIDE, HIGH, ROUNDED = 170.0, 240.0, 0.1 / 72 * 25.4
-"""The paper, and the 0.1 pt by which lengths may exceed it. [mm]"""
+"""Size of the paper, and the 0.1 pt by which rounded lengths can exceed it. [mm]"""
 LEAST, LEAST_OF_WORDS, ROUNDED_LETTERS = 7.0, 8.0, 0.01
 """Letters. [pt]"""
 WORD = re.compile(r"[^\W\d_]{3}")
@@ -54,7 +54,7 @@ def files_of(kind: str, folder: Path) -> list[Path]:
 
 
 def duty_of(file: Path, folder: Path) -> Path:
-    """A CSV file of a duty cycle: a minute in each gear, under more torque in each."""
+    """CSV file of a duty cycle: a minute in each gear, with more torque in each further gear."""
     rows = [f'60,"{gear.name}",1000,{10 * n}' for n, gear in enumerate(load(file).gears, 1)]
     duty = folder / "duty.csv"
     duty.write_text("\n".join(["time [s],gear,speed [rpm],torque [N*m]", *rows]), "utf-8")

@@ -278,7 +278,7 @@ def test_a_jump_on_a_link_without_inertia_behind_a_spring() -> None:
 
 @pytest.mark.parametrize("apart", ["slip('C')", "speed('a') - speed('b')"])
 def test_links_that_stick_to_each_other_have_no_speed_apart(apart: str) -> None:
-    """Constant torques before the clutch locks; then sign(0) = 0, and b alone is pulled."""
+    """Torques are constant until the clutch locks up; then sign(0) = 0, and only b is pulled."""
     rng = seeded(71)
     for _ in range(count(3, 60)):
         first, second = rng.uniform(0.5, 3), rng.uniform(0.5, 3)
@@ -296,7 +296,7 @@ def test_links_that_stick_to_each_other_have_no_speed_apart(apart: str) -> None:
 
 
 def test_a_clutch_at_its_capacity_and_a_jump_of_its_slip_hold_a_link_together() -> None:
-    """The clutch carries its ramp from the instant at which it alone no longer holds a on b."""
+    """The clutch carries its capacity from the instant at which it alone cannot hold a to b."""
     rng = seeded(72)
     for number in range(count(6, 60)):
         first, second, pull = rng.uniform(0.5, 3), rng.uniform(0.5, 3), rng.uniform(10, 60)
@@ -326,7 +326,7 @@ def test_a_clutch_at_its_capacity_and_a_jump_of_its_slip_hold_a_link_together() 
 
 @pytest.mark.parametrize("seed", with_slow([111, 126], [107, 118, 132, *range(count(0, 60))]))
 def test_a_motion_leaves_one_of_two_jumps_that_it_meets_at_once(seed: int) -> None:
-    """Two clutches in a row grip above a slip each: as an integrator with narrow ramps finds it."""
+    """Two clutches in a row grip above a slip each; the integrator has narrow ramps for jumps."""
     rng = seeded(seed)
     inertias = [rng.uniform(0.3, 3) for _ in range(3)]
     capacities, slips = ([rng.uniform(*ends) for _ in range(2)] for ends in ((40, 150), (2, 15)))

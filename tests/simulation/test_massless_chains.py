@@ -101,7 +101,7 @@ def test_energy_of_any_chain_closes(seed: int) -> None:
 @pytest.mark.parametrize("step", ["15*(t > {0})", "-15*({0} < t)", "3*(t >= {0})"])
 @pytest.mark.parametrize("friction", ["", ", friction: 1"])
 def test_the_time_at_which_a_formula_jumps_is_not_seen_before(step: str, friction: str) -> None:
-    """Friction in a spring of a link without inertia: momentum and energy, also beside a jump."""
+    """Momentum and energy close with friction on a link without inertia, also near a jump."""
     for at in (0.36, 0.375, 0.38, 0.5):
         made = simulated(
             f"duration: 1\nstart: {{speeds: {{a: 4, c: -2}}}}\n"

@@ -227,7 +227,7 @@ def quoted(read: str) -> str:
 
 
 def percent(value: float) -> str:
-    """Return an example for an efficiency that is too large, as it seems to be in percent.
+    """Return an example if an efficiency seems to be in percent, otherwise an empty text.
 
     >>> percent(95.0), percent(0.0)
     (', such as 0.95 for 95 %', '')

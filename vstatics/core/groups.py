@@ -10,7 +10,7 @@ _Value = TypeVar("_Value")
 
 
 def grouped(pairs: Iterable[tuple[_Key, _Value]]) -> dict[_Key, list[_Value]]:
-    """Return the values of equal keys as lists, by key.
+    """Return a list of the values of each key.
 
     >>> grouped([("a", 1), ("b", 2), ("a", 3)])
     {'a': [1, 3], 'b': [2]}
@@ -24,7 +24,7 @@ def grouped(pairs: Iterable[tuple[_Key, _Value]]) -> dict[_Key, list[_Value]]:
 def filled(
     items: Iterable[_Value], room: float, size: Callable[[_Value], float], gap: float = 0.0
 ) -> Iterator[list[_Value]]:
-    """Yield lists of consecutive items, as many as fit in `room` with gaps, but at least one.
+    """Yield lists of consecutive items that fit in `room` with gaps, or of one item that does not.
 
     Without items, a single empty list is yielded.
 

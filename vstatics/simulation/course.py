@@ -131,7 +131,7 @@ class EventRun:
         self.slides_from = 0.0
         """Time at which the latest of these slides began. [s]"""
         self.fewer: list[list[CornerPlace]] = []
-        """Parts of these corners along which the motion can slide if not along all."""
+        """Subsets of `slides` to try if the motion cannot slide along all of them."""
         self.smooth: set[CornerPlace] = set()
         """Corners at which a formula could jump, but was continuous when last reached."""
         self.watched: list[tuple[CornerPlace, Awaited]] = []
@@ -315,7 +315,7 @@ class EventRun:
         met = [self.watched[watch.of] for watch in event.watches if watch.kind == "corner"]
         for place, _ in met:
             self.meetings.note(place, event.time)
-        # Another jump can be the reason for the end of a slide, so slides come last.
+        # A slide can end because the motion meets another jump, so slides come last.
         for place, judged in sorted(met, key=lambda each: each[0] in self.slides):
             corner = self.corners[place.corner]
             if not corner.jumps[place.number]:

@@ -195,7 +195,7 @@ def _first_load(table: UnitTable) -> Load | None:
 
 
 def _has(data: bytes, name: str) -> bool:
-    """Return whether a column has this name, not one of its other names."""
+    """Return whether a heading is this name of a column, not an alias."""
     lines = data.removeprefix(codecs.BOM_UTF8).split(b"\n", MOST_TITLE_LINES)
     heading = re.compile(rf"(?:^|[,;\t])[\s\"]*{name}\b".encode(), re.IGNORECASE)
     return any(map(heading.search, lines[:MOST_TITLE_LINES]))

@@ -22,7 +22,7 @@ LOW, DIRECT = "low <1>", "dir%/'ect"
 TEN_SPEED, POWER_SPLIT, OLD_DECK = "ford-10r80.yaml", "power-split.yaml", "mzkt7922.dat"
 TRUCK = "tarasik-truck.yaml"
 LEAST_LETTERS = 7.0
-"""Of pictures on a telephone. [CSS px]"""
+"""Least size of letters in pictures on a telephone. [CSS px]"""
 DESK, PHONE = {"width": 1280, "height": 900}, {"width": 390, "height": 844}
 
 
@@ -155,10 +155,10 @@ def test_letters_of_pictures_can_be_read_on_a_phone(browser: Any, reports: dict[
     page.context.close()
 
 
-def test_headings_of_narrow_tables_are_short_and_stand_above_their_columns(
+def test_headings_of_narrow_tables_are_short_and_aligned_with_their_columns(
     browser: Any, reports: dict[str, Path]
 ) -> None:
-    """Three lines of 1.45 times 16 px; a first column is aligned as its heading."""
+    """At most three lines of 1.45 times 16 px; the first column is aligned like its heading."""
     page = Opened(browser, reports[TRUCK])
     highest = """Math.max(...[...document.querySelectorAll("section.table > h3")]
       .map((head) => head.getBoundingClientRect().height))"""

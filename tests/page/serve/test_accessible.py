@@ -58,7 +58,7 @@ def test_a_served_page_fits_a_telephone(browser: Any, shipped: Path) -> None:
     here.context.close()
 
 
-def test_fields_go_on_below_and_not_beside_the_screen(browser: Any, tmp_path: Path) -> None:
+def test_fields_continue_below_and_do_not_exceed_the_width(browser: Any, tmp_path: Path) -> None:
     copy: Path = shutil.copytree(CASES, tmp_path / "cases") / "scenarios" / "8hp70-upshift.yaml"
     with served(browser, copy) as here:
         for size in ({"width": 1280, "height": 900}, PHONE):

@@ -126,7 +126,7 @@ CONDITIONS = (
     ("1e3*(sin(500*t) - 0.99999) > abs(speed('o'))", math.asin(0.99999) / 500), ("t != 1.2", 0.0),
     ("not speed('e') == 0", 0.0),
 )  # fmt: skip
-"""Conditions that become true, and when; the speed is 10 t."""
+"""Conditions, each with the time at which it becomes true; the speed is 10 t."""
 
 
 @pytest.mark.parametrize("conditions", [CONDITIONS[:9], CONDITIONS[9:]])

@@ -80,7 +80,7 @@ def random_gear(seed: int) -> tuple[Transmission, Gear, dict[int, float], float]
         free = null_space(np.array(rows))
         if free.shape[1] != 1 or len(rows) != case.links - 1 or case.gear_input(gear) != 1:
             continue
-        # friction could hold the third link of such a set by the others alone, whatever it carries
+        # in such a set, friction at the other two links could hold the third at any torque
         jams = (
             n.efficiency <= n.ratio <= 1 / n.efficiency and n.third != 0 for n in case.mechanisms
         )

@@ -313,7 +313,7 @@ def test_a_table_file_has_powers_and_percentages(
     assert power.at(speed, pedal) / speed == pytest.approx(expected, rel=1e-6)
 
 
-def test_a_table_file_with_another_unit_is_refused(tmp_path: Path) -> None:
+def test_a_table_file_with_an_unknown_unit_is_rejected(tmp_path: Path) -> None:
     (tmp_path / "engine.csv").write_text("speed [rpm],power [kVA]\n0,1\n", "utf-8")
     with pytest.raises(ValueError, match=r"line 2: read 1 kVA, expected .* such as `N\*m`, `kW`"):
         table_of(str(tmp_path / "run.yaml"), "engine.csv")

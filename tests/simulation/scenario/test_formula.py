@@ -157,7 +157,7 @@ def test_numbers_of_formulas_can_be_powers_or_percentages() -> None:
         ("5*sgn(t)", r"there is no function `sgn`, .*; did you mean `sign`\?"),
     ],
 )
-def test_formulas_of_other_languages_are_refused_with_the_own_spelling(
+def test_formulas_of_other_languages_are_rejected_with_the_right_spelling(
     torque: str, said: str
 ) -> None:
     with pytest.raises(ReadError, match=said):

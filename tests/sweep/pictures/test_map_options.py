@@ -80,7 +80,7 @@ def test_the_colour_bar_lists_the_levels() -> None:
 
 
 def test_contours_have_the_decimals_of_the_colour_bar() -> None:
-    """In the panel of each of two gears, and once at the bar."""
+    """Each number appears in the panel of each of two gears, and once at the bar."""
     texts = [
         element.text for element in drawn("--levels", "90,150.5") if element.tag.endswith("text")
     ]

@@ -156,7 +156,7 @@ def test_pages_have_all_modes_and_all_gears() -> None:
 
 
 def test_links_are_not_crowded_on_half_a_page() -> None:
-    """Letters of 8 pt are 10 pt apart with a gap: every other one of 17 links has its name."""
+    """Names of 8 pt need 10 pt each with a gap, so every second of 17 links has its name."""
     results = shipped_results("driveline-8hp70.yaml")
     figure = picture(results, "modes", Style(width=PAGE_WIDTH / 2))
     names = [one for one in figure.texts if one.get_rotation() == 90]

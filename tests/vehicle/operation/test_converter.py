@@ -573,8 +573,8 @@ vehicle: {{mass: 1500, radius: 0.3, final_drive: 3, engine: [[0, 200], [900, 200
 
 
 @pytest.mark.parametrize("beyond", ["", ", [1.3, 0.97, -2e-3]"])
-def test_a_freewheel_beside_the_converter_lets_the_engine_brake(beyond: str) -> None:
-    """At v m/s the turbine turns at 30 v rad/s; below that the freewheel takes the engine along."""
+def test_a_freewheel_over_the_converter_lets_the_engine_brake(beyond: str) -> None:
+    """At v m/s the turbine turns at 30 v rad/s; the freewheel lets no engine turn slower."""
     random, points = generator(53), f"[[0, 2, 3e-3], [0.9, 1, 2e-3], [1, 0.98, 0]{beyond}]"
     for number in range(count(12, 200)):
         drag, most, asked = random.uniform(0, 5), random.uniform(5, 60), random.uniform(-3e3, 1e3)

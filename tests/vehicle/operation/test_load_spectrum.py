@@ -328,7 +328,7 @@ def test_wild_numbers_of_a_duty_cycle_end_in_numbers_or_at_their_line(seed: int)
     ["duration [s],gear,n [rpm],M [Nm]", "t [s],gear,n [rpm],T [Nm]", "time [s],gear,RPM,Nm"],
 )
 def test_a_duty_cycle_has_the_documented_names_of_speed_and_torque(headings: str) -> None:
-    """Names of shafts in docs/units.md, also beside a duration; work is torque times angle."""
+    """Names as in docs/units.md, also with a `duration`; work is torque times angle."""
     table = read_duty_table(f"{headings}\n10,1,300,20\n30,1,600,5\n".encode(), "d.csv")
     work = 20 * 10 * math.pi * 10 + 5 * 20 * math.pi * 30
     assert table.of(solve(PAIRS)).energy.in_ == pytest.approx(work)

@@ -217,7 +217,7 @@ def _occurring(values: Sequence[Any]) -> list[int]:
 def _shared(
     value: Any, symbols: Sequence[Symbol], fixed: Sequence[int]
 ) -> tuple[dict[str, list[str]], str]:
-    """Return the formula with common symbols for equal ratios among the ratios `fixed`."""
+    """Return common symbols for equal ratios among `fixed`, and the formula with these symbols."""
     by_value = grouped((symbols[place].value, place) for place in fixed)
     groups = [places for places in by_value.values() if len(places) > 1]
     if not 0 < len(groups) <= len(SHARED):

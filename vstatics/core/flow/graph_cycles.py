@@ -43,7 +43,7 @@ def edges_on_cycles(edges: Iterable[tuple[_Node, _Node]]) -> set[tuple[_Node, _N
             tree[node] = before, edge
             waiting += ((other, node, edge) for other, edge in nodes[node])
     closed = given.difference(edge for _, edge in tree.values())
-    crossing = dict.fromkeys(nodes, 0)  # a bit for each edge from beyond the node to other nodes
+    crossing = dict.fromkeys(nodes, 0)  # bits of `closed` edges that leave the nodes beyond
     for number, edge in enumerate(closed):
         for node in edge:
             crossing[node] ^= 1 << number

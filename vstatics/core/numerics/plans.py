@@ -95,8 +95,8 @@ class Plans:
         """
         numbers = values[:, 0].tolist()
         for plan in self.plans:
-            if not plan.signed and (found := plan.run_one(numbers)):
-                return found
+            if not plan.signed and (calculated := plan.run_one(numbers)):
+                return calculated
         rows = np.empty((results, 1))
         self.run(prepared(values), Rows([*rows]))
         of_all: list[float] = rows[:, 0].tolist()

@@ -119,9 +119,9 @@ class Replay(NamedTuple):
     plain_steps: Sequence[PlainStep]
     """Steps with the functions for floats."""
     after_inputs: Sequence[float]
-    """Cells after the inputs for `run_one`: zeros, constants of steps, constant results."""
+    """Values of the cells after the inputs in `run_one`: zeros, constants of steps and results."""
     results: Sequence[int]
-    """Cells of the results for `run_one`."""
+    """Index of the cell of each result in `run_one`."""
 
     def run(self, magnitudes: Floats, rows: Rows, passed: Booleans) -> None:
         """Write the results of all variants, and set `passed` to False where a guard fails.

@@ -114,7 +114,7 @@ def read(data: bytes, file: str, format: Format | None = None) -> Reading:  # no
     if wanted not in FORMATS:
         raise ValueError(f"format {wanted!r}: expected one of {', '.join(FORMATS)}")
     if wanted == "deck":
-        from vstatics.core.readers.deck import reader  # each format costs start-up time
+        from vstatics.core.readers.deck import reader  # imported when needed
 
         return reader.read(data, file)
     from vstatics.core.readers.named.reader import read_case_tree
@@ -140,7 +140,7 @@ def case_tree(data: bytes, file: str, form: Format) -> tuple[Node, DocumentText]
     Raises
     ------
     ReadError
-        If the text is not valid YAML, JSON or workbook.
+        If the text is not valid YAML or JSON, or the file is not a workbook.
     """
     if form == "xlsx":
         from vstatics.core.readers.workbook.reader import workbook_tree

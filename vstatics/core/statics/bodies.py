@@ -109,6 +109,6 @@ def _locked_up(case: Transmission, mechanisms: Iterable[int], bodies: Sequence[i
 
 
 def _torques_by_body(mechanism: Mechanism, bodies: Sequence[int]) -> dict[int, float]:
-    """Return the torques on three different bodies."""
+    """Return the torques of a mechanism on its three bodies, by body."""
     torques = zip(mechanism.links, column(mechanism.ratio), strict=True)
     return {bodies[link]: torque for link, torque in torques}

@@ -34,7 +34,7 @@ def solution(  # noqa: PLR0913
 ) -> Results:
     """Return the results of `solve` without checking the types of the arguments.
 
-    If `explain` is False, `explained` must add the messages about the gears of a case.
+    If `explain` is False, the messages about the gears are left to `explained`.
     """
     if case.depends:
         from vstatics.core.model.laws import (
@@ -75,7 +75,7 @@ def solution(  # noqa: PLR0913
 def explained(results: Results) -> Results:
     """Return the results of a case with messages about the gears.
 
-    Results at operating points already contain the messages.
+    Results at several operating points are returned unchanged, as their messages are complete.
     """
     if results.points is not None:
         return results

@@ -40,7 +40,7 @@
     at("errors").textContent = errors;
   }
 
-  // an error makes the panel higher: the field with the focus moves out from below it
+  // An error makes the panel higher. The focused field is scrolled until the panel does not cover it.
   new ResizeObserver(() => {
     root.style.setProperty("--panel", `${panel.offsetHeight}px`);
     const { activeElement } = document;

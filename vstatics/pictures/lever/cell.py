@@ -159,7 +159,7 @@ def _draw_ground(view: LeverView, row: LeverRow, names: Sequence[str]) -> None:
     ground(view.sheet, (x, y), style.engaged if names else style.ink)
     if names:
         said, left = _carried(view.gear, names, style), x + GROUND_WIDTH - 8
-        # the number after it is 0
+        # the speed to the right of the names is 0
         shown = shortened(", ".join(names), view.cell.right - SIZE - left)
         look: Look = {"va": "bottom", "color": style.engaged, "over": True}
         view.sheet.pen.text(left, y + 1.5, shown, title=said, **look)

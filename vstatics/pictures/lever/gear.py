@@ -59,7 +59,7 @@ class LeverGear(NamedTuple):
         return self.roles[lever] != {IDLE}
 
     def is_slack(self, name: str) -> bool:
-        """Return whether a shift element is engaged without torque."""
+        """Return whether an engaged shift element carries no torque."""
         return abs(self.carried.get(name, math.nan)) < NO_LEVER_TORQUE
 
     def is_one_piece(self, lever: int) -> bool:

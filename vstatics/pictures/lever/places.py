@@ -31,7 +31,7 @@ MOST_FOR_POINT = 22.0
 GROUND_WIDTH, FREEWHEEL_WIDTH = 14.0, 9.0
 """Widths of the symbol of a support, and of a freewheel before the support. [pt]"""
 BRAKE_NAME_WIDTH = 40.0
-"""Width reserved for the name of a brake; longer names extend over the speeds, or are cut. [pt]"""
+"""Width reserved for the name of a brake; longer names reach towards the speed or are cut. [pt]"""
 
 
 class LeverCell(NamedTuple):

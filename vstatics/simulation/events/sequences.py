@@ -87,7 +87,7 @@ class SequenceProgress:
         return step.when.holds(sides, lambda seen: happened(seen, self.since))
 
     def awaited(self, judge: Judge) -> list[Awaited]:
-        """Return the comparisons in the condition of the next step, if it is not yet true."""
+        """Return the comparisons in the condition of the next step; none if it is already true."""
         step = self.step
         if self.true_at is not None or step is None or step.when is None:
             return []

@@ -117,7 +117,7 @@ def _places(count: int) -> Floats:
 
 @lru_cache(maxsize=16)
 def _steps(count: int) -> Floats:
-    """Return the start, Gauss points and ends of `count` parts, with part lengths as the unit."""
+    """Return the start, and the Gauss points and end of each part, in lengths of a part."""
     return np.append(0.0, np.arange(count)[:, None] + NODES)
 
 
@@ -151,7 +151,7 @@ def _powers() -> Floats:
 def _rates(matrix: bytes, size: int) -> tuple[Floats, Floats]:
     """Return the magnitudes of eigenvalues and of their real parts [rad/s].
 
-    After most events, the matrix returns to an earlier value.
+    Results are kept, because after most events the matrix returns to an earlier value.
     """
     square = np.frombuffer(matrix).reshape(size, size)
     rates: Complex = np.asarray(np.linalg.eigvals(square), complex)

@@ -172,7 +172,7 @@ def _heat(motion: Motion) -> list[MotionPanel]:
     least = LEAST_HEAT_SHARE * max(ends.values(), default=0.0)
     lines: list[MotionLine] = []
     small: list[str] = []
-    # Rounding noise does not order equal energies, as of a left and a right shaft.
+    # Rounding noise must not order equal energies, such as heat in the left and right shafts.
     for table, name in sorted(ends, key=lambda entry: -float(f"{ends[entry]:.6g}")):
         distinction = "losses" if table == "losses" and ("heat", name) in ends else ""
         line = MotionLine((name,), over_time[table][name], distinction=distinction)

@@ -19,7 +19,7 @@ from vstatics.simulation.tolerances import (
 
 
 class Moments(NamedTuple):
-    """State of a run at several times between two events; the last axis of arrays is time."""
+    """State of a run at several times between two events. The last axis of arrays is time."""
 
     equations: Equations
     begin: float
@@ -27,7 +27,9 @@ class Moments(NamedTuple):
     end: float
     """Time of the second event. [s]"""
     times: Floats
+    """Several times between the events. [s]"""
     states: Floats
+    """State vectors of the equations."""
     speeds: Floats
     """Speeds of links. [rad/s]"""
     slips: Floats

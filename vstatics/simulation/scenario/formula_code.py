@@ -136,7 +136,7 @@ def compiled_along(tree: Tree, seen: Sequence[Seen] = ()) -> Callable[..., Float
     """Compile a tree to a function for many times.
 
     Its first argument is an array of times; each other argument is an array of the same shape or a
-    number. Callers ignore the floating-point errors of NumPy, once for many evaluations.
+    number. Callers suppress NumPy's floating-point warnings, once for many evaluations.
 
     Examples
     --------
@@ -193,7 +193,7 @@ class _CodeWriter:
             return ast.BinOp(operands[0], ast.Mult(), self.number(base))  # faster than a power
         if tree.name in ("min", "max") and len(operands) == 1:
             return operands[0]
-        is_quotient = self.is_broad and tree.name == "/"  # the operator raises errors for numbers
+        is_quotient = self.is_broad and tree.name == "/"  # `/` of two numbers can raise an error
         if tree.name in _ARITHMETIC and not is_quotient:
             return ast.BinOp(operands[0], _ARITHMETIC[tree.name](), operands[1])
         return _call(_CALLED.get(tree.name, str(tree.name)), *operands)

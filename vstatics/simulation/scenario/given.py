@@ -78,7 +78,7 @@ def _number(measures: Sequence[Measure], expected: str, unit: str = "") -> Parse
 
 
 def anything(text: str) -> float:
-    """Return a number in SI units, without or with any unit, or a percentage.
+    """Return a number in SI units from a number with or without a unit, or a percentage.
 
     Raises
     ------
@@ -102,7 +102,7 @@ def anything(text: str) -> float:
         raise UnitError(_ANY_NUMBER) from None
 
 
-_ANY_NUMBER = "expected a number, bare or with its unit, such as `N*m`, `kW` or `%`"
+_ANY_NUMBER = "expected a number, with or without a unit such as `N*m`, `kW` or `%`"
 _COMPARISONS = frozenset("<>=?")
 ANY_MEASURE = get_args(Measure)
 TORQUE_UNIT, SPEED_UNIT = UNIT_OF["si_torque"], UNIT_OF["si_speed"]

@@ -68,7 +68,7 @@ def _table(rows: list[tuple[int, list[str]]]) -> LookupTable:
 
 
 def _number(text: str, line: int) -> float:
-    """Return a number in SI units, read without or with any unit, or as a percentage."""
+    """Return a number in SI units from a cell with or without a unit, or a percentage."""
     try:
         return anything(text.strip())
     except ValueError as error:

@@ -89,7 +89,7 @@ class Sliding:
                 moved = (shares + unit[:, None] for unit in np.eye(len(shares)))
                 slopes = np.array([self._left(*known, near) - left for near in moved])
                 slow = np.all(slopes == 0, axis=(0, 2))
-                # Where links stick to each other, no share moves them: the mean of both sides acts.
+                # Links that stick to each other move at no share, so the mean of both sides acts.
                 still = slow & np.all(left == 0, axis=1)
                 slopes[still, still] = 1.0
                 slow &= ~still

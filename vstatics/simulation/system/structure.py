@@ -146,7 +146,7 @@ class MotionStructure:
 
 
 def _exact(rates: Floats) -> Floats:
-    """Return rates of ports in which rates that differ only by rounding are equal, and 0 is 0.
+    """Return rates of ports without rounding noise: equal rates are exactly equal, also to 0.
 
     Formulas can jump where two speeds are equal, such as those of links that stick to each other.
     """

@@ -223,7 +223,7 @@ class ConverterGear(NamedTuple):
         return np.clip(ratio, self.points[0, 0], self.points[-1, 0])
 
     def driven_ratio(self, engine: Floats, output: Floats) -> Floats:
-        """Return the result of `ratio`, but `BELOW_LOCK` where a freewheel can hold at 1."""
+        """Return speed ratios as `ratio` does, but `BELOW_LOCK` instead of 1 with freewheels."""
         ratio = self.ratio(engine, output)
         at_lock = (ratio == 1) & bool(self.case.freewheels)
         return np.where(at_lock, BELOW_LOCK, ratio)

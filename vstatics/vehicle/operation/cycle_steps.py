@@ -432,8 +432,8 @@ class CycleSteps(NamedTuple):
     def _speed_ratios(self, rows: Integers) -> dict[str, Floats]:
         """Return the speed ratios of free converters in the steps `rows`, by path [-].
 
-        In steps of other gears, a converter has its `free_ratio`. A freewheel that holds at the
-        ratio 1 also holds slightly below, where the converter itself cannot brake.
+        In steps of other gears, a converter has its `free_ratio`. Where a freewheel can lock it up,
+        the ratio is slightly below 1, because the converter itself cannot brake there.
         """
         here = self.at(rows)
         output = np.abs(here.output_speeds)
@@ -511,10 +511,12 @@ class CycleSteps(NamedTuple):
         )
         for number, gear in enumerate(self.case.gears):
             if gear.loss is not None:
-                own = here.gears == number
-                inertia = self._input_inertia(rows)[own]
-                entering = _with_loss(gear.loss, rows[own], speeds[own], torques[own] + inertia)
-                torques[own] = entering - inertia
+                in_gear = here.gears == number
+                inertia = self._input_inertia(rows)[in_gear]
+                entering = _with_loss(
+                    gear.loss, rows[in_gear], speeds[in_gear], torques[in_gear] + inertia
+                )
+                torques[in_gear] = entering - inertia
         return torques
 
     def add_losses(self, rows: Integers, engine: Floats, lost: CycleLosses) -> float:

@@ -50,9 +50,9 @@ def test_each_case_gives_the_file_that_it_gives_alone(form: str) -> None:
 def test_cases_of_a_group_give_the_messages_and_results_that_they_give_alone(
     seconds: float, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Whether the steps of a group are carried out together or the time for this is over."""
-    monkeypatch.setattr(case_work, "TOGETHER", 3)
-    monkeypatch.setattr(case_work, "TOGETHER_SECONDS", seconds)
+    """With 0 s for a group, cases are completed one after the other; with 60 s, step by step."""
+    monkeypatch.setattr(case_work, "GROUP_SIZE", 3)
+    monkeypatch.setattr(case_work, "GROUP_SECONDS", seconds)
     files = (*ALL, "nowhere.dat", *ALL[::-1])
     said = vstatics("run", *files, "-f", "jsonl")
     alone = [vstatics("run", file, "-f", "jsonl") for file in files]
@@ -62,8 +62,8 @@ def test_cases_of_a_group_give_the_messages_and_results_that_they_give_alone(
 def test_a_slow_case_does_not_delay_the_results_of_earlier_cases(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """Each solution takes longer than a group has; it sees the results of the cases before."""
-    monkeypatch.setattr(case_work, "TOGETHER_SECONDS", 0.0)
+    """With 0 s for a group, the result of a case is written before the next case is solved."""
+    monkeypatch.setattr(case_work, "GROUP_SECONDS", 0.0)
     seen: list[list[str]] = []
 
     def observed(case: Transmission, **options: Any) -> Results:

@@ -49,24 +49,24 @@ def calculate_and_write(job: Job, task: CaseTask) -> Done:
     return completed(_in_steps(job, task))
 
 
-TOGETHER = 32
-"""Number of cases whose steps are carried out together."""
-TOGETHER_SECONDS = 0.1
-"""Time after which the outcomes of cases no longer wait for steps of other cases."""
+GROUP_SIZE = 32
+"""Largest number of cases in a group."""
+GROUP_SECONDS = 0.1
+"""Time after which the remaining cases of a group are completed one after the other. [s]"""
 STEPS = 5
-"""Number of steps before the result of a case is written."""
+"""Number of steps of a case; the last step writes the result."""
 
 
 def in_groups(job: Job, tasks: Iterable[CaseTask]) -> Iterator[Done]:
     """Yield the outcomes of cases, calculated by this process in groups.
 
-    Each step is carried out for all cases of a group before the next step. Many small cases take
-    less time in this way, because code and data of a step stay in the processor's cache.
+    Each step is carried out for all cases of a group before the next step. This takes less
+    time for many small cases, because code and data of a step stay in the processor's cache.
     """
     remaining = iter(tasks)
-    while group := [_with_outcome(job, task) for task in islice(remaining, TOGETHER)]:
+    while group := [_with_outcome(job, task) for task in islice(remaining, GROUP_SIZE)]:
         outcomes: list[Done | None] = [None] * len(group)
-        end = perf_counter() + TOGETHER_SECONDS
+        end = perf_counter() + GROUP_SECONDS
         for _ in range(STEPS):
             for number, steps in enumerate(group):
                 if perf_counter() < end:

@@ -216,7 +216,7 @@ def language(of: str, *more: str) -> Callable[[Command], Command]:
 
 Value = TypeVar("Value")
 Steps: TypeAlias = Generator[None, None, Value]
-"""Work in steps. Many cases take less time step by step; see `case_work.in_groups`."""
+"""Generator that stops after each step of its work and finally returns a value."""
 
 
 class CalculatedCase(NamedTuple):
@@ -393,7 +393,7 @@ def calculate_one(
 
 
 def completed(steps: Steps[Value]) -> Value:
-    """Carry out the remaining steps of some work, and return the result."""
+    """Carry out the remaining steps of a generator, and return its value."""
     while True:
         try:
             next(steps)

@@ -306,9 +306,9 @@ class _ExpectedTable(NamedTuple):
         return Heading(column, place, implied or None if unit is None else unit)
 
     def named(self, name: str, unit: str | None) -> tuple[TableColumn, str] | None:
-        """Return the column that a name or alias means, and the unit that the alias implies.
+        """Return the column with a name or alias, and the unit that the alias implies.
 
-        If a name means several columns, such as `t` a time or a torque, the unit decides.
+        If several columns have the name, as `t` for time and torque, the unit decides.
         """
         name = _folded(name)
         known = [
@@ -394,7 +394,7 @@ def _check_units(headings: Sequence[Heading]) -> None:
 def _with_clock(
     headings: Sequence[Heading], below: Sequence[NumberedLine], separator: str
 ) -> list[Heading]:
-    """Return headings, where a time without a unit above a clock time or a date has theirs."""
+    """Return headings in which a time above a clock time or a date has the unit of clock times."""
     row = next((cells_of(line, separator) for _, line in below if not is_comment(line)), [])
     clocks = {at for at, cell in enumerate(row) if ":" in cell and cell.strip()[:1].isdigit()}
     return [

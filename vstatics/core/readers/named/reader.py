@@ -99,7 +99,7 @@ def _with_annexes(root: Mapping, document: DocumentText) -> tuple[Mapping, ByKey
 
 
 def within_result(root: Node) -> Node:
-    """Return the case that a JSON result or a solution contains under a key, else the node."""
+    """Return the node of the case in a result or solution, or the node itself if it is a case."""
     entries = {key.text: value for key, value in root.entries} if isinstance(root, Mapping) else {}
     inner = entries.get("case")
     return inner if entries.keys() & {"format", "blanks"} and isinstance(inner, Mapping) else root
@@ -131,7 +131,7 @@ def read_document(data: bytes, file: str, shape: ByKey, expected: str) -> tuple[
     >>> load, spots.place(("torque",)).column
     (Load(speed=None, torque=200.0, power=None), 9)
     """
-    from vstatics.core.readers.named.yaml_nodes import yaml_tree  # costs start-up time
+    from vstatics.core.readers.named.yaml_nodes import yaml_tree  # imported when needed
 
     document = decode(data, file, expected)
     root = document.mapping(yaml_tree(document), expected)

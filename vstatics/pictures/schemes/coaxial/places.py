@@ -19,9 +19,9 @@ ROW_CLEARANCE = 9.0
 WHEEL_NAME = 13.0
 """Height for the name of a gear and half of the link name above. [pt, scaled with letters]"""
 HOUSING_BAND = 24.0
-"""Distance from the outermost drum to the housing, with unreduced names of one line. [pt]"""
+"""Distance from the outermost drum to the housing, for names of one line in full size. [pt]"""
 HALF_NAME_LINE = 5.0
-"""Half the distance between lines of letters. [pt, scaled with letters]"""
+"""Half the distance between lines of a name, before letters are scaled. [pt]"""
 ROOM_GAP = 5.0
 """Distance between the rectangles reserved for neighbouring components. [pt]"""
 NAME_PAD = 5.0

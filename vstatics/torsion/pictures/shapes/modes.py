@@ -40,7 +40,7 @@ if TYPE_CHECKING:
     from vstatics.torsion.vibration.gear_modes import GearModes, Mode
 
 LEAST_PAGE = 300.0
-"""Width of a page below which the picture is wider than the page. [pt]"""
+"""Least width of a picture; on narrower pages, the picture is wider than the page. [pt]"""
 LEAST_MODE_HEIGHT = 58.0
 """Smallest height of a mode shape. [pt]"""
 SHAPE_HEIGHT = 84.0
