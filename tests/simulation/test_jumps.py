@@ -5,6 +5,7 @@ values (A. F. Filippov, Differential equations with discontinuous righthand side
 """
 
 import math
+from itertools import product
 from random import Random
 from typing import NamedTuple
 
@@ -324,35 +325,48 @@ def test_a_clutch_at_its_capacity_and_a_jump_of_its_slip_hold_a_link_together() 
         assert motion.speeds[-1] == pytest.approx([a, b], rel=1e-8)
 
 
-@pytest.mark.parametrize("seed", with_slow([111, 126], [107, 118, 132, *range(count(0, 60))]))
-def test_a_motion_leaves_one_of_two_jumps_that_it_meets_at_once(seed: int) -> None:
-    """Two clutches in a row grip above a slip each; the integrator has narrow ramps for jumps."""
+@pytest.mark.parametrize(
+    "drawn",
+    with_slow(
+        [(2, 111), (2, 126), (3, 17)],
+        [(2, 107), (2, 118), (2, 132), *product((2, 3), range(count(0, 60)))],
+    ),
+)
+def test_a_motion_leaves_some_of_the_jumps_that_it_meets_at_once(drawn: tuple[int, int]) -> None:
+    """Clutches in a row grip above a slip each; the integrator has narrow ramps for jumps."""
+    clutches, seed = drawn
     rng = seeded(seed)
-    inertias = [rng.uniform(0.3, 3) for _ in range(3)]
-    capacities, slips = ([rng.uniform(*ends) for _ in range(2)] for ends in ((40, 150), (2, 15)))
-    loads = [rng.uniform(-20, 20), rng.uniform(-10, 10), rng.uniform(-40, 0)]
-    start = [0.0, rng.uniform(60, 100), rng.uniform(40, 70)]
+    inertias = [rng.uniform(0.3, 3) for _ in range(clutches + 1)]
+    capacities, slips = (
+        [rng.uniform(*ends) for _ in range(clutches)] for ends in ((40, 150), (2, 15))
+    )
+    between = [rng.uniform(-10, 10) for _ in range(clutches - 1)]
+    loads = [rng.uniform(-20, 20), *between, rng.uniform(-40, 0)]
+    middle = [rng.uniform(20, 60) for _ in range(clutches - 2)]
+    start = [0.0, rng.uniform(60, 100), *middle, rng.uniform(40, 70)]
     texts = [
-        f"{{a: {one!r}, b: {two!r}, c: {three!r}}}" for one, two, three in (inertias, loads, start)
+        ", ".join(f"{link}: {value!r}" for link, value in zip("abcd", values, strict=False))
+        for values in (inertias, loads, start)
     ]
     controls = [
         f"{name}: \"{capacity!r}*(abs(slip('{name}')) > {slip!r})\""
-        for name, capacity, slip in zip("CD", capacities, slips, strict=True)
+        for name, capacity, slip in zip("CDE", capacities, slips, strict=False)
     ]
+    joined = ", ".join(["C: [a, b]", "D: [b, c]", "E: [c, d]"][:clutches])
     motion = simulated(
-        f"duration: 1\nstart: {{speeds: {texts[2]}}}\ntorques: {texts[1]}\n"
+        f"duration: 1\nstart: {{speeds: {{{texts[2]}}}}}\ntorques: {{{texts[1]}}}\n"
         f"controls: {{{', '.join(controls)}}}\n",
-        f"{{inertias: {texts[0]}, shift_elements: {{C: [a, b], D: [b, c]}}, gears: {{g: []}}}}",
+        f"{{inertias: {{{texts[0]}}}, shift_elements: {{{joined}}}, gears: {{g: []}}}}",
     )
 
     def change(_t: float, speeds: Floats) -> list[float]:
         apart = (speeds[:-1] - speeds[1:]).tolist()
-        first, second = (
+        carried = [
             capacity * (1 + math.tanh((abs(slip) - least) / 1e-4)) / 2 * math.tanh(slip / 1e-4)
             for capacity, slip, least in zip(capacities, apart, slips, strict=True)
-        )
-        torques = loads[0] - first, loads[1] + first - second, loads[2] + second
-        return [torque / inertia for torque, inertia in zip(torques, inertias, strict=True)]
+        ]
+        torques = zip(loads, [0.0, *carried], [*carried, 0.0], inertias, strict=True)
+        return [(load + before - behind) / inertia for load, before, behind, inertia in torques]
 
     found = solve_ivp(change, (0.0, 1.0), start, "Radau", rtol=1e-7, atol=1e-8, max_step=0.01)
     assert motion.speeds[-1] == pytest.approx(found.y[:, -1], abs=5e-3)

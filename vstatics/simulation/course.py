@@ -6,6 +6,7 @@ import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from copy import copy, deepcopy
 from dataclasses import replace
+from itertools import combinations
 
 import numpy as np
 
@@ -131,7 +132,7 @@ class EventRun:
         self.slides_from = 0.0
         """Time at which the latest of these slides began. [s]"""
         self.fewer: list[list[CornerPlace]] = []
-        """Subsets of `slides` to try if the motion cannot slide along all of them."""
+        """Subsets of `slides`, largest last, to try if the motion cannot slide along all."""
         self.smooth: set[CornerPlace] = set()
         """Corners at which a formula could jump, but was continuous when last reached."""
         self.watched: list[tuple[CornerPlace, Awaited]] = []
@@ -340,9 +341,9 @@ class EventRun:
                 self.slides_from = event.time
                 shares = {slide.share for slide in self.slides.values()}
                 self.fewer = [
-                    [near for near in self.slides if self.slides[near].share != share]
-                    for share in shares
-                    if len(shares) > 1
+                    [near for near in self.slides if self.slides[near].share in fewer]
+                    for count in range(1, len(shares))
+                    for fewer in combinations(shares, count)
                 ]
                 return
             if hastens and self.meetings.counts[place] > _MOST_SWITCHES:
@@ -383,9 +384,10 @@ class EventRun:
             self.smooth |= smooth
             self._slide([place for place in self.slides if place not in smooth])
             return False
-        if not along and equations.time <= self.slides_from and self.fewer:
+        begins = equations.time <= self.slides_from
+        if begins and self.fewer and len(self.fewer[-1]) > len(along):
             along = self.fewer.pop()
-        if not along and equations.time <= self.slides_from:
+        if begins and not along:
             why = (
                 "without end: on each side of its jump the motion returns to the other side, and "
                 "the program finds no mean of both sides that keeps the motion on the jump"
