@@ -153,9 +153,13 @@ def _exact(rates: Floats) -> Floats:
     if not rates.size:
         return rates
     clean = np.where(np.abs(rates) < ROUNDED_MOTION, 0.0, rates)
-    apart = np.abs(clean[:, None] - clean).max(axis=-1)
-    equal: Floats = clean[(apart < ROUNDED_MOTION).argmax(axis=1)]
-    return equal
+    # Sums with unrelated weights are close only for ports with equal rates.
+    order = np.argsort(clean @ np.sin(np.arange(1.0, clean.shape[1] + 1)))
+    sorted_rates = clean[order]
+    apart = np.abs(np.diff(sorted_rates, axis=0)).max(axis=1)
+    is_new = np.append(True, apart >= ROUNDED_MOTION)
+    clean[order] = sorted_rates[is_new][np.cumsum(is_new) - 1]
+    return clean
 
 
 def _driven(
