@@ -14,6 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vstatics.core.groups import grouped
 from vstatics.core.numerics.arrays import Floats, Integers
 from vstatics.simulation.tolerances import CHORD, EQUAL_EXTREMES, NO_RANGE
 
@@ -42,9 +43,7 @@ class Curves(NamedTuple):
 
 def joined_curves(curves: Sequence[Curves]) -> list[Curves]:
     """Return curves in which the parts of all curves with the same nodes are joined."""
-    by_nodes: dict[tuple[float, ...], list[Curves]] = {}
-    for curve in curves:
-        by_nodes.setdefault(curve.nodes, []).append(curve)
+    by_nodes = grouped((curve.nodes, curve) for curve in curves)
     return [
         Curves(
             np.concatenate([part.begins for part in same]),
