@@ -365,8 +365,7 @@ def of_efficiency(value: float, path: Path) -> Iterator[Problem]:
     """Check the efficiency of a mechanism, gear set or mesh."""
     if isinstance(value, Law):
         return _efficiencies(value, path)
-    example = percent(value) if value > 1 else ""
-    expected = f"an efficiency above 0 and up to 1{example}"
+    expected = f"an efficiency above 0 and up to 1{percent(value)}"
     return expect(value, expected, path, right=0 < value <= 1)
 
 

@@ -53,8 +53,6 @@ GROUP_SIZE = 32
 """Largest number of cases in a group."""
 GROUP_SECONDS = 0.1
 """Time after which the remaining cases of a group are completed one after the other. [s]"""
-STEPS = 5
-"""Number of steps of a case; the last step writes the result."""
 
 
 def in_groups(job: Job, tasks: Iterable[CaseTask]) -> Iterator[Done]:
@@ -67,7 +65,7 @@ def in_groups(job: Job, tasks: Iterable[CaseTask]) -> Iterator[Done]:
     while group := [_with_outcome(job, task) for task in islice(remaining, GROUP_SIZE)]:
         outcomes: list[Done | None] = [None] * len(group)
         end = perf_counter() + GROUP_SECONDS
-        for _ in range(STEPS):
+        while perf_counter() < end and not all(outcomes):
             for number, steps in enumerate(group):
                 if perf_counter() < end:
                     outcomes[number] = outcomes[number] or next(steps)
