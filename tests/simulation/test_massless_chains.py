@@ -5,7 +5,7 @@ from random import Random
 import pytest
 
 from tests.chance import each_seed, seeded
-from tests.simulation.control.written import simulated
+from tests.simulation.control.written import simulated, written
 from tests.simulation.runs import random_capacity, random_torque
 from tests.simulation.test_closed_forms import links, run
 from tests.simulation.test_golden import closes
@@ -113,6 +113,19 @@ def test_the_time_at_which_a_formula_jumps_is_not_seen_before(step: str, frictio
         momentum = 4 - 2 - 100 + float(step.split("*", maxsplit=1)[0]) * (1 - at)
         assert made.speeds[-1, [0, 2]].sum() == pytest.approx(momentum, rel=1e-9)
         assert closes(made)
+
+
+def test_a_run_ends_where_the_root_of_a_falling_number_ends() -> None:
+    """Parts of a stretch that are shorter than the time can show do not hold up the run."""
+    made = simulate(
+        written(
+            "duration: 1\nstart: {speeds: {e: 100, o: 0, s: 0}}\ntorques: {o: sqrt(0.5 - t)}\n",
+            "inertias: {e: 2, o: 3, s: 1}\nshift_elements: {C: [e, o]}\ngears: {g: [C]}\n"
+            "springs: {S: {links: [o, s], stiffness: 100, friction: 3}}\n",
+        )
+    )
+    assert made.time[-1] == pytest.approx(0.5, rel=1e-9)
+    assert made.stopped is not None
 
 
 BARE = """inertias: {a: 0.05649, b: 0.003077, e: 10.16}

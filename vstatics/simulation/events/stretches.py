@@ -455,6 +455,9 @@ class Closed:
             length, count = self._parts(time - begin, end - time)
             if last_length < length < _LIKE * last_length:  # a new exponential would take longer
                 length, count = _equal_parts(last_length, end - time, self.most)
+            if self.shorter < SHORTEST_PART or time + length * count == time:
+                yield None
+                raise NoFit
             if joined >= most_joined or length != last_length:
                 yield None
                 joined, most_joined = 0, min(max(most_joined, 2 * joined), _MOST_HALVINGS)
@@ -481,9 +484,6 @@ class Closed:
                 least = _LEAST_PARTS if self.shorter == 1 else 1
                 self.shorter = self.shorter if count > least else self.shorter / 2
                 self.most = max(least, count // 2)
-                if self.shorter < SHORTEST_PART:
-                    yield None
-                    raise NoFit
         yield None
 
     def _parts(self, gone: float, left: float) -> tuple[float, int]:
