@@ -6,7 +6,7 @@ import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from copy import copy, deepcopy
 from dataclasses import replace
-from itertools import combinations
+from itertools import combinations, islice
 
 import numpy as np
 
@@ -75,6 +75,8 @@ _MOST_LARGER = 8
 """Largest number of attempts with explicit steps, each with a larger scale of control values."""
 _FAR_FROM_JUMP = 1e3
 """Distance from a jump beyond which a motion does not slide along it, relative to `Slide.near`."""
+_MOST_SUBSETS = 200
+"""Largest number of subsets of jumps met together along which the motion may slide."""
 _MOST_SWITCHES = 500
 """Number of arrivals at a jump, faster and faster, above which a run stops."""
 _PATIENCE = 500
@@ -340,11 +342,12 @@ class EventRun:
                 self._slide(list(dict.fromkeys([*self.slides, *near_jumps])))
                 self.slides_from = event.time
                 shares = {slide.share for slide in self.slides.values()}
-                self.fewer = [
+                subsets = (
                     [near for near in self.slides if self.slides[near].share in fewer]
-                    for count in range(1, len(shares))
+                    for count in range(len(shares) - 1, 0, -1)
                     for fewer in combinations(shares, count)
-                ]
+                )
+                self.fewer = [*islice(subsets, _MOST_SUBSETS)][::-1]
                 return
             if hastens and self.meetings.counts[place] > _MOST_SWITCHES:
                 why = "faster and faster, so the run does not reach its end"
