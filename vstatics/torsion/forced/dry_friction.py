@@ -76,7 +76,12 @@ class DryFriction(NamedTuple):
             return {}
         free = (self.rows @ amplitudes).T
         receptance = np.stack([(self.rows @ columns).T for columns in by_torque], axis=2)
+        # A vibration at a negative frequency is the conjugate of one at a positive frequency.
+        backward = omegas < 0
+        for values in (free, receptance):
+            values[backward] = values[backward].conj()
         torques = friction_torques(free, receptance, self.limits)
+        torques[backward] = torques[backward].conj()
         torques[omegas == 0] = 0.0
         return dict(zip(self.names, torques.T, strict=True))
 
