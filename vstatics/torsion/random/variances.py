@@ -21,8 +21,9 @@ from scipy import linalg
 from scipy.integrate import quad_vec
 
 from vstatics.core.numerics.arrays import Booleans, Floats
-from vstatics.torsion.random.excited import ExcitedGear, FirstOrder, without_rounding
+from vstatics.torsion.random.excited import ExcitedGear, FirstOrder
 from vstatics.torsion.random.spectra import Correlation, Spectrum, SpectrumPoints, White
+from vstatics.torsion.system.coordinates import without_rounding
 from vstatics.torsion.tolerances import ACCURACY, NEVER_DAMPED, NOTHING, ROUGH_ACCURACY, UNMOVED
 
 MOST_PIECES = 2000
