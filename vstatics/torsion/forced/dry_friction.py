@@ -76,12 +76,9 @@ class DryFriction(NamedTuple):
             return {}
         free = (self.rows @ amplitudes).T
         receptance = np.stack([(self.rows @ columns).T for columns in by_torque], axis=2)
-        # A vibration at a negative frequency is the conjugate of one at a positive frequency.
-        backward = omegas < 0
-        for values in (free, receptance):
-            values[backward] = values[backward].conj()
-        torques = friction_torques(free, receptance, self.limits)
-        torques[backward] = torques[backward].conj()
+        # At a negative frequency the rate of twist has the opposite phase.
+        sign = np.where(omegas < 0, -1.0, 1.0)[:, None]
+        torques = sign * friction_torques(free, sign[:, None] * receptance, self.limits)
         torques[omegas == 0] = 0.0
         return dict(zip(self.names, torques.T, strict=True))
 

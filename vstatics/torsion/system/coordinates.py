@@ -45,14 +45,12 @@ class Coordinates(NamedTuple):
     @property
     def heavy(self) -> Floats:
         """Motions with inertia; with `massless` they are a basis of `bound`, (links, n - m)."""
-        count = self.massless.shape[1]
-        if not count:
+        if not self.massless.size:
             return self.bound
         from scipy import linalg  # slow import, seldom needed
 
         part, *_ = linalg.lstsq(self.bound, self.massless)
-        _, _, order = linalg.qr(part.T, mode="economic", pivoting=True)
-        return self.bound[:, np.sort(order[count:])]
+        return np.delete(self.bound, _pivots(part), axis=1)
 
 
 def coordinates(system: TorsionalSystem) -> Coordinates:
@@ -76,26 +74,25 @@ def coordinates(system: TorsionalSystem) -> Coordinates:
     elastic = system.elastic_twists
     bodies = [body.form for body in system.bodies if body.inertia > 0]
     loose = system.free(*elastic, *bodies, *(damper.twist for damper in system.dampers))
-    held = _holding(loose)
+    held = [{link: 1.0} for link in _pivots(loose)]
     drifting = system.free(*held, *elastic, *bodies)
-    bound = [*held, *_holding(drifting)]
-    motions = [system.free(*bound, *forms) for forms in ((), bodies, elastic)]
-    if drifting.shape[1]:  # the torques of all dampers on such a link add up to 0
+    bound = [*held, *({link: 1.0} for link in _pivots(drifting))]
+    every, massless, rigid = (system.free(*bound, *forms) for forms in ((), bodies, elastic))
+    if drifting.size:  # the torques of all dampers on a drifting link add up to 0
         resisted = drifting.T @ system.slip_resistance
         followed = drifting @ np.linalg.pinv(resisted @ drifting) @ resisted
-        motions = [motion - followed @ motion for motion in motions]
-    every, massless, rigid = motions
+        every, massless, rigid = (each - followed @ each for each in (every, massless, rigid))
     return Coordinates(system.free(*held), every, massless, rigid, np.any(loose != 0, axis=1))
 
 
-def _holding(motions: Floats) -> list[Form]:
-    """Return constraints that hold as many links as there are motions, so that nothing moves."""
-    if not motions.shape[1]:
+def _pivots(motions: Floats) -> list[int]:
+    """Return the indices of as many rows as there are motions, which determine the motions."""
+    if not motions.size:
         return []
     from scipy import linalg
 
     _, _, order = linalg.qr(motions.T, mode="economic", pivoting=True)
-    return [{int(link): 1.0} for link in order[: motions.shape[1]]]
+    return order[: motions.shape[1]].tolist()  # type: ignore[no-any-return]
 
 
 Values = TypeVar("Values", bound=np.ndarray[Any, np.dtype[Any]])
