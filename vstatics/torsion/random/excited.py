@@ -123,7 +123,7 @@ class ExcitedGear:
         """
         split = coordinates(self.system)
         parts = [self.natural.shapes, rigid_basis(self.system, split), split.massless]
-        return np.column_stack([*parts, self.unit])
+        return np.column_stack([*parts, split.drifting, self.unit])
 
     @cached_property
     def _by_basis(self) -> tuple[Floats, Floats, Floats, Floats]:
@@ -139,6 +139,7 @@ class ExcitedGear:
         viscous, _ = self.system.dampings
         rows = resisting_rows(self.system, viscous)
         slow, quiet = massless_parts(split, rows, weighted_twists(self.system))
+        slow = np.hstack([slow, split.drifting])
         massive = np.hstack([self.natural.shapes, rigid_basis(self.system, split)])
         at_once = self.unit - massive @ (massive.T @ (mass @ self.unit))
         force = np.zeros(len(mass))

@@ -30,6 +30,8 @@ class Coordinates(NamedTuple):
     """Motions without inertia but with elastic twist, shape (links, m)."""
     rigid: Floats
     """Motions with inertia but without elastic twist, shape (links, r)."""
+    drifting: Floats
+    """Motions that only dampers and converters resist, shape (links, d)."""
     undetermined: Booleans
     """Flags of links that take part in a motion with neither inertia nor resistance."""
 
@@ -82,7 +84,8 @@ def coordinates(system: TorsionalSystem) -> Coordinates:
         resisted = drifting.T @ system.slip_resistance
         followed = drifting @ np.linalg.pinv(resisted @ drifting) @ resisted
         every, massless, rigid = (each - followed @ each for each in (every, massless, rigid))
-    return Coordinates(system.free(*held), every, massless, rigid, np.any(loose != 0, axis=1))
+    undetermined = np.any(loose != 0, axis=1)
+    return Coordinates(system.free(*held), every, massless, rigid, drifting, undetermined)
 
 
 def _pivots(motions: Floats) -> list[int]:
