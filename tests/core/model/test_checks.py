@@ -30,6 +30,7 @@ def worm(back: float) -> Mechanism:
 
 CYLINDERS = "a whole number from 1 to 48"
 FAULTS: tuple[tuple[dict[str, Any], str, Any, str, str], ...] = (
+    (SET, "mechanisms", Mechanism(1, 2, 3, -2, 1.0000001), "efficiency", "read 1.0000001, "),
     (SET, "outputs", [3, 3], "outputs 2", "link 3 is listed twice, expected each output once"),
     (SET, "outputs", [3, 9], "outputs 2", "read 9, expected a link number from 1 to 3"),
     (SET, "outputs", [3, 1], "outputs 2", "link 1 is the input, expected another link"),

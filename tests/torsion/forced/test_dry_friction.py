@@ -54,7 +54,7 @@ def equivalent(
     sizes: Floats = np.ones(len(rows))
     for _ in range(20_000):
         lost = rows.T @ np.diag(limits / sizes) @ rows
-        dynamic = stiffness - w**2 * mass + 1j * (w * resistance + lost)
+        dynamic = stiffness - w**2 * mass + 1j * (w * resistance + np.sign(w) * lost)
         q: Complex = np.linalg.solve(dynamic.astype(complex), force.astype(complex))
         new = np.maximum(np.abs(rows @ q), 1e-10)  # stuck, still well conditioned
         if np.all(np.abs(new - sizes) <= 1e-13 * sizes):
@@ -84,7 +84,8 @@ def test_random_chains_agree_with_an_iteration_of_dampers(seed: int) -> None:
         own = dict(enumerate(inertias.tolist(), 1))
         case = Transmission(size, [], [], [], springs=springs, inertias=own)
         amplitude = float(chance.uniform(2, 20))
-        [gear] = response(case, 1, [Harmonic(1.0, amplitude)], chance.uniform(20, 600, 4))
+        speeds = chance.uniform(20, 600, 4) * (1, 1, -1, -1)  # links can turn backward, too
+        [gear] = response(case, 1, [Harmonic(1.0, amplitude)], speeds)
         q = np.array(list(gear.orders[0].amplitudes.values()))
         dry = friction > 0
         stiffness, resistance = (forms.T @ np.diag(each) @ forms for each in (rates, dampings))

@@ -204,6 +204,40 @@ def test_masses_behind_a_damper_alone_have_velocities_but_no_angles() -> None:
     assert np.isnan([one.rms for one in links]).all()
 
 
+@pytest.mark.parametrize(("at", "resistance"), [(2, 5.0), (3, 5 * 4 / (5 + 4))])
+def test_links_that_only_dampers_resist(at: int, resistance: float) -> None:
+    """The velocity is T/d, with dampers in series: it varies as T, and its rate has no variance."""
+    springs = [Spring({1: 1}, 100.0, damping=3.0), Spring({2: 1}, damping=5.0)]
+    springs.append(Spring({3: 1, 2: -1}, damping=4.0))
+    case = Transmission(3, [], [], [], springs=springs, inertias={1: 2.0})
+    [gear] = random_vibration(case, at, Correlation(0.04, ((1.0, 0.3, 0.8),)))
+    link = gear.links[str(at)]
+    assert link.velocity_rms == pytest.approx(0.2 / resistance, rel=1e-9)
+    assert math.isnan(link.rms)
+    assert math.isnan(link.acceleration_rms)
+    assert gear.links["1"].rms == 0
+
+
+@pytest.mark.parametrize("second", [0.0, 0.7])
+def test_dampers_in_series_on_a_road(second: float) -> None:
+    """The link between dampers of 3 and 6 N*m*s/rad makes of them a damper of 2 N*m*s/rad."""
+    springs = [Spring({1: 1, 2: -1}, 90.0), Spring({2: 1, 3: -1}, 20.0)]
+    series = [Spring({2: 1, 4: -1}, damping=3.0), Spring({4: 1, 3: -1}, damping=6.0)]
+    whole = [Spring({2: 1, 3: -1}, damping=2.0)]
+    road = Correlation(0.04, ((1.0, 0.3, second),))
+    rms = []
+    for dampers in (series, whole):
+        inertias = {2: 0.5, 3: 4.0}
+        case = Transmission(
+            4, [], [], [], springs=[*springs, *dampers], inertias=inertias, output=3
+        )
+        [gear] = random_vibration(case, 1, road, by="motion")
+        links = [gear.links[name] for name in "23"]
+        rms.append([[one.rms, one.velocity_rms, one.acceleration_rms] for one in links])
+    in_series, alone = rms
+    np.testing.assert_allclose(in_series, alone, rtol=1e-9)
+
+
 @needs("vehicle")
 def test_life_of_a_device_with_a_fatigue_strength() -> None:
     """Damage a second = nu D^(m/2) I/(endurance^m N), I = 3.6191919 of exponent 3 (4.6)."""

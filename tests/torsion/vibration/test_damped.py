@@ -162,6 +162,43 @@ def test_eigenvalues_with_dampers_alone(seed: int) -> None:
 
 
 @each_seed(20, 500)
+def test_eigenvalues_with_a_link_that_only_dampers_resist(seed: int) -> None:
+    """A link without inertia and spring follows the others, by the sum of its dampers or by one."""
+    case, rng = with_dampers_alone(seed), seeded(seed)
+    last = case.links + 1
+    others = rng.sample(range(1, last), rng.randint(1, 3))
+    dampers = [Spring({last: 1.0, n: -0.5}, damping=rng.uniform(1, 50)) for n in others]
+    springs = [*case.springs, *dampers]
+    case = Transmission(last, [], [], [], inertias=case.inertias, springs=springs)
+    wanted, found = eigenvalues(*matrices(case)), only(case).damped
+    size = np.abs(wanted).max()
+    for ours, theirs in ((found, wanted), (wanted, found)):
+        for value in ours:
+            assert np.abs(np.array([0.0, *theirs]) - value).min() <= 1e-8 * size
+
+
+def test_a_damper_beside_a_spring_does_not_resist_the_rigid_mode() -> None:
+    """Two masses: ``s^2 + (d s + c) (1/J1 + 1/J2) = 0``, and two zeros, which are left out."""
+    springs = [Spring({1: 1, 2: -1}, 4.9), Spring({1: 1, 2: -1}, damping=1.2)]
+    inertias = {1: 0.4500682524721604, 2: 1.1236422485937854}
+    gear = only(Transmission(2, [], [], [], springs=springs, inertias=inertias))
+    mobility = sum(1 / inertia for inertia in inertias.values())
+    expected = max(np.roots([1, 1.2 * mobility, 4.9 * mobility]), key=np.imag)
+    assert gear.damped == pytest.approx([expected], rel=1e-12)
+
+
+def test_a_loss_factor_at_a_massless_link_beside_a_damper() -> None:
+    """The rigid mode creeps by ``s^3 + d s^2 + 2 c s + c d = 0``, without the loss factor."""
+    lossy = Damping(loss_factor=0.1)
+    springs = [Spring({1: 1, 2: -1}, 100.0, damping=lossy), Spring({2: 1, 3: -1}, 100.0)]
+    springs.append(Spring({3: 1}, damping=0.1))
+    gear = only(Transmission(3, [], [], [], springs=springs, inertias={1: 1.0, 3: 1.0}))
+    [creep] = [root.real for root in np.roots([1, 0.1, 100, 5]) if root.imag == 0]
+    assert gear.damped[0] == pytest.approx(creep, rel=1e-9)
+    assert len(gear.damped) == 2
+
+
+@each_seed(20, 500)
 def test_amplitudes_and_torques_of_a_response_are_those_of_the_dense_equations(seed: int) -> None:
     """(K - w^2 M + i w D) x = F, by NumPy; the torque of a damper is i w d times its twist."""
     case = with_dampers_alone(seed)

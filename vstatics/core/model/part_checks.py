@@ -58,7 +58,10 @@ def of_number(identity: str, number: object, noun: str, last: int, path: Path) -
 def expect(number: float, what: str, path: Path, *, right: bool) -> Iterator[Problem]:
     """Yield a problem unless `right` is true; `what` states the expected number."""
     if not right:
-        yield Problem("E216", f"read {number:g}, expected {what}", path)
+        read = f"{number:g}"
+        if float(read) != number and float(read).is_integer():  # 1.0000001 is not 1
+            read = repr(float(number))
+        yield Problem("E216", f"read {read}, expected {what}", path)
 
 
 def of_link(link: int, path: Path, links: int, lowest: int = HOUSING) -> Iterator[Problem]:

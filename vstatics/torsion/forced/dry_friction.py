@@ -76,7 +76,9 @@ class DryFriction(NamedTuple):
             return {}
         free = (self.rows @ amplitudes).T
         receptance = np.stack([(self.rows @ columns).T for columns in by_torque], axis=2)
-        torques = friction_torques(free, receptance, self.limits)
+        # At a negative frequency the rate of twist has the opposite phase.
+        sign = np.where(omegas < 0, -1.0, 1.0)[:, None]
+        torques = sign * friction_torques(free, sign[:, None] * receptance, self.limits)
         torques[omegas == 0] = 0.0
         return dict(zip(self.names, torques.T, strict=True))
 

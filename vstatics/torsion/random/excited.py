@@ -16,9 +16,8 @@ import numpy as np
 from scipy import linalg
 
 from vstatics.core.numerics.arrays import Complex, Floats
-from vstatics.torsion.system.coordinates import coordinates
+from vstatics.torsion.system.coordinates import coordinates, without_rounding
 from vstatics.torsion.system.gear_system import TorsionalDevice, TorsionalSystem
-from vstatics.torsion.tolerances import UNMOVED
 from vstatics.torsion.vibration.eigen_pairs import massless_parts, resisting_rows, rigid_basis
 from vstatics.torsion.vibration.natural import NaturalModes, natural_modes, weighted_twists
 
@@ -124,7 +123,7 @@ class ExcitedGear:
         """
         split = coordinates(self.system)
         parts = [self.natural.shapes, rigid_basis(self.system, split), split.massless]
-        return np.column_stack([*parts, self.unit])
+        return np.column_stack([*parts, split.drifting, self.unit])
 
     @cached_property
     def _by_basis(self) -> tuple[Floats, Floats, Floats, Floats]:
@@ -140,6 +139,7 @@ class ExcitedGear:
         viscous, _ = self.system.dampings
         rows = resisting_rows(self.system, viscous)
         slow, quiet = massless_parts(split, rows, weighted_twists(self.system))
+        slow = np.hstack([slow, split.drifting])
         massive = np.hstack([self.natural.shapes, rigid_basis(self.system, split)])
         at_once = self.unit - massive @ (massive.T @ (mass @ self.unit))
         force = np.zeros(len(mass))
@@ -188,9 +188,3 @@ class ExcitedGear:
             for array in (matrix, by_input, by_rate):
                 array[speed] -= coupled @ array[creep]
         return matrix, by_input, by_rate
-
-
-def without_rounding(left: Floats, right: Floats) -> Floats:
-    """Return a product of matrices, with 0 instead of results that are only rounding errors."""
-    product = left @ right
-    return np.where(np.abs(product) > UNMOVED * (np.abs(left) @ np.abs(right)), product, 0.0)

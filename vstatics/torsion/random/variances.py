@@ -21,8 +21,9 @@ from scipy import linalg
 from scipy.integrate import quad_vec
 
 from vstatics.core.numerics.arrays import Booleans, Floats
-from vstatics.torsion.random.excited import ExcitedGear, FirstOrder, without_rounding
+from vstatics.torsion.random.excited import ExcitedGear, FirstOrder
 from vstatics.torsion.random.spectra import Correlation, Spectrum, SpectrumPoints, White
+from vstatics.torsion.system.coordinates import without_rounding
 from vstatics.torsion.tolerances import ACCURACY, NEVER_DAMPED, NOTHING, ROUGH_ACCURACY, UNMOVED
 
 MOST_PIECES = 2000
@@ -73,11 +74,8 @@ class Driven(NamedTuple):
         """Return the time derivative of a signal, None if noise acts on the signal directly."""
         if signal is None or signal.at_once:
             return None
-        parts = signal.row * self.input
-        at_once = float(parts.sum())
-        is_moved = abs(at_once) > UNMOVED * float(np.abs(parts).sum())
         rates = without_rounding(signal.row[np.newaxis], self.matrix)[0]
-        return Signal(rates, at_once * is_moved)
+        return Signal(rates, float(without_rounding(signal.row, self.input)))
 
 
 def driven(matrix: Floats, by_input: Floats) -> Driven:
@@ -182,8 +180,8 @@ def _of_part(
         return Signal(row, at_once) if noise_filter is None else Signal(row + at_once * output)
 
     def variances(form: Floats) -> Iterator[float]:
-        angle = signal(form @ system.angles, _without_rounding(form, system.at_once))
-        drift = signal(form @ system.drift, _without_rounding(form, system.drift_at_once))
+        angle = signal(form @ system.angles, float(without_rounding(form, system.at_once)))
+        drift = signal(form @ system.drift, float(without_rounding(form, system.drift_at_once)))
         drifts = _drifts(system, form)
         rate = noisy.derivative(angle)
         if drifts and rate is not None:
@@ -199,11 +197,6 @@ def _of_part(
 def _is_at_rest(noisy: Driven, drift: Signal) -> bool:
     """Return whether the input leaves rigid motions at rest, so that the angle has a variance."""
     return not noisy.sees_undamped(drift.row) and noisy.variance(drift) == 0
-
-
-def _without_rounding(form: Floats, parts: Floats) -> float:
-    total = float(form @ parts)
-    return total if abs(total) > UNMOVED * float(np.abs(form) @ np.abs(parts)) else 0.0
 
 
 def _drifts(system: FirstOrder, form: Floats) -> bool:

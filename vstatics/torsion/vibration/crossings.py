@@ -77,9 +77,9 @@ def separate_motions(
         columns = sorted(group.motions)
         modes = [column - rigid for column in columns if column >= rigid]
         if modes:
-            free = np.hstack([basis[:, columns], split.massless])
+            bound = np.hstack([basis[:, columns], split.massless])
             rigid_of_group = split.rigid[:, [column for column in columns if column < rigid]]
-            coordinates_of_group = split._replace(free=free, rigid=rigid_of_group)
+            coordinates_of_group = split._replace(bound=bound, rigid=rigid_of_group)
             groups.append(SeparateMotions(modes, coordinates_of_group, group.devices, group.bodies))
     return groups
 

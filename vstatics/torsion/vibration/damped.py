@@ -72,7 +72,7 @@ def damped_modes(system: TorsionalSystem, split: Coordinates, modes: NaturalMode
     of_modes = pairs_of_modes(pencil, modes.omegas)
     upper = np.concatenate([of_modes[:, 0], of_modes[of_modes[:, 1].imag == 0, 1]])
     if pencil.rigid:
-        upper = np.concatenate(
-            [upper, eigen_pairs(pencil, pencil.viscous).of_no_mode(len(of_modes))]
-        )
+        pencil = pencil_of(system, split, modes, hysteretic=False)
+        others = eigen_pairs(pencil, pencil.viscous).of_no_mode(len(of_modes))
+        upper = np.concatenate([upper, others])
     return DampedModes(upper[order_of(upper)], of_modes)

@@ -11,7 +11,7 @@ from scipy import linalg
 
 from vstatics.core.errors import CaseError
 from vstatics.core.numerics.arrays import Booleans, Complex, Floats
-from vstatics.torsion.system.coordinates import Coordinates
+from vstatics.torsion.system.coordinates import Coordinates, without_rounding
 from vstatics.torsion.system.gear_system import TorsionalSystem
 from vstatics.torsion.tolerances import REAL_EIGENVALUE, SAME_MODULUS
 from vstatics.torsion.vibration.natural import NaturalModes, weighted_bodies, weighted_twists
@@ -77,9 +77,15 @@ class Pencil(NamedTuple):
         return np.where((squares > 0) & np.isfinite(squares), np.sqrt(squares), 1.0)
 
 
-def pencil_of(system: TorsionalSystem, split: Coordinates, modes: NaturalModes) -> Pencil:
-    """Build the matrices of a system in modal coordinates."""
+def pencil_of(
+    system: TorsionalSystem, split: Coordinates, modes: NaturalModes, *, hysteretic: bool = True
+) -> Pencil:
+    """Build the matrices of a system in modal coordinates, with or without loss factors.
+
+    Without loss factors, massless motions that only these damp are in elastic equilibrium.
+    """
     viscous, lost = system.dampings
+    lost *= hysteretic
     stiff = weighted_twists(system)
     damped = resisting_rows(system, viscous + lost)
     rigid = rigid_basis(system, split) if system.resists else split.rigid[:, :0]
@@ -90,7 +96,8 @@ def pencil_of(system: TorsionalSystem, split: Coordinates, modes: NaturalModes) 
     massive = count + rigid.shape[1]
     stiffness[count:massive] = stiffness[:, count:massive] = 0.0
     resisted, hysteresis = (twists.T @ (sizes[:, None] * twists) for sizes in (viscous, lost))
-    resisted += basis.T @ system.slip_resistance @ basis
+    slips = without_rounding(system.damper_rows, basis)
+    resisted += slips.T @ slips + basis.T @ system.converter_resistance @ basis
     return Pencil(stiffness, resisted, hysteresis, count, rigid.shape[1], not system.converters)
 
 
@@ -122,7 +129,7 @@ def massless_parts(split: Coordinates, damped: Floats, stiff: Floats) -> tuple[F
     """
     if not split.massless.shape[1]:
         return split.massless, split.massless
-    _, sizes, directions = linalg.svd(damped @ split.massless, full_matrices=True)
+    _, sizes, directions = linalg.svd(without_rounding(damped, split.massless), full_matrices=True)
     rank = int(np.sum(sizes > REAL_EIGENVALUE * sizes.max(initial=0.0)))
     damped_motions = split.massless @ directions[:rank].T
     undamped_motions = split.massless @ directions[rank:].T

@@ -81,7 +81,7 @@ def lowest_modes(system: TorsionalSystem, split: Coordinates, count: int) -> Nat
     >>> np.allclose(omegas, 2*np.sin(np.pi*np.array([1, 2])/800), rtol=1e-9)
     True
     """
-    free = sparse.csc_matrix(split.free)
+    free = sparse.csc_matrix(split.bound)
     twists = sparse.csc_matrix(weighted_twists(system)) @ free
     speeds = sparse.csc_matrix(weighted_bodies(system)) @ free
     stiffness, mass = (twists.T @ twists).tocsc(), (speeds.T @ speeds).tocsc()

@@ -72,7 +72,7 @@ def frequencies_of_ratios(
     split = coordinates(system)
     frequencies = np.full((variants, len(modes)), np.nan)
     safe = np.zeros(variants, np.bool_)
-    if split.undetermined.any() or not variants:
+    if split.undetermined.any() or split.drifting.size or not variants:
         return frequencies, safe
     existing = [place for place, mode in enumerate(modes) if mode < split.modes]
     step = max(NUMBERS // (len(system.devices) * len(system.names)), 1)

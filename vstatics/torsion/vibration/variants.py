@@ -240,7 +240,7 @@ class _Alike:
     def _of_matrices(self, modes: Sequence[int], variants: int) -> Floats:
         system, split, heavy = self.system, self.split, self.heavy
         common = None if heavy.varied else normed_twists(system, split, heavy.first)
-        step = max(NUMBERS // (len(self.stiff.first) * split.free.shape[1]), 1)
+        step = max(NUMBERS // (len(self.stiff.first) * split.bound.shape[1]), 1)
         blocks = []
         for start in range(0, variants, step):
             stop = min(start + step, variants)
