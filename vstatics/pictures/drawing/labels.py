@@ -49,8 +49,11 @@ def spread(
     [0.0, 5.0, 2.0]
     >>> spread([1.0, 5.0, 1.0], [2.0, 2.0, 2.0], low=0.0)
     [1.0, 5.0, 3.0]
+    >>> spread([1.0, 1.0 - 1e-12], [2.0, 2.0], low=0.0)
+    [1.0, 3.0]
     """
-    order = sorted(range(len(wanted)), key=lambda place: wanted[place])
+    # Rounding noise must not order labels of equal positions, such as those of lines that meet.
+    order = sorted(range(len(wanted)), key=lambda place: round(wanted[place], 6))
     # Offset of each middle from the first label's start if all labels touch.
     starts: list[float] = []
     taken = 0.0
