@@ -49,6 +49,11 @@ ROOT_PART = 1e-14
 """Tolerance of the root of a polynomial, relative to the interval."""
 ROOT_TIME = 1e-15
 """Tolerance of the time at which a margin is 0, relative to the time."""
+ALONG_TANGENT = 1e-7
+"""Largest move to an event along the tangent of the motion, relative to the time step.
+
+The error is the square of this ratio.
+"""
 
 # speeds, torques, margins
 STANDING = 1e-9

@@ -18,6 +18,7 @@ from vstatics.simulation.scenario.formula import Formula
 from vstatics.simulation.system.matrices import SIGNS
 from vstatics.simulation.tolerances import (
     AHEAD,
+    ALONG_TANGENT,
     EQUAL_SIDES,
     EXACT_SIDES,
     LARGEST_NUMBER,
@@ -372,12 +373,15 @@ class Finder:
         near = AHEAD * length
         for _ in range(2):
             now = float(self.margins.at(time, state)[index])
-            ahead = state + near * self.equations.derivative(time, state)
+            change = self.equations.derivative(time, state)
+            ahead = state + near * change
             slope = (float(self.margins.at(time + near, ahead)[index]) - now) / near
             better = time - now / slope if slope < 0 else time
             if abs(better - time) < ROOT_TIME * max(1.0, time):
                 break
             if not step.start < better <= step.end or abs(better - time) > 0.1 * length:
                 break
+            if abs(better - time) <= ALONG_TANGENT * length:
+                return better, state + (better - time) * change
             time, state = better, step.exact(better)
         return time, state
