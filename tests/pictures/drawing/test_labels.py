@@ -5,7 +5,7 @@ from itertools import pairwise
 import matplotlib as mpl
 import pytest
 
-from vstatics.pictures.drawing.labels import spread, width
+from vstatics.pictures.drawing.labels import shortened, spread, width
 
 
 def test_labels_move_as_little_as_they_can() -> None:
@@ -22,6 +22,16 @@ def test_labels_keep_their_order_and_their_distance() -> None:
     order = sorted(range(5), key=wanted.__getitem__)
     for one, other in pairwise(order):
         assert places[other] - places[one] >= (sizes[one] + sizes[other]) / 2 - 1e-9
+
+
+def test_a_text_is_cut_where_one_more_letter_would_not_fit() -> None:
+    """A name of 100,000 letters is cut as soon as a short one."""
+    for text in ("low and reverse brake", "a b  c d e f g h i j k l m n", "ab " * 33_334):
+        for room in (3, 20, 45.5, 70):
+            end = next(
+                end for end in range(len(text)) if width(f"{text[: end + 1].rstrip()}…") > room
+            )
+            assert shortened(text, room) == f"{text[:end].rstrip()}…"
 
 
 def test_a_text_is_as_wide_under_any_settings_of_the_user() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from bisect import bisect_right
 from collections.abc import Callable, Iterable, Sequence
 from functools import cache, partial
 from typing import NamedTuple
@@ -125,11 +126,14 @@ def shortened(text: str, room: float) -> str:
     >>> shortened("band", 60.0), shortened("low and reverse brake", 60.0)
     ('band', 'low and reve…')
     """
-    shown, end = text, len(text)
-    while end and width(shown) > room:
-        end -= 1
-        shown = f"{text[:end].rstrip()}…"
-    return shown
+    if width(text) <= room:
+        return text
+
+    def cut(end: int) -> str:
+        return f"{text[:end].rstrip()}…"
+
+    fitting = bisect_right(range(len(text)), room, key=lambda end: width(cut(end)))
+    return cut(max(fitting - 1, 0))
 
 
 class Label(NamedTuple):

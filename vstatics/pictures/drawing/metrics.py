@@ -61,7 +61,6 @@ def _path(*, bold: bool) -> Path:
     return Path(mpl.get_data_path(), "fonts", "ttf", name)
 
 
-@lru_cache(maxsize=4096)
 def line_width(line: str, size: float, *, bold: bool = False) -> float:
     """Return the width of a line of text [pt]."""
     return _measured(line, size, bold=bold).wide

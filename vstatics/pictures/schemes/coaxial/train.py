@@ -66,7 +66,7 @@ class CoaxialTrain:
     @cached_property
     def _bits(self) -> list[list[int]]:
         """Bits of gears (also of missing gears), carriers, pairs, tops and the output end."""
-        bits = map((1).__lshift__, count())
+        bits = (1 << number for number in count())
         gears = 2 * sum(len(planes.wheels) for planes in self.sets)
         sizes = gears, len(self.sets), len(self.pairs), len(self.tops), 1
         return [[*islice(bits, size)] for size in sizes]
