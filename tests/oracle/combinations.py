@@ -6,11 +6,13 @@ the input and the output. No numbers are rounded, nothing is shared with the pro
 """
 
 import random
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
 from typing import NamedTuple
+
+from tests.oracle.linear import ZERO, Linear
 
 Vector = list[Fraction]
 Set = tuple[int, int, int]
@@ -46,30 +48,14 @@ class Found(NamedTuple):
     freedom: int
 
 
-def null_space(rows: Iterable[Vector], size: int) -> list[Vector]:
+def null_space(rows: Sequence[Vector], size: int) -> list[Vector]:
     """A basis of all x with rows @ x = 0."""
-    reduced: list[tuple[int, Vector]] = []
-    for given in rows:
-        row = list(given)
-        for at, other in reduced:
-            if row[at]:
-                row = [a - row[at] * b for a, b in zip(row, other, strict=True)]
-        at = next((j for j, value in enumerate(row) if value), -1)
-        if at < 0:
-            continue
-        row = [value / row[at] for value in row]
-        reduced = [
-            (j, [a - other[at] * b for a, b in zip(other, row, strict=True)])
-            for j, other in reduced
-        ]
-        reduced.append((at, row))
-    pivots = dict(reduced)
+    system = Linear(rows, [ZERO] * len(rows), size)
     basis = []
-    for column in set(range(size)) - pivots.keys():
-        vector = [Fraction(0)] * size
-        vector[column] = Fraction(1)
-        for at, row in pivots.items():
-            vector[at] = -row[column]
+    for column in set(range(size)) - {*system.pivots}:
+        vector = system.unit(column)
+        for pivot, row in zip(system.pivots, system.rows, strict=True):
+            vector[pivot] = -row[column]
         basis.append(vector)
     return basis
 
@@ -80,7 +66,7 @@ def speeds(train: Train, engaged: Sequence[int], ratios: Sequence[Fraction]) -> 
     place = {link: at for at, link in enumerate(links)}
 
     def row(*terms: tuple[int, Fraction | int]) -> Vector:
-        values = [Fraction(0)] * len(links)
+        values = [ZERO] * len(links)
         for link, factor in terms:
             if link:
                 values[place[link]] += factor

@@ -1,29 +1,29 @@
 """Drag above the load, exact: all sets of signs are tried, whatever the flow without losses is.
 
 A drag torque acts against the speed of its link, or between the links of an open element
-against its slip. A set of signs is admissible if no mechanism gives power. For gears with one
-input and one output, without freewheels, whose speeds and torques have one solution.
+against its slip. A set of signs is admissible if no mechanism gives power. With several ports it
+passes the power at the links that power leaves by without losses and drag, over that at those where
+it enters. For gears without freewheels whose speeds and torques have one solution.
 """
 
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import product
 
-from tests.oracle.linear import ZERO, exact, sign
+from tests.oracle.linear import ONE, ZERO, exact, sign
 from tests.oracle.systems import Speeds, Torques, ratios
 from vstatics.core.model.transmission import HOUSING, Gear, Transmission
 
 
 @dataclass(frozen=True)
 class Admissible:
-    """What a set of signs that agrees with its flow leads to."""
+    """What a set of signs leads to that agrees with its flow from one input to one output."""
 
     output: Fraction
     """Torque given to the load."""
     efficiency: Fraction
     """Of a dragged gear below 0. When coasting: the power at the input by that at the output."""
-    losses: Fraction
-    """In mechanisms; below 0 when coasting."""
 
 
 @dataclass(frozen=True)
@@ -77,51 +77,115 @@ def drag_of(case: Transmission, gear: Gear, speeds: Speeds) -> tuple[dict[int, F
 
 
 def solve_gear(case: Transmission, gear: Gear) -> GearWithDrag:
-    """A gear with its drag."""
-    speeds = Speeds(case, gear)
-    drag, taken = drag_of(case, gear, speeds)
-    found, bare = (_every_admissible(case, gear, speeds, each) for each in (drag, {}))
-    return GearWithDrag(found, bare, taken)
+    """A gear of one input and one output with its drag."""
+    own = GearOfPorts(case, gear)
+    speed = own.speeds.link(case.gear_output(gear))
+    assert speed
+
+    def admissible(drag: Mapping[int, Fraction]) -> Iterator[Admissible]:
+        for torques in own.agreeing(drag):
+            output = torques.mx()
+            assert output is not None
+            if output or not case.coast:
+                yield Admissible(output, (output * speed) ** own.turn)
+
+    return GearWithDrag([*admissible(own.drag)], [*admissible({})], own.drag_losses)
 
 
-def _of_one_piece(case: Transmission, index: int) -> tuple[int, ...]:
-    """The signs by convention of a mechanism in which nothing moves."""
-    if case.idle == "exact":
-        return (0,)
-    return tuple({1, sign(exact(case.mechanisms[index].ratio))})
+@dataclass(frozen=True)
+class Solution:
+    """What a set of signs that agrees with its flow leads to."""
+
+    passed: Fraction | None
+    """The part of the power that it passes; None where nothing enters without losses."""
+    torques: Torques
+    powers: Mapping[int, Fraction]
+    """By port; above 0 where power enters, coasting or not."""
+    from_load: Fraction
+    """Power that the output takes from its load."""
+
+    @property
+    def efficiency(self) -> Fraction | None:
+        """Power out over power in, by the flows with losses."""
+        entering = sum((one for one in self.powers.values() if one > 0), ZERO)
+        leaving = -sum((one for one in self.powers.values() if one < 0), ZERO)
+        return leaving / entering if entering else None
 
 
-def _every_admissible(
-    case: Transmission, gear: Gear, speeds: Speeds, drag: dict[int, Fraction]
-) -> list[Admissible]:
-    turn = -1 if case.coast else 1
-    relative = [speeds.difference(one.first, one.third) for one in case.mechanisms]
-    etas = [exact(one.efficiency) for one in case.mechanisms]
-    output_speed = speeds.link(case.gear_output(gear))
-    assert output_speed
-    found = []
-    choices = [
-        (1,) if eta == 1 else (1, -1) if motion != 0 else _of_one_piece(case, k)
-        for k, (eta, motion) in enumerate(zip(etas, relative, strict=True))
-    ]
-    for signs in product(*choices):
-        factors = [eta**x for eta, x in zip(etas, signs, strict=True)]
-        lossy = [u * factor for u, factor in zip(ratios(case), factors, strict=True)]
-        torques = Torques(case, gear, lossy, drag)
-        powers = [
-            None if motion is None else (torques.mechanism(k) if motion else ZERO)
-            for k, motion in enumerate(relative)
-        ]
-        output = torques.mx()
-        if not torques.system.consistent or output is None or None in powers:
-            continue
-        losses = [
-            torque * motion * (1 - factor)  # type: ignore[operator]
-            for torque, motion, factor in zip(powers, relative, factors, strict=True)
-        ]
-        if all(loss * turn >= 0 for loss in losses):
-            passed = output * output_speed
-            if passed or turn > 0:
-                eta = passed if turn > 0 else 1 / passed
-                found.append(Admissible(output, eta, sum(losses, ZERO)))
-    return found
+class GearOfPorts:
+    """A gear with drag."""
+
+    def __init__(self, case: Transmission, gear: Gear) -> None:
+        """Its speeds, its drag, and the sides of its ports without either loss."""
+        self.case, self.gear = case, gear
+        self.turn = -1 if case.coast else 1
+        self.speeds = Speeds(case, gear)
+        self.ideal = Torques(case, gear, ratios(case))
+        self.is_regular = self.ideal.system.consistent and not self.ideal.system.missing
+        self.drag, self.drag_losses = drag_of(case, gear, self.speeds)
+
+    @property
+    def solutions(self) -> list[Solution]:
+        """Those that pass power; if there are none but without drag, those in which drag wins."""
+        found = list(self._solved(self.drag))
+        passing = [one for one in found if self._passes(one)]
+        return passing or (found if any(map(self._passes, self._solved({}))) else [])
+
+    def is_dragged(self, one: Solution) -> bool:
+        """Whether a solution passes nothing, with power from the load and none to the input."""
+        at_input = ONE + exact(self.gear.torques.get(self.case.gear_input(self.gear), 0.0))
+        wins = not self._has_sides or one.passed is None or one.passed <= 0
+        return bool(wins and at_input * self.turn >= 0 and one.from_load > 0 and self.drag_losses)
+
+    def _passes(self, one: Solution) -> bool:
+        return not self._has_sides or (one.passed is not None and one.passed > 0)
+
+    @property
+    def _has_sides(self) -> bool:
+        powers = self._powers(self.ideal).values()
+        return any(one > 0 for one in powers) and any(one < 0 for one in powers)
+
+    def _powers(self, torques: Torques) -> dict[int, Fraction]:
+        powers = {link: torques.power(self.speeds, [link]) for link in torques.ports()}
+        return {link: self.turn * one for link, one in powers.items() if one is not None}
+
+    def _signs(self) -> Iterator[tuple[int, ...]]:
+        """All sets; those by convention of what does not move, one where nothing is lost."""
+        choices: list[tuple[int, ...]] = []
+        for one in self.case.mechanisms:
+            published = tuple({1, sign(exact(one.ratio))})
+            still = (0,) if self.case.idle == "exact" else published
+            moves = self.speeds.difference(one.first, one.third) != 0
+            choices.append((1,) if one.efficiency == 1 else (1, -1) if moves else still)
+        return product(*choices)
+
+    def agreeing(self, drag: Mapping[int, Fraction]) -> Iterator[Torques]:
+        """Torques by sets of signs with which no mechanism gives power."""
+        for signs in self._signs():
+            pairs = zip(self.case.mechanisms, signs, strict=True)
+            factors = [exact(one.efficiency) ** x for one, x in pairs]
+            lossy = [u * factor for u, factor in zip(ratios(self.case), factors, strict=True)]
+            torques = Torques(self.case, self.gear, lossy, drag)
+            if torques.system.consistent and not torques.system.missing:
+                losses = self._losses(torques, factors)
+                if all(self.turn * one >= 0 for one in losses):
+                    yield torques
+
+    def _solved(self, drag: Mapping[int, Fraction]) -> Iterator[Solution]:
+        sides = self._powers(self.ideal)
+        for torques in self.agreeing(drag):
+            powers = self._powers(torques)
+            entering = sum((powers[link] for link, one in sides.items() if one > 0), ZERO)
+            leaving = -sum((powers[link] for link, one in sides.items() if one < 0), ZERO)
+            output, speed = torques.mx(), self.speeds.link(self.case.gear_output(self.gear))
+            assert output is not None
+            assert speed is not None
+            passed = leaving / entering if entering else None
+            yield Solution(passed, torques, powers, -output * speed * self.turn)
+
+    def _losses(self, torques: Torques, factors: list[Fraction]) -> Iterator[Fraction]:
+        for number, (one, factor) in enumerate(zip(self.case.mechanisms, factors, strict=True)):
+            motion, torque = self.speeds.difference(one.first, one.third), torques.mechanism(number)
+            assert motion is not None
+            assert torque is not None
+            yield torque * motion * (1 - factor)

@@ -9,12 +9,14 @@ from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
 from typing import Any
 
+from tests.oracle.linear import ONE, ZERO, Linear
+
 HOUSING = "housing"
 STAND_IN = Fraction(1)
 """Teeth of a planet that are not told; they do not touch the speeds of the links."""
 
-Row = dict[str, Fraction]
-"""The speeds of bodies with their factors: an equation, its right side is 0."""
+Equation = dict[str, Fraction]
+"""The speeds of bodies with their factors; the right side is 0."""
 
 Document = Mapping[str, Any]
 """A case or a part of it, as `yaml.safe_load` gives it."""
@@ -29,18 +31,17 @@ class Bodies:
 
     def __init__(self) -> None:
         """Begin with nothing but the housing."""
-        self.equations: list[Row] = []
+        self.equations: list[Equation] = []
         self.names: dict[str, None] = {}
         self.unknown: set[str] = set()
         """Planets whose teeth are not told, so that their speed means nothing."""
 
     def tie(self, *terms: tuple[str, Fraction | int]) -> None:
         """Let the sum of factors times speeds be 0."""
-        row: Row = {}
+        row: Equation = {}
         for name, factor in terms:
             self.names.setdefault(name)
-            row[name] = row.get(name, Fraction(0)) + factor
-        row.pop(HOUSING, None)
+            row[name] = row.get(name, ZERO) + factor
         self.equations.append(row)
 
     def external(
@@ -67,46 +68,17 @@ class Bodies:
         ContradictionError
             If the given speeds cannot be.
         """
-        rows = [(dict(row), Fraction(0)) for row in self.equations]
-        for name, speed in given.items():
-            self.names.setdefault(name)
-            rows.append(({name: Fraction(1)}, Fraction(speed)))
-        found = _solved(rows)
-        found[HOUSING] = Fraction(0)
-        return {
-            name: found[name] for name in self.names if name in found and name not in self.unknown
-        }
-
-
-def _solved(rows: list[tuple[Row, Fraction]]) -> dict[str, Fraction]:
-    """Reduce to echelon form; a body is determined where its row holds no other."""
-    pivots: dict[str, tuple[Row, Fraction]] = {}
-    for raw in rows:
-        row, right = raw
-        for name, (other, value) in pivots.items():
-            row, right = _less(row, right, other, value, row.get(name, Fraction(0)))
-        if not row:
-            if right:
-                raise ContradictionError("the conditions contradict each other")
-            continue
-        name, factor = next(iter(row.items()))
-        row, right = {key: value / factor for key, value in row.items()}, right / factor
-        for key, (other, value) in pivots.items():
-            pivots[key] = _less(other, value, row, right, other.get(name, Fraction(0)))
-        pivots[name] = row, right
-    return {name: right for name, (row, right) in pivots.items() if len(row) == 1}
-
-
-def _less(
-    row: Row, right: Fraction, other: Row, value: Fraction, times: Fraction
-) -> tuple[Row, Fraction]:
-    """One equation less another one taken some times."""
-    if not times:
-        return row, right
-    result = dict(row)
-    for key, factor in other.items():
-        result[key] = result.get(key, Fraction(0)) - times * factor
-    return {key: factor for key, factor in result.items() if factor}, right - times * value
+        held = {HOUSING: 0, **given}
+        names = sorted(self.names.keys() | held.keys())
+        rows = [*self.equations, *({name: ONE} for name in held)]
+        right = [ZERO] * len(self.equations) + [Fraction(speed) for speed in held.values()]
+        matrix = [[row.get(name, ZERO) for name in names] for row in rows]
+        system = Linear(matrix, right, len(names))
+        if not system.consistent:
+            raise ContradictionError("the conditions contradict each other")
+        found = zip(names, map(system.unknown, range(len(names))), strict=True)
+        hidden = self.unknown | {HOUSING}
+        return {name: speed for name, speed in found if speed is not None and name not in hidden}
 
 
 def number(value: Any) -> Fraction:

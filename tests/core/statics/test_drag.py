@@ -11,8 +11,7 @@ from tests.chance import ranges_with_slow, seeded
 from tests.core.statics.batches import plainly
 from tests.core.statics.differential import assert_located
 from tests.core.writers.again import is_read_again
-from tests.oracle.drag import Admissible, GearWithDrag, solve_gear
-from tests.oracle.drag_of_ports import GearOfPorts, Solution
+from tests.oracle.drag import Admissible, GearOfPorts, GearWithDrag, Solution, solve_gear
 from tests.trains import is_regular, random_train, shown
 from vstatics import Gear, Mechanism, Results, ShiftElement, Transmission, solve
 from vstatics.core import readers
