@@ -8,7 +8,7 @@ import pytest
 
 from tests.commands import MZKT, vstatics
 from tests.core.cli.test_schemas import validator
-from tests.torsion.clutch.test_file import GOOD
+from tests.torsion.clutch.test_dump_key import GOOD
 from tests.torsion.clutch.test_gear_dump import car
 from vstatics import loads
 from vstatics.core.writers import named
