@@ -1,27 +1,78 @@
-"""Damage of devices: by hand, and a long random record against the closed form."""
+"""Damage of devices: cycles as the standard counts them, sums by hand, a long random record."""
 
 import math
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
+from itertools import pairwise
 
 import numpy as np
 import pytest
 
-from tests.chance import generator
+from tests.chance import each_seed, generator
 from vstatics import CaseError, Spring, Transmission
 from vstatics.vehicle.case.fatigue import Fatigue
 from vstatics.vehicle.damage.devices import damages, device_damage
+from vstatics.vehicle.damage.rainflow import LoadCycle, extremes, rainflow
 from vstatics.vehicle.damage.rayleigh import rayleigh_life
 
-SHAFT = Fatigue(100e6, 3, 4e6, section_modulus=4e-6, threshold=0.0)
-EXAMPLE = 100 * np.array([-2.0, 1, -3, 5, -1, 3, -4, 4, -2])
-"""ASTM E1049-85, 5.4.4, in units of 100 N*m; an amplitude of 400 N*m is the endurance."""
+EXAMPLE = np.array([-2.0, 1, -3, 5, -1, 3, -4, 4, -2])
 COUNTS = {3: 0.5, 4: 1.5, 6: 0.5, 8: 1.0, 9: 0.5}
-"""Of its ranges, as the standard prints them."""
+"""ASTM E1049-85, 5.4.4, figure 6: ranges and their counts as the standard prints them."""
+SHAFT = Fatigue(100e6, 3, 4e6, section_modulus=4e-6, threshold=0.0)
+TORQUES = 100 * EXAMPLE
+"""An amplitude of 400 N*m is the endurance."""
+
+
+def by_range_and_mean(cycles: Iterable[LoadCycle]) -> dict[tuple[float, float], float]:
+    sums: dict[tuple[float, float], float] = {}
+    for cycle in cycles:
+        key = round(cycle.range, 9), round(cycle.mean, 9)
+        sums[key] = sums.get(key, 0.0) + cycle.counted
+    return sums
+
+
+def four_points(values: Sequence[float]) -> list[LoadCycle]:
+    """Where two of four points lie between the others they are a cycle; what is left are halves.
+
+    The way of Amzallag and others (1994): another one than that of the standard.
+    """
+    left, cycles = [*values], []
+    at = 0
+    while at + 3 < len(left):
+        a, b, c, d = left[at : at + 4]
+        if min(a, d) <= min(b, c) and max(b, c) <= max(a, d):
+            cycles.append(LoadCycle(abs(b - c), (b + c) / 2, 1.0))
+            del left[at + 1 : at + 3]
+            at = max(at - 2, 0)
+        else:
+            at += 1
+    pairs = pairwise(left)
+    return [*cycles, *(LoadCycle(abs(a - b), (a + b) / 2, 0.5) for a, b in pairs)]
+
+
+@each_seed(60, 2000)
+@pytest.mark.parametrize("whole", [True, False])
+def test_random_records_as_by_four_points(seed: int, whole: bool) -> None:
+    """Whole numbers have many ranges that are equal; points between extremes do not count."""
+    chance = generator(seed)
+    values = chance.normal(size=int(chance.integers(0, 80))) * 4
+    values = np.round(values) if whole else values
+    turning = extremes(values).tolist()
+    counted = rainflow(values)
+    halves = np.arange(0, len(values) - 0.5, 0.5)
+    between = np.interp(halves, np.arange(len(values)), values) if len(values) else values
+    assert rainflow(np.repeat(between, 3)) == counted
+    assert by_range_and_mean(counted) == by_range_and_mean(four_points(turning))
+    assert sum(2 * one.counted for one in counted) == max(len(turning) - 1, 0)
+    ways = sum(2 * one.range * one.counted for one in counted)
+    assert ways == pytest.approx(np.abs(np.diff(values)).sum())
 
 
 def test_the_example_of_the_standard() -> None:
+    ranges = [(cycle.range, cycle.counted) for cycle in rainflow(EXAMPLE)]
+    assert {r: sum(n for other, n in ranges if other == r) for r, _ in ranges} == COUNTS
     by_hand = sum(Fraction(n) * Fraction(r, 8) ** 3 for r, n in COUNTS.items()) / 4_000_000
-    made, half = (device_damage(SHAFT._replace(sum=a), EXAMPLE) for a in (1.0, 0.5))
+    made, half = (device_damage(SHAFT._replace(sum=a), TORQUES) for a in (1.0, 0.5))
     assert made.damage == half.damage == pytest.approx(float(by_hand), rel=1e-14)
     assert made.damage == pytest.approx(5.341796875e-7, rel=1e-14)
     assert made.repeats == pytest.approx(1 / float(by_hand))
@@ -41,10 +92,10 @@ def test_cycles_count_from_the_threshold_on() -> None:
     assert device_damage(shaft, np.array([-465.0, 465.0])).damage == pytest.approx(0.5 * 0.3e-6)
     assert device_damage(shaft, np.array([-464.9, 464.9])).damage == 0
     by_hand = sum(n * (r / 8) ** 3 for r, n in COUNTS.items() if r >= 6) / 4e6
-    made = device_damage(SHAFT._replace(threshold=0.75), EXAMPLE)
+    made = device_damage(SHAFT._replace(threshold=0.75), TORQUES)
     assert made.damage == pytest.approx(by_hand)
-    small = device_damage(SHAFT, EXAMPLE / 1e3)
-    none = device_damage(SHAFT._replace(threshold=0.6), EXAMPLE / 1e3)
+    small = device_damage(SHAFT, TORQUES / 1e3)
+    none = device_damage(SHAFT._replace(threshold=0.6), TORQUES / 1e3)
     assert (none.damage, none.repeats) == (0.0, None)
     assert small.damage == pytest.approx(5.341796875e-16)
 
