@@ -2,9 +2,11 @@
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from tests.commands import json_file
+from vstatics.torsion.clutch.dumped import DumpCase
+from vstatics.torsion.clutch.given import Dump
 from vstatics.torsion.reduction.chain import Chain, ChainSpring
 from vstatics.torsion.reduction.scheme import SchemeSpring, TorsionScheme
 
@@ -41,3 +43,20 @@ def scheme(
 
 def percent(found: float, printed: float) -> float:
     return abs(found / printed - 1) * 100
+
+
+class Line(NamedTuple):
+    """A line of table 3.8 (largest torques) with what table 3.7 gives: Tsitovich, Algin, 1981."""
+
+    vehicle: str
+    gear: int
+    case: DumpCase
+    given: Dump
+    torques: list[float | None]
+    """In kN*m: largest, at the input shaft; both by the simplified forms."""
+    integrated: float
+    """By an integration in time, apart from this project. [kN*m]"""
+
+
+ROWS = table("table_3_8")["rows"]
+TABLE_3_8 = [Line(**{**row, "given": Dump._make(map(float, row["given"]))}) for row in ROWS]

@@ -14,7 +14,7 @@ from tests.simulation.published.test_published_starts import (
     one_spring,
 )
 from tests.simulation.test_closed_forms import links
-from tests.torsion.table_3_8 import TABLE_3_8
+from tests.torsion.book import TABLE_3_8
 from tests.torsion.test_simplification_tables import GEARS
 from vstatics import ShiftElement, Spring
 from vstatics.core.model.springs import between

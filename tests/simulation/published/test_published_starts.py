@@ -14,7 +14,7 @@ from tests.commands import json_file
 from tests.simulation.boxes import RPM, held
 from tests.simulation.test_closed_forms import links
 from tests.simulation.test_golden import closes
-from tests.torsion.table_3_8 import TABLE_3_8, Line
+from tests.torsion.book import TABLE_3_8, Line
 from vstatics import Gear, ShiftElement, Spring, Transmission
 from vstatics.core.model.springs import between
 from vstatics.simulation import Capacity, Formula, Scenario, Start, simulate

@@ -10,7 +10,7 @@ from jsonschema import Draft202012Validator
 
 from tests.commands import ROOT, json_file
 from tests.rejects import rejects
-from tests.torsion.table_3_8 import TABLE_3_8
+from tests.torsion.book import TABLE_3_8
 from vstatics import ClutchDump, ReadError, Transmission, loads
 from vstatics.core.writers import named
 from vstatics.core.writers.deck import lost

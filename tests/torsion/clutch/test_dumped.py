@@ -6,9 +6,8 @@ import math
 import pytest
 
 from tests.chance import count, seeded
-from tests.torsion.book import table
+from tests.torsion.book import TABLE_3_8, Line, table
 from tests.torsion.stick_slip import Contacts, first_peak
-from tests.torsion.table_3_8 import TABLE_3_8, Line
 from vstatics.core.errors import CaseError
 from vstatics.torsion.clutch.dumped import dump
 from vstatics.torsion.clutch.given import Dump

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from tests.torsion.table_3_8 import TABLE_3_8, Line
+from tests.torsion.book import TABLE_3_8, Line
 from vstatics import CaseError, ClutchDump, loads
 from vstatics.torsion.clutch.dumped import DumpTorque, dump
 from vstatics.torsion.clutch.gear_dump import GearDump, gear_dumps
