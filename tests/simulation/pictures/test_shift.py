@@ -1,28 +1,45 @@
-"""Pictures of a run: what is drawn of it, over time and into the kinematic plan.
+"""Pictures of a run: what is drawn of it, over time and into the kinematic plan, and its letters.
 
 The run is that of a planetary set whose brake locks, in closed form (V. P. Tarasik, simulation of
 planetary gearboxes, 2018, figure 2): constant accelerations up to the lock at .410054 s, and after.
 """
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
+from tests.chance import each_seed
+from tests.commands import CASES
 from tests.pictures.drawn import titled
+from tests.pictures.test_pictures import overlaps
 from tests.shipped import shipped_results
-from vstatics import CaseError, Gear, Mechanism, Results, ShiftElement, Transmission, solve
+from vstatics import (
+    CaseError,
+    Gear,
+    Mechanism,
+    Results,
+    ShiftElement,
+    Transmission,
+    load_scenario,
+    solve,
+)
 from vstatics.core.model.parts import SpeedOf
 from vstatics.pictures import picture
+from vstatics.pictures.drawing.labels import width
 from vstatics.pictures.drawing.line_styles import thing_look
-from vstatics.pictures.drawing.style import Style
+from vstatics.pictures.drawing.style import POINTS_PER_MILLIMETRE, Style
 from vstatics.pictures.plan.course import course, visited
 from vstatics.pictures.plan.rays import plans
 from vstatics.pictures.runs import event_text, named_events
 from vstatics.simulation import Motion
 from vstatics.simulation.pictures.elements import states
+from vstatics.simulation.pictures.events import placed_words
 from vstatics.simulation.pictures.lines import thinned
 from vstatics.simulation.pictures.panels import panels
 from vstatics.simulation.record.asked import TABLES
-from vstatics.simulation.record.motion import Energy, Event, Peak
+from vstatics.simulation.record.motion import Energy, Event, EventKind, Peak
+from vstatics.simulation.run import simulate
 
 LOCK = 34.906585 / 85.126799
 """Slip at the start by its acceleration. [s]"""
@@ -178,3 +195,46 @@ def test_a_further_panel_has_what_a_panel_has_no_room_for(results: Results) -> N
 def test_a_bar_says_when_its_element_slips_and_sticks(results: Results) -> None:
     said = [one for one, _ in titled(picture(results, "shift", Style(), motion=run()))]
     assert {"brake slips, 0.000–0.410 s", "brake sticks, 0.410–1.000 s"} <= {*said}
+
+
+COLUMN = 85 * POINTS_PER_MILLIMETRE
+"""Of a journal."""
+STYLES = (Style(), Style("ru", dark=True), Style(width=COLUMN))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("style", STYLES)
+@pytest.mark.parametrize("file", sorted(path.name for path in (CASES / "scenarios").glob("*.yaml")))
+def test_no_letters_of_a_shipped_run_cover_others(file: str, style: Style) -> None:
+    scenario = load_scenario(CASES / "scenarios" / file)
+    assert overlaps(solve(scenario.case), "shift", style, simulate(scenario)) == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", ["shift", "plan"])
+@pytest.mark.parametrize("style", STYLES[:2])
+@pytest.mark.parametrize("count", [0, 1, 39, 399])
+def test_no_word_of_an_event_covers_another(kind: str, style: Style, count: int) -> None:
+    """Events without a word are counted below the title."""
+    words: tuple[EventKind, ...] = ("locks", "slips", "reverses")
+    events = tuple(Event((n + 1) / (count + 1), "brake", words[n % 3]) for n in range(count))
+    results = shipped_results("tarasik-set.yaml")
+    assert overlaps(results, kind, style, run()._replace(events=events)) == []
+
+
+@each_seed(20)
+def test_words_of_a_row_stand_apart_and_near_their_events(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    room = float(rng.uniform(100.0, 400.0))
+    places = np.sort(rng.uniform(0.0, room, int(rng.integers(1, 40))))
+    kinds = rng.choice(["locks", "slips", "reverses", "impact"], len(places))
+    pairs = enumerate(zip(kinds, places, strict=True))
+    events = [(Event(n, "C", kind), float(at)) for n, (kind, at) in pairs]
+    words = placed_words(events, room, Style())
+    assert words
+    edges = [(one.middle - width(one.text) / 2, one.middle + width(one.text) / 2) for one in words]
+    assert all(left[1] < right[0] for left, right in pairwise(edges))
+    assert all(abs(one.middle - one.at) < 80.0 for one in words)
+    kept = [one.event for one in words]
+    if len(words) < len(events):  # what matters most is named first
+        assert any(one.event == "impact" for one in kept) or "impact" not in kinds
