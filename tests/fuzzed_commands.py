@@ -7,14 +7,14 @@ be at a terminal. Its JSON holds no NaN, it says nothing of an error of its own,
 import json
 import tempfile
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 from typing import NoReturn
 
 import numpy as np
 
-from tests.commands import CASES, vstatics
+from tests.commands import CASES, Said, vstatics
 from tests.installed import HERE
 from tests.shipped import shipped_results
 from vstatics import VstaticsError
@@ -114,6 +114,14 @@ def _no_constant(name: str) -> NoReturn:
     raise AssertionError(f"{name} in JSON")
 
 
+def check_answer(said: Said, words: Sequence[object]) -> None:
+    """Check that a command ended in a result or in words, in JSON without NaN."""
+    assert "an error of vstatics" not in said.err, said.err
+    assert said.status == 0 or (said.status in (1, 2) and said.all), f"{said.status}: {said.err}"
+    if said.out and "json" in words:
+        json.loads(said.out, parse_constant=_no_constant)
+
+
 @cache
 def _folder() -> Path:
     """A folder of this process, with the files that commands read beside the mutated one."""
@@ -143,12 +151,7 @@ def _command(file: str, *words: str) -> Callable[[bytes], object]:
         with np.errstate(all="warn", under="ignore"), warnings.catch_warnings():
             warnings.simplefilter("error", RuntimeWarning)
             said = vstatics(*named)
-        if "an error of vstatics" in said.err:
-            raise AssertionError(said.err)
-        if said.status not in (0, 1, 2) or (said.status and not said.all):
-            raise AssertionError(f"status {said.status}: {said.err}")
-        if said.out and "json" in words:
-            json.loads(said.out, parse_constant=_no_constant)
+        check_answer(said, words)
         if said.status:
             raise RefusedError(said.err or "in its answer")
         return said.out
