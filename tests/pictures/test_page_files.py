@@ -8,8 +8,7 @@ import pytest
 
 from tests.commands import CASES, vstatics
 from tests.processes import names
-from vstatics import ReadError, load, solve
-from vstatics.core.statics.results import Results
+from vstatics import ReadError, Results, load, solve
 from vstatics.pictures.drawing.canvas import Canvas
 from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.flow import efficiency

@@ -21,8 +21,7 @@ from tests.pictures.drawn import texts, titled
 from tests.pictures.schemes.test_schemes import overlaps as overlaps_of
 from tests.pictures.schemes.test_schemes import ring
 from tests.shipped import shipped_results
-from vstatics import CaseError, Results, Transmission, load, solve
-from vstatics.core.readers import loads
+from vstatics import CaseError, Results, Transmission, load, loads, solve
 from vstatics.pictures import drawn_pages, picture, render
 from vstatics.pictures.drawing.files import Format, figures_of, settings_of
 from vstatics.pictures.drawing.style import PAGE_HEIGHT, PAGE_WIDTH, POINTS_PER_MILLIMETRE, Style

@@ -11,12 +11,11 @@ from scipy.optimize import brentq
 from tests.chance import each_seed, seeded
 from tests.simulation.boxes import capacity, held, points
 from tests.simulation.test_golden import closes, happened
-from vstatics import CaseError, Gear, Load, ShiftElement, Spring, Transmission
+from vstatics import CaseError, Gear, Load, ShiftElement, Spring, Transmission, loads
 from vstatics.core.model.converters import Converter
 from vstatics.core.model.laws import PointLaw
 from vstatics.core.model.parts import Law
 from vstatics.core.model.springs import between
-from vstatics.core.readers import loads
 from vstatics.core.readers.named.law_formulas import DragFormula
 from vstatics.simulation import (
     Formula,

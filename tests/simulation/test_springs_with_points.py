@@ -10,8 +10,7 @@ from scipy.integrate import solve_ivp
 
 from tests.chance import count, seeded, seeds_with_slow, with_slow
 from tests.simulation.test_closed_forms import links, run
-from vstatics import CaseError, ShiftElement, Spring
-from vstatics.core.model.parts import Damping
+from vstatics import CaseError, Damping, ShiftElement, Spring
 from vstatics.core.model.springs import between
 from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation import Capacity, Motion, Points, Scenario, Start, constant, simulate

@@ -10,9 +10,8 @@ import vstatics
 from tests.chance import seeded
 from tests.commands import vstatics as run
 from tests.sweep.sweeps import small_pieces
-from vstatics import Gear, Mechanism, ReadError, ShiftElement, Transmission
+from vstatics import Gear, Mechanism, ReadError, ShiftElement, Transmission, solve
 from vstatics.core.readers import sweep_tables
-from vstatics.core.statics.solve import solve
 from vstatics.core.summary.design_table import design
 from vstatics.sweep.chunk import STATUS, Chunk
 from vstatics.sweep.gear_steps import spread, steps

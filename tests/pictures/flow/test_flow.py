@@ -20,12 +20,11 @@ from tests.commands import LOCKED, NEUTRAL, SHIPPED, TIED_UP
 from tests.pictures.drawn import texts
 from tests.pictures.schemes.test_schemes import overlaps
 from tests.shipped import shipped_results
-from vstatics import Gear, Mechanism, Results, Transmission, load, solve
+from vstatics import Gear, Load, Mechanism, Results, Transmission, load, solve
 from vstatics.core import readers
 from vstatics.core.flow.circulation import Node
 from vstatics.core.flow.power import flows
 from vstatics.core.flow.power_flow import PowerFlow
-from vstatics.core.model.parts import Load
 from vstatics.pictures import picture, render
 from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.drawing.svg import SVG

@@ -15,8 +15,7 @@ from tests.chance import with_slow
 from tests.commands import CASES, SHIPPED, json_answer
 from tests.pictures.drawn import WITHOUT_PLAN, WITHOUT_TWO_GEARS
 from tests.shipped import shipped_results
-from vstatics import Results, load, solve
-from vstatics.core.readers import loads
+from vstatics import Results, load, loads, solve
 from vstatics.pictures import pages
 from vstatics.pictures.drawing.style import PAGE_HEIGHT, Style
 from vstatics.pictures.plan.rays import plans

@@ -18,8 +18,7 @@ from tests.commands import CASES, SHIPPED, vstatics
 from tests.installed import needs
 from tests.pictures.drawn import WITHOUT_PLAN, titled
 from tests.shipped import shipped_results
-from vstatics import CaseError, Gear, Mechanism, Results, ShiftElement, Transmission, solve
-from vstatics.core.readers import loads
+from vstatics import CaseError, Gear, Mechanism, Results, ShiftElement, Transmission, loads, solve
 from vstatics.pictures import picture
 from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.plan.rays import plans

@@ -13,12 +13,11 @@ import vstatics
 from tests.commands import CASES
 from tests.pictures.drawn import texts
 from tests.shipped import shipped_results
-from vstatics import Gear, Mechanism, Results, ShiftElement, Spring, Transmission, solve
+from vstatics import CaseError, Gear, Mechanism, Results, ShiftElement, Spring, Transmission, solve
 from vstatics.core.elements import Drawing, Element, transmission
 from vstatics.core.elements.drawing import drawing_of
 from vstatics.core.elements.group import group_of
 from vstatics.core.elements.kinds import KINDS, Simple
-from vstatics.core.errors import CaseError
 from vstatics.core.model.springs import between
 from vstatics.pictures import picture, render
 from vstatics.pictures.drawing.gear_state import state_of

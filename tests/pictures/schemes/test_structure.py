@@ -21,11 +21,9 @@ from tests.pictures.schemes.axes.boxes import SVG, of_class, parsed
 from tests.pictures.schemes.lines import Line, assert_connected, bridges, crossings, lines_of, touch
 from tests.pictures.schemes.test_schemes import PAIRS, overlaps, ring
 from tests.shipped import shipped_results
-from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission
-from vstatics.core.errors import CaseError
+from vstatics import CaseError, Gear, Mechanism, Results, ShiftElement, Spring, Transmission
 from vstatics.core.model.springs import between
 from vstatics.core.numerics.traced import plain
-from vstatics.core.statics.results import Results
 from vstatics.pictures import picture, render
 from vstatics.pictures.drawing.style import Style
 from vstatics.pictures.schemes.scheme import scheme_of

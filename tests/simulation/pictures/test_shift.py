@@ -32,14 +32,13 @@ from vstatics.pictures.drawing.style import POINTS_PER_MILLIMETRE, Style
 from vstatics.pictures.plan.course import course, visited
 from vstatics.pictures.plan.rays import plans
 from vstatics.pictures.runs import event_text, named_events
-from vstatics.simulation import Motion
+from vstatics.simulation import Motion, simulate
 from vstatics.simulation.pictures.elements import states
 from vstatics.simulation.pictures.events import placed_words
 from vstatics.simulation.pictures.lines import thinned
 from vstatics.simulation.pictures.panels import panels
 from vstatics.simulation.record.asked import TABLES
 from vstatics.simulation.record.motion import Energy, Event, EventKind, Peak
-from vstatics.simulation.run import simulate
 
 LOCK = 34.906585 / 85.126799
 """Slip at the start by its acceleration. [s]"""

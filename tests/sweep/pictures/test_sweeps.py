@@ -14,8 +14,7 @@ from tests.chance import generator
 from tests.commands import CASES, vstatics
 from tests.pictures.drawn import texts, titled
 from tests.sweep.sweeps import DIFFERENTIAL
-from vstatics import save, sweep
-from vstatics.core.errors import CaseError
+from vstatics import CaseError, save, sweep
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.readers import sweep_tables
 from vstatics.core.tables.written_results import WrittenSweep

@@ -21,7 +21,7 @@ from tests.synthesis.boxes.hand_boxes import (
 from vstatics import solve
 from vstatics.core.readers import from_dict
 from vstatics.core.tables.answer import plain_data, schema
-from vstatics.synthesis import StructureSearch, schemes
+from vstatics.synthesis import SetScheme, StructureSearch, schemes
 from vstatics.synthesis.boxes.batches.found import found_in
 from vstatics.synthesis.boxes.box import HELD, BoxSearch, FoundBox
 from vstatics.synthesis.boxes.choice import BoxFilter, BoxList, RankedBox, ranked
@@ -31,7 +31,6 @@ from vstatics.synthesis.boxes.least_form import identity, least_box
 from vstatics.synthesis.boxes.listing import BoxListing, listed_box, wanted_of
 from vstatics.synthesis.boxes.reading import listing_of
 from vstatics.synthesis.boxes.tables import box_grids
-from vstatics.synthesis.structures.scheme import SetScheme
 from vstatics.synthesis.tolerances import SAME_FITTED_RATIO
 
 FAST = measured(SIMPSON_SEARCH, SIMPSON, 0.98)

@@ -4,8 +4,7 @@ import json
 
 import pytest
 
-from vstatics import example, solve
-from vstatics.core.errors import CaseError
+from vstatics import CaseError, example, solve
 from vstatics.core.jobs.finished_cases import differing
 from vstatics.synthesis.boxes.batches.found import found_in
 from vstatics.synthesis.boxes.batches.ports import PortSearch

@@ -6,8 +6,7 @@ from typing import Any
 import pytest
 
 from tests.commands import CASES
-from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission, load, solve
-from vstatics.core.errors import CaseError
+from vstatics import CaseError, Gear, Mechanism, ShiftElement, Spring, Transmission, load, solve
 from vstatics.synthesis import SetScheme, combinations, scheme_case
 from vstatics.synthesis.gears.kinds import kind_alone
 from vstatics.synthesis.gears.search import CombinationSearch, chosen_elements

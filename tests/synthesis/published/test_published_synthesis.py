@@ -19,8 +19,7 @@ import pytest
 
 from tests.commands import ROOT
 from tests.oracle.combinations import Train, every
-from vstatics import load, solve
-from vstatics.core.model.transmission import Gear, ShiftElement
+from vstatics import Gear, ShiftElement, load, solve
 from vstatics.synthesis.gears.search import combinations as combinations_of
 
 PAGE = ROOT / "docs" / "synthesis" / "tables.md"

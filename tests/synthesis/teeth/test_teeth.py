@@ -10,12 +10,11 @@ import pytest
 from tests.commands import CASES
 from tests.core.elements.test_ratios import of_ratios
 from tests.oracle import teeth as oracle
-from vstatics import load, loads, solve
+from vstatics import Gear, Mechanism, ShiftElement, Transmission, load, loads, solve
 from vstatics.core.elements.drawing import Drawing, drawing_of
 from vstatics.core.elements.element import Element
 from vstatics.core.elements.teeth import doubts
 from vstatics.core.explain.bodies import on_own_links
-from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.core.readers import from_dict
 from vstatics.core.writers.named import mapping
 from vstatics.synthesis.teeth.finding import find_teeth

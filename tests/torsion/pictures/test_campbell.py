@@ -14,8 +14,7 @@ from tests.pictures import drawn as said
 from tests.shipped import shipped_results
 from tests.torsion.pictures.marks import PAPER, Mark, drawn, marks, plotted, tree
 from tests.torsion.systems import wheels
-from vstatics import Gear, Load, Results, Spring, Transmission, load, solve
-from vstatics.core.model.parts import Damping
+from vstatics import Damping, Gear, Load, Results, Spring, Transmission, load, solve
 from vstatics.pictures import picture
 from vstatics.pictures.drawing.style import Excitation, Style
 from vstatics.torsion.pictures.orders.orders_and_speeds import ORDERS, running_speeds

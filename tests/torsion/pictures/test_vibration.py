@@ -10,8 +10,7 @@ from tests.commands import CASES, vstatics
 from tests.pictures import drawn
 from tests.pictures.test_pictures import STYLES, overlaps
 from tests.shipped import shipped_results
-from vstatics import Gear, Mechanism, Results, ShiftElement, Spring, Transmission, solve
-from vstatics.core.errors import CaseError
+from vstatics import CaseError, Gear, Mechanism, Results, ShiftElement, Spring, Transmission, solve
 from vstatics.core.texts import Language
 from vstatics.pictures import drawn_kinds, module_of, picture
 from vstatics.pictures.drawing.files import figures_of

@@ -8,8 +8,7 @@ from scipy import linalg
 
 from tests.chance import count, seeded
 from tests.torsion.systems import with_planetary_set
-from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission
-from vstatics.core.readers import loads
+from vstatics import Gear, Mechanism, ShiftElement, Spring, Transmission, loads
 from vstatics.torsion.reduction.reduced_scheme import gear_scheme
 from vstatics.torsion.reduction.reduced_values import NO_REACTION, reduce
 from vstatics.torsion.reduction.scheme import TorsionScheme, natural_frequencies

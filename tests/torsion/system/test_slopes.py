@@ -4,9 +4,7 @@ import math
 
 import pytest
 
-from vstatics import Gear, Load, Mechanism, ShiftElement, Spring, Transmission
-from vstatics.core.errors import CaseError
-from vstatics.core.readers import loads
+from vstatics import CaseError, Gear, Load, Mechanism, ShiftElement, Spring, Transmission, loads
 from vstatics.torsion.system.gear_system import TorsionalSystem
 from vstatics.torsion.system.slopes import spring_slopes
 from vstatics.torsion.system.state import vibrating

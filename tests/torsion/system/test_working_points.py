@@ -18,9 +18,7 @@ from tests.torsion.systems import Array
 from vstatics import Gear, Load, Mechanism, Spring, Transmission, loads, solve
 from vstatics.core.model.converters import Converter
 from vstatics.core.model.parts import OfLoad
-from vstatics.torsion import Harmonic, modes, response
-from vstatics.torsion.random.random_vibration import random_vibration
-from vstatics.torsion.random.spectra import White
+from vstatics.torsion import Harmonic, White, modes, random_vibration, response
 from vstatics.torsion.system.working_points import working_gear
 from vstatics.torsion.vibration.varied_frequencies import frequencies
 

@@ -5,10 +5,8 @@ import re
 from typing import Any, NamedTuple
 from xml.etree import ElementTree as ET
 
-from vstatics import Gear, ShiftElement, Transmission, loads
-from vstatics.core.elements import Element
-from vstatics.core.elements.drawing import Drawing, transmission
-from vstatics.core.statics.solve import solve
+from vstatics import Gear, ShiftElement, Transmission, loads, solve
+from vstatics.core.elements import Drawing, Element, transmission
 from vstatics.pictures import render
 from vstatics.pictures.drawing.style import Style
 

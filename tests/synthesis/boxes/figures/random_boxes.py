@@ -6,12 +6,10 @@ from itertools import combinations
 from typing import NamedTuple
 
 from tests.chance import seeded
-from vstatics.synthesis import StructureSearch, schemes
+from vstatics.synthesis import FoundScheme, SetScheme, StructureSearch, schemes
 from vstatics.synthesis.boxes.box import HELD, BoxSearch, FoundBox
 from vstatics.synthesis.boxes.chosen_gears import set_ratios
 from vstatics.synthesis.boxes.figures.measured import MeasuredBox, measured
-from vstatics.synthesis.structures.growth import FoundScheme
-from vstatics.synthesis.structures.scheme import SetScheme
 
 
 class RandomBox(NamedTuple):

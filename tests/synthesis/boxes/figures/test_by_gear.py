@@ -6,9 +6,8 @@ from itertools import combinations as pairs_of
 import pytest
 
 from tests.synthesis.boxes.figures.random_boxes import RandomBox, numbered_box, random_boxes
-from vstatics import CaseError, solve
+from vstatics import CaseError, ShiftElement, Transmission, solve
 from vstatics.core.flow.power import flows
-from vstatics.core.model.transmission import ShiftElement, Transmission
 from vstatics.synthesis import combinations
 from vstatics.synthesis.boxes.box import FoundBox
 from vstatics.synthesis.boxes.figures.measured import MeasuredBox, measured
