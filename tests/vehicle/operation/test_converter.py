@@ -280,16 +280,6 @@ def automatic(**more: Any) -> Transmission:
     return Transmission(3, [], parts, [Gear()], vehicle=car, **more)
 
 
-def test_the_slope_is_the_slope_at_stall() -> None:
-    """The pump takes lambda w^2, so w = sqrt(200/0.002), and the turbine gives twice 200 N*m."""
-    case = automatic()
-    pull = Traction(case, Vehicle.needed(case))
-    assert pull.engine_speeds(0, np.zeros(1)) == pytest.approx(math.sqrt(200 / 0.002), rel=1e-9)
-    slope = 2 * 200 * 4 * 0.9 * 1.5 / 0.5 / (2000 * GRAVITY)
-    assert performance(case).gears["1"].slope == pytest.approx(slope, rel=1e-9)
-    assert [*doubts(case)] == []
-
-
 SIMPSON = """
 links: [engine, turbine, ring, sun, carrier, out]
 output: out
