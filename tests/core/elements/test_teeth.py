@@ -33,7 +33,8 @@ from vstatics.core.elements.checks import problems
 from vstatics.core.elements.kinds import KINDS, Planetary
 
 
-def test_there_is_nothing_to_say_about_usual_teeth() -> None:
+def test_usual_teeth_get_no_words_and_doubtful_teeth_no_error() -> None:
+    """Elements count from 1."""
     for text in (
         *("belt first 10 second 10.5", "worm worm 1 wheel 40", "shaft", "held", "bevel"),
         *("planetary/3 sun 10.5 ring 30", "gear_pair first 20 second 41"),
@@ -41,13 +42,16 @@ def test_there_is_nothing_to_say_about_usual_teeth() -> None:
     ):
         assert not found(of(text)), text
     assert is_assembled(of("planetary sun 17 ring 64 planet 23"))  # of any number of planets
-
-
-def test_no_doubt_is_an_error_and_elements_count_from_1() -> None:
     bad = of("planetary/3 sun 10 ring 97 planet 12")
     doubtful = found(of("gear_pair first 20 second 41"), bad)
     assert {problem.path[:2] for problem in doubtful} == {("elements", 2)}
     assert {problem.severity for problem in doubtful} == {"warning", "note"}
+
+
+def test_a_case_of_ten_elements_is_checked_at_once() -> None:
+    start = time.process_time()
+    found(*[of("planetary/3 sun 48 ring 97 planet 24")] * 10)
+    assert time.process_time() - start < 2  # some 40 ms; much more on a busy machine
 
 
 @RANDOM
@@ -60,13 +64,6 @@ def test_any_teeth_without_errors_can_be_doubted(data: st.DataObject, planets: i
     one = element(kind, planets, **{name: data.draw(st.integers(1, 60)) for name in names})
     assume(not [*problems(Drawing(9, [one]))])
     assert all(problem.severity in ("warning", "note") for problem in found(one))
-
-
-def test_a_case_of_ten_elements_is_checked_at_once() -> None:
-    one = of("planetary/3 sun 48 ring 97 planet 24")
-    start = time.process_time()
-    found(*[one] * 10)
-    assert time.process_time() - start < 2  # some 40 ms; much more on a busy machine
 
 
 @st.composite
@@ -217,7 +214,7 @@ def test_meshed_planets_touch_where_their_tip_circles_meet(one: Element, planets
     assert bool(said) == touching(one, planets)
 
 
-def test_few_teeth_are_undercut() -> None:
+def test_few_teeth_are_undercut_and_a_chain_wants_more() -> None:
     for teeth, severity in ((13, ["note"]), (14, ["note"]), (16, ["note"]), (17, [])):
         for text in (
             f"gear_pair first 41 second {teeth}",
@@ -229,6 +226,8 @@ def test_few_teeth_are_undercut() -> None:
             f"idler first {teeth} second 41",
         ):
             assert [one.severity for one in told(of(text), "undercut")] == severity
+    [chain] = found(of("chain first 16 second 40"))
+    assert (chain.severity, chain.path) == ("note", ("elements", 1, "teeth", "first"))
 
 
 def test_tips_interfere_in_a_ring_that_is_hardly_larger() -> None:
@@ -267,11 +266,6 @@ def test_common_divisors_of_an_element_are_told_together() -> None:
         assert said in problem.message
     for text in ("planetary/3 sun 49 ring 95 planet 23", "planetary sun 48 ring 96 planet 24"):
         assert not told(of(text), "common divisor")
-
-
-def test_a_chain_wants_more_teeth() -> None:
-    [problem] = found(of("chain first 16 second 40"))
-    assert (problem.severity, problem.path) == ("note", ("elements", 1, "teeth", "first"))
 
 
 def test_nearby_teeth_are_told_with_their_ratio() -> None:

@@ -200,6 +200,6 @@ def chain(count: int, into: Transmission | None = None) -> Transmission:
 def random_case(seed: int, largest: int = 6) -> tuple[Transmission, Floats, Floats | None]:
     random, rng = seeded(seed), generator(seed)
     case = random_train(random) if seed % 2 else large_train(random, largest)
-    count = random.choice((2, 5, 6, 20, 60))
+    count = random.choice((1, 2, 4, 5, 6, 9, 20, 60))
     u = ratios(rng, case, count, random.choice(KINDS))
     return case, u, efficiencies(rng, case, count, random.choice(LOSSES))

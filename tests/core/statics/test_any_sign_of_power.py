@@ -48,10 +48,8 @@ def test_all_quadrants_with_drag_are_those_of_exact_fractions(seeds: range) -> N
         for speed, torque in product((1500.0, -1500.0), (80.0, -80.0)):
             told = base.replace(coast=speed * torque < 0)
             checked(told)
-            by_load, by_flag = (
-                solve(base.replace(load=Load(speed, torque), coast=None)),
-                solve(told),
-            )
+            by_load = solve(base.replace(load=Load(speed, torque), coast=None))
+            by_flag = solve(told)
             for name in ("lossy_torques", "efficiency", "drag_losses", "locked", "dragged"):
                 found, expected = getattr(by_load, name), getattr(by_flag, name)
                 np.testing.assert_allclose(found, expected, rtol=1e-12, atol=1e-12)

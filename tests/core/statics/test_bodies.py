@@ -5,10 +5,15 @@ from vstatics import Gear, Mechanism, Transmission, solve
 from vstatics.core.statics.bodies import held_as_one
 
 
-def test_a_set_that_clutches_hold_as_one_piece_is_idle_without_a_word() -> None:
+def test_a_set_that_clutches_hold_as_one_piece_is_idle() -> None:
+    """Clutched sets are, whatever their efficiency; an axle whose wheels turn alike is not."""
     results = solve(train([(1, 2)], Gear([1])))
     assert results.idle.all()
     assert ([*results.efficiency], texts(results)) == ([1], [])
+    direct = train([(1, 2)], Gear([1]))
+    assert held_as_one(direct, direct.gears[0]) == {0}
+    straight = train([], Gear(speeds={2: 1.0}))
+    assert held_as_one(straight, straight.gears[0]) == set()
 
 
 def test_links_that_turn_alike_are_one_body() -> None:
@@ -26,14 +31,6 @@ def test_links_that_turn_alike_are_one_body() -> None:
         case = train(elements, gear)
         assert solve(case).gear(1).bodies == by_speeds
         assert case.bodies(case.gears[0]) == by_elements
-
-
-def test_what_losses_cannot_move_is_held_as_one() -> None:
-    """Clutched sets are, whatever their efficiency; an axle whose wheels turn alike is not."""
-    direct = train([(1, 2)], Gear([1]))
-    assert held_as_one(direct, direct.gears[0]) == {0}
-    straight = train([], Gear(speeds={2: 1.0}))
-    assert held_as_one(straight, straight.gears[0]) == set()
 
 
 def test_sets_of_two_ratios_on_the_same_links_are_held_as_one_and_of_one_ratio_are_not() -> None:

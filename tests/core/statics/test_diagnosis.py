@@ -88,9 +88,7 @@ def test_the_torque_that_is_proposed_for_a_further_output_takes_power() -> None:
     """As power enters by the input, or, coasting, by the other output: that gives more then."""
     for ratio, speed, coast in product((2.0, -2.0), (1000.0, -1000.0), (False, True)):
         pairs, load = [Mechanism(1, 2, 0, -3.0), Mechanism(1, 3, 0, ratio)], Load(speed, 100.0)
-        case = Transmission(
-            3, [], pairs, [Gear()], output=2, outputs=[2, 3], load=load, coast=coast
-        )
+        case = Transmission(3, [], pairs, [Gear()], outputs=[2, 3], load=load, coast=coast)
         results = solve(case)
         taken = solve(case.replace(gears=[Gear(torques={3: float(proposed(results))})]))
         assert not any("takes no torque" in text for text in texts(taken))

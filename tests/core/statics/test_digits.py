@@ -14,6 +14,7 @@ from tests.oracle import linear, losses, systems
 from tests.trains import random_train, shown
 from vstatics import Gear, Mechanism, Results, ShiftElement, Transmission, solve
 
+Floats = Sequence[float]
 SINGULAR = "with slightly different ratios there would be no unique solution"
 SHOWS = f"{SINGULAR}, so rounding errors show: "
 EXACT = "; give exact ratios, for example by teeth"
@@ -51,12 +52,8 @@ def test_a_speed_that_is_1_is_1() -> None:
 def test_the_rounding_of_a_ratio_counts_too() -> None:
     """Its last digit is 2.2e-16; the output turns at u/(u - 1), so 1e-12 leaves four digits."""
     four = ["only 4 digits of the speed of 3 and the torque of the output are certain"]
-    for near, expected in (
-        (1e-8, []),
-        (1e-5, []),
-        (1e-12, four),
-        (1e-15, ["only 1 digit of the sp"]),
-    ):
+    one_digit = ["only 1 digit of the sp"]
+    for near, expected in ((1e-8, []), (1e-5, []), (1e-12, four), (1e-15, one_digit)):
         sets = [Mechanism(1, 2, 3, 1 + near)]
         told = said(solve(Transmission(3, [ShiftElement(2)], sets, [Gear([1])])))
         assert [text[: len(one)] for text, one in zip(told, expected, strict=True)] == expected
@@ -92,22 +89,16 @@ def as_doubles(monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setattr(module, "exact", Fraction)
 
 
-def nearly_singular(
-    seed: int, ratios: Sequence[float], share: Sequence[float], most: int
-) -> Transmission:
+def nearly_singular(seed: int, ratios: Floats, share: Floats, most: int) -> Transmission:
     """A random train of two to six mechanisms, most of nearly one ratio; even seeds lose nothing."""
     rng = seeded(seed)
     case = random_train(rng, regular=True)
     ratio, near = rng.choice(ratios), 10.0 ** -rng.randint(6, most)
-    mechanisms = [
-        one._replace(
-            ratio=ratio * (1 + near * rng.choice(share))
-            if one.third and rng.random() < 0.85
-            else one.ratio,
-            efficiency=one.efficiency if seed % 2 else 1.0,
-        )
-        for one in case.mechanisms
-    ]
+    mechanisms = []
+    for one in case.mechanisms:
+        is_near = one.third and rng.random() < 0.85
+        u = ratio * (1 + near * rng.choice(share)) if is_near else one.ratio
+        mechanisms.append(one._replace(ratio=u, efficiency=one.efficiency if seed % 2 else 1.0))
     return replace(case, mechanisms=mechanisms)
 
 

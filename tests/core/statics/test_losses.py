@@ -5,10 +5,7 @@ from itertools import product
 import pytest
 
 from tests.core.statics.batches import chain
-from tests.core.statics.differential import train
 from vstatics import Gear, Mechanism, Transmission, solve
-from vstatics.core.numerics.traced import plain
-from vstatics.core.statics.losses import torques_for_signs
 
 
 def test_losses_of_mechanisms_in_series_multiply() -> None:
@@ -31,12 +28,3 @@ def test_a_stage_is_measured_by_its_own_links() -> None:
         assert not results.idle.any()
         assert list(results.power_sign[0]) == [1, 1]
         assert not results.messages
-
-
-def test_wrong_signs_make_power_out_of_nothing() -> None:
-    """With x = -1 the set would lose 2/3 (1 - 1/eta), which is below 0: not admissible."""
-    ideal = solve(train([(2, 0)], Gear([1]))).gear(1).ideal
-    right, wrong = torques_for_signs(ideal, (1.0,)), torques_for_signs(ideal, (-1.0,))
-    assert right.admissible
-    assert not wrong.admissible
-    assert plain(wrong.losses[0]) == pytest.approx(2 / 3 * (1 - 1 / 0.97))

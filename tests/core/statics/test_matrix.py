@@ -49,15 +49,15 @@ def test_the_housing_has_no_row_and_takes_what_is_left() -> None:
 
 
 def test_a_ratio_for_each_mechanism_is_asked_for() -> None:
+    """Numbers that are not given are those of the case.
+
+    docs/method.md: 1 on the first link, -u on the second; the housing has no row.
+    """
     case = train([(2, 0)], Gear([1]))
     columns = distribution_matrix(case, np.array([[-2.0], [-3.0]]))[:, :, 1]
     assert columns.tolist() == [[1, 2, -3], [1, 3, -4]]
     with pytest.raises(ValueError, match="expected a last axis of 1"):
         distribution_matrix(case, [[-2.0, 1.0]])
-
-
-def test_numbers_that_are_not_given_are_those_of_the_case() -> None:
-    """docs/method.md: 1 on the first link, -u on the second; the housing has no row."""
     pair = Transmission(2, [], [Mechanism(1, 2, 0, -4.0, 0.98)], [Gear()])
     assert variant_of(pair).efficiencies[0].forward == 0.98
     for given, ratio in ((None, -4.0), ([2.5], 2.5)):

@@ -12,17 +12,8 @@ import numpy as np
 import pytest
 
 from tests.commands import CASES
-from vstatics import (
-    CaseError,
-    Gear,
-    Load,
-    Mechanism,
-    ShiftElement,
-    Transmission,
-    flows,
-    load,
-    solve,
-)
+from vstatics import CaseError, Gear, Load, Mechanism, ShiftElement, Transmission, load, solve
+from vstatics.core.flow.power import flows
 from vstatics.core.statics.physical import known_units, lacking_load, scales
 from vstatics.core.tables.quantities import ASKED, WITH_UNITS
 
@@ -105,7 +96,7 @@ def test_ports_have_the_power_that_the_flow_tells(file: Path) -> None:
                 assert sorted(found) == pytest.approx(sorted(both), rel=1e-9, abs=1e-9)
 
 
-def test_an_array_that_the_operating_point_does_not_determine_is_refused() -> None:
+def test_what_the_operating_point_does_not_determine_is_refused_or_nan() -> None:
     results = solve(replace(LOW, load=None))
     with pytest.raises(CaseError, match=r"the case gives no speed at the input, so .*speeds_rpm"):
         _ = results.speeds_rpm
@@ -116,9 +107,6 @@ def test_an_array_that_the_operating_point_does_not_determine_is_refused() -> No
     assert known_units(case) == {"Nm"}
     said = lacking_load("losses_kW", "kW")
     assert said.endswith("give `load: {speed: 2000 rpm, torque: 300 N*m}`")
-
-
-def test_what_no_load_or_an_overflow_leaves_open_does_not_exist() -> None:
     own = solve(replace(SET, load=None))  # only the second gear has a load
     assert np.isnan(own.speeds_rpm[0]).all()
     assert own.speeds_rpm[1] == pytest.approx([1000] * 3)

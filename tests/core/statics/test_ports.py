@@ -34,9 +34,8 @@ def test_the_wheels_of_a_car_on_a_curve() -> None:
 
 def test_a_brake_has_no_power_and_a_motor_adds_its_own() -> None:
     """The ring stands: carrier at 1/3; a torque of .5 on it from outside drives, 1/6."""
-    case = Transmission(
-        4, [], [SET, Mechanism(3, 4, 0, 1.0)], [Gear(speeds={2: 0.0}, torques={3: 0.5})]
-    )
+    gear = Gear(speeds={2: 0.0}, torques={3: 0.5})
+    case = Transmission(4, [], [SET, Mechanism(3, 4, 0, 1.0)], [gear])
     by_link = {one.link: one for one in ports(solve(case).gear(1)).ports}
     assert [*by_link] == [1, 4, 2, 3]
     assert (by_link[2].way, by_link[2].power) == ("", 0)
@@ -44,9 +43,7 @@ def test_a_brake_has_no_power_and_a_motor_adds_its_own() -> None:
     assert by_link[3].power == pytest.approx(1 / 6)
     # with losses: the sun gives -u eta = 1.92 to the ring, 2.92 to the carrier
     assert by_link[4].torque == pytest.approx(2.92 + 0.5)
-
-
-def test_torques_that_statics_leaves_open_have_no_power() -> None:
+    # torques that statics leaves open have no power
     found = ports(solve(Transmission(3, [], [SET], [Gear()])).gear(1))
     assert math.isnan(found.ports[1].power)
     assert found.ports[1].way == ""

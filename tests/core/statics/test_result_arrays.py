@@ -56,9 +56,7 @@ def test_wheels_of_a_group_keep_their_rows_whatever_their_links_are_called() -> 
         found = shown(GROUP.format(name=name))["torques"]
         assert list(found.rows) == ["B", "g.in", row, "g.carrier", "Mx"]
         assert found.values[1:4, 0] == pytest.approx([1, 2, -3])
-
-
-def test_two_wheels_of_the_housing_on_one_rim_have_names_of_their_own() -> None:
+    # two wheels of the housing on one rim have names of their own
     text = """
 links: [C, out]
 input: C

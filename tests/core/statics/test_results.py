@@ -21,9 +21,8 @@ def test_results_are_for_the_case_given_and_speak_of_nothing() -> None:
 
 def test_results_are_equal_where_case_numbers_and_loads_are() -> None:
     """A neutral has NaN, which is no difference; two loads differ by what is in N*m alone."""
-    case = train([(2, 0)], Gear([1])).replace(
-        gears=[Gear([1]), Gear(name="N")], load=Load(2000, 300)
-    )
+    gears = [Gear([1]), Gear(name="N")]
+    case = train([(2, 0)], gears[0]).replace(gears=gears, load=Load(2000, 300))
     assert solve(case) == solve(case) == pickle.loads(pickle.dumps(solve(case)))  # noqa: S301
     assert solve(case) != solve(case.replace(load=Load(2000, 200)))
     varied = [solve(case, vary={"load.torque": [100, second]}) for second in (200, 200, 300)]

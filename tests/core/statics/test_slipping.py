@@ -60,10 +60,7 @@ def test_a_warning_says_which_sign_of_slip_is_possible() -> None:
         side = "below" if slip > 0 else "above"
         said = [message.text.rpartition("only a ")[2] for message in results.messages]
         assert said == ([] if loses else [f"slip {side} 0 is possible"])
-
-
-def test_a_warning_about_a_slip_in_rpm_says_its_sign_in_rpm() -> None:
-    """From -2000 rpm, the driven shaft is slower with a slip below 0."""
+    # from -2000 rpm, the driven shaft is slower with a slip below 0
     text = """
     links: [a, b, out]
     mechanisms: {M: {first: b, second: out, ratio: 2}}
@@ -71,9 +68,9 @@ def test_a_warning_about_a_slip_in_rpm_says_its_sign_in_rpm() -> None:
     gears: {"1": {slip: {C: -100 rpm}}, "2": {slip: {C: 100 rpm}}}
     load: {speed: -2000 rpm, torque: -50 N*m}
     """
-    [said] = solve(loads(text)).messages
-    assert said.gear == "2"
-    assert said.text.endswith("; only a slip below 0 is possible")
+    [warning] = solve(loads(text)).messages
+    assert warning.gear == "2"
+    assert warning.text.endswith("; only a slip below 0 is possible")
 
 
 class ByHand(NamedTuple):
@@ -139,9 +136,8 @@ def check_flow(results: Results, lost: Mapping[int, float]) -> None:
     """The flow and the table of ports have the same losses, in real direction, and balances."""
     [flow], turn = flows(results), -1 if results.case.coast else 1
     assert flow.lossy is not None
-    of_flow = {
-        node.number: loss for node, loss in flow.lossy.losses.items() if node.kind == "element"
-    }
+    losses = flow.lossy.losses.items()
+    of_flow = {node.number: loss for node, loss in losses if node.kind == "element"}
     assert of_flow == pytest.approx({n: turn * loss for n, loss in lost.items()}, abs=1e-12)
     assert flow.lossy.balance == pytest.approx(0, abs=1e-9)
     names = {f"slip.{results.case.shift_elements[n - 1].name}": n for n in lost}
@@ -268,19 +264,16 @@ def test_slips_that_cannot_be_are_refused_at_their_places() -> None:
     text = TROLL.format(slip="{C1: 300 rpm}").replace("speed: 1500 rpm, ", "")
     with pytest.raises(ReadError, match="read 300 rpm, but there is no input speed to relate it"):
         loads(text)
+    for number, wrong, words in ((3, 0.1, "expected the number of a"), (1, math.inf, "read inf")):
+        with pytest.raises(CaseError, match=words) as caught:
+            two_shafts(0.1).replace(gears=[Gear(slip={number: wrong})])
+        assert caught.value.problems[0].path == ("gears", 1, "slip", number)
 
 
 def test_a_slip_and_an_equal_speed_are_both_named_as_redundant() -> None:
     case = two_shafts(0.2).replace(gears=[Gear(slip={1: 0.2}, speeds={2: 0.8})])
     said = str(solve(case).messages[0])
     assert "C, the input speed and the given speed of link 2 impose the same constraint" in said
-
-
-def test_wrong_slips_in_python_are_located() -> None:
-    for number, slip, said in ((3, 0.1, "expected the number of a"), (1, math.inf, "read inf")):
-        with pytest.raises(CaseError, match=said) as caught:
-            two_shafts(0.1).replace(gears=[Gear(slip={number: slip})])
-        assert caught.value.problems[0].path == ("gears", 1, "slip", number)
 
 
 DRAGGED = """\
@@ -294,9 +287,7 @@ gears: {{creep: {{slip: {{C: {slip} rad/s}}}}}}
 
 
 @examples(20, 60, 600)
-def test_torques_with_losses_exist_even_if_the_clutch_would_drive_without_losses(
-    examples: int,
-) -> None:
+def test_torques_exist_even_if_a_clutch_would_drive_without_losses(examples: int) -> None:
     """Link by link: the clutch carries the torque of the engine less the drag before the clutch."""
     rng, kinds = seeded(57), set()
     for _ in range(examples):
@@ -311,10 +302,8 @@ def test_torques_with_losses_exist_even_if_the_clutch_would_drive_without_losses
         results = solve(loads(text), vary={"gears.creep.slip.C": slips})
         expected = np.transpose([np.full(3, clutch), pair, out])
         expected[~loses] = math.nan
-        assert results.lossy_torques_Nm[:, 0] == pytest.approx(expected, abs=1e-9, nan_ok=True), (
-            text
-        )
-        alone = solve(loads(text)).lossy_torques_Nm[0]
+        found, alone = results.lossy_torques_Nm[:, 0], solve(loads(text)).lossy_torques_Nm[0]
+        assert found == pytest.approx(expected, abs=1e-9, nan_ok=True), text
         assert alone == pytest.approx(expected[0], abs=1e-9, nan_ok=True)
         kinds |= {*zip(loses.tolist(), (torque * slips >= 0).tolist(), strict=True)}
     assert len(kinds) == 4

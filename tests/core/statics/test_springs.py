@@ -9,18 +9,10 @@ from hypothesis import strategies as st
 
 from tests.chance import count, seeded
 from tests.trains import on_springs, random_train, trains
-from vstatics import (
-    Gear,
-    Mechanism,
-    Results,
-    ShiftElement,
-    Spring,
-    Transmission,
-    distribution_matrix,
-    solve,
-)
+from vstatics import Gear, Mechanism, Results, ShiftElement, Spring, Transmission, solve
 from vstatics.core.model.springs import between
 from vstatics.core.numerics.arrays import Floats
+from vstatics.core.statics.solve import distribution_matrix
 
 SHAFT = Transmission(
     4,
@@ -92,7 +84,8 @@ def test_the_matrix_has_a_column_for_each_spring_behind_the_mechanisms() -> None
     assert distribution_matrix(SHAFT).T.tolist() == columns
 
 
-def test_two_springs_between_the_same_links_share_a_torque_that_is_not_known() -> None:
+def test_springs_in_excess_are_named() -> None:
+    """Two between the same links share an unknown torque; one to the housing ties the gear up."""
     twins = [*SHAFT.springs, SHAFT.springs[0]._replace(name="other")]
     results = solve(replace(SHAFT, springs=twins))
     assert results.ratio == pytest.approx([3.5, 1])
@@ -100,9 +93,6 @@ def test_two_springs_between_the_same_links_share_a_torque_that_is_not_known() -
     assert np.isnan(results.torques[:, 3:5]).all()
     said = "shaft and other impose the same constraint on the speeds; the torque of shaft and other"
     assert said in str(results.messages[0])
-
-
-def test_a_spring_that_ties_a_gear_up_is_named() -> None:
     mount = Spring(between(1), stiffness=3, name="mount")
     results = solve(replace(SHAFT, springs=[*SHAFT.springs, mount]))
     assert results.tied_up.all()

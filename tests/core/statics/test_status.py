@@ -45,10 +45,7 @@ def test_a_sound_gear_has_none_but_where_a_search_was_cut_short() -> None:
     assert results.status(1) == results.gear(1).status == OK
     assert statuses(**SOUND) == []
     assert statuses(**SOUND | {"undecided": True}) == [UNDECIDED]
-
-
-def test_what_explains_the_others_comes_first() -> None:
-    """What is tied up turns nothing, balances nothing."""
+    # what explains the others comes first: what is tied up turns nothing, balances nothing
     marks = SOUND | {"tied_up": True, "output_speed": math.nan, "balanced": False}
     assert [one.name for one in statuses(**marks)] == ["tied up", "open", "no torques"]
 

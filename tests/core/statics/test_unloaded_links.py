@@ -76,10 +76,8 @@ shift_elements: {F1: {kind: freewheel, links: [engine, input]}}
 gears: {drive: [], coast: {coast: true}}
 """
     advice = "if the links of F1 are in the wrong order, write [input, engine]: then the gear can"
-    for case, advised in (
-        (text, ["drive"]),
-        (text.replace("[engine, input]}", "[input, engine]}"), []),
-    ):
+    turned = text.replace("[engine, input]}", "[input, engine]}")
+    for case, advised in ((text, ["drive"]), (turned, [])):
         messages = solve(loads(case)).messages
         assert [one.gear for one in messages if advice in one.text] == advised
 

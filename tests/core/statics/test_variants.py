@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import vstatics
-from tests.chance import count, generator, ranges_with_slow, seeded
+from tests.chance import generator, ranges_with_slow, seeded
 from tests.commands import CASES
 from tests.core.statics.batches import (
     ARRAYS,
@@ -81,15 +81,6 @@ def test_random_trains(seeds: range) -> None:
         case, u, eta = random_case(seed, largest)
         tried = generator(seed).permutation(len(u))[:most]
         assert not disagreements(case, u, eta, tried.tolist()), seed
-
-
-def test_few_variants() -> None:
-    case, _, _ = random_case(5)
-    rng = generator(4)
-    for number in (1, 2, 4, 5, 6, 9):
-        for _ in range(count(3, 8)):
-            u = ratios(rng, case, number, "ordinary")
-            assert not disagreements(case, u, efficiencies(rng, case, number, "any"), [0])
 
 
 @ranges_with_slow(2, 12, 60)

@@ -92,6 +92,7 @@ utf-16:1:1: UTF-16 ... save it as UTF-8
 binary:1:1: binary ... UTF-8
 half-a-character:1:3: byte 0xD0 is not UTF-8
 """
+NO_FAULT = (BAD_FILES / "no-fault.dat").read_text("utf-8")
 TABLE = dict(line.split(":", 1) for line in FAULTS.replace("\n    ", " ").strip().splitlines())
 
 
@@ -112,37 +113,30 @@ def test_each_fault_is_reported_alone_with_its_place_and_words() -> None:
 
 @pytest.mark.parametrize(("field", "counts"), [("KFRI", "2 1"), ("KWZ", "0 1")])
 def test_too_many_counts_are_the_only_fault(field: str, counts: str) -> None:
-    text = (BAD_FILES / "no-fault.dat").read_text("utf-8")
-    more = text.replace(f"{field}(I),I=1,NP: {counts}", f"{field}(I),I=1,NP: 1 {counts}")
+    more = NO_FAULT.replace(f"{field}(I),I=1,NP: {counts}", f"{field}(I),I=1,NP: 1 {counts}")
     with pytest.raises(ReadError) as raised:
         deck.read(more.encode(), "counts.dat")
     [problem] = raised.value.problems
     assert problem.message == f"{field}: read 3 values, expected 2 (NP)"
-    assert deck.read(text.encode(), "no-fault.dat").warnings == []
+    assert deck.read(NO_FAULT.encode(), "no-fault.dat").warnings == []
 
 
-@pytest.mark.parametrize(
-    ("line", "word"),
-    [
-        ("MODE= 2", "read `MODE`, expected the name of a field; the line is ignored"),
-        ("IDEL = 1", "did you mean `IDLE`?"),
-        ("INQ(I),I=1,NP: 1 1", "did you mean `INP`?"),
-        ("Where n = 3", ""),
-        ("Number of gears (NP=3):", ""),
-    ],
-)
-def test_a_line_that_is_a_field_except_for_its_name_is_a_warning(line: str, word: str) -> None:
-    text = (BAD_FILES / "no-fault.dat").read_text("utf-8")
-    warnings = deck.read(f"{text}\n{line}\n".encode(), "case.dat").warnings
-    place = f"case.dat:{len(text.splitlines()) + 2}:1: "
-    assert [str(each).startswith(place) and word in str(each) for each in warnings] == [
-        True
-    ] * bool(word)
+def test_a_line_that_is_a_field_except_for_its_name_is_a_warning() -> None:
+    place = f"case.dat:{len(NO_FAULT.splitlines()) + 2}:1: "
+    for line, words in (
+        ("MODE= 2", ["read `MODE`, expected the name of a field; the line is ignored"]),
+        ("IDEL = 1", ["did you mean `IDLE`?"]),
+        ("INQ(I),I=1,NP: 1 1", ["did you mean `INP`?"]),
+        ("Where n = 3", []),
+        ("Number of gears (NP=3):", []),
+    ):
+        warnings = deck.read(f"{NO_FAULT}\n{line}\n".encode(), "case.dat").warnings
+        for told, word in zip(map(str, warnings), words, strict=True):
+            assert (told.startswith(place), word in told) == (True, True), line
 
 
 def test_missing_gears_are_reported_before_later_fields_of_the_same_place() -> None:
-    text = (BAD_FILES / "no-fault.dat").read_text("utf-8")
-    text = text[: text.index("KFRI")] + "IDLE="
+    text = NO_FAULT[: NO_FAULT.index("KFRI")] + "IDLE="
     with pytest.raises(ReadError) as raised:
         deck.read(text.encode(), "cut.dat")
     messages = [p.message for p in raised.value.problems if p.severity == "error"]

@@ -113,13 +113,9 @@ def test_own_fields() -> None:
 
 
 def test_what_may_be_left_out() -> None:
-    text = (
-        "KJG=2\nKL=0\nKG=1\nNZD(I,1): 1\nNZD(I,2)= 2\nNZD(I,3): 0\nIAB= -2\nETAI= 1\n"
-        "NP= 1\nKFRI= 0\nKWZ= 0\nKMZ= 0\n"
-    )
-    gears = [Gear()]
-    expected = Transmission(2, [], [Mechanism(1, 2, 0, -2.0)], gears, idle="published")
-    assert case_of(text) == expected
+    text = "KJG=2\nKL=0\nKG=1\nNZD(I,1): 1\nNZD(I,2)= 2\nNZD(I,3): 0\nIAB= -2\nETAI= 1\n"
+    pair = Transmission(2, [], [Mechanism(1, 2, 0, -2.0)], [Gear()], idle="published")
+    assert case_of(f"{text}NP= 1\nKFRI= 0\nKWZ= 0\nKMZ= 0\n") == pair
 
 
 def test_missing_kwz_and_kmz_are_warned_of_at_the_end() -> None:
@@ -135,10 +131,8 @@ def test_missing_kwz_and_kmz_are_warned_of_at_the_end() -> None:
 
 def test_results_end_the_input() -> None:
     """Another case behind them is an error."""
-    tables = (
-        "\nResults\n(AJK(I,J),J=1,KL+KG),I=1,KJG:\n.000 1.000\nNP= 3\n"
-        "NZF(I,1),I=1,KL: 9\nW(I,J): ***\n"
-    )
+    tables = "\nResults\n(AJK(I,J),J=1,KL+KG),I=1,KJG:\n.000 1.000\nNP= 3\n"
+    tables += "NZF(I,1),I=1,KL: 9\nW(I,J): ***\n"
     assert case_of(PUBLISHED.decode() + tables) == MZKT7922
     text = published("Число передач:", "W (угловые скорости), ETA (КПД):\nW = 3")
     assert case_of(text) == MZKT7922
@@ -188,9 +182,8 @@ def test_locate_gives_problems_of_the_model_their_place() -> None:
 
 
 def test_text_of_decks() -> None:
-    assert [head(line) for line in ("(NFRI(K,I)", "  WSAT(K,I)", "KJG - links", "IAB")] == [
-        *("NFRI", "WSAT", "", ""),
-    ]
+    lines = ("(NFRI(K,I)", "  WSAT(K,I)", "KJG - links", "IAB")
+    assert [head(line) for line in lines] == ["NFRI", "WSAT", "", ""]
     assert holds_deck(PUBLISHED)
     assert not holds_deck(b"links: 6\noutput: 3\n")
     assert not holds_deck(b"\0")

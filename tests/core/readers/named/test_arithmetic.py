@@ -88,11 +88,11 @@ def test_any_text_is_evaluated_in_bounded_time(text: str) -> None:
     assert time.process_time() - begin < 0.5
 
 
-@pytest.mark.parametrize("unit", ["9**9**9**9", "10**10**10", "9^9^9^9", "*9" * 400, "/9e-9" * 150])
-def test_there_are_no_powers_and_long_chains_end(unit: str) -> None:
+def test_there_are_no_powers_and_long_chains_end() -> None:
     begin = time.process_time()
-    try:
-        assert math.isfinite(calculated("1" + unit).value)
-    except ValueError as error:
-        assert "expected a smaller number" in str(error)  # noqa: PT017
-    assert time.process_time() - begin < 0.5
+    for text in ("19**9**9**9", "110**10**10", "19^9^9^9", "1" + "*9" * 300):
+        assert math.isfinite(calculated(text).value)
+    for text in ("1" + "*9" * 400, "1" + "/9e-9" * 150):
+        with rejects(ValueError, "expected a smaller number"):
+            calculated(text)
+    assert time.process_time() - begin < 2.5

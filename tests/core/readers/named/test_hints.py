@@ -4,7 +4,6 @@ import pytest
 
 from vstatics.core.errors import ReadError
 from vstatics.core.readers import read
-from vstatics.core.readers.reading import Reading
 
 CASE = """\
 input: s
@@ -49,21 +48,18 @@ def test_a_ratio_instead_of_teeth_gets_advice() -> None:
 
 
 def warnings(text: str) -> list[str]:
-    reading: Reading = read(text.encode(), "case.yaml")
-    return [problem.message for problem in reading.warnings if problem.id == "W102"]
+    found = read(text.encode(), "case.yaml").warnings
+    return [problem.message for problem in found if problem.id == "W102"]
 
 
 def test_a_link_named_ground_gets_a_hint_to_the_housing() -> None:
     once = CASE.replace("housing", "ground")
-    hint = "; write `housing` for a part that never turns"
-    assert warnings(once) == [
-        f"link `ground` appears only once, so it is connected to nothing{hint}"
-    ]
     twice = once.replace("  C: [r, c]", "  C: [r, c]\n  D: [c, ground]")
-    assert warnings(twice) == [
-        f"link `ground` appears only in shift elements, so nothing holds it{hint}"
-    ]
-    held = twice.replace("teeth: {sun: 30", "planets: 4, teeth: {sun: 30").replace(
-        "shift_elements:", "  S: {kind: held, link: ground}\nshift_elements:"
-    )
-    assert warnings(held) == []
+    held = twice.replace("\nshift_el", "\n  S: {kind: held, link: ground}\nshift_el")
+    for text, words in (
+        (once, ["appears only once, so it is connected to nothing"]),
+        (twice, ["appears only in shift elements, so nothing holds it"]),
+        (held, []),
+    ):
+        hint = "; write `housing` for a part that never turns"
+        assert warnings(text) == [f"link `ground` {told}{hint}" for told in words]

@@ -54,9 +54,9 @@ def test_a_path_that_leads_nowhere_says_where_and_what_is_there() -> None:
         assert path[caught.value.at :].startswith(marked)
 
 
-@pytest.mark.parametrize("keys", [("a", "1"), ("F.1",), ("F 1", 'say "so"'), ("вал", "a-b")])
-def test_a_written_path_is_split_into_the_same_parts(keys: tuple[str, ...]) -> None:
-    assert tuple(part.name for part in split(written(keys))) == keys
+def test_a_written_path_is_split_into_the_same_parts() -> None:
+    for keys in (("a", "1"), ("F.1",), ("F 1", 'say "so"'), ("вал", "a-b")):
+        assert tuple(part.name for part in split(written(keys))) == keys
 
 
 def test_only_the_value_of_the_path_is_replaced() -> None:
@@ -81,7 +81,7 @@ def test_what_is_no_number_says_what_it_is() -> None:
             number_of(node)
 
 
-@pytest.mark.parametrize("value", [0.0, -3.0, 1e-9, 0.1, 2.0**60, 1 / 3])
-def test_a_number_is_written_so_that_it_is_read_again(value: float) -> None:
-    assert float(number_text(value)) == value
+def test_a_number_is_written_so_that_it_is_read_again() -> None:
+    for value in (0.0, -3.0, 1e-9, 0.1, 2.0**60, 1 / 3):
+        assert float(number_text(value)) == value
     assert number_text(42.0) == "42"  # as counts of teeth are written

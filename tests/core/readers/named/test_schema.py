@@ -140,9 +140,7 @@ def test_it_is_a_schema_that_describes_every_key_and_has_the_defaults_of_the_mod
     for record in (schema, mechanism, gear):
         assert all(key["description"] for key in record["properties"].values())
     case = Transmission(2, [], [Mechanism(1, 2, 0, 2)], [Gear()])
-    for model, keys in (
-        (case, schema["properties"]),
-        (case.mechanisms[0], mechanism["properties"]),
-    ):
+    for model, record in ((case, schema), (case.mechanisms[0], mechanism)):
+        keys = record["properties"]
         for name in keys.keys() - {"drag", "speed_ratio", *(key.name for key in DRAWN)}:
             assert keys[name].get("default", getattr(model, name)) == getattr(model, name)

@@ -6,13 +6,15 @@ import math
 import pytest
 
 import vstatics as library
+from tests.core.writers.again import is_read_again
+from vstatics import loads
 from vstatics.core import readers
 from vstatics.core.errors import CaseError, ReadError
 from vstatics.core.model.parts import Damping, Friction
 from vstatics.core.model.springs import Spring
 from vstatics.core.model.transmission import Gear, Mechanism, ShiftElement, Transmission
 from vstatics.core.writers.deck_limits import check_deck
-from vstatics.core.writers.named import mapping, write_json, write_yaml
+from vstatics.core.writers.named import mapping
 
 ISSUE = """
 inertias: {engine: 0.15, disc: 0.0032, casing: 0.4}
@@ -30,16 +32,6 @@ mechanisms:
 PAIR = "links: 2\nmechanisms: {D: {first: 1, second: 2, ratio: 2}}\ngears: {a: {}}\n"
 
 
-def loaded(text: str) -> Transmission:
-    return readers.read(text.encode(), "case.yaml").case
-
-
-def kept(case: Transmission) -> bool:
-    """Whether a case comes back from YAML and from JSON."""
-    from_json = readers.read(write_json(case).encode(), "case.json").case
-    return loaded(write_yaml(case)) == from_json == case
-
-
 def messages(text: str) -> list[str]:
     """Errors of a case that cannot be, warnings of one that can."""
     try:
@@ -49,7 +41,7 @@ def messages(text: str) -> list[str]:
 
 
 def test_every_key() -> None:
-    case = loaded(ISSUE)
+    case = loads(ISSUE)
     assert case == Transmission(
         links=6,
         link_names=["engine", "disc", "wheel", "vehicle", "casing", "pinion"],
@@ -78,7 +70,7 @@ def test_every_key() -> None:
 
 def test_links_are_gathered_in_the_order_in_which_devices_name_them() -> None:
     """Or they are listed, or counted."""
-    case = loaded("""
+    case = loads("""
 inertias: {vehicle: 3, wheel: 1.5, engine: 0.15}
 springs:
   damper: {links: [engine, wheel], compliance: 84e-5}
@@ -88,58 +80,58 @@ springs:
     assert (case.input, case.output) == (1, 3)
     assert case.inertias == {3: 3.0, 2: 1.5, 1: 0.15}
     springs = "springs: {s: {links: [2, 1], stiffness: 3}}\n"
-    assert list(loaded("links: [2, 1]\n" + springs).link_names) == ["2", "1"]
-    assert loaded("links: 2\n" + springs).springs[0].form == {2: 1.0, 1: -1.0}
+    assert list(loads("links: [2, 1]\n" + springs).link_names) == ["2", "1"]
+    assert loads("links: 2\n" + springs).springs[0].form == {2: 1.0, 1: -1.0}
 
 
 def test_bodies_alone_are_a_case() -> None:
-    mass = loaded("inertias: {mass: 2}\nsprings: {s: {links: [mass], stiffness: 8}}")
-    assert (mass.links, mass.input, mass.output, len(mass.gears)) == (1, 1, 1, 1)
-    assert loaded("inertias: {mass: 2}").links == 1
-    assert list(loaded("inertias: {b: 1, a: 2}").link_names) == ["b", "a"]
-    three = loaded("links: [engine, turbine, out]\ninertias: {engine: 1, turbine: 1, out: 9}")
-    assert three.links == 3
-    clutched = loaded("inertias: {engine: 0.3, disc: 0.1}\nshift_elements: {C: [disc, engine]}")
-    assert list(clutched.link_names) == ["disc", "engine"]
-    assert (clutched.mechanisms, clutched.springs, clutched.gears) == ((), (), (Gear(name="1"),))
-    assert kept(mass)
-    assert kept(three)
-    assert kept(clutched)
+    """The links are gathered from springs and shift elements first; the case has one gear."""
+    clutch = "inertias: {engine: 0.3, disc: 0.1}\nshift_elements: {C: [disc, engine]}"
+    for text, links in (
+        ("inertias: {mass: 2}\nsprings: {s: {links: [mass], stiffness: 8}}", ["mass"]),
+        ("inertias: {mass: 2}", ["mass"]),
+        ("inertias: {b: 1, a: 2}", ["b", "a"]),
+        ("links: [c, b, a]\ninertias: {a: 1, b: 1, c: 9}", ["c", "b", "a"]),
+        (clutch, ["disc", "engine"]),
+    ):
+        case = loads(text)
+        assert (list(case.link_names), case.gears) == (links, (Gear(name="1"),))
+        assert (case.input, case.output) == (1, len(links))
+        assert is_read_again(case)
+    clutched = loads(clutch)
+    assert (clutched.mechanisms, clutched.springs) == ((), ())
     [told] = library.solve(clutched).messages
     assert told.id == "N420"
     assert "link engine turns freely, because the case has no gears" in told.text
 
 
 def test_mechanisms_with_inertias_or_springs_go_without_gears() -> None:
-    case = loaded("""
+    case = loads("""
 inertias: {a: 1, b: 2}
 mechanisms: {M: {first: a, second: b, ratio: 2, stiffness: 9e4}}
 """)
     assert library.solve(case).ratio.tolist() == [2.0]
-    case = loaded("""
+    case = loads("""
 input: engine
 output: axle
+drag: {axle: 0.1}
 inertias: {engine: 0.15}
 elements: {G: {kind: gear_pair, first: shaft, second: axle, teeth: {first: 20, second: 41}}}
 springs: {damper: {links: [engine, shaft], compliance: 84e-5}}
 """)
     assert list(case.link_names) == ["shaft", "axle", "engine"]
     assert library.solve(case).ratio == pytest.approx([-41 / 20])
+    assert [case.gear_drag(gear) for gear in case.gears] == [{2: 0.1}]
 
 
 def test_springs_and_inertias_that_are_none_change_nothing() -> None:
     for nothing in ("springs:", "springs: {}", "springs: {}\ninertias: {}", "inertias: ~"):
-        assert loaded(PAIR + nothing) == loaded(PAIR)
-        assert "springs" not in mapping(loaded(PAIR + nothing))
+        assert loads(PAIR + nothing) == loads(PAIR)
+        assert "springs" not in mapping(loads(PAIR + nothing))
     for nothing in ("springs: {}", "inertias: {}", "inertias:", "inertias: ~"):
         assert messages(nothing) == [
             f"case.yaml:1:1: error: `{key}` is missing [E191]" for key in ("links", "mechanisms")
         ]
-
-
-def test_drag_of_a_case_without_gears_is_that_of_its_gear() -> None:
-    case = loaded("drag: {b: 0.1}\nsprings: {s: {links: [a, b], stiffness: 8}}")
-    assert [case.gear_drag(gear) for gear in case.gears] == [{2: 0.1}]
 
 
 def test_damping_is_viscous_or_of_the_material() -> None:
@@ -151,11 +143,11 @@ def test_damping_is_viscous_or_of_the_material() -> None:
         ("0", Damping()),
         ("{}", Damping()),
     ):
-        case = loaded(f"springs: {{s: {{links: [a, b], stiffness: 8, damping: {written}}}}}")
+        case = loads(f"springs: {{s: {{links: [a, b], stiffness: 8, damping: {written}}}}}")
         assert case.springs[0].damping == damping
-        assert loaded(write_yaml(case)) == case
+        assert is_read_again(case)
         element = f"{{links: [1, 2], stiffness: 1e5, damping: {written}}}"
-        assert loaded(f"shift_elements: {{C: {element}}}\n{PAIR}").shift_elements == (
+        assert loads(f"shift_elements: {{C: {element}}}\n{PAIR}").shift_elements == (
             ShiftElement(1, 2, "C", stiffness=1e5, damping=damping),
         )
 
@@ -194,7 +186,7 @@ springs:
     )
 
 
-def test_a_spring_has_no_name_of_another_row() -> None:
+def test_rows_have_different_names() -> None:
     for other in ("R.small_sun", "R.short", "R.carrier", "R"):
         [told] = [one for one in messages(f"""
 input: a
@@ -206,9 +198,7 @@ springs: {{"{other}": {{links: [a], stiffness: 8}}}}
 """) if ": error: " in one]  # fmt: skip
         place = f"case.yaml:7:11: error: springs.{other}"
         assert told.startswith(f"{place}: `{other}` is also the name of a"), told
-
-
-def test_an_element_has_no_name_of_a_shift_element_where_rows_are_told_by_names_alone() -> None:
+    # where rows are told by names alone, an element has no name of a shift element either
     text = """
 input: a
 output: b
@@ -216,7 +206,7 @@ elements: {G: {kind: gear_pair, first: a, second: b, teeth: {first: 20, second: 
 shift_elements: {G: [a, housing]}
 gears: {x: []}
 """
-    assert loaded(text).devices == ["G", "G"]
+    assert loads(text).devices == ["G", "G"]
     assert messages(text + "inertias: {a: 1}") == [
         "case.yaml:4:12: error: elements.G: `G` is also the name of a shift element, "
         "expected another name [E257]"
@@ -238,7 +228,7 @@ gears: {low: [FH]}
 
 
 def test_friction_and_limits() -> None:
-    case = loaded(FRICTION)
+    case = loads(FRICTION)
     assert [element.static for element in case.shift_elements] == [1.2, 1, 1]
     points = ((0.0, 0.12), (2 * math.pi, 0.1))
     assert [element.friction for element in case.shift_elements] == [
@@ -250,7 +240,7 @@ def test_friction_and_limits() -> None:
     written = mapping(case)
     assert written["shift_elements"]["FB"]["friction"]["coefficient"] == 0.12
     assert written["springs"]["tyre"]["limit"] == 3000
-    assert kept(case)
+    assert is_read_again(case)
     with pytest.raises(CaseError, match=r"the static friction of FH, the friction of FH, FB"):
         check_deck(case)
 
@@ -268,7 +258,7 @@ WRONG_FRICTION = {
 
 
 def test_friction_that_can_not_be_is_refused() -> None:
-    case = loaded(FRICTION)
+    case = loads(FRICTION)
     first, *others = case.shift_elements
     for said, changes in WRONG_FRICTION.items():
         elements = [first._replace(**changes), *others]  # type: ignore[arg-type]

@@ -1,18 +1,30 @@
-"""Units of the trade: their size from the definitions that fix them, and how they are spelled."""
+"""Units of the trade: their size from the definitions that fix them, their spelling, numbers with them."""
 
+import contextlib
 import math
 import re
+import time
 from fractions import Fraction
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.rejects import rejects
 from vstatics.core.model.shape import UNIT_OF, Measure
-from vstatics.core.readers.named.arithmetic import further
+from vstatics.core.readers.named.arithmetic import LONGEST_ARITHMETIC, further
 from vstatics.core.readers.named.scalars import NUMBER
 from vstatics.core.readers.named.si_units import WITH_UNIT, measured
-from vstatics.core.readers.named.units import LONGEST_UNIT, unit, with_article
+from vstatics.core.readers.named.units import (
+    LONGEST_UNIT,
+    QUANTITY,
+    Quantity,
+    WithUnit,
+    quantity,
+    relative,
+    unit,
+    with_article,
+)
 
 ONE, KILO, MEGA, MILLI = Fraction(1), Fraction(1000), Fraction(10**6), Fraction(1, 1000)
 POUND = Fraction("0.45359237")
@@ -62,8 +74,8 @@ POWERS = {
     LBF_FT / 1000: "ft*lbf/s",
 }
 OF_LOADS = [
-    (quantity, size, text)
-    for quantity, table in (("torque", TORQUES), ("speed", SPEEDS), ("power", POWERS))
+    (kind, size, text)
+    for kind, table in (("torque", TORQUES), ("speed", SPEEDS), ("power", POWERS))
     for size, texts in table.items()
     for text in texts.split("|")
 ]
@@ -92,13 +104,7 @@ EXACT: dict[Measure, dict[Fraction, str]] = {
         POUND / 16: "oz",
         GRAVITY: "kgf*s^2/m",
     },
-    "length": {
-        ONE: "m|м|metre",
-        MILLI: "mm|мм",
-        Fraction(1, 100): "cm|см",
-        INCH: "in|inch",
-        FOOT: "ft",
-    },
+    "length": {ONE: "m|м|metre", MILLI: "mm|мм", ONE / 100: "cm|см", INCH: "in|inch", FOOT: "ft"},
     "stiffness": {
         ONE: "N*m/rad|Nm/rad|N m/rad|Н·м/рад|N*m*rad^-1|N*m per rad",
         KILO: "kN*m/rad|kNm/rad|кН*м/рад",
@@ -119,12 +125,7 @@ EXACT: dict[Measure, dict[Fraction, str]] = {
         GRAVITY: "kgf*m*s/rad|кгс*м*с",
         LBF_FT: "lbf*ft*s/rad|lb-ft-s",
     },
-    "area": {
-        ONE: "m^2|m²|м^2|m*m",
-        Fraction(1, 10**4): "cm^2|cm²|см²",
-        1 / MEGA: "mm^2",
-        INCH**2: "in^2",
-    },
+    "area": {ONE: "m^2|m²|м^2|m*m", 100 / MEGA: "cm^2|cm²|см²", 1 / MEGA: "mm^2", INCH**2: "in^2"},
     "pressure": {
         ONE: "Pa|Па|N/m^2|N/m²",
         Fraction(100): "hPa|mbar",
@@ -173,41 +174,39 @@ KNOWN = [
 def test_a_unit_of_a_load_has_its_exact_size_rounded_once() -> None:
     """That of headings and sweeps is the same in SI."""
     assert {text: unit(text) for *_, text in OF_LOADS} == {
-        text: (quantity, float(size)) for quantity, size, text in OF_LOADS
+        text: (kind, float(size)) for kind, size, text in OF_LOADS
     }
     of_si: dict[str, tuple[Measure, float]] = {
         "speed": ("si_speed", math.pi / 30),
         "torque": ("si_torque", 1.0),
     }
-    for quantity, size, text in OF_LOADS:
-        if quantity in of_si:
-            measure, factor = of_si[quantity]
+    for kind, size, text in OF_LOADS:
+        if kind in of_si:
+            measure, factor = of_si[kind]
             expected = pytest.approx(float(size) * factor, rel=1e-15)
             assert measured(f"1 {text}", measure) == expected, text
 
 
 def test_printed_sizes() -> None:
     """NIST Special Publication 811 (2008), appendix B.8; a metric horsepower is 735.49875 W."""
-    assert unit("lbf*ft")[1] == 1.3558179483314004
-    assert unit("hp")[1] == 0.74569987158227022
-    assert unit("PS")[1] == 0.73549875
-    assert unit("lbf*in")[1] == pytest.approx(0.1129848, abs=5e-8)
-    assert unit("ozf*in")[1] == pytest.approx(7.061552e-3, abs=5e-10)
-    assert unit("kgf*m") == ("torque", 9.80665)
+    printed = {"lbf*ft": 1.3558179, "hp": 0.74569987, "PS": 0.73549875, "kgf*m": 9.80665}
+    printed |= {"lbf*in": 0.1129848, "ozf*in": 7.061552e-3}
+    assert {text: unit(text)[1] for text in printed} == pytest.approx(printed, rel=5e-7)
 
 
-def test_units_as_pint_prints_them() -> None:
+def test_units_in_words_as_pint_prints_them() -> None:
     """Names of default_en.txt of pint (see github.com/hgrecco/pint/issues/817 and 1540)."""
-    for quantity, size, texts in (
+    for kind, size, texts in (
         ("torque", 1.0, "newton * meter|newton_meter|meter * newton|Newton Meter|Newton-metres"),
         ("torque", 1.3558179483314004, "foot * force_pound|force_pound * foot|foot_pound|lbf_ft"),
         ("speed", 1.0, "revolutions_per_minute|revolution / minute|rotations per minute"),
+        ("speed", 30 / math.pi, "rad/s|RAD/S|radian/second|rad*s^-1|рад/с|rad s-1"),
         ("power", 0.73549875, "metric_horsepower"),
         ("power", 1.0, "kilowatt"),
         (None, 1.0, "MWatt|N_2m|_Nm|N*m_"),
     ):
         for text in texts.split("|"):
-            assert unit(text) == (quantity, size), text
+            assert unit(text) == (kind, size), text
     for text in ("kilogram * meter ** 2", "meter**2 * kilogram", "kilogram_meter**2"):
         assert measured(f"0.2 {text}", "inertia") == 0.2
     assert measured("1 slug", "mass") == pytest.approx(14.593903, abs=5e-7)  # NIST SP 811
@@ -215,44 +214,26 @@ def test_units_as_pint_prints_them() -> None:
         assert measured(f"1 {text}", "inertia") == pytest.approx(LBF_FT)
 
 
-def test_an_angle_may_be_in_radians() -> None:
-    for text in ("rad/s", "RAD/S", "radian/second", "rad*s^-1", "рад/с", "rad s-1"):
-        assert unit(text) == ("speed", 30 / math.pi), text
-
-
 def test_other_units_are_none() -> None:
     others = (
         *("", "1/s", "s^-1", "Hz", "1/h", "rad", "1/min/min", "N", "N*m^2", "N*m/rad", "J", "kW*h"),
+        *("lbm", "K", "degC", "°C", "°F", "kg*m", "nm", "NM", "KW", "kw", "w", "kNM", "MWatt", "g"),
         *(
-            "lbm",
-            "K",
-            "degC",
-            "°C",
-            "°F",
-            "kg*m",
-            "nm",
-            "NM",
-            "KW",
-            "kw",
-            "w",
-            "kNM",
-            "MWatt",
-            "g",
             "%",
+            "N**m",
+            "N//m",
+            "-Nm",
+            ".Nm",
+            "Nm*",
+            "N*m^9",
+            "N*m^3^3^3^3",
+            "N*m^-1",
+            "rpm rpm",
+            "m",
         ),
-        *("N**m", "N//m", "-Nm", ".Nm", "Nm*", "N*m^9", "N*m^3^3^3^3", "N*m^-1", "rpm rpm", "m"),
         *("N" * LONGEST_UNIT, "N" * 10**6, "kip " * 10, "1/" * 20 + "min", "*" * 40, "^-1" * 13),
     )
     assert {text for text in others if unit(text)[0]} == set()
-
-
-@given(
-    st.text("Nmkrpslbft1*/.-^ °", max_size=LONGEST_UNIT + 5) | st.text(max_size=LONGEST_UNIT + 5)
-)
-def test_any_text_has_a_size_or_is_none(text: str) -> None:
-    quantity, size = unit(text)
-    assert quantity in ("speed", "torque", "power", None)
-    assert 0 < size < math.inf
 
 
 def test_a_unit_has_its_size_in_si() -> None:
@@ -312,14 +293,10 @@ OTHER_UNITS: tuple[tuple[str, Measure, str], ...] = (
 
 def test_another_unit_is_refused_with_what_it_is() -> None:
     for text, measure, said in OTHER_UNITS:
-        words = (
-            f"expected {with_article(measure)} in {UNIT_OF[measure]}, bare or with its unit{said}"
-        )
-        with pytest.raises(ValueError, match=re.escape(words) + "$"):
+        unit_of = f"{with_article(measure)} in {UNIT_OF[measure]}"
+        words = re.escape(f"expected {unit_of}, bare or with its unit{said}")
+        with pytest.raises(ValueError, match=f"{words}$"):
             measured(text, measure)
-
-
-def test_what_overflows_is_refused() -> None:
     for text in ("1e308 kN*m/rad", "1e999", "1e308*10 N*m/rad"):
         with pytest.raises(ValueError, match=r"expected a (stiffness that is )?smaller"):
             measured(text, "stiffness")
@@ -331,9 +308,76 @@ def test_any_number_is_read_to_the_last_bit(number: float, measure: Measure) -> 
     assert measured(f"{number!r} {UNIT_OF[measure]}", measure) == number
 
 
-@given(st.text(max_size=60), st.sampled_from(list(UNIT_OF)))
-def test_any_text_is_a_number_or_refused(text: str, measure: Measure) -> None:
-    try:
-        assert math.isfinite(measured(f"3 {text}", measure))
-    except ValueError as error:
-        assert str(error).startswith("expected ")  # noqa: PT017 - either may be
+def test_a_calculation_stands_before_the_unit() -> None:
+    numbers: tuple[tuple[str, Quantity, float], ...] = (
+        ("400Nm", "torque", 400),
+        ("1.3*400 Nm", "torque", 520),
+        ("1.3*400*Nm", "torque", 520),
+        ("(2 + 3)*100 rpm", "speed", 500),
+        ("3000 1/min", "speed", 3000),
+        ("3000/min", "speed", 3000),
+        ("-60/2 U/min", "speed", -30),
+        ("100 л.с.", "power", 73.549875),  # 75 kgf*m/s
+    )
+    for text, kind, value in numbers:
+        assert quantity(text, kind) == pytest.approx(value, rel=1e-15)
+        assert re.fullmatch(QUANTITY, text)
+
+
+def test_what_is_no_such_quantity_is_told() -> None:
+    texts: tuple[tuple[str, Quantity, str], ...] = (
+        ("2100", "speed", "expected a speed with its unit, such as `2100 rpm` or `220 rad/s`"),
+        ("rpm", "speed", "expected a speed with its unit"),
+        ("300 Nm", "speed", "such as `2100 rpm` or `220 rad/s`; this is a torque"),
+        ("300 rpn", "speed", "; did you mean `rpm`?"),
+        ("50 s^-1", "speed", "; did you mean `rev/s` or `rad/s`?"),
+        ("35 Hz", "speed", "; did you mean `rev/s` or `rad/s`?"),
+        ("300 nm", "torque", "; did you mean `N*m`?"),
+        ("300 NM", "torque", "; did you mean `N*m`?"),
+        ("3 knm", "torque", "; did you mean `kN*m`?"),
+        ("30 kg*m", "torque", "; did you mean `kgf*m`?"),
+        ("120 kw", "power", "such as `120 kW` or `160 hp`; did you mean `kW`?"),
+        ("2 mw", "power", "; did you mean `MW`?"),
+        ("1,5 kW", "power", "(with a decimal point)"),
+        ("90 °C", "power", "expected a power with its unit"),
+        ("1e308 krpm", "speed", "expected a speed that is smaller"),
+        ("1/0 rpm", "speed", "expected a denominator other than 0"),
+    )
+    for text, kind, words in texts:
+        with rejects(ValueError, words):
+            quantity(text, kind)
+
+
+def test_without_a_unit_a_number_is_relative_to_the_input() -> None:
+    assert relative("-78/30", "speed") == -2.6
+    assert not isinstance(relative("1/500", "torque"), WithUnit)
+    assert f"{relative('2*1.5 kNm', 'torque'):g}" == "3000 N*m"
+    for text, words in (
+        ("1.2.3", "expected a number or a calculation such as -96/39"),
+        ("1,5", "(with a decimal point)"),
+        ("fast", "such as `2100 rpm` or `220 rad/s`, or a number relative to the input speed"),
+        ("3 rmp", "or a number relative to the input speed; did you mean `rpm`?"),
+    ):
+        with rejects(ValueError, words):
+            relative(text, "speed")
+
+
+SIGNS = "0123456789.eE+-*/() ^Nmrpkfltbis°·,"
+
+
+@given(st.text(SIGNS, max_size=LONGEST_ARITHMETIC) | st.text(max_size=60))
+def test_any_text_is_read_or_refused_in_bounded_time(text: str) -> None:
+    begin = time.process_time()
+    of, size = unit(text)
+    assert of in ("speed", "torque", "power", None)
+    assert 0 < size < math.inf
+    for kind in ("speed", "torque", "power"):
+        with contextlib.suppress(ValueError):
+            quantity(text, kind)
+            assert re.match(QUANTITY, text)
+    for measure in UNIT_OF:
+        try:
+            assert math.isfinite(measured(f"3 {text}", measure))
+        except ValueError as error:
+            assert str(error).startswith("expected ")  # noqa: PT017 - either may be
+    assert time.process_time() - begin < 0.5

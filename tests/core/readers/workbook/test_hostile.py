@@ -66,6 +66,7 @@ def test_a_number_with_a_format_of_dates_is_refused() -> None:
         assert any("2026-03-02 12:00:00" in one for one in faults(with_ratio(day, first=first)))
 
 
+ERROR = '<c t="e"><v>x</v></c>'
 SHEET = "<worksheet><sheetData>{}</sheetData>{}</worksheet>"
 STYLES = "<styleSheet><fonts>{}</fonts><cellXfs><xf numFmtId='0'/></cellXfs></styleSheet>"
 HOSTILE: dict[str, tuple[str, str, str]] = {
@@ -75,11 +76,7 @@ HOSTILE: dict[str, tuple[str, str, str]] = {
     "grid": ("SHEET", SHEET.format(("<row>" + "<c/>" * 400 + "</row>") * 2000, ""), "200000 cells"),
     "rows": ("SHEET", SHEET.format("<row/>" * 1_500_000, ""), "10000 rows"),
     "merged": ("SHEET", SHEET.format("", '<mergeCell ref="A1:B2"/>' * 300_000), "are merged"),
-    "errors": (
-        "SHEET",
-        SHEET.format(("<row>" + '<c t="e"><v>x</v></c>' * 400 + "</row>") * 400, ""),
-        "expected a number",
-    ),
+    "errors": ("SHEET", SHEET.format(f"<row>{ERROR * 400}</row>" * 400, ""), "expected a number"),
     "deep": ("SHEET", "<a>" * 3_000_000, "nested deeper"),
     "text": ("SHEET", SHEET.format("x" * 9_900_000, ""), ""),
     "backwards": ("SHEET", SHEET.format('<row r="2"/><row r="1"/>', ""), "not in order"),

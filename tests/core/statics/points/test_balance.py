@@ -13,6 +13,7 @@ from tests.core.writers.again import is_read_again
 from vstatics import CaseError, ReadError, solve
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.readers import loads
+from vstatics.core.writers.deck_limits import check_deck
 
 SPLIT = """\
 links: [MG1, axle, engine, MG2]
@@ -42,8 +43,6 @@ def test_a_balance_that_can_not_be_is_told() -> None:
 
 
 def test_a_deck_holds_no_balance_and_other_formats_keep_it() -> None:
-    from vstatics.core.writers.deck_limits import check_deck
-
     case = loads(SPLIT)
     assert is_read_again(case)
     with pytest.raises(CaseError, match="the balance of gear hold"):
@@ -183,9 +182,7 @@ def test_a_series_hybrid_is_balanced_as_by_hand(examples: int) -> None:
 def test_all_torques_that_a_jagged_map_balances_are_counted(examples: int) -> None:
     """MG2 alone varies: with e = c + s T it gives the battery -W T e, at torques below 0."""
     rng, numbers = seeded(52), set()
-    case = SPLIT.replace("efficiency: .98", "efficiency: 1").replace(
-        "efficiency: .97", "efficiency: 1"
-    )
+    case = SPLIT.replace("efficiency: .98", "efficiency: 1").replace("cy: .97", "cy: 1")
     results = solve(loads(case))
     powers, speeds = -1000 * results.port_powers_kW[0], results.speeds_rpm[0] * np.pi / 30
     of_first = powers[0] * 0.92 if powers[0] > 0 else powers[0] / 0.92
@@ -200,12 +197,10 @@ def test_all_torques_that_a_jagged_map_balances_are_counted(examples: int) -> No
             terms = s, values[place] - s * ends[place], width
             inside = [t for t in np.roots(terms) if ends[place] <= t.real < ends[place + 1]]
             roots += [t.real for t in inside if t.imag == 0]
-        law = (
-            f"{{over: [speed, torque], columns: {ends}, rows: [{[0, *values]}, {[2000, *values]}]}}"
-        )
-        text = case.replace("MG2: .90", f"MG2: {law}").replace(
-            "-2 kW", f"{need + float(of_first)!r} W"
-        )
+        rows = [[0, *values], [2000, *values]]
+        law = f"{{over: [speed, torque], columns: {ends}, rows: {rows}}}"
+        text = case.replace("MG2: .90", f"MG2: {law}")
+        text = text.replace("-2 kW", f"{need + float(of_first)!r} W")
         said = [message.text for message in solve(loads(text)).messages if message.id == "W427"]
         assert len(said) == (len(roots) > 1), (law, roots)
         numbers.add(len(roots))

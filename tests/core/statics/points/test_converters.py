@@ -202,9 +202,8 @@ def test_beside_a_slipping_lock_up_the_slip_determines_the_speed_ratio(examples:
         points += [[1.0, 1.0, 0.0], [1.3, 1.0, -rng.uniform(0.001, 0.002)]]
         w, torque = rng.choice([-1, 1]) * rng.uniform(60, 400), rng.uniform(-300, 300)
         u, eta, drag, slip = -rng.uniform(1.5, 4), 0.96, rng.choice([0, 4]), rng.uniform(-20, 80)
-        text = LOCK_UP.format(
-            speed=w, torque=torque, points=points, u=u, eta=eta, drag=drag, slip=slip
-        )
+        given = {"speed": w, "torque": torque, "points": points, "slip": slip}
+        text = LOCK_UP.format(**given, u=u, eta=eta, drag=drag)
         results = solve(loads(text))
         ratio = 1 - slip / w
         of_points, multiplied, factor = np.transpose(points)

@@ -31,9 +31,8 @@ def pair(load: Load | None = LOAD, efficiency: Any = 1.0, **own: Any) -> Transmi
 
 
 def test_ratios_vary_beside_laws() -> None:
-    found = solve(
-        pair(Load(200 * RPM, 80), drag={2: DragFormula("1 + 0.01*w")}), ratios=[[-2], [-3]]
-    )
+    case = pair(Load(200 * RPM, 80), drag={2: DragFormula("1 + 0.01*w")})
+    found = solve(case, ratios=[[-2], [-3]])
     expected = [1 - (1 + 0.01 * 200 / u) / (80 * u) for u in (2, 3)]
     np.testing.assert_allclose(found.efficiency[:, 0], expected, rtol=1e-13)
 

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from random import Random
 from typing import Any
@@ -71,19 +72,15 @@ def test_a_chain_of_gear_pairs_with_maps(examples: int) -> None:
                 turning /= ratio
             else:
                 mechanisms.append(Mechanism(link + 1, link, 0, 1 / ratio, MapLaw(*grid)))
-                before, turning = passed * ratio, turning / ratio
-                passed = brentq(
-                    lambda t, b=before, w=turning, f=eta: t - b * f(w, t), 0, before + 1, xtol=1e-13
-                )
+                most, turning = passed * ratio, turning / ratio
+                own = partial(lambda t, b, w, f: t - b * f(w, t), b=most, w=turning, f=eta)
+                passed = brentq(own, 0, most + 1, xtol=1e-13)
         gear = Gear(loss=MapLaw(*of_gear, "W"))
-        case = Transmission(
-            len(mechanisms) + 1, [], mechanisms, [gear], load=Load(speed * RPM, torque)
-        )
-        results = solve(case)
+        links, load = len(mechanisms) + 1, Load(speed * RPM, torque)
+        results = solve(Transmission(links, [], mechanisms, [gear], load=load))
         assert results.lossy_output_torque_Nm == pytest.approx([passed], rel=1e-11)
-        assert results.gear_losses_kW == pytest.approx(
-            interpolated(*of_gear)(speed, torque) / 1000, rel=1e-12
-        )
+        lost = interpolated(*of_gear)(speed, torque) / 1000
+        assert results.gear_losses_kW == pytest.approx(lost, rel=1e-12)
         assert results.power_balance == pytest.approx(0, abs=1e-12)
         assert {message.id for message in results.messages} <= {"N414"}
 
@@ -155,9 +152,8 @@ def test_machines_with_maps_balance_a_battery(examples: int) -> None:
         grids[0][0][0] = 0.0  # the least torque of either direction
         battery = chance.uniform(-3, 3)
         machines = [(2, MapLaw(*grids[0])), (4, MapLaw(*grids[1]))]
-        gear = Gear(
-            speeds={2: chance.uniform(-0.8, 0.8)}, balance=BatteryBalance(machines, battery)
-        )
+        balance = BatteryBalance(machines, battery)
+        gear = Gear(speeds={2: chance.uniform(-0.8, 0.8)}, balance=balance)
         mechanisms = [Mechanism(1, 2, 3, -2.0, 0.98), Mechanism(4, 3, 0, 3.0, 0.97)]
         results = solve(Transmission(4, [], mechanisms, [gear], load=Load(2000, 100), output=3))
         if not results.consistent.all():
@@ -241,16 +237,8 @@ def test_maps_that_cannot_be_are_refused_at_their_places() -> None:
         ("[0, 5]", "[[9, 1, 1], [0, 1, 1]]", r"rows\[2\]\[1\]: read 0, expected a speed above 9"),
         ("[0, 5]", "[[0, 1, 1], [9, 1]]", r"rows\[2\]: read 2 numbers, expected 3: the speed, and"),
         # an efficiency says nothing where no power flows: sandialabs/WecOptTool/issues/176
-        (
-            "[0, 5]",
-            "[[0, 1, 0], [9, 1, 1]]",
-            r"rows\[1\]\[3\]: read 0, .*1; omit columns of torque 0",
-        ),
-        (
-            "[0, 5]",
-            "[[1, 0, 1], [9, 1, 1]]",
-            r"rows\[1\]\[2\]: read 0, .*1; omit columns of torque 0",
-        ),
+        ("[0, 5]", "[[0, 1, 0], [9, 1, 1]]", r"rows\[1\]\[3\]: read 0, .*1; omit columns of tor"),
+        ("[0, 5]", "[[1, 0, 1], [9, 1, 1]]", r"rows\[1\]\[2\]: read 0, .*1; omit columns of tor"),
         ("[1, 5]", "[[1, 1, 0], [9, 1, 1]]", r"rows\[1\]\[3\]: read 0, .*above 0 and up to 1 \["),
         ("[0, 5]", "[[0, 90, 1], [9, 1, 1]]", r"read 90, .* up to 1, such as 0\.9 for 90 % \["),
         ("[0]", "[[0, 1], [9, 1]]", r"columns: read 1, expected two torques or more"),
@@ -259,10 +247,7 @@ def test_maps_that_cannot_be_are_refused_at_their_places() -> None:
             loads(CASE.format(efficiency=one % (columns, rows), loss=LOSS))
     for loss, said in (
         ("500", "low.loss: read '500', expected a mapping with `over`, `columns` and `rows`"),
-        (
-            "{over: [torque, speed], columns: [0], rows: []}",
-            r"^[^\n]*loss.over: read '\[torque, sp",
-        ),
+        ("{over: [torque, speed], columns: [0], rows: []}", r"^[^\n]*loss.over: read '\[torque, "),
         ("{over: speed, points: [[0, 1]]}", "loss.over: read 'speed', expected `.speed, torque.`"),
         ("{over: [speed, torque], file: a.csv, unit: W}", "read `file` and `unit`"),
         (LOSS.replace("700", "-7"), r"loss.rows\[2\]\[3\]: read -7, expected a loss of 0 or more"),

@@ -54,9 +54,6 @@ def test_arrays_go_together_on_one_axis() -> None:
             solve(CASE, vary=vary)
     with pytest.raises(ValueError, match="not both"):
         solve(CASE, vary={"drag.out": 1}, ratios=[[-2.0]])
-
-
-def test_what_varies_in_si_needs_a_load() -> None:
     without = CASE.replace(load=None)
     with pytest.raises(CaseError, match=r"gears\.low\.drag\.out varies in SI, .* with a torque"):
         solve(without, vary={"drag.out": 1})

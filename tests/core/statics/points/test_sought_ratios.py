@@ -46,9 +46,8 @@ def test_json_and_sheet_have_the_ratio_of_each_gear_that_is_sought(folder: Path)
     found = {"TC": {"speed_ratio": pytest.approx(0.75), "others": []}}
     answer = json.loads(vstatics("run", "box.yaml", "-f", "json").out)
     assert answer["converters"] == [found, {"TC": None}, {"TC": None}]
-    (folder / "locked.yaml").write_text(
-        text.replace('"1": {}, ', "").replace("[L]}", "[L], open: [TC]}")
-    )
+    opened = text.replace('"1": {}, ', "").replace("[L]}", "[L], open: [TC]}")
+    (folder / "locked.yaml").write_text(opened)
     locked = json.loads(vstatics("run", "locked.yaml", "-f", "json").out)
     assert locked["converters"] == [{"TC": None}, {"TC": None}]
     sheet = " ".join(vstatics("explain", "box.yaml", "--worksheet", "--gear", "1").out.split())
@@ -83,9 +82,8 @@ def test_inputs_without_a_ratio_are_reported(folder: Path) -> None:
     ):
         text = CASE.replace(old, new)
         text = text.replace(", ratio: -3", "") if "TD" in new else text
-        (folder / "box.yaml").write_text(
-            text if new else text.replace("load: {torque: 90 N*m}", "")
-        )
+        text = text if new else text.replace("load: {torque: 90 N*m}", "")
+        (folder / "box.yaml").write_text(text)
         said = vstatics("run", "box.yaml")
         assert said.status == (0 if "i = 1" in message or "ratio from" in message else 1)
         assert message in said.err
@@ -132,10 +130,8 @@ def test_a_torque_at_which_a_converter_would_gain_power_is_explained() -> None:
 
 def test_a_slip_without_its_unit_is_explained() -> None:
     """A slip of 60, meant in rpm, is 60 times the input speed, so i = -59 is below the points."""
-    for slip, ending in (
-        ("60", "a slip of 60 is 60 times the input speed"),
-        ("201 rad/s", "points"),
-    ):
+    far = "a slip of 60 is 60 times the input speed"
+    for slip, ending in (("60", far), ("201 rad/s", "points")):
         messages = solve(loads(CASE.replace("{engaged: [L]}", f"{{slip: {{L: {slip}}}}}"))).messages
         [said] = [said for said in messages if said.gear == "2"]
         assert (said.id, said.text.endswith(ending)) == ("W431", True)
