@@ -16,7 +16,7 @@ from hypothesis import HealthCheck, settings
 
 from tests.chance import FRESH, count
 from tests.installed import HERE, TESTS, is_tested, missing, needs, used_in
-from tests.selection import selected
+from tests.selection import is_in_full, selected
 
 # The same examples every time, so that a run that fails fails again; others and more by `make nightly`.
 settings.register_profile(
@@ -39,11 +39,28 @@ def pytest_configure(config: pytest.Config) -> None:
     config.pluginmanager.register(Selection())
     if FRESH:
         config.option.hypothesis_seed = int(FRESH)
+    else:
+        without_constants()
     if not config.option.markexpr.startswith("slow"):
         os.environ["NUMBA_DISABLE_JIT"] = "1"
+    if getattr(config.option, "numprocesses", None):
+        # Several processes use all cores, so threads of their BLAS only wait for one another.
+        os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
         signal.signal(signal.SIGINT, signal.default_int_handler)
     gc.disable()
+
+
+def without_constants() -> None:
+    """Let Hypothesis draw no constants of the package, for which each process parses all modules.
+
+    Examples then also stay the same when a constant changes. `make nightly` draws constants.
+    """
+    with contextlib.suppress(ImportError):  # older versions have none
+        from hypothesis.internal.conjecture import providers
+
+        empty = getattr(providers, "_local_constants", None)
+        setattr(providers, "_get_local_constants", lambda: empty)  # noqa: B010
 
 
 def pytest_sessionstart(session: pytest.Session) -> None:
@@ -79,7 +96,8 @@ class Selection:
         taken, left = selected(items, config.getoption("--cases"))
         if left:
             config.hook.pytest_deselected(items=left)
-            items[:] = taken
+        # Those taken in full come first, so that one process builds what they share.
+        items[:] = sorted(taken, key=lambda item: not is_in_full(item.path))
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:

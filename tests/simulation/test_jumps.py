@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from tests.chance import count, seeded, seeds_with_slow, with_slow
+from tests.chance import count, examples, seeded, seeds_with_slow, with_slow
 from tests.simulation.boxes import held, planetary_set, points
 from tests.simulation.control.written import simulated
 from tests.simulation.test_closed_forms import EXACT, links, run
@@ -296,10 +296,13 @@ def test_links_that_stick_to_each_other_have_no_speed_apart(apart: str) -> None:
         assert motion.speeds[-1] == pytest.approx([speed, speed], rel=1e-9)
 
 
-def test_a_clutch_at_its_capacity_and_a_jump_of_its_slip_hold_a_link_together() -> None:
+@examples(2, 6, 60)
+def test_a_clutch_at_its_capacity_and_a_jump_of_its_slip_hold_a_link_together(
+    examples: int,
+) -> None:
     """The clutch carries its capacity from the instant at which it alone cannot hold a to b."""
     rng = seeded(72)
-    for number in range(count(6, 60)):
+    for number in range(examples):
         first, second, pull = rng.uniform(0.5, 3), rng.uniform(0.5, 3), rng.uniform(10, 60)
         needed = pull * first / (first + second)
         capacity, push = needed * rng.uniform(1.2, 3), rng.uniform(0.1, 0.9) * pull * first / second

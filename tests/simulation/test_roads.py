@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from numpy.polynomial import Polynomial
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
@@ -16,6 +17,7 @@ from vstatics import Transmission
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.constants import AIR, GRAVITY
 from vstatics.simulation import Road, Scenario, Start, constant, simulate
+from vstatics.simulation.scenario.rolling_radius import LoadedWheel
 
 
 def wheels(inertia: float) -> Transmission:
@@ -97,6 +99,18 @@ def test_torque_and_velocity_fulfil_the_law_of_the_table() -> None:
         assert whole == pytest.approx(r * force(turning * r), rel=1e-11)
         assert ROAD.wheel.velocity(turning) == pytest.approx(turning * r, rel=1e-12)
         assert ROAD.turning(turning * r) == pytest.approx(turning, rel=1e-12)
+
+
+@pytest.mark.parametrize("way", [-1.0, 1.0])
+def test_speeds_of_loaded_wheels_are_cubics_of_the_vehicle_speed(way: float) -> None:
+    """Forces of a + k v + c v^2 reduce the radius: w = v (1 + lambda (a + k v + c v^2))/r_0."""
+    wheel = LoadedWheel(0.5, 1e-5, 200.0, ((0.0, 1000.0), (40.0, 1800.0)), 3.0)
+    cubic = Polynomial([0, 1 + 1e-5 * (200 + 1000), 1e-5 * 20, 1e-5 * 3]) / 0.5
+    v = np.array([3.0, 11.0, 39.0])
+    assert wheel.turning(way * v) == pytest.approx(way * cubic(v), rel=1e-12)
+    first, second = wheel.turning_slopes(way * v)
+    assert first == pytest.approx(cubic.deriv()(v), rel=1e-12)
+    assert second == pytest.approx(way * cubic.deriv(2)(v), rel=1e-12)
 
 
 def test_without_loss_of_radius_it_is_the_plain_road() -> None:

@@ -97,14 +97,14 @@ def test_arrays_and_columns_that_are_no_table_are_told(folder: Path) -> None:
 
 def test_tables_are_refused_by_the_size_that_they_declare(tmp_path: Path) -> None:
     large = tmp_path / "large.npz"
-    arrays: Any = {"P1.ratio": np.zeros(30_000_000)}
+    arrays: Any = {"P1.ratio": np.zeros(30_000_000, np.int8)}
     np.savez_compressed(large, **arrays)
     lying = tmp_path / "lying.npz"
     short: Any = {"P1.ratio": np.zeros(10)}
     np.savez(lying, **short)
     lying.write_bytes(lying.read_bytes().replace(b"(10,)", b"(99,)"))
     packed = tmp_path / "packed.parquet"
-    pq.write_table(pa.table({"P1.ratio": pa.array(np.zeros(30_000_000))}), packed)
+    pq.write_table(pa.table({"P1.ratio": pa.array(np.zeros(30_000_000, np.int8))}), packed)
     for file, said in ((large, "30,000,000 cells"), (lying, "lying.npz"), (packed, "30,000,000")):
         begin = time.process_time()
         told = vstatics("sweep", CASE, "--variants", file, "--out", "ratio", "--dry-run")

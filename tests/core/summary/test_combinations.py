@@ -5,8 +5,10 @@ from dataclasses import replace
 import pytest
 
 from tests.commands import CASES, json_answer, vstatics
-from vstatics import CaseError, load, solve
+from tests.core.summary.gearboxes import differential
+from vstatics import CaseError, Gear, load, solve
 from vstatics.core.summary.unused_sets import Combination, combinations
+from vstatics.core.writers import named
 
 
 def found(name: str, *without: str, at_most: int = 1000) -> dict[frozenset[str], Combination]:
@@ -72,6 +74,17 @@ def test_too_many_combinations_are_refused() -> None:
     for option, other in without.items():
         said = vstatics("summary", case, option, 9)
         assert said.is_wrong_use(f"{option} needs {other}")
+
+
+def test_a_combination_that_no_gear_uses_is_a_row_of_the_table() -> None:
+    """The clutch joins sun and ring: a block turns 1:1, without losses."""
+    case = named.write_yaml(differential().replace(gears=[Gear([2], name="low")]))
+    said = vstatics("summary", "-", "--combinations", stdin=case.encode()).out
+    _, table = said.split("\nOther combinations of shift elements\n")
+    assert [line.split() for line in table.splitlines()] == [
+        ["ratio", "efficiency", "same", "as", "engaged"],
+        ["1.000", "1.000", "C"],
+    ]
 
 
 def test_that_there_are_none_is_said() -> None:

@@ -120,9 +120,13 @@ def test_a_planet_whose_teeth_are_not_known_is_named_without_a_speed() -> None:
 
 
 def test_needed_capacities_are_the_largest_torques_with_the_reserve() -> None:
-    """Ring held: -u of the input, of 100 N*m or of those of the gear; no load has to tell them."""
-    _, brake = needed_capacities(solve(differential(load=Load(torque=-100.0))), 1.2)
+    """Ring held: -u of the input, of 100 N*m or of those of the gear; no load has to tell them.
+
+    As a block, the set passes 1/(1 - u) = 1/3.5 of the input, and the clutch the rest.
+    """
+    clutch, brake = needed_capacities(solve(differential(load=Load(torque=-100.0))), 1.2)
     assert (brake.element, brake.gear) == ("B", "low")
+    assert (clutch.capacity, clutch.gear) == (pytest.approx(1.2 * 2.5 / 3.5), "direct")
     assert (brake.capacity, brake.capacity_Nm) == pytest.approx((3.0, 300.0))
     low = Gear([2], name="low", load=Load(torque=100.0))
     gears = [low, low._replace(name="much", load=Load(torque=300.0))]

@@ -149,7 +149,7 @@ def test_a_chain_has_rows_of_boxes() -> None:
     assert {"input", "output"} <= {*ports}
 
 
-@pytest.mark.parametrize("count", with_slow([12, 30], [100]))
+@pytest.mark.parametrize("count", with_slow([6, 12, 30], [100]))
 def test_many_mechanisms_are_drawn(count: int) -> None:
     check(ring(count))
 

@@ -90,7 +90,7 @@ def test_a_dry_run_tells_the_size_of_what_is_packed(varied: str) -> None:
 @needs("simulation")
 def test_a_dry_run_of_runs_without_end_is_done_soon(monkeypatch: pytest.MonkeyPatch) -> None:
     """A mass on a spring swings 1.6 times a second: ten years are 3e8 periods, a run of hours."""
-    monkeypatch.setattr(estimate, "TRIED", 0.1)
+    monkeypatch.setattr(estimate, "TRIED", 0.02)
     case = "links: [m]\ninput: m\noutput: m\ninertias: {m: 1}\n"
     spring = "springs: {k: {links: [m, housing], stiffness: 100}}\n"
     Path("mass.yaml").write_text(case + spring, "utf-8")

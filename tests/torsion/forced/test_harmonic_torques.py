@@ -20,7 +20,7 @@ from vstatics import (
 )
 from vstatics.core.model.parts import RAD_PER_RPM
 from vstatics.torsion.forced.cycle import summed
-from vstatics.torsion.forced.harmonic_torques import Harmonic, response
+from vstatics.torsion.forced.harmonic_torques import Harmonic, _solved, response
 from vstatics.torsion.forced.torque_table import read_torque_table
 from vstatics.torsion.tolerances import SAME_ORDER
 from vstatics.torsion.vibration.gear_modes import modes
@@ -133,6 +133,13 @@ def test_an_undamped_system_that_is_hit_exactly_has_no_value() -> None:
     assert np.isnan(gear.orders[0].torques["mount"]).tolist() == [True, False]
     [damped] = response(one_mass(1.0), 1, [Harmonic(1.0)], [hit])
     assert abs(damped.orders[0].amplitudes["1"][0]) == pytest.approx(1 / 40)
+
+
+def test_a_singular_speed_leaves_the_values_of_the_others() -> None:
+    """1/(k - J omega^2) of 4 kg*m^2 on 100 N*m/rad: not at 5 rad/s."""
+    mass, stiffness, none = np.array([[4.0]]), np.array([[100.0]]), np.zeros((1, 1))
+    found = _solved((mass, stiffness, none, none), np.ones(1), np.array([3.0, 5.0, 10.0]))
+    assert found[:, 0] == pytest.approx([1 / 64, np.nan, -1 / 300], nan_ok=True)
 
 
 def test_a_part_without_damping_that_is_hit_exactly_has_no_value() -> None:

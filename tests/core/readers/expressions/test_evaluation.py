@@ -4,7 +4,9 @@ import gc
 import weakref
 
 import numpy as np
+import pytest
 
+from vstatics.core.errors import ReadError
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.readers.expressions.evaluation import FUNCTIONS, evaluate
 from vstatics.core.readers.expressions.excerpt import Excerpt
@@ -32,3 +34,11 @@ def test_what_was_asked_for_values_is_free_at_once() -> None:
         assert free() is None
     finally:
         gc.enable()
+
+
+def test_a_formula_has_2000_characters_at_most() -> None:
+    language = Language(FUNCTIONS, "a number", "t")
+    longest = parse(Excerpt(f"1{'+1':>1999}", "--where"), language)
+    assert evaluate(longest, Held().values).item() == 2
+    with pytest.raises(ReadError, match="read 2001 characters, expected 2000 at most"):
+        parse(Excerpt(f"1{'+1':>2000}", "--where"), language)
