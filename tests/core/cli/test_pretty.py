@@ -37,6 +37,17 @@ def test_lines_fit_and_words_are_whole_at_every_width(
         assert re.search(r"[ \n]\n\Z|[ \x1b]$", text, re.MULTILINE) is None
 
 
+def test_columns_can_be_0_and_hold_for_dumb_terminals(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Sources: github.com/aws/aws-cdk/issues/2253 (width 0), patonlab/GoodVibes/pull/107 (dumb)."""
+    case = CASES / "simpson-th400.yaml"
+    assert shown(monkeypatch, 0, case) == shown(monkeypatch, 80, case)
+    wide = shown(monkeypatch, 200, case)
+    monkeypatch.setenv("TERM", "dumb")
+    monkeypatch.setenv("FORCE_COLOR", "1")
+    said = vstatics("run", "--pretty", case, "-q").out
+    assert re.sub(r"\x1b\[[0-9;]*m", "", said) == wide
+
+
 def test_much_width_is_used_for_the_names_of_shift_elements(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

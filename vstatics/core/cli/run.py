@@ -239,6 +239,8 @@ def _pretty(
     several: bool,
 ) -> int:
     """Print a table of the gears of each case for people, and return the exit status."""
+    from rich.console import ConsoleDimensions
+
     from vstatics.core.cli.shared.console import SafeConsole, trimmed
     from vstatics.core.summary.pretty import ASCII, DOTS, view
 
@@ -248,6 +250,8 @@ def _pretty(
         raise click.UsageError(f"all cases have one output: expected -o FILE, not {to.output}")
     to_stdout = to.output in (None, STDOUT)
     console = SafeConsole(highlight=False) if to_stdout else SafeConsole(highlight=False, **PLAIN)
+    # a width of 0 is unknown, and rich ignores COLUMNS if TERM is dumb and no height is given
+    console.size = ConsoleDimensions(console.width or 80, console.height)
     marks = ASCII if to_stdout and console.options.ascii_only else DOTS
     failed, views = False, list[str]()
     for outcome in calculate(names, settings):
