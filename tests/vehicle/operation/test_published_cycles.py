@@ -177,6 +177,8 @@ def test_headings_of_further_programs() -> None:
         # dates and zones, as in https://github.com/OpenRailAssociation/osrd/issues/9345
         (f"{KMH},grade\n2024-02-29 23:59:59,0,0.75\n2024-03-01 00:00:01,36,0.75\n", 0.6),
         (f"{KMH},grade\n2024-02-29T23:59Z,0,0.75\n2024-03-01T01:59:02+02:00,36,0.75\n", 0.6),
+        # dates with the day first, as in https://github.com/wireservice/csvkit/issues/876
+        (f"{KMH},grade\n31.07.2017 23:59:59,0,0.75\n01.08.2017 00:00:01,36,0.75\n", 0.6),
         # a heading without a unit, as in https://github.com/IBA-Group-IT/IoT-data-simulator/issues/19
         (
             "datetime,speed_mps,Inclination [%]\n"

@@ -31,6 +31,7 @@ from vstatics.core.readers.reading import Source
 
 _PLAIN = re.compile(r"[-+0-9.eE, \t]+")
 _CLOCK = re.compile(r"\s*(\d{1,9}):([0-5]?\d):([0-5]?\d(?:[.,]\d*)?)\s*")
+_DAY_FIRST = re.compile(r"([0-9]{2})\.([0-9]{2})\.([0-9]{4})(?= )")
 _DATED = re.compile(r"\s*[0-9]{4}-[0-9]{2}-[0-9]{2}[T ][0-9]{2}:")
 _BLOCK_LINES = 5000
 MOST_TABLE_ROWS = 1_000_000
@@ -226,10 +227,11 @@ class _ColumnsRead:
         if clock := _CLOCK.fullmatch(cell):
             hours, minutes, seconds = clock.groups()
             return 3600.0 * int(hours) + 60 * int(minutes) + float(seconds.replace(",", "."))
-        if not _DATED.match(cell):
+        dated = _DAY_FIRST.sub(r"\3-\2-\1", cell.strip())
+        if not _DATED.match(dated):
             return None
         try:
-            moment = datetime.fromisoformat(cell.strip())
+            moment = datetime.fromisoformat(dated)
         except ValueError:
             return None
         moment = moment if moment.tzinfo else moment.replace(tzinfo=UTC)

@@ -41,6 +41,12 @@ def test_a_decimal_comma_and_a_missing_blank_get_advice() -> None:
     assert "write a blank after the colon: `speed: 9`" in errors("speed: 2000 rpm", "speed:9")[0]
 
 
+def test_a_dash_without_a_blank_is_named() -> None:
+    """Source: github.com/adrienverge/yamllint/issues/197 (YAML reads a text)."""
+    [message] = errors("gears: {low: [B], high: [C]}", "gears:\n  low:\n    -B\n  high: [C]")
+    assert message.endswith("; write a blank after the dash of each item, such as `- A`")
+
+
 def test_a_ratio_instead_of_teeth_gets_advice() -> None:
     assert "is written under `mechanisms`" in errors("teeth: {sun: 30, ring: 70}", "ratio: -2")[1]
     ravigneaux = errors("kind: planetary", "kind: ravigneaux, ratio: -2")

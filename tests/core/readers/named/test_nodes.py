@@ -39,6 +39,8 @@ NO_YAML = {
     ("a: 'b", 1, 6): "not YAML: the quotation mark on line 1, column 4 is not closed",
     ("a:\n  b: 1\n c: 2", 3, 2): "begins on line 1, column 1 continues with a key in column 1",
     ("a: [b, c\nd: e", 2, 2): "the list that begins on line 1, column 4 is not closed",
+    # github.com/monarch-initiative/dismech/issues/12094: the end of a text counts as a comment
+    ("a: [b #1, c]\nd: e", 2, 1): "expected `,` or `]`; ` #` begins a comment: write a text with",
     ("a: {b: 1; c: 2}", 1, 12): "the mapping that begins on line 1, column 4 is not closed",
     ("- 1\nb: 2", 2, 1): "the list that begins on line 1, column 1 continues with `- `",
     ("a: 1\nb [c]\n", 2, 1): "expected a key with a colon and a blank",

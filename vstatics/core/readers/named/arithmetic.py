@@ -31,7 +31,7 @@ _GROUPED = re.compile(
 )
 """Number with grouped digits, such as 1 000, or 1.000,5 with a decimal sign of the other kind."""
 # A match begins only where digits begin, so the search takes linear time.
-_JOINED = re.compile(r"(?<![0-9_])[0-9]+(?:_[0-9]+)+")
+_JOINED = re.compile(r"(?<![0-9_])[0-9]+(?:_[0-9]+)+(?:\.[0-9]+)?")
 _FURTHER = re.compile(
     r"(?:^|(?<![\w^.])[0-9.]+) ?(?:\*\*|\^)|(?<![^\W\d_])(?:pi|π|sqrt)(?![^\W\d_])"
 )
@@ -141,8 +141,8 @@ def slip(text: str) -> str:
     (' (with a decimal point)', ' (with `-` instead of `\u2212`)', '')
     >>> slip("1 500 rpm"), slip("1.234,56")
     (' (digits without blanks: 1500)', ' (digits without `.`: 1234.56)')
-    >>> slip("1_00 N*m")
-    ' (digits without `_`: 100)'
+    >>> slip("1_00.5 N*m")
+    ' (digits without `_`: 100.5)'
     """
     if grouped := _GROUPED.search(with_plain_blanks(text)):
         sign = grouped[1] or grouped[2]

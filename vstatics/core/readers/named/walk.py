@@ -107,7 +107,10 @@ class Walk:
         self, spot: Spot, shape: Shape, expected: object, read: str = "", identity: str = SHAPE
     ) -> Any:
         """Report an unreadable value, and return a stand-in."""
-        self.spots.refuse(spot, f"read {read or what(spot.node)}, {expected}", identity)
+        message = f"read {read or what(spot.node)}, {expected}"
+        if "a list" in message and isinstance(spot.node, Scalar) and spot.node.text[:1] == "-":
+            message += "; write a blank after the dash of each item, such as `- A`"
+        self.spots.refuse(spot, message, identity)
         return stand_in(shape)
 
     def _by_key(self, spot: Spot, shape: ByKey) -> Any:

@@ -243,7 +243,10 @@ def _of_part(context: str, begin: yaml.Mark, text: str, index: int) -> str:
     place = f"line {begin.line + 1}, column {begin.column + 1}"
     for kind, (name, bracket) in _BRACKETS.items():
         if kind in context:
-            return f"the {name} that begins on {place} is not closed, expected `,` or `{bracket}`"
+            comment = "; ` #` begins a comment: write a text with ` #` in quotes"
+            hint = comment * (" #" in text[begin.index : index])
+            open_part = f"the {name} that begins on {place} is not closed"
+            return f"{open_part}, expected `,` or `{bracket}`{hint}"
     if "quoted scalar" in context and index >= len(text):
         return f"the quotation mark on {place} is not closed"
     is_first = not text[text.rfind("\n", 0, index) + 1 : index].strip()
