@@ -293,6 +293,14 @@ def test_input_speeds_in_rpm_are_those_of_the_start_and_of_laws_over_speed() -> 
     assert file.input_speeds == pytest.approx((900, 30, 6 * 30 / math.pi))
 
 
+def test_a_start_speed_of_an_input_with_a_road_can_be_a_vehicle_speed() -> None:
+    """Source of the case, a car on a slope: github.com/osrf/drcsim/issues/109."""
+    case = b"links: [wheel]\ninertias: {wheel: 194}\ngears: {'1': []}\n"
+    road = "torques: {wheel: {road: {mass: 1500, radius: 0.36}}}\n"
+    read = scenario_file(f"start: {{gear: '1', speed: 36 km/h}}\n{road}", case).scenario
+    assert read.start.speed == pytest.approx(10 / 0.36)
+
+
 @pytest.mark.parametrize(
     ("text", "pedal", "expected"),
     [

@@ -291,7 +291,8 @@ def test_a_fault_of_a_table_is_told_with_its_line() -> None:
         (HEADS + b"0,1\n", "2:1: error: order: read 0, expected a number above"),
         (HEADS + b"-2,1\n3,5\n", "2:1: error: order: read -2, expected a number above"),
         (HEADS + b"2,nan\n", "2:1: error: amplitude: read 'nan'"),
-        (HEADS + b"2,1\n2,3\n", "3:1: error: order 2 is given twice"),
+        # two cylinders on one crank, as in github.com/speeduino/speeduino/pull/744
+        (HEADS + b"2,1\n2,3\n", "3:1: error: order 2 is given twice: give the vector sum of"),
         (HEADS[:-1] + b",link\n2,1,a\n2,3,b\n2,4,a\n", "4:1: error: order 2 is given twice"),
         (HEADS + b"2,1,5\n", "2:1: error: read 3 cells, expected 2"),
         (HEADS + b"2," + b"1" * 140_000, "2:1: error: amplitude: read '1111"),

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from typing import Any
 
 from vstatics.core.errors import Path, quoted
@@ -175,9 +176,12 @@ class ScenarioValues:
     def _start(self, values: Mapping[str, Any]) -> Start:
         names = elastic_names(self.case)
         straight = {spring.name for spring in self.case.springs if self.case.is_straight(spring)}
+        gear, link = values.get("gear"), 0
+        with suppress(ValueError):  # the checks report an unknown gear
+            link = self.case.gear_input(self.case.gears[self.case.gear_number(gear or "") - 1])
         return Start(
-            values.get("gear"),
-            self._speed(values.get("speed", 0.0), 0, ("start", "speed")),
+            gear,
+            self._speed(values.get("speed", 0.0), link, ("start", "speed")),
             {
                 link: self._speed(speed, link, ("start", "speeds", link))
                 for link, speed in values.get("speeds", {}).items()

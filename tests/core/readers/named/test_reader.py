@@ -129,6 +129,9 @@ def test_what_is_no_text_or_no_mapping(file: str) -> None:
         (codecs.BOM_UTF16_LE + b"a\0\n\0b\0\x00\xd8", 2, 2, "not valid UTF-16"),
         (b"links: 3\n\x7fELF\0\0", 2, 5, "a zero byte"),
         ("links: 3".encode("utf-16-le"), 1, 2, "a zero byte"),
+        # github.com/opensafely-core/opencodelists/issues/1474: a workbook instead of a text
+        (b"PK\3\4\x14\0\6\0", 1, 1, "read a workbook or archive, expected a text"),
+        (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1\0", 1, 1, "save a table as CSV"),
     ):
         (problem,) = errors(data, file)
         assert problem.place is not None

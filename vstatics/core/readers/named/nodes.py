@@ -157,6 +157,10 @@ def length(node: Node) -> str:
     return f"a list of {len(node.items)}" if isinstance(node, Listing) else ""
 
 
+_WORKBOOKS = (b"PK\3\4", b"\xd0\xcf\x11\xe0")
+"""First bytes of workbooks in XLSX and XLS."""
+
+
 def encoding_of(data: bytes) -> str:
     """Return the encoding of a text from the byte order mark, or UTF-8 without a mark.
 
@@ -177,6 +181,10 @@ def decode(data: bytes, file: str, expected: str = "a case") -> DocumentText:
         At the first byte that cannot be decoded, or if the text is empty.
     """
     encoding = encoding_of(data)
+    if data.startswith(_WORKBOOKS):
+        DocumentText(Source(file, "")).stop(
+            f"read a workbook or archive, expected a text: {expected}; save a table as CSV", 1, 1
+        )
     try:
         text = data.decode(encoding)
     except UnicodeDecodeError as error:
