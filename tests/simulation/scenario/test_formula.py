@@ -155,6 +155,13 @@ def test_numbers_of_formulas_can_be_powers_or_percentages() -> None:
         ("5 if t < 1 else 0", r"read `if`, .* so write a factor such as `2\*\(x > 1\)`"),
         ("5*ln(1 + t)", r"there is no function `ln`, .*; did you mean `log`\?"),
         ("5*sgn(t)", r"there is no function `sgn`, .*; did you mean `sign`\?"),
+        # log is the natural logarithm, but others expect log10: beltoforion/muparser/issues/24
+        ("5*log10(t)", r"there is no function `log10`, .*; write log10 as `log\(x\)/log\(10\)`"),
+        ("5*tan(t)", r"there is no function `tan`, .*, atan; write tan as `sin\(x\)/cos\(x\)`"),
+        ("5*acos(t)", r"there is no function `acos`, expected .*, atan \["),
+        ("5*pow(t, 2)", r"; write pow as `x\*\*2`"),
+        # pjkundert/cpppo/issues/14: a fault in an index was told in words of Python
+        ("speed[a, a]", r"read `a`, expected a name in quotes, such as speed\('a'\)"),
     ],
 )
 def test_formulas_of_other_languages_are_rejected_with_the_right_spelling(

@@ -115,3 +115,16 @@ def test_a_loss_that_takes_all_power_near_rest_is_a_doubt(
     case = Transmission(2, [], [Mechanism(1, 2, 0, 4.0)], [Gear(loss=loss)], vehicle=car)
     assert ("W892" in [doubt.id for doubt in doubts(case)]) == warns
     assert math.isnan(performance(case).time_to_100) == warns
+
+
+@pytest.mark.parametrize("key", ["frontal_area", "Cd"])
+def test_a_drag_coefficient_and_a_frontal_area_are_not_a_drag_area(key: str) -> None:
+    """Such keys were answered with "did you mean `drag_area`?", which would omit a factor.
+
+    Source: alternate inputs of vehicles, github.com/NatLabRockies/fastsim/issues/300.
+    """
+    text = (
+        f"links: 2\nmechanisms: {{a: {{first: 1, second: 2, ratio: 4}}}}\nvehicle: {{{key}: 2.2}}"
+    )
+    with pytest.raises(ReadError, match="`drag_area` is the drag coefficient times the frontal"):
+        loads(text)

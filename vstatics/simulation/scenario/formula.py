@@ -361,7 +361,10 @@ def _check_name(
 
 def _check_row(part: TableName, rows: Collection[str], source: Excerpt) -> None:
     """Reject the name of an unknown link or component, as in `slip('X')`."""
-    [row] = part.subscripts
+    row, *others = part.subscripts
+    if others or row.written[0] not in "'\"":
+        expected = f"expected a name in quotes, such as {part.name}('{next(iter(rows), 'out')}')"
+        raise source.error(f"read {quoted(row.written)}, {expected}", row.at)
     seen = seen_in(part)
     assert seen is not None  # noqa: S101 - it has a row
     if seen.of not in rows:

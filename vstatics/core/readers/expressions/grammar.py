@@ -11,6 +11,7 @@ precedence. The right operand of each operator includes all operations of higher
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable, Collection, Sequence
 from typing import Any, NamedTuple, TypeAlias
@@ -279,10 +280,8 @@ class _Parser:
                 behind,
             )
         if call:
-            words = (*language.functions, *language.of_names)
-            meant = nearest(_SAME_FUNCTION.get(name, name), words)
-            hint = _CASES if name in _OF_CASES else meant or language.instead
             known = ", ".join(language.functions)
+            hint = _no_function(name, language)
             raise self.source.error(
                 f"there is no function {quoted(name)}, expected {known}{hint}", at
             )
@@ -333,10 +332,26 @@ ELSEWHERE = {
 """Operators of other languages, with the operators of formulas."""
 _SAME_FUNCTION = {"ln": "log", "sgn": "sign"}
 """Functions of other languages, with the functions of formulas."""
+_WRITTEN = {"pow": "x**2", "tan": "sin(x)/cos(x)", "log10": "log(x)/log(10)"}
+"""Functions of other languages, with formulas of the same value."""
 _OF_CASES = ("if", "where", "step", "heaviside")
 _CASES = "; a comparison is 1 or 0, so write a factor such as `2*(x > 1)`"
 PYTHON = ("lambda", "for", "in", "if", "else", "is", "await", "async", "yield", "from", "import")
 """Keywords of Python that formulas do not support."""
+
+
+def _no_function(name: str, language: Language) -> str:
+    """Return advice about an unknown function.
+
+    A function of Python's `math` is not a misspelling, so no similar name is suggested.
+    """
+    if name in _OF_CASES:
+        return _CASES
+    written = _WRITTEN.get(name, "")
+    if written and {*re.findall(r"\w+(?=\()", written)} <= {*language.functions}:
+        return f"; write {name} as {quoted(written)}"
+    words = () if hasattr(math, name) else (*language.functions, *language.of_names)
+    return nearest(_SAME_FUNCTION.get(name, name), words) or language.instead
 
 
 def no_operator(source: Excerpt, at: int, read: str, before: str) -> str:

@@ -38,6 +38,8 @@ _SYNONYMS = {
     **dict.fromkeys(("gear_sets", "gearsets", "sets", "planetary"), "elements"),
 }
 """Keys that users try, with the keys of a case that have this meaning."""
+_OF_DRAG = ("frontal_area", "area", "drag_coefficient", "cd", "cw", "cda")
+"""Keys of other programs for air drag, in lower case."""
 _MEMBERS = {"sun", "ring", "carrier", "teeth", "planets"}
 
 
@@ -101,6 +103,8 @@ def _advice(key: str, known: Collection[str]) -> str:
         return f"; {NO_COMMA}"
     if colon and value and name in known:
         return f"; write a blank after the colon: `{shown(name)}: {shown(value)}`"
+    if "drag_area" in known and key.lower() in _OF_DRAG:
+        return "; `drag_area` is the drag coefficient times the frontal area"
     if key in _MEMBERS and {"first", "second"} <= {*known}:
         return "; sun, ring, carrier and teeth are keys of gear sets under `elements`"
     if key == "ratio" and "teeth" in known and "ratios" not in known:
