@@ -229,10 +229,10 @@ def quoted(read: str) -> str:
 def percent(value: float) -> str:
     """Return an example if an efficiency seems to be in percent, otherwise an empty text.
 
-    >>> percent(95.0), percent(1.0000001)
+    >>> percent(95.0), percent(1.02)
     (', such as 0.95 for 95 %', '')
     """
-    return f", such as {value / 100:g} for {value:g} %" if 1.001 < value <= 100 else ""
+    return f", such as {value / 100:g} for {value:g} %" if 10 <= value <= 100 else ""
 
 
 def spoken(names: Iterable[str], last: str = "and") -> str:

@@ -69,3 +69,25 @@ def test_a_link_named_ground_gets_a_hint_to_the_housing() -> None:
     ):
         hint = "; write `housing` for a part that never turns"
         assert warnings(text) == [f"link `ground` {told}{hint}" for told in words]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "meant"),
+    [
+        # modelica/ModelicaStandardLibrary/issues/3977: a freewheel is a OneWayClutch there
+        ("B: [r, housing]", "B: {kind: one_way_clutch, links: [r, housing]}", "freewheel"),
+        ("kind: planetary", "kind: epicyclic", "planetary"),
+        ("kind: planetary", "kind: differential", "bevel"),
+        ("ring: r", "annulus: r", "ring"),
+    ],
+)
+def test_words_of_other_programs_are_translated(old: str, new: str, meant: str) -> None:
+    assert any(message.endswith(f"; did you mean `{meant}`?") for message in errors(old, new))
+
+
+def test_an_efficiency_above_1_is_not_taken_for_a_percentage() -> None:
+    """Source: extrapolated maps in github.com/OpenMDAO/Aviary/issues/972."""
+    last = "teeth: {sun: 30, ring: 70}"
+    for efficiency, hint in ((1.02, ""), (98, ", such as 0.98 for 98 %")):
+        [message] = errors(last, f"{last}, efficiency: {efficiency}")
+        assert message.endswith(f"expected an efficiency above 0 and up to 1{hint}")

@@ -36,8 +36,12 @@ _AFTER_COMMA = re.compile(r"\d+(%|[ \t].*)?", re.ASCII)
 _SYNONYMS = {
     **dict.fromkeys(("clutches", "brakes", "clutch", "brake"), "shift_elements"),
     **dict.fromkeys(("gear_sets", "gearsets", "sets", "planetary"), "elements"),
+    **dict.fromkeys(("one_way_clutch", "oneway_clutch", "sprag", "sprag_clutch"), "freewheel"),
+    **dict.fromkeys(("epicyclic", "simple", "planet"), "planetary"),
+    "annulus": "ring",
+    "differential": "bevel",
 }
-"""Keys that users try, with the keys of a case that have this meaning."""
+"""Keys and kinds that users try, with the words of a case that have this meaning."""
 _OF_DRAG = ("frontal_area", "area", "drag_coefficient", "cd", "cw", "cda")
 """Keys of other programs for air drag, in lower case."""
 _MEMBERS = {"sun", "ring", "carrier", "teeth", "planets"}

@@ -330,8 +330,8 @@ class Walk:
                 return scalars.flag(node.text, plain=node.plain)
             case "choice":
                 if node.text not in shape.choices:
-                    several = len(shape.choices) > 1
-                    hint = self.spots.document.hint(node.text, shape.choices) if several else ""
+                    several = shape.choices if len(shape.choices) > 1 else ()
+                    hint = compounds.meant_key(self.spots.document, node.text, several)
                     raise ValueError(f"expected {spoken(map(quoted, shape.choices), 'or')}{hint}")
                 return node.text
         if shape.infinite and node.plain and node.text in scalars.INFINITE:
