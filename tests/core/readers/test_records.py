@@ -3,6 +3,7 @@
 import pytest
 
 from vstatics.core.errors import Problem, ReadError
+from vstatics.core.model.shape import Measure
 from vstatics.core.readers.records import read_record
 from vstatics.core.readers.results import read_results
 
@@ -20,6 +21,22 @@ def test_blank_lines_before_the_headings_are_passed_over() -> None:
     made = read_record(b"\n\ntime,torque\n0,1\n\n1,2\n", "r.csv", WANTED)
     assert made.columns["torque"].tolist() == [1.0, 2.0]
     assert list(made.lines) == [4, 6]
+
+
+def test_units_can_be_in_a_line_below_the_headings() -> None:
+    """A first row of undefined numbers is not a row of units.
+
+    Sources: lines of units in BurntSushi/xsv/issues/245, and in ratal/mdfreader/issues/199, where
+    only the time has a unit.
+    """
+    wanted: dict[str, Measure | None] = {"time": None, "torque": "si_torque"}
+    for units, size in (("s,kN*m", 1e3), ("[s],[kN*m]", 1e3), ("(s) , N*m", 1.0), ("s,", 1.0)):
+        record = read_record(f"time,torque\n{units}\n0,1\n1,-2\n".encode(), "r.csv", wanted)
+        assert record.columns["torque"].tolist() == [size, -2 * size], units
+        assert list(record.lines) == [3, 4]
+    for first in ("nan,nan", "0,", "s,bolts", ",N*m"):
+        with pytest.raises(ReadError, match=r"r\.csv:2:1: error: .*: read '.*', expected a finite"):
+            read_record(f"time,torque\n{first}\n1,1".encode(), "r.csv", wanted)
 
 
 def test_a_wrong_number_is_located_behind_blank_lines_and_breaks_within_cells() -> None:

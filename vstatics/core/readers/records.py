@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from array import array
 from collections.abc import Container, Mapping, Sequence
+from itertools import chain
 from typing import NamedTuple
 
 import numpy as np
@@ -17,6 +19,9 @@ from vstatics.core.readers.named.nodes import MOST_PROBLEMS, decode
 from vstatics.core.readers.reading import Source
 from vstatics.core.suggestions import nearest
 from vstatics.core.tables.csv import unguarded
+
+_UNIT = re.compile(r"(?!nan|inf)[^\W\d_]", re.IGNORECASE)
+"""Pattern of the first letter of a unit; the texts of undefined numbers are not units."""
 
 
 class RecordedColumns(NamedTuple):
@@ -55,7 +60,8 @@ def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) ->
     Parameters
     ----------
     data : bytes
-        Content of the file: a line of headings, then a line for each instant.
+        Content of the file: a line of headings, then a line for each instant. Units can be in a
+        line below the headings.
     file : str
         Name of the file, for messages.
     wanted : mapping of str to str or None
@@ -87,7 +93,10 @@ def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) ->
         headings = tuple(unguarded(cell.strip()) for cell in first)
         places = _places(headings, wanted, source.place(head))
         columns = {name: array("d") for name in places}
-        for line, row in rows:
+        below = next(rows, None)
+        if below and (with_units := _with_units(headings, below[1], wanted, places)):
+            places, below = with_units, None
+        for line, row in chain([below] if below else [], rows):
             lines.append(line)
             for name, (place, size) in places.items():
                 cell = row[place] if place < len(row) else ""
@@ -128,6 +137,29 @@ def _places(
                     raise ReadError("E121", str(error), place=head) from None
             places[name] = place, size
     return places
+
+
+def _with_units(
+    headings: Sequence[str],
+    row: Sequence[str],
+    wanted: Mapping[str, Measure | None],
+    places: Mapping[str, tuple[int, float]],
+) -> dict[str, tuple[int, float]]:
+    """Return index and factor of each column by a row of units below the headings.
+
+    The result is empty if the row has no units. Only with a unit of time can others be missing.
+    """
+    units = [cell.strip().strip("[]()") for cell in row]
+    some = any(map(TableColumn("time", "time").accepts, units))
+    if len(units) < len(headings) or not all(
+        _UNIT.match(units[place]) or (some and not units[place]) for place, _ in places.values()
+    ):
+        return {}
+    named = [f"{heading} [{unit}]" for heading, unit in zip(headings, units, strict=True)]
+    try:
+        return _places(named, wanted, Place("", 1, 1))
+    except ReadError:
+        return {}
 
 
 def _wanted(heading: str, wanted: Container[str]) -> str:
