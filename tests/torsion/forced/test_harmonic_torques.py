@@ -237,6 +237,10 @@ def test_a_table_of_torques() -> None:
     table = b"order, amplitude, phase [deg]\n2, 80, 90\n\n4.5,20,0\n"
     found = read_torque_table(table, "engine.csv")
     assert found == [Harmonic(2.0, 80.0, math.pi / 2), Harmonic(4.5, 20.0, 0.0)]
+    # a line of units, in which pure numbers have none: github.com/BurntSushi/xsv/issues/245
+    for units in (b";[kN*m];[deg]", b"-;kN*m;deg"):
+        table = b"order;amplitude;phase\n" + units + b"\n2;0,08;90\n4,5;0,02;0\n"
+        assert read_torque_table(table, "engine.csv") == found
 
 
 def test_torques_on_several_cranks() -> None:

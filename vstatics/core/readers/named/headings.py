@@ -28,6 +28,7 @@ MOST_QUOTED = 76
 LEAST_LIKENESS = 0.75
 """Smallest similarity (0 to 1) at which a heading is a mistyped name."""
 _COMMENT_SIGNS = ("#", "%")
+_NUMBER = re.compile(r"[-+.]*[0-9]")
 _IN_ANY_LETTERS: tuple[Measure, ...] = ("time", "velocity")
 """Measures whose units can have any mixture of upper and lower case."""
 _UNIT_BEHIND = re.compile(
@@ -337,15 +338,16 @@ class _ExpectedTable(NamedTuple):
             self.check_names(headings, others)
         except ValueError as error:
             raise HeadingError(f"{error}{_quoted_lines(lines, at)}", number) from None
-        try:
-            _check_units(headings)
-        except ValueError as error:
-            for below, row in lines[at + 1 :]:
-                if with_units := _with_units(headings, cells_of(row, separator)):
-                    return HeadingLine(below, separator, with_units, len(cells), others)
-                if not is_comment(row):
-                    break
-            raise HeadingError(f"{error}{_quoted_lines(lines, at)}", number) from None
+        fault = _fault_of_units(headings)
+        for below, row in lines[at + 1 :]:
+            under = cells_of(row, separator)
+            is_asked = fault or _has_units(headings, under)
+            if is_asked and (with_units := _with_units(headings, under)):
+                return HeadingLine(below, separator, with_units, len(cells), others)
+            if not is_comment(row):
+                break
+        if fault:
+            raise HeadingError(f"{fault}{_quoted_lines(lines, at)}", number)
         return HeadingLine(number, separator, headings, len(cells), others)
 
     def check_names(self, headings: Sequence[Heading], others: Sequence[str]) -> None:
@@ -379,16 +381,22 @@ class _ExpectedTable(NamedTuple):
             raise ValueError(f"{spoken(map(quoted, missing))} {verb} missing, expected {self.what}")
 
 
-def _check_units(headings: Sequence[Heading]) -> None:
-    """Check that each heading has a unit of the right measure.
+def _fault_of_units(headings: Sequence[Heading]) -> str:
+    """Return a message with the wrong unit and the expected unit; empty if all units fit."""
+    try:
+        for heading in headings:
+            _ = heading.size
+    except ValueError as error:
+        return str(error)
+    return ""
 
-    Raises
-    ------
-    ValueError
-        The message states the unit that was read, and the expected unit.
-    """
-    for heading in headings:
-        _ = heading.size
+
+def _has_units(headings: Sequence[Heading], row: Sequence[str]) -> bool:
+    """Return whether a row has letters, but no number, in the columns of numbers."""
+    places = {heading.place for heading in headings if not heading.column.is_text}
+    cells = [cell.strip("[]() ") for place, cell in enumerate(row) if place in places]
+    has_letters = any(cell[:1].isalpha() for cell in cells)
+    return has_letters and not any(_NUMBER.match(cell) for cell in cells)
 
 
 def _with_clock(
@@ -407,15 +415,12 @@ def _with_clock(
 
 def _with_units(headings: Sequence[Heading], row: Sequence[str]) -> list[Heading]:
     """Return headings with the units of the row below; empty if that row has no units."""
-    units = {place: cell.strip("[]() ") for place, cell in enumerate(row)}
+    units = {place: cell.strip("[]() -") for place, cell in enumerate(row)}
     with_units = [
         heading._replace(unit=heading.unit or units.get(heading.place) or None)
         for heading in headings
     ]
-    with suppress(ValueError):
-        _check_units(with_units)
-        return with_units
-    return []
+    return [] if _fault_of_units(with_units) else with_units
 
 
 def _heading_lines(lines: Sequence[str]) -> Iterator[tuple[int, str, list[str]]]:
