@@ -39,6 +39,23 @@ def test_units_can_be_in_a_line_below_the_headings() -> None:
             read_record(f"time,torque\n{first}\n1,1".encode(), "r.csv", wanted)
 
 
+def test_comments_clock_times_and_letters_of_headings_are_those_of_other_files() -> None:
+    """Sources: comments in ibpsa/project1-boptest/issues/155, times in wireservice/csvkit#876."""
+    wanted: dict[str, Measure | None] = {"time": "time", "torque": None}
+    for text in (
+        "time,torque\n0,1\n# pause, 5 min\n% 9,9\n1.5,2\n",
+        "Time (s),Torque\n0,1\n1.5,2\n",
+        "TIME;torque\n23:59:59,5;1\n24:00:01;2\n",
+        "time,torque\n2017-07-31T23:59:59.5,1\n2017-08-01T00:00:01,2\n",
+        "time,torque\n31.07.2017 23:59:59.5,1\n01.08.2017 00:00:01,2\n",
+    ):
+        record = read_record(text.encode(), "r.csv", wanted)
+        first, last = record.columns["time"]
+        assert (last - first, record.columns["torque"].tolist()) == (1.5, [1.0, 2.0]), text
+    named = read_record(b"id,a,A\n#1,5,7\n#2,6,8\n", "r.csv", {"a": None, "A": None})
+    assert [column.tolist() for column in named.columns.values()] == [[5.0, 6.0], [7.0, 8.0]]
+
+
 def test_a_wrong_number_is_located_behind_blank_lines_and_breaks_within_cells() -> None:
     problem = fault_of_record(b'\n"time","what\never","torque"\n0,0,1\n1,0,much\n')
     assert (problem.id, "much" in problem.message) == ("E121", True)

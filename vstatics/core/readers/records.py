@@ -14,9 +14,10 @@ from vstatics.core.errors import Place, Problem, ReadError, listed, quoted
 from vstatics.core.model.shape import Measure
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.readers.named.csv_rows import decimal, numbered_rows
-from vstatics.core.readers.named.headings import TableColumn, with_unit, without_titles
+from vstatics.core.readers.named.headings import TableColumn, is_comment, with_unit, without_titles
 from vstatics.core.readers.named.nodes import MOST_PROBLEMS, decode
 from vstatics.core.readers.reading import Source
+from vstatics.core.readers.unit_table import Clock
 from vstatics.core.suggestions import nearest
 from vstatics.core.tables.csv import unguarded
 
@@ -61,7 +62,8 @@ def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) ->
     ----------
     data : bytes
         Content of the file: a line of headings, then a line for each instant. Units can be in a
-        line below the headings.
+        line below the headings. If the first column holds numbers, lines that begin with `#` or
+        `%` are comments.
     file : str
         Name of the file, for messages.
     wanted : mapping of str to str or None
@@ -96,12 +98,18 @@ def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) ->
         below = next(rows, None)
         if below and (with_units := _with_units(headings, below[1], wanted, places)):
             places, below = with_units, None
+        clock, in_numbers = Clock(), False
         for line, row in chain([below] if below else [], rows):
+            if in_numbers and is_comment(row[0]):
+                continue
             lines.append(line)
+            in_numbers = in_numbers or row[0].strip(" -+.")[:1].isdigit()
             for name, (place, size) in places.items():
                 cell = row[place] if place < len(row) else ""
+                is_clock = wanted[name] == "time" and ":" in cell
+                seconds = clock.seconds(cell) if is_clock else None
                 try:
-                    columns[name].append(decimal(cell) * size)
+                    columns[name].append(decimal(cell) * size if seconds is None else seconds)
                 except ValueError as error:
                     message = f"{name}: read {cell.strip()[:40]!r}, {error}"
                     problems.append(Problem("E121", message, (), source.place(line)))
@@ -163,6 +171,10 @@ def _with_units(
 
 
 def _wanted(heading: str, wanted: Container[str]) -> str:
-    """Return the name in a heading: the full heading if requested, else without the unit."""
+    """Return the name in a heading: the full heading if requested, else without the unit.
+
+    A heading can have capitals that the requested name, such as `time`, has not.
+    """
     name, _ = with_unit(heading)
+    name = name.lower() if name not in wanted and name.lower() in wanted else name
     return name if name in wanted and heading not in wanted else heading

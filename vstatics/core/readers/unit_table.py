@@ -130,6 +130,33 @@ def _filled(lines: Iterable[str], first: int) -> Iterator[tuple[int, str]]:
     return ((number, line) for number, line in enumerate(lines, first) if has_cells(line))
 
 
+class Clock:
+    """Reader of clock times, with or without a date."""
+
+    def __init__(self) -> None:
+        self._midnight: datetime | None = None
+
+    def seconds(self, cell: str) -> float | None:
+        """Return a time such as `01:30:00` in seconds, whatever unit the heading gives.
+
+        The result is None for other cells. A time with a date counts from midnight of the first
+        dated row; without a time zone it is in UTC.
+        """
+        if clock := _CLOCK.fullmatch(cell):
+            hours, minutes, seconds = clock.groups()
+            return 3600.0 * int(hours) + 60 * int(minutes) + float(seconds.replace(",", "."))
+        dated = _DAY_FIRST.sub(r"\3-\2-\1", cell.strip())
+        if not _DATED.match(dated):
+            return None
+        try:
+            moment = datetime.fromisoformat(dated)
+        except ValueError:
+            return None
+        moment = moment if moment.tzinfo else moment.replace(tzinfo=UTC)
+        self._midnight = self._midnight or moment.replace(hour=0, minute=0, second=0, microsecond=0)
+        return (moment - self._midnight).total_seconds()
+
+
 class _ColumnsRead:
     """Rows of a table, collected column by column."""
 
@@ -141,7 +168,7 @@ class _ColumnsRead:
         self.texts: dict[str, list[str]] = {}
         self._sizes: list[tuple[int, str, float, array[float]]] = []
         self._words: list[tuple[int, list[str]]] = []
-        self._midnight: datetime | None = None
+        self._clock = Clock()
         self._times = {h.column.name for h in head.headings if h.column.measure == "time"}
         for heading in head.headings:
             name, place = heading.column.name, heading.place
@@ -207,7 +234,7 @@ class _ColumnsRead:
         for place, name, size, column in self._sizes:
             cell = cells[place]
             is_clock = name in self._times and ":" in cell
-            seconds = self._seconds(cell) if is_clock else None
+            seconds = self._clock.seconds(cell) if is_clock else None
             try:
                 if seconds is None:
                     seconds = decimal(self.decimals.with_points(cell, number)) * size
@@ -217,23 +244,3 @@ class _ColumnsRead:
                 raise ValueError(f"{name}: read {cell.strip()[:40]!r}, {error}{hint}") from None
         for place, words in self._words:
             words.append(sys.intern(cells[place].strip()))
-
-    def _seconds(self, cell: str) -> float | None:
-        """Return a time such as `01:30:00` in seconds, whatever unit the heading gives.
-
-        The result is None for other cells. A time with a date counts from midnight of the first
-        dated row; without a time zone it is in UTC.
-        """
-        if clock := _CLOCK.fullmatch(cell):
-            hours, minutes, seconds = clock.groups()
-            return 3600.0 * int(hours) + 60 * int(minutes) + float(seconds.replace(",", "."))
-        dated = _DAY_FIRST.sub(r"\3-\2-\1", cell.strip())
-        if not _DATED.match(dated):
-            return None
-        try:
-            moment = datetime.fromisoformat(dated)
-        except ValueError:
-            return None
-        moment = moment if moment.tzinfo else moment.replace(tzinfo=UTC)
-        self._midnight = self._midnight or moment.replace(hour=0, minute=0, second=0, microsecond=0)
-        return (moment - self._midnight).total_seconds()
