@@ -121,6 +121,10 @@ def test_what_is_wrong_is_told_at_its_place(file: Path, tmp_path: Path) -> None:
     (tmp_path / "v.csv").write_text("load.speed\n1000 rpm\n")
     ran = run("sweep", file, "--variants", tmp_path / "v.csv")
     assert ran.gives_nothing("such as 2000 rpm; give the unit in brackets in the heading")
+    (tmp_path / "v.csv").write_text("a.efficiency [%]\n98\n")
+    ran = run("sweep", file, "--variants", tmp_path / "v.csv")
+    assert ran.gives_nothing("read values in %, expected bare numbers; write each value as `98%`")
+    assert "in brackets" not in ran.err
     for twice in (
         ("gears.*.torques.mid=1 N*m", "gears.one.torques.mid=2 N*m"),
         ("drag.mid=1 N*m", "gears.two.drag.mid=2 N*m"),

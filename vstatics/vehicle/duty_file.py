@@ -69,7 +69,13 @@ class DutyFile(NamedTuple):
 
 
 _COLUMNS = (
-    TableColumn("time", "time", optional=True, may_be_bare=True, aliases={"t": ""}),
+    TableColumn(
+        "time",
+        "time",
+        optional=True,
+        may_be_bare=True,
+        aliases={"t": "", "seconds": "s", "minutes": "min", "hours": "h"},
+    ),
     TableColumn("share", optional=True, sizes={"": 1.0, "-": 1.0, "%": 0.01}),
     TableColumn("gear", is_text=True, optional=True),
     *SHAFT_COLUMNS,

@@ -325,7 +325,15 @@ def test_wild_numbers_of_a_duty_cycle_end_in_numbers_or_at_their_line(seed: int)
 
 @pytest.mark.parametrize(
     "headings",
-    ["duration [s],gear,n [rpm],M [Nm]", "t [s],gear,n [rpm],T [Nm]", "time [s],gear,RPM,Nm"],
+    [
+        "duration [s],gear,n [rpm],M [Nm]",
+        "t [s],gear,n [rpm],T [Nm]",
+        "time [s],gear,RPM,Nm",
+        # letters distinguish headings, as in github.com/jtablesaw/tablesaw/issues/104
+        "t,gear,n,T\ns,,rpm,N*m",
+        # headings that are units, as in github.com/GoldenCheetah/GoldenCheetah/issues/1288
+        "Seconds,gear,RPM,Nm",
+    ],
 )
 def test_a_duty_cycle_has_the_documented_names_of_speed_and_torque(headings: str) -> None:
     """Names as in docs/units.md, also with a `duration`; work is torque times angle."""

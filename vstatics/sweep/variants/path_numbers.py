@@ -91,7 +91,9 @@ class CasePath(NamedTuple):
         unit = unit or self.unit
         if self.measure is None:
             if unit:
-                raise ValueError(f"{self.path}: read values in {unit}, expected bare numbers")
+                advice = "; write each value as `98%` or 0.98" * (unit == "%")
+                message = f"{self.path}: read values in {unit}, expected bare numbers{advice}"
+                raise ValueError(message)
             return self
         if not unit and self.relative:
             return self._replace(of=self.relative)

@@ -260,7 +260,8 @@ def _varied(name: str, subject: VariedSubject, place: Place) -> Varied:
     try:
         return varied.in_unit("") if isinstance(varied, CasePath) else varied
     except ValueError as error:
-        raise refusal(f"{error}; give the unit in brackets in the heading", place) from None
+        advice = "; give the unit in brackets in the heading" * (with_unit(name)[1] is None)
+        raise refusal(f"{error}{advice}", place) from None
 
 
 def _rows(first: bytes, pieces: Iterator[bytes], columns: _Columns) -> Iterator[Floats]:

@@ -309,14 +309,17 @@ class _ExpectedTable(NamedTuple):
     def named(self, name: str, unit: str | None) -> tuple[TableColumn, str] | None:
         """Return the column with a name or alias, and the unit that the alias implies.
 
-        If several columns have the name, as `t` for time and torque, the unit decides.
+        If several columns have the name, as `t` for time and torque, the unit decides. Without a
+        unit, `t` is the time and `T` the torque.
         """
-        name = _folded(name)
+        folded = _folded(name)
         known = [
-            (column, column.aliases.get(name, ""))
+            (column, column.aliases.get(folded, ""))
             for column in self.columns
-            if name == column.name or name in column.aliases
+            if folded == column.name or folded in column.aliases
         ]
+        if unit is None and name == "T":
+            known = known[-1:]
         fitting = (pair for pair in known if pair[0].accepts(unit))
         return next(fitting, known[0] if known else None)
 
