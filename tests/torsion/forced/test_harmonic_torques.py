@@ -195,7 +195,12 @@ def test_absurd_speeds_have_no_value_and_absurd_orders_no_resonance() -> None:
 
 @pytest.mark.parametrize(
     ("orders", "amplitudes"),
-    [([2.0, 4.5], [1, 1j]), ([1.0, 3.0], [1, -1]), ([0.5, 1.0, 1.5], [1 + 1j, 0.3 - 2j, 0.7])],
+    [
+        ([2.0, 4.5], [1, 1j]),
+        ([1.0, 3.0], [1, -1]),
+        ([0.5, 1.0, 1.5], [1 + 1j, 0.3 - 2j, 0.7]),
+        ([7.5, 8.0], [7 + 12.5j, 3e-3]),  # 30 tops of nearly equal height
+    ],
 )
 def test_the_largest_value_of_several_orders(
     orders: list[float], amplitudes: list[complex]

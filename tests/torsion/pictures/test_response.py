@@ -66,6 +66,16 @@ def test_what_is_drawn_is_the_logarithm_over_the_speed(gear: int) -> None:
     assert heights[:3] == pytest.approx(slope * logs[:3] + start, abs=0.02)
 
 
+@pytest.mark.parametrize(
+    ("shown", "runs"), [((600, 3000), False), ((600, 4000), True), ((5000, 6000), False)]
+)
+def test_the_legend_has_no_running_speed_outside(shown: tuple[float, float], runs: bool) -> None:
+    """The load of the case is at 4000 rpm."""
+    style = Style(excited=Excitation(shown=shown))
+    texts = said.texts(picture(shipped_results(DRIVELINE), "response", style, [6]))
+    assert ("the input runs at 4000 rpm" in texts) is runs
+
+
 def test_there_is_a_panel_for_each_gear_and_a_line_for_each_order(tmp_path: Path) -> None:
     svg = plotted(tmp_path, CASES / DRIVELINE, "-k", "response", "--orders", "3,1.5")
     panels = marks(svg, "panel")

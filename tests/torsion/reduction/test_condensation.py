@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tests.chance import each_seed, seeded
+from tests.chance import count, each_seed, seeded
 from vstatics.torsion.reduction.condensation import tidied, without_massless
 from vstatics.torsion.reduction.scheme import (
     SchemeSpring,
@@ -11,6 +11,7 @@ from vstatics.torsion.reduction.scheme import (
     natural_frequencies,
     stiffness_matrix,
 )  # fmt: skip
+from vstatics.torsion.reduction.simplification import without_branch_mass
 
 Twist = dict[int, float]
 
@@ -75,6 +76,24 @@ def test_any_scheme_keeps_its_stiffness_and_frequencies(seed: int) -> None:
     assert len(left.springs) <= len(given.springs) - 3
     assert stiffness_matrix(left) == pytest.approx(expected, abs=1e-9 * abs(expected).max())
     assert natural_frequencies(left) == pytest.approx(natural_frequencies(given), rel=1e-9)
+
+
+def test_differentials_without_their_masses_still_turn_freely() -> None:
+    """All masses turn as one without a twist, so n masses have n - 1 frequencies."""
+    chance = seeded(2)
+    for _ in range(count(60, 2000)):
+        springs = [SchemeSpring("s", {mass: 1.0, mass - 1: -1.0}, 1e-3) for mass in range(1, 6)]
+        for _ in range(2):
+            masses, i = chance.sample(range(6), 3), round(chance.uniform(0.2, 3), 3)
+            twist = dict(zip(masses, (1.0, -i, i - 1), strict=True))
+            springs.append(SchemeSpring("d", twist, chance.uniform(1e-5, 1e-3)))
+        scheme = TorsionScheme(tuple("abcdef"), (1.0, 2.0, 3.0, 4.0, 5.0, 6.0), tuple(springs))
+        for mass in chance.sample("abcdef", 4):
+            scheme = without_branch_mass(scheme, scheme.names.index(mass), "r")
+            assert (
+                len(natural_frequencies(without_massless(scheme)))
+                == sum(inertia > 0 for inertia in scheme.inertias) - 1
+            )
 
 
 def test_a_meeting_of_three_stays_where_the_shape_is_kept() -> None:

@@ -116,6 +116,33 @@ def test_a_rigid_set_with_inertia_on_all_its_links_is_a_stiff_spring() -> None:
     assert step.omegas == pytest.approx(expected, rel=0.1)
 
 
+def test_a_scheme_has_the_frequencies_of_its_planets_or_none() -> None:
+    """Planets of 30 teeth turn at 2 w_c - w_s; no scheme if the carrier has less than 4*0.1."""
+    twists = np.array([(0, 0, 1, -1), (0, 1, 0, 0)])
+    refused = set()
+    for carrier in (0.0, 0.02, 0.1, 0.5):
+        case = loads(
+            "links: [sun, ring, carrier, vehicle]\noutput: vehicle\n"
+            f"inertias: {{sun: 0.2, ring: 0.3, carrier: {carrier}, vehicle: 4}}\n"
+            "springs: {out: {links: [carrier, vehicle], stiffness: 2500},\n"
+            "  mount: {links: [ring, housing], stiffness: 4000}}\n"
+            "elements:\n  P: {kind: planetary, sun: sun, ring: ring, carrier: carrier,\n"
+            "    teeth: {sun: 30, ring: 90}, planets: 1, planet: {inertia: 0.1, mass: 0, radius: 1}}\n"
+        )
+        motions = np.array([[-3, 4, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1.0]])  # of ring, carrier
+        spin = np.array([-1, 0, 2, 0]) @ motions
+        mass = motions.T @ np.diag([0.2, 0.3, carrier, 4]) @ motions + 0.1 * np.outer(spin, spin)
+        rows = twists @ motions
+        squares = linalg.eigh(rows.T @ np.diag([2500, 4000]) @ rows, mass, eigvals_only=True)
+        scheme = gear_scheme(case, case.gears[0])
+        if isinstance(scheme, TorsionScheme):
+            found = natural_frequencies(scheme)[:2]
+            assert found == pytest.approx(np.sqrt(squares[1:]), rel=1e-6)
+        else:
+            refused.add(carrier)
+    assert refused == {0.0, 0.02, 0.1}  # (3 w_r - 2 w_c)^2 is w_s^2/2 + 4.5 w_r^2 - 4 w_c^2
+
+
 def test_planets_are_reduced_by_the_squares_of_their_speeds() -> None:
     """Sun 30, ring 90 held, planets 30: the carrier has 1/4 of the speed of the sun.
 

@@ -79,18 +79,21 @@ def _cycle(orders: Sequence[float]) -> float | None:
 def _largest(turning: Complex, amplitudes: Complex, angles: Floats) -> Floats:
     """Return the largest magnitude of the sum over a cycle, for each column of amplitudes."""
     waves = np.exp(turning[:, None] * angles)
-    highest = np.empty(amplitudes.shape[1])
-    angle = np.empty((amplitudes.shape[1], 4))
+    derivatives = turning ** np.arange(3)[:, None]
+    largest = np.empty(amplitudes.shape[1])
     for number, column in enumerate(amplitudes.T):
-        values = np.abs((column[:, None] * waves).sum(axis=0).real)
-        highest[number], angle[number] = values.max(), angles[np.argsort(values)[-4:]]
-    amplitudes, turning = amplitudes[:, :, None], turning[:, None, None]
-    for _ in range(8):  # Newton's method starts at the four largest values of each column
-        terms = amplitudes * np.exp(turning * angle)
-        slope = (turning * terms).sum(axis=0).real
-        bend = (turning**2 * terms).sum(axis=0).real
-        step = np.where(bend != 0, -slope / np.where(bend, bend, 1.0), 0.0)
-        angle += np.clip(step, -angles[1], angles[1])
-    tops = np.abs((amplitudes * np.exp(turning * angle)).sum(axis=0).real)
-    largest: Floats = np.maximum(highest, tops.max(axis=1))
+        values, slopes, bends = (derivatives * column @ waves).real
+        steps = _steps(slopes, bends, angles[1])
+        tops = np.abs(values + steps * (slopes + bends * steps / 2))
+        angle = angles[np.argsort(tops)[-8:]]
+        for _ in range(3):  # Newton's method starts at the eight highest tops of parabolas
+            terms = derivatives * column @ np.exp(turning[:, None] * angle)
+            angle += _steps(terms[1].real, terms[2].real, angles[1])
+        tops = np.abs((column @ np.exp(turning[:, None] * angle)).real)
+        largest[number] = max(np.abs(values).max(), tops.max())
     return largest
+
+
+def _steps(slopes: Floats, bends: Floats, spacing: float) -> Floats:
+    """Return Newton steps to extremes, up to half the spacing of the points."""
+    return np.clip(-slopes / np.where(bends, bends, 1.0), -spacing / 2, spacing / 2)

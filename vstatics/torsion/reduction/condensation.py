@@ -138,8 +138,13 @@ def _parallel_combined(springs: Iterable[SchemeSpring]) -> list[SchemeSpring]:
 
 
 def _normal(spring: SchemeSpring) -> SchemeSpring:
-    """Return an equivalent spring with coefficients sorted by mass, the first of which is 1."""
+    """Return an equivalent spring with coefficients sorted by mass, the first of which is 1.
+
+    Without rounding errors in their sum, the masses can rotate together.
+    """
     twist = {mass: a for mass, a in sorted(spring.twist.items()) if a}
     first = next(iter(twist.values()), 1.0)
     twist = {mass: a / first for mass, a in twist.items()}
+    if twist and abs(total := math.fsum(twist.values())) < TIE:
+        twist[max(twist)] -= total
     return SchemeSpring(spring.name, twist, spring.compliance / first**2, spring.damping * first**2)

@@ -154,14 +154,13 @@ def _independent(
 
 
 def _reduced_inertia(system: TorsionalSystem, group: Sequence[int], to_input: Scales) -> float:
-    total = 0.0
-    for body in system.bodies:
-        if body.inertia > 0 and any(link in group for link in body.form):
-            speed = sum(
-                part / scale for link, part in body.form.items() if (scale := to_input.scales[link])
-            )
-            total += body.inertia * speed**2
-    return total
+    return sum(
+        body.inertia
+        * sum(part / scale for link, part in body.form.items() if (scale := to_input.scales[link]))
+        ** 2
+        for body in system.bodies
+        if any(link in group for link in body.form)
+    )
 
 
 def _spring(

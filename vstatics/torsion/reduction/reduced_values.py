@@ -116,8 +116,9 @@ def _gear_reduction(case: Transmission, gear: Gear, to: int) -> GearReduction:
     names, by_link = system.names, of_links.scales
     inertias: dict[str, float | None] = {}
     for group in groups:
-        parts = [(system.bodies[link].inertia, by_link[link]) for link in group]
-        known = [inertia / scale**2 for inertia, scale in parts if scale]
+        known = [
+            system.bodies[link].inertia / scale**2 for link in group if (scale := by_link[link])
+        ]
         inertias[names[group[0]]] = sum(known) if known else None
     return GearReduction(
         gear.name,

@@ -155,7 +155,7 @@ class ExcitedSpeeds(NamedTuple):
     orders: Sequence[Order]
     """Orders, ascending."""
     running: Sequence[float]
-    """Speeds at which the input runs, ascending. [rpm]"""
+    """Speeds at which the input runs, ascending; empty if none of them are shown. [rpm]"""
     fastest: float
     """Highest speed shown. [rpm]"""
     slowest: float = 0.0
@@ -170,5 +170,7 @@ def excited_speeds(
     running = running_speeds(case, gears, asked)
     if asked.shown is not None:
         slowest, fastest = asked.shown
+        if running and (running[-1] < slowest or running[0] > fastest):
+            running = []
         return ExcitedSpeeds(orders, running, fastest, slowest)
     return ExcitedSpeeds(orders, running, highest_speed(running, frequencies, orders[0].number))

@@ -32,8 +32,6 @@ def draw_running(pen: Pen, speeds: Sequence[float], style: Style) -> None:
         return
     wide, high = pen.size
     left, right = (pen.across(speeds[place]) for place in (0, -1))
-    if right < 0 or left > wide:
-        return
     left, right, group = max(left, 0.0), min(right, wide), pen.within("range")
     if len(speeds) == 1:
         group.line((left, 0.0), (left, high), zorder=0.3, **_line_look(style))
