@@ -74,7 +74,7 @@ def eigenvalues(mass: Array, stiffness: Array, resistance: Array, rigid: int = 0
 
 
 @st.composite
-def branched(draw: st.DrawFn, *, damped: bool = False) -> Transmission:
+def branched(draw: st.DrawFn) -> Transmission:
     """Any springs between any links, some of four members, some to the housing."""
     links = draw(st.integers(2, 7))
     size = st.floats(0.1, 10.0)
@@ -86,9 +86,6 @@ def branched(draw: st.DrawFn, *, damped: bool = False) -> Transmission:
     for number in range(draw(st.integers(0, 3))):
         members = draw(st.dictionaries(st.integers(1, links), parts, min_size=1))
         springs.append(Spring(members, stiffness=draw(size), name=f"form {number}"))
-    if damped:
-        springs = [one._replace(damping=draw(st.floats(0.0, 0.3))) for one in springs]
-        springs[0] = springs[0]._replace(damping=0.05)
     inertias = {n: draw(size) for n in range(1, links + 1)}
     return Transmission(links, [], [], [], springs=springs, inertias=inertias, output=links)
 
