@@ -152,9 +152,8 @@ def energy(element: Element, speeds: Speeds) -> float:
 def simple(speeds: Speeds) -> float:
     members, teeth = {"sun": 1, "ring": 2, "carrier": 3}, {"sun": 30, "ring": 75, "planet": 22}
     masses = {"planet": PlanetMass(0.002, 0.7, 0.05)}
-    return energy(
-        Element("P", "planetary", members, teeth, planets=4, planet_masses=masses), speeds
-    )
+    one = Element("P", "planetary", members, teeth, planets=4, planet_masses=masses)
+    return energy(one, speeds)
 
 
 def test_planets_turn_by_their_teeth_and_are_masses_on_a_circle() -> None:

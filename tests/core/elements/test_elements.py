@@ -191,22 +191,6 @@ def test_links_that_are_empty_and_given_again_are_given_twice() -> None:
         assert told.endswith("`links` is given twice, the first is on line 1, column 1 [E192]")
 
 
-def test_a_merge_key_brings_the_kind() -> None:
-    text = changed("ring, carrier: carrier", "ring, <<: *x, carrier: carrier")
-    text = changed("kind: planetary, ", "", text).replace("SET", "")
-    assert loaded(text.replace("*x", "{kind: planetary}")) == loaded(SET)
-
-
-def test_a_name_that_stands_alone_is_told_with_the_nearest() -> None:
-    text = changed("B: [ring, housing]", "B: [rign, housing]")
-    told = read(text.encode(), "case.yaml").warnings
-    assert [str(problem) for problem in told if problem.severity == "warning"] == [
-        f"case.yaml:{place}: warning: link `{name}` appears only once, so it is connected to "
-        f"nothing; did you mean `{near}`? [W102]"
-        for place, name, near in (("5:41", "ring", "rign"), ("7:7", "rign", "ring"))
-    ]
-
-
 def test_a_library_user_gets_all_faults_at_once() -> None:
     bad = Element("P", "planetery", {})
     worse = Element("Q", "planetary", {"sun": 1, "ring": 2}, {"sun": 30})

@@ -16,9 +16,8 @@ GEARS = [Gear([1]), Gear([2]), Gear([3]), Gear([4])]
 
 
 def drawn(element: Element) -> Transmission:
-    return transmission(
-        Drawing(4, (element,)), shift_elements=ELEMENTS, gears=GEARS, input=1, output=3
-    )
+    drawing = Drawing(4, (element,))
+    return transmission(drawing, shift_elements=ELEMENTS, gears=GEARS, input=1, output=3)
 
 
 def of_ratios(small: float, large: float, **others: object) -> Transmission:

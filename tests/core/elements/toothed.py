@@ -28,6 +28,7 @@ MEMBERS = {
 }
 
 
+Rims = Mapping[str, Mapping[str, int]]
 Wheels = Sequence[tuple[str, int, bool, str]]
 """Name, teeth, whether it is a ring, the rim that it meshes with."""
 
@@ -52,7 +53,7 @@ def of(text: str) -> Element:
 
 def group(
     wheels: Wheels,
-    rims: Mapping[str, Mapping[str, int]],
+    rims: Rims,
     meshes: Sequence[tuple[str, str]] = (),
     planets: int | None = None,
 ) -> Element:
@@ -60,10 +61,8 @@ def group(
         CentralWheel(name, link, teeth, is_internal, rim)
         for link, (name, teeth, is_internal, rim) in enumerate(wheels, 1)
     ]
-    members = {"carrier": len(wheels) + 1}
-    return Element(
-        "E", "planet_group", members, {}, planets, rims=rims, wheels=central, meshes=meshes
-    )
+    own = {"carrier": len(wheels) + 1}
+    return Element("E", "planet_group", own, {}, planets, rims=rims, wheels=central, meshes=meshes)
 
 
 UMDM = group(
@@ -107,9 +106,7 @@ def goes_in(one: Element, planets: int) -> bool:
     return assembles(Group(rims, axes, central, contacts), planets)
 
 
-def parts(
-    one: Element,
-) -> tuple[Wheels, Mapping[str, Mapping[str, int]], Sequence[tuple[str, str]]]:
+def parts(one: Element) -> tuple[Wheels, Rims, Sequence[tuple[str, str]]]:
     """An element as wheels, rims and meshes, written down here once more."""
     if one.rims:
         return [(w.member, w.teeth, w.internal, w.rim) for w in one.wheels], one.rims, one.meshes

@@ -135,14 +135,6 @@ def test_a_line_that_is_a_field_except_for_its_name_is_a_warning() -> None:
             assert (told.startswith(place), word in told) == (True, True), line
 
 
-def test_missing_gears_are_reported_before_later_fields_of_the_same_place() -> None:
-    text = NO_FAULT[: NO_FAULT.index("KFRI")] + "IDLE="
-    with pytest.raises(ReadError) as raised:
-        deck.read(text.encode(), "cut.dat")
-    messages = [p.message for p in raised.value.problems if p.severity == "error"]
-    assert [message.partition(" ")[0] for message in messages] == ["KFRI", "IDLE:"]
-
-
 def test_every_deck_with_a_fault_is_tested() -> None:
     files = {file.stem for file in BAD_FILES.glob("*.dat")}
     assert files == TABLE.keys() | {"no-fault"}

@@ -40,13 +40,10 @@ def case_of(folder: Path, drag: str = "0", efficiency: str = "1") -> Path:
         "RPM,Nm\n0,1\n300,4\n",
     ],
 )
-def test_a_file_of_points_beside_the_case_is_that_of_a_test_bench(
-    tmp_path: Path, text: str
-) -> None:
+def test_a_file_of_points_is_that_of_a_test_bench(tmp_path: Path, text: str) -> None:
     """The line through (0, 1) and 300 rpm, 4 N*m has 2.5 N*m at 5 pi rad/s.
 
     Sources: github.com/astropy/astropy/issues/8674 (savetxt), readers of cycles and records.
-
     Headings that are units alone: github.com/GoldenCheetah/GoldenCheetah/issues/1288.
     """
     (tmp_path / "drag.csv").write_text(text, "utf-8")
@@ -82,11 +79,7 @@ def test_a_file_that_is_wrong_is_told_at_its_place(tmp_path: Path, text: str, sa
     [
         ("1 + v*w", "1", "a formula of w: read `v` in it, expected a number, the speed w"),
         ("1 + 2*sin(w)", "1", "sin"),
-        (
-            '"1,2 + 0,004*w"',
-            "1",
-            "read `,`, expected an operator, or an end (with a decimal point)",
-        ),
+        ('"1,2 + 0,004*w"', "1", "expected an operator, or an end (with a decimal point)"),
         ("a.csv", "1", "expected a file as `{file: a.csv}`"),
         ("1", "a.csv", "expected a file as `{over: [speed, torque], file: a.csv}`"),
         ("[]", "1", "expected points"),
@@ -119,9 +112,7 @@ SIZES = {
 
 
 @each_seed(20, 500)
-def test_points_of_an_efficiency_have_units_as_all_points_over_speed_do(
-    seed: int, tmp_path: Path
-) -> None:
+def test_points_have_units_whatever_they_are_over(seed: int, tmp_path: Path) -> None:
     """Random units point by point, also bare; drag has the same; other units are named."""
     rng = seeded(seed)
     over, other = rng.sample(sorted(SIZES), 2)

@@ -7,7 +7,6 @@ from collections.abc import Iterable
 import pytest
 
 from tests.commands import CASES
-from vstatics.core.readers.named.json_nodes import json_tree
 from vstatics.core.readers.named.nodes import decode, encoding_of
 from vstatics.core.readers.named.written_numbers import NumberSpot, number_spots, with_written
 from vstatics.core.readers.named.yaml_nodes import yaml_tree
@@ -55,11 +54,3 @@ def test_the_encoding_of_a_file_stays(mark: bytes) -> None:
     spots = number_spots(text, yaml_tree(decode(data, "a.yaml")))
     made = with_written(data, spots, {("größe",): math.pi})
     assert made == mark + f"größe: {math.pi!r} # é\r\n".encode(order)
-
-
-def test_numbers_of_json_stay_numbers_of_json() -> None:
-    data = b'{"a": 1e3,\n "b": {"c": [-0.5, "2 rpm"]}}'
-    spots = number_spots(data.decode(), json_tree(decode(data, "a.json")))
-    values = {("a",): 1e-7, ("b", "c", "1"): 2.0, ("b", "c", "2"): 3.0}
-    made = with_written(data, spots, values)
-    assert made == b'{"a": 1e-07,\n "b": {"c": [2, "3 rpm"]}}'

@@ -114,9 +114,8 @@ def test_a_shift_table_may_mark_what_is_engaged_and_what_is_not() -> None:
         marks = {"x": engaged, "-": not_engaged}
         table: dict[str, Any] = {"gears!A4": "neutral"}
         for row, shift in ((2, "x-x"), (3, "xx-"), (4, "---")):
-            table |= {
-                f"gears!{column}{row}": marks[one] for column, one in zip("BCD", shift, strict=True)
-            }
+            pairs = zip("BCD", shift, strict=True)
+            table |= {f"gears!{column}{row}": marks[one] for column, one in pairs}
         assert read(with_cells(table)) == library.loads(SAME + "  neutral: []\n"), engaged
 
 
