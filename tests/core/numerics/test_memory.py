@@ -183,13 +183,10 @@ def test_results_in_a_circle_of_references_are_given_back() -> None:
         gc.set_threshold(*threshold)
 
 
-def test_no_more_than_the_limit_is_kept(
-    free: deque[Block], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_limit_is_kept(free: deque[Block], monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(memory, "KEPT_BYTES", 10_000)
-    lent = [
-        shown(memory.block({"ratio": Form((1, 1, n), np.float64)})) for n in (300, 400, 500, 600)
-    ]
+    forms = ({"ratio": Form((1, 1, n), np.float64)} for n in (300, 400, 500, 600))
+    lent = [shown(memory.block(form)) for form in forms]
     assert not free
     lent.clear()
     # 4800 came first and had to go first

@@ -16,15 +16,7 @@ from tests.core.numerics.programs import Program, programs, rows_for, run, same_
 from vstatics.core.numerics import plans
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.memory import Rows
-from vstatics.core.numerics.plans import (
-    FEW_VARIANTS,
-    MOST_PLANS,
-    SAMPLED,
-    SPREAD,
-    TRIALS,
-    Plans,
-    prepared,
-)
+from vstatics.core.numerics.plans import FEW_VARIANTS, SAMPLED, SPREAD, TRIALS, Plans, prepared
 from vstatics.core.numerics.traced import Number, absolute, is_traced, plain
 
 Function = Callable[[Sequence[Number]], list[Number]]
@@ -150,8 +142,8 @@ def test_numbers_that_wander_do_not_need_a_plan_each() -> None:
 
 
 def test_there_is_an_end_to_plans(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert plans.MOST_PLANS > 3
     monkeypatch.setattr(plans, "MOST_PLANS", 3)
-    assert MOST_PLANS > 3
 
     def steps(numbers: Sequence[Number]) -> list[Number]:
         return [numbers[0] * sum(bool(numbers[0] > step) for step in range(12))]

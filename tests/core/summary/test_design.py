@@ -34,10 +34,8 @@ def test_a_neutral_gear_has_no_step_and_is_no_neighbour() -> None:
     assert made["transitions"] == []
     for form, end in (("text", "  neutral"), ("markdown", "| neutral |"), ("csv", ",open")):
         said = vstatics("summary", "-", "-f", form, stdin=NEUTRAL.encode()).out.splitlines()
-        ends = [
-            line[-len(end) :] for line in said if line.endswith(("neutral", "open", "neutral |"))
-        ]
-        assert {*ends} == {end}
+        states = ("neutral", "open", "neutral |")
+        assert {line[-len(end) :] for line in said if line.endswith(states)} == {end}
     assert made["sensitivity"]["D"] == [None, pytest.approx(2.5 / 3.5)]
 
 

@@ -191,9 +191,7 @@ def test_the_headings_of_a_long_table_are_repeated_below_it() -> None:
     """Seven gears have 21 lines of ports, more than the usual 24 lines of a terminal leave."""
     for number, times in ((6, 1), (7, 2)):
         gears = ", ".join(f"{gear}: {{}}" for gear in range(number))
-        text = shown(
-            FREEWHEEL.replace("gears: {low: {}, high: [lock-up clutch]}", f"gears: {{{gears}}}")
-        )
+        text = shown(f"{FREEWHEEL.partition('gears:')[0]}gears: {{{gears}}}\n")
         assert len(re.findall("^ gear  port .*$", text, re.MULTILINE)) == times
     assert text.splitlines()[-1].startswith(" gear  port ")
 

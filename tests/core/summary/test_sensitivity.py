@@ -1,13 +1,11 @@
 """How ratios answer to those of the mechanisms."""
 
 import math
-from itertools import product
 
 import numpy as np
 import pytest
 
 from tests.chance import examples, seeded
-from tests.core.summary.gearboxes import differential
 from tests.oracle.gears import solve_gear
 from tests.shipped import shipped_results
 from tests.trains import random_slipping, random_train
@@ -18,22 +16,6 @@ from vstatics.core.statics.results import Results
 from vstatics.core.summary import summarize
 from vstatics.core.summary.sensitivity import efficiency_sensitivities, sensitivities
 from vstatics.core.summary.tables import summary_grids
-
-
-def test_sensitivity_of_a_planetary_set_in_closed_form() -> None:
-    """Sun in, ring held, carrier out: i = 1 - u, so (u/i) di/du = -u/(1 - u).
-
-    ``ETA = (1 - u n)/(1 - u)`` answers to n as ``-u n/(1 - u n)``.
-    """
-    for u in (-4.0, -2.5, -0.3, 0.4, 3.0):
-        low, direct = sensitivities(solve(differential(u)))
-        assert low == pytest.approx(-u / (1 - u))
-        assert direct == pytest.approx(0, abs=1e-12)
-    for u, n in product((-4.0, -2.5, -0.3), (1.0, 0.96, 0.5)):
-        sets = [differential(u).mechanisms[0]._replace(efficiency=n)]
-        low, direct = efficiency_sensitivities(solve(differential(u).replace(mechanisms=sets)))
-        assert low == pytest.approx(-u * n / (1 - u * n), rel=1e-9)
-        assert direct == 0
 
 
 def by_differences(results: Results) -> Floats:
