@@ -30,9 +30,7 @@ MESSAGE = "vehicle belongs to vstatics.vehicle, which is not installed here"
 
 
 @needs("torsion")
-def test_a_function_whose_package_is_missing_names_the_extra(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_a_function_without_its_package_names_the_extra(monkeypatch: pytest.MonkeyPatch) -> None:
     """The module of `mode_names` imports scipy, before the function can ask for it."""
 
     def without_scipy(_: str) -> None:
@@ -132,9 +130,7 @@ def test_data_of_a_missing_annex_is_refused_and_not_lost() -> None:
 
 @needs("pictures")
 @pytest.mark.usefixtures("without_vehicle")
-def test_a_command_and_a_method_of_a_missing_annex_name_the_annex(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_a_command_or_method_names_its_missing_annex(monkeypatch: pytest.MonkeyPatch) -> None:
     assert annexes.missing_command("cycle") == MESSAGE.replace("vehicle", "cycle", 1)
     assert [annexes.missing_command(name) for name in ("plot", "run", "cycl")] == ["", "", ""]
     remove("pictures", monkeypatch)

@@ -52,9 +52,8 @@ def test_check_counts_conditions_and_prints_no_tables() -> None:
 def test_check_reports_all_that_is_wrong_in_one_run() -> None:
     text = NEUTRAL.replace("C: [1, 2]", "C: [2, 2]").replace("first: 1", "first: 9")
     lines = (text := text.replace("[B]", "[X]")).splitlines()
-    places = [
-        f"<stdin>:{n + 1}:{lines[n].index(what) + 1}" for n, what in ((1, "2]"), (2, "9"), (3, "X"))
-    ]
+    wrong = ((1, "2]"), (2, "9"), (3, "X"))
+    places = [f"<stdin>:{n + 1}:{lines[n].index(what) + 1}" for n, what in wrong]
     said = vstatics("check", "-", stdin=text.encode()).err.splitlines()
     assert [line.partition(": ")[0] for line in said[::3]] == places
 
@@ -66,9 +65,8 @@ def test_json_has_a_place_for_each_problem_and_stderr_has_none() -> None:
     found = said.json
     assert not list(Draft202012Validator(schemas()["check"]).iter_errors(found))
     gear = NEUTRAL.splitlines()[3].index("N:") + 1
-    places = [
-        (Path(one["file"]).name, one["severity"], one["line"], one["column"]) for one in found
-    ]
+    keys = "severity", "line", "column"
+    places = [(Path(one["file"]).name, *(one[key] for key in keys)) for one in found]
     assert places[:3] + places[4:] == [
         ("bad.yaml", "error", 3, COLUMN),
         ("neutral.yaml", "error", 4, gear),
@@ -79,9 +77,7 @@ def test_json_has_a_place_for_each_problem_and_stderr_has_none() -> None:
     assert found[0]["message"].endswith("did you mean `ratio`?")
     good = NEUTRAL.replace("N: {}, ", "").encode()
     assert vstatics("check", "-", "-f", "json", stdin=good) == (0, "[]\n", "")
-
-
-def test_json_has_every_gear_of_one_text() -> None:
+    # every gear of one text has its own
     text = NEUTRAL.replace("N: {}", "N: {}, P: {}").encode()
     said = vstatics("check", "-", "-f", "json", "--strict", stdin=text)
     told = [one["message"][:8] for one in said.json]
@@ -112,17 +108,14 @@ def test_a_note_tells_which_gear_asks_a_law_outside_its_points() -> None:
     assert "gear near" not in said
 
 
-@pytest.mark.parametrize(("drag", "value"), [("1 - 0.1*w", "-9.47198"), ("exp(w*w)", "inf")])
-def test_a_drag_that_no_torque_can_be_is_told_at_its_place(
-    folder: Path, drag: str, value: str
-) -> None:
+def test_a_drag_that_no_torque_can_be_is_told_at_its_place(folder: Path) -> None:
     """At 1000 rpm w is 104.7198 rad/s."""
-    text = f"{PAIR.replace('2000', '1000')}gears: {{one: {{drag: {{in: '{drag}'}}}}}}\n"
-    (folder / "case.yaml").write_text(text)
-    for command in ("check", "run -o result.json", "flow"):
-        ran = vstatics(*command.split(), "case.yaml")
+    for drag, value in (("1 - 0.1*w", "-9.47198"), ("exp(w*w)", "inf")):
+        text = f"{PAIR.replace('2000', '1000')}gears: {{one: {{drag: {{in: '{drag}'}}}}}}\n"
+        (folder / "case.yaml").write_text(text)
         words = f"case.yaml:4:22: error: gears.one.drag.in: the drag of in: read {value}"
-        assert ran.fails(words)
+        for command in ("check", "run -o result.json", "flow"):
+            assert vstatics(*command.split(), "case.yaml").fails(words), (command, drag)
     assert not Path("result.json").exists()
 
 

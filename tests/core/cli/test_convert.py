@@ -46,9 +46,8 @@ def test_a_shipped_case_goes_round_all_formats(path: Path, tmp_path: Path) -> No
     for form, suffix in suffixes(case).items():
         target = tmp_path / f"first{suffix}"
         said = vstatics("convert", path, target)
-        expected = (
-            [] if form in KEEPS_ALL else [f"{target}: not kept: {w}" for w in deck.lost(case)]
-        )
+        lost = [] if form in KEEPS_ALL else deck.lost(case)
+        expected = [f"{target}: not kept: {word}" for word in lost]
         assert (said.status, said.out) == (1 if expected else 0, "")
         assert [line for line in said.err.splitlines() if "not kept" in line] == expected
         assert library.load(target) == kept(case, form)
@@ -73,9 +72,8 @@ def test_warnings_of_the_input_are_told_and_it_is_converted(folder: Path) -> Non
     said = vstatics("convert", "-", "-", "--to", "deck", stdin=text)
     assert (said.status, said.err[:10], "KJG= 3" in said.out) == (0, "<stdin>:3:", True)
     assert ": warning: " in said.err
-    assert vstatics("convert", "nowhere.dat", "new.yaml").fails(
-        "nowhere.dat: error: cannot be read"
-    )
+    words = "nowhere.dat: error: cannot be read"
+    assert vstatics("convert", "nowhere.dat", "new.yaml").fails(words)
     assert [*folder.iterdir()] == []
 
 
@@ -97,6 +95,5 @@ def test_any_case_is_one_case_in_all_formats(case: Transmission) -> None:
     assert read(named.write_yaml(case).encode(), "", "yaml").case == case
     assert read(named.write_json(case).encode(), "", "json").case == case
     assert read(deck.write(case).encode(), "", "deck").case == kept(case, "deck")
-    assert deck.lost(case) == [
-        what for what in ("description", "source") if getattr(case, what) != ""
-    ]
+    texts = ("description", "source")
+    assert deck.lost(case) == [what for what in texts if getattr(case, what) != ""]

@@ -26,9 +26,7 @@ def words(text: str) -> set[str]:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("case", some(SHIPPED), ids=lambda case: case.name)
-def test_lines_fit_and_words_are_whole_at_every_width(
-    case: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_words_are_whole_at_every_width(case: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     whole = words(shown(monkeypatch, 500, case))
     for width in (60, 80, 120, 200):
         text = shown(monkeypatch, width, case)
@@ -48,9 +46,7 @@ def test_columns_can_be_0_and_hold_for_dumb_terminals(monkeypatch: pytest.Monkey
     assert re.sub(r"\x1b\[[0-9;]*m", "", said) == wide
 
 
-def test_much_width_is_used_for_the_names_of_shift_elements(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_much_width_is_used_for_names_of_elements(monkeypatch: pytest.MonkeyPatch) -> None:
     case = CASES / "simpson-th400.yaml"
     narrow = shown(monkeypatch, 80, case)
     assert "gear  12345  " in narrow

@@ -28,10 +28,8 @@ VALIDATORS = {command: validator(name) for command, name in OF_COMMAND.items()}
 
 
 def complaints(command: str, document: Any) -> list[str]:
-    return [
-        f"{error.json_path}: {error.message[:200]}"
-        for error in VALIDATORS[command].iter_errors(document)
-    ]
+    errors = VALIDATORS[command].iter_errors(document)
+    return [f"{error.json_path}: {error.message[:200]}" for error in errors]
 
 
 @needs(*ANNEXES)

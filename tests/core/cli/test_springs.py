@@ -76,10 +76,8 @@ def test_every_command_takes_every_case(command: str, form: str) -> None:
         assert "an error of vstatics" not in said.err
         assert said.status == int(name in TIED_UP), said.err
         if command == "run":
-            assert (
-                vstatics("convert", "-q", f"{name}.yaml", f"again.{form}", "--to", "json").status
-                == 0
-            )
+            call = ("convert", "-q", f"{name}.yaml", f"again.{form}", "--to", "json")
+            assert vstatics(*call).status == 0
             assert library.load(f"again.{form}", format="json") == library.load(f"{name}.yaml")
 
 

@@ -198,9 +198,8 @@ def test_several_results_are_paired_by_the_names_of_their_cases(written: Write) 
     assert second.split() == ["power_sign", "D1,", "2", "-1.000", "->", "1.000", "+200.00", "%"]
     assert tally == "1 same, 1 changed, 0 added, 0 gone"
     said = vstatics("compare", written(both), written(result(MZKT)))
-    assert (
-        said.out == "power-split: added (no expected result)\n1 same, 0 changed, 1 added, 0 gone\n"
-    )
+    tally = "1 same, 0 changed, 1 added, 0 gone"
+    assert said.out == f"power-split: added (no expected result)\n{tally}\n"
 
 
 def test_a_failed_case_equals_a_failed_case_only(written: Write) -> None:

@@ -12,6 +12,10 @@ from vstatics import Gear, ShiftElement, Transmission, compare, load, solve
 from vstatics.core.comparison.namesakes import row_names_of
 from vstatics.core.comparison.verdicts import CaseVerdict
 
+SHUFFLED = (
+    *("simpson", "zf-8hp70", "ravigneaux-aod", "wilson-preselector"),
+    *("tarasik-truck", "moskvich-start"),  # with springs, which no deck has
+)
 NAMED = ("mechanisms", "elements", "shift_elements", "springs", "gears")
 """What a case has by name."""
 
@@ -67,13 +71,7 @@ def renamed(data: dict[str, Any]) -> dict[str, Any]:
 
 
 @pytest.mark.parametrize("form", ["json", "csv", "txt"])
-@pytest.mark.parametrize(
-    "name",
-    [
-        *("simpson", "zf-8hp70", "ravigneaux-aod", "wilson-preselector"),
-        *("tarasik-truck", "moskvich-start"),  # with springs, which no deck has
-    ],
-)
+@pytest.mark.parametrize("name", SHUFFLED)
 def test_no_number_differs_by_the_order_of_parts(name: str, form: str, tmp_path: Path) -> None:
     data = parts(name)
     before = written(data, tmp_path / "before", form)
@@ -134,9 +132,8 @@ def test_a_clutch_of_another_name_is_another_clutch_in_csv(tmp_path: Path) -> No
     """
     data = parts("simpson")
     elements = {"X" if name == "A" else name: part for name, part in data["shift_elements"].items()}
-    gears = {
-        name: ["X" if e == "A" else e for e in g["engaged"]] for name, g in data["gears"].items()
-    }
+    pairs = data["gears"].items()
+    gears = {name: ["X" if e == "A" else e for e in g["engaged"]] for name, g in pairs}
     said = changed(data, tmp_path, "csv", shift_elements=elements, gears=gears)
     rows = {n.row for n in said.numbers if n.table in ("slip_speeds", "distribution_matrix")}
     assert rows == {"A", "X"}

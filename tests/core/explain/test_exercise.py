@@ -19,11 +19,7 @@ from vstatics.core.explain.drawn_numbers import drawn_numbers
 from vstatics.core.model.parts import OfLoad
 
 ZF = str(CASES / "zf-8hp70.yaml")
-SHOWN = [
-    *(str(CASES / f"{one}.yaml") for one in ("differential", "ravigneaux-gf4a")),
-    ZF,
-    str(MZKT),
-]
+SHOWN = [ZF, str(MZKT)] + [str(CASES / f"{n}.yaml") for n in ("differential", "ravigneaux-gf4a")]
 DRAWN = (
     *("zf-8hp70", "ravigneaux-aod", "ravigneaux-gf4a"),
     *("simpson-th400", "ford-10r80", "gm-thm440"),
@@ -60,9 +56,7 @@ def rows_of(case: Any) -> dict[str, list[str]]:
 
 @pytest.mark.parametrize("case", SHOWN)
 @pytest.mark.parametrize("seed", [("--seed", "5"), ()])
-def test_a_blank_has_the_value_that_run_gives(
-    case: str, seed: tuple[str, ...], tmp_path: Path
-) -> None:
+def test_a_blank_has_the_value_of_run(case: str, seed: tuple[str, ...], tmp_path: Path) -> None:
     """Of the case that the solution carries, which is calculated again from its file."""
     gear = load(case).gears[0].name
     made = json_answer("explain", case, "--solution", "--gear", gear, *seed)

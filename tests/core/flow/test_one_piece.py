@@ -60,9 +60,8 @@ def differing(one: PowerFlow, other: PowerFlow) -> set[str]:
     pairs = zip(one.members, other.members, strict=True)
     devices = {str(a.device) for a, b in pairs if a.power != pytest.approx(b.power, abs=1e-9)}
     through = ((node, power) for node, power in one.throughput.items() if node.kind == "link")
-    return devices | {
-        str(node) for node, power in through if power != pytest.approx(other.throughput[node])
-    }
+    other_links = {str(n) for n, power in through if power != pytest.approx(other.throughput[n])}
+    return devices | other_links
 
 
 @pytest.mark.slow

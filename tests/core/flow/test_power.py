@@ -78,9 +78,8 @@ def closes(side: PowerFlow) -> None:
     assert side.balance == pytest.approx(0, abs=1e-9)
     assert cancel(side.forward).loops == ()
     around = sum(loop.power * len(loop.nodes) for loop in (*side.loops, *side.locked_in))
-    assert sum(e.power for e in side.forward) + around == pytest.approx(
-        sum(e.power for e in side.edges), abs=1e-9
-    )
+    forward, whole = (sum(e.power for e in edges) for edges in (side.forward, side.edges))
+    assert forward + around == pytest.approx(whole, abs=1e-9)
 
 
 @pytest.mark.slow

@@ -26,9 +26,8 @@ AROUND = 1.26 / 1.54
 M1 = Mechanism(1, 3, 4, 84 / 30, 0.97, name="m1")
 M2 = Mechanism(2, 3, 4, -84 / 36, 0.97, name="m2")
 BRAKE = ShiftElement(2, 0, "B")
-SET = Transmission(
-    *(4, [BRAKE], [M1, M2], [Gear([1])]), output=3, link_names=("s1", "s2", "r", "c")
-)
+LINKS = ("s1", "s2", "r", "c")
+SET = Transmission(4, [BRAKE], [M1, M2], [Gear([1])], output=3, link_names=LINKS)
 DOUBT = "may be an artefact of the model: m1 and m2 share r and c"
 DECK = """
 KJG= 4 KL= 1 KG= 2

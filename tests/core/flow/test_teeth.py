@@ -57,14 +57,9 @@ def test_a_wolfrom_reducer_has_sixty_times_the_input_power_in_its_teeth() -> Non
     """
     [flow] = flows(shipped_results("wolfrom.yaml"))
     ideal, _ = sides(flow)
-    assert teeth(ideal) == pytest.approx(
-        {
-            "set": 58.8 + 56 / 66,
-            "set sun-planet": 56 / 66,
-            "set ring-planet": 58.8 + 56 / 66,
-            "set ring2-planet": 58.8,
-        }
-    )
+    meshes = {"set sun-planet": 56 / 66, "set ring-planet": 58.8 + 56 / 66}
+    meshes |= {"set": 58.8 + 56 / 66, "set ring2-planet": 58.8}
+    assert teeth(ideal) == pytest.approx(meshes)
 
 
 RAVIGNEAUX = """
@@ -96,18 +91,11 @@ def test_each_mesh_of_a_ravigneaux_set_takes_its_part() -> None:
     flow = only(loads(RAVIGNEAUX))
     _, lossy = sides(flow)
     passed = {"": 1, "small_sun-short": 1, "short-long": 0.98, "ring-long": 0.98**2}
-    assert {one.mesh: one.power for one in lossy.teeth} == pytest.approx(
-        {**passed, "large_sun-long": 0}
-    )
-    assert {one.mesh: one.loss for one in lossy.teeth} == pytest.approx(
-        {
-            "": 1 - 0.98**2 * 0.99,
-            "small_sun-short": 0.02,
-            "short-long": 0.98 * 0.02,
-            "ring-long": 0.98**2 * 0.01,
-            "large_sun-long": 0,
-        }
-    )
+    passed["large_sun-long"] = 0
+    lost = {"small_sun-short": 0.02, "short-long": 0.98 * 0.02, "ring-long": 0.98**2 * 0.01}
+    lost |= {"": 1 - 0.98**2 * 0.99, "large_sun-long": 0}
+    assert {one.mesh: one.power for one in lossy.teeth} == pytest.approx(passed)
+    assert {one.mesh: one.loss for one in lossy.teeth} == pytest.approx(lost)
     rows = {row[0]: row for row in power_grid(flow).texts}
     assert rows["teeth"][1:4] == ["1.000", "1.000", "10.001"]
     assert rows["short-long"][1:5] == ["1.000", "0.980", "9.801", "0.01960"]
@@ -118,20 +106,14 @@ def test_each_mesh_of_a_ravigneaux_set_takes_its_part() -> None:
     assert parts[-5:] == ["teeth", *(f"teeth {mesh}" for mesh in MESHES)]
 
 
-@pytest.mark.parametrize("variator", ["first: in, second: out", "first: out, second: in"])
-def test_a_variator_has_none_and_loses_its_part_of_what_enters_it(variator: str) -> None:
-    """Whichever of its links drives."""
-    case = f"""
-links: [in, out]
-mechanisms: {{H: {{kind: variator, {variator}, speed_ratio: 0.5, efficiency: 0.85}}}}
-gears: {{"1": {{}}}}
-"""
-    _, lossy = sides(only(loads(case)))
-    assert teeth(lossy) == {}
-    assert lossy.losses == pytest.approx(dict.fromkeys(lossy.losses, 0.15))
-
-
-def test_belts_and_shafts_have_no_teeth() -> None:
+def test_variators_belts_and_shafts_have_no_teeth() -> None:
+    """A variator loses its part of what enters it, whichever of its links drives."""
+    for links in ("first: in, second: out", "first: out, second: in"):
+        variator = f"{{kind: variator, {links}, speed_ratio: 0.5, efficiency: 0.85}}"
+        text = f"{{links: [in, out], mechanisms: {{H: {variator}}}, gears: {{g: []}}}}"
+        _, lossy = sides(only(loads(text, format="yaml")))
+        assert teeth(lossy) == {}
+        assert lossy.losses == pytest.approx(dict.fromkeys(lossy.losses, 0.15))
     case = """
 links: [in, middle, side, out]
 elements:
@@ -153,9 +135,8 @@ def test_every_mesh_loses_its_part_of_the_tooth_power(path: Path, coast: bool) -
     efficiencies = {one.name: one.efficiency for one in results.case.mechanisms}
     for flow in flows(results):
         for one in flow.lossy.teeth if flow.lossy else ():
-            efficiency = efficiencies.get(
-                f"{one.device}.{one.mesh}" if one.mesh else str(one.device)
-            )
+            name = f"{one.device}.{one.mesh}" if one.mesh else str(one.device)
+            efficiency = efficiencies.get(name)
             if efficiency is not None:
                 assert one.loss == pytest.approx((1 - efficiency) * one.power, abs=1e-9)
 
@@ -182,9 +163,8 @@ def test_losses_of_random_trains_are_parts_of_their_tooth_power(case: Transmissi
             if math.isnan(torques[len(case.shift_elements) + number - 1] + one.power):
                 continue  # what nothing determines, also speeds
             assert one.power >= 0
-            assert one.loss == pytest.approx(
-                (1 - mechanism.efficiency) * one.power, rel=1e-6, abs=1e-6
-            )
+            part = (1 - mechanism.efficiency) * one.power
+            assert one.loss == pytest.approx(part, rel=1e-6, abs=1e-6)
         mechanisms = math.fsum(one.loss for one in found.values())
         assert mechanisms == pytest.approx(flow.lossy.lost, rel=1e-6, abs=1e-6)
 

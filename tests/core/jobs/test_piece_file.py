@@ -7,23 +7,14 @@ from pathlib import Path
 import pytest
 
 from vstatics.core.jobs import piece_file
-from vstatics.core.jobs.piece_file import (
-    Account,
-    Copy,
-    Noticed,
-    copy,
-    piece_bytes,
-    read_account,
-    write_piece,
-)
+from vstatics.core.jobs.piece_file import Account, Copy, Noticed, piece_bytes, read_account
 
 
 def test_a_piece_is_read_back_as_it_was_written(tmp_path: Path) -> None:
     noticed = (Noticed("N605", "the control is cut", 7, 2),)
-    account, buffers = piece_bytes(
-        3, 2, {"ok": 2}, [b"columns", b"and more"], (1, 0), ("drag of C",), noticed
-    )
-    write_piece(str(tmp_path), 3, buffers)
+    parts = [b"columns", b"and more"]
+    account, buffers = piece_bytes(3, 2, {"ok": 2}, parts, (1, 0), ("drag of C",), noticed)
+    piece_file.write_piece(str(tmp_path), 3, buffers)
     assert read_account(str(tmp_path), 3) == account
     assert isinstance(account, Account)
     assert (account.variants, account.length) == (2, 15)
@@ -33,7 +24,7 @@ def test_a_piece_is_read_back_as_it_was_written(tmp_path: Path) -> None:
 @pytest.mark.parametrize("damage", ["cut", "changed", "another", "empty"])
 def test_a_damaged_piece_is_none(damage: str, tmp_path: Path) -> None:
     _, buffers = piece_bytes(3, 2, {"ok": 2}, [b"columns"])
-    write_piece(str(tmp_path), 3, buffers)
+    piece_file.write_piece(str(tmp_path), 3, buffers)
     data = (tmp_path / piece_file.piece_name(3)).read_bytes()
     damaged = {"cut": data[:-1], "changed": b"C" + data[1:], "another": data, "empty": b""}
     number = 5 if damage == "another" else 3
@@ -48,7 +39,7 @@ def test_stretches_are_copied_to_their_places(
     """By the kernel, or through this process where the file system can't do it."""
     for number in range(2):
         _, buffers = piece_bytes(number, 1, {}, [b"0123456789"])
-        write_piece(str(tmp_path), number, buffers)
+        piece_file.write_piece(str(tmp_path), number, buffers)
     (tmp_path / piece_file.ASSEMBLED).write_bytes(b".........")
 
     def refused(*_: object) -> int:
@@ -56,5 +47,5 @@ def test_stretches_are_copied_to_their_places(
 
     if not in_kernel:
         monkeypatch.setattr(os, "copy_file_range", refused, raising=False)
-    assert copy(str(tmp_path), [Copy(0, 2, 1, 3), Copy(1, 8, 6, 2)]) == 5
+    assert piece_file.copy(str(tmp_path), [Copy(0, 2, 1, 3), Copy(1, 8, 6, 2)]) == 5
     assert (tmp_path / piece_file.ASSEMBLED).read_bytes() == b".234..89."

@@ -22,9 +22,8 @@ def random_table(chance: Random, owners: list[str], bare_ones: set[str]) -> dict
     units = [one for one in UNITS if one != "1"]
     forms = {"unit": units, "small": SMALL, "large": LARGE, "none": NONE}
     mixed = "unit" in kinds.values()
-    bare_ones |= {
-        owner for owner, kind in kinds.items() if kind == "large" or (kind == "small" and mixed)
-    }
+    doubtful = ("large", "small") if mixed else ("large",)
+    bare_ones |= {owner for owner, kind in kinds.items() if kind in doubtful}
     return {owner: chance.choice(forms[kind]) for owner, kind in kinds.items()}
 
 
@@ -40,9 +39,7 @@ def test_exactly_such_drags_are_named() -> None:
             "links": ["a", "b", "c"],
             "load": {"speed": "1000 rpm", "torque": chance.choice(("200 N*m", "-20 N*m"))},
             "drag": random_table(chance, links, expected[0]),
-            "shift_elements": {
-                name: {"links": ends[name], "drag": drag} for name, drag in of_elements.items()
-            },
+            "shift_elements": {n: {"links": ends[n], "drag": of_elements[n]} for n in of_elements},
             "mechanisms": {"s": {"first": "a", "second": "b", "third": "c", "ratio": -2}},
             "gears": {
                 "low": {
@@ -56,9 +53,8 @@ def test_exactly_such_drags_are_named() -> None:
         told = [one for one in warnings if one.id == "W440"]
         at = [one.message.partition(":")[0] for one in told]
         heads = ("drag.{}", "shift_elements.{}.drag", "gears.low.drag.{}", "gears.low.open_drag.{}")
-        wanted = {
-            head.format(name) for head, names in zip(heads, expected, strict=True) for name in names
-        }
+        pairs = zip(heads, expected, strict=True)
+        wanted = {head.format(name) for head, names in pairs for name in names}
         assert set(at) == wanted, data
         assert len(at) == len(wanted)
         quiet += not wanted

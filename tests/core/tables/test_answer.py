@@ -8,15 +8,8 @@ import numpy as np
 from jsonschema import Draft202012Validator
 
 from vstatics.core.numerics.arrays import Floats
-from vstatics.core.tables.answer import (
-    Count,
-    Failure,
-    Flat,
-    Sometimes,
-    json_keys,
-    plain_data,
-    schema,
-)
+from vstatics.core.tables import answer
+from vstatics.core.tables.answer import Count, Failure, Flat, Sometimes, json_keys, plain_data
 
 
 class Inner(NamedTuple):
@@ -52,4 +45,4 @@ def test_data_have_the_keys_that_types_tell() -> None:
     ):
         made = plain_data(record)
         assert (made, list(made)) == (expected, list(expected))
-        Draft202012Validator(schema(Outer)).validate(made)
+        Draft202012Validator(answer.schema(Outer)).validate(made)

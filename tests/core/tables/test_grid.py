@@ -23,18 +23,13 @@ def test_a_cell_is_a_number_a_count_a_sign_or_words() -> None:
     assert gears_grid(solve(pair)).data[0][1] == 4.696  # coloured
 
 
-def test_rows_are_set_in_by_their_level() -> None:
-    grid = Grid("", [NAME, Column("x")], [["all", ""], ["part", exact(1.0)]], [1, 2])
-    assert list(lines(grid)) == ["name        x", "all", "  part  1.000"]
-
-
-def test_in_fixed_widths_a_long_name_has_a_line_of_its_own() -> None:
-    grid = Grid("", [NAME, Column("x")], [["a", "1.0"], ["a long name", "12345.0"]])
+def test_lines_of_a_text() -> None:
+    """By level; in fixed widths, where a long name has a line of its own; without headings."""
+    leveled = Grid("", [NAME, Column("x")], [["all", ""], ["part", exact(1.0)]], [1, 2])
+    assert list(lines(leveled)) == ["name        x", "all", "  part  1.000"]
+    wide = Grid("", [NAME, Column("x")], [["a", "1.0"], ["a long name", "12345.0"]])
     expected = ["name      x", "a       1.0", "a long name", "      12345.0"]
-    assert list(lines(grid, widths=[5, 5], gap=" ")) == expected
-
-
-def test_without_headings_there_is_no_line_of_them() -> None:
+    assert list(lines(wide, widths=[5, 5], gap=" ")) == expected
     bare = Column("", is_number=False)
     grid = Grid("title", [bare, bare], [["gear 1", "ok"], ["gear 10", "tied up"]])
     assert list(lines(grid, indent="  ")) == ["title", "  gear 1   ok", "  gear 10  tied up"]

@@ -4,7 +4,7 @@ import math
 import re
 import struct
 
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from vstatics.core.readers.deck.numbers import real
@@ -51,6 +51,10 @@ def as_printed(value: float, width: int = 0, decimals: int = 3) -> str:
 
 
 @given(st.lists(st.lists(st.floats(), min_size=3, max_size=3), min_size=1), st.integers(0, 6))
+@example([[0.9995, -0.0005, -0.9996]], 3)
+@example([[10.0, -100.01, 0.0]], 3)
+@example([[999.9996, 0.0, 0.0]], 3)
+@example([[-99.9996, 0.0, 0.0]], 3)
 def test_a_table_has_each_number_as_it_is_alone(rows: list[list[float]], decimals: int) -> None:
     least = decimals + 4
     written = [as_printed(value, decimals=decimals) for row in rows for value in row]
@@ -58,12 +62,6 @@ def test_a_table_has_each_number_as_it_is_alone(rows: list[list[float]], decimal
     assert fixed_rows(rows, least, decimals) == [
         " ".join(as_printed(value, width, decimals) for value in row) for row in rows
     ]
-
-
-def test_a_table_has_numbers_at_the_ends_of_a_field_as_they_are_alone() -> None:
-    for value in (0.9995, -0.0005, -0.9996, 10.0, -100.01, 999.9996, -99.9996):
-        text = as_printed(value)
-        assert fixed_rows([[value, 0.0]], 7) == [f"{text:>7} {'.000':>{max(7, len(text))}}"]
 
 
 @given(st.integers(-9999, 9999), st.integers(-8, 7))  # above 5.6e11 the bits are decimals

@@ -3,14 +3,8 @@
 import re
 
 from vstatics.core.statics.result_arrays import ARRAYS
-from vstatics.core.tables.quantities import (
-    ASKED,
-    BY_NAME,
-    PRINTED,
-    QUANTITIES,
-    RELATIVE,
-    WITH_UNITS,
-)
+from vstatics.core.tables import quantities
+from vstatics.core.tables.quantities import ASKED, BY_NAME, QUANTITIES, RELATIVE, WITH_UNITS
 from vstatics.core.texts import heading as in_language
 from vstatics.core.texts import speaking
 
@@ -22,7 +16,7 @@ def test_each_name_stands_for_one_quantity() -> None:
     """A person may type the name or the deck name."""
     names = [name for one in QUANTITIES + ASKED for name in (one.name, one.deck_name)]
     assert len(names) == len(set(names)) == len(BY_NAME)
-    assert len(PRINTED) == len(QUANTITIES)
+    assert len(quantities.PRINTED) == len(QUANTITIES)
     assert all(BY_NAME[one.name] is BY_NAME[one.deck_name] is one for one in QUANTITIES)
     assert BY_NAME["AMLGP_Nm"] is BY_NAME["lossy_torques_Nm"]
     assert "w" not in BY_NAME

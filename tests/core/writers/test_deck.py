@@ -66,10 +66,7 @@ def test_own_fields_only_where_they_are_not_the_default() -> None:
         idle="exact",
         coast=True,
         link_names=("in", "2", "вых"),
-        gears=[
-            Gear([1], speeds={1: 0.1}, name="D: 1", input=3, output=2),
-            Gear([2], torques={3: 1 / 3}),
-        ],
+        gears=[Gear([1], {1: 0.1}, name="D: 1", input=3, output=2), Gear([2], torques={3: 1 / 3})],
     )
     lines = writer.write(case).splitlines()
     for line in (

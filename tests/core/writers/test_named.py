@@ -38,10 +38,7 @@ def test_what_is_written_is_read_again(case: Transmission) -> None:
 
 def test_odd_names_stay_what_they_are() -> None:
     for name in ODD_NAMES:
-        gears = [
-            Gear([1], speeds={2: 0.5}, name=name),
-            Gear([1, 2], torques={2: 1.5}, name="other"),
-        ]
+        gears = [Gear([1], {2: 0.5}, name=name), Gear([1, 2], torques={2: 1.5}, name="other")]
         case = differential(
             name=name,
             link_names=["first", name, "third"],

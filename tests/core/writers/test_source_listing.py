@@ -110,14 +110,8 @@ ENDS = "input: 3, output: 1"
 PORTS = NEUTRAL.replace("links: 3", "links: 3\ninput: 3\noutput: 1")
 LOW, LOW_HELD = "N: {}, low: {engaged: [B]}", "low: {engaged: [B]}, direct: {engaged: [C]}"
 SAME = {
-    "ports of every gear": (
-        NEUTRAL.replace(LOW, f"N: {{{ENDS}}}, low: {{engaged: [B], {ENDS}}}"),
-        PORTS,
-    ),
-    "a second efficiency that is the first": (
-        NEUTRAL.replace("0.96", ".96, back_efficiency: .96"),
-        NEUTRAL,
-    ),
+    "ports": (NEUTRAL.replace(LOW, f"N: {{{ENDS}}}, low: {{engaged: [B], {ENDS}}}"), PORTS),
+    "two equal efficiencies": (NEUTRAL.replace("0.96", ".96, back_efficiency: .96"), NEUTRAL),
     "a drag of 0": (NEUTRAL.replace("C: [1, 2]", "C: {links: [1, 2], drag: 0}"), NEUTRAL),
     "the speed of another link": (
         NEUTRAL.replace("engaged: [B]", "speeds: {2: 0.5*link 1}"),

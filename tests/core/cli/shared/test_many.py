@@ -59,9 +59,7 @@ def test_cases_of_a_group_give_the_messages_and_results_that_they_give_alone(
     assert said == (1, "".join(one.out for one in alone), "".join(one.err for one in alone))
 
 
-def test_a_slow_case_does_not_delay_the_results_of_earlier_cases(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_a_slow_case_does_not_delay_earlier_results(monkeypatch: pytest.MonkeyPatch) -> None:
     """With 0 s for a group, the result of a case is written before the next case is solved."""
     monkeypatch.setattr(case_work, "GROUP_SECONDS", 0.0)
     seen: list[list[str]] = []
@@ -244,8 +242,7 @@ def test_jsonl_has_a_line_for_each_case_in_their_order() -> None:
     assert (said.status, said.out[-1]) == (1, "\n")
     assert [json.loads(line) for line in said.out.splitlines()] == array
     assert set(array[2]) == {"file", "case", "errors"}
-    written = vstatics("run", *ALL, "-f", "jsonl", "--jobs", 3, "-o", "all.jsonl")
-    assert "\n3 of 4 cases calculated, 1 with errors, 1 failed:\n" in written.err
+    vstatics("run", *ALL, "-f", "jsonl", "--jobs", 3, "-o", "all.jsonl")
     assert Path("all.jsonl").read_text("utf-8") == said.out
     assert vstatics("run", GOOD[0], "-f", "jsonl").json == array[0]
 
