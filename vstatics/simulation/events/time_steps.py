@@ -55,6 +55,8 @@ class TimeStep(NamedTuple):
     """
     accuracy: float = BETWEEN_INSTANTS
     """Error of `between`, relative to the largest value in the step."""
+    next_length: float | None = None
+    """Length of a next step of the wanted accuracy, if known. [s]"""
 
 
 _STEPS_OF_PROGRESS = 1000
@@ -100,9 +102,8 @@ def steps(
         states = state[:, None] + powers.dot(_AT_NODES)
         states[:, -1] = course.state
         exact = partial(_exactly, equations, start, tolerances)
-        yield TimeStep(
-            time, course.time, state, course.state, between, exact, times, states, _NODES
-        )
+        known = time, course.time, state, course.state, between, exact, times, states, _NODES
+        yield TimeStep(*known, next_length=course.length)
 
 
 def _between(start: float, first: Floats, length: float, powers: Floats, times: Floats) -> Floats:
