@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
-_PLAIN = frozenset({float, int, bool, str, type(None)})
+_WITHOUT_FRACTIONS = frozenset({float, int, bool, str, type(None)})
 """Types of values that contain no fraction."""
 
 
@@ -18,7 +18,7 @@ def rounded(value: Any) -> Any:
     (0.25, [inf], {'a': 'b'})
     """
     kind = value.__class__
-    if kind in _PLAIN:
+    if kind in _WITHOUT_FRACTIONS:
         return value
     if kind is Fraction:
         return _nearest(value)

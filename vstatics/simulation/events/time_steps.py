@@ -20,7 +20,7 @@ _RISING, _FALLING = np.array([[1, 1, 2, 2, 3, 3, 4], [0, 1, 1, 2, 2, 3, 3]])[:, 
 """Exponents in the dense output; see `_dense_powers`."""
 _SAFETY, _LEAST_GROWTH, _MOST_GROWTH = 0.9, 0.2, 10.0
 """Factor on the length of the next step, and its smallest and largest value. [-]"""
-_EXPONENT = -1 / 8
+_BY_ERROR = -1 / 8
 """Exponent of the error in the length of the next step, for an error of order 8."""
 Between = Callable[[Floats], Floats]
 """Dense output: function from times within a step, shape (n,), to states, shape (size, n)."""
@@ -83,27 +83,27 @@ def steps(
     if first is None and not np.isfinite(equations.derivative(*begin)).all():
         raise TooSmall  # otherwise the search for a first step would not end
     longest = equations.longest if equations.ports.timed else math.inf
-    course = _Course(equations, begin, end, tolerances, first, longest)
-    number, mark = 0, course.time
-    while course.time < end:
-        start = time, state = course.time, course.state
+    solver = _RungeKutta(equations, begin, end, tolerances, first, longest)
+    number, mark = 0, solver.time
+    while solver.time < end:
+        start = time, state = solver.time, solver.state
         number += 1
         if number % _STEPS_OF_PROGRESS == 0:
             if time - mark < NO_PROGRESS * equations.system.scenario.span:
                 raise TooSmall
             mark = time
-        course.step()
-        if not np.isfinite(course.state).all():
+        solver.step()
+        if not np.isfinite(solver.state).all():
             raise TooSmall
-        length, powers = course.time - time, course.dense(time, state)
+        length, powers = solver.time - time, solver.dense(time, state)
         between = partial(_between, time, state, length, powers)
         times = time + length * _NODES
-        times[-1] = course.time
+        times[-1] = solver.time
         states = state[:, None] + powers.dot(_AT_NODES)
-        states[:, -1] = course.state
+        states[:, -1] = solver.state
         exact = partial(_exactly, equations, start, tolerances)
-        known = time, course.time, state, course.state, between, exact, times, states, _NODES
-        yield TimeStep(*known, next_length=course.length)
+        known = time, solver.time, state, solver.state, between, exact, times, states, _NODES
+        yield TimeStep(*known, next_length=solver.length)
 
 
 def _between(start: float, first: Floats, length: float, powers: Floats, times: Floats) -> Floats:
@@ -126,11 +126,11 @@ def _exactly(
 ) -> Floats:
     if time <= start[0]:
         return start[1]
-    course = _Course(equations, start, time, tolerances, time - start[0])
+    solver = _RungeKutta(equations, start, time, tolerances, time - start[0])
     with suppress(TooSmall):
-        while course.time < time:
-            course.step()
-    return course.state
+        while solver.time < time:
+            solver.step()
+    return solver.state
 
 
 class _Method(NamedTuple):
@@ -158,7 +158,7 @@ def _method() -> _Method:
     return _Method(stages, DOP853.B, np.array([DOP853.E5, DOP853.E3]), DOP853.D, places)
 
 
-class _Course:
+class _RungeKutta:
     """Steps of DOP853, with the step control of scipy.
 
     In small systems, a step of `scipy.integrate.DOP853` takes longer than its derivatives.
@@ -215,7 +215,7 @@ class _Course:
             after = state + (length * method.last).dot(changes[:12])
             changes[12] = self.derivative(end, after)
             error = self._error(after, length)
-            growth = _SAFETY * error**_EXPONENT if error else most
+            growth = _SAFETY * error**_BY_ERROR if error else most
             if error < 1:
                 break
             length *= max(_LEAST_GROWTH, growth)
