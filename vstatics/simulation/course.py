@@ -522,7 +522,7 @@ class EventRun:
         finder = Finder(selected.margins, self.scales)
         try:
             for step in self._steps(selected, end, tolerances):
-                self.length = step.end - step.start
+                self.length = step.next_length or step.end - step.start
                 event = finder.event_in(step) or MarginEnd(step.end, step.last, ())
                 finder.check_drags(event.time, event.state)
                 self.record.step(step, event.time, event.state)

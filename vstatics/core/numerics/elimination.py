@@ -513,7 +513,9 @@ def _exact(number: Any) -> Any:
         return number
     from fractions import Fraction  # the import costs start-up time
 
-    return Fraction(repr(float(plain(number))))
+    if (whole := plain(number)) in (0, 1, -1):
+        return Fraction(int(whole))
+    return Fraction(repr(float(whole)))
 
 
 def _exact_quotient(entry: Entry, pivot: Entry) -> Entry:

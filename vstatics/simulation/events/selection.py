@@ -160,10 +160,13 @@ class ModeSelection:
         """
         structure = self.structure(states.held, states.meshes)
         contacts = list(states.contacts)
-        for index in (index for kind, index, _ in choices if kind == "contacts"):
-            contact = self.system.contacts[index]
-            if not (contact.switch or moves(contact.row, structure.free, structure.light)):
-                contacts[index] = "stick"
+        devices = self.system.contacts
+        chosen = [index for kind, index, _ in choices if kind == "contacts"]
+        chosen = [index for index in chosen if not devices[index].switch]
+        rows = self.system.rows(devices[index].row for index in chosen)
+        apart = moves(rows, structure.free, structure.light).tolist()
+        for index, moving in zip(chosen, apart, strict=True):
+            contacts[index] = contacts[index] if moving else "stick"
         return states._replace(contacts=tuple(contacts))
 
     def _guess(self, asked: ModesAsked) -> States | None:

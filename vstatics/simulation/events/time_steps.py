@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator
-from functools import partial
-from typing import TYPE_CHECKING, NamedTuple
+from contextlib import suppress
+from functools import cache, partial
+from typing import NamedTuple
 
 import numpy as np
 
@@ -12,11 +14,14 @@ from vstatics.core.numerics.arrays import Floats
 from vstatics.simulation.system.equations import Equations
 from vstatics.simulation.tolerances import BETWEEN_INSTANTS, NO_PROGRESS
 
-if TYPE_CHECKING:
-    from scipy.integrate import DOP853
-
 _NODES = np.arange(1, 9) / 8
 """Instants of a step at which margins are evaluated, as fractions of the step."""
+_RISING, _FALLING = np.array([[1, 1, 2, 2, 3, 3, 4], [0, 1, 1, 2, 2, 3, 3]])[:, :, None]
+"""Exponents in the dense output; see `_dense_powers`."""
+_SAFETY, _LEAST_GROWTH, _MOST_GROWTH = 0.9, 0.2, 10.0
+"""Factor on the length of the next step, and its smallest and largest value. [-]"""
+_BY_ERROR = -1 / 8
+"""Exponent of the error in the length of the next step, for an error of order 8."""
 Between = Callable[[Floats], Floats]
 """Dense output: function from times within a step, shape (n,), to states, shape (size, n)."""
 
@@ -50,6 +55,8 @@ class TimeStep(NamedTuple):
     """
     accuracy: float = BETWEEN_INSTANTS
     """Error of `between`, relative to the largest value in the step."""
+    next_length: float | None = None
+    """Length of a next step of the wanted accuracy, if known. [s]"""
 
 
 _STEPS_OF_PROGRESS = 1000
@@ -74,31 +81,44 @@ def steps(
     TooSmall
     """
     if first is None and not np.isfinite(equations.derivative(*begin)).all():
-        raise TooSmall  # otherwise the solver would search for a first step without end
-    longest = equations.longest if equations.ports.timed else np.inf
-    if first is not None:
-        first = min(first, end - begin[0], longest)
-    solver = _solver(equations, begin, end, tolerances, first, longest)
-    number, mark = 0, solver.t
-    while solver.status == "running":
-        start = solver.t, solver.y
+        raise TooSmall  # otherwise the search for a first step would not end
+    longest = equations.longest if equations.ports.timed else math.inf
+    solver = _RungeKutta(equations, begin, end, tolerances, first, longest)
+    number, mark = 0, solver.time
+    while solver.time < end:
+        start = time, state = solver.time, solver.state
         number += 1
         if number % _STEPS_OF_PROGRESS == 0:
-            if solver.t - mark < NO_PROGRESS * equations.system.scenario.span:
+            if time - mark < NO_PROGRESS * equations.system.scenario.span:
                 raise TooSmall
-            mark = solver.t
+            mark = time
         solver.step()
-        if str(solver.status) == "failed" or not np.isfinite(solver.y).all():
+        if not np.isfinite(solver.state).all():
             raise TooSmall
-        between = solver.dense_output()
-        times = start[0] + (solver.t - start[0]) * _NODES
-        times[-1] = solver.t
-        states = between(times)
-        states[:, -1] = solver.y
+        length, powers = solver.time - time, solver.dense(time, state)
+        between = partial(_between, time, state, length, powers)
+        times = time + length * _NODES
+        times[-1] = solver.time
+        states = state[:, None] + powers.dot(_AT_NODES)
+        states[:, -1] = solver.state
         exact = partial(_exactly, equations, start, tolerances)
-        yield TimeStep(
-            start[0], solver.t, start[1], solver.y, between, exact, times, states, _NODES
-        )
+        known = time, solver.time, state, solver.state, between, exact, times, states, _NODES
+        yield TimeStep(*known, next_length=solver.length)
+
+
+def _between(start: float, first: Floats, length: float, powers: Floats, times: Floats) -> Floats:
+    """Return the states at times within a step, shape (size, times)."""
+    states: Floats = powers.dot(_dense_powers((times - start) / length))
+    return states + first[:, None]
+
+
+def _dense_powers(parts: Floats) -> Floats:
+    """Return x, x (1 - x), x^2 (1 - x), ... for fractions x of a step, shape (7, fractions)."""
+    powers: Floats = parts**_RISING * (1 - parts) ** _FALLING
+    return powers
+
+
+_AT_NODES = _dense_powers(_NODES)
 
 
 def _exactly(
@@ -106,30 +126,123 @@ def _exactly(
 ) -> Floats:
     if time <= start[0]:
         return start[1]
-    solver = _solver(equations, start, time, tolerances, time - start[0])
-    while solver.status == "running":
-        solver.step()
-    return solver.y
+    solver = _RungeKutta(equations, start, time, tolerances, time - start[0])
+    with suppress(TooSmall):
+        while solver.time < time:
+            solver.step()
+    return solver.state
 
 
-def _solver(  # noqa: PLR0913, PLR0917
-    equations: Equations,
-    begin: tuple[float, Floats],
-    end: float,
-    tolerances: StepTolerances,
-    first: float | None,
-    longest: float = np.inf,
-) -> DOP853[np.float64]:
+class _Method(NamedTuple):
+    """Coefficients of DOP853."""
+
+    stages: Floats
+    """Matrix from the derivatives at the stages before to the motion to a stage."""
+    last: Floats
+    """Weights of the derivatives in the motion over a step."""
+    errors: Floats
+    """Weights of the derivatives in the errors of orders 5 and 3."""
+    dense: Floats
+    """Matrix from derivatives to the last four coefficients of the dense output."""
+    places: list[float]
+    """Time of each stage, as a fraction of the step."""
+
+
+@cache
+def _method() -> _Method:
     from scipy.integrate import DOP853
 
-    solver = DOP853(
-        equations.derivative,
-        *begin,
-        end,
-        rtol=tolerances.relative,
-        atol=tolerances.absolute,  # type: ignore[arg-type] # scipy accepts arrays
-        first_step=first,
-        max_step=longest,
-    )
-    solver.fun = equations.derivative  # without scipy's two wrappers, which count and convert
-    return solver
+    stages, more = np.zeros((16, 16)), DOP853.A_EXTRA
+    stages[:12, :12], stages[13:] = DOP853.A, more
+    places = [*DOP853.C.tolist(), 1.0, *DOP853.C_EXTRA.tolist()]
+    return _Method(stages, DOP853.B, np.array([DOP853.E5, DOP853.E3]), DOP853.D, places)
+
+
+class _RungeKutta:
+    """Steps of DOP853, with the step control of scipy.
+
+    In small systems, a step of `scipy.integrate.DOP853` takes longer than its derivatives.
+    """
+
+    def __init__(  # noqa: PLR0913, PLR0917
+        self,
+        equations: Equations,
+        begin: tuple[float, Floats],
+        end: float,
+        tolerances: StepTolerances,
+        first: float | None,
+        longest: float = math.inf,
+    ) -> None:
+        self.derivative, self.end, self.tolerances = equations.derivative, end, tolerances
+        self.time, self.state = begin
+        self.longest = longest
+        self.change = self.derivative(*begin)
+        self.length = first or self._first()
+        """Length of the next step, if it is not rejected. [s]"""
+
+    def _first(self) -> float:
+        from scipy.integrate import DOP853
+
+        relative, absolute = self.tolerances
+        start = self.time, self.state, self.end
+        solver = DOP853(
+            self.derivative,
+            *start,
+            max_step=self.longest,
+            rtol=relative,
+            atol=absolute,  # type: ignore[arg-type] # scipy accepts arrays
+        )
+        return float(solver.h_abs)
+
+    def step(self) -> None:
+        """Advance by a step.
+
+        Raises
+        ------
+        TooSmall
+        """
+        method, time, state = _method(), self.time, self.state
+        least, most = 10 * math.ulp(time), _MOST_GROWTH
+        length = max(min(self.length, self.longest), least)
+        changes = self.changes = np.empty((16, len(state)))
+        changes[0] = self.change
+        while True:
+            if length < least:
+                raise TooSmall
+            end = min(time + length, self.end)
+            length = end - time
+            self._stages(time, state, length, range(1, 12))
+            after = state + (length * method.last).dot(changes[:12])
+            changes[12] = self.derivative(end, after)
+            error = self._error(after, length)
+            growth = _SAFETY * error**_BY_ERROR if error else most
+            if error < 1:
+                break
+            length *= max(_LEAST_GROWTH, growth)
+            most = 1.0
+        self.time, self.state, self.change = end, after, changes[12]
+        self.length = length * min(most, growth)
+
+    def _stages(self, time: float, state: Floats, length: float, numbers: range) -> None:
+        method, changes = _method(), self.changes
+        weights = length * method.stages
+        for number in numbers:
+            at = state + weights[number, :number].dot(changes[:number])
+            changes[number] = self.derivative(time + method.places[number] * length, at)
+
+    def _error(self, after: Floats, length: float) -> float:
+        """Return the error of a step, relative to the tolerances."""
+        relative, absolute = self.tolerances
+        allowed = absolute + relative * np.maximum(np.abs(self.state), np.abs(after))
+        fifth, third = _method().errors.dot(self.changes[:13]) / allowed
+        square = float(fifth.dot(fifth))
+        both = (square + 0.01 * float(third.dot(third))) * len(after)
+        return length * square / math.sqrt(both) if both else 0.0
+
+    def dense(self, time: float, state: Floats) -> Floats:
+        """Return the coefficients of the dense output of the last step, from its start."""
+        length, changes = self.time - time, self.changes
+        self._stages(time, state, length, range(13, 16))
+        risen, first, last = self.state - state, length * changes[0], length * self.change
+        lowest = [risen, first - risen, 2 * risen - first - last]
+        return np.vstack([*lowest, (length * _method().dense).dot(changes)]).T

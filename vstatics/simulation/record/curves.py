@@ -149,14 +149,17 @@ def extreme_times(
     candidates = [_outermost(curve, moving) for curve in curves]
     candidates += [_turns(curve, moving, column_ranges) for curve in together]
     columns, times, values = (np.concatenate(parts) for parts in zip(*candidates, strict=True))
-    near = EQUAL_EXTREMES * column_ranges.size
-    chosen: list[float] = []
-    for column in moving.tolist():
-        places = np.flatnonzero(columns == column)
-        for heights in (values[places], -values[places]):
-            equal = places[heights >= heights.max() - near[column]]
-            chosen += times[[places[heights.argmax()], equal[times[equal].argmin()]]].tolist()
-    return np.array(chosen)
+    order = np.argsort(columns, kind="stable")
+    columns, times, values = columns[order], times[order], values[order]
+    starts, places = np.searchsorted(columns, moving), np.arange(len(times))
+    counts, near = np.diff(starts, append=len(times)), EQUAL_EXTREMES * column_ranges.size[columns]
+    chosen = []
+    for heights in (values, -values):
+        top = np.repeat(np.maximum.reduceat(heights, starts), counts)
+        highest = np.minimum.reduceat(np.where(heights >= top, places, len(places)), starts)
+        equal = np.where(heights >= top - near, times, np.inf)
+        chosen += [times[highest], np.minimum.reduceat(equal, starts)]
+    return np.concatenate(chosen)
 
 
 class _Turns(NamedTuple):

@@ -121,8 +121,8 @@ def device_torques(equations: Equations, ports: Floats, held: Floats) -> Floats:
         if contact.device is not None:
             row = row_of.get(index)
             torques[contact.device] += ports[layout.contacts + index] if row is None else held[row]
-    for index, (mesh, taken) in enumerate(zip(system.meshes, equations.by_planets, strict=True)):
-        torques[mesh.device] = held[index] + taken @ ports
+    devices = [mesh.device for mesh in system.meshes]
+    torques[devices] = held[: len(devices)] + equations.by_planets @ ports
     for index, spring in enumerate(system.springs):
         torques[spring.device] += ports[layout.springs + index]
     for index, variator in enumerate(system.variators):

@@ -18,6 +18,9 @@ from vstatics.simulation.scenario.laws import Points, Road
 from vstatics.simulation.scenario.parts import Scenario
 from vstatics.simulation.tolerances import LARGEST_NUMBER, LEAST_NUMBER, UNLIKE_INERTIAS
 
+_NOT_NUMBERS = (str, int, type(None))
+"""Types of values without a size: names, counts, flags and missing values."""
+
 
 def size_problems(scenario: Scenario) -> Iterator[Problem]:
     """Yield a problem for each number of a scenario or case that is too large or too small.
@@ -83,7 +86,8 @@ def _of_numbers(part: Any, path: Path, least: float = LEAST_NUMBER) -> Iterator[
             yield from _of_numbers(value, path)
     else:
         for name, value in _parts(part):
-            yield from _of_numbers(value, (*path, name), least)
+            if not isinstance(value, _NOT_NUMBERS):
+                yield from _of_numbers(value, (*path, name), least)
 
 
 def _parts(whole: Any) -> Iterable[tuple[str | int, Any]]:

@@ -286,7 +286,7 @@ class Equations:
 
     def rates(self, time: float, state: Floats) -> tuple[Floats, Floats]:
         """Return the rates of ports, and the speeds of motions without inertia [rad/s]."""
-        rates = self.structure.rates @ state[: self.motions]
+        rates = self.structure.rates.dot(state[: self.motions])  # `dot` is faster than `@`
         if not self.light:
             return rates, _NONE
         if self.light_is_straight:
@@ -346,7 +346,7 @@ class Equations:
         """Return the integrands of works and losses at several times [W]."""
         rates, torques = self.acting_at(times, states)
         slopes = None
-        if not self.ports.bends.all():
+        if not self.ports.is_below_limits:
             within = self.within if self.limited.any() else None
             slopes = self.ports.given_at(times, within)[1][self.layout.spring_ports]
             if self.seen_limits:
@@ -567,8 +567,8 @@ class Equations:
         structure, (rates, light) = self.structure, known
         torques = self.torques(time, state, rates)
         change = np.zeros(self.size)
-        change[: self.motions] = structure.accelerations @ torques
-        if slopes is None and not self.ports.bends.all():
+        change[: self.motions] = structure.accelerations.dot(torques)
+        if slopes is None and not self.ports.is_below_limits:
             slopes = self.limit_slopes(time, rates, state)
         self._fill_powers(change, state, torques, known, slopes)
         if self.angles.stop > self.angles.start:

@@ -135,7 +135,7 @@ class Ports:
         self.stiffness = system.stiffness
         bends = [state in ("stick", "parted") for state in states.springs]
         parted = np.array([state == "parted" for state in states.springs], dtype=bool)
-        self.bends = np.array(bends, dtype=bool)
+        self.bends, self.is_below_limits = np.array(bends, dtype=bool), all(bends)
         pieces = zip(system.springs, states.pieces[layout.curves :], strict=True)
         lines = np.array([spring.curve.piece(piece) for spring, piece in pieces]).reshape(-1, 2).T
         self.c0[layout.spring_ports], self.elastic = np.where(self.bends & ~parted, lines, 0.0)
