@@ -530,15 +530,27 @@ class EventRun:
                 if self.watch is not None and reached < self.until and (why := self.watch(reached)):
                     raise CaseError("E604", f"at {reached:.9g} s {why}")
                 if event.watches:
-                    return event
+                    return self._across(equations, event, end)
         except TooSmall:
             if behind := self._behind_corner(equations, end):
                 return behind
             raise CaseError([self._too_small(equations)]) from None
         return MarginEnd(end, step.last, ())
 
+    def _across(self, equations: Equations, event: MarginEnd, end: float) -> MarginEnd:
+        """Return an event at a jump of a formula with the state just after the jump.
+
+        Otherwise torques of both sides would act at the start of the next time step.
+        """
+        met = [self.watched[watch.of][0] for watch in event.watches if watch.kind == "corner"]
+        if not any(self.corners[place.corner].jumps[place.number] for place in met):
+            return event
+        behind = self._behind_corner(equations, end)
+        watches = dict.fromkeys((*event.watches, *behind.watches)) if behind else ()
+        return behind._replace(watches=tuple(watches)) if behind else event
+
     def _behind_corner(self, equations: Equations, end: float) -> MarginEnd | None:
-        """Return the state just after a corner if time steps fail right before the corner.
+        """Return the state just after a corner, None if the last state is not right before one.
 
         The motion is extrapolated linearly across the corner. Integration would give a quantity
         that starts from 0 at the corner an error as large as the quantity.
