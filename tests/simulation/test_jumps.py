@@ -413,3 +413,14 @@ def test_a_clutch_breaks_away_by_a_jump_at_the_slip_of_another(seed: int) -> Non
         case,
     )
     assert motion.speeds[-1] == pytest.approx(then.y[:4, -1], abs=1e-5)
+
+
+@pytest.mark.parametrize("law", ["25*(sin(angle) > 0)", "25*sign(sin(angle))"])
+def test_a_torque_that_jumps_at_the_start_breaks_dry_friction(law: str) -> None:
+    """The momentum of 0.5*5 + 2*5 grows by 25*0.3, and both links have one speed at last."""
+    motion = simulated(
+        f'duration: 0.3\nstart: {{speeds: {{b: 5, c: 5}}}}\ntorques: {{b: "{law}"}}\n',
+        "inertias: {b: 0.5, c: 2}\ngears: {g: []}\n"
+        "springs: {s: {links: [b, c], stiffness: 3000, friction: 3}}\n",
+    )
+    assert motion.speeds[-1] == pytest.approx([8.0, 8.0], rel=1e-9)

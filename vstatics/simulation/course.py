@@ -519,6 +519,10 @@ class EventRun:
         tolerances = self._tolerances(equations)
         equations.ports.until = math.nextafter(end, -math.inf)
         self.record.begin(selected.margins, selected.state)
+        if self._is_before_jump(equations, selected.state) and (
+            behind := self._behind_corner(equations, end)
+        ):
+            return behind
         finder = Finder(selected.margins, self.scales)
         try:
             for step in self._steps(selected, end, tolerances):
@@ -530,24 +534,23 @@ class EventRun:
                 if self.watch is not None and reached < self.until and (why := self.watch(reached)):
                     raise CaseError("E604", f"at {reached:.9g} s {why}")
                 if event.watches:
-                    return self._across(equations, event, end)
+                    return event
         except TooSmall:
             if behind := self._behind_corner(equations, end):
                 return behind
             raise CaseError([self._too_small(equations)]) from None
         return MarginEnd(end, step.last, ())
 
-    def _across(self, equations: Equations, event: MarginEnd, end: float) -> MarginEnd:
-        """Return an event at a jump of a formula with the state just after the jump.
+    def _is_before_jump(self, equations: Equations, state: Floats) -> bool:
+        """Return whether a formula will jump at once: its numbers have the sides before the jump.
 
-        Otherwise torques of both sides would act at the start of the next time step.
+        Such a jump can change the torques at the start of a time step.
         """
-        met = [self.watched[watch.of][0] for watch in event.watches if watch.kind == "corner"]
-        if not any(self.corners[place.corner].jumps[place.number] for place in met):
-            return event
-        behind = self._behind_corner(equations, end)
-        watches = dict.fromkeys((*event.watches, *behind.watches)) if behind else ()
-        return behind._replace(watches=tuple(watches)) if behind else event
+        sides = self._sides(equations, equations.time, state).tolist()
+        return any(
+            SIGNS.get(awaited.side, side) != side and self.corners[place.corner].jumps[place.number]
+            for (place, awaited), side in zip(self.watched, sides, strict=True)
+        )
 
     def _behind_corner(self, equations: Equations, end: float) -> MarginEnd | None:
         """Return the state just after a corner, None if the last state is not right before one.
@@ -557,7 +560,7 @@ class EventRun:
         """
         time, state = self.record.time, self.record.pieces[-1].states[-1]
         before, change = self._sides(equations, time, state), equations.derivative(time, state)
-        length = _BEHIND * math.ulp(time)
+        length = _BEHIND * math.ulp(max(time, SAME_INSTANT * self.span))
         while length <= SAME_INSTANT * self.span and time + length < end:
             at, there = time + length, state + length * change
             sides = self._sides(equations, at, there)
