@@ -5,6 +5,7 @@ values (A. F. Filippov, Differential equations with discontinuous righthand side
 """
 
 import math
+from functools import partial
 from itertools import product
 from random import Random
 from typing import NamedTuple
@@ -373,3 +374,53 @@ def test_a_motion_leaves_some_of_the_jumps_that_it_meets_at_once(drawn: tuple[in
 
     found = solve_ivp(change, (0.0, 1.0), start, "Radau", rtol=1e-7, atol=1e-8, max_step=0.01)
     assert motion.speeds[-1] == pytest.approx(found.y[:, -1], abs=5e-3)
+
+
+@seeds_with_slow(3, 20, 60)
+def test_a_clutch_breaks_away_by_a_jump_at_the_slip_of_another(seed: int) -> None:
+    """C slips, and D behind a spring holds until the jump; an integrator stops at the jump."""
+    rng = seeded(seed)
+    inertias = [rng.uniform(0.9, 1.1) * each for each in (1.4, 2, 3, 0.5)]
+    least, stiffness, damping = (rng.uniform(*ends) for ends in ((1, 4), (500, 2000), (1, 9)))
+    names = [f"{link}: {value!r}" for link, value in zip("abcd", inertias, strict=True)]
+    case = (
+        f"inertias: {{{', '.join(names)}}}\nshift_elements: {{C: [a, b], D: [c, d]}}\n"
+        f"springs: {{s: {{links: [b, c], stiffness: {stiffness!r}, damping: {damping!r}}}}}\n"
+        "gears: {g: []}\n"
+    )
+
+    def change(_: float, state: Floats, jumps: float, carried: float) -> list[float]:
+        a, b, c, _, twist = state.tolist()
+        sprung = stiffness * twist + damping * (b - c)
+        if not jumps:
+            carried = sprung * inertias[3] / (inertias[2] + inertias[3])
+        slips = math.copysign(200, a - b)
+        torques = -slips - 800 * c, slips - sprung, jumps + sprung - carried, carried
+        return [*(torque / each for torque, each in zip(torques, inertias, strict=True)), b - c]
+
+    def reaches(_t: float, state: Floats, *_: float) -> float:
+        return float(state[0] - state[1]) - least
+
+    reaches.terminal = True  # type: ignore[attr-defined]
+    integrated = partial(solve_ivp, change, method="DOP853", rtol=1e-11, atol=1e-12)
+    first = integrated((0, 1), [least + 6, 0, 0, 0, 0], args=(0.0, 0.0), events=reaches)
+    end = float(first.t[-1]) + 0.02
+    then = integrated((first.t[-1], end), first.y[:, -1], args=(1200.0, 60.0))
+    motion = simulated(
+        f"duration: {end!r}\nstart: {{speeds: {{a: {least + 6!r}, b: 0, c: 0, d: 0}}}}\n"
+        "controls: {C: 200, D: 60}\n"
+        f"torques: {{a: \"-800*speed('c')\", c: \"1200*(slip('C') <= {least!r})\"}}\n",
+        case,
+    )
+    assert motion.speeds[-1] == pytest.approx(then.y[:4, -1], abs=1e-5)
+
+
+@pytest.mark.parametrize("law", ["25*(sin(angle) > 0)", "25*sign(sin(angle))"])
+def test_a_torque_that_jumps_at_the_start_breaks_dry_friction(law: str) -> None:
+    """The momentum of 0.5*5 + 2*5 grows by 25*0.3, and both links have one speed at last."""
+    motion = simulated(
+        f'duration: 0.3\nstart: {{speeds: {{b: 5, c: 5}}}}\ntorques: {{b: "{law}"}}\n',
+        "inertias: {b: 0.5, c: 2}\ngears: {g: []}\n"
+        "springs: {s: {links: [b, c], stiffness: 3000, friction: 3}}\n",
+    )
+    assert motion.speeds[-1] == pytest.approx([8.0, 8.0], rel=1e-9)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.linalg import null_space
 
-from tests.chance import seeded, seeds_with_slow
+from tests.chance import each_seed, seeded, seeds_with_slow
 from tests.simulation.control.written import faults, simulated
 from tests.simulation.reference import mechanism_column
 from tests.simulation.runs import random_box
@@ -51,6 +51,27 @@ def test_the_links_of_any_train_follow_the_given_speeds(seed: int) -> None:
     basis = null_space(columns)
     wanted = ends @ np.linalg.inv(basis[chosen]).T @ basis.T
     assert motion.speeds[[0, -1]] == pytest.approx(wanted, abs=1e-7)
+
+
+@each_seed(12, 200)
+def test_given_speeds_are_recorded_as_given(seed: int) -> None:
+    """A clutch joins engine and sun, and the ring gear is at rest: exactly."""
+    rng = seeded(seed)
+    ratio, pair = (round(rng.uniform(-4, -1.2), 3) for _ in range(2))
+    case = f"""links: [e, s, r, c, o]
+inertias: {{e: 1, s: 0.1, r: 0.2, c: 0.3, o: 3}}
+mechanisms:
+  set: {{first: s, second: r, third: c, ratio: {ratio}}}
+  pair: {{first: c, second: o, ratio: {pair}}}
+shift_elements: {{C: [e, s], B: [r, housing]}}
+gears: {{low: [C, B]}}
+"""
+    speed = rng.choice([100.0, 314.16, round(rng.uniform(1, 600), 2)])
+    start = f"duration: 0.3\nstart: {{gear: low, speed: {speed}}}\ntorques: {{e: 10}}\n"
+    motion = simulated(start, case)
+    engine, sun, ring = motion.speeds.T[:3].tolist()
+    assert engine[0] == sun[0] == speed
+    assert not any([*ring, *motion.slips.ravel().tolist()])
 
 
 BEHIND_FREEWHEEL = """links: [shaft, {races}]

@@ -519,6 +519,9 @@ class EventRun:
         tolerances = self._tolerances(equations)
         equations.ports.until = math.nextafter(end, -math.inf)
         self.record.begin(selected.margins, selected.state)
+        due = self._jumps_due(equations, selected.state) if self.at_once > 1 else ()
+        if due and (behind := self._behind_corner(equations, end, due)):
+            return behind
         finder = Finder(selected.margins, self.scales)
         try:
             for step in self._steps(selected, end, tolerances):
@@ -537,20 +540,37 @@ class EventRun:
             raise CaseError([self._too_small(equations)]) from None
         return MarginEnd(end, step.last, ())
 
-    def _behind_corner(self, equations: Equations, end: float) -> MarginEnd | None:
-        """Return the state just after a corner if time steps fail right before the corner.
+    def _jumps_due(self, equations: Equations, state: Floats) -> set[int]:
+        """Return the indices of watched jumps of formulas that have the sides before the jump.
+
+        Such a jump occurs at once. A contact can alternate between two states before the jump.
+        """
+        sides = self._sides(equations, equations.time, state).tolist()
+        return {
+            index
+            for index, (place, awaited) in enumerate(self.watched)
+            if SIGNS.get(awaited.side, sides[index]) != sides[index]
+            and self.corners[place.corner].jumps[place.number]
+        }
+
+    def _behind_corner(
+        self, equations: Equations, end: float, due: Collection[int] = ()
+    ) -> MarginEnd | None:
+        """Return the state just after a corner, None if the last state is not right before one.
+
+        If corners `due` are given, the state is behind all of them.
 
         The motion is extrapolated linearly across the corner. Integration would give a quantity
         that starts from 0 at the corner an error as large as the quantity.
         """
         time, state = self.record.time, self.record.pieces[-1].states[-1]
         before, change = self._sides(equations, time, state), equations.derivative(time, state)
-        length = _BEHIND * math.ulp(time)
+        length = _BEHIND * math.ulp(time or self.span)
         while length <= SAME_INSTANT * self.span and time + length < end:
             at, there = time + length, state + length * change
             sides = self._sides(equations, at, there)
             passed = np.flatnonzero(sides * before < abs(sides)).tolist()
-            if passed:
+            if passed and {*passed}.issuperset(due):
                 return MarginEnd(at, there, tuple(Watch("corner", index) for index in passed))
             length *= 2
         return None

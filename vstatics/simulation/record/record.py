@@ -33,6 +33,7 @@ from vstatics.simulation.tolerances import (
     EXACT_SIDES,
     LEAST_VALUE,
     MADE_CAPACITY,
+    ROUNDED_INPUT,
     SAME_TIME,
     SAME_VALUES,
     SHARED_TORQUE,
@@ -272,6 +273,7 @@ class Record:
         distinct = _different(times, columns[: table.heat.start])
         times, columns = times[distinct], columns[:, distinct]
         speeds, slips, torques, *parts, heat = (columns[rows].T.copy() for rows in table.kinds)
+        speeds, slips = (_without_noise(rates, largest(speeds)) for rates in (speeds, slips))
         asked = {
             name: dict(zip(rows, part.T, strict=True))
             for (name, rows), part in zip(table.asked.items(), parts, strict=True)
@@ -351,6 +353,17 @@ class Record:
             distance = angle * radii.get(link + 1, math.nan)
             reached.append(Reached(self.system.names[link], speed, time, angle, distance))
         return reached
+
+
+def _without_noise(rates: Floats, large: float) -> Floats:
+    """Return columns of speeds with 14 digits, and 0 for rounding errors of a `large` speed.
+
+    >>> _without_noise(np.array([[99.99999999999997, 1e-15], [7.0, 2.0]]), 100.0).tolist()
+    [[100.0, 0.0], [7.0, 2.0]]
+    """
+    sizes = np.maximum(np.abs(rates).max(axis=0, initial=0.0), LEAST_VALUE)
+    scales = 10.0 ** (13 - np.floor(np.log10(sizes)))
+    return np.where(np.abs(rates) < ROUNDED_INPUT * large, 0.0, np.round(rates * scales) / scales)
 
 
 def _different(times: Floats, columns: Floats) -> Booleans:
