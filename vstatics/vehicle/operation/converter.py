@@ -73,8 +73,7 @@ def bare(case: Transmission) -> Transmission:
     for gear in case.gears:
         ratios = dict(gear.speed_ratios)
         for place in free_converters(case, gear):
-            points = np.array(case.mechanisms[place].points)
-            ratios[place + 1 - case.own_mechanisms.start] = free_ratio(points)
+            ratios[place + 1 - case.own_mechanisms.start] = free_ratio(_usable(case, gear, place))
         gears.append(gear._replace(load=None, coast=None, speed_ratios=ratios))
     return replace(case, gears=gears, load=Load(1000.0, 1.0), coast=None)
 
@@ -145,6 +144,8 @@ class ConverterGear(NamedTuple):
     """Path of the speed ratio for the argument `vary` of `solve`."""
     row: int
     """Index of the torque on the pump among the torques of results."""
+    stops: bool
+    """True if a freewheel supplies the torque that the pump lacks at the speed ratio 1."""
     points: Floats
     """Rows of speed ratio, torque ratio and lambda, shape (points, 3).
 
@@ -170,7 +171,7 @@ class ConverterGear(NamedTuple):
         alone = known.replace(gears=[known.gears[index]])
         gear, mechanism = alone.gears[0], alone.mechanisms[place]
         free = alone.gear_ratios(gear)[place]
-        points = _with_searched(np.array(mechanism.points), free)
+        points = _with_searched(_usable(case, case.gears[index], place), free)
         path = f"gears.{gear.name}.speed_ratios.{mechanism.name}"
         results, [change] = solved_slips(alone)
         speeds = solve(results.case, vary={path: [free, free - 0.5]}).speeds[:, 0]
@@ -193,7 +194,9 @@ class ConverterGear(NamedTuple):
         added[np.abs(added) <= NO_SPEED * np.abs(results.speeds_rpm).max()] = 0.0
         arrays = np.where(noise, 0.0, per_engine), per_output * np.sign(output[0]), added
         turns = [np.concatenate([array[ends], array]) for array in arrays]
-        return cls(alone, mechanism.name, path, first_rows(alone)[place], points, *turns)
+        row = first_rows(alone)[place]
+        stops = bool(points[-1, 0] == 1 and alone.freewheel_side(gear, place))
+        return cls(alone, mechanism.name, path, row, stops, points, *turns)
 
     @property
     def free_ratio(self) -> float:
@@ -431,6 +434,19 @@ class ConverterGear(NamedTuple):
         return torques
 
 
+def _usable(case: Transmission, gear: Gear, place: int) -> Floats:
+    """Return the points of a converter, up to the ratio at which a freewheel locks it up."""
+    points = np.array(case.mechanisms[place].points)
+    if points[-1, 0] <= 1 or not case.freewheel_side(gear, place):
+        return points
+    ratios = np.append(points[points[:, 0] < 1, 0], 1.0)
+    return _interpolated(points, ratios)
+
+
+def _interpolated(points: Floats, ratios: Floats) -> Floats:
+    return np.stack([np.interp(ratios, points[:, 0], column) for column in points.T], axis=1)
+
+
 def _with_searched(points: Floats, free: float) -> Floats:
     """Return the points of a converter, with points interpolated where torques can begin or end.
 
@@ -441,7 +457,7 @@ def _with_searched(points: Floats, free: float) -> Floats:
     sides = np.outer(lossless, [1 - LOSSLESS, 1 + LOSSLESS]).ravel()
     sides = sides[(sides > points[0, 0]) & (sides < points[-1, 0])]
     ratios = np.unique([*points[:, 0], free, *sides])
-    return np.stack([np.interp(ratios, points[:, 0], column) for column in points.T], axis=1)
+    return _interpolated(points, ratios)
 
 
 def _root(function: Brought, ends: tuple[Floats, Floats], values: tuple[Floats, Floats]) -> Floats:
