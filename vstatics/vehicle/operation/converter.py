@@ -82,7 +82,13 @@ def solved_slips(case: Transmission) -> tuple[Results, Floats]:
     """Return results of a bare case with slips in rpm set to 0, and the speeds that slips add.
 
     The speed of a link is its relative speed times the engine speed, plus the added speed [rad/s].
+    Drag is left out, because more drag than the torque of the bare case lets freewheels overrun.
     """
+    case = case.replace(
+        drag={},
+        shift_elements=[element._replace(drag=0.0) for element in case.shift_elements],
+        gears=[gear._replace(drag={}, open_drag={}, loss=None) for gear in case.gears],
+    )
     gears = [
         gear._replace(
             slip={n: 0.0 if isinstance(slip, OfLoad) else slip for n, slip in gear.slip.items()}

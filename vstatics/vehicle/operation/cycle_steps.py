@@ -121,9 +121,9 @@ class CycleSteps(NamedTuple):
     guessed: Sequence[str]
     """Names of gears that count as forward only because they are written first."""
     least_forces: Floats
-    """Smallest wheel forces that slipping clutches transmit, shape (steps,); -inf if unlimited. [N]
+    """Smallest wheel forces that slipping clutches or freewheels transmit; -inf if unlimited. [N]
 
-    At this force a clutch carries no torque.
+    At this force a clutch or freewheel carries no torque. The shape is (steps,).
     """
 
     @classmethod
@@ -373,28 +373,30 @@ class CycleSteps(NamedTuple):
         """Return the steps with `least_forces`, so that no slipping clutch would give power.
 
         Where the wheels ask for less force, the clutch carries no torque, and brakes absorb the
-        difference.
+        difference. The same applies to a freewheel that would overrun.
         """
-        slips = np.array([bool(gear.slipping) for gear in self.case.gears])
-        rows = rows[slips[self.gears[rows]]]
+        can_open = np.array([bool(gear.slipping) for gear in self.case.gears])
+        if self.case.freewheels:
+            can_open[[n for n in range(len(can_open)) if n not in self.converters]] = True
+        rows = rows[can_open[self.gears[rows]]]
         asked = self.asked_forces[rows]
-        lacks = np.isnan(self._slip_power(rows, asked))
+        lacks = np.isnan(self._clutch_power(rows, asked))
         rows, low = rows[lacks], asked[lacks]
         if not rows.size:
             return self
         size, high = 1 + np.abs(low), np.maximum(low, 0.0)
         for _ in range(MOST_DOUBLINGS):
-            lacks = np.isnan(self._slip_power(rows, high))
+            lacks = np.isnan(self._clutch_power(rows, high))
             if not lacks.any():
                 break
             low, high = np.where(lacks, high, low), np.where(lacks, 2 * high + size, high)
         for _ in range(FORCE_BISECTIONS):
             middle = (low + high) / 2
-            lacks = np.isnan(self._slip_power(rows, middle))
+            lacks = np.isnan(self._clutch_power(rows, middle))
             low, high = np.where(lacks, middle, low), np.where(lacks, high, middle)
         excess = np.where(high, LEAST_CLUTCH_FORCE * (1 + np.abs(high)), 0.0)
         for _ in range(MOST_DOUBLINGS):
-            powers = self._slip_power(rows, high + excess)
+            powers = self._clutch_power(rows, high + excess)
             if not np.isnan(powers).any():
                 break
             excess = np.where(np.isnan(powers), 2 * excess, excess)
@@ -403,8 +405,12 @@ class CycleSteps(NamedTuple):
         least[rows[is_open]] = (high + excess)[is_open]
         return self._replace(least_forces=least)
 
-    def _slip_power(self, rows: Integers, forces: Floats) -> Floats:
-        """Return the smallest loss of a slipping clutch at wheel forces, NaN if undefined [W]."""
+    def _clutch_power(self, rows: Integers, forces: Floats) -> Floats:
+        """Return the least power of slipping clutches and freewheels at wheel forces [W].
+
+        The power of a clutch is its loss. The power of a freewheel that holds is its torque times
+        the output speed. The result is NaN without torques.
+        """
         if not rows.size:
             return np.zeros(0)
         speeds, torques = self._load_of_wheels(rows, forces)
@@ -415,7 +421,12 @@ class CycleSteps(NamedTuple):
         losses = results.slip_losses_kW[here]
         numbers = range(1, losses.shape[1] + 1)
         slips = np.array([[n in gear.slipping for n in numbers] for gear in self.case.gears])
-        powers = np.where(slips[here[1]], 1e3 * np.abs(losses), math.inf).min(axis=1)
+        powers = np.where(slips[here[1]], 1e3 * np.abs(losses), math.inf)
+        for number in case.freewheels:
+            torques = results.lossy_torques_Nm[*here, number - 1]
+            held = results.holds[*here, number - 1]
+            powers[:, number - 1] = np.where(held, np.abs(torques * speeds), math.inf)
+        powers = powers.min(axis=1)
         known = np.isfinite(results.lossy_output_torque_Nm[here])
         return np.where(known, powers, math.nan)
 
