@@ -379,7 +379,7 @@ class ConverterGear(NamedTuple):
         inverse = np.full(len(places), np.nan)
         ends = (solved, first[solved]), (solved, first[solved] + 1)
         # At low engine speeds the surplus is nearly linear in the square of the inverse speed.
-        squares = _root(
+        squares = illinois_root(
             lambda part, x: surplus(solved[part], np.sqrt(x)),
             (places[ends[0]] ** 2, places[ends[1]] ** 2),
             (values[ends[0]], values[ends[1]]),
@@ -430,7 +430,7 @@ class ConverterGear(NamedTuple):
         has_root: Booleans = at_end * at_start <= 0
         torques = np.full(len(engine), np.nan)
         rows = np.flatnonzero(has_root)
-        torques[rows] = _root(
+        torques[rows] = illinois_root(
             lambda part, x: surplus(rows[part], x),
             (start[rows], end[rows]),
             (at_start[rows], at_end[rows]),
@@ -466,7 +466,9 @@ def _with_searched(points: Floats, free: float) -> Floats:
     return _interpolated(points, ratios)
 
 
-def _root(function: Brought, ends: tuple[Floats, Floats], values: tuple[Floats, Floats]) -> Floats:
+def illinois_root(
+    function: Brought, ends: tuple[Floats, Floats], values: tuple[Floats, Floats]
+) -> Floats:
     """Return roots of a function between `ends`, where its values have opposite signs."""
     (low, high), (at_low, at_high) = map(np.copy, ends), map(np.copy, values)
     swap = np.abs(at_low) < np.abs(at_high)
