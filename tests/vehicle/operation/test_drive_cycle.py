@@ -502,6 +502,8 @@ def test_a_clutch_that_slips_or_overruns_leaves_braking_to_the_brakes(
     assert energy.brakes == pytest.approx(brakes)
     given = energy.wheels + energy.inertias + energy.brakes + sum(energy.lost.values())
     assert energy.engine == pytest.approx(given, rel=1e-9)
+    faster = drive(case, trace((0, 5, "low"), (4, 9, "low")), GearChoice())
+    assert faster.energy.brakes == pytest.approx(0, abs=1e-6)
 
 
 def test_slip_in_a_gear_without_a_ratio_hinders_no_cycle() -> None:

@@ -455,6 +455,8 @@ class CycleSteps(NamedTuple):
         at_asked = excess(np.arange(len(rows)), asked)
         least_torque = LEAST_CLUTCH_FORCE * np.abs(at_asked)
         part = np.flatnonzero(at_asked > 0)
+        if not part.size:
+            return self
         low, at_low = asked[part], at_asked[part]
         high = np.maximum(low, 0.0)
         for _ in range(MOST_DOUBLINGS):
