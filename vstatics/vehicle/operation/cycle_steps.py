@@ -49,6 +49,7 @@ from vstatics.vehicle.operation.shifting import (
 from vstatics.vehicle.operation.trace import Trace, blocks
 from vstatics.vehicle.tolerances import (
     LEAST_CLUTCH_FORCE,
+    LEAST_FREEWHEEL_TORQUE,
     NO_SLIP_POWER,
     SAME_ENGINE_TORQUE,
     SAME_POWER,
@@ -453,7 +454,7 @@ class CycleSteps(NamedTuple):
         asked = self.asked_forces[rows]
         least_torque = np.zeros(len(rows))
         at_asked = excess(np.arange(len(rows)), asked)
-        least_torque = LEAST_CLUTCH_FORCE * np.abs(at_asked)
+        least_torque = LEAST_FREEWHEEL_TORQUE * np.abs(at_asked)
         part = np.flatnonzero(at_asked > 0)
         if not part.size:
             return self
