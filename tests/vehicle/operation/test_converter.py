@@ -14,7 +14,7 @@ from scipy.optimize import brentq
 from tests.chance import count, generator
 from tests.commands import vstatics
 from tests.installed import needs
-from vstatics import CaseError, Gear, Machine, Mechanism, Transmission, loads
+from vstatics import CaseError, Gear, Load, Machine, Mechanism, Transmission, loads, solve
 from vstatics.core.model.checks import doubts
 from vstatics.core.model.laws import MapLaw
 from vstatics.core.numerics.constants import GRAVITY
@@ -598,3 +598,40 @@ def test_a_freewheel_over_the_converter_lets_the_engine_brake(beyond: str) -> No
         found = {name: cycle.energy.lost.get(name, 0.0) for name in ("TC", *lost)}
         expected = {"TC": 0.0} | {name: 0.1 * power for name, power in lost.items()}
         assert found == pytest.approx(expected, rel=1e-8, abs=1e-6)
+
+
+def test_a_freewheel_supplies_the_torque_that_the_pump_lacks() -> None:
+    """The pump takes torque beyond i = 1, but the freewheel lets no turbine overrun the engine."""
+    random = generator(61)
+    for number in range(count(12, 200)):
+        free = float(random.uniform(1.02, 1.3))
+        points = [[0, 2, 3e-3], [0.9, 1, 2e-3], [free, 1, -1e-4 * (number % 2)]]
+        case = loads(FREEWHEEL.format(drag=0.0, points=points, overrun="[[0, 0]]"))
+        speed, asked = (random.uniform(3, 20, 2) * (1, 100)).tolist()
+        table = f"time [s],speed [m/s]\n0,{speed - asked / 3e4!r}\n0.1,{speed + asked / 3e4!r}\n"
+        cycle = drive(case, read_trace(table.encode(), "t.csv"), GearChoice())
+        torque, w = float(asked / 10 / 3 / 0.97), float(30 * speed)
+
+        def taken(engine: Any, turbine: float = w) -> Any:
+            return np.interp(turbine / engine, *np.transpose(points)[[0, 2]]) * engine**2  # noqa: B023
+
+        def given(engine: float, turbine: float = w) -> float:
+            factors = np.interp(turbine / engine, [0, 0.9], [2, 1])
+            return float(taken(engine, turbine) * factors)
+
+        locks = given(w) >= torque
+        engine = w if locks else brentq(lambda x: given(x) - torque, w, 20 * w)  # noqa: B023
+        expected = engine * (torque if locks else taken(engine))
+        assert cycle.energy.engine == pytest.approx(0.1 * expected, rel=1e-8)
+        assert cycle.energy.brakes == pytest.approx(0, abs=1e-6)
+        pull = Traction(case, Vehicle.needed(case))
+        last = pull.speeds_at(0, np.array([speed]))
+        starts = 200 - taken(w) >= 0
+        engine = brentq(lambda x: 200 - taken(x), w, 900) if starts else w
+        assert pull.engine_speeds(0, last) == pytest.approx([engine], rel=1e-8)
+        ratio = 1 if not starts else np.interp(w / engine, [0, 0.9], [2, 1])
+        assert pull.forces(0, last) == pytest.approx([200 * ratio * 3 * 0.97 * 10], rel=1e-8)
+        at = solve(case.replace(load=Load(w * 30 / math.pi, float(torque))))
+        if locks:
+            assert (at.speed_ratio[0, 0], at.ratio[0]) == (1, 3)
+            assert not at.messages

@@ -466,12 +466,22 @@ def test_a_slip_of_the_wrong_sign_gives_no_cycle() -> None:
 
 
 @pytest.mark.parametrize("more", [False, True])
-def test_a_slipping_clutch_leaves_braking_to_the_brakes(more: bool) -> None:
-    """Link by link: where the shaft would drive the clutch, the clutch carries no torque."""
+@pytest.mark.parametrize("added", [20, 0])
+def test_a_clutch_that_slips_or_overruns_leaves_braking_to_the_brakes(
+    added: int, more: bool
+) -> None:
+    """Link by link: where the shaft would drive the clutch, the clutch carries no torque.
+
+    Without slip, the clutch is a freewheel.
+    """
     drags, inertias = ((2, 3), (0.1, 0.05)) if more else ((0, 0), (0, 0))
     text = f"drag: {{engine: {drags[0]} N*m, a: {drags[1]} N*m}}\n"
     text += f"inertias: {{engine: {inertias[0]}, a: {inertias[1]}}}\n"
     case = in_rpm("20 rad/s", text.replace("N*m", "N*m" if more else ""))
+    if not added:
+        freewheel = ShiftElement(2, 1, "A", kind="freewheel")
+        elements = [freewheel, *case.shift_elements[1:]]
+        case = case.replace(shift_elements=elements, gears=[case.gears[0]._replace(slip={})])
     rows = trace((0, 7, "low"), (4, 5, "low"), (6, 9, "low"), (9, 0.3, "low"))
     driven = drive(case, rows, GearChoice())
     engine = brakes = slip = 0.0
@@ -484,14 +494,16 @@ def test_a_slipping_clutch_leaves_braking_to_the_brakes(more: bool) -> None:
         clutch = torque - drags[0] - inertias[0] * change
         pair = clutch - drags[1] - inertias[1] * change
         force = pair * 0.8 ** (1 if pair > 0 else -1) * 4 / 0.5
-        engine += torque * (shaft + 20) * time
+        engine += torque * (shaft + added) * time
         brakes += (force - 1000 * a) * v * time
-        slip += clutch * 20 * time
+        slip += clutch * added * time
     energy = driven.energy
-    assert [energy.engine, energy.lost["slip.A"]] == pytest.approx([engine, slip])
+    assert [energy.engine, energy.lost.get("slip.A", 0)] == pytest.approx([engine, slip])
     assert energy.brakes == pytest.approx(brakes)
     given = energy.wheels + energy.inertias + energy.brakes + sum(energy.lost.values())
     assert energy.engine == pytest.approx(given, rel=1e-9)
+    faster = drive(case, trace((0, 5, "low"), (4, 9, "low")), GearChoice())
+    assert faster.energy.brakes == pytest.approx(0, abs=1e-6)
 
 
 def test_slip_in_a_gear_without_a_ratio_hinders_no_cycle() -> None:

@@ -341,6 +341,28 @@ class TransmissionFields:
             if mechanism.kind == "converter" and bodies[mechanism.first] == bodies[mechanism.second]
         }
 
+    def freewheel_side(self, gear: Gear, place: int) -> int:
+        """Return on which side of the speed ratio 1 a freewheel keeps a converter.
+
+        Parameters
+        ----------
+        place : int
+            Index of the converter among the mechanisms.
+
+        Returns
+        -------
+        int
+            1 if the pump is the first link of a freewheel whose second link is the turbine, -1 for
+            the opposite order, 0 without such a freewheel.
+        """
+        bodies = self.bodies(gear)
+        pump, turbine = (bodies[link] for link in self.mechanisms[place].links[:2])
+        for element in self.elements_at(self.freewheels):
+            ends = bodies[element.first], bodies[element.second]
+            if {*ends} == {pump, turbine}:
+                return 1 if ends[0] == pump else -1
+        return 0
+
     def unloaded_converters(self, gear: Gear) -> set[int]:
         """Return the indices of converters that are bypassed in a gear or listed under its `open`.
 

@@ -123,9 +123,30 @@ def out_of_balance(results: Results) -> Iterator[tuple[int, str]]:
             taken = torque_of_pump(mechanism.points, plain(ratios[place]), speed)
             on_pump = state.lossy_torques.on_first_link[len(case.shift_elements) + place]
             brought = plain(on_pump) * load.torque
+            side = case.freewheel_side(state.gear, place)
+            if is_supplied(side, plain(ratios[place]), brought, brought - taken):
+                continue
             if disagree(brought, taken):
                 at = plain(ratios[place]), speed
                 yield index, disagreement(mechanism.name, brought, taken, at)
+
+
+def is_supplied(side: int, ratio: Size, brought: Size, surplus: Size) -> Booleans:
+    """Return whether a freewheel supplies the torque that a driven pump lacks.
+
+    Parameters
+    ----------
+    side : int
+        Result of `freewheel_side`.
+    ratio : float or ndarray
+        Speed ratio of the converter. [-]
+    brought, surplus : float or ndarray
+        Torque that the train gives to the pump, and its excess over the torque that the pump takes.
+        [N*m]
+    """
+    lacks = np.multiply(side, surplus) < 0
+    supplied: Booleans = np.equal(ratio, 1) & lacks & (np.multiply(side, brought) > 0)
+    return supplied
 
 
 def disagree(brought: float, able: float) -> bool:

@@ -73,8 +73,7 @@ def bare(case: Transmission) -> Transmission:
     for gear in case.gears:
         ratios = dict(gear.speed_ratios)
         for place in free_converters(case, gear):
-            points = np.array(case.mechanisms[place].points)
-            ratios[place + 1 - case.own_mechanisms.start] = free_ratio(points)
+            ratios[place + 1 - case.own_mechanisms.start] = free_ratio(_usable(case, gear, place))
         gears.append(gear._replace(load=None, coast=None, speed_ratios=ratios))
     return replace(case, gears=gears, load=Load(1000.0, 1.0), coast=None)
 
@@ -83,7 +82,13 @@ def solved_slips(case: Transmission) -> tuple[Results, Floats]:
     """Return results of a bare case with slips in rpm set to 0, and the speeds that slips add.
 
     The speed of a link is its relative speed times the engine speed, plus the added speed [rad/s].
+    Drag is left out, because more drag than the torque of the bare case lets freewheels overrun.
     """
+    case = case.replace(
+        drag={},
+        shift_elements=[element._replace(drag=0.0) for element in case.shift_elements],
+        gears=[gear._replace(drag={}, open_drag={}, loss=None) for gear in case.gears],
+    )
     gears = [
         gear._replace(
             slip={n: 0.0 if isinstance(slip, OfLoad) else slip for n, slip in gear.slip.items()}
@@ -145,6 +150,8 @@ class ConverterGear(NamedTuple):
     """Path of the speed ratio for the argument `vary` of `solve`."""
     row: int
     """Index of the torque on the pump among the torques of results."""
+    stops: bool
+    """True if a freewheel supplies the torque that the pump lacks at the speed ratio 1."""
     points: Floats
     """Rows of speed ratio, torque ratio and lambda, shape (points, 3).
 
@@ -170,7 +177,7 @@ class ConverterGear(NamedTuple):
         alone = known.replace(gears=[known.gears[index]])
         gear, mechanism = alone.gears[0], alone.mechanisms[place]
         free = alone.gear_ratios(gear)[place]
-        points = _with_searched(np.array(mechanism.points), free)
+        points = _with_searched(_usable(case, case.gears[index], place), free)
         path = f"gears.{gear.name}.speed_ratios.{mechanism.name}"
         results, [change] = solved_slips(alone)
         speeds = solve(results.case, vary={path: [free, free - 0.5]}).speeds[:, 0]
@@ -193,7 +200,9 @@ class ConverterGear(NamedTuple):
         added[np.abs(added) <= NO_SPEED * np.abs(results.speeds_rpm).max()] = 0.0
         arrays = np.where(noise, 0.0, per_engine), per_output * np.sign(output[0]), added
         turns = [np.concatenate([array[ends], array]) for array in arrays]
-        return cls(alone, mechanism.name, path, first_rows(alone)[place], points, *turns)
+        row = first_rows(alone)[place]
+        stops = bool(points[-1, 0] == 1 and alone.freewheel_side(gear, place))
+        return cls(alone, mechanism.name, path, row, stops, points, *turns)
 
     @property
     def free_ratio(self) -> float:
@@ -370,7 +379,7 @@ class ConverterGear(NamedTuple):
         inverse = np.full(len(places), np.nan)
         ends = (solved, first[solved]), (solved, first[solved] + 1)
         # At low engine speeds the surplus is nearly linear in the square of the inverse speed.
-        squares = _root(
+        squares = illinois_root(
             lambda part, x: surplus(solved[part], np.sqrt(x)),
             (places[ends[0]] ** 2, places[ends[1]] ** 2),
             (values[ends[0]], values[ends[1]]),
@@ -421,7 +430,7 @@ class ConverterGear(NamedTuple):
         has_root: Booleans = at_end * at_start <= 0
         torques = np.full(len(engine), np.nan)
         rows = np.flatnonzero(has_root)
-        torques[rows] = _root(
+        torques[rows] = illinois_root(
             lambda part, x: surplus(rows[part], x),
             (start[rows], end[rows]),
             (at_start[rows], at_end[rows]),
@@ -429,6 +438,19 @@ class ConverterGear(NamedTuple):
         lacking = rows[np.isnan(brought(rows, torques[rows]))]
         torques[lacking] += np.sign(gained[lacking]) * LEAST_EXCESS * (1 + np.abs(torques[lacking]))
         return torques
+
+
+def _usable(case: Transmission, gear: Gear, place: int) -> Floats:
+    """Return the points of a converter, up to the ratio at which a freewheel locks it up."""
+    points = np.array(case.mechanisms[place].points)
+    if points[-1, 0] <= 1 or not case.freewheel_side(gear, place):
+        return points
+    ratios = np.append(points[points[:, 0] < 1, 0], 1.0)
+    return _interpolated(points, ratios)
+
+
+def _interpolated(points: Floats, ratios: Floats) -> Floats:
+    return np.stack([np.interp(ratios, points[:, 0], column) for column in points.T], axis=1)
 
 
 def _with_searched(points: Floats, free: float) -> Floats:
@@ -441,10 +463,12 @@ def _with_searched(points: Floats, free: float) -> Floats:
     sides = np.outer(lossless, [1 - LOSSLESS, 1 + LOSSLESS]).ravel()
     sides = sides[(sides > points[0, 0]) & (sides < points[-1, 0])]
     ratios = np.unique([*points[:, 0], free, *sides])
-    return np.stack([np.interp(ratios, points[:, 0], column) for column in points.T], axis=1)
+    return _interpolated(points, ratios)
 
 
-def _root(function: Brought, ends: tuple[Floats, Floats], values: tuple[Floats, Floats]) -> Floats:
+def illinois_root(
+    function: Brought, ends: tuple[Floats, Floats], values: tuple[Floats, Floats]
+) -> Floats:
     """Return roots of a function between `ends`, where its values have opposite signs."""
     (low, high), (at_low, at_high) = map(np.copy, ends), map(np.copy, values)
     swap = np.abs(at_low) < np.abs(at_high)

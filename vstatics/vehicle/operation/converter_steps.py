@@ -118,13 +118,15 @@ class ConverterSteps(NamedTuple):
         at_lock = self.converter.engine_at(1.0, self._output)
         further = self._further(1, np.arange(len(self.rows)), at_lock)
         locked = self.converter.is_bypassed(self.cases[1], self.load, further)
-        engine = np.where(locked, at_lock, search.engine)
-        torques = np.full(len(engine), np.nan)
+        torques = np.full(len(at_lock), np.nan)
         surplus = search.surplus[:, 0]  # NaN if no speed ratio gives torques
         # Inertias of the gear train can drive the turbine although the wheels do not.
         are_braking = are_braking | (self.are_slowing & np.isnan(surplus))
         sign = np.where(self.converter.is_driving(search.ends[:, 0], self._output), 1, -1)
         is_strong = np.where(np.isnan(surplus), are_braking, sign * surplus <= 0)
+        if self.converter.stops:
+            locked = locked | (np.isnan(search.engine) & (sign * surplus <= 0))
+        engine = np.where(locked, at_lock, search.engine)
         freest = self.converter.engine_at(self.converter.free_ratio, self._output)
         # The ratios up to the first with braking torque are free, or would gain power.
         is_free = are_braking & ~(is_strong & np.isfinite(surplus)) & (search.ends[:, 0] < freest)

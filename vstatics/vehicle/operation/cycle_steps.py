@@ -11,12 +11,13 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.errors import CaseError, Problem
-from vstatics.core.model.parts import Law, OfLoad
+from vstatics.core.model.parts import Law, Load, OfLoad
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
 from vstatics.core.statics.points.gear_loss import brake_torque, braked_torques
 from vstatics.core.statics.points.relative import RPM
 from vstatics.core.statics.power import loss_name
+from vstatics.core.statics.results import Results
 from vstatics.core.statics.solve import solve
 from vstatics.core.summary.design_table import is_guess
 from vstatics.core.tables.written_results import GEAR_NUMBER
@@ -26,6 +27,7 @@ from vstatics.vehicle.operation.converter import (
     ConverterGear,
     bare,
     converters_of,
+    illinois_root,
     relative_slips,
     solved_slips,
 )
@@ -47,6 +49,7 @@ from vstatics.vehicle.operation.shifting import (
 from vstatics.vehicle.operation.trace import Trace, blocks
 from vstatics.vehicle.tolerances import (
     LEAST_CLUTCH_FORCE,
+    LEAST_FREEWHEEL_TORQUE,
     NO_SLIP_POWER,
     SAME_ENGINE_TORQUE,
     SAME_POWER,
@@ -121,9 +124,14 @@ class CycleSteps(NamedTuple):
     guessed: Sequence[str]
     """Names of gears that count as forward only because they are written first."""
     least_forces: Floats
-    """Smallest wheel forces that slipping clutches transmit, shape (steps,); -inf if unlimited. [N]
+    """Smallest wheel forces that slipping clutches or freewheels transmit; -inf if unlimited. [N]
 
-    At this force a clutch carries no torque.
+    At this force a clutch or freewheel carries no torque. The shape is (steps,).
+    """
+    opening: Mapping[int, Sequence[int]]
+    """Numbers of freewheels that hold in a gear only if it drives, by index of the gear.
+
+    In the case, these freewheels are engaged clutches.
     """
 
     @classmethod
@@ -140,6 +148,7 @@ class CycleSteps(NamedTuple):
         converters, beside = converters_of(case), [beside_engine(case, gear) for gear in case.gears]
         case = bare(case)
         results, added = solved_slips(case)
+        case, opening = _with_clutches(case, results)
         of_input, of_output = ((np.arange(len(case.gears)), links - 1) for links in ends_of(case))
         with np.errstate(all="ignore"):
             ratios = results.speeds / results.speeds[of_output][:, None]
@@ -173,6 +182,7 @@ class CycleSteps(NamedTuple):
         steps = cls(
             *(case, vehicle, trace, gears, ratios, converters, engine, at_rest, speeds, guessed),
             np.full(len(gears), -math.inf),
+            opening,
         )
         if not choice.least_loss:
             return steps
@@ -369,7 +379,7 @@ class CycleSteps(NamedTuple):
         torques = -forces * self.vehicle.radius / self.vehicle.final_drive
         return speeds, torques * np.sign(speeds)
 
-    def _with_open_clutches(self, rows: Integers) -> CycleSteps:
+    def with_open_clutches(self, rows: Integers) -> CycleSteps:
         """Return the steps with `least_forces`, so that no slipping clutch would give power.
 
         Where the wheels ask for less force, the clutch carries no torque, and brakes absorb the
@@ -407,17 +417,60 @@ class CycleSteps(NamedTuple):
         """Return the smallest loss of a slipping clutch at wheel forces, NaN if undefined [W]."""
         if not rows.size:
             return np.zeros(0)
-        speeds, torques = self._load_of_wheels(rows, forces)
-        case = turned(self.case, self.ratios)
-        vary = {"load.speed": speeds, "load.torque": torques, **self._further(case, rows)}
-        here = np.arange(len(rows)), self.gears[rows]
-        results = solve(case, vary=vary)
+        results, here = self._at_forces(rows, forces)
         losses = results.slip_losses_kW[here]
         numbers = range(1, losses.shape[1] + 1)
         slips = np.array([[n in gear.slipping for n in numbers] for gear in self.case.gears])
         powers = np.where(slips[here[1]], 1e3 * np.abs(losses), math.inf).min(axis=1)
         known = np.isfinite(results.lossy_output_torque_Nm[here])
         return np.where(known, powers, math.nan)
+
+    def _at_forces(self, rows: Integers, forces: Floats) -> tuple[Results, tuple[Integers, ...]]:
+        """Return backward results at wheel forces [N], and the indices of the rows' gears."""
+        speeds, torques = self._load_of_wheels(rows, forces)
+        case = turned(self.case, self.ratios)
+        vary = {"load.speed": speeds, "load.torque": torques, **self._further(case, rows)}
+        return solve(case, vary=vary), (np.arange(len(rows)), self.gears[rows])
+
+    def _with_overrunning(self, rows: Integers) -> CycleSteps:
+        """Return the steps with `least_forces` at which no freewheel of `opening` overruns.
+
+        Where the wheels ask for less force, the freewheel carries no torque, and brakes absorb the
+        difference.
+        """
+        rows = rows[np.isin(self.gears[rows], [*self.opening])]
+        if not rows.size:
+            return self
+
+        def excess(part: Integers, forces: Floats) -> Floats:
+            """Return the largest torque of a freewheel, above 0 if it overruns [N*m]."""
+            results, here = self._at_forces(rows[part], forces)
+            torques = results.lossy_torques_Nm[here]
+            numbers = range(1, torques.shape[1] + 1)
+            held = [[n in self.opening.get(gear, ()) for n in numbers] for gear in here[1].tolist()]
+            largest: Floats = np.where(held, torques, -math.inf).max(axis=1)
+            return np.where(np.abs(largest) <= least_torque[part], 0.0, largest)
+
+        asked = self.asked_forces[rows]
+        least_torque = np.zeros(len(rows))
+        at_asked = excess(np.arange(len(rows)), asked)
+        least_torque = LEAST_FREEWHEEL_TORQUE * np.abs(at_asked)
+        part = np.flatnonzero(at_asked > 0)
+        if not part.size:
+            return self
+        low, at_low = asked[part], at_asked[part]
+        high = np.maximum(low, 0.0)
+        for _ in range(MOST_DOUBLINGS):
+            at_high = excess(part, high)
+            if not (at_high > 0).any():
+                break
+            high = np.where(at_high > 0, 2 * high + 1 + np.abs(low), high)
+        least = self.least_forces.copy()
+        forces = illinois_root(
+            lambda places, x: excess(part[places], x), (low, high), (at_low, at_high)
+        )
+        least[rows[part]] = forces
+        return self._replace(least_forces=least)
 
     def _solved(self, case: Transmission, rows: Integers, points: DutyPoints) -> PointLoads:
         try:
@@ -475,7 +528,7 @@ class CycleSteps(NamedTuple):
         CaseError
             If a step has no torques.
         """
-        return self._with_open_clutches(rows).driven_by_engine(rows)
+        return self._with_overrunning(rows).with_open_clutches(rows).driven_by_engine(rows)
 
     def driven_by_engine(self, rows: Integers) -> DrivenSteps:
         """Return the result of `driven` if `least_forces` are known."""
@@ -561,6 +614,33 @@ class DrivenSteps(NamedTuple):
     """Engine torques, shape (steps,). [N*m]"""
     limited: Booleans
     """True in steps in which brakes absorb excess drive, or replace missing engine braking."""
+
+
+def _with_clutches(
+    case: Transmission, results: Results
+) -> tuple[Transmission, dict[int, list[int]]]:
+    """Return a case with clutches for freewheels that never hold when coasting.
+
+    The second result contains the numbers of freewheels that hold in each gear, by its index.
+
+    Parameters
+    ----------
+    results : Results
+        Results of the driving case without drag.
+    """
+    if not case.freewheels:
+        return case, {}
+    coasting = solve(results.case.replace(load=Load(1000.0, -1.0))).holds
+    numbers = [n for n in case.freewheels if not coasting[:, n - 1].any()]
+    elements, gears = list(case.shift_elements), list(case.gears)
+    for number in numbers:
+        elements[number - 1] = elements[number - 1]._replace(kind="")
+    opening = {}
+    for index, gear in enumerate(gears):
+        if held := [number for number in numbers if results.holds[index, number - 1]]:
+            opening[index] = held
+            gears[index] = gear._replace(engaged=(*gear.engaged, *held))
+    return case.replace(shift_elements=elements, gears=gears), opening
 
 
 def ends_of(case: Transmission) -> tuple[Integers, Integers]:

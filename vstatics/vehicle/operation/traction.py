@@ -242,6 +242,9 @@ class Traction:
             lambda rows, engine: brought(rows, engine, vehicle.full_torque(engine)),
         )
         engine = search.engine
+        if converter.stops:
+            locked = np.isnan(engine) & (search.surplus[:, 0] < 0)
+            engine = np.where(locked, converter.engine_at(1.0, output), engine)
         torque = np.where(np.isfinite(engine), vehicle.full_torque(engine), np.nan)
         # At the smallest speed ratio the engine has its last speed, and still too much torque.
         ends_last = search.ends[:, 1] >= last * (1 - SAME_SPEED)
@@ -259,7 +262,7 @@ class Traction:
         engine, torque = self._matched(converter, output)
         torques = np.full(len(output), math.nan)
         rows = np.flatnonzero(np.isfinite(torque))
-        ratios = converter.ratio(engine[rows], output[rows])
+        ratios = converter.driven_ratio(engine[rows], output[rows])
         vary = {"load.speed": engine[rows], "load.torque": torque[rows], converter.path: ratios}
         link = converter.case.gear_output(converter.case.gears[0])
         if rows.size:

@@ -30,7 +30,7 @@ from vstatics.core.numerics.tolerances import (
     SETTLED_PUMP_TORQUE,
     TIE,
 )
-from vstatics.core.statics.carried import pump_factor
+from vstatics.core.statics.carried import is_supplied, pump_factor
 from vstatics.core.statics.matrix import torque_ratio_of
 from vstatics.core.statics.physical import RELATIVE_TO_INPUT
 from vstatics.core.statics.points.laws import Followed, without_laws
@@ -71,6 +71,8 @@ class SoughtRatio:
 
     The speed of the pump and the torque on the pump then do not depend on the speed ratio.
     """
+    freewheel: int
+    """Result of `freewheel_side`."""
 
     @property
     def number(self) -> CaseNumber:
@@ -87,7 +89,8 @@ class SoughtRatio:
         """Trial speed ratios in descending order, including the points of the converter [-].
 
         Trials are added directly below and above each speed ratio at which the converter loses no
-        power, because no torques exist beyond that ratio.
+        power, because no torques exist beyond that ratio. A freewheel can lock up the converter at
+        the ratio 1.
         """
         by_ratio = [point[0] for point in self.converter.points]
         pieces = math.ceil((LEAST_TRIALS - 1) / max(len(by_ratio) - 1, 1))
@@ -95,7 +98,8 @@ class SoughtRatio:
         lossless = np.outer(
             lossless_ratios(self.converter.points), [1 - ROUNDED, 1, 1 + ROUNDED]
         ).ravel()
-        trials = np.concatenate([*parts, by_ratio[-1:], lossless])
+        locked = [1.0] if self.freewheel else []
+        trials = np.concatenate([*parts, by_ratio[-1:], lossless, locked])
         inside = np.unique(trials[(trials >= by_ratio[0]) & (trials <= by_ratio[-1])])[::-1]
         return inside if len(inside) > 1 else np.repeat(inside, 2)
 
@@ -106,7 +110,8 @@ class SoughtRatio:
     def surplus(self, results: Results) -> Floats:
         """Return the torque given to the pump minus the torque that the pump takes [N*m].
 
-        The difference is 0 where a freewheel locks up the converter.
+        The difference is 0 where a freewheel locks up the converter. At the speed ratio 1, a
+        freewheel can also supply the torque that the driven pump lacks.
         """
         ratio = self._ratio(results)
         brought, speed = self.on_pump(results)
@@ -114,6 +119,7 @@ class SoughtRatio:
         left: Floats = brought - taken
         agrees = np.abs(left) <= ROUNDED * np.maximum(np.abs(brought), np.abs(taken))
         agrees |= np.isnan(ratio) & results.consistent[:, self.gear]
+        agrees |= is_supplied(self.freewheel, ratio, brought, left)
         return np.where(agrees, 0.0, left)
 
     def size(self, results: Results) -> Floats:
@@ -187,7 +193,8 @@ def without_sought(case: Transmission, given: Columns) -> tuple[Transmission, li
                 continue
             part = case.mechanisms[place]
             rows = torques[place], ratios.index(part.name)
-            ratio = SoughtRatio(index, owner, part, rows, _is_alone(case, gear, place))
+            side = case.freewheel_side(gear, place)
+            ratio = SoughtRatio(index, owner, part, rows, _is_alone(case, gear, place), side)
             sought.append(ratio)
             trial = {**gear.speed_ratios, owner: _trial(ratio, TRIALS[0])}
             gears[index] = gear._replace(speed_ratios=trial)

@@ -275,7 +275,8 @@ class _RootSearch:
         self.low, self.high = low, high
         self.at_low, self.at_high = at_low, at_high
         self.is_there = is_there
-        self.best, self.left = low, np.full(low.shape, np.inf)
+        self.best = np.where(at_high == 0, high, low)
+        self.left = np.where(at_high == 0, 0.0, np.inf)
         self.sign = np.sign(at_low)
         self.side = np.zeros(low.shape, np.int8)
         """End that was moved last: 1 low, -1 high."""
