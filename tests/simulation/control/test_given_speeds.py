@@ -33,6 +33,24 @@ def test_an_impact_leaves_a_given_speed_and_counts_the_work_of_its_impulse() -> 
     assert motion.energy.work == pytest.approx(3 * 90**2)
 
 
+def test_an_impact_behind_a_differential_is_shared_by_the_inertias_of_its_sides() -> None:
+    """Both sides have the same impulse P = J w and w_1 + w_2 = 2*90: J of 1 and 3 take 135 and 45.
+
+    With 2 kg*m^2 of the case, the drive gives 2*90 + 2 P, and half of its work is lost.
+    """
+    case = (
+        "inertias: {e: 1, o: 2, left: 1, right: 3}\n"
+        "mechanisms: {set: {first: left, second: right, third: o, ratio: -1}}\n"
+        "shift_elements: {D: {kind: dog_clutch, links: [e, o]}}\ngears: {g: []}\n"
+    )
+    start = "duration: 1\nstart: {speeds: {o: 0, left: 0}}\nspeeds: {e: 90}\n"
+    motion = simulated(f"{start}controls: {{D: {{dog: [[0.5, closed]]}}}}\n", case)
+    speeds = dict(zip(motion.links, motion.speeds[-1].tolist(), strict=True))
+    assert speeds == pytest.approx({"e": 90, "o": 90, "left": 135, "right": 45})
+    assert motion.energy.work == pytest.approx((2 * 90 + 2 * 135) * 90)
+    assert motion.energy.impact == pytest.approx((2 * 90 + 2 * 135) * 90 / 2)
+
+
 def test_a_mistake_is_told() -> None:
     for text, fault in (
         ("speeds: {e: [[0, 1], [0, 2]]}", "without a jump"),

@@ -60,7 +60,6 @@ def test_wheels_of_an_internal_pair_differ_by_eight_teeth_or_more() -> None:
     assert found == {(a, b) for a in teeth for b in teeth if abs(a - b) >= RULES.less}
 
 
-@pytest.mark.slow
 def test_meshed_planets_stepped_planets_and_ravigneaux_sets() -> None:
     """All rows of small ranges: the very ones that plain loops find."""
     small, rings, counts = range(16, 24), range(50, 75), (2, 3, 4)
