@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Iterator
-from itertools import islice
+from itertools import groupby, islice
 from time import perf_counter
 from typing import NamedTuple
 
@@ -60,17 +61,27 @@ def in_groups(job: Job, tasks: Iterable[CaseTask]) -> Iterator[Done]:
 
     Each step is carried out for all cases of a group before the next step. This takes less
     time for many small cases, because code and data of a step stay in the processor's cache.
+    A pipe is not in a group with other cases, which would wait for its text.
     """
-    remaining = iter(tasks)
-    while group := [_with_outcome(job, task) for task in islice(remaining, GROUP_SIZE)]:
-        outcomes: list[Done | None] = [None] * len(group)
-        end = perf_counter() + GROUP_SECONDS
-        while perf_counter() < end and not all(outcomes):
-            for number, steps in enumerate(group):
-                if perf_counter() < end:
-                    outcomes[number] = outcomes[number] or next(steps)
-        for outcome, steps in zip(outcomes, group, strict=True):
-            yield outcome or next(filter(None, steps))
+    for is_file, alike in groupby(tasks, _is_in_a_file):
+        size = GROUP_SIZE if is_file else 1
+        while group := [_with_outcome(job, task) for task in islice(alike, size)]:
+            yield from _outcomes(group)
+
+
+def _outcomes(group: list[Iterator[Done | None]]) -> Iterator[Done]:
+    outcomes: list[Done | None] = [None] * len(group)
+    end = perf_counter() + GROUP_SECONDS
+    while perf_counter() < end and not all(outcomes):
+        for number, steps in enumerate(group):
+            if perf_counter() < end:
+                outcomes[number] = outcomes[number] or next(steps)
+    for outcome, steps in zip(outcomes, group, strict=True):
+        yield outcome or next(filter(None, steps))
+
+
+def _is_in_a_file(task: CaseTask) -> bool:
+    return os.path.isfile(task.file)  # noqa: PTH113 - `Path.is_file` refuses long names
 
 
 def _with_outcome(job: Job, task: CaseTask) -> Iterator[Done | None]:
