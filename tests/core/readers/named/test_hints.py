@@ -79,6 +79,7 @@ def test_a_link_named_ground_gets_a_hint_to_the_housing() -> None:
         ("kind: planetary", "kind: epicyclic", "planetary"),
         ("kind: planetary", "kind: differential", "bevel"),
         ("ring: r", "annulus: r", "ring"),
+        ("input: s", "title: A box\ninput: s", "name"),
     ],
 )
 def test_words_of_other_programs_are_translated(old: str, new: str, meant: str) -> None:

@@ -38,6 +38,8 @@ _SYNONYMS = {
     **dict.fromkeys(("gear_sets", "gearsets", "sets", "planetary"), "elements"),
     **dict.fromkeys(("one_way_clutch", "oneway_clutch", "sprag", "sprag_clutch"), "freewheel"),
     **dict.fromkeys(("epicyclic", "simple", "planet"), "planetary"),
+    **dict.fromkeys(("comment", "comments", "notes"), "description"),
+    "title": "name",
     "annulus": "ring",
     "differential": "bevel",
 }
