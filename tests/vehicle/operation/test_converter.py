@@ -562,10 +562,10 @@ vehicle: {{mass: 1500, radius: 0.3, final_drive: 3, engine: [[0, 200], [900, 200
 """
 
 
-@pytest.mark.parametrize("beyond", ["", ", [1.3, 0.97, -2e-3]"])
-def test_a_freewheel_over_the_converter_lets_the_engine_brake(beyond: str) -> None:
+@pytest.mark.parametrize(("last", "beyond"), [(0.98, ""), (0.98, ", [1.3, 0.97, -2e-3]"), (1, "")])
+def test_a_freewheel_over_the_converter_lets_the_engine_brake(last: float, beyond: str) -> None:
     """At v m/s the turbine turns at 30 v rad/s; the freewheel lets no engine turn slower."""
-    random, points = generator(53), f"[[0, 2, 3e-3], [0.9, 1, 2e-3], [1, 0.98, 0]{beyond}]"
+    random, points = generator(53), f"[[0, 2, 3e-3], [0.9, 1, 2e-3], [1, {last}, 0]{beyond}]"
     for number in range(count(12, 200)):
         drag, most, asked = random.uniform(0, 5), random.uniform(5, 60), random.uniform(-3e3, 1e3)
         speed, drag = float(random.uniform(3, 20)), float(drag) if number % 3 else 0.0
@@ -582,7 +582,7 @@ def test_a_freewheel_over_the_converter_lets_the_engine_brake(beyond: str) -> No
                 return by_ratio * engine**2
 
             def factor(engine: float, turbine: float = w) -> Any:
-                return np.interp(turbine / engine, [0, 0.9, 1], [2, 1, 0.98])
+                return np.interp(turbine / engine, [0, 0.9, 1], [2, 1, last])
 
             w = brentq(lambda w: taken(w) * factor(w) - torque, low, high)  # noqa: B023
             lost["TC"] = taken(w) * w - torque * 30 * speed

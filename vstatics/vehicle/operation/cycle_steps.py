@@ -619,7 +619,7 @@ class DrivenSteps(NamedTuple):
 def _with_clutches(
     case: Transmission, results: Results
 ) -> tuple[Transmission, dict[int, list[int]]]:
-    """Return a case with clutches for freewheels that never hold when coasting.
+    """Return a case with clutches for freewheels that hold when driving, but never when coasting.
 
     The second result contains the numbers of freewheels that hold in each gear, by its index.
 
@@ -631,7 +631,9 @@ def _with_clutches(
     if not case.freewheels:
         return case, {}
     coasting = solve(results.case.replace(load=Load(1000.0, -1.0))).holds
-    numbers = [n for n in case.freewheels if not coasting[:, n - 1].any()]
+    numbers = [
+        n for n in case.freewheels if results.holds[:, n - 1].any() and not coasting[:, n - 1].any()
+    ]
     elements, gears = list(case.shift_elements), list(case.gears)
     for number in numbers:
         elements[number - 1] = elements[number - 1]._replace(kind="")
