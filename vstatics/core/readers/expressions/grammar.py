@@ -332,7 +332,7 @@ ELSEWHERE = {
 """Operators of other languages, with the operators of formulas."""
 _SAME_FUNCTION = {"ln": "log", "sgn": "sign"}
 """Functions of other languages, with the functions of formulas."""
-_WRITTEN = {"pow": "x**2", "tan": "sin(x)/cos(x)", "log10": "log(x)/log(10)"}
+_WRITTEN = {"pow": "x**2", "fabs": "abs(x)", "tan": "sin(x)/cos(x)", "log10": "log(x)/log(10)"}
 """Functions of other languages, with formulas of the same value."""
 _OF_CASES = ("if", "where", "step", "heaviside")
 _CASES = "; a comparison is 1 or 0, so write a factor such as `2*(x > 1)`"
