@@ -30,7 +30,10 @@ def test_units_can_be_in_a_line_below_the_headings() -> None:
     only the time has a unit.
     """
     wanted: dict[str, Measure | None] = {"time": None, "torque": "si_torque"}
-    for units, size in (("s,kN*m", 1e3), ("[s],[kN*m]", 1e3), ("(s) , N*m", 1.0), ("s,", 1.0)):
+    for units, size in (
+        *(("s,kN*m", 1e3), ("[s],[kN*m]", 1e3), ("1/h,kN*m", 1e3)),
+        *(("(s) , N*m", 1.0), ("s,", 1.0)),
+    ):
         record = read_record(f"time,torque\n{units}\n0,1\n1,-2\n".encode(), "r.csv", wanted)
         assert record.columns["torque"].tolist() == [size, -2 * size], units
         assert list(record.lines) == [3, 4]
@@ -52,6 +55,11 @@ def test_comments_clock_times_and_letters_of_headings_are_those_of_other_files()
         record = read_record(text.encode(), "r.csv", wanted)
         first, last = record.columns["time"]
         assert (last - first, record.columns["torque"].tolist()) == (1.5, [1.0, 2.0]), text
+    for head, units in (("time [ms],torque", "s,N*m"), ("time,torque [N*m]", "s,N*m")):
+        with pytest.raises(ReadError, match="a finite"):  # units are given once, not twice
+            read_record(f"{head}\n{units}\n0,1".encode(), "r.csv", wanted)
+    links = read_record(b"time,speeds[A],speeds[a]\n0,5,7", "r.csv", {"speeds[a]": None})
+    assert links.columns["speeds[a]"].tolist() == [7]
     named = read_record(b"id,a,A\n#1,5,7\n#2,6,8\n", "r.csv", {"a": None, "A": None})
     assert [column.tolist() for column in named.columns.values()] == [[5.0, 6.0], [7.0, 8.0]]
 

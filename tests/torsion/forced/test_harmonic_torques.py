@@ -217,6 +217,9 @@ def test_a_table_of_torques() -> None:
     for units in (b";[kN*m];[deg]", b"-;kN*m;deg"):
         table = b"order;amplitude;phase\n" + units + b"\n2;0,08;90\n4,5;0,02;0\n"
         assert read_torque_table(table, "engine.csv") == found
+    for row in (b"nan,nan,nan", b"none,,", b"s,N*m,deg"):
+        with pytest.raises(ReadError, match=r"engine\.csv:2:1: error: "):
+            read_torque_table(b"order,amplitude [N*m],phase [deg]\n" + row, "engine.csv")
 
 
 def test_torques_on_several_cranks() -> None:

@@ -21,8 +21,8 @@ from vstatics.core.readers.unit_table import Clock
 from vstatics.core.suggestions import nearest
 from vstatics.core.tables.csv import unguarded
 
-_UNIT = re.compile(r"(?!nan|inf)[^\W\d_]", re.IGNORECASE)
-"""Pattern of the first letter of a unit; the texts of undefined numbers are not units."""
+_UNIT = re.compile(r"(?!nan|inf)(?:[^\W\d_]|1/|°)", re.IGNORECASE)
+"""Pattern of the begin of a unit; the texts of undefined numbers are not units."""
 
 
 class RecordedColumns(NamedTuple):
@@ -62,7 +62,7 @@ def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) ->
     ----------
     data : bytes
         Content of the file: a line of headings, then a line for each instant. Units can be in a
-        line below the headings. If the first column holds numbers, lines that begin with `#` or
+        line below the headings. Below a number in the first column, lines that begin with `#` or
         `%` are comments.
     file : str
         Name of the file, for messages.
@@ -165,16 +165,18 @@ def _with_units(
         return {}
     named = [f"{heading} [{unit}]" for heading, unit in zip(headings, units, strict=True)]
     try:
-        return _places(named, wanted, Place("", 1, 1))
+        with_units = _places(named, wanted, Place("", 1, 1))
     except ReadError:
         return {}
+    return with_units if with_units.keys() == places.keys() else {}
 
 
 def _wanted(heading: str, wanted: Container[str]) -> str:
     """Return the name in a heading: the full heading if requested, else without the unit.
 
-    A heading can have capitals that the requested name, such as `time`, has not.
+    A heading can have capitals that the requested name, such as `time`, does not have. In names
+    with brackets capitals matter, because `a` and `A` can be two links.
     """
     name, _ = with_unit(heading)
-    name = name.lower() if name not in wanted and name.lower() in wanted else name
+    name = name.lower() if name.lower() in wanted and "[" not in name else name
     return name if name in wanted and heading not in wanted else heading

@@ -28,7 +28,6 @@ MOST_QUOTED = 76
 LEAST_LIKENESS = 0.75
 """Smallest similarity (0 to 1) at which a heading is a mistyped name."""
 _COMMENT_SIGNS = ("#", "%")
-_NUMBER = re.compile(r"[-+.]*[0-9]")
 _IN_ANY_LETTERS: tuple[Measure, ...] = ("time", "velocity")
 """Measures whose units can have any mixture of upper and lower case."""
 _UNIT_BEHIND = re.compile(
@@ -395,11 +394,11 @@ def _fault_of_units(headings: Sequence[Heading]) -> str:
 
 
 def _has_units(headings: Sequence[Heading], row: Sequence[str]) -> bool:
-    """Return whether a row has letters, but no number, in the columns of numbers."""
-    places = {heading.place for heading in headings if not heading.column.is_text}
-    cells = [cell.strip("[]() ") for place, cell in enumerate(row) if place in places]
-    has_letters = any(cell[:1].isalpha() for cell in cells)
-    return has_letters and not any(_NUMBER.match(cell) for cell in cells)
+    """Return whether a row has units, and nothing else, in the columns of numbers."""
+    columns = {heading.place: heading.column for heading in headings if not heading.column.is_text}
+    cells = [(columns.get(place), cell.strip("[]() -")) for place, cell in enumerate(row)]
+    fitting = [column.accepts(cell) for column, cell in cells if column and cell]
+    return any(fitting) and all(fitting)
 
 
 def _with_clock(
