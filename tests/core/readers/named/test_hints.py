@@ -45,6 +45,8 @@ def test_a_dash_without_a_blank_is_named() -> None:
     """Source: github.com/adrienverge/yamllint/issues/197 (YAML reads a text)."""
     [message] = errors("gears: {low: [B], high: [C]}", "gears:\n  low:\n    -B\n  high: [C]")
     assert message.endswith("; write a blank after the dash of each item, such as `- A`")
+    [message] = errors("gears: {low: [B], high: [C]}", "gears: {low: -1, high: [C]}")
+    assert "dash" not in message
 
 
 def test_a_ratio_instead_of_teeth_gets_advice() -> None:

@@ -50,7 +50,10 @@ def test_digits_are_not_grouped() -> None:
         text = YAML.replace("3000 rpm", f"3{blank}000 rpm")
         with pytest.raises(CaseError, match=r"digits without blanks: 3000"):
             loads(text)
-    for grouped, plain in (("1_000", "1000"), ("1'000", "1000"), ("1.234,56", "1234.56")):
+    for grouped, plain in (
+        *(("1_000", "1000"), ("1'000", "1000"), ("1.234,56", "1234.56")),
+        *(("1_000.5", "1000.5"), ("1'000,25", "1000.25")),
+    ):
         with pytest.raises(CaseError, match=f"digits without `.`: {plain}"):
             loads(YAML.replace("3000 rpm", f'"{grouped} rpm"'))
 

@@ -26,7 +26,7 @@ DIMENSIONLESS = rf"{ARITHMETIC}(%|: *{ARITHMETIC})?"
 
 _GROUPED = re.compile(
     r"(?<![0-9.,])[1-9][0-9]{0,2}"
-    r"(?:([ _'\u2019])[0-9]{3}(?:\1[0-9]{3})*(?![0-9])"
+    r"(?:([ _'\u2019])[0-9]{3}(?:\1[0-9]{3})*(?![0-9])(?:[.,][0-9]+)?"
     r"|([.,])[0-9]{3}(?:\2[0-9]{3})*(?!\2)[.,][0-9]+)"
 )
 """Number with grouped digits, such as 1 000, or 1.000,5 with a decimal sign of the other kind."""
@@ -141,8 +141,8 @@ def slip(text: str) -> str:
     (' (with a decimal point)', ' (with `-` instead of `\u2212`)', '')
     >>> slip("1 500 rpm"), slip("1.234,56")
     (' (digits without blanks: 1500)', ' (digits without `.`: 1234.56)')
-    >>> slip("1_00.5 N*m")
-    ' (digits without `_`: 100.5)'
+    >>> slip("1_00.5 N*m"), slip("1 000,5 kg")
+    (' (digits without `_`: 100.5)', ' (digits without blanks: 1000.5)')
     """
     if grouped := _GROUPED.search(with_plain_blanks(text)):
         sign = grouped[1] or grouped[2]

@@ -108,7 +108,8 @@ class Walk:
     ) -> Any:
         """Report an unreadable value, and return a stand-in."""
         message = f"read {read or what(spot.node)}, {expected}"
-        if "a list" in message and isinstance(spot.node, Scalar) and spot.node.text[:1] == "-":
+        text = spot.node.text if isinstance(spot.node, Scalar) else ""
+        if "a list" in message and text[:1] == "-" and not text[1:].isdigit():
             message += "; write a blank after the dash of each item, such as `- A`"
         self.spots.refuse(spot, message, identity)
         return stand_in(shape)
