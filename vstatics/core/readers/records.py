@@ -22,7 +22,7 @@ from vstatics.core.suggestions import nearest
 from vstatics.core.tables.csv import unguarded
 
 _UNIT = re.compile(r"(?!nan|inf)(?:[^\W\d_]|1/|°)", re.IGNORECASE)
-"""Pattern of the begin of a unit; the texts of undefined numbers are not units."""
+"""Pattern of the beginning of a unit; the texts of undefined numbers are not units."""
 
 
 class RecordedColumns(NamedTuple):
