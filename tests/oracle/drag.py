@@ -1,9 +1,9 @@
 """Drag above the load, exact: all sets of signs are tried, whatever the flow without losses is.
 
 A drag torque acts against the speed of its link, or between the links of an open element
-against its slip. A set of signs is admissible if no mechanism gives power. With several ports it
-passes the power at the links that power leaves by without losses and drag, over that at those where
-it enters. For gears without freewheels whose speeds and torques have one solution.
+against its slip. A set of signs is admissible if no mechanism gives power. With several ports, the
+power at the links by which power leaves without losses and drag is divided by the power at the links
+where it enters. Gears have no freewheels, and their speeds and torques have one solution.
 """
 
 from collections.abc import Iterator, Mapping
@@ -18,7 +18,7 @@ from vstatics.core.model.transmission import HOUSING, Gear, Transmission
 
 @dataclass(frozen=True)
 class Admissible:
-    """What a set of signs leads to that agrees with its flow from one input to one output."""
+    """Result of a set of signs that agrees with its flow, for one input and one output."""
 
     output: Fraction
     """Torque given to the load."""
@@ -94,7 +94,7 @@ def solve_gear(case: Transmission, gear: Gear) -> GearWithDrag:
 
 @dataclass(frozen=True)
 class Solution:
-    """What a set of signs that agrees with its flow leads to."""
+    """Result of a set of signs that agrees with its flow."""
 
     passed: Fraction | None
     """The part of the power that it passes; None where nothing enters without losses."""

@@ -46,7 +46,7 @@ def percent(found: float, printed: float) -> float:
 
 
 class Line(NamedTuple):
-    """A line of table 3.8 (largest torques) with what table 3.7 gives: Tsitovich, Algin, 1981."""
+    """Line of tables 3.7 (given) and 3.8 (largest torques): Tsitovich, Algin, 1981."""
 
     vehicle: str
     gear: int

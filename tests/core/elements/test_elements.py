@@ -20,7 +20,7 @@ from vstatics.core.readers import read
 
 
 def test_efficiency_of_a_set_is_the_product_of_its_meshes_and_its_ratio_a_fraction() -> None:
-    """A bevel set without teeth has two."""
+    """A bevel set without teeth has two meshes."""
     common, own = "mesh_efficiency: {external: .97}", "ring: 75}, mesh_efficiency: {internal: 1}}"
     for text, efficiency in (
         (SET, 0.98 * 0.99),
@@ -28,7 +28,7 @@ def test_efficiency_of_a_set_is_the_product_of_its_meshes_and_its_ratio_a_fracti
         (common + changed("ring: 75}}", own), 0.97),
         (changed("ring: 75}}", "ring: 75}, efficiency: .96}"), 0.96),
     ):
-        assert [one.efficiency for one in loaded(text).mechanisms] == [efficiency]
+        assert [one.efficiency for one in loaded(text).mechanisms] == [efficiency], text
     bevel = Element("B", "bevel", {"left": 1, "right": 2, "carrier": 3})
     case = transmission(Drawing(3, [bevel]), gears=[Gear([1])], shift_elements=[ShiftElement(3)])
     assert case.mechanisms[0][3:5] == pytest.approx((-1, 0.97**2))

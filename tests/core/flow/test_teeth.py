@@ -112,7 +112,7 @@ def test_variators_belts_and_shafts_have_no_teeth() -> None:
         variator = f"{{kind: variator, {links}, speed_ratio: 0.5, efficiency: 0.85}}"
         text = f"{{links: [in, out], mechanisms: {{H: {variator}}}, gears: {{g: []}}}}"
         _, lossy = sides(only(loads(text, format="yaml")))
-        assert teeth(lossy) == {}
+        assert teeth(lossy) == {}, links
         assert lossy.losses == pytest.approx(dict.fromkeys(lossy.losses, 0.15))
     case = """
 links: [in, middle, side, out]

@@ -6,7 +6,7 @@ from vstatics.core.statics.bodies import held_as_one
 
 
 def test_a_set_that_clutches_hold_as_one_piece_is_idle() -> None:
-    """Clutched sets are, whatever their efficiency; an axle whose wheels turn alike is not."""
+    """Clutches hold it whatever its efficiency; an axle whose wheels turn alike is not held."""
     results = solve(train([(1, 2)], Gear([1])))
     assert results.idle.all()
     assert ([*results.efficiency], texts(results)) == ([1], [])

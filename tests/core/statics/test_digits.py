@@ -14,7 +14,7 @@ from tests.oracle import linear, losses, systems
 from tests.trains import random_train, shown
 from vstatics import Gear, Mechanism, Results, ShiftElement, Transmission, solve
 
-Floats = Sequence[float]
+Choices = Sequence[float]
 SINGULAR = "with slightly different ratios there would be no unique solution"
 SHOWS = f"{SINGULAR}, so rounding errors show: "
 EXACT = "; give exact ratios, for example by teeth"
@@ -89,7 +89,7 @@ def as_doubles(monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setattr(module, "exact", Fraction)
 
 
-def nearly_singular(seed: int, ratios: Floats, share: Floats, most: int) -> Transmission:
+def nearly_singular(seed: int, ratios: Choices, share: Choices, most: int) -> Transmission:
     """A random train of two to six mechanisms, most of nearly one ratio; even seeds lose nothing."""
     rng = seeded(seed)
     case = random_train(rng, regular=True)

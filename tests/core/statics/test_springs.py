@@ -85,7 +85,7 @@ def test_the_matrix_has_a_column_for_each_spring_behind_the_mechanisms() -> None
 
 
 def test_springs_in_excess_are_named() -> None:
-    """Two between the same links share an unknown torque; one to the housing ties the gear up."""
+    """Springs between the same links share an unknown torque; a mount ties the gear up."""
     twins = [*SHAFT.springs, SHAFT.springs[0]._replace(name="other")]
     results = solve(replace(SHAFT, springs=twins))
     assert results.ratio == pytest.approx([3.5, 1])

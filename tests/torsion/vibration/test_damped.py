@@ -88,7 +88,7 @@ def damped_system(seed: int) -> Transmission:
 
 @each_seed(90, 2000)
 def test_eigenvalues_of_any_damped_system(seed: int) -> None:
-    """Those of the first-order form of twice the size, but the zeros of rigid modes."""
+    """Eigenvalues are those of the first-order form of twice the size, without zeros."""
     case = damped_system(seed)
     gear, wanted = only(case), eigenvalues(*matrices(case))
     size = np.abs(wanted).max()
@@ -99,6 +99,16 @@ def test_eigenvalues_of_any_damped_system(seed: int) -> None:
     assert sorted(np.abs(found)) == pytest.approx(list(np.abs(found)), rel=1e-8)
     for mode in gear.modes:
         assert (mode.damping_ratio >= 1) == (mode.damped_frequency == 0)
+
+
+def test_a_damper_beside_a_spring_does_not_resist_the_rigid_mode() -> None:
+    """Two masses: ``s^2 + (d s + c) (1/J1 + 1/J2) = 0``, and two zeros, which are left out."""
+    springs = [Spring({1: 1, 2: -1}, 4.9), Spring({1: 1, 2: -1}, damping=1.2)]
+    inertias = {1: 0.4500682524721604, 2: 1.1236422485937854}  # the rounded basis is not rigid
+    mobility = sum(1 / inertia for inertia in inertias.values())
+    root = np.roots([1, 1.2 * mobility, 4.9 * mobility])[0]
+    gear = only(Transmission(2, [], [], [], springs=springs, inertias=inertias))
+    assert gear.damped == pytest.approx([complex(root.real, abs(root.imag))], rel=1e-12)
 
 
 @pytest.mark.filterwarnings("error")
