@@ -2,6 +2,8 @@
 
 import math
 import operator
+from collections.abc import Callable
+from itertools import product
 
 import pytest
 
@@ -123,6 +125,22 @@ def test_bounds_settle_nothing_within_their_own_rounding() -> None:
     assert a < 3.0 + 1e-12
     assert a > 1.0 - 1e-12
     assert guards(a) == ["less", "less"]
+
+
+def test_what_bounds_do_not_settle_leaves_a_guard() -> None:
+    comparisons: tuple[tuple[Callable[[Number, Number], bool], str, str], ...] = (
+        (operator.lt, "less", "less_equal"),
+        (operator.le, "less_equal", "less"),
+        (operator.eq, "equal", "not_equal"),
+    )
+    pairs = (2.0, 3.0), (3.0, 2.0), (2.0, 2.0)
+    for (compare, held, denied), values, sign in product(comparisons, pairs, (1, -1)):
+        outcome = compare(values[0] * sign, values[1] * sign)
+        a, b = traced(*values)
+        (c,) = traced(values[0])
+        for left, right in ((a, b * sign), (c, values[1] * sign)):
+            assert compare(left * sign, right) == outcome, (held, values, sign)
+            assert guards(left) == [held if outcome else denied], (held, values, sign)
 
 
 def test_a_difference_is_guarded_also_where_no_bound_is_known() -> None:
