@@ -44,6 +44,17 @@ def test_one_mass() -> None:
         np.testing.assert_allclose(order.torques["mount"], rate * expected, rtol=1e-13)
 
 
+def test_torques_of_rigid_devices_balance_every_link() -> None:
+    case = with_planetary_set()
+    damper = Spring({2: 1}, damping=3.0, name="damper")
+    [gear, _] = response(case.replace(springs=[*case.springs, damper]), 2, [Harmonic(2.0)], SPEEDS)
+    [order] = gear.orders
+    t, q, w2 = order.torques, order.amplitudes, (2 * RAD_PER_RPM * gear.speeds) ** 2
+    found = -t["in"], 1 + t["in"] - t["P"] - t["damper"], 3.5 * t["P"] - t["out"]
+    for torque, inertia, link in zip(found, (0.2, 0.01, 0.03), "124", strict=True):
+        np.testing.assert_allclose(torque, -inertia * w2 * q[link], rtol=1e-9, atol=1e-9)
+
+
 def test_resonances_lie_where_an_order_meets_a_natural_frequency() -> None:
     case = with_planetary_set()
     [gear, _] = response(case, 1, [Harmonic(2.0), Harmonic(4.5)], [300.0, 4000.0])
