@@ -90,10 +90,8 @@ def test_differentials_without_their_masses_still_turn_freely() -> None:
         scheme = TorsionScheme(tuple("abcdef"), (1.0, 2.0, 3.0, 4.0, 5.0, 6.0), tuple(springs))
         for mass in chance.sample("abcdef", 4):
             scheme = without_branch_mass(scheme, scheme.names.index(mass), "r")
-            assert (
-                len(natural_frequencies(without_massless(scheme)))
-                == sum(inertia > 0 for inertia in scheme.inertias) - 1
-            )
+            found = natural_frequencies(without_massless(scheme))
+            assert len(found) == sum(inertia > 0 for inertia in scheme.inertias) - 1, scheme
 
 
 def test_a_meeting_of_three_stays_where_the_shape_is_kept() -> None:
