@@ -143,6 +143,23 @@ drag: {w: 3 + 0.4*w}
     assert len(tried) <= 5 * 5
 
 
+def test_a_stretch_right_before_a_control_jumps_keeps_momentum_and_energy() -> None:
+    case = """links: [a, b, c]
+inertias: {a: 1.29, b: 2.42, c: 0.72}
+shift_elements: {C: {links: [a, b], capacity: 300}}
+springs: {s: {links: [b, c], stiffness: 1361, damping: 4.03}}
+"""
+    run = """duration: 1.5
+start: {speeds: {a: 0, b: 0, c: 0}}
+states: {p: {rate: "(speed('b') > 1) - p", start: 1}}
+controls: {C: "40*(p > 0.5)"}
+torques: {c: "20*(t > 0.5)"}
+"""
+    motion = simulated(run, case)
+    assert motion.speeds[-1] @ (1.29, 2.42, 0.72) == pytest.approx(20, rel=1e-9)
+    assert abs(motion.energy.balance) < 1e-9 * motion.energy.work
+
+
 def test_a_trial_step_can_reach_speeds_at_which_a_drag_is_infinite() -> None:
     """The small link d, let go, comes to rest by ``J dw/dt = -(a + b w + c w^2)``."""
     clutches = "C: {links: [a, b], capacity: 953 N*m, drag: 0.8311 N*m}, "
