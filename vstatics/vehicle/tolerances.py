@@ -20,6 +20,8 @@ LEAST_EXCESS = 1e-9
 """Relative increase of an engine torque that rounding left below the least value. [-]"""
 LEAST_CLUTCH_FORCE = 4e-9
 """Increase of the least wheel force of a slipping clutch, against rounding, relative and in N."""
+SAME_CLUTCH_FORCE = 4e-10
+"""Distance from the root at which the search for this force ends, relative and in N."""
 LEAST_FREEWHEEL_TORQUE = 1e-11
 """Torque at which a freewheel opens, relative to the torque that it cannot transmit. [-]"""
 NO_SLIP_POWER = 1e-6

@@ -6,10 +6,11 @@ from itertools import product
 import numpy as np
 import pytest
 
-from tests.chance import examples, ranges_with_slow
+from tests.chance import examples, generator, ranges_with_slow
 from tests.core.statics.test_drag import checked, much_drag
 from tests.core.statics.test_freewheels import turned_round, with_freewheels
 from vstatics import Gear, Load, Mechanism, Transmission, solve
+from vstatics.core.readers import loads
 
 PAIR = Mechanism(1, 2, 0, -2.5, 0.96)
 
@@ -67,3 +68,22 @@ def test_freewheels_go_by_physical_signs(examples: int) -> None:
             np.testing.assert_array_equal(one.holds, two.holds)
             np.testing.assert_allclose(one.speeds, two.speeds, rtol=1e-9, atol=1e-12)
             np.testing.assert_allclose(one.efficiency, two.efficiency, rtol=1e-9)
+
+
+CONVERTER = """links: [engine, output]
+load: {speed: 200 rad/s, torque: 100 N*m}
+mechanisms:
+  TC: {kind: converter, first: engine, second: output, speed_ratio: 0.5, points: [[0, 2], [1, 1]]}
+drag: {output: 4 N*m}
+"""
+
+
+def test_a_converter_of_any_speed_ratio_has_its_torque_and_efficiency_in_a_batch() -> None:
+    """The output has K T against its drag; if it turns backward, no power leaves: efficiency 0."""
+    ratio = np.round(generator(275).uniform(-1, 1, 200), 3)
+    ratio[:4] = [0.86, -0.86, 0, 1]
+    results = solve(loads(CONVERTER), vary={"TC.speed_ratio": ratio})
+    torque = 100 * (2 - np.clip(ratio, 0, 1)) - 4 * np.sign(ratio)
+    np.testing.assert_allclose(results.lossy_output_torque_Nm[:, 0], torque, rtol=1e-13)
+    efficiency = torque * np.maximum(ratio, 0) / 100
+    np.testing.assert_allclose(results.efficiency[:, 0], efficiency, rtol=1e-13)

@@ -689,7 +689,7 @@ def _idle_messages(results: Results, number: int, gear: Gear, idle: set[int]) ->
 
 def _is_straight_ahead(results: Results, number: int, idle: Sequence[str]) -> bool:
     """Return whether all mechanisms `idle` rotate with a locked-up differential (no turn)."""
-    speeds = [0.0, *results.speeds[number].tolist()]
+    speeds = [0.0, *map(plain, results.gear_at(number).speeds)]
     parts = [part for part in results.case.mechanisms if part.name in idle]
     of_differentials = [speeds[part.third] for part in parts if part.ratio == -1]
     return all(

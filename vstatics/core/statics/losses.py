@@ -97,8 +97,9 @@ def check_signs(
             agrees = agrees & (loss * way >= 0)
     passes = ideal.overcome or (efficiency > 0) & (efficiency < math.inf)
     # `passes` is False only for a single variant, or if it is false in all variants. Variants with
-    # slip can differ, so power is tested in any case.
-    if (passes is False or ideal.gear.slip) and not _passes_power(ideal):
+    # slip or converters can differ, so power is tested in any case.
+    differs = ideal.gear.slip or any(m.kind == "converter" for m in ideal.case.mechanisms)
+    if (passes is False or differs) and not _passes_power(ideal):
         passes = True
     return LossyTorques(
         signs=signs,

@@ -51,12 +51,15 @@ from vstatics.vehicle.tolerances import (
     LEAST_CLUTCH_FORCE,
     LEAST_FREEWHEEL_TORQUE,
     NO_SLIP_POWER,
+    SAME_CLUTCH_FORCE,
     SAME_ENGINE_TORQUE,
     SAME_POWER,
 )
 
-FORCE_BISECTIONS = 60
-"""Number of bisections for the least wheel force that a slipping clutch transmits."""
+FORCE_STEPS = 60
+"""Largest number of trials for the least wheel force that a slipping clutch transmits."""
+TRIAL_PART = 63 / 64
+"""Part of the distance from a wheel force to the root of the secant that a trial covers. [-]"""
 
 _AT_STANDSTILL = ("", "0", "0.0", "n", "p")
 """Names that published cycles give the neutral gear, allowed at standstill."""
@@ -394,14 +397,12 @@ class CycleSteps(NamedTuple):
             return self
         size, high = 1 + np.abs(low), np.maximum(low, 0.0)
         for _ in range(MOST_DOUBLINGS):
-            lacks = np.isnan(self._slip_power(rows, high))
+            powers = self._slip_power(rows, high)
+            lacks = np.isnan(powers)
             if not lacks.any():
                 break
             low, high = np.where(lacks, high, low), np.where(lacks, 2 * high + size, high)
-        for _ in range(FORCE_BISECTIONS):
-            middle = (low + high) / 2
-            lacks = np.isnan(self._slip_power(rows, middle))
-            low, high = np.where(lacks, middle, low), np.where(lacks, high, middle)
+        high = self._least_force(rows, low, high, powers)
         excess = np.where(high, LEAST_CLUTCH_FORCE * (1 + np.abs(high)), 0.0)
         for _ in range(MOST_DOUBLINGS):
             powers = self._slip_power(rows, high + excess)
@@ -412,6 +413,38 @@ class CycleSteps(NamedTuple):
         least = self.least_forces.copy()
         least[rows[is_open]] = (high + excess)[is_open]
         return self._replace(least_forces=least)
+
+    def _least_force(self, rows: Integers, low: Floats, high: Floats, powers: Floats) -> Floats:
+        """Return the least wheel forces at which slipping clutches carry torque [N].
+
+        The slip power vanishes there, and below it there is none. Trials are therefore slightly
+        above the root of a secant, or in the middle if this is not between the bounds.
+
+        Parameters
+        ----------
+        low, high, powers : ndarray, shape (rows,)
+            Forces without and with a slip power [N], and the powers at `high` [W].
+        """
+        trial, left = 2 * high - low, np.arange(len(rows))
+        slopes = (self._slip_power(rows, trial) - powers) / (trial - high)
+        for _ in range(FORCE_STEPS):
+            with np.errstate(divide="ignore", invalid="ignore"):
+                over = powers / slopes
+            width = high - low
+            known = (over > 0) & (over < width)
+            same = SAME_CLUTCH_FORCE * (1 + np.abs(high))
+            left = np.flatnonzero(np.where(known, over, width) > same)
+            if not left.size:
+                break
+            down = np.where(known & (TRIAL_PART * over < width), TRIAL_PART * over, width / 2)[left]
+            found = self._slip_power(rows[left], high[left] - down)
+            lacks = np.isnan(found)
+            low[left[lacks]] = (high[left] - down)[lacks]
+            higher, down = left[~lacks], down[~lacks]
+            slopes[higher] = (powers[higher] - found[~lacks]) / down
+            high[higher] -= down
+            powers[higher] = found[~lacks]
+        return high
 
     def _slip_power(self, rows: Integers, forces: Floats) -> Floats:
         """Return the smallest loss of a slipping clutch at wheel forces, NaN if undefined [W]."""
