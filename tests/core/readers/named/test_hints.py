@@ -88,6 +88,15 @@ def test_words_of_other_programs_are_translated(old: str, new: str, meant: str) 
     assert any(message.endswith(f"; did you mean `{meant}`?") for message in errors(old, new))
 
 
+@pytest.mark.parametrize(
+    "components",
+    ["springs: {K: {damping: 3}}", "converters: {K: {points: [[0, 2, 0.1], [0.9, 1, 0.05]]}}"],
+)
+def test_a_component_without_links_causes_one_message(components: str) -> None:
+    [message] = errors("gears:", f"{components}\ngears:")
+    assert "`links`" in message
+
+
 def test_an_efficiency_above_1_is_not_taken_for_a_percentage() -> None:
     """Source: extrapolated maps in github.com/OpenMDAO/Aviary/issues/972."""
     last = "teeth: {sun: 30, ring: 70}"

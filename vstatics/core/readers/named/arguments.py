@@ -63,11 +63,15 @@ def _or_none(load: Load | None) -> Load | None:
 def read_with_stand_ins(unreadable: list[Path]) -> list[Path]:
     """Return the paths at which stand-ins would cause problems of the model.
 
-    If components are unreadable, the number of links is also included, because it is compared with
-    the number of components.
+    Unreadable `links` of a component are `first` and `second` in the model. If components are
+    unreadable, the number of links is also included, because it is compared with the number of
+    components.
     """
     devices = {("shift_elements",), ("mechanisms",), ("springs",)}
-    return [*unreadable, ("links",)] if devices.intersection(unreadable) else unreadable
+    ends = (path[:-1] for path in unreadable if path[-1:] == ("links",))
+    members = [(*path, member) for path in ends for member in ("first", "second")]
+    counted = [("links",)] if devices.intersection(unreadable) else []
+    return [*unreadable, *members, *counted]
 
 
 _ByPart = dict[int, tuple[float, Path]]
