@@ -77,7 +77,7 @@ def _number(measures: Sequence[Measure], expected: str, unit: str = "") -> Parse
     return Parsed(expected, partial(in_any_unit, measures=measures), 0.0, unit)
 
 
-def anything(text: str) -> float:
+def si_number(text: str) -> float:
     """Return a number in SI units from a number with or without a unit, or a percentage.
 
     Raises
@@ -87,7 +87,7 @@ def anything(text: str) -> float:
 
     Examples
     --------
-    >>> anything("2 kN*m"), anything("80 kW"), anything("25 %")
+    >>> si_number("2 kN*m"), si_number("80 kW"), si_number("25 %")
     (2000.0, 80000.0, 0.25)
     """
     with suppress(ValueError):
@@ -112,7 +112,7 @@ ABSCISSA = _number(
 )
 SPEED = _number(["si_speed", "velocity"], "a speed", SPEED_UNIT)
 TWIST = _number(["angle", "length"], "an angle in rad, or a length in m", UNIT_OF["angle"])
-ANYTHING = Parsed("a number", anything, 0.0)
+SI_NUMBER = Parsed("a number", si_number, 0.0)
 
 
 def curve(
@@ -133,7 +133,7 @@ def curve(
     unit : str, optional
         Unit of bare numbers.
     """
-    read = anything if measures is ANY_MEASURE else partial(in_any_unit, measures=measures)
+    read = si_number if measures is ANY_MEASURE else partial(in_any_unit, measures=measures)
 
     def parse(text: str) -> float | Formula:
         try:

@@ -29,8 +29,8 @@ from vstatics.simulation.scenario.formula import OF_MOTION, OF_TORQUES, Vocabula
 from vstatics.simulation.scenario.given import (
     ABSCISSA,
     ANY_MEASURE,
-    ANYTHING,
     CAPACITY,
+    SI_NUMBER,
     SPEED,
     SPEED_UNIT,
     TORQUE_UNIT,
@@ -236,7 +236,7 @@ SAMPLES = ByKey(
     (
         KeyShape(
             "normal",
-            RowOf((ANYTHING, ANYTHING), "mean, standard deviation"),
+            RowOf((SI_NUMBER, SI_NUMBER), "mean, standard deviation"),
             "Normal: mean and standard deviation.",
         ),
         KeyShape(
@@ -245,10 +245,12 @@ SAMPLES = ByKey(
             "Lognormal: mean and standard deviation of the logarithm.",
         ),
         KeyShape(
-            "uniform", RowOf((ANYTHING, ANYTHING), "least, largest"), "Uniform between two numbers."
+            "uniform",
+            RowOf((SI_NUMBER, SI_NUMBER), "least, largest"),
+            "Uniform between two numbers.",
         ),
-        KeyShape("min", ANYTHING, "Least number; smaller numbers are replaced by it."),
-        KeyShape("max", ANYTHING, "Largest number; larger numbers are replaced by it."),
+        KeyShape("min", SI_NUMBER, "Least number; smaller numbers are replaced by it."),
+        KeyShape("max", SI_NUMBER, "Largest number; larger numbers are replaced by it."),
     ),
     Distribution,
     exactly_one("normal", "lognormal", "uniform"),
@@ -256,8 +258,8 @@ SAMPLES = ByKey(
 
 TABLE = ByForm(
     "points [[x, value], ...], or a mapping with `file`, or with `columns` and `rows`",
-    ANYTHING,
-    _points(ANYTHING, ANYTHING, "x, value"),
+    SI_NUMBER,
+    _points(SI_NUMBER, SI_NUMBER, "x, value"),
     ByKey(
         "Table",
         "Values that formulas call by the name of the table, interpolated linearly and held "
@@ -272,13 +274,13 @@ TABLE = ByForm(
             ),
             KeyShape(
                 "columns",
-                ListOf(ANYTHING, "numbers", unique=False),
+                ListOf(SI_NUMBER, "numbers", unique=False),
                 "The second variable of each column, ascending.",
                 examples=([0.2, 0.5, 1],),
             ),
             KeyShape(
                 "rows",
-                ListOf(ListOf(ANYTHING, "numbers", unique=False), "rows", unique=False),
+                ListOf(ListOf(SI_NUMBER, "numbers", unique=False), "rows", unique=False),
                 "The first variable, ascending, then the value of each column.",
                 examples=([[100, 20, 50, 90], [300, 25, 60, 110]],),
             ),
@@ -294,7 +296,7 @@ def named_numbers() -> tuple[KeyShape, ...]:
     return (
         KeyShape(
             "numbers",
-            ByName("number", ANYTHING),
+            ByName("number", SI_NUMBER),
             "Numbers by the names that formulas have for them.",
             examples=({"t_k": 0.46},),
         ),
@@ -521,9 +523,9 @@ def _control_keys(words: Vocabulary) -> tuple[KeyShape, ...]:
         "A number that changes by itself.",
         (
             KeyShape("rate", value, "Rate of change, by a formula.", required=True),
-            KeyShape("start", ANYTHING, "Value at t = 0.", default=0),
-            KeyShape("min", ANYTHING, "Least value."),
-            KeyShape("max", ANYTHING, "Largest value."),
+            KeyShape("start", SI_NUMBER, "Value at t = 0.", default=0),
+            KeyShape("min", SI_NUMBER, "Least value."),
+            KeyShape("max", SI_NUMBER, "Largest value."),
         ),
     )
     return (
@@ -536,7 +538,7 @@ def _control_keys(words: Vocabulary) -> tuple[KeyShape, ...]:
         ),
         KeyShape(
             "set",
-            ByName("number", ANYTHING),
+            ByName("number", SI_NUMBER),
             "Initial values of numbers that sequences change.",
             examples=({"command": 0},),
         ),

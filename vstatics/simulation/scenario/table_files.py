@@ -8,7 +8,7 @@ from vstatics.core.numerics.lookup_table import LookupTable
 from vstatics.core.readers.named.csv_files import lines_of
 from vstatics.core.readers.named.csv_rows import numbered_rows
 from vstatics.core.readers.named.headings import with_unit, without_titles
-from vstatics.simulation.scenario.given import anything
+from vstatics.simulation.scenario.given import si_number
 
 MOST_TABLE_BYTES = 5_000_000
 """Largest size of a CSV file. [bytes]"""
@@ -70,6 +70,6 @@ def _table(rows: list[tuple[int, list[str]]]) -> LookupTable:
 def _number(text: str, line: int) -> float:
     """Return a number in SI units from a cell with or without a unit, or a percentage."""
     try:
-        return anything(text.strip())
+        return si_number(text.strip())
     except ValueError as error:
         raise ValueError(f"line {line}: read {text.strip()[:40]}, {error}") from None
