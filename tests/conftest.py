@@ -44,7 +44,7 @@ def pytest_configure(config: pytest.Config) -> None:
     if not config.option.markexpr.startswith("slow"):
         os.environ["NUMBA_DISABLE_JIT"] = "1"
     if getattr(config.option, "numprocesses", None):
-        # Several processes use all cores, so threads of their BLAS only wait for one another.
+        # Several processes use all cores, so threads of BLAS would only wait for one another.
         os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
         signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -52,11 +52,12 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 def without_constants() -> None:
-    """Let Hypothesis draw no constants of the package, for which each process parses all modules.
+    """Keep Hypothesis from drawing constants of the package.
 
-    Examples then also stay the same when a constant changes. `make nightly` draws constants.
+    To collect them, each process would parse all modules. Examples then also stay the same when a
+    constant changes. `make nightly` draws constants.
     """
-    with contextlib.suppress(ImportError):  # older versions have none
+    with contextlib.suppress(ImportError):  # older versions lack them
         from hypothesis.internal.conjecture import providers
 
         empty = getattr(providers, "_local_constants", None)
@@ -96,7 +97,7 @@ class Selection:
         taken, left = selected(items, config.getoption("--cases"))
         if left:
             config.hook.pytest_deselected(items=left)
-        # Those taken in full come first, so that one process builds what they share.
+        # Files taken in full come first, so that one process builds the fixtures that they share.
         items[:] = sorted(taken, key=lambda item: not is_in_full(item.path))
 
 

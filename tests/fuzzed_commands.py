@@ -115,7 +115,7 @@ def _no_constant(name: str) -> NoReturn:
 
 
 def check_answer(said: Said, words: Sequence[object]) -> None:
-    """Check that a command ended in a result or in words, in JSON without NaN."""
+    """Check that a command ended with a result or a message, and that JSON contains no NaN."""
     assert "an error of vstatics" not in said.err, said.err
     assert said.status == 0 or (said.status in (1, 2) and said.all), f"{said.status}: {said.err}"
     if said.out and "json" in words:

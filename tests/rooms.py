@@ -71,7 +71,7 @@ def nodes(path: Path) -> list[ast.AST]:
 
 
 def statements(body: Iterable[ast.AST]) -> Iterator[ast.AST]:
-    """Return statements with all statements in them, a tenth of the nodes."""
+    """Yield statements with all statements in them, which are a tenth of the syntax nodes."""
     for node in body:
         yield node
         for field in ("body", "handlers", "orelse", "finalbody", "cases"):

@@ -24,7 +24,7 @@ def imported_at_once(tree: ast.Module) -> Iterator[str]:
 
 
 def test_files_of_tests_import_what_is_installed_where_they_run() -> None:
-    """Their own annex and those that it needs; others are named in `FILES`, none in vain.
+    """Files import their annex and the annexes it needs. `FILES` names exactly the other imports.
 
     Imports come before functions and classes, which the linter checks.
     """

@@ -166,7 +166,7 @@ WRONG: dict[type[Exception], dict[str, Callable[[], object]]] = {
 @pytest.mark.parametrize(
     ("kind", "said"), [(kind, said) for kind, calls in WRONG.items() for said in calls]
 )
-def test_what_is_given_in_place_of_something_else_is_told(kind: type[Exception], said: str) -> None:
+def test_wrong_arguments_are_rejected(kind: type[Exception], said: str) -> None:
     with rejects(kind, said):
         WRONG[kind][said]()
 

@@ -18,7 +18,7 @@ from vstatics.core.model.transmission import HOUSING, Gear, Transmission
 
 @dataclass(frozen=True)
 class Admissible:
-    """Result of a set of signs that agrees with its flow, for one input and one output."""
+    """Result of loss signs that agree with the power flow, for one input and one output."""
 
     output: Fraction
     """Torque given to the load."""
@@ -36,7 +36,7 @@ class GearWithDrag:
 
     @property
     def possible(self) -> list[Admissible]:
-        """Those that pass power; if there are none but without drag, those in which drag wins."""
+        """Results that transmit power; if only the gear without drag has them, all results with drag."""
         passing = _passing(self.found)
         return passing or (self.found if _passing(self.bare) else [])
 
@@ -77,7 +77,7 @@ def drag_of(case: Transmission, gear: Gear, speeds: Speeds) -> tuple[dict[int, F
 
 
 def solve_gear(case: Transmission, gear: Gear) -> GearWithDrag:
-    """A gear of one input and one output with its drag."""
+    """Solve a gear that has one input and one output, with its drag."""
     own = GearOfPorts(case, gear)
     speed = own.speeds.link(case.gear_output(gear))
     assert speed
@@ -94,7 +94,7 @@ def solve_gear(case: Transmission, gear: Gear) -> GearWithDrag:
 
 @dataclass(frozen=True)
 class Solution:
-    """Result of a set of signs that agrees with its flow."""
+    """Result of loss signs that agree with the power flow."""
 
     passed: Fraction | None
     """The part of the power that it passes; None where nothing enters without losses."""
@@ -126,7 +126,7 @@ class GearOfPorts:
 
     @property
     def solutions(self) -> list[Solution]:
-        """Those that pass power; if there are none but without drag, those in which drag wins."""
+        """Results that transmit power; if only the gear without drag has them, all results with drag."""
         found = list(self._solved(self.drag))
         passing = [one for one in found if self._passes(one)]
         return passing or (found if any(map(self._passes, self._solved({}))) else [])
@@ -160,7 +160,7 @@ class GearOfPorts:
         return product(*choices)
 
     def agreeing(self, drag: Mapping[int, Fraction]) -> Iterator[Torques]:
-        """Torques by sets of signs with which no mechanism gives power."""
+        """Torques of each set of loss signs with which no mechanism gains power."""
         for signs in self._signs():
             pairs = zip(self.case.mechanisms, signs, strict=True)
             factors = [exact(one.efficiency) ** x for one, x in pairs]

@@ -16,7 +16,7 @@ STAND_IN = Fraction(1)
 """Teeth of a planet that are not told; they do not touch the speeds of the links."""
 
 Equation = dict[str, Fraction]
-"""The speeds of bodies with their factors; the right side is 0."""
+"""Factors of the speeds of bodies in an equation whose right side is 0."""
 
 Document = Mapping[str, Any]
 """A case or a part of it, as `yaml.safe_load` gives it."""

@@ -378,7 +378,7 @@ def test_a_motion_leaves_some_of_the_jumps_that_it_meets_at_once(drawn: tuple[in
 
 @seeds_with_slow(3, 20, 60)
 def test_a_clutch_breaks_away_by_a_jump_at_the_slip_of_another(seed: int) -> None:
-    """C slips, and D behind a spring holds until the jump; an integrator stops at the jump."""
+    """C slips, and D behind a spring sticks until the jump, where the reference integrator stops."""
     rng = seeded(seed)
     inertias = [rng.uniform(0.9, 1.1) * each for each in (1.4, 2, 3, 0.5)]
     least, stiffness, damping = (rng.uniform(*ends) for ends in ((1, 4), (500, 2000), (1, 9)))
@@ -417,7 +417,7 @@ def test_a_clutch_breaks_away_by_a_jump_at_the_slip_of_another(seed: int) -> Non
 
 @pytest.mark.parametrize("law", ["25*(sin(angle) > 0)", "25*sign(sin(angle))"])
 def test_a_torque_that_jumps_at_the_start_breaks_dry_friction(law: str) -> None:
-    """The momentum of 0.5*5 + 2*5 grows by 25*0.3, and both links have one speed at last."""
+    """The momentum of 0.5*5 + 2*5 grows by 25*0.3, and both links have the same speed at the end."""
     motion = simulated(
         f'duration: 0.3\nstart: {{speeds: {{b: 5, c: 5}}}}\ntorques: {{b: "{law}"}}\n',
         "inertias: {b: 0.5, c: 2}\ngears: {g: []}\n"

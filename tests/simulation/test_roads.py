@@ -142,7 +142,7 @@ def test_a_truck_that_is_driven_moves_as_an_integrator_says() -> None:
     slopes = np.gradient(v, motion.time)[5:-5]
     told = motion.asked["vehicle_acceleration"]["wheels"]
     assert told[5:-5] == pytest.approx(slopes, rel=2e-2, abs=2e-3)
-    # the jerk jumps at the points of rolling resistance; what the radius adds to it is 3 %
+    # the jerk jumps at the points of the rolling resistance; the radius contributes 3 % of it
     jerk = motion.asked["vehicle_jerk"]["wheels"]
     assert trapezoid(jerk, motion.time) == pytest.approx(told[-1] - told[0], rel=5e-3)
 

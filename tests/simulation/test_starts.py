@@ -55,7 +55,7 @@ def test_the_links_of_any_train_follow_the_given_speeds(seed: int) -> None:
 
 @each_seed(12, 200)
 def test_given_speeds_are_recorded_as_given(seed: int) -> None:
-    """A clutch joins engine and sun, and the ring gear is at rest: exactly."""
+    """Speeds of links that a clutch joins are exactly equal, and speeds at rest are exactly 0."""
     rng = seeded(seed)
     ratio, pair = (round(rng.uniform(-4, -1.2), 3) for _ in range(2))
     case = f"""links: [e, s, r, c, o]

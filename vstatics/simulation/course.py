@@ -541,9 +541,9 @@ class EventRun:
         return MarginEnd(end, step.last, ())
 
     def _jumps_due(self, equations: Equations, state: Floats) -> set[int]:
-        """Return the indices of watched jumps of formulas that have the sides before the jump.
+        """Return the indices of watched jumps of formulas that occur immediately after a state.
 
-        Such a jump occurs at once. A contact can alternate between two states before the jump.
+        Until such a jump has occurred, a contact can alternate between two states.
         """
         sides = self._sides(equations, equations.time, state).tolist()
         return {
@@ -556,9 +556,9 @@ class EventRun:
     def _behind_corner(
         self, equations: Equations, end: float, due: Collection[int] = ()
     ) -> MarginEnd | None:
-        """Return the state just after a corner, None if the last state is not right before one.
+        """Return the state just after a corner, or None if no corner is next to the last state.
 
-        If corners `due` are given, the state is behind all of them.
+        If indices of corners `due` are given, the state is behind all of them.
 
         The motion is extrapolated linearly across the corner. Integration would give a quantity
         that starts from 0 at the corner an error as large as the quantity.

@@ -21,9 +21,9 @@ LEAST_EXCESS = 1e-9
 LEAST_CLUTCH_FORCE = 4e-9
 """Increase of the least wheel force of a slipping clutch, against rounding, relative and in N."""
 SAME_CLUTCH_FORCE = 4e-10
-"""Distance from the root at which the search for this force ends, relative and in N."""
+"""Distance at which the search for the least force of a slipping clutch ends, relative and in N."""
 LEAST_FREEWHEEL_TORQUE = 1e-11
-"""Torque at which a freewheel opens, relative to the torque that it cannot transmit. [-]"""
+"""Torque of a freewheel that counts as 0, relative to its torque at the wanted force. [-]"""
 NO_SLIP_POWER = 1e-6
 """Power of a slipping clutch that counts as 0, relative to the power at the wheels. [-]"""
 AT_REST = 1e-10

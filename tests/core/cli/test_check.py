@@ -77,7 +77,7 @@ def test_json_has_a_place_for_each_problem_and_stderr_has_none() -> None:
     assert found[0]["message"].endswith("did you mean `ratio`?")
     good = NEUTRAL.replace("N: {}, ", "").encode()
     assert vstatics("check", "-", "-f", "json", stdin=good) == (0, "[]\n", "")
-    # every gear of one text has its own
+    # each gear of the case has its own message
     text = NEUTRAL.replace("N: {}", "N: {}, P: {}").encode()
     said = vstatics("check", "-", "-f", "json", "--strict", stdin=text)
     told = [one["message"][:8] for one in said.json]
@@ -108,7 +108,7 @@ def test_a_note_tells_which_gear_asks_a_law_outside_its_points() -> None:
     assert "gear near" not in said
 
 
-def test_a_drag_that_no_torque_can_be_is_told_at_its_place(folder: Path) -> None:
+def test_an_impossible_drag_is_reported_at_its_place(folder: Path) -> None:
     """At 1000 rpm w is 104.7198 rad/s."""
     for drag, value in (("1 - 0.1*w", "-9.47198"), ("exp(w*w)", "inf")):
         text = f"{PAIR.replace('2000', '1000')}gears: {{one: {{drag: {{in: '{drag}'}}}}}}\n"

@@ -35,7 +35,7 @@ def test_words_are_whole_at_every_width(case: Path, monkeypatch: pytest.MonkeyPa
         assert re.search(r"[ \n]\n\Z|[ \x1b]$", text, re.MULTILINE) is None
 
 
-def test_columns_can_be_0_and_hold_for_dumb_terminals(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_columns_can_be_0_and_also_apply_to_dumb_terminals(monkeypatch: pytest.MonkeyPatch) -> None:
     """Sources: github.com/aws/aws-cdk/issues/2253 (width 0), patonlab/GoodVibes/pull/107 (dumb)."""
     case = CASES / "simpson-th400.yaml"
     assert shown(monkeypatch, 0, case) == shown(monkeypatch, 80, case)
@@ -46,7 +46,7 @@ def test_columns_can_be_0_and_hold_for_dumb_terminals(monkeypatch: pytest.Monkey
     assert re.sub(r"\x1b\[[0-9;]*m", "", said) == wide
 
 
-def test_much_width_is_used_for_names_of_elements(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_large_width_is_used_for_names_of_elements(monkeypatch: pytest.MonkeyPatch) -> None:
     case = CASES / "simpson-th400.yaml"
     narrow = shown(monkeypatch, 80, case)
     assert "gear  12345  " in narrow

@@ -85,7 +85,7 @@ def test_json_has_every_number_that_differs(files: tuple[Path, Path]) -> None:
             assert step[side] == pytest.approx(quotient)
 
 
-def test_a_case_has_twenty_lines_at_most(files: tuple[Path, Path], tmp_path: Path) -> None:
+def test_a_case_has_at_most_twenty_lines(files: tuple[Path, Path], tmp_path: Path) -> None:
     other = ZF.replace("efficiency: 0.98", "efficiency: 0.97").replace("ring: 96", "ring: 97")
     assert other.count("0.97") > 2
     lines = told((run(other, tmp_path), files[1]))

@@ -182,7 +182,7 @@ def test_of_an_element_without_a_known_kind_the_kind_is_told_and_no_more() -> No
         assert "elements.P" in told
         assert words in told
     [told] = problems("input: 1\noutput: b\nelements: {H: {kind: held}}\ngears: {1: {}}\n")
-    assert told.endswith("elements.H: `link` is missing [E191]")  # where no link is named, no port
+    assert told.endswith("elements.H: `link` is missing [E191]")  # no port without a named link
 
 
 def test_links_that_are_empty_and_given_again_are_given_twice() -> None:

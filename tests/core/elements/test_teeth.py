@@ -33,8 +33,8 @@ from vstatics.core.elements.checks import problems
 from vstatics.core.elements.kinds import KINDS, Planetary
 
 
-def test_usual_teeth_get_no_words_and_doubtful_teeth_no_error() -> None:
-    """Elements count from 1."""
+def test_usual_teeth_cause_no_message_and_doubtful_teeth_no_error() -> None:
+    """Paths in messages count elements from 1."""
     for text in (
         *("belt first 10 second 10.5", "worm worm 1 wheel 40", "shaft", "held", "bevel"),
         *("planetary/3 sun 10.5 ring 30", "gear_pair first 20 second 41"),
@@ -214,7 +214,7 @@ def test_meshed_planets_touch_where_their_tip_circles_meet(one: Element, planets
     assert bool(said) == touching(one, planets)
 
 
-def test_few_teeth_are_undercut_and_a_chain_wants_more() -> None:
+def test_few_teeth_are_undercut_and_a_chain_needs_more() -> None:
     for teeth, severity in ((13, ["note"]), (14, ["note"]), (16, ["note"]), (17, [])):
         for text in (
             f"gear_pair first 41 second {teeth}",

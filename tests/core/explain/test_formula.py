@@ -61,12 +61,12 @@ def test_closed_forms_of_shipped_cases() -> None:
     assert "stand still as a whole: P1\n" in write([explained("zf-8hp70.yaml", "1")])
 
 
-def test_equal_ratios_are_one_symbol_but_a_ratio_that_is_set() -> None:
+def test_equal_ratios_share_a_symbol_except_a_set_ratio() -> None:
     """Simpson: two sets of -73/35, 2 - 1/u."""
     first = of(explained("simpson.yaml", "1").formula, 2 + 35 / 73)
     assert (first.text, first.shared_text) == ("(u_P1 + u_P2 - 1)/u_P1", "2 - 1/u")
     assert first.shared == {"u": ["u_P1", "u_P2"]}
-    # a pair of -2 behind a variator: i = u_pair/speed ratio, also where this is -1/2 just then
+    # a pair of -2 behind a variator: i = u_pair/speed ratio, also if the result is -1/2
     pair = Mechanism(2, 3, 0, -2.0, name="pair")
     found = of_case(3, [Mechanism(1, 2, 0, -0.5, name="variator", kind="variator"), pair], 4)
     assert (found.text, found.shared, found.shared_text) == ("u_variator u_pair", {}, "")

@@ -107,7 +107,7 @@ def test_each_mesh_of_a_ravigneaux_set_takes_its_part() -> None:
 
 
 def test_variators_belts_and_shafts_have_no_teeth() -> None:
-    """A variator loses its part of what enters it, whichever of its links drives."""
+    """A variator loses 15 % of the incoming power, whichever of its links drives."""
     for links in ("first: in, second: out", "first: out, second: in"):
         variator = f"{{kind: variator, {links}, speed_ratio: 0.5, efficiency: 0.85}}"
         text = f"{{links: [in, out], mechanisms: {{H: {variator}}}, gears: {{g: []}}}}"

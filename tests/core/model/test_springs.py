@@ -108,7 +108,7 @@ def test_an_inertia_a_rigid_part_and_a_second_spring_that_cannot_be_are_told() -
 
 
 def test_points_hold_in_both_directions_and_go_on_with_their_last_slope() -> None:
-    """Points with a twist below 0 hold as they are written, without a mirror image."""
+    """Points with a twist below 0 are used as given, without a mirror image."""
     curve = Spring(between(1, 2), points=STAGES).curve
     torques = {0.0: 0.0, 0.02: 0.0, 0.035: 15.0, 0.05: 30.0, 0.07: 150.0}  # by hand
     for sign in (1, -1):

@@ -42,7 +42,7 @@ def test_units_can_be_in_a_line_below_the_headings() -> None:
             read_record(f"time,torque\n{first}\n1,1".encode(), "r.csv", wanted)
 
 
-def test_comments_clock_times_and_letters_of_headings_are_those_of_other_files() -> None:
+def test_comments_clock_times_and_capitals_are_read_as_in_other_files() -> None:
     """Sources: comments in ibpsa/project1-boptest/issues/155, times in wireservice/csvkit#876."""
     wanted: dict[str, Measure | None] = {"time": "time", "torque": None}
     for text in (
@@ -56,7 +56,7 @@ def test_comments_clock_times_and_letters_of_headings_are_those_of_other_files()
         first, last = record.columns["time"]
         assert (last - first, record.columns["torque"].tolist()) == (1.5, [1.0, 2.0]), text
     for head, units in (("time [ms],torque", "s,N*m"), ("time,torque [N*m]", "s,N*m")):
-        with pytest.raises(ReadError, match="a finite"):  # units are given once, not twice
+        with pytest.raises(ReadError, match="a finite"):  # a unit in a heading and again below it
             read_record(f"{head}\n{units}\n0,1".encode(), "r.csv", wanted)
     links = read_record(b"time,speeds[A],speeds[a]\n0,5,7", "r.csv", {"speeds[a]": None})
     assert links.columns["speeds[a]"].tolist() == [7]

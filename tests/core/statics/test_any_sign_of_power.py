@@ -79,7 +79,7 @@ drag: {output: 4 N*m}
 
 
 def test_a_converter_of_any_speed_ratio_has_its_torque_and_efficiency_in_a_batch() -> None:
-    """The output has K T against its drag; if it turns backward, no power leaves: efficiency 0."""
+    """The output torque is K T minus the drag. Without power at the output, the efficiency is 0."""
     ratio = np.round(generator(275).uniform(-1, 1, 200), 3)
     ratio[:4] = [0.86, -0.86, 0, 1]
     results = solve(loads(CONVERTER), vary={"TC.speed_ratio": ratio})

@@ -5,8 +5,8 @@ from vstatics import Gear, Mechanism, Transmission, solve
 from vstatics.core.statics.bodies import held_as_one
 
 
-def test_a_set_that_clutches_hold_as_one_piece_is_idle() -> None:
-    """Clutches hold it whatever its efficiency; an axle whose wheels turn alike is not held."""
+def test_a_set_that_clutches_lock_up_transmits_no_power() -> None:
+    """Clutches lock up the set for any efficiency. An axle with equal wheel speeds is not locked up."""
     results = solve(train([(1, 2)], Gear([1])))
     assert results.idle.all()
     assert ([*results.efficiency], texts(results)) == ([1], [])

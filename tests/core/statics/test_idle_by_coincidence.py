@@ -23,13 +23,13 @@ def test_a_mechanism_idle_by_coincidence_is_told() -> None:
     [text] = texts(solve(AXLE))
     assert text.startswith("note: D1 happens to transmit no power; torques w")
     assert texts(solve(replace(AXLE, gears=[Gear(speeds={2: 1.1})]))) == []
-    # the axle has 1 in all whatever x is, so its efficiency does not depend on it
+    # the torques of the axle add up to 1 for every x, so its efficiency does not depend on x
     results = solve(AXLE)
     assert coincidences(results, 0, AXLE.gears[0], *idle_with_torque(results)) == {"D1": False}
 
 
 def test_meshes_of_a_set_that_turns_as_a_block_are_reported() -> None:
-    """A ratio of 1 and S1 give both suns one speed, so no mesh moves; the ring has no torque."""
+    """A ratio of 1 and S1 give both suns the same speed, so no mesh moves; the ring has no torque."""
     results = solve(loads(BLOCK))
     [text] = [one for one in texts(results) if "no power" in one]
     meshes = ("small_sun-short", "large_sun-long", "short-long")

@@ -49,7 +49,7 @@ def test_the_housing_has_no_row_and_takes_what_is_left() -> None:
 
 
 def test_a_ratio_for_each_mechanism_is_asked_for() -> None:
-    """Numbers that are not given are those of the case.
+    """Omitted ratios are ratios of the case.
 
     docs/method.md: 1 on the first link, -u on the second; the housing has no row.
     """

@@ -96,7 +96,7 @@ def test_ports_have_the_power_that_the_flow_tells(file: Path) -> None:
                 assert sorted(found) == pytest.approx(sorted(both), rel=1e-9, abs=1e-9)
 
 
-def test_what_the_operating_point_does_not_determine_is_refused_or_nan() -> None:
+def test_values_without_an_operating_point_are_rejected_or_nan() -> None:
     results = solve(replace(LOW, load=None))
     with pytest.raises(CaseError, match=r"the case gives no speed at the input, so .*speeds_rpm"):
         _ = results.speeds_rpm

@@ -56,7 +56,7 @@ def test_wheels_of_a_group_keep_their_rows_whatever_their_links_are_called() -> 
         found = shown(GROUP.format(name=name))["torques"]
         assert list(found.rows) == ["B", "g.in", row, "g.carrier", "Mx"]
         assert found.values[1:4, 0] == pytest.approx([1, 2, -3])
-    # two wheels of the housing on one rim have names of their own
+    # two gears of the housing on one ring gear have different names
     text = """
 links: [C, out]
 input: C

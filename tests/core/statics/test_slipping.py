@@ -60,7 +60,7 @@ def test_a_warning_says_which_sign_of_slip_is_possible() -> None:
         side = "below" if slip > 0 else "above"
         said = [message.text.rpartition("only a ")[2] for message in results.messages]
         assert said == ([] if loses else [f"slip {side} 0 is possible"])
-    # from -2000 rpm, the driven shaft is slower with a slip below 0
+    # at -2000 rpm, a slip below 0 makes the driven shaft slower
     text = """
     links: [a, b, out]
     mechanisms: {M: {first: b, second: out, ratio: 2}}

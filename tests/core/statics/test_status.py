@@ -45,7 +45,7 @@ def test_a_sound_gear_has_none_but_where_a_search_was_cut_short() -> None:
     assert results.status(1) == results.gear(1).status == OK
     assert statuses(**SOUND) == []
     assert statuses(**SOUND | {"undecided": True}) == [UNDECIDED]
-    # what explains the others comes first: what is tied up turns nothing, balances nothing
+    # the cause comes first: a tied-up gear has neither an output speed nor balanced torques
     marks = SOUND | {"tied_up": True, "output_speed": math.nan, "balanced": False}
     assert [one.name for one in statuses(**marks)] == ["tied up", "open", "no torques"]
 

@@ -40,7 +40,7 @@ def test_a_converter_multiplies_torque_in_both_tables() -> None:
         assert results.efficiency[0] == pytest.approx(k * i)
         assert results.losses[0, 0] == pytest.approx(1 - k * i)
         assert abs(results.power_balance[0]) < 1e-12
-    # one that would gain power has no torques
+    # a variator that would gain power has no torques
     results = solve(Transmission(2, [], [CONVERTER], [Gear(speed_ratios={1: 1.2})]))
     assert math.isnan(results.torques[0, -1])
     assert "converter TC would gain power" in results.messages[0].text

@@ -120,9 +120,10 @@ def test_a_planet_whose_teeth_are_not_known_is_named_without_a_speed() -> None:
 
 
 def test_needed_capacities_are_the_largest_torques_with_the_reserve() -> None:
-    """Ring held: -u of the input, of 100 N*m or of those of the gear; no load has to tell them.
+    """The brake on the ring carries -u = 2.5 times the input torque of the case or of the gear.
 
-    As a block, the set passes 1/(1 - u) = 1/3.5 of the input, and the clutch the rest.
+    As a block, the set transmits 1/(1 - u) = 1/3.5 of the input torque, and the clutch the remainder.
+    Capacities relative to the input torque need no load.
     """
     clutch, brake = needed_capacities(solve(differential(load=Load(torque=-100.0))), 1.2)
     assert (brake.element, brake.gear) == ("B", "low")

@@ -24,7 +24,7 @@ def test_a_cell_is_a_number_a_count_a_sign_or_words() -> None:
 
 
 def test_lines_of_a_text() -> None:
-    """Levels are indented; in fixed widths a long name has its own line; headings can be absent."""
+    """Levels are indented; with fixed widths a long name has a line by itself; headings are optional."""
     leveled = Grid("", [NAME, Column("x")], [["all", ""], ["part", exact(1.0)]], [1, 2])
     assert list(lines(leveled)) == ["name        x", "all", "  part  1.000"]
     wide = Grid("", [NAME, Column("x")], [["a", "1.0"], ["a long name", "12345.0"]])

@@ -43,9 +43,9 @@ def with_twin(data: dict[str, Any]) -> dict[str, Any]:
 
 
 def alike(there: Path, here: Path) -> None:
-    """Whether two cases have the same numbers, to the last bit.
+    """Check that two cases have the same results, to the last bit.
 
-    The balance of power is the rounding error of a sum, whose order is that of the drags.
+    The power balance is an exception: it is the rounding error of a sum in the order of the drags.
     """
     one, other = (solve(load(path)) for path in (there, here))
     np.testing.assert_allclose(one.power_balance, other.power_balance, atol=1e-12, equal_nan=True)

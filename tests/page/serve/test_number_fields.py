@@ -1,4 +1,4 @@
-"""Fields of a page: numbers of a case by the paths of a sweep, bare numbers with their units."""
+"""Fields of a page: numbers of a case at the paths of a sweep, and units of bare numbers."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""Numbers of random documents: each has one path, which everybody understands, and is saved alone."""
+"""Numbers of random documents: each has the same path everywhere and can be saved alone."""
 
 import dataclasses
 import json

@@ -1,4 +1,4 @@
-"""Texts and lines of pictures: measured, shortened, placed and written as matplotlib does it."""
+"""Texts and lines of pictures: measured, shortened, placed and written as matplotlib does."""
 
 from __future__ import annotations
 

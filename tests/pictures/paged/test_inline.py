@@ -1,4 +1,4 @@
-"""Looks and shapes that a page has once for several pictures."""
+"""Styles and shapes that several pictures of a page share."""
 
 import re
 from random import Random

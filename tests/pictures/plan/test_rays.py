@@ -1,4 +1,4 @@
-"""Generalised kinematic plans: their rays and gears, also of wanted ratios alone.
+"""Generalised kinematic plans: their rays and gears, also without a case, from desired ratios.
 
 The rays of the UMDM follow from its plan (Voloshko, Galimyanov, Salakhov, Mavleev, Kinematic
 and force analysis of the universal multi-flow differential mechanism, figure 5): all meet at
@@ -207,7 +207,7 @@ gears: {{low: [B], high: [C], locked: [C, LU]}}
     assert [mark.output for mark in plan.marks] == pytest.approx([turbine / 3.5, turbine])
 
 
-def test_a_link_that_stands_in_a_gear_has_its_ray() -> None:
+def test_a_link_at_rest_in_a_gear_has_its_ray() -> None:
     """Y = (u x - 1)/(u - 1): zero at x = 1/u, and 1 at x = 1; the input 1, the output x."""
     ratios = [37 / 14, 111 / 65, 1, 0.7, -37 / 9]
     case = case_of_ratios(ratios)
@@ -225,7 +225,7 @@ def test_a_link_that_stands_in_a_gear_has_its_ray() -> None:
             assert ray.slope == pytest.approx(u / (u - 1))
 
 
-def test_it_needs_no_case(tmp_path: Path) -> None:
+def test_a_plan_needs_no_case(tmp_path: Path) -> None:
     file = tmp_path / "plan.svg"
     asked = ("plot", "--kind", "plan", "-o", file, "--ratios")
     said = vstatics(*asked, "2.6,1.7,-4")
@@ -237,7 +237,7 @@ def test_it_needs_no_case(tmp_path: Path) -> None:
     assert not {"input", "output"} & {*re.findall(r">(\w+)<", russian)}
 
 
-def test_what_is_no_plan() -> None:
+def test_wrong_plans_are_rejected() -> None:
     umdm, of_a_case = CASES / "umdm.yaml", "--from, --coast, --unloaded: only a case has them"
     for options, why in {
         "-k plan --ratios 2,0": "read 0, expected a ratio from 1e-6 to 1e6 in size",

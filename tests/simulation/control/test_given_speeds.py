@@ -34,9 +34,10 @@ def test_an_impact_leaves_a_given_speed_and_counts_the_work_of_its_impulse() -> 
 
 
 def test_an_impact_behind_a_differential_is_shared_by_the_inertias_of_its_sides() -> None:
-    """Both sides have the same impulse P = J w and w_1 + w_2 = 2*90: J of 1 and 3 take 135 and 45.
+    """Both sides receive the same impulse P = J w, and w_1 + w_2 = 2*90.
 
-    With 2 kg*m^2 of the case, the drive gives 2*90 + 2 P, and half of its work is lost.
+    Inertias of 1 and 3 kg*m^2 therefore reach 135 and 45 rad/s. With 2 kg*m^2 on the carrier, the
+    impulse of the drive is 2*90 + 2 P, and half of its work is lost.
     """
     case = (
         "inertias: {e: 1, o: 2, left: 1, right: 3}\n"

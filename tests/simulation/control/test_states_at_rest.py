@@ -1,7 +1,7 @@
 """States that rest at corners and jumps of rates, and leave them in mid-run.
 
 A lag leads to the corner of a formula, the formula to a state, and the state to a control or a
-torque. Expected numbers are closed forms, or come from scipy with equations of their own. Sources
+torque. Expected numbers are closed forms, or come from scipy with separate equations. Sources
 of jumps of a state's own rate: github.com/OpenModelica/OpenModelica/issues/9711 and 12621,
 github.com/mtiller/ModelicaBook/issues/205.
 """

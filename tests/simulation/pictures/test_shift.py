@@ -1,4 +1,4 @@
-"""Pictures of a run: what is drawn of it, over time and into the kinematic plan, and its letters.
+"""Pictures of a run: curves over time, points in the kinematic plan, and their labels.
 
 The run is that of a planetary set whose brake locks, in closed form (V. P. Tarasik, simulation of
 planetary gearboxes, 2018, figure 2): constant accelerations up to the lock at .410054 s, and after.

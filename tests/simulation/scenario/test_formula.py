@@ -161,7 +161,7 @@ def test_numbers_of_formulas_can_be_powers_or_percentages() -> None:
         ("5*acos(t)", r"there is no function `acos`, expected .*, atan \["),
         ("5*pow(t, 2)", r"; write pow as `x\*\*2`"),
         ("5*fabs(t)", r"; write fabs as `abs\(x\)`"),
-        # pjkundert/cpppo/issues/14: a fault in an index was told in words of Python
+        # pjkundert/cpppo/issues/14: a fault in an index caused a message of Python
         ("speed[a, a]", r"read `a`, expected a name in quotes, such as speed\('a'\)"),
     ],
 )

@@ -1,4 +1,4 @@
-"""Clutches that are dumped, in files of their own and in cases: read, written; what is wrong."""
+"""Dumped clutches in files and in cases: reading, writing, and faults."""
 
 import json
 import math
@@ -43,7 +43,7 @@ def test_numbers_are_read_as_they_are_written_also_with_units() -> None:
     assert made == pytest.approx(line.given)
 
 
-def test_a_fault_is_told_with_its_place() -> None:
+def test_a_fault_is_reported_with_its_place() -> None:
     for old, new, message in (
         ("J1: 16.6", "J1: 0", "1:5: error: J1: read 0, expected a number above 0"),
         ("J3: 0.716", "J3: -1", "3:5: error: J3: read -1, expected a number of 0 or more"),

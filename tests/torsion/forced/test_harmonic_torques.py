@@ -118,7 +118,7 @@ def test_an_undamped_system_that_is_hit_exactly_has_no_value() -> None:
 
 
 def test_a_singular_speed_leaves_the_values_of_the_others() -> None:
-    """1/(k - J omega^2) of 4 kg*m^2 on 100 N*m/rad: not at 5 rad/s."""
+    """The amplitude 1/(k - J omega^2) of 4 kg*m^2 on 100 N*m/rad is undefined at 5 rad/s."""
     mass, stiffness, none = np.array([[4.0]]), np.array([[100.0]]), np.zeros((1, 1))
     found = _solved((mass, stiffness, none, none), np.ones(1), np.array([3.0, 5.0, 10.0]))
     assert found[:, 0] == pytest.approx([1 / 64, np.nan, -1 / 300], nan_ok=True)
@@ -181,7 +181,7 @@ def test_absurd_speeds_have_no_value_and_absurd_orders_no_resonance() -> None:
         ([2.0, 4.5], [1, 1j]),
         ([1.0, 3.0], [1, -1]),
         ([0.5, 1.0, 1.5], [1 + 1j, 0.3 - 2j, 0.7]),
-        ([7.5, 8.0], [7 + 12.5j, 3e-3]),  # 30 tops of nearly equal height
+        ([7.5, 8.0], [7 + 12.5j, 3e-3]),  # 30 maxima of nearly equal height
     ],
 )
 def test_the_largest_value_of_several_orders(
@@ -224,7 +224,7 @@ def test_a_table_of_torques() -> None:
     table = b"order, amplitude, phase [deg]\n2, 80, 90\n\n4.5,20,0\n"
     found = read_torque_table(table, "engine.csv")
     assert found == [Harmonic(2.0, 80.0, math.pi / 2), Harmonic(4.5, 20.0, 0.0)]
-    # a line of units, in which pure numbers have none: github.com/BurntSushi/xsv/issues/245
+    # a line of units; pure numbers lack a unit: github.com/BurntSushi/xsv/issues/245
     for units in (b";[kN*m];[deg]", b"-;kN*m;deg"):
         table = b"order;amplitude;phase\n" + units + b"\n2;0,08;90\n4,5;0,02;0\n"
         assert read_torque_table(table, "engine.csv") == found
@@ -286,7 +286,7 @@ def test_a_fault_of_a_table_is_told_with_its_line() -> None:
         (HEADS + b"-2,1\n3,5\n", "2:1: error: order: read -2, expected a number above"),
         (HEADS + b"2,nan\n", "2:1: error: amplitude: read 'nan'"),
         # two cylinders on one crank, as in github.com/speeduino/speeduino/pull/744
-        (HEADS + b"2,1\n2,3\n", "3:1: error: order 2 is given twice: give the vector sum of"),
+        (HEADS + b"2,1\n2,3\n", "3:1: error: order 2 is given twice; give the vector sum of"),
         (HEADS[:-1] + b",link\n2,1,a\n2,3,b\n2,4,a\n", "4:1: error: order 2 is given twice"),
         (HEADS + b"2,1,5\n", "2:1: error: read 3 cells, expected 2"),
         (HEADS + b"2," + b"1" * 140_000, "2:1: error: amplitude: read '1111"),

@@ -69,7 +69,9 @@ def test_what_is_drawn_is_the_logarithm_over_the_speed(gear: int) -> None:
 @pytest.mark.parametrize(
     ("shown", "runs"), [((600, 3000), False), ((600, 4000), True), ((5000, 6000), False)]
 )
-def test_the_legend_has_no_running_speed_outside(shown: tuple[float, float], runs: bool) -> None:
+def test_the_legend_names_no_running_speed_outside_the_picture(
+    shown: tuple[float, float], runs: bool
+) -> None:
     """The load of the case is at 4000 rpm."""
     style = Style(excited=Excitation(shown=shown))
     texts = said.texts(picture(shipped_results(DRIVELINE), "response", style, [6]))

@@ -79,7 +79,7 @@ def test_any_scheme_keeps_its_stiffness_and_frequencies(seed: int) -> None:
 
 
 def test_differentials_without_their_masses_still_turn_freely() -> None:
-    """All masses turn as one without a twist, so n masses have n - 1 frequencies."""
+    """All masses can rotate together without a twist, so n masses have n - 1 frequencies above 0."""
     chance = seeded(2)
     for _ in range(count(60, 2000)):
         springs = [SchemeSpring("s", {mass: 1.0, mass - 1: -1.0}, 1e-3) for mass in range(1, 6)]

@@ -117,7 +117,10 @@ def test_a_rigid_set_with_inertia_on_all_its_links_is_a_stiff_spring() -> None:
 
 
 def test_a_scheme_has_the_frequencies_of_its_planets_or_none() -> None:
-    """Planets of 30 teeth turn at 2 w_c - w_s; no scheme if the carrier has less than 4*0.1."""
+    """Planets of 30 teeth turn at 2 w_c - w_s.
+
+    A scheme does not exist if the inertia of the carrier is less than 4*0.1 kg*m^2.
+    """
     twists = np.array([(0, 0, 1, -1), (0, 1, 0, 0)])
     refused = set()
     for carrier in (0.0, 0.02, 0.1, 0.5):

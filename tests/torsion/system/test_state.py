@@ -1,4 +1,4 @@
-"""Freewheels and clutches of a vibrating gear: they hold or slip as at its mean load."""
+"""Freewheels and clutches of a vibrating gear: they hold or slip as they do at its mean load."""
 
 import pytest
 

@@ -68,7 +68,7 @@ def test_what_creeps_alone_is_no_mode() -> None:
 
 
 def damped_system(seed: int) -> Transmission:
-    """Two to six links, some without inertia, with springs, damped ones and dampers alone."""
+    """Two to six links, some without inertia, with springs, damped springs and pure dampers."""
     rng = seeded(seed)
     links = rng.randint(2, 6)
     inertias = {n: 10 ** rng.uniform(-1, 1) for n in range(1, links + 1) if rng.random() < 0.7}
@@ -101,7 +101,7 @@ def test_eigenvalues_of_any_damped_system(seed: int) -> None:
         assert (mode.damping_ratio >= 1) == (mode.damped_frequency == 0)
 
 
-def test_a_damper_beside_a_spring_does_not_resist_the_rigid_mode() -> None:
+def test_a_damper_parallel_to_a_spring_does_not_resist_the_rigid_mode() -> None:
     """Two masses: ``s^2 + (d s + c) (1/J1 + 1/J2) = 0``, and two zeros, which are left out."""
     springs = [Spring({1: 1, 2: -1}, 4.9), Spring({1: 1, 2: -1}, damping=1.2)]
     inertias = {1: 0.4500682524721604, 2: 1.1236422485937854}  # the rounded basis is not rigid
@@ -122,10 +122,10 @@ def test_massless_links_whose_dampings_differ_by_many_powers_of_ten() -> None:
     assert fast == pytest.approx(-4e9)
 
 
-def test_a_loss_factor_at_a_massless_link_beside_a_damper() -> None:
+def test_a_loss_factor_at_a_massless_link_with_a_damper() -> None:
     """The rigid mode creeps by ``s^3 + d s^2 + 2 c s + c d = 0``, without the loss factor.
 
-    Between a mass that is free and a link without inertia it damps nothing.
+    Between a free mass and a link without inertia, the loss factor damps nothing.
     """
     lossy = Damping(loss_factor=0.1)
     springs = [Spring({1: 1, 2: -1}, 100.0, damping=lossy), Spring({2: 1, 3: -1}, 100.0)]
@@ -140,7 +140,7 @@ def test_a_loss_factor_at_a_massless_link_beside_a_damper() -> None:
 
 @each_seed(20, 500)
 def test_amplitudes_and_torques_of_a_response_are_those_of_the_dense_equations(seed: int) -> None:
-    """(K - w^2 M + i w D) x = F, by NumPy; that of a spring is k + i w d times its twist."""
+    """NumPy solves (K - w^2 M + i w D) x = F; the torque of a spring is k + i w d times its twist."""
     case = damped_system(seed)
     mass, stiffness, resistance = matrices(case)
     speed = 300.0  # rpm, first order

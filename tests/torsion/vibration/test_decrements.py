@@ -1,4 +1,4 @@
-"""Decrements: of records in closed form, and dampings from them by table 2.4 of the book.
+"""Decrements: of records in closed form, and dampings calculated from them, by table 2.4 of the book.
 
 Table П2.1 is for `test_measured`.
 """
@@ -62,7 +62,7 @@ def test_a_plateau_is_an_extreme_unless_it_is_on_the_way() -> None:
     assert len(seen.amplitudes) == 5 - 2 + 1
 
 
-def test_what_is_no_vibration() -> None:
+def test_curves_without_a_vibration_are_rejected() -> None:
     for given, message in (
         ([1, -1, 1, -1], "read 4 extremes of a vibration, expected 5 at least"),
         ([1, -1, 2, 3, -1, 2], "rise and fall in turn"),

@@ -121,7 +121,7 @@ def test_dampings_of_the_case_are_told() -> None:
         assert made.notes == [f"by its damping in the case damper adds {whole} to the decrement"]
 
 
-def test_a_decrement_of_0_is_no_damping() -> None:
+def test_a_decrement_of_0_means_no_damping() -> None:
     found = identify(loads(DRIVELINE), "4", 15.0, 0.0)
     assert {*found.dampings.values()} == {0.0}
     assert damping(loads(DRIVELINE), "4", {"tyre": 0.0}).decrement == 0

@@ -119,7 +119,7 @@ def test_a_loss_that_takes_all_power_near_rest_is_a_doubt(
 
 @pytest.mark.parametrize("key", ["frontal_area", "Cd"])
 def test_a_drag_coefficient_and_a_frontal_area_are_not_a_drag_area(key: str) -> None:
-    """Such keys were answered with "did you mean `drag_area`?", which would omit a factor.
+    """The answer "did you mean `drag_area`?" would omit a factor.
 
     Source: alternate inputs of vehicles, github.com/NatLabRockies/fastsim/issues/300.
     """

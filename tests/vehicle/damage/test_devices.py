@@ -1,4 +1,4 @@
-"""Damage of devices: cycles as the standard counts them, sums by hand, a long random record."""
+"""Damage of components: cycles counted by the standard, sums by hand, a long random record."""
 
 import math
 from collections.abc import Iterable, Sequence
@@ -32,9 +32,9 @@ def by_range_and_mean(cycles: Iterable[LoadCycle]) -> dict[tuple[float, float], 
 
 
 def four_points(values: Sequence[float]) -> list[LoadCycle]:
-    """Where two of four points lie between the others they are a cycle; what is left are halves.
+    """Two of four points that are between the others are a cycle; remaining points are half-cycles.
 
-    The way of Amzallag and others (1994): another one than that of the standard.
+    This is the method of Amzallag and others (1994), not the method of the standard.
     """
     left, cycles = [*values], []
     at = 0

@@ -1,4 +1,4 @@
-"""Random stresses: lives by the book, by quadrature and of samples; shafts of equal life."""
+"""Random stresses: lives from the book, by quadrature and of samples; shafts of equal life."""
 
 import math
 
@@ -131,7 +131,7 @@ def test_stresses_are_drawn_again_until_above_0() -> None:
     assert read_scattered("100 MPa") is None
 
 
-def test_the_command_tells_the_distribution() -> None:
+def test_the_command_prints_the_distribution() -> None:
     given = ["--exponent", "3", "--cycles", "4e6", "--deviation", "60 MPa", "-f", "json"]
     scattered = ["--endurance", "lognormal(100 MPa, 0.08)", "--samples", "500", "--seed", "2"]
     answer = json_answer("damage", "rayleigh", *given, *scattered)
@@ -142,7 +142,7 @@ def test_the_command_tells_the_distribution() -> None:
     assert answer == json_answer("damage", "rayleigh", *given, *scattered)
 
 
-def test_what_does_not_scatter_as_it_should_is_wrong_use() -> None:
+def test_wrong_scatters_are_wrong_use() -> None:
     for given, said in (
         ("lognormal(9 MPa, 0)|--samples|9", "and a deviation, above 0"),
         ("lognormal(0 MPa, 1)|--samples|9", "and a deviation, above 0"),

@@ -601,7 +601,7 @@ def test_a_freewheel_over_the_converter_lets_the_engine_brake(last: float, beyon
 
 
 def test_a_freewheel_supplies_the_torque_that_the_pump_lacks() -> None:
-    """The pump takes torque beyond i = 1, but the freewheel lets no turbine overrun the engine."""
+    """The pump could take torque beyond i = 1, but the turbine cannot overrun the engine."""
     random = generator(61)
     for number in range(count(12, 200)):
         free = float(random.uniform(1.02, 1.3))

@@ -470,7 +470,7 @@ def test_a_slip_of_the_wrong_sign_gives_no_cycle() -> None:
 def test_a_clutch_that_slips_or_overruns_leaves_braking_to_the_brakes(
     added: int, more: bool
 ) -> None:
-    """Link by link: where the shaft would drive the clutch, the clutch carries no torque.
+    """Energies are added link by link. A clutch that the shaft would drive carries no torque.
 
     Without slip, the clutch is a freewheel.
     """

@@ -329,7 +329,7 @@ def test_wild_numbers_of_a_duty_cycle_end_in_numbers_or_at_their_line(seed: int)
         "duration [s],gear,n [rpm],M [Nm]",
         "t [s],gear,n [rpm],T [Nm]",
         "time [s],gear,RPM,Nm",
-        # letters distinguish headings, as in github.com/jtablesaw/tablesaw/issues/104
+        # capitals distinguish headings, as in github.com/jtablesaw/tablesaw/issues/104
         "t,gear,n,T\ns,,rpm,N*m",
         # headings that are units, as in github.com/GoldenCheetah/GoldenCheetah/issues/1288
         "Seconds,gear,RPM,Nm",

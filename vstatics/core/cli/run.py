@@ -250,7 +250,7 @@ def _pretty(
         raise click.UsageError(f"all cases have one output: expected -o FILE, not {to.output}")
     to_stdout = to.output in (None, STDOUT)
     console = SafeConsole(highlight=False) if to_stdout else SafeConsole(highlight=False, **PLAIN)
-    # a width of 0 is unknown, and rich ignores COLUMNS if TERM is dumb and no height is given
+    # A width of 0 means unknown. If TERM is dumb, rich ignores COLUMNS unless a height is set.
     console.size = ConsoleDimensions(console.width or 80, console.height)
     marks = ASCII if to_stdout and console.options.ascii_only else DOTS
     failed, views = False, list[str]()

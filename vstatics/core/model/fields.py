@@ -342,7 +342,7 @@ class TransmissionFields:
         }
 
     def freewheel_side(self, gear: Gear, place: int) -> int:
-        """Return on which side of the speed ratio 1 a freewheel keeps a converter.
+        """Return the side of a freewheel to which the pump of a converter is connected.
 
         Parameters
         ----------
@@ -352,8 +352,9 @@ class TransmissionFields:
         Returns
         -------
         int
-            1 if the pump is the first link of a freewheel whose second link is the turbine, -1 for
-            the opposite order, 0 without such a freewheel.
+            1 if the pump is on the first link of a freewheel and the turbine on the second, so a
+            forward turbine cannot overrun the pump. -1 for the opposite order. 0 if no freewheel
+            connects pump and turbine.
         """
         bodies = self.bodies(gear)
         pump, turbine = (bodies[link] for link in self.mechanisms[place].links[:2])

@@ -513,9 +513,9 @@ def _exact(number: Any) -> Any:
         return number
     from fractions import Fraction  # the import costs start-up time
 
-    if (whole := plain(number)) in (0, 1, -1):
-        return Fraction(int(whole))
-    return Fraction(repr(float(whole)))
+    if (value := plain(number)) in (0, 1, -1):
+        return Fraction(int(value))
+    return Fraction(repr(float(value)))
 
 
 def _exact_quotient(entry: Entry, pivot: Entry) -> Entry:

@@ -22,7 +22,7 @@ from vstatics.core.suggestions import nearest
 from vstatics.core.tables.csv import unguarded
 
 _UNIT = re.compile(r"(?!nan|inf)(?:[^\W\d_]|1/|°)", re.IGNORECASE)
-"""Pattern of the beginning of a unit; the texts of undefined numbers are not units."""
+"""Pattern of the beginning of a unit. The texts `nan` and `inf` are undefined numbers."""
 
 
 class RecordedColumns(NamedTuple):
@@ -62,8 +62,8 @@ def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) ->
     ----------
     data : bytes
         Content of the file: a line of headings, then a line for each instant. Units can be in a
-        line below the headings. Below a number in the first column, lines that begin with `#` or
-        `%` are comments.
+        line below the headings. After the first row that begins with a number, lines that begin
+        with `#` or `%` are comments.
     file : str
         Name of the file, for messages.
     wanted : mapping of str to str or None
@@ -153,9 +153,10 @@ def _with_units(
     wanted: Mapping[str, Measure | None],
     places: Mapping[str, tuple[int, float]],
 ) -> dict[str, tuple[int, float]]:
-    """Return index and factor of each column by a row of units below the headings.
+    """Return the index and the factor of each column, with units from the row below the headings.
 
-    The result is empty if the row has no units. Only with a unit of time can others be missing.
+    The result is empty if the row is not a row of units. If it contains a unit of time, the cells
+    of other columns can be empty.
     """
     units = [cell.strip().strip("[]()") for cell in row]
     some = any(map(TableColumn("time", "time").accepts, units))
@@ -174,8 +175,8 @@ def _with_units(
 def _wanted(heading: str, wanted: Container[str]) -> str:
     """Return the name in a heading: the full heading if requested, else without the unit.
 
-    A heading can have capitals that the requested name, such as `time`, does not have. In names
-    with brackets capitals matter, because `a` and `A` can be two links.
+    Capitals in a heading are ignored if the requested name, such as `time`, has none. They matter
+    in names with brackets, because `a` and `A` can be two links.
     """
     name, _ = with_unit(heading)
     name = name.lower() if name.lower() in wanted and "[" not in name else name

@@ -137,7 +137,7 @@ def is_supplied(side: int, ratio: Size, brought: Size, surplus: Size) -> Boolean
     Parameters
     ----------
     side : int
-        Result of `freewheel_side`.
+        Result of `freewheel_side` for the converter.
     ratio : float or ndarray
         Speed ratio of the converter. [-]
     brought, surplus : float or ndarray

@@ -17,11 +17,11 @@ from vstatics.simulation.tolerances import BETWEEN_INSTANTS, NO_PROGRESS
 _NODES = np.arange(1, 9) / 8
 """Instants of a step at which margins are evaluated, as fractions of the step."""
 _RISING, _FALLING = np.array([[1, 1, 2, 2, 3, 3, 4], [0, 1, 1, 2, 2, 3, 3]])[:, :, None]
-"""Exponents in the dense output; see `_dense_powers`."""
+"""Exponents of x and of 1 - x in the dense output; see `_dense_powers`."""
 _SAFETY, _LEAST_GROWTH, _MOST_GROWTH = 0.9, 0.2, 10.0
-"""Factor on the length of the next step, and its smallest and largest value. [-]"""
+"""Safety factor of the step control; least and most growth from a step to the next. [-]"""
 _BY_ERROR = -1 / 8
-"""Exponent of the error in the length of the next step, for an error of order 8."""
+"""Exponent of the error in the step control. The error grows with the 8th power of the step."""
 Between = Callable[[Floats], Floats]
 """Dense output: function from times within a step, shape (n,), to states, shape (size, n)."""
 
@@ -56,7 +56,7 @@ class TimeStep(NamedTuple):
     accuracy: float = BETWEEN_INSTANTS
     """Error of `between`, relative to the largest value in the step."""
     next_length: float | None = None
-    """Length of a next step of the wanted accuracy, if known. [s]"""
+    """Length that the step control suggests for the next step, None if unknown. [s]"""
 
 
 _STEPS_OF_PROGRESS = 1000
@@ -134,16 +134,16 @@ def _exactly(
 
 
 class _Method(NamedTuple):
-    """Coefficients of DOP853."""
+    """Coefficients of DOP853, by which derivatives at the stages of a step are multiplied."""
 
     stages: Floats
-    """Matrix from the derivatives at the stages before to the motion to a stage."""
+    """Weights of the earlier derivatives in the state at each stage, shape (stages, stages)."""
     last: Floats
-    """Weights of the derivatives in the motion over a step."""
+    """Weights of the derivatives in the state at the end of a step."""
     errors: Floats
     """Weights of the derivatives in the errors of orders 5 and 3."""
     dense: Floats
-    """Matrix from derivatives to the last four coefficients of the dense output."""
+    """Weights of the derivatives in the last four coefficients of the dense output."""
     places: list[float]
     """Time of each stage, as a fraction of the step."""
 
@@ -159,9 +159,9 @@ def _method() -> _Method:
 
 
 class _RungeKutta:
-    """Steps of DOP853, with the step control of scipy.
+    """Integrator by the method DOP853, with the step control of scipy.
 
-    In small systems, a step of `scipy.integrate.DOP853` takes longer than its derivatives.
+    In small systems, `scipy.integrate.DOP853` itself takes longer than the derivatives.
     """
 
     def __init__(  # noqa: PLR0913, PLR0917
@@ -195,11 +195,12 @@ class _RungeKutta:
         return float(solver.h_abs)
 
     def step(self) -> None:
-        """Advance by a step.
+        """Advance by one step.
 
         Raises
         ------
         TooSmall
+            If the step would be as short as the spacing of times.
         """
         method, time, state = _method(), self.time, self.state
         least, most = 10 * math.ulp(time), _MOST_GROWTH
@@ -240,7 +241,7 @@ class _RungeKutta:
         return length * square / math.sqrt(both) if both else 0.0
 
     def dense(self, time: float, state: Floats) -> Floats:
-        """Return the coefficients of the dense output of the last step, from its start."""
+        """Return the dense output of the last step, which began at `time` with `state`."""
         length, changes = self.time - time, self.changes
         self._stages(time, state, length, range(13, 16))
         risen, first, last = self.state - state, length * changes[0], length * self.change

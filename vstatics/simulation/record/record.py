@@ -356,7 +356,9 @@ class Record:
 
 
 def _without_noise(rates: Floats, large: float) -> Floats:
-    """Return columns of speeds with 14 digits, and 0 for rounding errors of a `large` speed.
+    """Return columns of speeds, each rounded to 14 digits of its largest speed.
+
+    Speeds that can be rounding errors of the speed `large` become 0.
 
     >>> _without_noise(np.array([[99.99999999999997, 1e-15], [7.0, 2.0]]), 100.0).tolist()
     [[100.0, 0.0], [7.0, 2.0]]

@@ -759,9 +759,10 @@ class Affine:
 
 
 def _slope_off_jumps(function: Callable[[float], Floats], now: Floats, step: float) -> Floats:
-    """Return the derivatives of functions at 0; at jumps and bends, from the smaller change.
+    """Return the derivatives of functions at 0.
 
-    A difference quotient across a jump grows as its step shrinks.
+    At a jump or bend, the side with the smaller change gives the derivative, because a difference
+    quotient across a jump grows as its step shrinks.
 
     >>> def function(x):
     ...     return np.array([3 * x + (x > 0), 3 * x + (x > 5e-7), max(x, 0)])

@@ -51,7 +51,7 @@ def read_torque_table(data: bytes, file: str) -> list[Harmonic]:
         if order <= 0:
             fault = f"order: read {order:g}, expected a number above 0"
         elif order in harmonics and links[row] in harmonics[order].by_link:
-            fault = f"order {order:g} is given twice: give the vector sum of its torques on a link"
+            fault = f"order {order:g} is given twice; give the vector sum of its torques on a link"
         elif row == MOST_ORDERS:
             fault = f"read more than {MOST_ORDERS} orders, expected at most {MOST_ORDERS}"
         if fault:

@@ -140,7 +140,8 @@ def _parallel_combined(springs: Iterable[SchemeSpring]) -> list[SchemeSpring]:
 def _normal(spring: SchemeSpring) -> SchemeSpring:
     """Return an equivalent spring with coefficients sorted by mass, the first of which is 1.
 
-    Without rounding errors in their sum, the masses can rotate together.
+    If the sum of the coefficients is a rounding error, it becomes 0, so that all masses can rotate
+    together without a twist.
     """
     twist = {mass: a for mass, a in sorted(spring.twist.items()) if a}
     first = next(iter(twist.values()), 1.0)

@@ -82,7 +82,7 @@ def solved_slips(case: Transmission) -> tuple[Results, Floats]:
     """Return results of a bare case with slips in rpm set to 0, and the speeds that slips add.
 
     The speed of a link is its relative speed times the engine speed, plus the added speed [rad/s].
-    Drag is left out, because more drag than the torque of the bare case lets freewheels overrun.
+    Drag is left out, because a drag above the torque of the bare case would let freewheels overrun.
     """
     case = case.replace(
         drag={},
@@ -151,7 +151,7 @@ class ConverterGear(NamedTuple):
     row: int
     """Index of the torque on the pump among the torques of results."""
     stops: bool
-    """True if a freewheel supplies the torque that the pump lacks at the speed ratio 1."""
+    """True if a freewheel limits the speed ratio to 1, where it supplies torque to the pump."""
     points: Floats
     """Rows of speed ratio, torque ratio and lambda, shape (points, 3).
 
@@ -441,7 +441,7 @@ class ConverterGear(NamedTuple):
 
 
 def _usable(case: Transmission, gear: Gear, place: int) -> Floats:
-    """Return the points of a converter, up to the ratio at which a freewheel locks it up."""
+    """Return the points of a converter, up to the speed ratio 1 if a freewheel can lock it up."""
     points = np.array(case.mechanisms[place].points)
     if points[-1, 0] <= 1 or not case.freewheel_side(gear, place):
         return points
@@ -469,7 +469,10 @@ def _with_searched(points: Floats, free: float) -> Floats:
 def illinois_root(
     function: Brought, ends: tuple[Floats, Floats], values: tuple[Floats, Floats]
 ) -> Floats:
-    """Return roots of a function between `ends`, where its values have opposite signs."""
+    """Return roots of a function between `ends`, where its values have opposite signs.
+
+    The arguments of the function are the indices of the roots and a trial for each of them.
+    """
     (low, high), (at_low, at_high) = map(np.copy, ends), map(np.copy, values)
     swap = np.abs(at_low) < np.abs(at_high)
     low[swap], high[swap] = high[swap], low[swap]

@@ -59,7 +59,7 @@ from vstatics.vehicle.tolerances import (
 FORCE_STEPS = 60
 """Largest number of trials for the least wheel force that a slipping clutch transmits."""
 TRIAL_PART = 63 / 64
-"""Part of the distance from a wheel force to the root of the secant that a trial covers. [-]"""
+"""Part of the distance from a wheel force to the root of a secant at which a trial is made. [-]"""
 
 _AT_STANDSTILL = ("", "0", "0.0", "n", "p")
 """Names that published cycles give the neutral gear, allowed at standstill."""
@@ -134,7 +134,7 @@ class CycleSteps(NamedTuple):
     opening: Mapping[int, Sequence[int]]
     """Numbers of freewheels that hold in a gear only if it drives, by index of the gear.
 
-    In the case, these freewheels are engaged clutches.
+    In `case`, engaged clutches replace these freewheels.
     """
 
     @classmethod
@@ -417,13 +417,14 @@ class CycleSteps(NamedTuple):
     def _least_force(self, rows: Integers, low: Floats, high: Floats, powers: Floats) -> Floats:
         """Return the least wheel forces at which slipping clutches carry torque [N].
 
-        The slip power vanishes there, and below it there is none. Trials are therefore slightly
-        above the root of a secant, or in the middle if this is not between the bounds.
+        At this force the slip power is 0, and below it the slip power is undefined. Trials are
+        therefore slightly above the root of a secant. If that root is not between the bounds, the
+        trial is in the middle.
 
         Parameters
         ----------
         low, high, powers : ndarray, shape (rows,)
-            Forces without and with a slip power [N], and the powers at `high` [W].
+            Forces below and above the least force [N], and the slip powers at `high` [W].
         """
         trial, left = 2 * high - low, np.arange(len(rows))
         slopes = (self._slip_power(rows, trial) - powers) / (trial - high)
@@ -459,13 +460,13 @@ class CycleSteps(NamedTuple):
         return np.where(known, powers, math.nan)
 
     def _at_forces(self, rows: Integers, forces: Floats) -> tuple[Results, tuple[Integers, ...]]:
-        """Return backward results at wheel forces [N], and the indices of the rows' gears."""
+        """Return results at wheel forces [N], and in them the index of the gear of each row."""
         speeds, torques = self._load_of_wheels(rows, forces)
         case = turned(self.case, self.ratios)
         vary = {"load.speed": speeds, "load.torque": torques, **self._further(case, rows)}
         return solve(case, vary=vary), (np.arange(len(rows)), self.gears[rows])
 
-    def _with_overrunning(self, rows: Integers) -> CycleSteps:
+    def _with_open_freewheels(self, rows: Integers) -> CycleSteps:
         """Return the steps with `least_forces` at which no freewheel of `opening` overruns.
 
         Where the wheels ask for less force, the freewheel carries no torque, and brakes absorb the
@@ -476,7 +477,7 @@ class CycleSteps(NamedTuple):
             return self
 
         def excess(part: Integers, forces: Floats) -> Floats:
-            """Return the largest torque of a freewheel, above 0 if it overruns [N*m]."""
+            """Return the largest torque of a freewheel, above 0 if it would overrun [N*m]."""
             results, here = self._at_forces(rows[part], forces)
             torques = results.lossy_torques_Nm[here]
             numbers = range(1, torques.shape[1] + 1)
@@ -561,7 +562,7 @@ class CycleSteps(NamedTuple):
         CaseError
             If a step has no torques.
         """
-        return self._with_overrunning(rows).with_open_clutches(rows).driven_by_engine(rows)
+        return self._with_open_freewheels(rows).with_open_clutches(rows).driven_by_engine(rows)
 
     def driven_by_engine(self, rows: Integers) -> DrivenSteps:
         """Return the result of `driven` if `least_forces` are known."""
@@ -652,9 +653,10 @@ class DrivenSteps(NamedTuple):
 def _with_clutches(
     case: Transmission, results: Results
 ) -> tuple[Transmission, dict[int, list[int]]]:
-    """Return a case with clutches for freewheels that hold when driving, but never when coasting.
+    """Return a case in which clutches replace freewheels that hold only when driving.
 
-    The second result contains the numbers of freewheels that hold in each gear, by its index.
+    The second result contains the numbers of these freewheels that hold in a gear, by the index of
+    the gear.
 
     Parameters
     ----------

@@ -42,7 +42,7 @@ def test_a_text_has_four_significant_digits_or_those_that_are_asked_for(line: st
     assert re.sub(" +", " ", SHOWN[line]) in re.sub(" +", " ", said.out)
 
 
-def test_a_page_has_four_significant_digits_or_those_that_are_asked_for() -> None:
+def test_a_page_has_four_significant_digits_or_the_requested_number() -> None:
     for number, other, more in (("378", "38", ["--digits", "6"]), ("38", "378", [])):
         assert vstatics("report", "up.yaml", "-o", "up.html", *more).status == 0
         page = Path("up.html").read_text("utf-8")

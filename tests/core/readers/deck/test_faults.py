@@ -121,7 +121,7 @@ def test_too_many_counts_are_the_only_fault(field: str, counts: str) -> None:
     assert deck.read(NO_FAULT.encode(), "no-fault.dat").warnings == []
 
 
-def test_a_line_that_is_a_field_except_for_its_name_is_a_warning() -> None:
+def test_a_field_with_an_unknown_name_causes_a_warning() -> None:
     place = f"case.dat:{len(NO_FAULT.splitlines()) + 2}:1: "
     for line, words in (
         ("MODE= 2", ["read `MODE`, expected the name of a field; the line is ignored"]),

@@ -36,7 +36,7 @@ def test_what_was_asked_for_values_is_free_at_once() -> None:
         gc.enable()
 
 
-def test_a_formula_has_2000_characters_at_most() -> None:
+def test_a_formula_has_at_most_2000_characters() -> None:
     language = Language(FUNCTIONS, "a number", "t")
     longest = parse(Excerpt(f"1{'+1':>1999}", "--where"), language)
     assert evaluate(longest, Held().values).item() == 2

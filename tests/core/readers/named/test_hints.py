@@ -42,7 +42,7 @@ def test_a_decimal_comma_and_a_missing_blank_get_advice() -> None:
 
 
 def test_a_dash_without_a_blank_is_named() -> None:
-    """Source: github.com/adrienverge/yamllint/issues/197 (YAML reads a text)."""
+    """Source: github.com/adrienverge/yamllint/issues/197 (YAML reads the list as a text)."""
     [message] = errors("gears: {low: [B], high: [C]}", "gears:\n  low:\n    -B\n  high: [C]")
     assert message.endswith("; write a blank after the dash of each item, such as `- A`")
     [message] = errors("gears: {low: [B], high: [C]}", "gears: {low: -1, high: [C]}")
@@ -76,7 +76,7 @@ def test_a_link_named_ground_gets_a_hint_to_the_housing() -> None:
 @pytest.mark.parametrize(
     ("old", "new", "meant"),
     [
-        # modelica/ModelicaStandardLibrary/issues/3977: a freewheel is a OneWayClutch there
+        # modelica/ModelicaStandardLibrary/issues/3977: Modelica calls a freewheel OneWayClutch
         ("B: [r, housing]", "B: {kind: one_way_clutch, links: [r, housing]}", "freewheel"),
         ("kind: planetary", "kind: epicyclic", "planetary"),
         ("kind: planetary", "kind: differential", "bevel"),
@@ -84,7 +84,7 @@ def test_a_link_named_ground_gets_a_hint_to_the_housing() -> None:
         ("input: s", "title: A box\ninput: s", "name"),
     ],
 )
-def test_words_of_other_programs_are_translated(old: str, new: str, meant: str) -> None:
+def test_words_of_other_programs_suggest_words_of_a_case(old: str, new: str, meant: str) -> None:
     assert any(message.endswith(f"; did you mean `{meant}`?") for message in errors(old, new))
 
 

@@ -41,7 +41,7 @@ def case_of(folder: Path, drag: str = "0", efficiency: str = "1") -> Path:
     ],
 )
 def test_a_file_of_points_is_that_of_a_test_bench(tmp_path: Path, text: str) -> None:
-    """The line through (0, 1) and 300 rpm, 4 N*m has 2.5 N*m at 5 pi rad/s.
+    """The line from 1 N*m at rest to 4 N*m at 300 rpm has 2.5 N*m at 5 pi rad/s.
 
     Sources: github.com/astropy/astropy/issues/8674 (savetxt), readers of cycles and records.
     Headings that are units alone: github.com/GoldenCheetah/GoldenCheetah/issues/1288.
@@ -92,7 +92,7 @@ def test_a_file_that_is_wrong_is_told_at_its_place(tmp_path: Path, text: str, sa
         ("0", "{over: torque, points: []}", "read no points"),
     ],
 )
-def test_a_wrong_law_is_told(tmp_path: Path, drag: str, efficiency: str, said: str) -> None:
+def test_a_wrong_law_is_rejected(tmp_path: Path, drag: str, efficiency: str, said: str) -> None:
     with rejects(VstaticsError, said, "case.yaml:"):
         load(case_of(tmp_path, drag, efficiency))
 
@@ -112,7 +112,7 @@ SIZES = {
 
 
 @each_seed(20, 500)
-def test_points_have_units_whatever_they_are_over(seed: int, tmp_path: Path) -> None:
+def test_points_have_units_of_any_variable(seed: int, tmp_path: Path) -> None:
     """Random units point by point, also bare; drag has the same; other units are named."""
     rng = seeded(seed)
     over, other = rng.sample(sorted(SIZES), 2)

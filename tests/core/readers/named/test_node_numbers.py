@@ -81,7 +81,7 @@ def test_what_is_no_number_says_what_it_is() -> None:
             number_of(node)
 
 
-def test_a_number_is_written_so_that_it_is_read_again() -> None:
+def test_a_written_number_is_read_as_the_same_number() -> None:
     for value in (0.0, -3.0, 1e-9, 0.1, 2.0**60, 1 / 3):
         assert float(number_text(value)) == value
     assert number_text(42.0) == "42"  # as counts of teeth are written

@@ -39,8 +39,8 @@ NO_YAML = {
     ("a: 'b", 1, 6): "not YAML: the quotation mark on line 1, column 4 is not closed",
     ("a:\n  b: 1\n c: 2", 3, 2): "begins on line 1, column 1 continues with a key in column 1",
     ("a: [b, c\nd: e", 2, 2): "the list that begins on line 1, column 4 is not closed",
-    # github.com/monarch-initiative/dismech/issues/12094: the end of a text counts as a comment
-    ("a: [b #1, c]\nd: e", 2, 1): "expected `,` or `]`; ` #` begins a comment: write a text with",
+    # github.com/monarch-initiative/dismech/issues/12094: ` #` in a text begins a comment
+    ("a: [b #1, c]\nd: e", 2, 1): "expected `,` or `]`; ` #` begins a comment, so write a text",
     ("a: {b: 1; c: 2}", 1, 12): "the mapping that begins on line 1, column 4 is not closed",
     ("- 1\nb: 2", 2, 1): "the list that begins on line 1, column 1 continues with `- `",
     ("a: 1\nb [c]\n", 2, 1): "expected a key with a colon and a blank",
@@ -153,7 +153,7 @@ def test_yaml_refuses() -> None:
         assert words in problems[-1].message
     version = f"%YAML {'1' * 10_000}.1\n---\na"
     for text in ('"\\ud800"', '"\\U00110000"', '"\\UFFFFFFFF"', version, "\ta"):
-        assert refusal(text)[2]  # in the words of the parser
+        assert refusal(text)[2]  # with a message of the parser
 
 
 @pytest.mark.usefixtures("parser")

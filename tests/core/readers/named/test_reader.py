@@ -80,7 +80,7 @@ def test_keys_without_a_value_count_as_not_given(nothing: str) -> None:
     assert loads(text + nothing) == pair
 
 
-def test_a_gear_may_be_a_list_of_what_is_engaged_or_an_alias() -> None:
+def test_a_gear_can_be_a_list_of_engaged_elements_or_an_alias() -> None:
     text = DIFFERENTIAL.partition("gears:")[0]
     text += "gears: {direct: [F2], low: &low {engaged: [T1]}, none: [], nothing: , again: *low}"
     assert [gear.engaged for gear in loads(text).gears] == [(2,), (1,), (), (), (1,)]
@@ -100,7 +100,7 @@ def test_encodings_and_ends_of_lines(encoding: str, end: str) -> None:
 
 
 @pytest.mark.parametrize("file", ["case.yaml", "case.json"])
-def test_what_is_no_text_or_no_mapping(file: str) -> None:
+def test_files_that_are_not_texts_or_mappings_are_rejected(file: str) -> None:
     for data, line, column, words in (
         (b"", 1, 1, "the file is empty"),
         (b" \r\n\n", 1, 1, "the file is empty"),
@@ -110,7 +110,7 @@ def test_what_is_no_text_or_no_mapping(file: str) -> None:
         (b"links: 3\n\x7fELF\0\0", 2, 5, "a zero byte"),
         ("links: 3".encode("utf-16-le"), 1, 2, "a zero byte"),
         # github.com/opensafely-core/opencodelists/issues/1474: a workbook instead of a text
-        (b"PK\3\4\x14\0\6\0", 1, 1, "read a workbook or archive, expected a text"),
+        (b"PK\3\4\x14\0\6\0", 1, 1, "read a workbook or archive, not a text, expected a case"),
         (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1\0", 1, 1, "save a table as CSV"),
     ):
         (problem,) = errors(data, file)
@@ -227,7 +227,7 @@ def test_a_speed_may_be_given_by_that_of_another_link() -> None:
     assert loads(numbered % "2").gears[0].speeds == {3: 2.0}
 
 
-def test_a_link_of_any_name_may_give_a_speed() -> None:
+def test_a_link_of_any_name_can_give_a_speed() -> None:
     gear = Gear(speeds={1: SpeedOf(2, 1.05), 3: SpeedOf(2)}, input=2, output=1)
     for name in ("*a", "2*3", "a*b", "1e3", "link 2", "-x", "2", "(a)", "x*link x"):
         links = ["engine", name, "axle"]

@@ -198,7 +198,7 @@ springs: {{"{other}": {{links: [a], stiffness: 8}}}}
 """) if ": error: " in one]  # fmt: skip
         place = f"case.yaml:7:11: error: springs.{other}"
         assert told.startswith(f"{place}: `{other}` is also the name of a"), told
-    # where rows are told by names alone, an element has no name of a shift element either
+    # rows have only names, so a gear set cannot have the name of a shift element either
     text = """
 input: a
 output: b

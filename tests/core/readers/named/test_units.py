@@ -1,4 +1,4 @@
-"""Units of the trade: their size from the definitions that fix them, their spelling, numbers with them."""
+"""Common units: their sizes by definition, their spellings, and numbers with units."""
 
 import contextlib
 import math

@@ -61,7 +61,7 @@ def in_groups(job: Job, tasks: Iterable[CaseTask]) -> Iterator[Done]:
 
     Each step is carried out for all cases of a group before the next step. This takes less
     time for many small cases, because code and data of a step stay in the processor's cache.
-    A pipe is not in a group with other cases, which would wait for its text.
+    A pipe is a group by itself, so that no other case waits for its text.
     """
     for is_file, alike in groupby(tasks, _is_in_a_file):
         size = GROUP_SIZE if is_file else 1

@@ -281,7 +281,7 @@ class _Parser:
             )
         if call:
             known = ", ".join(language.functions)
-            hint = _no_function(name, language)
+            hint = _advice(name, language)
             raise self.source.error(
                 f"there is no function {quoted(name)}, expected {known}{hint}", at
             )
@@ -332,24 +332,24 @@ ELSEWHERE = {
 """Operators of other languages, with the operators of formulas."""
 _SAME_FUNCTION = {"ln": "log", "sgn": "sign"}
 """Functions of other languages, with the functions of formulas."""
-_WRITTEN = {"pow": "x**2", "fabs": "abs(x)", "tan": "sin(x)/cos(x)", "log10": "log(x)/log(10)"}
-"""Functions of other languages, with formulas of the same value."""
+_EQUIVALENT = {"pow": "x**2", "fabs": "abs(x)", "tan": "sin(x)/cos(x)", "log10": "log(x)/log(10)"}
+"""Functions of other languages, with equivalent formulas."""
 _OF_CASES = ("if", "where", "step", "heaviside")
 _CASES = "; a comparison is 1 or 0, so write a factor such as `2*(x > 1)`"
 PYTHON = ("lambda", "for", "in", "if", "else", "is", "await", "async", "yield", "from", "import")
 """Keywords of Python that formulas do not support."""
 
 
-def _no_function(name: str, language: Language) -> str:
-    """Return advice about an unknown function.
+def _advice(name: str, language: Language) -> str:
+    """Return advice on an unknown function.
 
     A function of Python's `math` is not a misspelling, so no similar name is suggested.
     """
     if name in _OF_CASES:
         return _CASES
-    written = _WRITTEN.get(name, "")
-    if written and {*re.findall(r"\w+(?=\()", written)} <= {*language.functions}:
-        return f"; write {name} as {quoted(written)}"
+    formula = _EQUIVALENT.get(name, "")
+    if formula and {*re.findall(r"\w+(?=\()", formula)} <= {*language.functions}:
+        return f"; write {name} as {quoted(formula)}"
     words = () if hasattr(math, name) else (*language.functions, *language.of_names)
     return nearest(_SAME_FUNCTION.get(name, name), words) or language.instead
 

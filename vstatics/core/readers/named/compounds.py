@@ -45,7 +45,7 @@ _SYNONYMS = {
 }
 """Keys and kinds that users try, with the words of a case that have this meaning."""
 _OF_DRAG = ("frontal_area", "area", "drag_coefficient", "cd", "cw", "cda")
-"""Keys of other programs for air drag, in lower case."""
+"""Keys of other programs for the factors of air drag, in lower case."""
 _MEMBERS = {"sun", "ring", "carrier", "teeth", "planets"}
 
 

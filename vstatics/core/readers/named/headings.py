@@ -308,8 +308,8 @@ class _ExpectedTable(NamedTuple):
     def named(self, name: str, unit: str | None) -> tuple[TableColumn, str] | None:
         """Return the column with a name or alias, and the unit that the alias implies.
 
-        If several columns have the name, as `t` for time and torque, the unit decides. Without a
-        unit, `t` is the time and `T` the torque.
+        If several columns have the name, such as `t` for time and torque, the unit decides.
+        Without a unit, `t` is the time and `T` the torque.
         """
         folded = _folded(name)
         known = [
@@ -343,8 +343,8 @@ class _ExpectedTable(NamedTuple):
         fault = _fault_of_units(headings)
         for below, row in lines[at + 1 :]:
             under = cells_of(row, separator)
-            is_asked = fault or _has_units(headings, under)
-            if is_asked and (with_units := _with_units(headings, under)):
+            is_candidate = fault or _has_units(headings, under)
+            if is_candidate and (with_units := _with_units(headings, under)):
                 return HeadingLine(below, separator, with_units, len(cells), others)
             if not is_comment(row):
                 break
@@ -384,7 +384,7 @@ class _ExpectedTable(NamedTuple):
 
 
 def _fault_of_units(headings: Sequence[Heading]) -> str:
-    """Return a message with the wrong unit and the expected unit; empty if all units fit."""
+    """Return a message about the first wrong or missing unit; empty if all units fit."""
     try:
         for heading in headings:
             _ = heading.size
@@ -394,7 +394,7 @@ def _fault_of_units(headings: Sequence[Heading]) -> str:
 
 
 def _has_units(headings: Sequence[Heading], row: Sequence[str]) -> bool:
-    """Return whether a row has units, and nothing else, in the columns of numbers."""
+    """Return whether the cells of a row in the columns of numbers are units or empty."""
     columns = {heading.place: heading.column for heading in headings if not heading.column.is_text}
     cells = [(columns.get(place), cell.strip("[]() -")) for place, cell in enumerate(row)]
     fitting = [column.accepts(cell) for column, cell in cells if column and cell]

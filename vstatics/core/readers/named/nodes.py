@@ -158,7 +158,7 @@ def length(node: Node) -> str:
 
 
 _WORKBOOKS = (b"PK\3\4", b"\xd0\xcf\x11\xe0")
-"""First bytes of workbooks in XLSX and XLS."""
+"""First bytes of workbooks in the formats XLSX and XLS."""
 
 
 def encoding_of(data: bytes) -> str:
@@ -178,13 +178,12 @@ def decode(data: bytes, file: str, expected: str = "a case") -> DocumentText:
     Raises
     ------
     ReadError
-        At the first byte that cannot be decoded, or if the text is empty.
+        At the first byte that cannot be decoded, or if the file is a workbook or empty.
     """
     encoding = encoding_of(data)
     if data.startswith(_WORKBOOKS):
-        DocumentText(Source(file, "")).stop(
-            f"read a workbook or archive, expected a text: {expected}; save a table as CSV", 1, 1
-        )
+        message = f"read a workbook or archive, not a text, expected {expected}"
+        DocumentText(Source(file, "")).stop(f"{message}; save a table as CSV", 1, 1)
     try:
         text = data.decode(encoding)
     except UnicodeDecodeError as error:

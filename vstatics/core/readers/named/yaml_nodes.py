@@ -243,7 +243,7 @@ def _of_part(context: str, begin: yaml.Mark, text: str, index: int) -> str:
     place = f"line {begin.line + 1}, column {begin.column + 1}"
     for kind, (name, bracket) in _BRACKETS.items():
         if kind in context:
-            comment = "; ` #` begins a comment: write a text with ` #` in quotes"
+            comment = "; ` #` begins a comment, so write a text that contains ` #` in quotes"
             hint = comment * (" #" in text[begin.index : index])
             open_part = f"the {name} that begins on {place} is not closed"
             return f"{open_part}, expected `,` or `{bracket}`{hint}"

@@ -72,7 +72,7 @@ class SoughtRatio:
     The speed of the pump and the torque on the pump then do not depend on the speed ratio.
     """
     freewheel: int
-    """Result of `freewheel_side`."""
+    """Result of `freewheel_side` for the converter."""
 
     @property
     def number(self) -> CaseNumber:
@@ -89,8 +89,8 @@ class SoughtRatio:
         """Trial speed ratios in descending order, including the points of the converter [-].
 
         Trials are added directly below and above each speed ratio at which the converter loses no
-        power, because no torques exist beyond that ratio. A freewheel can lock up the converter at
-        the ratio 1.
+        power, because no torques exist beyond that ratio. With a
+        freewheel, 1 is also a trial, because the freewheel can lock up the converter there.
         """
         by_ratio = [point[0] for point in self.converter.points]
         pieces = math.ceil((LEAST_TRIALS - 1) / max(len(by_ratio) - 1, 1))
@@ -110,8 +110,8 @@ class SoughtRatio:
     def surplus(self, results: Results) -> Floats:
         """Return the torque given to the pump minus the torque that the pump takes [N*m].
 
-        The difference is 0 where a freewheel locks up the converter. At the speed ratio 1, a
-        freewheel can also supply the torque that the driven pump lacks.
+        The difference is 0 where a freewheel locks up the converter, and where it supplies the
+        torque that the driven pump lacks at the speed ratio 1.
         """
         ratio = self._ratio(results)
         brought, speed = self.on_pump(results)
