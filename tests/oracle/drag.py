@@ -23,7 +23,7 @@ class Admissible:
     output: Fraction
     """Torque given to the load."""
     efficiency: Fraction
-    """Of a dragged gear below 0. When coasting: the power at the input by that at the output."""
+    """Below 0 for a back-driven gear. When coasting: input power divided by output power."""
 
 
 @dataclass(frozen=True)
@@ -36,18 +36,18 @@ class GearWithDrag:
 
     @property
     def possible(self) -> list[Admissible]:
-        """Results that transmit power; if only the gear without drag has them, all results with drag."""
+        """Results that transmit power. If only the gear without drag has any, all results with drag."""
         passing = _passing(self.found)
         return passing or (self.found if _passing(self.bare) else [])
 
     @property
     def locked(self) -> bool:
-        """Friction holds it."""
+        """Whether the gear is self-locking."""
         return not self.possible
 
     @property
     def dragged(self) -> bool:
-        """Power enters at the output too."""
+        """Whether power also enters at the output."""
         return bool(self.possible) and all(one.efficiency < 0 for one in self.possible)
 
 
@@ -97,26 +97,26 @@ class Solution:
     """Result of loss signs that agree with the power flow."""
 
     passed: Fraction | None
-    """The part of the power that it passes; None where nothing enters without losses."""
+    """Output power over input power, for the sides of the flow without losses. None if undefined."""
     torques: Torques
     powers: Mapping[int, Fraction]
-    """By port; above 0 where power enters, coasting or not."""
+    """Power at each port, above 0 where power enters, also when coasting."""
     from_load: Fraction
-    """Power that the output takes from its load."""
+    """Power that the output receives from its load."""
 
     @property
     def efficiency(self) -> Fraction | None:
-        """Power out over power in, by the flows with losses."""
+        """Output power over input power, for the sides of the flow with losses."""
         entering = sum((one for one in self.powers.values() if one > 0), ZERO)
         leaving = -sum((one for one in self.powers.values() if one < 0), ZERO)
         return leaving / entering if entering else None
 
 
 class GearOfPorts:
-    """A gear with drag."""
+    """A gear with drag and any number of ports."""
 
     def __init__(self, case: Transmission, gear: Gear) -> None:
-        """Its speeds, its drag, and the sides of its ports without either loss."""
+        """Calculate the speeds, the drag, and the torques without drag and other losses."""
         self.case, self.gear = case, gear
         self.turn = -1 if case.coast else 1
         self.speeds = Speeds(case, gear)
@@ -126,13 +126,13 @@ class GearOfPorts:
 
     @property
     def solutions(self) -> list[Solution]:
-        """Results that transmit power; if only the gear without drag has them, all results with drag."""
+        """Results that transmit power. If only the gear without drag has any, all results with drag."""
         found = list(self._solved(self.drag))
         passing = [one for one in found if self._passes(one)]
         return passing or (found if any(map(self._passes, self._solved({}))) else [])
 
     def is_dragged(self, one: Solution) -> bool:
-        """Whether a solution passes nothing, with power from the load and none to the input."""
+        """Whether no power is transmitted although the load supplies power and the input takes none."""
         at_input = ONE + exact(self.gear.torques.get(self.case.gear_input(self.gear), 0.0))
         wins = not self._has_sides or one.passed is None or one.passed <= 0
         return bool(wins and at_input * self.turn >= 0 and one.from_load > 0 and self.drag_losses)
@@ -150,7 +150,7 @@ class GearOfPorts:
         return {link: self.turn * one for link, one in powers.items() if one is not None}
 
     def _signs(self) -> Iterator[tuple[int, ...]]:
-        """All sets; those by convention of what does not move, one where nothing is lost."""
+        """All sets of signs. By convention, few signs are tried for mechanisms without motion or loss."""
         choices: list[tuple[int, ...]] = []
         for one in self.case.mechanisms:
             published = tuple({1, sign(exact(one.ratio))})

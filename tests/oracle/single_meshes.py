@@ -13,7 +13,7 @@ from tests.oracle.linear import ONE, ZERO, Linear
 
 HOUSING = "housing"
 STAND_IN = Fraction(1)
-"""Teeth of a planet that are not told; they do not touch the speeds of the links."""
+"""Tooth number of planets without a given number; it does not affect the speeds of links."""
 
 Equation = dict[str, Fraction]
 """Factors of the speeds of bodies in an equation whose right side is 0."""

@@ -53,9 +53,9 @@ class Line(NamedTuple):
     case: DumpCase
     given: Dump
     torques: list[float | None]
-    """In kN*m: largest, at the input shaft; both by the simplified forms."""
+    """Largest torque, torque at the input shaft, and both by the simplified formulas. [kN*m]"""
     integrated: float
-    """By an integration in time, apart from this project. [kN*m]"""
+    """Largest torque by an independent integration in time. [kN*m]"""
 
 
 ROWS = table("table_3_8")["rows"]
