@@ -6,7 +6,7 @@ Good orders have few crossings, short hollow shafts, the clutch first and the ou
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from functools import partial
+from functools import cache, partial
 from itertools import pairwise
 
 from vstatics.pictures.schemes.axes.board import AxesBoard, StationOrder
@@ -36,23 +36,30 @@ def arranged(board: AxesBoard) -> AxesPlaces:
     The search is not random, so a case always looks alike.
     """
     best = None
+    placed = cache(partial(places, board))  # most orders are reached from several initial orders
     for start in starts(board):
-        improved = _improved(board, start)
+        improved = _improved(board, start, placed)
         if best is None or improved[0] < best[0]:
             best = improved
     assert best is not None  # noqa: S101 - there is at least one initial order
     return best[1]
 
 
-def _improved(board: AxesBoard, start: StationOrder) -> tuple[float, AxesPlaces]:
+def _improved(
+    board: AxesBoard, start: StationOrder, placed: Callable[[StationOrder], AxesPlaces]
+) -> tuple[float, AxesPlaces]:
     """Return the cost and the positions after improving an initial order by single changes."""
-    placing = places(board, start)
+    placing = placed(start)
     cost = cost_of(placing)
+    tried = {start}  # the cost only decreases, so an order that was tried cannot be an improvement
     for _ in range(MOST_IMPROVEMENTS):
         before = cost
         for steps in _steps(board):
             for step in steps(placing.chosen):
-                candidate = places(board, step)
+                if step in tried:
+                    continue
+                tried.add(step)
+                candidate = placed(step)
                 value = cost_of(candidate, cost)
                 if value < cost - 1e-9:
                     cost, placing = value, candidate

@@ -127,8 +127,9 @@ def _of_section(station: Station, layout: CoaxialLayout, x: float, y: float) -> 
     """Yield an obstacle for a half-section above the axis, and for each symbol below the axis."""
     low, high = x - station.half, x + station.half
     yield Obstacle(Rectangle(low, y - HALF_LINE, high, y + station.reach[1]))
+    origin = low - ends_of(layout)[0]
     for up, at in zip(layout.uprights, layout.places.at, strict=True):
-        start = low + at - ends_of(layout)[0]
+        start = origin + at
         for room in rooms_of(layout, up):
             if room.low < layout.places.axis:
                 under, over = (y + by - layout.places.axis for by in (room.low, room.high))
