@@ -22,6 +22,7 @@ from vstatics.simulation import (
     Start,
     constant,
     load_scenario,
+    simulate,
 )
 from vstatics.simulation.scenario.distribution import Distribution
 from vstatics.simulation.scenario.file import ScenarioFile, read_scenario
@@ -319,6 +320,22 @@ def test_a_table_file_has_powers_and_percentages(
     power = table_of(str(tmp_path / "run.yaml"), "engine.csv")
     speed = 5000 * math.pi / 30
     assert power.at(speed, pedal) / speed == pytest.approx(expected, rel=1e-6)
+
+
+def test_formulas_run_with_a_table_file(tmp_path: Path) -> None:
+    """OpenModelica/OpenModelica/issues/3542: a table ran in the model, but not from a file.
+
+    With a torque of 1 N*m*s/rad times the speed and 1 kg*m^2, the speed grows by the factor e.
+    """
+    (tmp_path / "box.yaml").write_text("inertias: {a: 1}\n", "utf-8")
+    (tmp_path / "engine.csv").write_text(f"n [rpm],M [N*m]\n0,0\n# rated\n30,{math.pi}\n", "utf-8")
+    (tmp_path / "run.yaml").write_text(
+        "case: box.yaml\nduration: 1\nstart: {speeds: {a: 1}}\n"
+        "tables: {engine: {file: engine.csv}}\ntorques: {a: engine(speed)}\n",
+        "utf-8",
+    )
+    speeds = simulate(load_scenario(tmp_path / "run.yaml")).speeds
+    assert speeds[-1, 0] == pytest.approx(math.e, rel=1e-8)
 
 
 def test_a_table_file_with_an_unknown_unit_is_rejected(tmp_path: Path) -> None:

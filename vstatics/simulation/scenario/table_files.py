@@ -7,7 +7,7 @@ from pathlib import Path
 from vstatics.core.numerics.lookup_table import LookupTable
 from vstatics.core.readers.named.csv_files import lines_of
 from vstatics.core.readers.named.csv_rows import numbered_rows
-from vstatics.core.readers.named.headings import with_unit, without_titles
+from vstatics.core.readers.named.headings import is_comment, with_unit, without_titles
 from vstatics.simulation.scenario.given import si_number
 
 MOST_TABLE_BYTES = 5_000_000
@@ -55,10 +55,12 @@ def _table(rows: list[tuple[int, list[str]]]) -> LookupTable:
     columns = tuple(_number(head, 1) for head in heads[1:]) if len(heads) > 2 else (0.0,)
     x, values = [], []
     for line, row in rows[1:]:
+        if is_comment(row[0]):
+            continue
         if len(row) != len(heads):
             raise ValueError(f"line {line}: expected {len(heads)} numbers")
         abscissa, *ordinates = (
-            _number(f"{cell} {of}", line) for cell, of in zip(row, units, strict=True)
+            _number(cell, line, of) for cell, of in zip(row, units, strict=True)
         )
         x.append(abscissa)
         values.append(tuple(ordinates))
@@ -67,9 +69,14 @@ def _table(rows: list[tuple[int, list[str]]]) -> LookupTable:
     return LookupTable(tuple(x), tuple(values), columns)
 
 
-def _number(text: str, line: int) -> float:
-    """Return a number in SI units from a cell with or without a unit, or a percentage."""
+def _number(cell: str, line: int, unit: str = "") -> float:
+    """Return a plain number in SI units from a cell, with the unit of its column if it has one.
+
+    Formulas are compiled from numbers of tables; only plain numbers can be compiled.
+    """
+    text = f"{cell} {unit}".strip()
     try:
-        return si_number(text.strip())
+        return float(si_number(text))
     except ValueError as error:
-        raise ValueError(f"line {line}: read {text.strip()[:40]}, {error}") from None
+        read = text[:40] if cell.strip() else "an empty cell"
+        raise ValueError(f"line {line}: read {read}, {error}") from None
