@@ -19,6 +19,7 @@ from tests.trains import random_train
 from vstatics import CaseError, Gear, Mechanism, Results, ShiftElement, Transmission, loads
 from vstatics import solve as solved
 from vstatics.core.model.checks import hints
+from vstatics.core.statics.diagnosis import undriven_gears
 from vstatics.core.writers import deck, named
 
 U = -73 / 35
@@ -30,7 +31,7 @@ shift_elements:
   B: [input, sun]
   C: [sun, housing]
   D: {kind: freewheel, links: [carrier 2, housing]}
-  E: {kind: brake, links: [carrier 2]}
+  E: {kind: brake, links: [carrier 2, housing]}
 mechanisms:
   P1: {first: sun, second: ring 1, third: output, ratio: -73/35, efficiency: 0.98}
   P2: {first: sun, second: output, third: carrier 2, ratio: -73/35, efficiency: 0.98}
@@ -278,15 +279,29 @@ def test_names_of_shift_elements_tell_their_kind() -> None:
 
 
 def test_faults_are_located() -> None:
-    brake = "{kind: brake, links: [carrier 2]}"
+    brake = "{kind: brake, links: [carrier 2, housing]}"
     rows = (
         ('"1": {engaged: [A]}', '"1": {engaged: [A, D]}', 12, "remove it from the gear"),
         (brake, "{kind: brake, links: [sun, output]}", 7, "against the"),
-        (brake, "{kind: clutch, links: [sun]}", 7, "expected `brake`"),
+        (brake, "{kind: clutch, links: [sun, 0]}", 7, "expected `brake`"),
         ("kind: brake", "kind: break", 7, "did you mean `brake`"),
-        ("[carrier 2]", "[carrier 2, sun, input]", 7, "read a list of 3"),
-        ("[carrier 2]", "[carrier]", 7, "links[1]: read"),
+        (brake, "{kind: brake, links: [carrier 2, sun, input]}", 7, "read a list of 3"),
+        (brake, "{kind: brake, links: [carrier, housing]}", 7, "links[1]: read"),
+        (brake, "{links: [carrier 2]}", 7, "read a list of 1, expected two links: [first, second]"),
         (brake, "{kind: brake}", 7, "`links` is missing"),
         (brake, "brake", 7, "expected two links"),
     )
     assert_located(SIMPSON, rows)
+
+
+def test_a_reversed_freewheel_is_the_remedy_of_a_gear_that_cannot_drive() -> None:
+    """No further shift element is needed, because the freewheel holds in its right order."""
+    reversed_freewheel = loads(
+        SIMPSON.replace("[carrier 2, housing]}\n  E", "[0, carrier 2]}\n  E")
+    )
+    case = reversed_freewheel.replace(gears=reversed_freewheel.gears[:1])
+    [problem] = undriven_gears(solved(case))
+    assert problem.message == (
+        "cannot drive; if the links of D are in the wrong order, write [carrier 2, housing]: "
+        "then the gear can drive"
+    )
