@@ -114,9 +114,12 @@ def finish(
     else:
         problems += [locate(problem) for problem in doubts(case) if is_certain(problem.path)]
     problems.sort(key=lambda problem: problem.place[1:3] if problem.place else (0, 0))
-    if any(problem.severity == "error" for problem in problems):
-        raise ReadError(sorted(problems, key=lambda problem: problem.severity != "error"))
-    return Reading(case, not_allowed(problems, case.untold), locate)
+    errors = [problem for problem in problems if problem.severity == "error"]
+    doubtful = [problem for problem in problems if problem.severity != "error"]
+    warnings = not_allowed(doubtful, parts.get("allow", ()))
+    if errors:
+        raise ReadError([*errors, *warnings])
+    return Reading(case, warnings, locate)
 
 
 def certain(unreadable: Iterable[Path]) -> Callable[[Path], bool]:
