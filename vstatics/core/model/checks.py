@@ -120,12 +120,17 @@ def _moves(case: TransmissionFields) -> bool:
 
 def doubts(case: TransmissionFields) -> Iterator[Problem]:
     """Yield warnings about a case that has no errors."""
-    for number, mechanism in _own_mechanisms(case):
-        yield from doubtful(mechanism, ("mechanisms", number))
+    yield from doubtful_mechanisms(case)
     for key in carried_keys(case):
         yield from key.doubts(case)
     yield from case.derived(_bare_drags)
     yield from _bare_slips(case)
+
+
+def doubtful_mechanisms(case: TransmissionFields) -> Iterator[Problem]:
+    """Yield warnings about single mechanisms, which do not depend on other parts of the case."""
+    for number, mechanism in _own_mechanisms(case):
+        yield from doubtful(mechanism, ("mechanisms", number))
 
 
 def _bare_slips(case: TransmissionFields) -> Iterator[Problem]:
