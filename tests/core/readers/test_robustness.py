@@ -53,6 +53,11 @@ HOSTILE: dict[str, tuple[str, str | bytes]] = {
     "a long line in a deck": ("deck", "KJG= " + "9" * 9_900_000),
     "engaged by all gears": ("yaml", shared(5_000)),
     "unknown keys": ("yaml", "".join(f"key{n}: 1\n" for n in range(20_000))),
+    "huge count of links with strengths": (
+        "yaml",
+        "links: 1000000000\nmechanisms: {D: {first: 1, second: 2, ratio: 2}}\ngears: {1: []}\n"
+        "fatigue: {D: {diameter: 50 mm, endurance: 100 MPa, exponent: 6, cycles: 4e6}}",
+    ),
     "unknown elements": ("yaml", f"links: 2\nmechanisms: {{}}\ngears: {{1: [{MANY}]}}"),
     "the same key": ("yaml", "links: 3\n" * 20_000),
     "no mechanisms": ("yaml", "mechanisms:\n" + "".join(f"  m{n}: 1\n" for n in range(5_000))),

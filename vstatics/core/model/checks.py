@@ -86,8 +86,9 @@ def _in_motion(case: TransmissionFields) -> Iterator[Problem]:
         from vstatics.core.model.torsional_checks import of_torsion  # costs start-up time
 
         yield from of_torsion(case)
-    for key in carried_keys(case):
-        yield from key.problems(case)
+    if case.links <= max(_most_links(case), 2):  # annexes can list all links
+        for key in carried_keys(case):
+            yield from key.problems(case)
 
 
 def carried_keys(case: TransmissionFields) -> list[CaseKey]:
@@ -119,12 +120,17 @@ def _moves(case: TransmissionFields) -> bool:
 
 def doubts(case: TransmissionFields) -> Iterator[Problem]:
     """Yield warnings about a case that has no errors."""
-    for number, mechanism in _own_mechanisms(case):
-        yield from doubtful(mechanism, ("mechanisms", number))
+    yield from doubtful_mechanisms(case)
     for key in carried_keys(case):
         yield from key.doubts(case)
     yield from case.derived(_bare_drags)
     yield from _bare_slips(case)
+
+
+def doubtful_mechanisms(case: TransmissionFields) -> Iterator[Problem]:
+    """Yield warnings about single mechanisms, which do not depend on other parts of the case."""
+    for number, mechanism in _own_mechanisms(case):
+        yield from doubtful(mechanism, ("mechanisms", number))
 
 
 def _bare_slips(case: TransmissionFields) -> Iterator[Problem]:
@@ -234,23 +240,14 @@ def _own_mechanisms(case: TransmissionFields) -> list[tuple[int, Mechanism]]:
 
 
 def _sizes(case: TransmissionFields) -> Iterator[Problem]:
-    """Check the numbers of links, gears and names.
-
-    The number of links is limited by the number of components, so that a short text cannot claim a
-    large amount of memory.
-    """
-    joined = 2 * len(case.shift_elements) + 3 * len(case.mechanisms)
-    joined += sum(len(spring.twist) for spring in case.springs) + len(case.heavy)
-    moves = _moves(case)
+    """Check the numbers of links, gears and names."""
+    moves, most = _moves(case), _most_links(case)
     if case.links < (1 if moves else 2):
         expected = "at least 1 link" if moves else "at least 2 links (input and output)"
         yield Problem("E202", f"read {case.links}, expected {expected}", ("links",))
-    elif case.links > max(joined, 2):
-        yield Problem(
-            "E203",
-            f"read {case.links} links, but {_counted(case)} can connect at most {joined}",
-            ("links",),
-        )
+    elif case.links > max(most, 2):
+        message = f"read {case.links} links, but {_counted(case)} can connect at most {most}"
+        yield Problem("E203", message, ("links",))
     if case.link_names and len(case.link_names) != case.links:
         message = f"{case.links} links, but {len(case.link_names)} names of links"
         yield Problem("E204", message, ("link_names",))
@@ -260,6 +257,15 @@ def _sizes(case: TransmissionFields) -> Iterator[Problem]:
             "gear engages, such as"
         )
         yield Problem("E205", f"{message} `gears: {{{_first_gear(case)}}}`", ("gears",))
+
+
+def _most_links(case: TransmissionFields) -> int:
+    """Return the largest number of links that the components of a case can connect.
+
+    It limits the number of links, so that a short text cannot claim a large amount of memory.
+    """
+    joined = 2 * len(case.shift_elements) + 3 * len(case.mechanisms)
+    return joined + sum(len(spring.twist) for spring in case.springs) + len(case.heavy)
 
 
 def _first_gear(case: TransmissionFields) -> str:

@@ -17,7 +17,7 @@ from vstatics.core.errors import (
     spoken,
 )
 from vstatics.core.groups import grouped
-from vstatics.core.model.checks import doubts
+from vstatics.core.model.checks import doubtful_mechanisms, doubts
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.start import NamedTuple
 
@@ -96,7 +96,8 @@ def finish(
     problems : iterable of Problem
         Problems found by the reader, with their places.
     unreadable : iterable of Path
-        Paths of the stand-ins; problems of the model at these paths are not reported.
+        Paths of the stand-ins. Problems of the model at these paths are not reported, nor warnings
+        about the case as a whole.
     locate : callable
         Function that adds the place in the text to a problem of the model.
 
@@ -105,34 +106,39 @@ def finish(
     ReadError
         If there is any error. Contains the errors in the order of the text, then the warnings.
     """
-    problems = list(problems)
-    is_certain = certain(unreadable)
+    problems, hidden = list(problems), list(unreadable)
+    is_certain = certain(hidden)
     try:
         case = Transmission(**parts)
     except CaseError as error:
         problems += [locate(problem) for problem in error.problems if is_certain(problem.path)]
     else:
-        problems += [locate(problem) for problem in doubts(case) if is_certain(problem.path)]
+        # A warning about the whole case can compare any of its values.
+        found = doubtful_mechanisms(case) if hidden else doubts(case)
+        problems += [locate(problem) for problem in found if is_certain(problem.path)]
     problems.sort(key=lambda problem: problem.place[1:3] if problem.place else (0, 0))
-    if any(problem.severity == "error" for problem in problems):
-        raise ReadError(sorted(problems, key=lambda problem: problem.severity != "error"))
-    return Reading(case, not_allowed(problems, case.untold), locate)
+    errors = [problem for problem in problems if problem.severity == "error"]
+    doubtful = [problem for problem in problems if problem.severity != "error"]
+    warnings = not_allowed(doubtful, parts.get("allow", ()))
+    if errors:
+        raise ReadError([*errors, *warnings])
+    return Reading(case, warnings, locate)
 
 
 def certain(unreadable: Iterable[Path]) -> Callable[[Path], bool]:
-    """Return a function that accepts paths neither containing nor inside a stand-in.
+    """Return a function that accepts paths of problems that do not depend on a stand-in.
 
-    The time of a call does not depend on the number of stand-ins.
+    The rows of a table or curve are compared with each other, so a stand-in in a row hides all
+    problems of the table. The time of a call does not depend on the number of stand-ins.
 
-    >>> is_certain = certain([("gears", 2)])
-    >>> is_certain(("gears", 1)), is_certain(("gears",)), is_certain(("gears", 2, "speeds"))
+    >>> is_certain = certain([("gears", 2, "loss", "rows", 1)])
+    >>> is_certain(("gears", 1)), is_certain(("gears",)), is_certain(("gears", 2, "loss"))
     (True, False, False)
     """
-    hidden = set(unreadable)
+    hidden = {path[:3] for path in unreadable}
     above = {path[:length] for path in hidden for length in range(len(path))}
 
     def is_certain(path: Path) -> bool:
-        below = any(path[:length] in hidden for length in range(len(path) + 1))
-        return path not in above and not below
+        return path not in above and hidden.isdisjoint(path[:length] for length in range(4))
 
     return is_certain

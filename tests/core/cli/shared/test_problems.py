@@ -73,6 +73,18 @@ def test_what_a_command_allows_is_not_part_of_the_case() -> None:
     assert allowed.json["case"] == told.json["case"]
 
 
+@pytest.mark.parametrize("command", ["check", "run", "flow", "sweep"])
+def test_an_allowed_warning_is_also_suppressed_beside_an_error(command: str) -> None:
+    """A misspelled key is an error; a basic ratio of 2.5 is one of no simple planetary set."""
+    wrong = Path("doubtful.yaml").read_text("utf-8") + "nmae: box\n"
+    call = [command, "-", *["--vary", "D.efficiency=.9"][: 2 * (command == "sweep")]]
+    for text, options in ((wrong, ["--allow", "w201"]), (f"{wrong}allow: [W201]\n", [])):
+        assert "warning: mechanisms.D: " in vstatics(*call, stdin=wrong.encode()).err
+        said = vstatics(*call, *options, stdin=text.encode())
+        assert said.fails("error: unknown key `nmae`")
+        assert "warning: " not in said.err
+
+
 def test_a_quiet_sweep_counts_where_variants_are_unlike() -> None:
     call = ["sweep", "neutral.yaml", "--vary", "D.ratio=-2,-3", "--out", "ratio[low]", "-q"]
     assert vstatics(*call).err == ""

@@ -189,3 +189,42 @@ def test_each_fault_is_reported_alone_with_its_place_and_words() -> None:
 def test_every_bad_file_is_in_the_table() -> None:
     files = {file.name for suffix in ("yaml", "json") for file in BAD_FILES.glob(f"*.{suffix}")}
     assert TABLE.keys() == files
+
+
+CAR = """
+output: wheels
+links: [engine, turbine, shaft, wheels, pto]
+outputs: [wheels, pto]
+load: {speed: 2000 rpm, torque: 150 N*m}
+mechanisms:
+  TC: {kind: converter, first: engine, second: turbine, points: [[0, 2], [0.8, 1]]}
+  axle: {first: turbine, second: shaft, ratio: 4}
+  power take-off: {first: shaft, second: pto, ratio: 2}
+springs: {half-shafts: {links: [shaft, wheels], stiffness: 9e3}}
+inertias: {wheels: 40}
+gears: {drive: {speed_ratios: {TC: 0.7}}}
+vehicle: {mass: 1200 kg, radius: 300 mm}
+"""
+"""The mass of this car is an inertia of 1200 kg * (0.3 m)^2 = 108 kg*m^2, so 40 kg*m^2 at the
+wheels do not contain it.
+"""
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        "1200 kg",
+        "300 mm",
+        "converter",
+        "{kind: converter, first: engine, second: turbine, points: [[0, 2], [0.8, 1]]}",
+        "wheels",
+        "[0, 2]",
+        "2000 rpm",
+        "150 N*m",
+        "{wheels: 40}",
+    ],
+)
+def test_a_value_that_cannot_be_read_is_compared_with_no_other_value(value: str) -> None:
+    with pytest.raises(ReadError) as caught:
+        readers.loads(CAR.replace(value, "'?'", 1))
+    assert [problem.message.count("read '?'") for problem in caught.value.problems] == [1]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from vstatics.core.errors import Problem, count_of, listed, of_file
+from vstatics.core.errors import Problem, count_of, listed, not_allowed, of_file
 from vstatics.core.start import NamedTuple
 
 
@@ -28,7 +28,7 @@ class Telling(NamedTuple):
         """Return the problems to report, notes last."""
         notes: list[Problem] = []
         warnings_and_errors: list[Problem] = []
-        for problem in dict.fromkeys(problems):
+        for problem in dict.fromkeys(not_allowed(problems, self.allow)):
             (notes if problem.severity == "note" else warnings_and_errors).append(problem)
         return warnings_and_errors + notes * self.notes
 

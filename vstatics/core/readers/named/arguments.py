@@ -60,18 +60,29 @@ def _or_none(load: Load | None) -> Load | None:
     return None if load == Load() else load
 
 
+_COMPARED: dict[Path, Path] = {
+    ("shift_elements",): ("links",),
+    ("mechanisms",): ("links",),
+    ("springs",): ("links",),
+    ("masses",): ("springs",),
+    ("output",): ("outputs",),
+}
+"""Keys whose values the model compares with the value of another key."""
+_OF_KIND = ((), ("kind",), ("points",))
+"""Ends of the paths of values that determine the kind of a mechanism."""
+
+
 def read_with_stand_ins(unreadable: list[Path]) -> list[Path]:
     """Return the paths at which stand-ins would cause problems of the model.
 
-    Unreadable `links` of a component are `first` and `second` in the model. If components are
-    unreadable, the number of links is also included, because it is compared with the number of
-    components.
+    Unreadable `links` of a component are `first` and `second` in the model. The kind of a mechanism
+    determines whether gears give its speed ratio.
     """
-    devices = {("shift_elements",), ("mechanisms",), ("springs",)}
     ends = (path[:-1] for path in unreadable if path[-1:] == ("links",))
     members = [(*path, member) for path in ends for member in ("first", "second")]
-    counted = [("links",)] if devices.intersection(unreadable) else []
-    return [*unreadable, *members, *counted]
+    others = [_COMPARED[path[:1]] for path in unreadable if path[:1] in _COMPARED]
+    kinds = [path for path in unreadable if path[:1] == ("mechanisms",) and path[2:3] in _OF_KIND]
+    return [*unreadable, *members, *others, *[("gears",)][: len(kinds)]]
 
 
 _ByPart = dict[int, tuple[float, Path]]
@@ -177,7 +188,7 @@ def _related(numbers: _ByPart, whole: float, spots: Spots) -> dict[int, float]:
     no_load = any(path[-1] == "load" for path in spots.unreadable)
     for part, (number, path) in numbers.items():
         if isinstance(number, Law) and not whole and path[0] == "drag":
-            if path not in spots.unreadable:
+            if path not in spots.unreadable and not no_load:
                 spots.tell(
                     path,
                     "a drag that depends on speed is in N*m, expected a `load` with "

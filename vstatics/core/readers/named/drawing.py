@@ -63,7 +63,8 @@ def read_drawing(root: nodes.Mapping, walk: Walk, case: ByKey) -> Reading:
             parts.setdefault("output", 0 if parts.get("outputs") else drawing.links)
             locate = _locator(spots, drawing)
             faults = [*hints(drawing), *teeth.doubts(drawing)]
-            faults += [] if listed else loose_links(root, values, names, parts["gears"], spots)
+            if not (listed or spots.unreadable):
+                faults += loose_links(root, values, names, parts["gears"], spots)
         all_problems += map(spots.locate, faults)
     return finish(parts, all_problems, read_with_stand_ins(spots.unreadable), locate)
 

@@ -122,7 +122,7 @@ class Walk:
         elif not is_null(node) or shape.required:
             expected = "expected a mapping with " + spoken(quoted(key.name) for key in shape.keys)
             return self.refuse(spot, shape, expected)
-        values = values_before(shape)
+        values, unreadable = values_before(shape), len(self.spots.unreadable)
         for key in shape.keys:
             if key.name in given:
                 inner = spot.key(key.name, key.name, given[key.name])
@@ -132,7 +132,9 @@ class Walk:
             elif key.required:
                 del values[key.name]
         if fault := shape.fault(**values):
-            self.spots.refuse(spot, fault, CONTRADICTION)
+            if len(self.spots.unreadable) == unreadable:  # not a contradiction with a stand-in
+                self.spots.complain(spot, fault, identity=CONTRADICTION)
+            self.spots.unreadable.append(spot.path)
             return stand_in(shape)
         return shape.make(**values)
 
