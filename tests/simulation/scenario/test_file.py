@@ -338,6 +338,12 @@ def test_formulas_run_with_a_table_file(tmp_path: Path) -> None:
     assert speeds[-1, 0] == pytest.approx(math.e, rel=1e-8)
 
 
+def test_units_of_a_table_file_can_be_below_its_names(tmp_path: Path) -> None:
+    (tmp_path / "grid.csv").write_text("speed,0.2,1\nrpm,kN*m,kN*m\n0,1,2\n30,3,4\n")
+    grid = table_of(str(tmp_path / "run.yaml"), "grid.csv")
+    assert grid.at(math.pi, 1.0) == pytest.approx(4000)  # 30 rpm is pi rad/s
+
+
 def test_a_table_file_with_an_unknown_unit_is_rejected(tmp_path: Path) -> None:
     (tmp_path / "engine.csv").write_text("speed [rpm],power [kVA]\n0,1\n", "utf-8")
     with pytest.raises(ValueError, match=r"line 2: read 1 kVA, expected .* such as `N\*m`, `kW`"):

@@ -160,7 +160,7 @@ def test_elements_that_carry_more_than_their_capacities_are_told_at_their_rows(l
 
 def test_faults_of_a_table_are_told_with_their_place(folder: Path) -> None:
     for text, said in (
-        ("time,gear,speed,torque [N*m]\n1,1,2,3\n", ":1:1: error: speed: its unit is missing"),
+        ("time,gear,speed,torque [N*m]\n1,1,2,3\n", ":1:11: error: speed: its unit is missing"),
         ("time,gear,speed [kg],torque [N*m]\n1,1,2,3\n", "speed: read the unit 'kg'"),
         ("time,gear,speed [rpm],torque [N*m]\n1,1,nan,3\n", ":2:1: error: speed: read 'nan'"),
         ("time,gear,speed [rpm],torque [N*m]\n", "no row below the headings"),

@@ -151,8 +151,29 @@ def test_units_below_the_names(units: str) -> None:
     text = f"WLTC\nTime;Speed;grade\n{units}\n0;0;0\n2;36;0\n"
     trace = read_trace(text.encode(), "t.csv")
     assert (trace.duration.tolist(), trace.speed.tolist()) == ([2.0], [pytest.approx(5.0)])
-    with pytest.raises(ReadError, match=r":2:1: error: time: its unit is missing"):
-        read_trace(text.replace(units, "a;b;c").encode(), "t.csv")
+    assert trace.place.line == 2
+    for words, said in (
+        ("s;knots", ":3:3: .*speed: read the unit 'knots', .* `m/s`, `km/h` or `mph`"),
+        ("a;b;c", ":3:1: error: time: read the unit 'a', expected a time"),
+        (";km/h;1", ":2:1: error: time: its unit is missing"),
+    ):
+        with pytest.raises(ReadError, match=said):
+            read_trace(text.replace(units, words).encode(), "t.csv")
+
+
+def test_units_below_names_keep_gears_and_agree_with_units_beside_names() -> None:
+    """Two units of one column, or an unknown unit, are errors, because a guess could be wrong."""
+    for text in (
+        "t,v,gear\ns,km/h,gear\n0,0,1\n2,36,1\n",
+        "# t,v,gear\n# s,km/h\n0,0,1\n2,36,1\n",
+        "t [s],v,gear\n,[km/h]\n0,0,1\n2,36,1\n",
+        "t,v,gear\n,km/h,\n00:00:00,0,1\n00:00:02,36,1\n",
+        "t [s],v [km/h],gear\ns,km/h,-\n0,0,1\n2,36,1\n",
+    ):
+        trace = read_trace(text.encode(), "t.csv")
+        assert (trace.gears, trace.speed.tolist()) == (["1"], [pytest.approx(5.0)])
+    with pytest.raises(ReadError, match=r":2:3: .*'km/h' below the unit 'm/s', expected one unit"):
+        read_trace(b"t [s],v [m/s]\ns,km/h\n0,0\n2,36\n", "t.csv")
 
 
 SINE = math.sin(math.radians(3))
@@ -217,7 +238,7 @@ def test_faults_of_published_cycles_quote_the_file() -> None:
         ("Zeit;Tempo [km/h]\n0;0\n1;5\n", r"1:1: error: .*is `Zeit;Tempo \[km/h\]`, .*row `0;0`"),
         ("City cycle\ntmie [s],speed [km/h]\n0,0\n", ":2:1: error: .*'tmie .*did you mean `time`"),
         (f"{KMH},gaer\n0,0,1\n1,5,1\n", "read the heading 'gaer'.*mean `gear`"),
-        ("FTP-75\n1874\ntime [s],speed [mile]\n0,0\n1,5\n", ":3:1: .*: read the unit 'mile'"),
+        ("FTP-75\n1874\ntime [s],speed [mile]\n0,0\n1,5\n", ":3:10: .*: read the unit 'mile'"),
         ("time,speed [km/h]\n0,0\n1,5\n", "time: its unit is missing, such as `time.*`time,speed"),
         ("FTP\n1874\nZeit,Tempo\n0,0\n1,5\n", ":3:1: .*'Zeit'.*`Zeit,Tempo`, the first row `0,0`"),
         ("time [s],speed [KM]\n0,0\n1,5\n", "speed: read the unit 'KM', expected a velocity"),

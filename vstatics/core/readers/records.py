@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from array import array
 from collections.abc import Container, Mapping, Sequence
 from itertools import chain
@@ -14,15 +13,20 @@ from vstatics.core.errors import Place, Problem, ReadError, listed, quoted
 from vstatics.core.model.shape import Measure
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.readers.named.csv_rows import decimal, numbered_rows
-from vstatics.core.readers.named.headings import TableColumn, is_comment, with_unit, without_titles
+from vstatics.core.readers.named.headings import (
+    CellError,
+    Heading,
+    TableColumn,
+    is_comment,
+    with_unit,
+    with_units_below,
+    without_titles,
+)
 from vstatics.core.readers.named.nodes import MOST_PROBLEMS, decode
 from vstatics.core.readers.reading import Source
 from vstatics.core.readers.unit_table import Clock
 from vstatics.core.suggestions import nearest
 from vstatics.core.tables.csv import unguarded
-
-_UNIT = re.compile(r"(?!nan|inf)(?:[^\W\d_]|1/|°)", re.IGNORECASE)
-"""Pattern of the beginning of a unit. The texts `nan` and `inf` are undefined numbers."""
 
 
 class RecordedColumns(NamedTuple):
@@ -93,11 +97,12 @@ def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) ->
     try:
         head, first = next(rows, (1, []))
         headings = tuple(unguarded(cell.strip()) for cell in first)
-        places = _places(headings, wanted, source.place(head))
-        columns = {name: array("d") for name in places}
+        used = _headings(headings, wanted, source.place(head))
+        columns = {heading.column.name: array("d") for heading in used}
         below = next(rows, None)
-        if below and (with_units := _with_units(headings, below[1], wanted, places)):
-            places, below = with_units, None
+        if below and (with_units := _with_units(used, below[1], source.place(below[0]))):
+            used, below = with_units, None
+        places = {heading.column.name: (heading.place, heading.size) for heading in used}
         clock, in_numbers = Clock(), False
         for line, row in chain([below] if below else [], rows):
             if in_numbers and is_comment(row[0]):
@@ -124,52 +129,35 @@ def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) ->
     )
 
 
-def _places(
-    headings: Sequence[str], wanted: Mapping[str, Measure | None], head: Place
-) -> dict[str, tuple[int, float]]:
-    """Return the index of each requested column, and the factor from the unit to SI."""
-    places = {}
-    for place, heading in enumerate(headings):
-        name = _wanted(heading, wanted)
-        if name in places:
+def _headings(
+    cells: Sequence[str], wanted: Mapping[str, Measure | None], head: Place
+) -> list[Heading]:
+    """Return the headings of the requested columns."""
+    headings: dict[str, Heading] = {}
+    for place, cell in enumerate(cells):
+        name = _wanted(cell, wanted)
+        if name in headings:
             raise ReadError(
                 "E121", f"{name}: read two columns of this name, expected one", place=head
             )
         if name in wanted:
-            measure, size = wanted[name], 1.0
-            if measure is not None and heading != name:
-                column = TableColumn(name, measure, may_be_bare=True)
-                try:
-                    size = column.size(with_unit(heading)[1] or None)
-                except ValueError as error:
-                    raise ReadError("E121", str(error), place=head) from None
-            places[name] = place, size
-    return places
+            measure = wanted[name]
+            column = TableColumn(name, measure, may_be_bare=True, any_unit=measure is None)
+            heading = Heading(column, place, with_unit(cell)[1] or None if cell != name else None)
+            try:
+                _ = heading.size
+            except ValueError as error:
+                raise ReadError("E121", str(error), place=head) from None
+            headings[name] = heading
+    return list(headings.values())
 
 
-def _with_units(
-    headings: Sequence[str],
-    row: Sequence[str],
-    wanted: Mapping[str, Measure | None],
-    places: Mapping[str, tuple[int, float]],
-) -> dict[str, tuple[int, float]]:
-    """Return the index and the factor of each column, with units from the row below the headings.
-
-    The result is empty if the row is not a row of units. If it contains a unit of time, the cells
-    of other columns can be empty.
-    """
-    units = [cell.strip().strip("[]()") for cell in row]
-    some = any(map(TableColumn("time", "time").accepts, units))
-    if len(units) < len(headings) or not all(
-        _UNIT.match(units[place]) or (some and not units[place]) for place, _ in places.values()
-    ):
-        return {}
-    named = [f"{heading} [{unit}]" for heading, unit in zip(headings, units, strict=True)]
+def _with_units(headings: Sequence[Heading], row: Sequence[str], place: Place) -> list[Heading]:
+    """Return headings with the units of the row below; empty if that is not a row of units."""
     try:
-        with_units = _places(named, wanted, Place("", 1, 1))
-    except ReadError:
-        return {}
-    return with_units if with_units.keys() == places.keys() else {}
+        return with_units_below(headings, row)
+    except CellError as error:
+        raise ReadError("E121", str(error), place=place) from None
 
 
 def _wanted(heading: str, wanted: Container[str]) -> str:

@@ -105,11 +105,11 @@ def read_unit_table(  # noqa: PLR0913 (a table needs this many properties)
     try:
         head = read_headings(_filled(source.lines, 1), what, columns, skips=skips)
     except HeadingError as error:
-        raise ReadError(id, str(error), place=source.place(error.line)) from None
+        raise ReadError(id, str(error), place=source.place(error.line, error.column)) from None
     rows = _ColumnsRead(head)
     problems = [
         Problem(id, message, (), source.place(line))
-        for line, message in rows.read(source.lines, head.number + 1)
+        for line, message in rows.read(source.lines, head.last + 1)
     ]
     if len(rows.lines) > MOST_TABLE_ROWS:
         message = f"read more rows, expected {MOST_TABLE_ROWS} at most"

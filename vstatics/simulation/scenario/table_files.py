@@ -2,12 +2,21 @@
 
 from __future__ import annotations
 
+from itertools import zip_longest
 from pathlib import Path
 
 from vstatics.core.numerics.lookup_table import LookupTable
 from vstatics.core.readers.named.csv_files import lines_of
 from vstatics.core.readers.named.csv_rows import numbered_rows
-from vstatics.core.readers.named.headings import is_comment, with_unit, without_titles
+from vstatics.core.readers.named.headings import (
+    CellError,
+    Heading,
+    TableColumn,
+    is_comment,
+    with_unit,
+    with_units_below,
+    without_titles,
+)
 from vstatics.simulation.scenario.given import si_number
 
 MOST_TABLE_BYTES = 5_000_000
@@ -32,7 +41,7 @@ def _table(rows: list[tuple[int, list[str]]]) -> LookupTable:
     """Build a table from numbered lines: a heading, then rows of numbers.
 
     The heading has the quantity of the first column with its unit, then a number per column. A
-    single further column has any heading.
+    single further column has any heading. Units can also be in a row below the headings.
 
     Raises
     ------
@@ -46,15 +55,32 @@ def _table(rows: list[tuple[int, list[str]]]) -> LookupTable:
     90.0
     >>> _table([(1, ["time [ms]", "pedal"]), (2, ["0", "0.5"]), (3, ["1000", "1"])]).at(0.5)
     0.75
+    >>> _table([(1, ["time", "pedal"]), (2, ["ms", "%"]), (3, ["0", "5"]), (4, ["4", "9"])]).at(0.0)
+    0.05
     """
     heads = rows[0][1] if rows else []
-    given = [with_unit(head)[1] or "" for head in heads]
-    if len(heads) < 2 or not given[0]:
+    with_own_unit = heads if len(heads) == 2 else heads[:1]
+    headings = [
+        Heading(TableColumn(head, any_unit=True), place, unit)
+        for place, (head, unit) in enumerate(
+            zip_longest(heads, (with_unit(head)[1] for head in with_own_unit))
+        )
+    ]
+    below = rows[1:]
+    if below:
+        line, row = below[0]
+        try:
+            with_units = with_units_below(headings, row)
+        except CellError as error:
+            raise ValueError(f"line {line}: {error}") from None
+        if with_units:
+            headings, below = with_units, below[1:]
+    units = [heading.unit or "" for heading in headings]
+    if len(heads) < 2 or not units[0]:
         raise ValueError("expected a CSV file with a head such as `speed [rpm],0.2,0.5,1`")
-    units = given if len(heads) == 2 else [given[0], *[""] * (len(heads) - 1)]
     columns = tuple(_number(head, 1) for head in heads[1:]) if len(heads) > 2 else (0.0,)
     x, values = [], []
-    for line, row in rows[1:]:
+    for line, row in below:
         if is_comment(row[0]):
             continue
         if len(row) != len(heads):

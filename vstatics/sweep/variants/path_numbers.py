@@ -127,7 +127,7 @@ class CasePath(NamedTuple):
 def _size(unit: str, measure: Measure | Literal["power"]) -> float:
     if measure == "power":
         return quantity(f"1 {unit}", measure) * 1000
-    return measured(f"1 {unit}", measure, bare=False)
+    return measured(f"1 {unit}", measure, units=[UNIT_OF[measure]])
 
 
 def case_path(text: str, case: Transmission) -> CasePath | None:

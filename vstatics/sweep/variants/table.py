@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 import io
 import math
-import re
 from collections.abc import Iterator, Sequence
 from itertools import chain, islice
 from typing import IO, NamedTuple
@@ -20,6 +19,7 @@ from vstatics.core.readers.named.csv_rows import (
     expect_cells,
     has_cells,
     headings_of,
+    placed_cells,
     separator_of,
 )
 from vstatics.core.readers.named.headings import (
@@ -167,7 +167,7 @@ def _headings(piece: bytes, file: str, subject: VariedSubject) -> tuple[_Columns
             try:
                 return _header(head, Place(file, number, 1, line), subject), below
             except ReadError as error:
-                known = len(_cells(head, separator_of(head))) - len(error.problems)
+                known = len(placed_cells(head, separator_of(head))) - len(error.problems)
                 refused.setdefault(known, error)
     raise refused[max(refused)]
 
@@ -188,7 +188,7 @@ def _header(line: str, start: Place, subject: VariedSubject) -> _Columns:
     if not line.strip():
         raise refusal("read an empty line, expected names such as D1.ratio", start)
     separator = separator_of(line)
-    cells = _cells(line, separator)
+    cells = placed_cells(line, separator)
     cells = cells[: len(headings_of([text for text, _ in cells]))]
     placed = [(unguarded(name), start._replace(column=column)) for name, column in cells]
     names = [name for name, _ in placed]
@@ -327,7 +327,7 @@ def _careful(piece: bytes, line: int, columns: _Columns) -> Floats:
 
 
 def _row(text: str, place: Place, columns: _Columns) -> list[float]:
-    cells = _cells(text, columns.separator)
+    cells = placed_cells(text, columns.separator)
     expected = len(columns.names)
     try:
         expect_cells([text for text, _ in cells], expected, columns.separator)
@@ -368,19 +368,3 @@ def _text(data: bytes, file: str, line: int) -> str:
         column = len(data[: error.start].decode()) + 1
         place = Place(file, line, column, data.decode(errors="replace"))
         raise refusal("the file is not UTF-8; save the table as CSV in UTF-8", place) from None
-
-
-def _cells(line: str, separator: str) -> list[tuple[str, int]]:
-    """Return the cells of a line, without blanks and quotes, each with the column from 1."""
-    blanks = rf"(?:(?!{separator})\s)*"
-    cell = re.compile(rf'{blanks}(?:"((?:[^"]|"")*)"{blanks}|([^{separator}]*))({separator}|\Z)')
-    cells = []
-    position = 0
-    while match := cell.match(line, position):
-        quoted, plain, end = match.groups()
-        text = plain.strip() if quoted is None else quoted.replace('""', '"')
-        cells.append((text, match.start(2 if quoted is None else 1) + 1))
-        if not end:
-            break
-        position = match.end()
-    return cells

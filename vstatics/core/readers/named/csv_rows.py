@@ -118,6 +118,26 @@ def cells_of(line: str, separator: str) -> list[str]:
     return [cell.strip() for cell in cells]
 
 
+def placed_cells(line: str, separator: str) -> list[tuple[str, int]]:
+    """Return the cells of a line, without blanks and quotes, each with the column from 1.
+
+    >>> placed_cells('t; "v, km/h"', ";")
+    [('t', 1), ('v, km/h', 5)]
+    """
+    blanks = rf"(?:(?!{separator})\s)*"
+    cell = re.compile(rf'{blanks}(?:"((?:[^"]|"")*)"{blanks}|([^{separator}]*))({separator}|\Z)')
+    cells = []
+    position = 0
+    while match := cell.match(line, position):
+        quoted, plain, end = match.groups()
+        text = plain.strip() if quoted is None else quoted.replace('""', '"')
+        cells.append((text, match.start(2 if quoted is None else 1) + 1))
+        if not end:
+            break
+        position = match.end()
+    return cells
+
+
 def decimal(cell: str) -> float:
     """Return a cell as a finite decimal number.
 

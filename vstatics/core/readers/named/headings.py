@@ -1,7 +1,7 @@
 """Headings of tables of numbers, which contain names with units.
 
 A unit can be in brackets, in parentheses, after `_` or `/`, or after a comma within a cell.
-Units can also be on a separate line below the names. Lines above the headings are titles, even if
+Units can also be in a row below the names. Lines above the headings are titles, even if
 they contain numbers. Upper case and comment signs in headings are ignored.
 """
 
@@ -17,7 +17,12 @@ from typing import NamedTuple
 from vstatics.core.errors import quoted, spoken
 from vstatics.core.model.empty import EMPTY
 from vstatics.core.model.shape import UNIT_OF, Measure
-from vstatics.core.readers.named.csv_rows import cells_of, headings_of, separator_of
+from vstatics.core.readers.named.csv_rows import (
+    cells_of,
+    headings_of,
+    placed_cells,
+    separator_of,
+)
 from vstatics.core.readers.named.si_units import measured
 from vstatics.core.suggestions import nearest
 
@@ -35,6 +40,15 @@ _UNIT_BEHIND = re.compile(
     r"(?:\[(?P<bracket>[^\[\]]*)\]?|\((?P<round>[^()]*(?:\([^()]*\)[^()]*)*)\)|,(?P<comma>[^,]*))"
 )
 _OF_NUMBERS = re.compile(r"[-+0-9.,;eE\s\"]*")
+_UNIT = re.compile(r"(?!nan|inf)(?:[^\W\d_]|1/|[°%‰])", re.IGNORECASE)
+"""Pattern of the beginning of a unit. The texts `nan` and `inf` are undefined numbers."""
+_USUAL_UNITS: Mapping[Measure, Sequence[str]] = {
+    "time": ("s", "ms", "min", "h"),
+    "velocity": ("m/s", "km/h", "mph"),
+    "si_speed": ("rad/s", "rpm", "rev/s"),
+    "si_torque": ("N*m", "kN*m", "lbf*ft"),
+}
+"""Units that messages name, by measure. Other measures have only their SI unit."""
 _CLOCK = "hh:mm:ss"
 """Unit of a time whose cells are clock times or dates."""
 _LONGEST_WITH_UNIT = 200
@@ -52,6 +66,8 @@ class TableColumn(NamedTuple):
     optional: bool = False
     may_be_bare: bool = False
     """True if a heading without a unit means the SI unit."""
+    any_unit: bool = False
+    """True if the column can have any unit, which does not change the numbers."""
     meaning: str = ""
     """Hint that ends the message about a wrong unit."""
     sizes: Mapping[str, float] | None = None
@@ -90,6 +106,8 @@ class TableColumn(NamedTuple):
         ValueError
             The message states the expectation.
         """
+        if self.any_unit:
+            return 1.0
         if self.sizes is not None or self.measure is None:
             sizes = {"": 1.0, "-": 1.0} if self.sizes is None else self.sizes
             if (unit or "") not in sizes or (unit == "" and self.sizes is None):
@@ -143,8 +161,9 @@ def _size_of(unit: str, measure: Measure) -> float:
     """
     if measure == "time" and unit.casefold() == _CLOCK:
         return 1.0
+    usual = _USUAL_UNITS.get(measure, (UNIT_OF[measure],))
     try:
-        return measured(f"1 {unit}", measure)
+        return measured(f"1 {unit}", measure, units=usual)
     except ValueError:
         if measure not in _IN_ANY_LETTERS or unit == unit.casefold():
             raise
@@ -172,6 +191,8 @@ class HeadingLine(NamedTuple):
     """Line with the headings of a table."""
 
     number: int
+    last: int
+    """Number of the row of units below the headings; without it, the same as `number`."""
     separator: str
     headings: Sequence[Heading]
     width: int
@@ -181,11 +202,20 @@ class HeadingLine(NamedTuple):
 
 
 class HeadingError(ValueError):
-    """Error in the headings, with the line number."""
+    """Error in the headings or in the units below them, with line and column from 1."""
 
-    def __init__(self, message: str, line: int) -> None:
+    def __init__(self, message: str, line: int, column: int = 1) -> None:
         super().__init__(message)
         self.line = line
+        self.column = column
+
+
+class CellError(ValueError):
+    """Error in a cell, with the index of the cell."""
+
+    def __init__(self, message: str, place: int) -> None:
+        super().__init__(message)
+        self.place = place
 
 
 def with_unit(cell: str) -> tuple[str, str | None]:
@@ -332,25 +362,31 @@ class _ExpectedTable(NamedTuple):
         HeadingError
             The message states the text that was read, and the expected headings.
         """
-        number = lines[at][0]
-        headings = _with_clock(self.understood(cells), lines[at + 1 :], separator)
+        number, line = lines[at]
+        headings = self.understood(cells)
         places = {heading.place for heading in headings}
         others = [cell for place, cell in enumerate(cells) if place not in places]
         try:
             self.check_names(headings, others)
         except ValueError as error:
             raise HeadingError(f"{error}{_quoted_lines(lines, at)}", number) from None
-        fault = _fault_of_units(headings)
-        for below, row in lines[at + 1 :]:
-            under = cells_of(row, separator)
-            is_candidate = fault or _has_units(headings, under)
-            if is_candidate and (with_units := _with_units(headings, under)):
-                return HeadingLine(below, separator, with_units, len(cells), others)
+        last, below = number, lines[at + 1 :]
+        for index, (row_number, row) in enumerate(below, 1):
+            try:
+                with_units = with_units_below(headings, cells_of(row, separator))
+            except CellError as error:
+                column = _column(row, separator, error.place)
+                raise HeadingError(str(error), row_number, column) from None
+            if with_units:
+                headings, last, below = with_units, row_number, below[index:]
+                break
             if not is_comment(row):
                 break
-        if fault:
-            raise HeadingError(f"{fault}{_quoted_lines(lines, at)}", number)
-        return HeadingLine(number, separator, headings, len(cells), others)
+        headings = _with_clock(headings, below, separator)
+        if fault := _fault_of_units(headings):
+            column = _column(line, separator, fault.place)
+            raise HeadingError(f"{fault}{_quoted_lines(lines, at)}", number, column)
+        return HeadingLine(number, last, separator, headings, len(cells), others)
 
     def check_names(self, headings: Sequence[Heading], others: Sequence[str]) -> None:
         """Check that each required column occurs once, without unknown headings.
@@ -383,22 +419,68 @@ class _ExpectedTable(NamedTuple):
             raise ValueError(f"{spoken(map(quoted, missing))} {verb} missing, expected {self.what}")
 
 
-def _fault_of_units(headings: Sequence[Heading]) -> str:
-    """Return a message about the first wrong or missing unit; empty if all units fit."""
-    try:
-        for heading in headings:
+def _fault_of_units(headings: Sequence[Heading]) -> CellError | None:
+    """Return an error about the first wrong or missing unit, if any."""
+    for heading in headings:
+        try:
             _ = heading.size
-    except ValueError as error:
-        return str(error)
-    return ""
+        except ValueError as error:
+            return CellError(str(error), heading.place)
+    return None
 
 
-def _has_units(headings: Sequence[Heading], row: Sequence[str]) -> bool:
-    """Return whether the cells of a row in the columns of numbers are units or empty."""
-    columns = {heading.place: heading.column for heading in headings if not heading.column.is_text}
-    cells = [(columns.get(place), cell.strip("[]() -")) for place, cell in enumerate(row)]
-    fitting = [column.accepts(cell) for column, cell in cells if column and cell]
-    return any(fitting) and all(fitting)
+def with_units_below(headings: Sequence[Heading], row: Sequence[str]) -> list[Heading]:
+    """Return headings with the units of the row below; empty if that is not a row of units.
+
+    A row of units contains a unit of a column or of time, and no numbers. If a heading lacks its
+    unit, other words are units, too. Units in a comment have to fit their columns.
+
+    Raises
+    ------
+    CellError
+        If a unit does not fit its column, or differs from the unit in the heading.
+
+    Examples
+    --------
+    >>> headings = [Heading(TableColumn("time", "time"), 0, None)]
+    >>> [heading.unit for heading in with_units_below(headings, ["[ms]", "rpm"])]
+    ['ms']
+    """
+    words = {heading.place for heading in headings if heading.column.is_text}
+    first, *others = row
+    bare = enumerate(cell.strip("[]() -") for cell in (without_sign(first), *others))
+    cells = {place: cell for place, cell in bare if cell and place not in words}
+    given = [(heading, cells[heading.place]) for heading in headings if heading.place in cells]
+    fitting = [heading.column.any_unit or heading.column.accepts(cell) for heading, cell in given]
+    lacks_units = _fault_of_units(headings) is not None
+    if is_comment(first):
+        are_units = lacks_units and all(fitting)
+    else:
+        has_time = any(map(TableColumn("time", "time").accepts, cells.values()))
+        are_units = lacks_units or has_time or any(fitting)
+    if not (cells and are_units and all(_UNIT.match(cell) for _, cell in given)):
+        return []
+    units = {}
+    for heading, cell in given:
+        try:
+            size = heading.column.size(cell)
+        except ValueError as error:
+            raise CellError(str(error), heading.place) from None
+        if heading.column.any_unit:
+            differs = heading.unit != cell
+        else:
+            differs = heading.column.accepts(heading.unit) and heading.size != size
+        if heading.unit and differs:
+            message = f"read the unit {cell!r} below the unit {heading.unit!r}, expected one unit"
+            raise CellError(f"{heading.column.name}: {message}", heading.place)
+        units[heading.place] = cell
+    return [heading._replace(unit=heading.unit or units.get(heading.place)) for heading in headings]
+
+
+def _column(line: str, separator: str, place: int) -> int:
+    """Return the column of a cell, from 1; the end of the line for a cell behind it."""
+    columns = [column for _, column in placed_cells(line, separator)]
+    return columns[place] if place < len(columns) else len(line) + 1
 
 
 def _with_clock(
@@ -413,16 +495,6 @@ def _with_clock(
         else heading
         for heading in headings
     ]
-
-
-def _with_units(headings: Sequence[Heading], row: Sequence[str]) -> list[Heading]:
-    """Return headings with the units of the row below; empty if that row has no units."""
-    units = {place: cell.strip("[]() -") for place, cell in enumerate(row)}
-    with_units = [
-        heading._replace(unit=heading.unit or units.get(heading.place) or None)
-        for heading in headings
-    ]
-    return [] if _fault_of_units(with_units) else with_units
 
 
 def _heading_lines(lines: Sequence[str]) -> Iterator[tuple[int, str, list[str]]]:

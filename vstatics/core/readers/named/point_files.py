@@ -140,7 +140,7 @@ def _table(lines: Sequence[str], values: Values | Literal[""]) -> tuple[list[Hea
     heads = sorted(head.headings, key=lambda heading: columns.index(heading.column))
     # A line of units can have fewer cells than the line of names above it.
     full = head.separator.join("x" * head.width)
-    below = numbered_rows(chain(repeat("", head.number - 1), [full], lines[head.number :]))
+    below = numbered_rows(chain(repeat("", head.last - 1), [full], lines[head.last :]))
     next(below)
     rows = [
         (line, list(_numbers(heads, row, line))) for line, row in below if not is_comment(row[0])

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from functools import cache
 from typing import NamedTuple
 
-from vstatics.core.errors import spoken
+from vstatics.core.errors import quoted, spoken
 from vstatics.core.model.shape import STRAIGHT, UNIT_OF, InUnit, Measure
 from vstatics.core.readers.named.arithmetic import ARITHMETIC, UnitError, calculated, slip
 from vstatics.core.readers.named.units import (
@@ -111,10 +111,10 @@ _LARGEST_EXPONENT = 4
 _SUPERSCRIPTS = str.maketrans("²³⁴⁻−¹", "234--1")
 
 
-def measured(text: str, measure: Measure, *, bare: bool = True) -> float:
+def measured(text: str, measure: Measure, *, units: Sequence[str] = ()) -> float:
     """Return the value in SI of a number with or without a unit.
 
-    If `bare` is false, messages say that the number needs a unit.
+    If `units` are given, messages say that the number needs a unit such as these.
 
     Raises
     ------
@@ -133,7 +133,9 @@ def measured(text: str, measure: Measure, *, bare: bool = True) -> float:
     (4.4704, 4.4704)
     """
     unit = UNIT_OF[measure]
-    form = f"in {unit}, bare or with its unit" if bare else f"with its unit, such as `{unit}`"
+    form = f"in {unit}, bare or with its unit"
+    if units:
+        form = f"with its unit, such as {spoken(map(quoted, units), 'or')}"
     in_unit = f"expected {with_article(measure)} {form}"
     if not has_digits(text):
         raise ValueError(in_unit)
