@@ -761,7 +761,7 @@ def _gears(
         if len(names) == 1:
             return np.zeros(len(trace.speed), np.int64)
         message = "the trace has no column `gear`, expected this column or one of --shift, "
-        message += "--least-speed and --strategy"
+        message += f"--least-speed and --strategy{trace.hint_of_gears}"
         raise CaseError("E426", message, place=trace.place)
     neutrals = {name for name in {*trace.gears} - {*names} if name.casefold() in _AT_STANDSTILL}
     standing: Booleans = trace.speed <= 0

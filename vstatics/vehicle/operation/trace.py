@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vstatics.core.errors import Place, Problem, ReadError, listed
+from vstatics.core.errors import Place, Problem, ReadError, listed, quoted, spoken
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.readers.named.headings import TableColumn
 from vstatics.core.readers.unit_table import UnitTable, read_unit_table
@@ -33,6 +33,12 @@ _GRADES = (
     *("gradient", "grad", "road grade", "road gradient", "incline", "inclination"),
     *("cycgrade",),  # for FASTSim
 )
+_GEAR = TableColumn(
+    "gear",
+    is_text=True,
+    optional=True,
+    aliases=dict.fromkeys(("selected gear", "gear number", "<gear>"), ""),
+)
 COLUMNS = (
     TableColumn(
         "time",
@@ -49,12 +55,7 @@ COLUMNS = (
         | dict.fromkeys(("<v>", "km/h", "kmh", "kph"), "km/h")
         | {"mph": "mph"},
     ),
-    TableColumn(
-        "gear",
-        is_text=True,
-        optional=True,
-        aliases=dict.fromkeys(("selected gear", "gear number", "<gear>"), ""),
-    ),
+    _GEAR,
     TableColumn(
         "slope",
         optional=True,
@@ -125,12 +126,24 @@ class Trace(NamedTuple):
     @property
     def notes(self) -> list[Problem]:
         """Notes about skipped columns, located at the headings."""
-        skipped = [f"`{heading}`" for heading in self.table.head.skipped if heading]
+        skipped = self._skipped
         if not skipped:
             return []
         columns = "a column" if len(skipped) == 1 else f"{len(skipped)} columns"
         text = f"{columns} with an unknown name ignored: {listed(skipped)}"
         return [Problem("N005", text, (), self.place)]
+
+    @property
+    def hint_of_gears(self) -> str:
+        """Hint with the names of a column of gears, if columns with other names were skipped."""
+        if not self._skipped:
+            return ""
+        names = spoken(map(quoted, (_GEAR.name, *_GEAR.aliases)), "or")
+        return f"; the column can be called {names}, not {listed(self._skipped)}"
+
+    @property
+    def _skipped(self) -> list[str]:
+        return [quoted(heading) for heading in self.table.head.skipped if heading]
 
     @property
     def place(self) -> Place:
