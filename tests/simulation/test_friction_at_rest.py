@@ -136,7 +136,7 @@ def test_a_random_gear_sticks_and_moves_when_an_integrator_says_so(seed: int) ->
 
 def test_a_gear_that_a_brake_holds_has_no_event() -> None:
     case = PAIR.format(first=1, second=2, ratio=2, eta=0.9)
-    case += "shift_elements: {B: {links: [b], capacity: 100 N*m}}\n"
+    case += "shift_elements: {B: {links: [b, housing], capacity: 100 N*m}}\n"
     motion = simulated("duration: 2\nstart: {speeds: {b: 5}}\ncontrols: {B: 50}\n", case)
     assert [(one.element, one.word) for one in motion.events] == [("B", "locks")]
 

@@ -23,7 +23,7 @@ from vstatics.core.writers.named import mapping
 
 LAWFUL = """
 links: [in, mid, out]
-shift_elements: {C: {links: [in, mid], drag: "0.2 + 0.001*w"}, F: {kind: freewheel, links: [out]}}
+shift_elements: {C: {links: [in, mid], drag: "0.2 + 0.001*w"}, F: {kind: freewheel, links: [out, housing]}}
 elements:
   pair: {kind: gear_pair, first: in, second: mid, teeth: {first: 20, second: 41}}
 mechanisms:

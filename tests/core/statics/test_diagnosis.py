@@ -47,6 +47,15 @@ def test_brakes_that_hold_the_input_tie_the_gear_up() -> None:
     assert status(case) == 1
 
 
+def test_a_gear_that_holds_only_its_input_needs_another_shift_element_instead() -> None:
+    """The two messages describe one remedy: brake A is the wrong one of the two shift elements."""
+    tied_up, missing, *_ = texts(solve(train([(1, 0), (3, 0)], Gear([1]))))
+    assert tied_up.endswith(
+        "A and the input speed contradict each other, so the input cannot turn as given; release A"
+    )
+    assert missing == "warning: one more shift element must be engaged instead"
+
+
 def test_a_contradiction_is_said_once_however_many_equations_repeat_it() -> None:
     """Both sets and the clutch make links 1 to 3 one piece, twice over."""
     sets = [Mechanism(3, 1, 2, -2.0), Mechanism(1, 3, 2, -3.0), Mechanism(2, 4, 0, -3.0)]

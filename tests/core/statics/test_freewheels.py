@@ -30,7 +30,7 @@ shift_elements:
   B: [input, sun]
   C: [sun, housing]
   D: {kind: freewheel, links: [carrier 2, housing]}
-  E: {kind: brake, links: [carrier 2]}
+  E: {kind: brake, links: [carrier 2, housing]}
 mechanisms:
   P1: {first: sun, second: ring 1, third: output, ratio: -73/35, efficiency: 0.98}
   P2: {first: sun, second: output, third: carrier 2, ratio: -73/35, efficiency: 0.98}
@@ -278,14 +278,15 @@ def test_names_of_shift_elements_tell_their_kind() -> None:
 
 
 def test_faults_are_located() -> None:
-    brake = "{kind: brake, links: [carrier 2]}"
+    brake = "{kind: brake, links: [carrier 2, housing]}"
     rows = (
         ('"1": {engaged: [A]}', '"1": {engaged: [A, D]}', 12, "remove it from the gear"),
         (brake, "{kind: brake, links: [sun, output]}", 7, "against the"),
-        (brake, "{kind: clutch, links: [sun]}", 7, "expected `brake`"),
+        (brake, "{kind: clutch, links: [sun, 0]}", 7, "expected `brake`"),
         ("kind: brake", "kind: break", 7, "did you mean `brake`"),
-        ("[carrier 2]", "[carrier 2, sun, input]", 7, "read a list of 3"),
-        ("[carrier 2]", "[carrier]", 7, "links[1]: read"),
+        (brake, "{kind: brake, links: [carrier 2, sun, input]}", 7, "read a list of 3"),
+        (brake, "{kind: brake, links: [carrier, housing]}", 7, "links[1]: read"),
+        (brake, "{links: [carrier 2]}", 7, "read a list of 1, expected two links: [first, second]"),
         (brake, "{kind: brake}", 7, "`links` is missing"),
         (brake, "brake", 7, "expected two links"),
     )

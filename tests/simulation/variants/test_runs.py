@@ -192,7 +192,9 @@ def test_samples_have_their_distributions_and_a_seed_gives_the_same() -> None:
 
 def test_samples_of_a_number_with_a_unit_are_in_si() -> None:
     """A bare capacity of a case is relative to its load: 3 kN*m is not 3000 bare."""
-    case = CASE.replace(b"brake: [ring, housing]", b"brake: {links: [ring], capacity: 3 kN*m}")
+    case = CASE.replace(
+        b"brake: [ring, housing]", b"brake: {links: [ring, housing], capacity: 3 kN*m}"
+    )
     case += b"load: {torque: 100 N*m}\n"
     for element, mean in ((b"brake", b"3000"), (b"brake", b"3 kN*m"), (b"lock-up", b"3 kN*m")):
         given = b"samples: {shift_elements.%s.capacity: {normal: [%s, 0]}}\n" % (element, mean)

@@ -345,8 +345,8 @@ ELEMENT = ByKey(
         ),
         KeyShape(
             "links",
-            Ends(least=1),
-            "First and second link; a single link is connected to the housing.",
+            Ends(),
+            "First and second link.",
             required=True,
             examples=(["carrier", "housing"],),
         ),

@@ -321,10 +321,11 @@ def _too_free(results: Results, number: int, gear: Gear, missing: int) -> Said:
     over = _missed_freewheels(results, number, gear) if neutral else []
     why, exchange = _overrunning(case, results.gear_at(number), over)
     count = "one" if missing == 1 else str(missing)
+    instead = " instead" * bool(results.tied_up[number])
     return Said(
         "W414",
         f"{f'{NEUTRAL.english}{why}: ' * bool(neutral)}"
-        f"{count} more shift element{_s(missing)} must be engaged"
+        f"{count} more shift element{_s(missing)} must be engaged{instead}"
         f"{', or a speed given' * bool(neutral)}{links}{unheld}{exchange}",
     )
 
@@ -402,10 +403,12 @@ def _cure(
     determines it. `elements` are the slipping shift elements.
     """
     slipping = [element.name for element in elements if element.name in engaged]
+    sticking = [name for name in engaged if name not in slipping]
+    released = "one of the engaged shift elements" if len(engaged) > 1 else spoken(sticking)
     names = spoken(fixed)
     by_slip = f"remove the speed ratio of {names}, which the slip then determines"
     cures = [
-        "release one of the engaged shift elements" * (len(engaged) > len(slipping)),
+        f"release {released}" * bool(sticking),
         f"remove the slip of {spoken(slipping)}" * bool(slipping),
         "remove a given speed" * any(name != matrix.INPUT_SPEED for name in others),
         (by_slip if slipping else f"give {names} another speed ratio") * bool(fixed),

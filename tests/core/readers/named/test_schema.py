@@ -62,7 +62,7 @@ links: ["1", "2", "3", "4", "5", out] & output: out & shift_elements.F5: [4, out
 mechanisms.D1.ratio: "-.8E0" & mechanisms.D1.efficiency: 19/20
 mechanisms.D1.planet_ratio: null & mechanisms.D1.back_efficiency: 0
 gears.tow.input: 6 & gears.tow.output: "1"
-shift_elements.T1: {kind: brake, links: [2]} & shift_elements.F2: {links: [2, 3], drag: 1/100}
+shift_elements.T1: {kind: brake, links: [2, 0]} & shift_elements.F2: {links: [2, 3], drag: 1/100}
 shift_elements.T3: {kind: null, links: [3, housing], drag: null}
 shift_elements.L: {kind: freewheel, links: [4, 0]}
 shift_elements.K: {links: [4, 5], capacity: 7/2}
@@ -75,7 +75,7 @@ all: {springs: {s: {links: [a], stiffness: 3}}}
 gears & springs: {s: {links: [1, 2], stiffness: 3}}
 springs: {} & inertias: {}
 springs: null & inertias: null
-shift_elements.T1: {links: [2], stiffness: 100000, damping: {viscous: 3}}
+shift_elements.T1: {links: [2, 0], stiffness: 100000, damping: {viscous: 3}}
 mechanisms.D1.stiffness: 90000 & mechanisms.D1.damping: {loss_factor: 0.1}
 """
 BAD = """
@@ -95,9 +95,9 @@ mechanisms.D1.ratio | mechanisms.D1.ratio: 0 | mechanisms.D1.ratio: abc
 mechanisms.D1.ratio: "1_0" | mechanisms.D1.ratio: [1] | mechanisms.D1.ratio: null
 mechanisms.D1.back_efficiency: 1.5 | mechanisms.D1.efficiency: 0 | mechanisms.D1.efficiency: 94
 mechanisms.D1.planet_ratio: 0 | mechanisms.D1.stiffness: 0
-shift_elements.T1: {kind: brake} | shift_elements.T1: {links: [1, 2, 3]}
-shift_elements.T1: {kind: ratchet, links: [2]} | shift_elements.T1: {links: [2], drag: -1}
-shift_elements.T1: {links: [2], capacity: 0}
+shift_elements.T1: {kind: brake} | shift_elements.T1: {links: [1, 2, 3]} | shift_elements.T1: {links: [2]}
+shift_elements.T1: {kind: ratchet, links: [2, 0]}
+shift_elements.T1: {links: [2, 0], drag: -1} | shift_elements.T1: {links: [2, 0], capacity: 0}
 gears.1.drag: {"5": -0.1} | gears.1.open_drag: [1] | gears.1.engaged: T1
 gears.1.engaged: [T1, T1] | gears.1.speeds: [1] | gears.1.torques: {"5": large}
 gears & springs: {} | gears & springs: null

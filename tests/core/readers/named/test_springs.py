@@ -219,7 +219,7 @@ inertias: {in: 3.6, a0: 0.2, vehicle: 41.2}
 shift_elements:
   FH: {links: [in, a0], static: 6/5, friction: {radius: 100 mm, area: 60 cm^2, surfaces: 8,
        coefficient: [[0, .12], [60 rpm, .1]]}}
-  FB: {links: [a0], friction: {radius: .1, area: 60e-4, surfaces: "8", coefficient: .12}}
+  FB: {links: [a0, housing], friction: {radius: .1, area: 60e-4, surfaces: "8", coefficient: .12}}
   FC: [in, a0]
 springs: {tyre: {links: [wheel, vehicle], stiffness: 4e4, limit: 3 kN*m}}
 mechanisms: {M: {first: a0, second: wheel, ratio: 4.1}}
