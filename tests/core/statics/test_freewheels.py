@@ -19,6 +19,7 @@ from tests.trains import random_train
 from vstatics import CaseError, Gear, Mechanism, Results, ShiftElement, Transmission, loads
 from vstatics import solve as solved
 from vstatics.core.model.checks import hints
+from vstatics.core.statics.diagnosis import undriven_gears
 from vstatics.core.writers import deck, named
 
 U = -73 / 35
@@ -291,3 +292,16 @@ def test_faults_are_located() -> None:
         (brake, "brake", 7, "expected two links"),
     )
     assert_located(SIMPSON, rows)
+
+
+def test_a_reversed_freewheel_is_the_remedy_of_a_gear_that_cannot_drive() -> None:
+    """No further shift element is needed, because the freewheel holds in its right order."""
+    reversed_freewheel = loads(
+        SIMPSON.replace("[carrier 2, housing]}\n  E", "[0, carrier 2]}\n  E")
+    )
+    case = reversed_freewheel.replace(gears=reversed_freewheel.gears[:1])
+    [problem] = undriven_gears(solved(case))
+    assert problem.message == (
+        "cannot drive; if the links of D are in the wrong order, write [carrier 2, housing]: "
+        "then the gear can drive"
+    )

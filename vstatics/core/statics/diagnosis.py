@@ -375,11 +375,10 @@ def undriven_gears(results: Results) -> Iterator[Problem]:
         if "W414" in case.untold or gear.kind == "neutral" or _is_for_motion(case, gear):
             continue
         if _is_neutral(results, number):
-            yield Problem(
-                "E453",
-                "cannot drive: expected another engaged shift element, or `kind: neutral`",
-                ("gears", number + 1),
-            )
+            over = _missed_freewheels(results, number, gear)
+            _, exchange = _overrunning(case, results.gear_at(number), over)
+            cure = exchange or ": expected another engaged shift element, or `kind: neutral`"
+            yield Problem("E453", f"cannot drive{cure}", ("gears", number + 1))
 
 
 def _speed_ratios(results: Results, number: int, gear: Gear) -> dict[str, float]:
