@@ -6,8 +6,9 @@ import pickle
 import pytest
 
 from tests.simulation.control.written import simulated
-from vstatics import ReadError
+from vstatics import Gear, Mechanism, ReadError, Transmission, sweep
 from vstatics.core.readers.expressions.excerpt import Excerpt
+from vstatics.core.readers.named.law_formulas import DragFormula
 from vstatics.simulation import Formula
 from vstatics.simulation.scenario.formula import read_formula
 
@@ -181,3 +182,19 @@ def test_sequences_set_powers_and_percentages() -> None:
         "inertias: {a: 1}",
     )
     assert motion.speeds[-1, 0] == pytest.approx(math.sqrt(50**2 + 2 * 1000 * 0.75), rel=1e-8)
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("log(2) + atan(2)", math.log(2) + math.atan(2)),
+        ("sin(2)*cos(2) + sign(-2)", math.sin(4) / 2 - 1),
+        ("exp(2)*tanh(2)", math.exp(2) * math.tanh(2)),
+    ],
+)
+def test_sweeps_laws_and_scenarios_have_the_same_functions(text: str, expected: float) -> None:
+    case = Transmission(2, [], [Mechanism(1, 2, 0, 3.0)], [Gear()])
+    [chunk] = sweep(case, {"D1.ratio": [3.0]}, out=f"{text} + 0*D1.ratio")
+    assert chunk.columns.item() == pytest.approx(expected)
+    assert DragFormula(f"{text} + 0*w").at(1.0) == pytest.approx(expected)
+    assert Formula(f"{text} + 0*t").function(1.0, 0.0, 0.0) == pytest.approx(expected)

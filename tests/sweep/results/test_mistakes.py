@@ -42,7 +42,7 @@ MISTAKES = (
     ("1R > 2", "1R > 2", 'goes in quotes: "1R"'),
     ("1_000 + 1", "1_000 + 1", "expected a number without `_`: 1000"),
     ("1e999", "1e999", "expected a number below 1.8e308"),
-    ("speeds(in)", "speeds(in)", "there is no function `speeds`, expected min, max, abs, sum"),
+    ("speeds(in)", "speeds(in)", "there is no function `speeds`, expected abs, min, max, sqrt"),
     ("2(3)", "(3)", "expected an operator"),
     ("maxi(ratio)", "maxi(ratio)", "did you mean `max`?"),
     ("max + 1", "+ 1", "`max` is a function, expected `(`"),

@@ -15,6 +15,7 @@ from vstatics.core.errors import listed, quoted, spoken
 from vstatics.core.model.empty import EMPTY
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.lookup_table import LookupTable
+from vstatics.core.readers.expressions.evaluation import FUNCTIONS
 from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.core.readers.expressions.grammar import Applied, Language, Tree, parse
 from vstatics.core.readers.expressions.operands import Constant, DottedName, TableName
@@ -23,7 +24,6 @@ from vstatics.simulation.scenario.algebra import parts, slope, variables, with_n
 from vstatics.simulation.scenario.corners import JUMPS, between, corners
 from vstatics.simulation.scenario.crossings import crossings
 from vstatics.simulation.scenario.formula_code import (
-    FUNCTIONS,
     PI,
     VARIABLES,
     Function,

@@ -86,9 +86,6 @@ _BROAD: Mapping[str, Callable[..., Any]] = {
     "or_": np.logical_or,
     "not_": np.logical_not,
 }
-FUNCTIONS = tuple(_PLAIN)
-"""Functions of numbers; only `min` and `max` have several arguments."""
-
 _ARITHMETIC = {
     "+": ast.Add,
     "-": ast.Sub,
@@ -112,6 +109,7 @@ def compiled(tree: Tree, seen: Sequence[Seen] = ()) -> Function:
 
     Examples
     --------
+    >>> from vstatics.core.readers.expressions.evaluation import FUNCTIONS
     >>> from vstatics.core.readers.expressions.excerpt import Excerpt
     >>> from vstatics.core.readers.expressions.grammar import Language, parse
     >>> function = compiled(parse(Excerpt("1/(1 + exp(t))", ""), Language(FUNCTIONS, "t", "t")))
@@ -140,6 +138,7 @@ def compiled_along(tree: Tree, seen: Sequence[Seen] = ()) -> Callable[..., Float
 
     Examples
     --------
+    >>> from vstatics.core.readers.expressions.evaluation import FUNCTIONS
     >>> from vstatics.core.readers.expressions.excerpt import Excerpt
     >>> from vstatics.core.readers.expressions.grammar import Language, parse
     >>> tree = parse(Excerpt("min(2*t, 3)*(speed > 1)", ""), Language(FUNCTIONS, "t", "t"))

@@ -8,10 +8,11 @@ from vstatics.core.errors import Problem, quoted
 from vstatics.core.model.empty import EMPTY
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.lookup_table import LookupTable
+from vstatics.core.readers.expressions.evaluation import FUNCTIONS
 from vstatics.core.readers.expressions.grammar import PYTHON
 from vstatics.core.tables.names import NAME
 from vstatics.simulation.scenario.formula import OF_EVENTS, OF_MOTION, OF_TORQUES, Vocabulary
-from vstatics.simulation.scenario.formula_code import FUNCTIONS, PI, VARIABLES
+from vstatics.simulation.scenario.formula_code import PI, VARIABLES
 
 _TRUTH = ("on", "off", "yes", "no", "true", "false")
 """Names that YAML readers can interpret as true or false."""

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 
 from vstatics.core.errors import Place, listed, quoted, typed_number
 from vstatics.core.model.paths import by_name, dotted
-from vstatics.core.readers.expressions.evaluation import FUNCTIONS, LAST
+from vstatics.core.readers.expressions.evaluation import LAST, TABLE_FUNCTIONS
 from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.core.readers.expressions.grammar import Language
 from vstatics.core.readers.expressions.operands import Constant, DottedName, Subscript, TableName
@@ -19,7 +19,7 @@ from vstatics.sweep.results.meanings import PART_NUMBERS, Selection, VariedNumbe
 from vstatics.sweep.variants.targets import Varied, target
 
 LANGUAGE = Language(
-    (*FUNCTIONS, LAST),
+    (*TABLE_FUNCTIONS, LAST),
     "a number, a table such as heat[F2], a number of the scenario such as shifts.1.at, "
     "or a function",
     example="work",
@@ -121,7 +121,7 @@ class RunNames:
         for table in ("speeds", "heat", "torques"):
             if not hint and name in self.rows(table):
                 hint = f"; a name goes in brackets: {table}[{name}]"
-        hint = hint or nearest(name, (*TABLES, *FUNCTIONS, LAST))
+        hint = hint or nearest(name, (*TABLES, *TABLE_FUNCTIONS, LAST))
         hint = hint or f", expected one of {listed(list(TABLES), 30)}"
         return f"a run has no table {quoted(name)}{hint}"
 

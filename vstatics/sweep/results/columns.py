@@ -11,7 +11,7 @@ import numpy as np
 
 from vstatics.core.errors import Problem, ReadError
 from vstatics.core.numerics.arrays import Floats
-from vstatics.core.readers.expressions.evaluation import FUNCTIONS, LAST
+from vstatics.core.readers.expressions.evaluation import LAST, TABLE_FUNCTIONS
 from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.core.readers.expressions.grammar import Applied
 from vstatics.core.readers.named.nodes import MOST_PROBLEMS
@@ -226,7 +226,7 @@ def _headings(
     own_gear = own_row = None
     if isinstance(node, Applied) and node.name == LAST and expression.table:
         (node,) = node.operands
-    call = given_name or (isinstance(node, Applied) and node.name in (*FUNCTIONS, LAST))
+    call = given_name or (isinstance(node, Applied) and node.name in (*TABLE_FUNCTIONS, LAST))
     before = text if call else f"({text})"
     # The heading of a selection also contains the chosen row and gear.
     if isinstance(node, Selection):

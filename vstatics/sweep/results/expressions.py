@@ -24,7 +24,12 @@ import numpy as np
 from vstatics.core.model.empty import EMPTY
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Floats
-from vstatics.core.readers.expressions.evaluation import LAST, REDUCTIONS, evaluate
+from vstatics.core.readers.expressions.evaluation import (
+    LAST,
+    REDUCTIONS,
+    TABLE_FUNCTIONS,
+    evaluate,
+)
 from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.core.readers.expressions.grammar import Applied, Tree, parse
 from vstatics.core.readers.expressions.operands import Constant, DottedName, TableName
@@ -212,7 +217,7 @@ def _resolve(tree: Tree, names: NameFinder, named: Mapping[str, ResolvedPart]) -
     if not isinstance(tree, Applied):
         return _named(tree, names, named)
     name, operands = tree.name, [_resolve(operand, names, named) for operand in tree.operands]
-    if name in ("abs", "sum", "sqrt", LAST) and len(operands) > 1:
+    if name in (*TABLE_FUNCTIONS, LAST) and name not in ("min", "max") and len(operands) > 1:
         message = f"{name} of {len(operands)} values, expected one, as in {name}(losses)"
         raise names.source.error(message, tree.at)
     node = Applied(name, tuple(operand.node for operand in operands), tree.at, tree.depth)

@@ -10,7 +10,7 @@ from vstatics.core.extras import higher
 from vstatics.core.model.fields import gear_place, numbered_gear
 from vstatics.core.model.parts import Law
 from vstatics.core.model.transmission import Transmission
-from vstatics.core.readers.expressions.evaluation import FUNCTIONS
+from vstatics.core.readers.expressions.evaluation import TABLE_FUNCTIONS
 from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.core.readers.expressions.grammar import Applied, Language
 from vstatics.core.readers.expressions.operands import Constant, DottedName, Subscript, TableName
@@ -42,7 +42,7 @@ from vstatics.sweep.variants.subject import number_of_case
 from vstatics.sweep.variants.targets import OF_MECHANISM, Target, Varied, own_number
 
 LANGUAGE = Language(
-    FUNCTIONS,
+    TABLE_FUNCTIONS,
     "a number, a table such as ratio[1], a varied number such as D1.ratio, or a function",
     example="ratio",
     instead="; rows and gears of a table go in [ ]",
@@ -263,7 +263,7 @@ class SweepNames:
             hint = "; `ok` is true where the column `status` says so"
         else:
             hint = (
-                nearest_quantity(name, (*FUNCTIONS, OMEGA, *OF_RATIOS, OK))
+                nearest_quantity(name, (*TABLE_FUNCTIONS, OMEGA, *OF_RATIOS, OK))
                 or "; tables are, for example, ratio, efficiency, speeds[C1]"
             )
         return f"there is no table {quoted(name)}{hint}"

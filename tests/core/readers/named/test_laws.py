@@ -78,7 +78,7 @@ def test_a_file_that_is_wrong_is_told_at_its_place(tmp_path: Path, text: str, sa
     ("drag", "efficiency", "said"),
     [
         ("1 + v*w", "1", "a formula of w: read `v` in it, expected a number, the speed w"),
-        ("1 + 2*sin(w)", "1", "sin"),
+        ("1 + 2*sinh(w)", "1", "sin"),
         ('"1,2 + 0,004*w"', "1", "expected an operator, or an end (with a decimal point)"),
         ("a.csv", "1", "expected a file as `{file: a.csv}`"),
         ("1", "a.csv", "expected a file as `{over: [speed, torque], file: a.csv}`"),

@@ -20,7 +20,10 @@ from vstatics.core.readers.expressions.operands import Constant
 Values: TypeAlias = Floats | Booleans
 Function: TypeAlias = Callable[[Sequence[Values]], Values]
 
-FUNCTIONS = ("min", "max", "abs", "sum", "sqrt")
+FUNCTIONS = ("abs", "min", "max", "sqrt", "exp", "tanh", "sin", "cos", "sign", "log", "atan")
+"""Functions of numbers in all formulas; only `min` and `max` have several arguments."""
+TABLE_FUNCTIONS = (*FUNCTIONS, "sum")
+"""Functions in formulas of tables."""
 REDUCTIONS = ("min", "max", "sum")
 """Functions that reduce a single operand to a number over all gears and rows."""
 LAST = "last"

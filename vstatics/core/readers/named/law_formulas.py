@@ -13,7 +13,7 @@ import numpy as np
 from vstatics.core.errors import ReadError, quoted
 from vstatics.core.model.parts import Law, Size
 from vstatics.core.numerics.arrays import Booleans, Floats
-from vstatics.core.readers.expressions.evaluation import evaluate
+from vstatics.core.readers.expressions.evaluation import FUNCTIONS, evaluate
 from vstatics.core.readers.expressions.excerpt import Excerpt
 from vstatics.core.readers.expressions.grammar import Applied, Language, Tree, parse
 from vstatics.core.readers.expressions.operands import DottedName, TableName
@@ -26,7 +26,6 @@ OF_SPEED: Mapping[str, str] = MappingProxyType({SPEED: "speed", "speed": "speed"
 """Names in formulas of drag, and their quantity. In a scenario the speed has a sign."""
 OF_BOTH: Mapping[str, str] = MappingProxyType({**OF_SPEED, TORQUE: "torque", "torque": "torque"})
 """Names in formulas of efficiency, and their quantities."""
-FUNCTIONS = ("abs", "min", "max", "sqrt", "exp", "tanh")
 
 
 class _LawFormula(Law):
@@ -110,7 +109,7 @@ def read_formula(text: str, law: type[_LawFormula]) -> _LawFormula:
     Traceback (most recent call last):
         ...
     ValueError: a formula of w: read `v` in it, expected a number, the speed w in rad/s, pi, or \
-one of abs, min, max, sqrt, exp, tanh
+one of abs, min, max, sqrt, exp, tanh, sin, cos, sign, log, atan
     """
     try:
         return law(text.strip())
