@@ -230,6 +230,19 @@ def picture_kinds() -> Mapping[str, PictureKind]:
     return dict(sorted(kinds.items(), key=lambda entry: entry[1].place))
 
 
+def picture_kind_of(command: Sequence[str]) -> str:
+    """Return the kind of picture that shows the results of a command; empty if none is obvious.
+
+    A kind of picture has the name of the command, or is the only kind of its annex.
+
+    >>> picture_kind_of(["vstatics", "run"])
+    ''
+    """
+    own = [annex.pictures for annex in annexes() if not annex.commands.keys().isdisjoint(command)]
+    only = [kind for pictures in own if len(pictures) == 1 for kind in pictures]
+    return next((kind for kind in picture_kinds() if kind in command or kind in only), "")
+
+
 def picture_options() -> Mapping[str, str]:
     """Return the special options of pictures, with the message for other kinds."""
     return {name: why for annex in annexes() for name, why in annex.picture_options.items()}

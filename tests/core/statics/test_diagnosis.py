@@ -19,7 +19,7 @@ from tests.shipped import shipped_results
 from vstatics import Gear, Mechanism, ShiftElement, Transmission, solve
 from vstatics.core.model.parts import Load, SpeedOf
 from vstatics.core.readers import loads
-from vstatics.core.statics.diagnosis import is_uncertain, regular_gears
+from vstatics.core.statics.diagnosis import is_uncertain, regular_gears, undriven_gears
 from vstatics.core.statics.results import Results
 
 
@@ -202,3 +202,11 @@ def test_speeds_and_torques_of_a_pair_check_one_another() -> None:
     assert not is_uncertain(Gear(), -0.4, -2.5)
     assert is_uncertain(Gear(), -0.4, -2.6)
     assert not is_uncertain(Gear(torques={1: 0.5}), -0.4, -2.6)
+
+
+def test_an_output_that_no_component_joins_is_the_cause_of_a_gear_that_cannot_drive() -> None:
+    """Link 4 is the output by default, as the last link, but the planetary set ends at link 3."""
+    results = solve(train([(2, 0)], Gear([1]), links=4, output=4))
+    [problem] = undriven_gears(results)
+    assert problem.message == "cannot drive: no component is connected to the output, link 4"
+    assert "warning: neutral: no component is connected to the output, link 4" in texts(results)

@@ -195,3 +195,8 @@ def test_shipped_scenarios_fit_their_schema() -> None:
         data = yaml.safe_load(file.read_text("utf-8"))
         assert list(validator("scenario").iter_errors(data)) == [], file.name
         load_scenario(file)
+
+
+def test_an_output_with_the_suffix_of_a_picture_leads_to_the_command_plot() -> None:
+    said = vstatics("simulate", "upshift.yaml", "-o", "run.png")
+    assert said.is_wrong_use("or none for text; `vstatics plot --kind shift` draws pictures")

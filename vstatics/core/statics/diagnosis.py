@@ -320,6 +320,8 @@ def _too_free(results: Results, number: int, gear: Gear, missing: int) -> Said:
     unheld = f"; {NOTHING_HOLDS}" if _is_adrift(results, number) else ""
     over = _missed_freewheels(results, number, gear) if neutral else []
     why, exchange = _overrunning(case, results.gear_at(number), over)
+    if neutral and (loose := _loose_ends(case, gear)):
+        return Said("W414", f"{NEUTRAL.english}: {loose}")
     count = "one" if missing == 1 else str(missing)
     instead = " instead" * bool(results.tied_up[number])
     return Said(
@@ -328,6 +330,22 @@ def _too_free(results: Results, number: int, gear: Gear, missing: int) -> Said:
         f"{count} more shift element{_s(missing)} must be engaged{instead}"
         f"{', or a speed given' * bool(neutral)}{links}{unheld}{exchange}",
     )
+
+
+def _loose_ends(case: Transmission, gear: Gear) -> str:
+    """Return a clause about an input or output to which nothing is connected; empty otherwise."""
+    components = (
+        *(mechanism.links for mechanism in case.mechanisms),
+        *(element.links for element in case.shift_elements),
+        *(converter.links for converter in case.converters),
+        *(spring.twist for spring in case.springs),
+    )
+    connected = {link for links in components for link in links}
+    ends = (("input", case.gear_input(gear)), ("output", case.gear_output(gear)))
+    loose = [
+        f"the {end}, link {case.link_name(link)}" for end, link in ends if link not in connected
+    ]
+    return f"no component is connected to {spoken(loose)}" if loose else ""
 
 
 def _overrunning(case: Transmission, state: GearState, numbers: Sequence[int]) -> tuple[str, str]:
@@ -378,6 +396,8 @@ def undriven_gears(results: Results) -> Iterator[Problem]:
             over = _missed_freewheels(results, number, gear)
             _, exchange = _overrunning(case, results.gear_at(number), over)
             cure = exchange or ": expected another engaged shift element, or `kind: neutral`"
+            if loose := _loose_ends(case, gear):
+                cure = f": {loose}"
             yield Problem("E453", f"cannot drive{cure}", ("gears", number + 1))
 
 

@@ -6,7 +6,7 @@ The places were counted in the files, not taken from the program.
 import pytest
 
 from tests.commands import BAD_FILES
-from vstatics.core.errors import ReadError
+from vstatics.core.errors import Problem, ReadError
 from vstatics.core.readers.deck import reader as deck
 
 # file:line:column: words of the message, with `...` between parts of it; a line that is set in
@@ -133,6 +133,24 @@ def test_a_field_with_an_unknown_name_causes_a_warning() -> None:
         warnings = deck.read(f"{NO_FAULT}\n{line}\n".encode(), "case.dat").warnings
         for told, word in zip(map(str, warnings), words, strict=True):
             assert (told.startswith(place), word in told) == (True, True), line
+
+
+def test_a_field_that_looks_like_a_result_ends_the_deck() -> None:
+    """Users of decks look for the missing field below that line, where it is."""
+    early = NO_FAULT.replace("ETAI(I),", "ETA(I),")
+    line = early[: early.index("ETA(")].count("\n") + 1
+    with pytest.raises(ReadError, match="NP is missing") as raised:
+        deck.read(early.encode(), "early.dat")
+    hint = f"; the deck ends where results begin, at line {line}"
+    assert raised.value.problems[0].message.endswith(hint)
+
+
+def test_words_of_yaml_lead_users_of_decks_to_their_own_words() -> None:
+    reading = deck.read(NO_FAULT.encode(), "no-fault.dat")
+    moved = reading.locate(Problem("E514", "expected `inertias` of links", ("inertias",)))
+    assert moved.message.endswith("; a deck cannot hold `inertias`, so convert it to YAML")
+    with pytest.raises(ReadError, match=r"read '-78/36', .*; write the quotient as `-78:36`"):
+        deck.read(NO_FAULT.replace("-2.5 2.6", "-78/36 2.6").encode(), "quotient.dat")
 
 
 def test_every_deck_with_a_fault_is_tested() -> None:

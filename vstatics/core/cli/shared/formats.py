@@ -9,6 +9,7 @@ from typing import Literal
 
 import click
 
+from vstatics.core.annexes import picture_kind_of
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.options import OUTPUT, Command, gathered, refuse, under
 from vstatics.core.cli.shared.values import FILE
@@ -23,10 +24,19 @@ TABLES = ("text", "json", "jsonl", "csv", "markdown", "latex", "xlsx")
 """Formats of a command with tables."""
 READ_BY_PEOPLE = ("text", "listing", "markdown", "latex", "html")
 """Formats for people, with words in the language of the output."""
+PICTURES = ("svg", "png", "pdf")
+"""Formats of pictures."""
 FULL = ("json", "jsonl", "csv", "parquet")
 """Formats with all digits of a number."""
 STREAMS = ("jsonl", "parquet")
 """Formats with all cases in a single file, which --resume can continue."""
+
+
+def _hint_of_pictures() -> str:
+    """Return a hint to the command that draws pictures, with the kind for the present command."""
+    context = click.get_current_context(silent=True)
+    kind = picture_kind_of(context.command_path.split() if context else ())
+    return f"; `vstatics plot{f' --kind {kind}' * bool(kind)}` draws pictures"
 
 
 class TextStyle(NamedTuple):
@@ -110,6 +120,7 @@ class OutputOptions(NamedTuple):
             plain = ", or none for text" if self.formats[0] in ("text", "listing") else ""
             folder = "; a directory ends with /" if several else ""
             message = f"no format has this suffix here: expected {expected}{plain}{folder}"
+            message += _hint_of_pictures() * (suffix in known(PICTURES))
             raise click.UsageError(f"{output}: {message}")
         if form_of_suffix and (message := mismatch(form, output)):
             raise click.UsageError(f"-f {message}")

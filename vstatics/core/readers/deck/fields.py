@@ -177,6 +177,8 @@ class Fields:
                 hint = f"; line {line} starts with `{word}`, which is not a field"
                 del self.scan.unknown[word]
                 break
+        if self.scan.result and not hint:
+            hint = f"; the deck ends where results begin, at line {self.scan.result}"
         self.scan.error(f"{key} is missing: expected {expected}{hint}", *self._end())
 
     def _end(self) -> Spot:

@@ -27,6 +27,8 @@ REPEATED = r"([0-9]{1,18})\*(.+)"
 INTEGER = re.compile(r"[+-]?[0-9]+")
 REAL = re.compile(r"([+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+))(?:[EDQ]([+-]?[0-9]+)|([+-][0-9]+))?")
 _RELATED = r"(?P<first>[^:%]*[^:%\s])\s*(?P<sign>[:%])\s*(?P<second>.*)"
+_QUOTIENT = re.compile(r"[-+.\d]+/[.\d]+")
+"""Quotient as in YAML, for which a deck has a colon."""
 DECIMAL_COMMA = r"(?<![.0-9])[0-9]*,[0-9]+(?![.0-9])"
 LONGEST_DECK_NUMBER = 1000
 """Maximum number of characters of a number. More characters add no information."""
@@ -113,7 +115,9 @@ def worked_out(calculation: str) -> float:
 def _fortran_number(text: str) -> float:
     match = REAL.fullmatch(latin(text)) if len(text) <= LONGEST_DECK_NUMBER else None
     if match is None:
-        raise NotANumberError(f"expected a number such as -.8 or .26E+01{dash_hint(text)}")
+        quotient = text.replace("/", ":") if _QUOTIENT.fullmatch(text) else ""
+        hint = f"; write the quotient as `{quotient}`" if quotient else dash_hint(text)
+        raise NotANumberError(f"expected a number such as -.8 or .26E+01{hint}")
     number = float(f"{match[1]}E{match[2] or match[3] or 0}")
     if not isfinite(number):
         raise NotANumberError("which overflows; expected a number below 1.8E+308")

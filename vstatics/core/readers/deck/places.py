@@ -63,6 +63,8 @@ class Places:
                 message = problem.message
                 for key, word in IN_DECK.items():
                     message = message.replace(key, word)
+                if (part := problem.path[0]) not in WHOLE:
+                    message += f"; a deck cannot hold `{part}`, so convert it to YAML"
                 return problem._replace(message=f"{label}: {message}", place=place)
         return problem
 

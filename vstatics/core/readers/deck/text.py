@@ -65,6 +65,8 @@ class Scan:
         """Create an empty scan; `last` is the number of the last line of the input."""
         self.source = source
         self.last = last
+        self.result = 0
+        """Number of the line where results begin, which end the deck; 0 without results."""
         self.fields: dict[str, Field] = {}
         self.stops: list[int] = []
         """Numbers of lines with a field or a name, where the values of the previous field end."""
@@ -165,7 +167,7 @@ def scan(source: Source) -> Scan:
     for number, line in enumerate(source.lines, 1):
         kind, what = _meaning(line) if len(line) <= KEPT_CHARACTERS else _read_line(line)
         if kind == "result":
-            result.last = number - 1
+            result.last, result.result = number - 1, number
             _only_report(result, number)
             break
         if kind == "fields":

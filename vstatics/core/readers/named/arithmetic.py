@@ -36,6 +36,8 @@ _FURTHER = re.compile(
     r"(?:^|(?<![\w^.])[0-9.]+) ?(?:\*\*|\^)|(?<![^\W\d_])(?:pi|π|sqrt)(?![^\W\d_])"
 )
 """Power of a number, pi or a root, which formulas can contain but calculations cannot."""
+_FUNCTION = re.compile(r"(?<![\w)])([^\W\d_]\w{1,19}) ?\([-+\d.]")
+"""Call of a function, whose first argument begins with a number."""
 _PERCENT = re.compile(r"per ?cent|pct|prozent|процент", re.IGNORECASE)
 _PLAIN = re.compile(rf"[-+]?{_FIGURE}\Z")
 _NUMBER = re.compile(rf" *{_FIGURE} *")
@@ -125,13 +127,17 @@ def slip_or_percent(text: str) -> str:
 
 
 def further(text: str) -> str:
-    """Return a hint for powers, pi and roots, which calculations must not contain.
+    """Return a hint for powers, pi and functions, which calculations must not contain.
 
     >>> further("80e9*pi"), further("^4/32 N*m/rad") == further("2**3"), further("9 kg*m**3")
     (' (a calculation can only contain numbers, `+ - * /` and brackets)', True, '')
+    >>> further("sqr(12)*0.31")
+    ' (a calculation can only contain numbers, `+ - * /` and brackets, not `sqr`)'
     """
-    hint = " (a calculation can only contain numbers, `+ - * /` and brackets)"
-    return hint * bool(_FURTHER.search(text))
+    function = _FUNCTION.search(text)
+    named = f", not `{function[1]}`" if function else ""
+    hint = f" (a calculation can only contain numbers, `+ - * /` and brackets{named})"
+    return hint * bool(function or _FURTHER.search(text))
 
 
 def slip(text: str) -> str:

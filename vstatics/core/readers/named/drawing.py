@@ -35,12 +35,17 @@ def read_drawing(root: nodes.Mapping, walk: Walk, case: ByKey) -> Reading:
     listed = is_listed(root)
     gathered = [] if listed else gathered_links(root, walk)
     values = walk.read(Spot((), "", root), with_elements(case, required=True))
+    ends = {
+        end: which
+        for end, which in (("input", "first"), ("output", "last"))
+        if not listed and given.isdisjoint({end, f"{end}s", "links"})
+    }
     if not listed:
         values = {**values, "links": len(gathered)}
         spots.unreadable += [] if gathered else [("input",), ("output",)]
-        for end in ("input", "output"):
-            if given.isdisjoint({end, f"{end}s", "links"}):
-                spots.missing(Spot((), "", root), end)
+        for end, which in ends.items():
+            instead = f", expected it or `links`, whose {which} link is the {end}"
+            spots.missing(Spot((), "", root), end, instead)
     parts = arguments(values, walk)
     all_problems = list(spots.document.problems)
     locate: Callable[[Problem], Problem] = spots.locate
@@ -63,7 +68,7 @@ def read_drawing(root: nodes.Mapping, walk: Walk, case: ByKey) -> Reading:
             parts.setdefault("output", 0 if parts.get("outputs") else drawing.links)
             locate = _locator(spots, drawing)
             faults = [*hints(drawing), *teeth.doubts(drawing)]
-            if not (listed or spots.unreadable):
+            if not (listed or ends or spots.unreadable):
                 faults += loose_links(root, values, names, parts["gears"], spots)
         all_problems += map(spots.locate, faults)
     return finish(parts, all_problems, read_with_stand_ins(spots.unreadable), locate)

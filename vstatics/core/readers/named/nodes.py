@@ -267,9 +267,12 @@ class Spots:
         self.document.problems.append(self.locate(Problem("E109", message, path)))
         self.unreadable.append(path)
 
-    def missing(self, spot: Spot, key: str) -> None:
-        """Add an error for a missing key, located at the start of the mapping."""
-        self.complain(self._spots[spot.path], f"`{key}` is missing", identity=MISSING)
+    def missing(self, spot: Spot, key: str, instead: str = "") -> None:
+        """Add an error for a missing key, located at the start of the mapping.
+
+        `instead` continues the message, and names another way to give the value.
+        """
+        self.complain(self._spots[spot.path], f"`{key}` is missing{instead}", identity=MISSING)
         self.unreadable.append((*spot.path, key))
 
     def place(self, path: Path) -> Place:
