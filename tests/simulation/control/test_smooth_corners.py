@@ -43,6 +43,16 @@ def test_a_control_leaves_zero_as_any_power_of_time(
     assert motion.speeds[-1] == pytest.approx([50 - impulse, 10 + impulse / 5], rel=1e-9)
 
 
+@pytest.mark.parametrize("begin", [0.0, 0.3])
+@pytest.mark.parametrize("least", ["", ", min: 0"])
+def test_a_relay_switches_as_a_lag_leaves_its_limit(least: str, begin: float) -> None:
+    """The lag follows max(t - begin, 0), so it is above 0 after `begin`, and C carries 7 N*m."""
+    states = f"states: {{x: {{rate: '(max(t - {begin}, 0) - x)/0.2'{least}}}}}\n"
+    motion = simulated(f"{START}{states}controls: {{C: 7*(x > 0)}}\n", ONE_TO_FIVE)
+    impulse = 7 * (1 - begin)
+    assert motion.speeds[-1] == pytest.approx([50 - impulse, 10 + impulse / 5], rel=1e-8)
+
+
 @pytest.mark.parametrize(("power", "sign"), [(2, 1), (2, -1), (3, 1), (4, 1), (4, -1)])
 def test_a_corner_that_is_touched_or_passed_with_zero_slope(power: int, sign: int) -> None:
     """The state is sign (t - 0.4)^power, so the control is its positive part."""
@@ -195,3 +205,16 @@ def test_a_state_rests_at_a_limit_beyond_which_its_rate_is_no_number(flow: str) 
     given = f"duration: 2\nstart: {{speeds: {{a: 1}}}}\n{states}torques: {{a: 2*x}}\n"
     motion = simulated(given, "inertias: {a: 2}\n")
     assert motion.speeds[-1] == pytest.approx([1 + 0.3**1.5 / 3], abs=1e-9)
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_a_pump_at_rest_takes_no_torque_from_any_turbine(seed: int) -> None:
+    """Rounding of the gear pair moves the pump by 1e-15 rad/s, to and fro."""
+    rng = seeded(seed)
+    inertias = {name: round(rng.uniform(0.1, 4), 3) for name in "abc"}
+    pair = f"mechanisms: {{M: {{first: b, second: c, ratio: {rng.choice([-2.5, 1.5, 0.7])}}}}}\n"
+    points = "[[0, 2, 0.003], [0.85, 1, 0.002], [1, 1, 0], [1.3, 1, -0.002]]"
+    start = f"start: {{speeds: {{a: 0, c: {rng.choice([-30, 30])}}}}}\n"
+    given = f"duration: 1\n{start}converters: {{K: {{links: [a, b], points: {points}}}}}\n"
+    motion = simulated(given, f"links: [a, b, c]\ninertias: {inertias}\n{pair}")
+    assert motion.speeds[-1] == pytest.approx(motion.speeds[0], abs=1e-12)

@@ -408,8 +408,9 @@ class Margins:
             parts.append(side * (at - corner)[None, :])
         for place, corner, side in self.ratios:
             pump, turbine = (rates[first + place] for first in (layout.pumps, layout.turbines))
-            turns = np.where(pump < 0, -1.0, 1.0)
-            parts.append((side * turns * (turbine - corner * pump))[None, :])
+            size = np.maximum(np.hypot(pump, turbine), NOT_ZERO)
+            # At a pump at rest the speed ratio jumps, but the torques and this margin are 0.
+            parts.append((side * pump / size * (turbine - corner * pump))[None, :])
         if self.shared:
             parts.append(self._together(slack, held)[None, :])
         if len(self.watches) > self.deciding:

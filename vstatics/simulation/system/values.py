@@ -117,6 +117,8 @@ class ValueChanges:
                     sides[index] = TURNING * self._turns(index, time, state)
         if not any(sides):
             return
+        limits = np.array([(control_state.least, control_state.most) for control_state in states])
+        inside = np.clip(values[: len(states)], *limits.T)
         for index, side in enumerate(sides):
             if side:
                 control_state = states[index]
@@ -129,6 +131,7 @@ class ValueChanges:
             if not inward.any():
                 return
             self.held[inward] = 0  # releasing a state can change the rates of others
+            values[: len(sides)][inward] = inside[inward]  # else it never leaves its limit
 
     def _turns(self, index: int, time: float, state: Floats) -> bool:
         """Return whether rates on both sides lead back to a turning point, now and soon after."""
