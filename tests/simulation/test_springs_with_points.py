@@ -13,7 +13,16 @@ from tests.simulation.test_closed_forms import links, run
 from vstatics import CaseError, Damping, ShiftElement, Spring
 from vstatics.core.model.springs import between
 from vstatics.core.numerics.arrays import Floats
-from vstatics.simulation import Capacity, Motion, Points, Scenario, Start, constant, simulate
+from vstatics.simulation import (
+    Capacity,
+    Motion,
+    Points,
+    Resistance,
+    Scenario,
+    Start,
+    constant,
+    simulate,
+)
 
 Line = list[tuple[float, float]]
 PLAY: Line = [(0, 0), (0.05, 0), (1.05, 500)]
@@ -216,3 +225,11 @@ def test_loss_factors_damp_as_at_the_lowest_natural_frequency() -> None:
     assert motion.speeds[:, 1] == pytest.approx(expected, abs=1e-8)
     free = run(links(0.0, 2.0, springs=(springs[1],)), 1.0, {2: 1.0})
     assert [one.id for one in free.messages] == ["W601"]
+
+
+def test_friction_at_rest_leaves_loss_factors_their_effect() -> None:
+    """2 kg*m^2 on 200 N*m/rad swing with 10 rad/s, also if friction holds them at the start."""
+    spring = Spring(between(1), 200.0, damping=Damping(loss_factor=0.2))
+    for held, load in ((spring._replace(friction=3.0), 0.0), (spring, 3.0)):
+        motion = run(links(2.0, springs=(held,)), 0.1, {1: 0.0}, ((1, Resistance(load)),))
+        assert [(one.id, one.text[-8:]) for one in motion.messages] == [("N601", "1.592 Hz")]

@@ -187,6 +187,7 @@ NO_SCENARIOS = [
     ("{case: box.yaml, duration: 6}", "expected `gear`, or `speeds`"),
     ("{case: box.yaml, duration: 0, start: {gear: low}}", "read 0, expected a time above 0"),
     ("{duration: 6, start: {gear: low, speeds: {in: 3}}}", "read `gear` together with `speeds`"),
+    ("{duration: 6, start: {speed: 12.1 rpm}}", "read `speed` without `gear`"),
     ("{duration: 6, start: {speed: 3, speeds: {in: 3}}}", "read `speed` without `gear`"),
     ("{duration: 6, start: {gear: slow}}", "did you mean `low`?"),
     ("{duration: 6, start: {speeds: {in: 3 N}}}", "expected a number in rad/s or m/s"),

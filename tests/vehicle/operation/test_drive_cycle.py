@@ -354,7 +354,9 @@ def test_fuel_is_bilinear() -> None:
     text = "\n".join(["speed [rad/s],torque [N*m],fuel [g/h]", *rows])
     read = read_fuel_map(text.encode(), "fuel.csv")
     of_vecto = text.replace("speed", "engine speed").replace("fuel", "fuel consumption")
-    assert read_fuel_map(of_vecto.encode(), "f.csv").fuel.tolist() == read.fuel.tolist()
+    in_units = text.replace("torque [N*m],fuel [g/h]", "Nm,g/h")  # GoldenCheetah/issues/1288
+    for other in (of_vecto, in_units):
+        assert read_fuel_map(other.encode(), "f.csv").fuel.tolist() == read.fuel.tolist()
     w, t = np.array([120.0, 420.0]), np.array([33.0, 71.0])
     np.testing.assert_allclose(read.at(w, t), fuel(w, t), rtol=1e-12)
     np.testing.assert_allclose(read.at(np.array([50.0]), np.array([-9.0])), fuel(100.0, 0.0))

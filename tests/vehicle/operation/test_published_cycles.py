@@ -209,6 +209,10 @@ def test_headings_of_further_programs() -> None:
         ("time;speed [km/h];grade\n# 7 am\n 07:59:59;0;0.75\n08:00:01;36;0.75\n", 0.6),
         # https://github.com/GoldenCheetah/GoldenCheetah/issues/1288: headings that are units
         ("Minutes,Km/h,grade\n0,0,0.75\n0.033333333333333333,36,0\n", 0.6),
+        # https://github.com/mendhak/gpslogger/issues/634, a log whose speeds are in m/s
+        ("time,lat,GPS speed (m/s),grade\n12:00:00,1,0,0.75\n12:00:02,1,10,0\n", 0.6),
+        # a log of Torque Pro: https://github.com/spirokai/OVRLEY/issues/15
+        ("Time (s), Altitude,Speed (OBD)(km/h),Grade\n0,5,0,0.75\n2,5,36,0\n", 0.6),
     ):
         trace = read_trace(text.encode(), "t.csv")
         assert trace.duration.tolist() == [2.0]

@@ -30,7 +30,7 @@ def with_viscous_damping(
     """Return the system with loss factors replaced by equivalent viscous damping.
 
     A loss factor eta of a stiffness k is equivalent to viscous damping ``eta k/omega`` at a single
-    frequency omega. This is the lowest natural frequency while all contacts without slip stick.
+    frequency omega. This is the lowest natural frequency while shift elements without slip stick.
     """
     if not any(spring.loss_factor for spring in system.springs):
         return system, ()
@@ -53,13 +53,18 @@ def with_viscous_damping(
 
 
 def _lowest_frequency(system: MotionSystem, speeds: Floats) -> float:
-    """Return the lowest natural frequency while contacts without slip stick [rad/s], or 0."""
+    """Return the lowest natural frequency while shift elements without slip stick [rad/s], or 0.
+
+    The frequency belongs to the gear. Drag, loads and dry friction of springs therefore hold
+    nothing, although they stick at rest.
+    """
     scale = max(1.0, largest(speeds))
     rows = [mesh.row for mesh in system.meshes]
     for contact in system.contacts:
         held = contact.one_way or contact.programme.look is not None
         closed = held or programme_at(contact.programme, 0.0) > 0
-        if closed and abs(float(contact.row @ speeds)) <= STANDING * scale:
+        in_gear = closed and contact.element is not None
+        if in_gear and abs(float(contact.row @ speeds)) <= STANDING * scale:
             rows.append(contact.row)
     free = null(system.rows(rows))
     seen = seen_at(system, start_instant(system, speeds, np.zeros(len(system.springs))))

@@ -156,7 +156,7 @@ def _elastic_losses(case: Transmission) -> Iterator[Problem]:
 def _of_start(scenario: Scenario) -> Iterator[Problem]:
     start, case = scenario.start, scenario.case
     by_speeds = bool(start.speeds) or bool(start.engaged)
-    if start.gear is None and not by_speeds and not scenario.speeds:
+    if start.gear is None and not (by_speeds or scenario.speeds or start.speed):
         yield Problem("E628", "expected `gear`, or `speeds` that determine all others", ("start",))
     if start.gear is not None:
         if by_speeds:

@@ -13,12 +13,14 @@ from vstatics.core.readers.named.headings import SHAFT_COLUMNS, TableColumn
 from vstatics.core.readers.unit_table import read_unit_table
 from vstatics.vehicle.tolerances import SAME_SPEED
 
+_RATES = {"g/h": 1 / 3600, "kg/h": 1 / 3.6, "g/s": 1.0}
 COLUMNS = (
     *SHAFT_COLUMNS,
     TableColumn(
         "fuel",
-        aliases=dict.fromkeys(("fuel consumption", "fuel rate", "fuel flow"), ""),
-        sizes={"g/h": 1 / 3600, "kg/h": 1 / 3.6, "g/s": 1.0},
+        aliases=dict.fromkeys(("fuel consumption", "fuel rate", "fuel flow"), "")
+        | {unit: unit for unit in _RATES},
+        sizes=_RATES,
         meaning="; g/kWh times speed [rpm] * torque [N*m]/9549.3 is g/h, idle has its own",
     ),
 )

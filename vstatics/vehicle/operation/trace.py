@@ -28,6 +28,7 @@ _SECONDS = ("s", "sec", "secs", "second", "seconds", "cycsecs", "<t>")  # for FA
 _SPEEDS = (
     *("v", "velocity", "vehicle speed", "vehicle velocity", "target speed", "target velocity"),
     *("road speed", "cycle speed", "reference speed", "set speed", "speed target"),
+    *("gps speed", "speed (gps)", "speed (obd)"),
 )
 _GRADES = (
     *("gradient", "grad", "road grade", "road gradient", "incline", "inclination"),

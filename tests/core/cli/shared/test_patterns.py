@@ -1,5 +1,6 @@
 """Patterns of files: what `glob` finds, but not through links to folders above themselves."""
 
+import contextlib
 import glob
 import time
 from pathlib import Path
@@ -42,3 +43,11 @@ def test_links_to_folders_above_are_not_followed(folder: Path) -> None:
     with pytest.raises(click.UsageError):
         expanded(["/".join("*" * 12) + "/x.yaml"])
     assert time.process_time() - begin < 1
+
+
+def test_a_file_is_found_from_a_deleted_folder(folder: Path) -> None:
+    """dschep/ntfy/issues/195 and pypa/pip/issues/4255: the current folder has no path then."""
+    (folder / "gone").mkdir()
+    with contextlib.chdir(folder / "gone"):
+        (folder / "gone").rmdir()
+        assert expanded(["../x.yaml", str(folder)]) == ["../x.yaml", str(folder)]

@@ -38,6 +38,7 @@ def case_of(folder: Path, drag: str = "0", efficiency: str = "1") -> Path:
         "speed [rpm],drag torque [N*m],T [°C]\n0,1,90\n300,4,90\n",
         "n [rpm],T [Nm]\n0,1\n300,4\n",
         "RPM,Nm\n0,1\n300,4\n",
+        "Slip (rpm),Drag torque (Nm)\n0,1\n300,4\n",
     ],
 )
 def test_a_file_of_points_is_that_of_a_test_bench(tmp_path: Path, text: str) -> None:

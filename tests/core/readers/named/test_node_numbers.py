@@ -4,7 +4,7 @@ import pytest
 
 from vstatics.core.model.paths import NoValueError, split, written
 from vstatics.core.readers.named.node_numbers import find_node, number_of, number_text, replaced
-from vstatics.core.readers.named.nodes import Node, decode
+from vstatics.core.readers.named.nodes import Node, Scalar, decode
 from vstatics.core.readers.named.yaml_nodes import yaml_tree
 
 TEXT = b"""
@@ -79,6 +79,13 @@ def test_what_is_no_number_says_what_it_is() -> None:
         assert node is not None
         with pytest.raises(ValueError, match=said):
             number_of(node)
+
+
+def test_a_tonne_is_not_the_time_of_a_formula() -> None:
+    """Its symbol is `t`: gentooboontoo/js-quantities/issues/117."""
+    assert number_of(Scalar("1.2 t", 1, 1)) == (1.2, "t")
+    with pytest.raises(ValueError, match="is a formula"):
+        number_of(Scalar("1.2*t", 1, 1))
 
 
 def test_a_written_number_is_read_as_the_same_number() -> None:

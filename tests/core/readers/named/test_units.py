@@ -135,6 +135,8 @@ EXACT: dict[Measure, dict[Fraction, str]] = {
         GRAVITY * 10**4: "kgf/cm^2|кгс/см²|kp/cm²",
         # angularsen/UnitsNet/pull/591: both `5 PSI` and `5 psi`
         POUND * GRAVITY / INCH**2: "psi|PSI|lbf/in^2|lb/in^2",
+        # Qalculate/libqalculate/pull/374: 30000 ksi are 206.8427188 GPa
+        1000 * POUND * GRAVITY / INCH**2: "ksi|KSI|kip/in^2",
     },
     "time": {ONE: "s|sec|с", MILLI: "ms|мс", Fraction(60): "min", Fraction(3600): "h"},
     "velocity": {ONE: "m/s|м/с|m*s^-1", Fraction(1000, 3600): "km/h|км/ч", FOOT: "ft/s"},

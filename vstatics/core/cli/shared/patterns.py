@@ -35,7 +35,8 @@ def expanded(names: Iterable[str]) -> list[str]:
     by_pattern = set[str]()
     for name in names:
         if not any(sign in name for sign in SIGNS) or os.path.lexists(name):
-            expansion += [name] * (os.path.abspath(name) not in by_pattern)  # noqa: PTH100
+            is_new = not by_pattern or os.path.abspath(name) not in by_pattern  # noqa: PTH100
+            expansion += [name] * is_new
             continue
         files = sorted({path for path in _matching(name) if not os.path.isdir(path)})  # noqa: PTH112
         if not files and not any(sign in name for sign in WILDCARDS):

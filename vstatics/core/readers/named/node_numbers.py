@@ -16,7 +16,6 @@ MOST_KNOWN = 12
 """Maximum number of names listed in a message about an unknown name."""
 
 _CALL = re.compile(r"[^\W\d]\w*\s*\(")
-_VARIABLES = ("t", "speed", "angle")
 _SIGNS = ("*", "+", "-", "^")
 """Signs after a number that belong to a formula, not to a unit."""
 
@@ -106,7 +105,7 @@ def number_of(node: Node) -> WrittenNumber:
         value, behind = calculated(node.text)
     except ValueError:
         raise ValueError(f"is {what(node)}, expected a number") from None
-    if behind in _VARIABLES or behind[:1] in _SIGNS or _CALL.search(behind):
+    if behind[:1] in _SIGNS or _CALL.search(behind):
         raise ValueError(f"is a formula, {what(node)}, expected a number")
     if behind[:1] in ("%", ":"):
         return WrittenNumber(dimensionless(node.text), "")

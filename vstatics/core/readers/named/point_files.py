@@ -34,9 +34,13 @@ _LOSSES = {"W": 1.0, "kW": 1000.0, **dict.fromkeys(("N*m", "Nm", "N m", "N\u00b7
 """Units of a loss, with factors to W; a torque has no factor."""
 _LOSS_NAMES = ("power loss", "torque loss", "loss torque", "losses", "p loss")
 _DRAG_NAMES = ("drag torque", "friction torque", "drag", "friction")
+_SLIP_NAMES = ("slip", "slip speed")
+"""Names of the speed of a shift element."""
 _COLUMNS = {
     "": (
-        SHAFT_COLUMNS[0],
+        SHAFT_COLUMNS[0]._replace(
+            aliases={**SHAFT_COLUMNS[0].aliases, **dict.fromkeys(_SLIP_NAMES, "")}
+        ),
         SHAFT_COLUMNS[1]._replace(
             aliases={**SHAFT_COLUMNS[1].aliases, **dict.fromkeys(_DRAG_NAMES, "")}
         ),

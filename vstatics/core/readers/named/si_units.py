@@ -88,6 +88,7 @@ _OTHERS = {
         ("bar бар", 10**5, 1),
         ("at ат", 980665, 10),  # kgf/cm^2
         ("psi", 45359237 * 980665 * 10**8, 10**8 * 10**5 * 254**2),  # lbf per square inch
+        ("ksi", 45359237 * 980665 * 10**11, 10**8 * 10**5 * 254**2),
     )
     for word in words.split()
 }
@@ -96,7 +97,7 @@ _IN_ANY_LETTERS = {
     "mps": _Base((0, 1, -1, 0, 0), 1),
     **dict.fromkeys(("kph", "kmh", "kmph"), _Base((0, 1, -1, 0, 0), 10, 36)),
     POUND_MASS: _Base(_MASS, 45359237, 10**8),
-    **{word: _OTHERS[word] for word in ("bar", "бар", "psi")},
+    **{word: _OTHERS[word] for word in ("bar", "бар", "psi", "ksi")},
 }
 """Units in a single word; upper and lower case are equivalent."""
 _POUNDS = frozenset(("lb", "lbs", "pound", "pounds", "oz", "ounce", "ounces"))
