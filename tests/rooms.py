@@ -117,6 +117,7 @@ def _named(name: str, nodes: Iterable[ast.AST]) -> set[str]:
     return found & set(modules())
 
 
+@cache
 def room(name: str) -> str:
     """The room that a module belongs to; `__init__` is the package and what only holds rooms."""
     words = name.split(".")[1:]

@@ -82,9 +82,9 @@ def test_numbers_of_gears_and_mechanisms_vary_together(case: vstatics.Transmissi
 def test_the_ratio_of_a_variator_varies_through_0(tmp_path: Path) -> None:
     """Speeds by hand: w_motor = -x w_in, w_out = w_motor - (w_in - w_motor)/2."""
     (tmp_path / "h.yaml").write_text(
-        "links: [in, pump, motor, out]\noutput: out\ngears: {a: []}\nmechanisms:\n"
-        "  set: {first: in, second: out, third: motor, ratio: -2}\n"
-        "  pair: {first: in, second: pump, ratio: -1}\n"
+        "links: [in, pump, motor, out]\noutput: out\ngears: {a: []}\nelements:\n"
+        "  set: {kind: planetary, sun: in, ring: out, carrier: motor, teeth: {sun: 30, ring: 60}}\n"
+        "mechanisms:\n  pair: {first: in, second: pump, ratio: -1}\n"
         "  hydro: {kind: variator, first: pump, second: motor, speed_ratio: .4, efficiency: .9}\n"
     )
     case = load(tmp_path / "h.yaml")
@@ -93,6 +93,8 @@ def test_the_ratio_of_a_variator_varies_through_0(tmp_path: Path) -> None:
         [chunk] = vstatics.sweep(case, {path: x}, out="speeds[out], speeds[motor]")
         np.testing.assert_allclose(chunk.columns[:, 1], -x, atol=1e-15)
         np.testing.assert_allclose(chunk.columns[:, 0], -x - (1 + x) / 2, atol=1e-14)
+        [chunk] = vstatics.sweep(case, {"pair.ratio": [-1.0]}, out=path)
+        assert chunk.columns.tolist() == [[0.4]]
 
 
 def test_impossible_values_make_a_variant_invalid(case: vstatics.Transmission) -> None:

@@ -377,15 +377,20 @@ def test_points_are_read_below_a_comment_beside_other_speeds_and_stand_in_no_gea
 
 
 def test_an_unknown_torque_leaves_the_life_unknown() -> None:
-    """Two brakes hold the ring, so the torque of neither is known."""
+    """Two brakes hold the ring, so the torque of neither is known, even in part of a turn."""
     text = CASE.replace("ring: housing", "ring: r").replace("links: [s,", "links: [r, s,")
     text = text.replace(
         "output: out", "input: s\noutput: out\nshift_elements: {A: [r, housing], B: [r, housing]}"
     )
     text = text.replace('"1": []', '"1": [A, B]')
     bearing = "torque_of: A, load_per_torque: 1, dynamic: 9 kN"
-    keys = f"bearings: {{b: {{on: s, {bearing}}}, still: {{on: r, {bearing}}}}}"
-    found = spectrum(loads(text % keys), Rows(seeded(76)).points())
+    keys = f"bearings: {{b: {{on: s, {bearing}}}, still: {{on: r, {bearing}}}}}\n"
+    keys += "fatigue: {tooth: {on: P1.sun, torque_of: A, torque: 9, cycles: 1e6, exponent: 6}}"
+    rows = Rows(seeded(76))
+    rows.times /= 2 * rows.turns("P1.sun").max()
+    found = spectrum(loads(text % keys), rows.points())
+    assert found.life is not None
+    assert math.isnan(found.life["tooth"].damage)
     assert found.bearings is not None
     assert found.bearings["still"].damage == 0
     assert math.isnan(found.bearings["b"].damage)

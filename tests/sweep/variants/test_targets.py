@@ -108,8 +108,9 @@ def test_a_stiffness_and_its_compliance_are_one_number() -> None:
         sweep(CASE, ["tyre.stiffness=1", "tyre.compliance=1"])
     with pytest.raises(ReadError, match="expected each number once"):
         sweep(CASE, {"#6.stiffness": [1.0], "tyre.stiffness": [2.0]})
-    (made,) = sweep(CASE, {"tyre.stiffness": [4.0]}, out="tyre.compliance, C.compliance*5e4")
-    assert made.columns.tolist() == [[0.25, 1.0]]
+    out = 'tyre.compliance, C.compliance*5e4, "input shaft".compliance, "input shaft".stiffness'
+    (made,) = sweep(CASE, {"tyre.stiffness": [4.0]}, out=out)
+    assert made.columns.tolist() == [[0.25, 1.0, 84e-5, 1 / 84e-5]]
 
 
 def test_each_path_of_a_case_is_its_number_whatever_its_names_are() -> None:

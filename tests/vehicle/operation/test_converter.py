@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from tests.chance import count, generator
+from tests.chance import count, examples, generator
 from tests.commands import vstatics
 from tests.installed import needs
 from vstatics import CaseError, Gear, Load, Machine, Mechanism, Transmission, loads, solve
@@ -563,10 +563,13 @@ vehicle: {{mass: 1500, radius: 0.3, final_drive: 3, engine: [[0, 200], [900, 200
 
 
 @pytest.mark.parametrize(("last", "beyond"), [(0.98, ""), (0.98, ", [1.3, 0.97, -2e-3]"), (1, "")])
-def test_a_freewheel_over_the_converter_lets_the_engine_brake(last: float, beyond: str) -> None:
+@examples(5, 12, 200)
+def test_a_freewheel_over_the_converter_lets_the_engine_brake(
+    last: float, beyond: str, examples: int
+) -> None:
     """At v m/s the turbine turns at 30 v rad/s; the freewheel lets no engine turn slower."""
     random, points = generator(53), f"[[0, 2, 3e-3], [0.9, 1, 2e-3], [1, {last}, 0]{beyond}]"
-    for number in range(count(12, 200)):
+    for number in range(examples):
         drag, most, asked = random.uniform(0, 5), random.uniform(5, 60), random.uniform(-3e3, 1e3)
         speed, drag = float(random.uniform(3, 20)), float(drag) if number % 3 else 0.0
         case = loads(FREEWHEEL.format(drag=drag, points=points, overrun=f"[[0, {-most!r}]]"))
@@ -600,10 +603,11 @@ def test_a_freewheel_over_the_converter_lets_the_engine_brake(last: float, beyon
         assert found == pytest.approx(expected, rel=1e-8, abs=1e-6)
 
 
-def test_a_freewheel_supplies_the_torque_that_the_pump_lacks() -> None:
+@examples(6, 12, 200)
+def test_a_freewheel_supplies_the_torque_that_the_pump_lacks(examples: int) -> None:
     """The pump could take torque beyond i = 1, but the turbine cannot overrun the engine."""
     random = generator(61)
-    for number in range(count(12, 200)):
+    for number in range(examples):
         free = float(random.uniform(1.02, 1.3))
         points = [[0, 2, 3e-3], [0.9, 1, 2e-3], [free, 1, -1e-4 * (number % 2)]]
         case = loads(FREEWHEEL.format(drag=0.0, points=points, overrun="[[0, 0]]"))
