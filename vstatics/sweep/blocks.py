@@ -16,6 +16,7 @@ from vstatics.core.errors import CaseError, Problem
 from vstatics.core.extras import higher
 from vstatics.core.model.transmission import Transmission
 from vstatics.core.numerics.arrays import Booleans, Floats, Integers
+from vstatics.core.statics.diagnosis import undriven_gears
 from vstatics.core.statics.matrix import expected_ratio
 from vstatics.core.statics.points.parts import alike_rows
 from vstatics.core.statics.results import Results
@@ -324,10 +325,12 @@ def _status(tables: BlockTables, unvaried: Results | None, plan: SweepPlan, vari
             status[modes.tied_up] = TIED_UP
             status[modes.conflict] = CONFLICT
         return status
-    asked = plan.asked_gears
+    asked, is_free = plan.asked_gears, unvaried.missing > 0
+    for problem in undriven_gears(unvaried):
+        is_free[int(problem.path[1]) - 1] = False
     for code, affected in (
         (DRAGGED, results.dragged),
-        (OPEN, (results.missing > 0) & (unvaried.missing == 0)),
+        (OPEN, (results.missing > 0) & ~is_free),
         (OPEN, ~results.balanced & unvaried.balanced),
         (UNDECIDED, results.undecided),
         (LOCKED, results.locked),

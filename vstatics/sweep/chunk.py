@@ -86,6 +86,8 @@ class Chunk(NamedTuple):
     """Names of characteristic curves that were evaluated outside the given points."""
     noticed: tuple[Noticed, ...] = ()
     """Messages of simulated runs, each once for the whole range."""
+    solved: int = 0
+    """Number of variants in the whole range with a solution in every gear that has a row."""
 
     @property
     def variants(self) -> Integers:
@@ -157,6 +159,7 @@ def rows_of(  # noqa: PLR0913 PLR0917 (everything known of a block)
     unknown : ndarray, shape (variants,)
         Mask of variants without results, whose values are NaN and which never pass the condition.
     """
+    has_solution = (status < TIED_UP).all(axis=tuple(range(1, status.ndim)))
     if gears := len(plan.gears):
         tables, status = GearRows(tables, gears), status.ravel()
         values, unknown = np.repeat(values, gears, axis=0), np.repeat(unknown, gears)
@@ -184,6 +187,7 @@ def rows_of(  # noqa: PLR0913 PLR0917 (everything known of a block)
         plan.headings,
         removed,
         plan.gears,
+        solved=int(has_solution.sum()),
     )
     return chunk if passed is None or passed.all() else chunk.rows(passed)
 
@@ -200,6 +204,7 @@ def joined(parts: Sequence[Chunk]) -> Chunk:
         removed=removed_in(parts),
         outside=outside_in(parts),
         noticed=noticed_in(parts),
+        solved=sum(part.solved for part in parts),
         **rows,
     )
 

@@ -36,6 +36,8 @@ class SweepReport(NamedTuple):
     """Names of characteristic curves that were evaluated outside the given points."""
     noticed: tuple[Noticed, ...]
     """Messages of simulated runs."""
+    solved: int
+    """Number of variants with a solution in every gear that is asked for."""
 
     @classmethod
     def of(cls, accounts: Sequence[Account]) -> SweepReport:
@@ -46,6 +48,7 @@ class SweepReport(NamedTuple):
             chunk.removed_in(accounts),
             chunk.outside_in(accounts),
             chunk.noticed_in(accounts),
+            sum(account.solved for account in accounts),
         )
 
     @property
@@ -241,7 +244,8 @@ def stream(
             put(text.rows(form, selected))
         put()
         [whole] = candidates
-        return SweepReport(rows, dict(whole.counts), whole.removed, whole.outside, whole.noticed)
+        notes = whole.removed, whole.outside, whole.noticed, whole.solved
+        return SweepReport(rows, dict(whole.counts), *notes)
     accounts = []
     for _, (account, data) in workers.each(tasks.lines, items, ordered=True):
         accounts.append(account)

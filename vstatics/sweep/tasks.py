@@ -82,7 +82,7 @@ def _number(item: Any) -> Any:
 def lines(task: SweepTask, item: Item) -> tuple[Account, bytes]:
     """Calculate a piece, and return its account (counts and messages) and its rows as text."""
     rows = calculate(task, item)
-    notes = rows.removed, rows.outside, rows.noticed
+    notes = rows.removed, rows.outside, rows.noticed, rows.solved
     account = Account(_number(item), len(rows.variants), dict(rows.counts), (), *notes)
     return account, text.rows(task.form, rows)
 
@@ -92,7 +92,7 @@ def piece_data(task: SweepTask, item: Item) -> tuple[Account, list[Any]]:
     rows = calculate(task, item)
     data = columns_of(rows) if task.plan.objectives else data_of(task.form, rows)
     counts = dict(rows.counts)
-    notes = rows.removed, rows.outside, rows.noticed, task.work
+    notes = rows.removed, rows.outside, rows.noticed, rows.solved, task.work
     return piece_file.piece_bytes(_number(item), len(rows.variants), counts, data, *notes)
 
 
@@ -154,4 +154,5 @@ def read_chunk(task: SweepTask, account: Account) -> Chunk:
         headings,
         account.removed,
         gears,
+        solved=account.solved,
     )

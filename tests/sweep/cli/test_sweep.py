@@ -102,6 +102,46 @@ def test_a_gear_that_nobody_asks_for_takes_no_part_in_the_status() -> None:
     assert ran.out.count("tied up") == 1  # without --out all gears are asked for
 
 
+ANY_STATUS = """
+links: [first, second, carrier, drum]
+shift_elements:
+  A: [first, housing]
+  B: [second, housing]
+  C: [second, drum]
+  F: {kind: freewheel, links: [housing, drum]}
+mechanisms: {P: {first: first, second: second, third: carrier, ratio: 1.004, efficiency: 0.98}}
+gears:
+  regular: {engaged: [A], input: carrier, output: second}
+"""
+
+
+@pytest.mark.parametrize(
+    ("status", "gear"),
+    [
+        ("ok", "[], kind: neutral"),
+        ("open", "[]"),
+        ("locked", "[A], input: second, output: carrier"),
+        ("tied up", "[A, B], input: carrier, output: second"),
+        ("conflict", "[A, C], input: carrier, output: second"),
+    ],
+)
+def test_a_gear_has_one_status_in_all_outputs(status: str, gear: str) -> None:
+    """Two rings that differ by one tooth lock the carrier if the ring drives (`self-locking`)."""
+    Path("box.yaml").write_text(f"{ANY_STATUS}  G: {{engaged: {gear}}}\n")
+    fails = status in ("tied up", "conflict")
+    state = vstatics("summary", "box.yaml", "-f", "json").json["gears"][1]["state"]
+    assert state == status.replace("ok", "open")
+    assert vstatics("run", "box.yaml").status == fails
+    for options in (["--out", "ratio[G]"], ["--by", "gear", "--out", "ratio"]):
+        call = "sweep", "box.yaml", "--vary", "P.efficiency=.979,.98", *options
+        table = vstatics(*call)
+        assert table.status == fails
+        rows = [*csv.DictReader(table.out.splitlines())]
+        lines = map(json.loads, vstatics(*call, "-f", "jsonl").out.splitlines())
+        for row in (*rows, *lines):
+            assert row["status"] == ("ok" if row.get("gear") == "regular" else status)
+
+
 @pytest.mark.parametrize("form", ["csv", "jsonl", "npz", "parquet"])
 def test_the_format_is_told_by_the_suffix_or_by_name(form: str, folder: Path) -> None:
     pytest.importorskip("pyarrow")

@@ -68,6 +68,8 @@ class Account(NamedTuple):
     """Names of laws that were evaluated outside their points."""
     noticed: tuple[Noticed, ...] = ()
     """Messages of the variants."""
+    solved: int = 0
+    """Number of variants with a solution in every gear that has a row."""
     work: str = ""
     """Hash of the definition of the work."""
 
@@ -99,6 +101,7 @@ def piece_bytes(  # noqa: PLR0913 PLR0917 (what an account holds)
     removed: tuple[int, ...] = (),
     outside: tuple[str, ...] = (),
     noticed: tuple[Noticed, ...] = (),
+    solved: int = 0,
     work: str = "",
 ) -> tuple[Account, list[Any]]:
     """Return the account and the content of a piece file, as buffers to be written in sequence.
@@ -111,11 +114,12 @@ def piece_bytes(  # noqa: PLR0913 PLR0917 (what an account holds)
     data : sequence of bytes-like
         Segments.
     removed, outside, noticed : tuple
+    solved : int
     work : str
         See `Account`.
     """
     segments = tuple(Segment(memoryview(segment).nbytes, zlib.crc32(segment)) for segment in data)
-    account = Account(piece, rows, counts, segments, removed, outside, noticed, work)
+    account = Account(piece, rows, counts, segments, removed, outside, noticed, solved, work)
     text = json.dumps(account._asdict()).encode()
     return account, [*data, text, _END.pack(len(text), zlib.crc32(text), _MAGIC)]
 

@@ -65,7 +65,11 @@ Asked = Annotated[T | None, ASKED]
 Flat = Annotated[T, FLAT]
 """Type of a record whose keys become keys of the surrounding record."""
 Failure = Annotated[str, FAILURE]
-"""Type of an error message. If the message is not empty, only it and the first key are written."""
+"""Type of an error message.
+
+If the message is not empty, a record consists of its first key, the message, and empty lists and
+mappings, so that programs can iterate over them.
+"""
 Unfailed = Annotated[T | None, UNFAILED]
 """Type of a key whose value is null only in records with a `Failure`."""
 Count = Annotated[int, Words(minimum=0)]
@@ -147,6 +151,16 @@ class _Key(NamedTuple):
     kind: Any
     mark: str
 
+    @property
+    def empty(self) -> list[Any] | dict[str, Any] | None:
+        """Empty list or mapping if the key always has a list or mapping, else None."""
+        origin = get_origin(self.kind)
+        if self.mark or not isinstance(origin, type):
+            return None
+        if issubclass(origin, Mapping):
+            return {}
+        return [] if issubclass(origin, Sequence | np.ndarray) else None
+
 
 @cache
 def _keys(kind: Any) -> Sequence[_Key]:
@@ -198,8 +212,11 @@ def _of_record(record: Any) -> dict[str, Any]:
     kind: Any = type(record)
     values = [(key, getattr(record, key.attribute)) for key in _keys(kind)]
     failed = [(key, value) for key, value in values if key.mark == FAILURE and value]
+    if failed:
+        empty = [(key, key.empty) for key, _ in values[1:] if key.empty is not None]
+        values = [values[0], *failed, *empty]
     data = head(_FORMS[kind]) if kind in _FORMS else {}
-    for key, value in [values[0], *failed] if failed else values:
+    for key, value in values:
         if key.mark == FLAT:
             data |= plain_data(value)
         elif not (key.mark == FAILURE and not value) and not (
@@ -323,12 +340,15 @@ def _of_marked(kind: Any, mark: Any, of: Callable[[Any], Schema]) -> Schema:
 def _of_keys(kind: Any, definitions: Schema | None) -> Schema:
     properties = head_schema(_FORMS[kind]) if kind in _FORMS else {}
     optional = []
-    failed = {}
+    failed, has_failed = Schema(), Schema()
     for key in _keys(kind):
         of_key = schema(key.kind, definitions)
+        if not failed:
+            failed[key.name] = of_key
+        elif key.empty is not None:
+            failed[key.name] = {"const": key.empty}
         if key.mark == FAILURE:
-            first = next(iter(properties))
-            failed = object_of({first: properties[first], key.name: of_key})
+            failed[key.name] = of_key
             has_failed = {"required": [key.name]}
         elif key.mark == FLAT:
             properties |= of_key["properties"]
@@ -337,7 +357,7 @@ def _of_keys(kind: Any, definitions: Schema | None) -> Schema:
             properties[key.name] = of_key
             optional += [key.name] * (key.mark in (SOMETIMES, ASKED))
     record = object_of(properties, optional)
-    return {"if": has_failed, "then": failed, "else": record} if failed else record
+    return {"if": has_failed, "then": object_of(failed), "else": record} if has_failed else record
 
 
 def head(form: str) -> dict[str, Any]:

@@ -26,11 +26,6 @@ from vstatics.sweep.results.linked import table_of
 from vstatics.sweep.results.selection import WhereCondition
 from vstatics.sweep.tasks import SweepTask
 
-UNSOLVED = [
-    chunk.STATUS[code] for code in (chunk.TIED_UP, chunk.CONFLICT, chunk.INVALID, chunk.STOPPED)
-]
-"""Statuses of a variant that has no solution."""
-
 
 class SweepRun(NamedTuple):
     """Plan of a sweep with the options of execution and output."""
@@ -130,7 +125,7 @@ def to_stream(run: SweepRun) -> Ended:
 
 
 def _where_solved(plan: SweepPlan) -> str:
-    if plan.by_gear or not isinstance(plan.subject, Transmission) or len(plan.asked_gears) < 2:
+    if not isinstance(plan.subject, Transmission) or len(plan.gears or plan.asked_gears) < 2:
         return ""
     return " in every gear that is asked for"
 
@@ -162,8 +157,7 @@ def _summary(run: SweepRun, report: SweepReport, seconds: float, finished_before
     if report.outside and not run.quiet:
         files.show(outside_notes(report.outside, run.plan.case, str(output)))
     messages = tell_noticed(run, report.noticed)
-    solved = sum(count for status, count in report.counts.items() if status not in UNSOLVED)
-    if not solved:
+    if not report.solved:
         files.say(f"no variant has a solution{_where_solved(run.plan)}")
         tell_reason(run.plan)
         return Ended(FAILED, messages)
