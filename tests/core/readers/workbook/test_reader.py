@@ -110,6 +110,8 @@ def test_a_shift_table_may_mark_what_is_engaged_and_what_is_not() -> None:
     for engaged, not_engaged in (
         *[(1, 0), (1.0, 0.0), ("1", "0"), (True, False), ("TRUE", "FALSE")],
         *[("x", "-"), ("\u0445", "\u2013"), ("\u0425", "\u2014"), ("\u00d7", "\u2212")],
+        # UgnisSoftware/react-spreadsheet-import/pull/48; `●` and `·` are in the tables of `run`
+        *[("●", "·"), ("✓", ""), ("Yes", "No"), ("да", "нет")],
     ):
         marks = {"x": engaged, "-": not_engaged}
         table: dict[str, Any] = {"gears!A4": "neutral"}

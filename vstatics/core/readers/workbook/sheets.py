@@ -24,9 +24,13 @@ LINKS = "links"
 GEARS = "gears"
 """Name of the sheet of gears, whose columns can be shift elements."""
 ENGAGED = "x"
-MARKS = dict.fromkeys([ENGAGED, "\u0445", "\u00d7", "true"], True)  # Latin and Cyrillic x, times
-MARKS |= dict.fromkeys(["-", "\u2013", "\u2014", "\u2212", "false"], False)
-"""Marks in a shift table: True if the shift element is engaged."""
+MARKS = {
+    **dict.fromkeys([ENGAGED, "\u0445", "\u00d7"], True),  # Latin and Cyrillic x, times
+    **dict.fromkeys(["true", "yes", "да", "●", "✓", "✔"], True),
+    **dict.fromkeys(["-", "\u2013", "\u2014", "\u2212"], False),
+    **dict.fromkeys(["false", "no", "нет", "·"], False),
+}
+"""Marks in a shift table, also of the tables of `vstatics run`: True if engaged."""
 LONGEST_NUMBER = 9
 """Maximum number of digits of an item number."""
 
