@@ -168,6 +168,8 @@ FAULTS = [
     ("shifts: [{at: 2, to: low, overlap: -1}]", "4:36", "read -1, expected a time of 0 or more"),
     ("shifts: [{to: low}]", "4:10", "`at` is missing"),
     ("targets: {in: 50 km/h}", "4:11", "a velocity belongs to a link with a `road`"),
+    # modelica/ModelicaStandardLibrary/issues/4009: a table with a wrong head has one cause
+    ("tables: {k: {file: no.csv}}\ntorques: {in: 'k(t, 1)'}", "4:20", "which cannot be read"),
     ("samples: {x: {normal: [0, -1]}}", "4:23", "expected a standard deviation of 0 or more"),
     ("samples: {x: {normal: [0, 1], min: 3}}", "4:23", "expected a mean from min to max"),
     ("samples: {x: {min: 3}}", "4:14", "expected one of `normal`, `lognormal` or `uniform`"),

@@ -33,7 +33,7 @@ from vstatics.simulation.scenario.formula_code import (
     seen_in,
 )
 from vstatics.simulation.scenario.surfaces import JumpSurface, on_side, surfaces
-from vstatics.simulation.scenario.table_call import TableCall
+from vstatics.simulation.scenario.table_call import UNREADABLE, TableCall
 
 Quantity = Callable[[str, int], Constant | None]
 """Reader of numbers with units: function of text and position; None for other texts."""
@@ -320,7 +320,7 @@ def _check_operands(part: Applied, words: Vocabulary, source: Excerpt) -> None:
     count, name = len(part.operands), part.name
     if name in words.tables:
         wanted = words.tables[name].variables
-        if count != wanted:
+        if count != wanted and words.tables[name] is not UNREADABLE:
             many = ("none", "one", "two")
             raise source.error(
                 f"{name} of {count} values, expected {many[wanted]}, as in its table",

@@ -6,6 +6,9 @@ from typing import Any, Self
 
 from vstatics.core.numerics.lookup_table import LookupTable
 
+UNREADABLE = LookupTable((0.0,), ((0.0,),))
+"""Stand-in for a table file that cannot be read; a formula can call it with any operands."""
+
 
 class TableCall(str):
     """Name of a lookup table in a formula, with the table as an attribute.

@@ -42,6 +42,7 @@ from vstatics.simulation.scenario.parts import (
     StaticTorque,
     StepSequence,
 )
+from vstatics.simulation.scenario.table_call import UNREADABLE
 from vstatics.simulation.scenario.words import elastic_names
 
 _OVER: Mapping[str, Measure] = {"time": "time", "speed": "si_speed", "angle": "angle"}
@@ -140,7 +141,7 @@ class ScenarioValues:
         except ValueError as error:
             message = f"read {quoted(name)}: {error}"
         self.spots.tell(path, message)
-        return LookupTable((0.0,), ((0.0,),))
+        return UNREADABLE
 
     def _sequences(self, given: Mapping[str, Any]) -> Iterator[StepSequence]:
         for number, (name, sequence) in enumerate(given.items(), 1):
