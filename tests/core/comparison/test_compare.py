@@ -106,6 +106,13 @@ def test_half_of_the_last_digit_is_the_limit(written: Write) -> None:
             assert vstatics("compare", *files).status == status, value
 
 
+def test_a_result_whose_keys_were_sorted_is_rejected(written: Write) -> None:
+    """pre-commit/pre-commit-hooks/issues/156: its formatter of JSON sorts keys by default."""
+    files = [written(json.dumps(document(SPLIT), sort_keys=sort)) for sort in (True, False)]
+    assert vstatics("compare", *files).fails("result 1 has sorted keys, so the names in its case")
+    assert vstatics("compare", files[1], files[1]).status == 0
+
+
 def test_tolerances_are_absolute_and_relative(written: Write) -> None:
     changed = document()
     changed["ratio"][0] += 3e-6  # of 6.23

@@ -43,6 +43,10 @@ OTHERS = {
     "gears": CASE,
 }
 """Keys of JSON documents that are not results, with descriptions of the documents."""
+_SORTED = (
+    "has sorted keys, so the names in its case no longer have the order of its tables; write it "
+    "with `vstatics run` again, and keep programs that format JSON from sorting it"
+)
 NAMED_FILE = re.compile(r"==> (.+) <==$")
 """Pattern of the line with the file name above each of several listings."""
 
@@ -137,6 +141,8 @@ def _report(document: Any, file: str, number: int, line: int = 0) -> WrittenResu
             tables[quantity.name] = figures
     if not tables:
         raise no_result(_no_tables(document, number), file, line)
+    if document.get("format") == FORMAT and [*document] == sorted(document):
+        raise no_result(f"result {number} {_SORTED}", file, line)
     case = _case(json.dumps(document.get("case")), "json")
     given_rows = document.get("rows")
     rows = _row_names(given_rows if isinstance(given_rows, dict) else {}, tables)
