@@ -37,7 +37,7 @@ def pytest_configure(config: pytest.Config) -> None:
     parts of the search that cannot be called from Python once they are compiled.
     """
     config.pluginmanager.register(Selection())
-    config.pluginmanager.register(SharedBrowser(), "browser")
+    config.pluginmanager.register(BROWSER)
     if FRESH:
         config.option.hypothesis_seed = int(FRESH)
     else:
@@ -98,14 +98,13 @@ class Selection:
         taken, left = selected(items, config.getoption("--cases"))
         if left:
             config.hook.pytest_deselected(items=left)
-        browser: SharedBrowser = config.pluginmanager.get_plugin("browser")
-        browser.files = {
+        BROWSER.files = {
             item.path for item in taken if "browser" in getattr(item, "fixturenames", ())
         }
         # Files taken in full come first, then those that share a browser: one process builds what
         # they share.
         items[:] = sorted(
-            taken, key=lambda item: (not is_in_full(item.path), item.path not in browser.files)
+            taken, key=lambda item: (not is_in_full(item.path), item.path not in BROWSER.files)
         )
 
 
@@ -138,6 +137,9 @@ class SharedBrowser:
         """End the browser."""
         self._open = None
         self._stack.close()
+
+
+BROWSER = SharedBrowser()
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
@@ -228,9 +230,8 @@ CHROMIUM = shutil.which("chromium")
 
 
 @pytest.fixture(scope="module")
-def browser(request: pytest.FixtureRequest) -> Any:
+def browser() -> Any:
     """Debian's chromium, driven by playwright; skipped without them."""
     if CHROMIUM is None:
         pytest.skip("needs chromium")
-    shared: SharedBrowser = request.config.pluginmanager.get_plugin("browser")
-    return shared.opened()
+    return BROWSER.opened()
