@@ -5,7 +5,7 @@ import gc
 import os
 import shutil
 import signal
-from collections.abc import Generator, Iterator
+from collections.abc import Generator
 from importlib import import_module
 from pathlib import Path
 from typing import Any
@@ -37,6 +37,7 @@ def pytest_configure(config: pytest.Config) -> None:
     parts of the search that cannot be called from Python once they are compiled.
     """
     config.pluginmanager.register(Selection())
+    config.pluginmanager.register(BROWSER)
     if FRESH:
         config.option.hypothesis_seed = int(FRESH)
     else:
@@ -97,8 +98,48 @@ class Selection:
         taken, left = selected(items, config.getoption("--cases"))
         if left:
             config.hook.pytest_deselected(items=left)
-        # Files taken in full come first, so that one process builds the fixtures that they share.
-        items[:] = sorted(taken, key=lambda item: not is_in_full(item.path))
+        BROWSER.files = {
+            item.path for item in taken if "browser" in getattr(item, "fixturenames", ())
+        }
+        # Files taken in full come first, then those that share a browser: one process builds what
+        # they share.
+        items[:] = sorted(
+            taken, key=lambda item: (not is_in_full(item.path), item.path not in BROWSER.files)
+        )
+
+
+class SharedBrowser:
+    """A browser for all files that use it: to start it takes as long as ten tests.
+
+    It ends before a test of any other file: while its thread runs, no process can be forked.
+    """
+
+    def __init__(self) -> None:
+        self.files: set[Path] = set()
+        self._open: Any = None
+        self._stack = contextlib.ExitStack()
+
+    def opened(self) -> Any:
+        """Return the browser, started if it is not open."""
+        if self._open is None:
+            sync_api = pytest.importorskip("playwright.sync_api")
+            chromium = self._stack.enter_context(sync_api.sync_playwright()).chromium
+            self._open = chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
+            self._stack.callback(self._open.close)
+        return self._open
+
+    def pytest_runtest_setup(self, item: pytest.Item) -> None:
+        """End the browser where it is not needed."""
+        if item.path not in self.files:
+            self.pytest_sessionfinish()
+
+    def pytest_sessionfinish(self) -> None:
+        """End the browser."""
+        self._open = None
+        self._stack.close()
+
+
+BROWSER = SharedBrowser()
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
@@ -189,15 +230,8 @@ CHROMIUM = shutil.which("chromium")
 
 
 @pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    """Debian's chromium, driven by playwright; skipped without them.
-
-    It ends with its module: while its thread runs, no process can be forked for other tests.
-    """
+def browser() -> Any:
+    """Debian's chromium, driven by playwright; skipped without them."""
     if CHROMIUM is None:
         pytest.skip("needs chromium")
-    sync_api = pytest.importorskip("playwright.sync_api")
-    with sync_api.sync_playwright() as driver:
-        browser = driver.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
-        yield browser
-        browser.close()
+    return BROWSER.opened()

@@ -11,7 +11,16 @@ from scipy.optimize import brentq
 from tests.chance import each_seed, seeded
 from tests.simulation.boxes import capacity, held, points
 from tests.simulation.test_golden import closes, happened
-from vstatics import CaseError, Gear, Load, ShiftElement, Spring, Transmission, loads
+from vstatics import (
+    CaseError,
+    Gear,
+    Load,
+    Mechanism,
+    ShiftElement,
+    Spring,
+    Transmission,
+    loads,
+)
 from vstatics.core.model.converters import Converter
 from vstatics.core.model.laws import PointLaw
 from vstatics.core.model.parts import Law
@@ -354,3 +363,16 @@ def test_drag_that_turns_below_0_or_that_a_freewheel_cannot_have_is_refused() ->
     with pytest.raises(CaseError, match="the drag of F depends on speed") as caught:
         run(joined(wheel, 0.5), 1.0, {1: 50.0})
     assert caught.value.problems[0].path == ("case", "shift_elements", 1, "drag")
+
+
+def test_losses_of_one_direction_of_power_count_in_this_direction_only() -> None:
+    """J_1 u^2 and J_2 accelerate together; driven by link 2, the pair passes 0.8 of the power.
+
+    Link 1 gains T/(J_1 + J_2/u^2) or, driven, u T/(J_2 + J_1 u^2/0.8) a second.
+    """
+    pair = Mechanism(1, 2, 0, -2.0, 1.0, back_efficiency=0.8, name="pair")
+    case = Transmission(2, [], [pair], [Gear()], inertias={1: 0.5, 2: 3.0})
+    changes = {1: 10 / (0.5 + 3 / 2**2), 2: 10 * 2 / (3 + 0.5 * 2**2 / 0.8)}
+    for link, torque in ((1, 10.0), (2, -10.0)):
+        motion = run(case, 0.5, {1: 50.0}, ((link, constant(torque)),))
+        assert motion.speeds[-1, 0] == pytest.approx(50 + 0.5 * changes[link], rel=1e-9)

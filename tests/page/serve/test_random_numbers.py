@@ -11,7 +11,7 @@ import pytest
 from hypothesis import Phase, assume, event, given, settings
 from hypothesis import strategies as st
 
-from tests.chance import count
+from tests.chance import count, examples
 from tests.page.serve.served import BOX, ServedCase, serving
 from tests.strategies import transmissions
 from vstatics.core import readers
@@ -48,11 +48,12 @@ def own(found: Target | CasePath, case: Transmission) -> float | None:
     return own_part_number(case, found.part) if found.part else own_number_at(found, case)
 
 
-@settings(phases=[Phase.generate], max_examples=count(14, 120))
-@given(st.data(), transmissions(torsional=True))
-def test_sweeps_of_cases_and_scenarios_read_each_number_where_the_document_has_it(
-    data: st.DataObject, case: Transmission
-) -> None:
+def try_out(check: Callable[[st.DataObject, Transmission], None], examples: int) -> None:
+    random = given(st.data(), transmissions(torsional=True))(check)
+    settings(phases=[Phase.generate], max_examples=examples)(random)()
+
+
+def check_where_numbers_are_read(data: st.DataObject, case: Transmission) -> None:
     scenario, box = scenario_of(case, data), write_yaml(case).encode()
     varied = VariedScenario(Document(scenario, "run.yaml"), Document(box, "box.yaml"))
     for keys, spot in spots_of("box.yaml", box).items():
@@ -68,11 +69,14 @@ def test_sweeps_of_cases_and_scenarios_read_each_number_where_the_document_has_i
             assert varied.written_number(path, None) == number.field.value
 
 
-@settings(phases=[Phase.generate], max_examples=count(14, 120))
-@given(st.data(), transmissions(torsional=True))
-def test_a_path_of_the_page_is_that_of_sweep_solve_and_compare(
-    data: st.DataObject, case: Transmission
+@examples(5, 14, 120)
+def test_sweeps_of_cases_and_scenarios_read_each_number_where_the_document_has_it(
+    examples: int,
 ) -> None:
+    try_out(check_where_numbers_are_read, examples)
+
+
+def check_paths_of_numbers(data: st.DataObject, case: Transmission) -> None:
     # paths of a sweep do not tell these apart: one name of two parts, a name in brackets from a unit;
     # and a name with both kinds of quotes cannot be written as part of a path
     names = [one.name for one in case.shift_elements] + [one.name for one in case.mechanisms]
@@ -109,6 +113,11 @@ def test_a_path_of_the_page_is_that_of_sweep_solve_and_compare(
     event(path.rpartition(".")[2])
     if abs(value) > 1e-3:
         assert path in changes
+
+
+@examples(6, 14, 120)
+def test_a_path_of_the_page_is_that_of_sweep_solve_and_compare(examples: int) -> None:
+    try_out(check_paths_of_numbers, examples)
 
 
 NUMBER = re.compile(r"[-+.0-9eE]*")

@@ -25,7 +25,7 @@ from vstatics.core.model.springs import between
 from vstatics.simulation import Motion, Scenario, Start, constant, simulate
 
 SHIPPED = sorted([path.name for path in (*CASES.glob("*.yaml"), *CASES.glob("*.dat"))])
-QUICK = ("gm-6t70.yaml", "mercedes-7g.yaml", "ravigneaux-gf4a.yaml", "simpson.yaml")
+QUICK = ("simpson.yaml", "gm-6t70.yaml", "mercedes-7g.yaml", "ravigneaux-gf4a.yaml")
 ROUNDING = 1e-6
 """What may be left where the input works 1e4 J, all of which is taken or lost. [J]"""
 

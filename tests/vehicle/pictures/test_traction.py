@@ -52,7 +52,7 @@ def test_top_speeds_and_slopes_are_those_of_the_summary(tmp_path: Path) -> None:
     vehicle = "vehicle: {mass: 1900, radius: .33, rolling: .011, drag_area: .65, final_drive: 3.15,"
     engine = "  engine: [[105, 180], [185, 400], [470, 400], [680, 270]]}"
     case = tmp_path / "box.yaml"
-    text = (CASES / "zf-8hp70.yaml").read_text("utf-8")
+    text = (CASES / "simpson-th400.yaml").read_text("utf-8")
     case.write_text(f"{text}\n{vehicle}\n{engine}\n", "utf-8")
     answer = json_answer("summary", case)["vehicle"]["gears"]
     told = {
