@@ -8,6 +8,7 @@ import pytest
 
 from tests.rejects import rejects
 from vstatics import CaseError, Gear, Mechanism, ShiftElement, Transmission
+from vstatics.core.model.checks import hints
 from vstatics.core.model.parts import NO_DAMPING, Damping, damping
 from vstatics.core.model.springs import Spring, between, ends
 
@@ -19,6 +20,16 @@ def made(*springs: Spring, **others: Any) -> Transmission:
 def test_a_spring_has_one_rate_whichever_is_given() -> None:
     assert Spring(between(1, 2), stiffness=500).rate == 500
     assert Spring(between(1, 2), compliance=1 / 1024).rate == 1024
+
+
+def test_a_half_shaft_to_a_link_without_inertia_never_twists() -> None:
+    """A road with a given motion, and a link with an inertia of 0, are deliberate."""
+    for given, told in (({}, ["N207"]), ({4: 1.3}, []), ({4: 0.0}, [])):
+        sets = [Mechanism(1, 2, 0, 4.0)]
+        shaft = Spring(between(2, 4), stiffness=9e3, name="shaft")
+        road = Spring(between(3, 1), stiffness=2e5, name="tyre")
+        case = Transmission(4, [], sets, [Gear()], springs=[shaft, road], output=2, input=3)
+        assert [note.id for note in hints(case.replace(inertias={1: 0.2, **given}))] == told
 
 
 def test_the_housing_has_no_part_in_a_twist() -> None:

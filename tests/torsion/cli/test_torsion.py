@@ -260,3 +260,15 @@ def test_what_does_not_exist_is_null_in_json_and_empty_in_csv() -> None:
     free = ("response", "--at", "a", "--orders", "2,4", "--speed", "0,100")
     [gear] = document(*free, text=CHAIN)["gears"]
     assert [one is None for one in gear["orders"][0]["amplitudes"]["a"]] == [True, False]
+
+
+def test_a_vehicle_and_a_half_shaft_to_nothing_are_noted() -> None:
+    """The half-shaft cannot twist; 1200 kg on wheels of 0.3 m are 108 kg*m^2."""
+    text = (
+        "links: [engine, differential, wheel]\nmechanisms: {axle: {first: engine, second: "
+        "differential, ratio: 4}}\nsprings: {half-shaft: {links: [differential, wheel], "
+        "stiffness: 9e3}}\ninertias: {engine: 0.2}\nvehicle: {mass: 1200, radius: 0.3}\n"
+    )
+    notes = said("modes", text=text).err
+    assert "springs.half-shaft: nothing else acts on link wheel, which has no inertia" in notes
+    assert "its mass is an inertia of 108 kg*m^2 on the output" in notes

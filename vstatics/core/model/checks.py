@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import chain
 
 from vstatics.core.annexes import KEYS, module_of_key, not_installed
 from vstatics.core.errors import CaseError, Path, Problem, spoken
@@ -21,6 +23,7 @@ from vstatics.core.model.part_checks import (
     sets_side_by_side,
 )
 from vstatics.core.model.parts import (
+    HOUSING,
     Law,
     Mechanism,
     OfLoad,
@@ -208,7 +211,33 @@ def hints(case: TransmissionFields) -> Iterator[Problem]:
     yield from _turning(case)
     yield from _twins(case)
     if case.springs:
-        yield from left_out(case)
+        yield from still_in_vibration(case)
+
+
+def still_in_vibration(case: TransmissionFields) -> Iterator[Problem]:
+    """Yield notes about data that vibration ignores, and springs that never twist in vibration.
+
+    The input can have a given motion, such as a road, and an inertia of 0 is deliberate.
+    """
+    yield from left_out(case)
+    joined = Counter(
+        chain(
+            *(element.links for element in case.shift_elements),
+            *(mechanism.links for mechanism in case.mechanisms),
+            *(converter.links for converter in case.converters),
+            *(dict(spring.twist) for spring in case.springs),
+        )
+    )
+    known = {HOUSING, case.input, *case.heavy}
+    for number, spring in enumerate(case.springs, 1):
+        for link in dict(spring.twist):
+            if joined[link] == 1 and link not in known:
+                yield Problem(
+                    "N207",
+                    f"nothing else acts on link {case.link_name(link)}, which has no inertia, so "
+                    "the spring never twists in vibration; give the link an inertia",
+                    ("springs", number),
+                )
 
 
 def _turning(case: TransmissionFields) -> Iterator[Problem]:

@@ -69,12 +69,18 @@ def plain_names(text: str) -> str:
 def nearest_quantity(name: str, others: Iterable[str] = ()) -> str:
     """Return a hint with the most similar quantity or other name; empty if no name is similar.
 
+    Deck names, in upper case, are only suggested for names with such letters.
+
+    >>> nearest_quantity("slips")
+    '; did you mean `slip_speeds`?'
     >>> nearest_quantity("W_Nm"), nearest_quantity("ETA_kW"), nearest_quantity("speed")
     ('; did you mean `W_rpm`?', '; did you mean `ETA`?', '; did you mean `speeds`?')
     """
     relative = name.rpartition("_")[0]
     if relative not in BY_NAME:
-        return nearest(name, [*BY_NAME, *others])
+        known = [*BY_NAME, *others]
+        in_lower_case = nearest(name, filter(str.islower, known)) if name.islower() else ""
+        return in_lower_case or nearest(name, known)
     unit = BY_NAME[relative].with_load
     return f"; did you mean `{relative}_{unit}`?" if unit else f"; did you mean `{relative}`?"
 

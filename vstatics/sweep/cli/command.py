@@ -172,8 +172,8 @@ def sweep_command(
     --resume continues from them.
 
     \b
-    Exit status 1: the sweep is not finished, no variant has a solution in all requested
-    gears, or with --strict there is a warning on the case or a run.
+    Exit status 1: the sweep is not finished, no variant has a solution in all
+    requested gears, or with --strict there is a warning on the case or a run.
     """
     of_command = SweepOptions.of(**dict(map(_unquoted, said, said.values())))
     of_file = SweepOptions()

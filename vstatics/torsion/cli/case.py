@@ -14,6 +14,7 @@ from vstatics.core.cli.shared.one_case import CaseAnswer, OneCase
 from vstatics.core.cli.shared.options import Command, Option, gathered
 from vstatics.core.cli.shared.values import FILE, torque, value, wrong_value
 from vstatics.core.errors import Problem, listed
+from vstatics.core.model.checks import still_in_vibration
 from vstatics.core.model.transmission import Gear, Transmission
 from vstatics.core.readers.reading import Reading
 
@@ -177,7 +178,8 @@ def gears_answer(
     Errors are reported before other problems.
     """
     faults = located(reading, ((gear.name, gear.error) for gear in gears), "E519")
-    return CaseAnswer(grids, answer, [*faults, *problems], failed=bool(faults))
+    still = map(reading.locate, still_in_vibration(reading.case))
+    return CaseAnswer(grids, answer, [*faults, *problems, *still], failed=bool(faults))
 
 
 def slope_notes(reading: Reading, gears: Iterable[str]) -> list[Problem]:

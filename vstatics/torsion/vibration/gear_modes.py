@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vstatics.core.arguments import refusing
-from vstatics.core.errors import CaseError, plural, spoken
+from vstatics.core.errors import CaseError, count_of, spoken
 from vstatics.core.extras import higher
 from vstatics.core.model.empty import EMPTY
 from vstatics.core.model.transmission import Transmission
@@ -266,12 +266,10 @@ def _warnings(system: TorsionalSystem, split: Coordinates, held: Balance) -> Ite
     if unknown:
         sets = [involved for involved, _ in dependencies(system.rigid_twists)]
         what = "; ".join(spoken([rigid[index] for index in involved]) for involved in sets)
-        counted = (
-            f"{len(sets)} {plural('component', len(sets))} {'is' if len(sets) == 1 else 'are'}"
-        )
+        verb = "is" if len(sets) == 1 else "are"
         yield (
-            f"{what}: {counted} in excess; the speeds agree, the torque of {spoken(unknown)} is "
-            "not determined"
+            f"{what}: {count_of('component', len(sets))} {verb} in excess; the speeds "
+            f"agree, the torque of {spoken(unknown)} is not determined"
         )
 
 

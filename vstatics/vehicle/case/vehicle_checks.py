@@ -136,7 +136,8 @@ def _mass_twice(case: TransmissionFields, vehicle: Vehicle) -> Iterator[Problem]
         message = (
             f"{names} {'has' if len(given) == 1 else 'have'} {total:.4g} kg*m^2{reduced}, and the "
             f"mass of the vehicle is {mass:.4g} kg*m^2 there, mass*(radius/final_drive)^2, which "
-            "`vehicle` adds itself, so it counts twice; leave it out of `inertias`"
+            "`vehicle` adds itself, so it counts twice; leave it out of `inertias`, or, for "
+            "simulation and vibration, remove `vehicle` in a second case"
         )
         yield Problem("W202", message, ("inertias", next(iter(given))))
 
@@ -194,7 +195,8 @@ def without_vehicle(case: TransmissionFields) -> Iterator[Problem]:
     if sum(inertias.values()) < MASS_AGAIN * mass:
         message = (
             "simulations and vibration omit the vehicle and use `inertias` only; its mass is an "
-            f"inertia of {mass:.4g} kg*m^2 on the output, mass*(radius/final_drive)^2"
+            f"inertia of {mass:.4g} kg*m^2 on the output, mass*(radius/final_drive)^2; give it in "
+            "a second case without `vehicle`"
         )
         yield Problem("N607", message, ("vehicle",))
 

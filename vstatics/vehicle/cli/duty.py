@@ -88,7 +88,9 @@ def drawn_duty(asked: PictureFiles) -> DutyTable:
     from vstatics.vehicle.duty_file import read_duty_table
 
     if suffix_of(asked.duty) != ".csv":
-        raise ValueError("a picture of a load spectrum: expected a duty cycle as a CSV of points")
+        raise ValueError(
+            "a picture of a load spectrum: expected a duty cycle as a CSV of points, --duty FILE"
+        )
     classes = asked.classes
     if not isinstance(classes, str):
         classes = (
