@@ -33,6 +33,10 @@ controls: {brake: 120}
 torques: {in: 40, "out, too": -60}
 """
 LOCKS = 0.410054006
+WITH_GEAR = (
+    "read `gear` together with `speeds` or `engaged`, expected one or the other: "
+    "instead of `gear`, write `engaged: [brake]`"
+)
 
 
 @pytest.fixture(autouse=True)
@@ -135,6 +139,7 @@ def test_what_is_in_error_is_told_at_its_place_and_nothing_is_written() -> None:
         ("box.yaml", '"b\\0x"', "1:7: error: b\\u0000x cannot be read: "),
         ("in: 500 rpm", "in: 500 rpm, ring: 100", "3:"),
         ("in: 500 rpm, ", "", "3:"),
+        ("start: {", "start: {gear: low, ", f"3:8: error: start: {WITH_GEAR}"),
     ):
         Path("lock.yaml").write_text(SCENARIO.replace(old, new), "utf-8")
         shown = vstatics("simulate", "lock.yaml", "-o", "out.csv")
