@@ -191,7 +191,7 @@ def _points(data: bytes, file: str) -> UnitTable:
     table = read_unit_table(data, file, f"{expected}gear, speed, torque", _COLUMNS, "E121")
     if ("time" in table.numbers) == ("share" in table.numbers):
         message = "expected exactly one of the columns `time` and `share`"
-        raise ReadError("E121", message, place=table.source.place(1))
+        raise ReadError("E121", message, place=table.head_place)
     return table
 
 

@@ -83,6 +83,8 @@ def test_a_column_that_is_missing_is_told_with_those_of_its_kind() -> None:
     assert "did you mean `torques[prop]`?" in told
     assert told.endswith("columns of torques are torques[prop], torques[tyres]")
     assert record.lacks("E883", "turns").message.count("speeds[") == 7
+    titled = read_record(b"Test 7\n\n" + text.encode(), "r.csv", {"time": None})
+    assert str(titled.lacks("E883", "turns").place) == "r.csv:3:1"
 
 
 GOOD = '{"ratio": [1.5]}'

@@ -33,6 +33,10 @@ controls: {brake: 120}
 torques: {in: 40, "out, too": -60}
 """
 LOCKS = 0.410054006
+WITH_GEAR = (
+    "read `gear` together with `speeds` or `engaged`, expected one or the other: "
+    "instead of `gear`, write `engaged: [brake]`"
+)
 
 
 @pytest.fixture(autouse=True)
@@ -135,6 +139,7 @@ def test_what_is_in_error_is_told_at_its_place_and_nothing_is_written() -> None:
         ("box.yaml", '"b\\0x"', "1:7: error: b\\u0000x cannot be read: "),
         ("in: 500 rpm", "in: 500 rpm, ring: 100", "3:"),
         ("in: 500 rpm, ", "", "3:"),
+        ("start: {", "start: {gear: low, ", f"3:8: error: start: {WITH_GEAR}"),
     ):
         Path("lock.yaml").write_text(SCENARIO.replace(old, new), "utf-8")
         shown = vstatics("simulate", "lock.yaml", "-o", "out.csv")
@@ -202,11 +207,12 @@ def test_an_output_with_the_suffix_of_a_picture_leads_to_the_command_plot() -> N
     assert said.is_wrong_use("or none for text; `vstatics plot --kind shift` draws pictures")
 
 
-def test_a_run_has_the_warnings_of_a_check() -> None:
+def test_runs_and_sweeps_of_a_scenario_have_the_warnings_of_a_check() -> None:
     """A road of 1000 kg on wheels of 0.3 m needs 1000*0.3^2 = 90 kg*m^2, and the link has 0.8."""
     road = "{road: {mass: 1000, radius: 0.3, rolling: 0.01}}"
     Path("road.yaml").write_text(SCENARIO.replace("-60", road), "utf-8")
-    for command in ("check", "simulate"):
-        said = vstatics(command, "road.yaml")
+    vary = ("sweep", "road.yaml", "--vary", "duration=0.1,0.2", "--out", "work")
+    for command in (("check", "road.yaml"), ("simulate", "road.yaml"), vary):
+        said = vstatics(*command)
         assert said.err.count("road.yaml:5:19: warning: ") == 1
         assert "expected 90 for a mass of 1000 kg" in said.err

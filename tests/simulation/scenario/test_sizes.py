@@ -18,7 +18,7 @@ case: case.yaml
 duration: 1
 start: {speeds: {in: 30, out: 0}}
 controls: {C: [[0, 10], [.5, 20]]}
-torques: {in: 15, out: {road: {mass: 100, radius: .3}}}
+torques: {in: 15, out: {road: {mass: 20, radius: .3}}}
 """
 
 

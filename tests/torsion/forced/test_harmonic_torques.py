@@ -295,3 +295,10 @@ def test_a_fault_of_a_table_is_told_with_its_line() -> None:
         with pytest.raises(ReadError) as caught:
             read_torque_table(text, "engine.csv")
         assert any(str(one).startswith(f"engine.csv:{message}") for one in caught.value.problems)
+
+
+def test_without_any_inertia_no_link_can_be_excited() -> None:
+    """All links move without resistance, so the message names no link as an example."""
+    case = Transmission(2, [], [Mechanism(1, 2, 0, 3.0)], [Gear()])
+    [gear] = response(case, 1, [Harmonic(2.0, 1.0)], [100.0])
+    assert gear.error.endswith("expected another, such as one with an inertia")

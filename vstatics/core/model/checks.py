@@ -204,8 +204,8 @@ def hints(case: TransmissionFields) -> Iterator[Problem]:
         yield Problem(
             "N202",
             f"shares a central gear and the carrier with {other}: if they also share planets, the "
-            "losses of this form are not exact; give the planets as one gear set, or each mesh as "
-            "a mechanism (example: `vstatics check --explain N202`)",
+            "losses of this form are not exact; give the planets as one gear set (example: "
+            "`vstatics new -t ravigneaux`), or each mesh as a mechanism",
             ("mechanisms", number),
         )
     yield from _turning(case)

@@ -38,6 +38,8 @@ class RecordedColumns(NamedTuple):
     lines: Sequence[int]
     """Line number of each row."""
     source: Source
+    head: int
+    """Line number of the headings."""
 
     def place(self, row: int) -> Place:
         """Return the place in the file of a row; rows are counted from 0."""
@@ -56,7 +58,7 @@ class RecordedColumns(NamedTuple):
 
     def problem(self, identity: str, message: str) -> Problem:
         """Return a problem at the line of headings."""
-        return Problem(identity, message, (), self.source.place(1))
+        return Problem(identity, message, (), self.source.place(self.head))
 
 
 def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) -> RecordedColumns:
@@ -125,7 +127,7 @@ def read_record(data: bytes, file: str, wanted: Mapping[str, Measure | None]) ->
     if problems:
         raise ReadError(problems)
     return RecordedColumns(
-        {name: np.array(column) for name, column in columns.items()}, headings, lines, source
+        {name: np.array(column) for name, column in columns.items()}, headings, lines, source, head
     )
 
 

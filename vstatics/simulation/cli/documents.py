@@ -13,7 +13,6 @@ from vstatics.core.cli.shared.documents import NO_TEXTS, no_case
 from vstatics.core.cli.shared.problems import Telling
 from vstatics.core.errors import CaseError, Problem, ReadError, not_allowed, plural
 from vstatics.core.tables.grid import Grid
-from vstatics.simulation.scenario.checks import scenario_doubts
 from vstatics.simulation.scenario.file import ScenarioDocument, ScenarioFile, read_scenario
 from vstatics.simulation.scenario.parts import Scenario
 
@@ -101,11 +100,12 @@ def read_swept_document(
     of_case = Document(*case_of(read_scenario(data, name), case))
     subject = VariedScenario(Document(data, name), of_case, case_format=case_format)
     try:
-        reading = subject.own.reading
+        own = subject.own
     except ReadError as error:
         raise ReadError(telling.printed(error.problems)) from None
-    show_problems(reading.warnings, telling, subject.case.file)
-    return subject, list(reading.warnings)
+    problems = [*own.reading.warnings, *own.allowing(telling.allow).doubts]
+    show_problems(problems, telling, subject.case.file)
+    return subject, problems
 
 
 TRIED, LONG = 1.0, 60.0
@@ -119,9 +119,9 @@ def check_document(
     try:
         read = read_with_case(data, file, options.input_format)
         read = read.allowing(options.telling.allow)
-        doubts = [*scenario_doubts(read.scenario), *_tried(read.scenario)]
-        doubts = not_allowed(doubts, read.scenario.case.untold)
-        problems = options.telling.told([*read.reading.warnings, *map(read.locate, doubts)])
+        tried = not_allowed(_tried(read.scenario), read.scenario.case.untold)
+        doubts = [*read.doubts, *map(read.locate, tried)]
+        problems = options.telling.told([*read.reading.warnings, *doubts])
     except ReadError as error:
         return file, error.problems, True, None
     except Exception as error:  # noqa: BLE001 - the other files are still checked

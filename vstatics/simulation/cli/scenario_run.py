@@ -11,7 +11,7 @@ from vstatics.core.annexes import KEYS, module_of_method, not_installed
 from vstatics.core.cli.shared import files
 from vstatics.core.cli.shared.cases import CalculatedCase
 from vstatics.core.cli.shared.options import needs
-from vstatics.core.errors import CaseError, Problem, ReadError, not_allowed
+from vstatics.core.errors import CaseError, Problem, ReadError
 from vstatics.core.extras import higher
 
 if TYPE_CHECKING:
@@ -96,11 +96,8 @@ def run_problems(read: ScenarioFile, motion: Motion) -> Iterator[Problem]:
 
     A note of the scenario that the run repeats is not repeated.
     """
-    from vstatics.simulation.scenario.checks import scenario_doubts  # slow, not needed for --help
-
     repeated = {message.id for message in motion.messages}
-    doubts = not_allowed(scenario_doubts(read.scenario), read.scenario.case.untold)
-    yield from (read.locate(doubt) for doubt in doubts if doubt.id not in repeated)
+    yield from (doubt for doubt in read.doubts if doubt.id not in repeated)
     file = read.spots.place(())._replace(line=0, column=0, text="")
     for message in motion.messages:
         text = f"gear {message.gear}: {message.text}" if message.gear else message.text

@@ -160,11 +160,15 @@ def _of_start(scenario: Scenario) -> Iterator[Problem]:
         yield Problem("E628", "expected `gear`, or `speeds` that determine all others", ("start",))
     if start.gear is not None:
         if by_speeds:
-            yield Problem(
-                "E629",
-                "read `gear` together with `speeds` or `engaged`, expected one or the other",
-                ("start",),
-            )
+            names = [
+                element.name
+                for gear in case.gears
+                if gear.name == start.gear and not start.engaged
+                for element in case.elements_at(gear.engaged)
+            ]
+            instead = f": instead of `gear`, write `engaged: [{', '.join(names)}]`" * bool(names)
+            message = "read `gear` together with `speeds` or `engaged`, expected one or the other"
+            yield Problem("E629", message + instead, ("start",))
         yield from _of_gear(start.gear, case, ("start", "gear"))
     elif start.speed:
         yield Problem("E630", "read `speed` without `gear`, expected both", ("start", "speed"))

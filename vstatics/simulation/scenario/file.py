@@ -73,6 +73,12 @@ class ScenarioFile(NamedTuple):
         return located(problem, self.spots, self.reading)
 
     @property
+    def doubts(self) -> list[Problem]:
+        """Warnings and notes about the scenario, with their positions in the document."""
+        doubts = not_allowed(scenario_doubts(self.scenario), self.scenario.case.untold)
+        return [*map(self.locate, doubts)]
+
+    @property
     def input_speeds(self) -> tuple[float, ...]:
         """Magnitudes of the input speeds at the start and in torque laws over speed [rpm]."""
         entry, start = self.scenario.case.input, self.scenario.start
@@ -285,8 +291,7 @@ def document_problems(data: bytes, file: str) -> list[Problem]:
     """
     document = read_scenario(data, file)
     file_read = document.with_case(readers.read(*case_bytes(document)))
-    doubts = not_allowed(scenario_doubts(file_read.scenario), file_read.scenario.case.untold)
-    return [*file_read.reading.warnings, *map(file_read.locate, doubts)]
+    return [*file_read.reading.warnings, *file_read.doubts]
 
 
 @refusing()

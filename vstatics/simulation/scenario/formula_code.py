@@ -18,6 +18,7 @@ import numpy as np
 
 from vstatics.core.numerics.arrays import Floats
 from vstatics.core.numerics.lookup_table import LookupTable
+from vstatics.core.readers.expressions.evaluation import ON_ARRAYS
 from vstatics.core.readers.expressions.grammar import Applied, Tree
 from vstatics.core.readers.expressions.operands import Constant, TableName
 from vstatics.simulation.scenario.table_call import TableCall
@@ -67,17 +68,9 @@ _PLAIN: Mapping[str, Callable[..., Any]] = {
     "atan": math.atan,
 }
 _BROAD: Mapping[str, Callable[..., Any]] = {
-    "abs": np.abs,
+    **ON_ARRAYS,
     "min": lambda *values: reduce(np.fmin, values),
     "max": lambda *values: reduce(np.fmax, values),
-    "sqrt": np.sqrt,
-    "exp": np.exp,
-    "tanh": np.tanh,
-    "sin": np.sin,
-    "cos": np.cos,
-    "sign": np.sign,
-    "log": np.log,
-    "atan": np.arctan,
     "pow": np.power,
     "divide": np.divide,
     "number": lambda condition: np.asarray(condition, float),

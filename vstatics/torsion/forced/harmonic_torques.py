@@ -282,7 +282,7 @@ def not_excitable(system: TorsionalSystem, split: Coordinates, at: int) -> str:
         return ""
     why = "has no inertia and no resistance" if split.undetermined[at] else "stands still"
     others = [name for name, can in zip(system.names, excitable, strict=True) if can]
-    other = f"expected another, such as {', '.join(others[:3])}"
+    other = f"expected another, such as {', '.join(others[:3]) or 'one with an inertia'}"
     return f"link {system.names[at]} {why}: {other}"
 
 

@@ -89,7 +89,7 @@ def read_fuel_map(data: bytes, file: str) -> FuelMap:
             f"read {len(row)} rows for {len(speeds)} speeds and {len(torques)} torques, expected "
             "one row for each pair"
         )
-        raise ReadError("E123", message, place=table.source.place(1))
+        raise ReadError("E123", message, place=table.head_place)
     if (fuel < 0).any():
         wrong = int(np.flatnonzero(np.array(table.numbers["fuel"]) < 0)[0])
         raise ReadError("E123", "fuel: expected 0 or more", place=table.place(wrong))

@@ -103,3 +103,9 @@ def test_an_efficiency_above_1_is_not_taken_for_a_percentage() -> None:
     for efficiency, hint in ((1.02, ""), (98, ", such as 0.98 for 98 %")):
         [message] = errors(last, f"{last}, efficiency: {efficiency}")
         assert message.endswith(f"expected an efficiency above 0 and up to 1{hint}")
+
+
+def test_an_unknown_key_explains_why_its_value_is_missing() -> None:
+    """Without `rate`, the spring would lack its stiffness."""
+    [message] = errors("gears:", "springs: {K: {links: [r, c], rate: 3}}\ngears:")
+    assert message.startswith("springs.K: unknown key `rate`, expected ")

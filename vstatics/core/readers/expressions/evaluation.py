@@ -20,8 +20,21 @@ from vstatics.core.readers.expressions.operands import Constant
 Values: TypeAlias = Floats | Booleans
 Function: TypeAlias = Callable[[Sequence[Values]], Values]
 
-FUNCTIONS = ("abs", "min", "max", "sqrt", "exp", "tanh", "sin", "cos", "sign", "log", "atan")
+ON_ARRAYS: Mapping[str, np.ufunc] = {
+    "abs": np.absolute,
+    "min": np.fmin,
+    "max": np.fmax,
+    "sqrt": np.sqrt,
+    "exp": np.exp,
+    "tanh": np.tanh,
+    "sin": np.sin,
+    "cos": np.cos,
+    "sign": np.sign,
+    "log": np.log,
+    "atan": np.arctan,
+}
 """Functions of numbers in all formulas; only `min` and `max` have several arguments."""
+FUNCTIONS = tuple(ON_ARRAYS)
 TABLE_FUNCTIONS = (*FUNCTIONS, "sum")
 """Functions in formulas of tables."""
 REDUCTIONS = ("min", "max", "sum")
@@ -146,15 +159,7 @@ OPERATIONS: Mapping[str, Function] = {
     "not": lambda operands: ~truth(operands[0]),
     "true": lambda operands: truth(operands[0]),
     "-x": _of_number(operator.neg),
-    "abs": _of_number(np.abs),
-    "sqrt": _of_number(np.sqrt),
-    "exp": _of_number(np.exp),
-    "tanh": _of_number(np.tanh),
-    "sin": _of_number(np.sin),
-    "cos": _of_number(np.cos),
-    "sign": _of_number(np.sign),
-    "log": _of_number(np.log),
-    "atan": _of_number(np.arctan),
+    **{name: _of_number(function) for name, function in ON_ARRAYS.items()},
     "min": _extreme(np.minimum, np.fmin),
     "max": _extreme(np.maximum, np.fmax),
     LAST: _of_number(lambda numbers: numbers[..., -1:, :]),

@@ -80,6 +80,8 @@ def known_entries(spots: Spots, spot: Spot, keys: Sequence[KeyShape]) -> dict[st
             expected = _advice(key.text, known) or expected
             spots.complain(spot, f"unknown key `{shown(key.text)}`{expected}", key, UNKNOWN_KEY)
             meant.update((name, value) for name in known if f"`{name}`" in hint)
+            if not hint:  # its value can be the cause of a lack in this mapping
+                spots.unreadable.append((*spot.path, key.text))
         elif known[key.text].required or not is_null(value):
             given[key.text] = value
     return meant | given

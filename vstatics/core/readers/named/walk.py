@@ -115,14 +115,14 @@ class Walk:
         return stand_in(shape)
 
     def _by_key(self, spot: Spot, shape: ByKey) -> Any:
-        node = spot.node
+        node, unreadable = spot.node, len(self.spots.unreadable)
         given = {}
         if isinstance(node, Mapping):
             given = known_entries(self.spots, spot, shape.keys)
         elif not is_null(node) or shape.required:
             expected = "expected a mapping with " + spoken(quoted(key.name) for key in shape.keys)
             return self.refuse(spot, shape, expected)
-        values, unreadable = values_before(shape), len(self.spots.unreadable)
+        values = values_before(shape)
         for key in shape.keys:
             if key.name in given:
                 inner = spot.key(key.name, key.name, given[key.name])
