@@ -6,7 +6,7 @@ from random import Random
 import numpy as np
 import pytest
 
-from tests.chance import examples, seeded
+from tests.chance import each_seed, examples, seeded
 from vstatics.core.numerics.arrays import Floats, Integers
 from vstatics.core.numerics.fixed_points import Extremes, Laws, TrialTorques, find_fixed_points
 from vstatics.core.numerics.lookup_table import LookupTable
@@ -77,3 +77,36 @@ def test_a_tangent_counts_as_one_fixed_point_and_a_gap_as_none() -> None:
         laws = laws_of(LookupTable((0.0,), (values,), (1.0, 1.5)), 0.0, 1.0, 1)
         low, high = (np.array([[end]]) for end in (min(values), max(values)))
         assert find_fixed_points(laws, low, high, NEVER).point.size == number + 1
+
+
+@each_seed(5, 200)
+def test_a_torque_that_turns_at_the_solution_hides_no_fixed_point(seed: int) -> None:
+    """The laws have the values `e` at the torques 0, 10 and 7, where the first torque turns."""
+    rng = seeded(seed)
+    e = np.array([[rng.uniform(0.7, 0.9)] for _ in range(3)])
+    tables = [
+        LookupTable((0.0,), ((rng.uniform(0.6, 0.95), value, rng.uniform(0.6, 0.95)),), at)
+        for value, at in zip(
+            e[:, 0], ((-5.0, 0.0, 5.0), (2.0, 10.0, 15.0), (1.0, 7.0, 12.0)), strict=True
+        )
+    ]
+
+    def torques_at(_: Integers, tried: Floats) -> TrialTorques:
+        turning = (tried - e)[1:].sum(axis=0)
+        signs = np.array([np.sign(turning), *np.ones((2, len(turning)))])
+        torques = np.array([turning, 10 + turning, 7 - turning])
+        return TrialTorques(torques, signs, np.isfinite(turning))
+
+    def bounds(over: str, low: Floats, high: Floats) -> Extremes:
+        each = zip(tables, low, high, strict=True)
+        ends = [getattr(table, over)(np.zeros(x.shape), x, y) for table, x, y in each]
+        return Extremes(*map(np.array, zip(*ends, strict=True)))
+
+    laws = Laws(
+        torques_at,
+        lambda _, *ends: bounds("values_over", *ends),
+        lambda _, *ends: bounds("slopes_over", *ends),
+    )
+    low, high = (np.array([[f(table.values[0])] for table in tables]) for f in (min, max))
+    fixed = find_fixed_points(laws, low, high, np.full((3, 1), np.nan))
+    assert np.abs(fixed.efficiencies - e).max(axis=0).min() < 1e-9

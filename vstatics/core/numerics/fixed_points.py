@@ -174,6 +174,8 @@ def _searched(laws: Laws, boxes: _Boxes, known: Floats) -> Iterator[tuple[AllFix
             break
         boxes, candidates = _narrowed(laws, boxes, known)
         near.append(candidates)
+        far = np.abs(boxes.middle - known[:, boxes.point]).max(axis=0) + boxes.width
+        boxes = boxes.of(~(far < SAME_CLUSTER))
         small = boxes.width < LEAST_BOX_WIDTH
         clusters.append(boxes.of(small))
         boxes = boxes.of(~small)
@@ -205,7 +207,8 @@ class _Corners:
         least = np.where(exist, np.abs(values), np.inf).min(axis=0)
         largest = np.where(exist, np.abs(values), -np.inf).max(axis=0)
         small = boxes.width < SMALL_BOX
-        slack = np.where(small, np.minimum(1.1 * largest / least, 2.0), 2.0)
+        spread = (1 + 2 * boxes.width) * (largest / least) ** 2
+        slack = np.where(small, np.minimum(spread, 2.0), 2.0)
         slack = np.where(self.is_regular, 1.0, slack)
         self.least = np.where(turns | np.isinf(least), 0.0, least / slack)
         self.largest = np.where(self.exist.all(axis=0) | small, largest * slack, np.inf)
@@ -354,6 +357,8 @@ def _of_clusters(laws: Laws, boxes: _Boxes) -> AllFixedPoints:
         error = laws.error_at(point, efficiencies)
         left = np.nan_to_num(np.abs(error).max(axis=0), nan=np.inf)
         best, least = np.where(left < least, efficiencies, best), np.minimum(left, least)
+        if (least <= SAME_TRIAL).all():
+            break
         shifts = LEAST_BOX_WIDTH * np.eye(len(efficiencies))[:, :, None]
         shifted = [laws.error_at(point, efficiencies - shift) for shift in shifts]
         slopes = np.stack([(error - other) / LEAST_BOX_WIDTH for other in shifted], axis=1)
