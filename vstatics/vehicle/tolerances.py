@@ -20,12 +20,8 @@ LEAST_EXCESS = 1e-9
 """Relative increase of an engine torque that rounding left below the least value. [-]"""
 LEAST_CLUTCH_FORCE = 4e-9
 """Increase of the least wheel force of a slipping clutch, against rounding, relative and in N."""
-SAME_CLUTCH_FORCE = 4e-10
-"""Distance at which the search for the least force of a slipping clutch ends, relative and in N."""
-LEAST_FREEWHEEL_TORQUE = 1e-11
-"""Torque of a freewheel that counts as 0, relative to its torque at the wanted force. [-]"""
-NO_SLIP_POWER = 1e-6
-"""Power of a slipping clutch that counts as 0, relative to the power at the wheels. [-]"""
+LEAST_OPENING = 1e-11
+"""Torque or power of an opening element that counts as 0, relative to the wanted force. [-]"""
 AT_REST = 1e-10
 """Engine speed for losses at rest, relative to the last engine speed. [-]"""
 SMALLEST_NUMBER = 1e-15

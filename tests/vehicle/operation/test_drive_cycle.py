@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Mapping
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -508,6 +509,43 @@ def test_a_clutch_that_slips_or_overruns_leaves_braking_to_the_brakes(
     assert energy.engine == pytest.approx(given, rel=1e-9)
     faster = drive(case, trace((0, 5, "low"), (4, 9, "low")), GearChoice())
     assert faster.energy.brakes == pytest.approx(0, abs=1e-6)
+
+
+@each_seed(2, 40)
+def test_brakes_relieve_a_slipping_clutch_before_pairs_with_jagged_maps(seed: int) -> None:
+    """Behind the open clutch, drag and inertia of `b` and `c` alone load the pairs.
+
+    From there, the force at the wheels follows without a search.
+    """
+    rng = seeded(seed)
+    maps = [[[at, rng.uniform(0.85, 0.99)] for at in (0, 8, 20, 40, 60)] for _ in "bc"]
+    pairs = "".join(
+        f"  {name}: {{first: {name}, second: {second}, ratio: 2, "
+        f"efficiency: {{over: torque, points: {points}}}}}\n"
+        for name, second, points in zip("bc", ("c", "out"), maps, strict=True)
+    )
+    drag, inertia = rng.uniform(0, 3), rng.uniform(0, 0.5)
+    case = loads(
+        "links: [engine, b, c, out]\nload: {speed: 1500 rpm, torque: 100 N*m}\n"
+        "shift_elements: {C: [engine, b]}\ngears: {low: {slip: {C: 20 rad/s}}}\n"
+        f"mechanisms:\n{pairs}drag: {{b: {drag} N*m}}\ninertias: {{b: {inertia}, c: {inertia}}}\n"
+        "vehicle: {mass: 1000, radius: 0.5, overrun: [[0, -1000], [100, -1000]]}\n"
+    )
+    speeds = [(0, 30.0), (2, 24.0), (3, 20.5), (5, 15.0), (6, 10.0)]
+    brakes, lost = 0.0, {"b": 0.0, "c": 0.0}
+    for (start, fast), (end, slow) in pairwise(speeds):
+        time, speed, change = end - start, (fast + slow) / 2, (slow - fast) / (end - start)
+        torque = -drag
+        for name, points, ratio in zip("bc", maps, (8, 4), strict=True):
+            torque -= inertia * change * ratio
+            places, values = np.transpose(points)
+            eta = np.interp(abs(torque), places, values) ** np.sign(torque)
+            lost[name] += torque * (1 - eta) * ratio * speed * time
+            torque *= 2 * eta
+        brakes += (torque / 0.5 - 1000 * change) * speed * time
+    energy = drive(case, trace(*((*row, "low") for row in speeds)), GearChoice()).energy
+    assert [energy.brakes, energy.lost["slip.C"]] == pytest.approx([brakes, 0], rel=1e-8, abs=1e-3)
+    assert {name: energy.lost[name] for name in lost} == pytest.approx(lost, rel=1e-6)
 
 
 def test_slip_in_a_gear_without_a_ratio_hinders_no_cycle() -> None:

@@ -699,6 +699,9 @@ class Gear(NamedTuple):
         torque, numbered as in `speed_ratios`. Only the solver sets this field. [-]
     open : sequence of int
         Disengaged converters, which transmit no torque in this gear, numbered as in `speed_ratios`.
+    slip_drives : bool
+        True if slipping shift elements can produce power. Only searches for a state in which they
+        take power set this field.
 
     Examples
     --------
@@ -730,6 +733,7 @@ class Gear(NamedTuple):
     loss_torques: Mapping[int, float] = EMPTY
     pump_torques: Mapping[int, float] = EMPTY
     open: Sequence[int] = ()
+    slip_drives: bool = False
 
     @property
     def carrying(self) -> tuple[int, ...]:

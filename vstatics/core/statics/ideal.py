@@ -117,7 +117,7 @@ def slip_losses(ideal: IdealGear, columns: Sequence[Column], torques: Torques) -
 
 def driving(ideal: IdealGear, columns: Sequence[Column], torques: Torques) -> list[int]:
     """Return the numbers of slipping shift elements that would produce power."""
-    losses = slip_losses(ideal, columns, torques)
+    losses = () if ideal.gear.slip_drives else slip_losses(ideal, columns, torques)
     return [n for n, loss in enumerate(losses, 1) if bool(loss * ideal.direction < 0)]
 
 

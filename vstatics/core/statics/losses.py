@@ -92,7 +92,8 @@ def check_signs(
     if not ideal.allows_driving:
         mechanisms = zip(ideal.case.mechanisms, losses, strict=True)
         of_converters = [loss for mechanism, loss in mechanisms if mechanism.kind == "converter"]
-        slipping = (of_slips[number - 1] for number in ideal.gear.slip)
+        slipping = [of_slips[number - 1] for number in ideal.gear.slip]
+        slipping *= not ideal.gear.slip_drives
         for loss in (*of_converters, *(loss for loss in slipping if not is_nan(loss))):
             agrees = agrees & (loss * way >= 0)
     passes = ideal.overcome or (efficiency > 0) & (efficiency < math.inf)

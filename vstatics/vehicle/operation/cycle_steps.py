@@ -23,7 +23,6 @@ from vstatics.core.summary.design_table import is_guess
 from vstatics.core.tables.written_results import GEAR_NUMBER
 from vstatics.vehicle.case.vehicle import Vehicle, beside_engine
 from vstatics.vehicle.operation.converter import (
-    MOST_DOUBLINGS,
     ConverterGear,
     bare,
     converters_of,
@@ -49,17 +48,15 @@ from vstatics.vehicle.operation.shifting import (
 from vstatics.vehicle.operation.trace import Trace, blocks
 from vstatics.vehicle.tolerances import (
     LEAST_CLUTCH_FORCE,
-    LEAST_FREEWHEEL_TORQUE,
-    NO_SLIP_POWER,
-    SAME_CLUTCH_FORCE,
+    LEAST_OPENING,
     SAME_ENGINE_TORQUE,
     SAME_POWER,
 )
 
-FORCE_STEPS = 60
-"""Largest number of trials for the least wheel force that a slipping clutch transmits."""
-TRIAL_PART = 63 / 64
-"""Part of the distance from a wheel force to the root of a secant at which a trial is made. [-]"""
+ENLARGEMENT = 16
+"""Factor by which a trial wheel force is enlarged, to bracket the force that opens a clutch. [-]"""
+MOST_ENLARGEMENTS = 8
+"""Largest number of such enlargements."""
 
 _AT_STANDSTILL = ("", "0", "0.0", "n", "p")
 """Names that published cycles give the neutral gear, allowed at standstill."""
@@ -382,129 +379,60 @@ class CycleSteps(NamedTuple):
         torques = -forces * self.vehicle.radius / self.vehicle.final_drive
         return speeds, torques * np.sign(speeds)
 
-    def with_open_clutches(self, rows: Integers) -> CycleSteps:
-        """Return the steps with `least_forces`, so that no slipping clutch would give power.
+    def _with_open_elements(self, rows: Integers) -> CycleSteps:
+        """Return the steps with `least_forces`, at which freewheels and slipping clutches open.
 
-        Where the wheels ask for less force, the clutch carries no torque, and brakes absorb the
-        difference.
+        Where the wheels ask for less force, a freewheel of `opening` would overrun, or a slipping
+        clutch would give power. It therefore carries no torque, and brakes absorb the difference.
         """
-        slips = np.array([bool(gear.slipping) for gear in self.case.gears])
-        rows = rows[slips[self.gears[rows]]]
-        asked = self.asked_forces[rows]
-        lacks = np.isnan(self._slip_power(rows, asked))
-        rows, low = rows[lacks], asked[lacks]
+        slipping = [gear.slipping for gear in self.case.gears]
+        opening = [self.opening.get(index, ()) for index in range(len(self.case.gears))]
+        may_open = [bool(a or b) for a, b in zip(slipping, opening, strict=True)]
+        rows = rows[np.array(may_open)[self.gears[rows]]]
         if not rows.size:
             return self
-        size, high = 1 + np.abs(low), np.maximum(low, 0.0)
-        for _ in range(MOST_DOUBLINGS):
-            powers = self._slip_power(rows, high)
-            lacks = np.isnan(powers)
-            if not lacks.any():
-                break
-            low, high = np.where(lacks, high, low), np.where(lacks, 2 * high + size, high)
-        high = self._least_force(rows, low, high, powers)
-        excess = np.where(high, LEAST_CLUTCH_FORCE * (1 + np.abs(high)), 0.0)
-        for _ in range(MOST_DOUBLINGS):
-            powers = self._slip_power(rows, high + excess)
-            if not np.isnan(powers).any():
-                break
-            excess = np.where(np.isnan(powers), 2 * excess, excess)
-        is_open = powers <= NO_SLIP_POWER * size * self.trace.speed[rows]
-        least = self.least_forces.copy()
-        least[rows[is_open]] = (high + excess)[is_open]
-        return self._replace(least_forces=least)
-
-    def _least_force(self, rows: Integers, low: Floats, high: Floats, powers: Floats) -> Floats:
-        """Return the least wheel forces at which slipping clutches carry torque [N].
-
-        At this force the slip power is 0, and below it the slip power is undefined. Trials are
-        therefore slightly above the root of a secant. If that root is not between the bounds, the
-        trial is in the middle.
-
-        Parameters
-        ----------
-        low, high, powers : ndarray, shape (rows,)
-            Forces below and above the least force [N], and the slip powers at `high` [W].
-        """
-        trial, left = 2 * high - low, np.arange(len(rows))
-        slopes = (self._slip_power(rows, trial) - powers) / (trial - high)
-        for _ in range(FORCE_STEPS):
-            with np.errstate(divide="ignore", invalid="ignore"):
-                over = powers / slopes
-            width = high - low
-            known = (over > 0) & (over < width)
-            same = SAME_CLUTCH_FORCE * (1 + np.abs(high))
-            left = np.flatnonzero(np.where(known, over, width) > same)
-            if not left.size:
-                break
-            down = np.where(known & (TRIAL_PART * over < width), TRIAL_PART * over, width / 2)[left]
-            found = self._slip_power(rows[left], high[left] - down)
-            lacks = np.isnan(found)
-            low[left[lacks]] = (high[left] - down)[lacks]
-            higher, down = left[~lacks], down[~lacks]
-            slopes[higher] = (powers[higher] - found[~lacks]) / down
-            high[higher] -= down
-            powers[higher] = found[~lacks]
-        return high
-
-    def _slip_power(self, rows: Integers, forces: Floats) -> Floats:
-        """Return the smallest loss of a slipping clutch at wheel forces, NaN if undefined [W]."""
-        if not rows.size:
-            return np.zeros(0)
-        results, here = self._at_forces(rows, forces)
-        losses = results.slip_losses_kW[here]
-        numbers = range(1, losses.shape[1] + 1)
-        slips = np.array([[n in gear.slipping for n in numbers] for gear in self.case.gears])
-        powers = np.where(slips[here[1]], 1e3 * np.abs(losses), math.inf).min(axis=1)
-        known = np.isfinite(results.lossy_output_torque_Nm[here])
-        return np.where(known, powers, math.nan)
-
-    def _at_forces(self, rows: Integers, forces: Floats) -> tuple[Results, tuple[Integers, ...]]:
-        """Return results at wheel forces [N], and in them the index of the gear of each row."""
-        speeds, torques = self._load_of_wheels(rows, forces)
+        numbers = range(1, len(self.case.shift_elements) + 1)
+        slips, opens = np.array(
+            [[[n in given for n in numbers] for given in gears] for gears in (slipping, opening)]
+        )
         case = turned(self.case, self.ratios)
-        vary = {"load.speed": speeds, "load.torque": torques, **self._further(case, rows)}
-        return solve(case, vary=vary), (np.arange(len(rows)), self.gears[rows])
-
-    def _with_open_freewheels(self, rows: Integers) -> CycleSteps:
-        """Return the steps with `least_forces` at which no freewheel of `opening` overruns.
-
-        Where the wheels ask for less force, the freewheel carries no torque, and brakes absorb the
-        difference.
-        """
-        rows = rows[np.isin(self.gears[rows], [*self.opening])]
-        if not rows.size:
-            return self
+        case = case.replace(gears=[gear._replace(slip_drives=True) for gear in case.gears])
 
         def excess(part: Integers, forces: Floats) -> Floats:
-            """Return the largest torque of a freewheel, above 0 if it would overrun [N*m]."""
-            results, here = self._at_forces(rows[part], forces)
-            torques = results.lossy_torques_Nm[here]
-            numbers = range(1, torques.shape[1] + 1)
-            held = [[n in self.opening.get(gear, ()) for n in numbers] for gear in here[1].tolist()]
-            largest: Floats = np.where(held, torques, -math.inf).max(axis=1)
-            return np.where(np.abs(largest) <= least_torque[part], 0.0, largest)
+            """Return the largest wrong torque [N*m] or power [kW]; below 0 if none is wrong."""
+            here, gears = np.arange(len(part)), self.gears[rows[part]]
+            speeds, torques = self._load_of_wheels(rows[part], forces)
+            vary = {"load.speed": speeds, "load.torque": torques}
+            results = solve(case, vary=vary | self._further(case, rows[part]))
+            overrun = results.lossy_torques_Nm[here, gears, : len(numbers)]
+            wrong = np.where(slips[gears], -results.slip_losses_kW[here, gears], -math.inf)
+            wrong = np.where(opens[gears], overrun, wrong).max(axis=1)
+            return np.where(np.abs(wrong) <= least[part], 0.0, wrong)
 
-        asked = self.asked_forces[rows]
-        least_torque = np.zeros(len(rows))
-        at_asked = excess(np.arange(len(rows)), asked)
-        least_torque = LEAST_FREEWHEEL_TORQUE * np.abs(at_asked)
-        part = np.flatnonzero(at_asked > 0)
+        low, least = self.asked_forces[rows], np.zeros(len(rows))
+        at_low = excess(np.arange(len(rows)), low)
+        least = LEAST_OPENING * np.abs(at_low)
+        part = np.flatnonzero(at_low > 0)
         if not part.size:
             return self
-        low, at_low = asked[part], at_asked[part]
         high = np.maximum(low, 0.0)
-        for _ in range(MOST_DOUBLINGS):
-            at_high = excess(part, high)
+        for _ in range(MOST_ENLARGEMENTS):
+            at_high = excess(part, high[part])
             if not (at_high > 0).any():
                 break
-            high = np.where(at_high > 0, 2 * high + 1 + np.abs(low), high)
-        least = self.least_forces.copy()
+            larger = ENLARGEMENT * (high[part] + 1 + np.abs(low[part]))
+            high[part] = np.where(at_high > 0, larger, high[part])
+        part, at_high = part[at_high <= 0], at_high[at_high <= 0]
         forces = illinois_root(
-            lambda places, x: excess(part[places], x), (low, high), (at_low, at_high)
+            lambda places, x: excess(part[places], x),
+            (low[part], high[part]),
+            (at_low[part], at_high),
         )
-        least[rows[part]] = forces
-        return self._replace(least_forces=least)
+        above = slips.any(axis=1)[self.gears[rows[part]]] & (forces != 0)
+        forces += np.where(above, LEAST_CLUTCH_FORCE * (1 + np.abs(forces)), 0.0)
+        least_forces = self.least_forces.copy()
+        least_forces[rows[part]] = forces
+        return self._replace(least_forces=least_forces)
 
     def _solved(self, case: Transmission, rows: Integers, points: DutyPoints) -> PointLoads:
         try:
@@ -562,7 +490,7 @@ class CycleSteps(NamedTuple):
         CaseError
             If a step has no torques.
         """
-        return self._with_open_freewheels(rows).with_open_clutches(rows).driven_by_engine(rows)
+        return self._with_open_elements(rows).driven_by_engine(rows)
 
     def driven_by_engine(self, rows: Integers) -> DrivenSteps:
         """Return the result of `driven` if `least_forces` are known."""

@@ -275,7 +275,10 @@ class _Search:
     def __init__(
         self, case: Transmission, columns: Columns, laws: LawsOf, results: Results
     ) -> None:
-        self.case, self.columns, self.laws = case, columns, laws
+        self.strict, self.columns, self.laws = case, columns, laws
+        # Torques near the limit at which a clutch begins to give power are then continuous.
+        gears = [gear._replace(slip_drives=bool(gear.slip)) for gear in case.gears]
+        self.case = case.replace(gears=gears)
         self.variants = len(results.speeds)
         self.speeds = {number: _speed(case, results, columns, number) for number in laws}
         rows = first_rows(case)
@@ -354,7 +357,7 @@ class _Search:
             lacking[rows] &= self._part(rows).iterated(max)[2]
         state[lacking & (state == NONE)] = 0
         columns = {**self.columns, **best}
-        results = solve_points(self.case, columns, self.variants)
+        results = solve_points(self.strict, columns, self.variants)
         return results, columns, state
 
     def _count(self, gear: int, best: dict[CaseNumber, Floats], state: Integers) -> None:
@@ -362,38 +365,54 @@ class _Search:
         numbers = [n for n in self.of_gear[gear] if len(set(_ends(self.laws[n]))) > 1]
         if not numbers:
             return
-        laws = self._laws_of(gear, numbers, best)
+        laws = self._laws_of(self.case, gear, numbers, best)
         none = np.zeros((len(numbers), self.variants))
         ends = laws.values(np.arange(self.variants), none, none + np.inf)
         known = np.array([np.where(state[:, gear] == 0, best[n], np.nan) for n in numbers])
-        fixed = self._in_range(numbers, laws, find_fixed_points(laws, *ends, known))
-        solutions = np.bincount(fixed.point, minlength=self.variants)
-        state[:, gear] = np.where(solutions > 1, SEVERAL, np.where(solutions, 0, NONE))
+        if self.strict.gears[gear].slip_drives and np.isfinite(known).all():
+            return
+        fixed = find_fixed_points(laws, *ends, known)
+        laws = self._laws_of(self.strict, gear, numbers, best)
+        fixed, exist = self._in_range(numbers, laws, fixed)
+        solutions = np.bincount(fixed.point, exist, self.variants)
+        found = np.isin(np.arange(self.variants), fixed.point)
+        state[:, gear] = np.where(solutions > 1, SEVERAL, np.where(found, 0, NONE))
         for n, efficiencies in zip(numbers, fixed.efficiencies, strict=True):
             best[n] = best[n].copy()
             best[n][fixed.point] = efficiencies
 
     def _in_range(
         self, numbers: list[CaseNumber], laws: Laws, fixed: AllFixedPoints
-    ) -> AllFixedPoints:
-        """Remove solutions with limited values of formulas where a point has other solutions."""
-        if not fixed.point.size or not any(self.laws[n].text for n in numbers):
-            return fixed
-        torques = laws.torques_at(*fixed)
+    ) -> tuple[AllFixedPoints, Booleans]:
+        """Remove solutions that are not valid where a point has other solutions.
+
+        In these, the value of a formula is limited, or there are no torques because a slipping
+        shift element would produce power. Also return flags of the solutions with torques.
+        """
         valid = np.ones(len(fixed.point), np.bool_)
+        slips = bool(self.case.gears[numbers[0].gear or 0].slip)
+        if not fixed.point.size or not (slips or any(self.laws[n].text for n in numbers)):
+            return fixed, valid
+        torques = laws.torques_at(*fixed)
+        valid &= torques.exist
         for n, torque, exponent in zip(numbers, *torques[:2], strict=True):
             law = self.laws[n]
             if law.text:
                 sizes = law.sizes_of(self.speeds[n][fixed.point], np.abs(torque))
                 valid &= (exponent == 0) | _are_efficiencies(law.at(*sizes))
         remains = valid | ~np.isin(fixed.point, fixed.point[valid])
-        return AllFixedPoints(fixed.point[remains], fixed.efficiencies[:, remains])
+        fixed = AllFixedPoints(fixed.point[remains], fixed.efficiencies[:, remains])
+        return fixed, torques.exist[remains]
 
     def _laws_of(
-        self, gear: int, numbers: list[CaseNumber], best: Mapping[CaseNumber, Floats]
+        self,
+        case: Transmission,
+        gear: int,
+        numbers: list[CaseNumber],
+        best: Mapping[CaseNumber, Floats],
     ) -> Laws:
         """Return the laws that determine `numbers` of a gear, calculated without other gears."""
-        alone = self.case.replace(gears=[self.case.gears[gear]])
+        alone = case.replace(gears=[case.gears[gear]])
         given = {**self.columns, **best}
         columns = {
             n._replace(gear=n.gear and 0): column
